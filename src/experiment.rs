@@ -7,13 +7,13 @@ use std::time::SystemTime;
 use asperity::Material;
 use asperity::work::Counter;
 use asperity_framework::digest::{hexadecimal, sha256, sha256_of_file};
-use asperity_framework::divided::Divided;
+use asperity_framework::divided::AnyDivided;
 use asperity_framework::input::material::MaterialOrigin;
 use asperity_framework::input::{InputError, Source, SpecFile};
 use asperity_framework::metadata::Timing;
 use asperity_framework::progress::{Progress, Silent};
 use asperity_framework::report::format::listed;
-use asperity_framework::{Kind, Outcome, Plan, RunContext};
+use asperity_framework::{AnyKind, AnyPlan, Outcome, Planned, RunContext};
 use asperity_plot::Size;
 use indexmap::IndexMap;
 use sha2::{Digest, Sha256};
@@ -39,7 +39,8 @@ pub struct Experiment {
     seed: u64,
     materials: IndexMap<String, Material>,
     origins: IndexMap<String, MaterialOrigin>,
-    plan: Box<dyn Plan>,
+    planned: Planned,
+    described: Option<PathBuf>,
 }
 
 impl Experiment {
@@ -73,8 +74,8 @@ impl Experiment {
 
     fn of_spec(spec: SpecFile, stem: String, full: bool) -> Result<Self, InputError> {
         let kind = kind(&spec)?;
-        let plan = kind.plan(&spec, full)?;
-        Self::new(spec, stem, kind.name(), plan)
+        let planned = kind.plan(&spec, full)?;
+        Self::new(spec, stem, kind.name(), planned)
     }
 
     /// Describes the surfaces of a spec; or that of a measured file with `options`, as in `[surface.NAME.file]`, and compares both
@@ -104,27 +105,25 @@ impl Experiment {
             }
             Some(name) => stem_of(Path::new(&format!("{name}.toml")))?,
         };
-        let plan: Box<dyn Plan> =
-            if is_spec { Box::new(SurfacesPlan::new(&spec)?) } else { Box::new(described(&spec)?) };
-        Self::new(spec, stem, SURFACES, plan)
+        let planned =
+            if is_spec { Planned::new(SurfacesPlan::new(&spec)?) } else { Planned::new(described(&spec)?) };
+        let described =
+            if is_spec { Some(path.to_owned()) } else { planned.plan.inputs().into_iter().next() };
+        Ok(Self { described, ..Self::new(spec, stem, SURFACES, planned)? })
     }
 
-    fn new(
-        spec: SpecFile,
-        stem: String,
-        kind: &'static str,
-        plan: Box<dyn Plan>,
-    ) -> Result<Self, InputError> {
+    fn new(spec: SpecFile, stem: String, kind: &'static str, planned: Planned) -> Result<Self, InputError> {
         let materials = spec.materials().map(|(name, body)| (name.get_ref().clone(), *body)).collect();
         let origins = spec.origins();
         let SpecFile { source, title, notes, figure, seed, .. } = spec;
-        check_memory(&*plan, &source)?;
-        Ok(Self { source, stem, title, kind, notes, figure, seed, materials, origins, plan })
+        check_memory(&*planned.plan, &source)?;
+        let described = None;
+        Ok(Self { source, stem, title, kind, notes, figure, seed, materials, origins, planned, described })
     }
 
     /// The file whose surfaces it only describes; `None` of an experiment that does more.
     pub fn described_file(&self) -> Option<PathBuf> {
-        self.plan.described_file()
+        self.described.clone()
     }
 
     /// Its spec.
@@ -138,7 +137,7 @@ impl Experiment {
             let metadata = std::fs::metadata(path).ok()?;
             Some((metadata.modified().ok()?, metadata.len()))
         };
-        self.plan.inputs().iter().map(of).collect()
+        self.planned.plan.inputs().iter().map(of).collect()
     }
 
     /// Name of its report's folder.
@@ -184,8 +183,8 @@ impl Experiment {
     ) -> Result<String, InputError> {
         let mut hash = Sha256::new();
         hash.update(sha256(self.source.text.as_bytes()));
-        hash.update(self.plan.variant());
-        for path in self.plan.inputs() {
+        hash.update(self.planned.variant);
+        for path in self.planned.plan.inputs() {
             let content = match self.source.held(&path) {
                 Some(held) => held.sha256(),
                 None => of_file(&path)
@@ -201,7 +200,7 @@ impl Experiment {
     /// # Errors
     /// What only a run can find: a map without a summit, a pressure that is not reached.
     pub fn run(&self, progress: &dyn Progress) -> Result<Box<dyn Outcome>, InputError> {
-        self.plan.run(&self.context(&self.input()?, progress))
+        self.planned.plan.run(&self.context(&self.input()?, progress))
     }
 
     /// Looks for what a run would refuse, such as a load that a population does not reach, without running it.
@@ -210,15 +209,15 @@ impl Experiment {
     /// What a run would refuse.
     pub fn check(&self) -> Result<(), InputError> {
         // Nothing is written, so that its input needs no name.
-        self.plan.check(&self.context("", &Silent))
+        self.planned.plan.check(&self.context("", &Silent))
     }
 
     /// Its division into tiles.
     ///
     /// # Errors
     /// An experiment that needs its whole input at once.
-    pub(crate) fn divided(&self) -> Result<&dyn Divided, InputError> {
-        self.plan.divided().ok_or_else(|| {
+    pub(crate) fn divided(&self) -> Result<&dyn AnyDivided, InputError> {
+        self.planned.divided.as_deref().ok_or_else(|| {
             let message = format!(
                 "found [{}], which needs its whole input at once and has no parts; allowed: [tiled], which sums a surface tile by tile",
                 self.kind
@@ -274,13 +273,13 @@ fn tables() -> Vec<&'static str> {
 }
 
 /// The tables of some kinds, as a spec has them.
-fn bracketed(is_among: fn(&dyn Kind) -> bool) -> Vec<String> {
+fn bracketed(is_among: fn(&dyn AnyKind) -> bool) -> Vec<String> {
     let kinds = KINDS.iter().filter(|kind| is_among(**kind));
     kinds.map(|kind| format!("[{}]", kind.name())).collect()
 }
 
 /// The kind of the one experiment that a spec holds.
-fn kind(spec: &SpecFile) -> Result<&'static dyn Kind, InputError> {
+fn kind(spec: &SpecFile) -> Result<&'static dyn AnyKind, InputError> {
     let allowed = format!("exactly one of {}", bracketed(|_| true).join(", "));
     let mut found = spec.tables().iter().filter(|(name, _)| name != SURFACES);
     let Some((name, _)) = found.next() else {
@@ -308,7 +307,7 @@ fn kind(spec: &SpecFile) -> Result<&'static dyn Kind, InputError> {
 }
 
 /// Refuses what memory cannot hold, before anything is allocated.
-fn check_memory(plan: &dyn Plan, source: &Source) -> Result<(), InputError> {
+fn check_memory(plan: &dyn AnyPlan, source: &Source) -> Result<(), InputError> {
     let mut system = sysinfo::System::new();
     system.refresh_memory();
     let available = u128::from(system.available_memory());
@@ -344,12 +343,12 @@ fn stem_of(path: &Path) -> Result<String, InputError> {
 impl fmt::Display for Experiment {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         writeln!(f, "{}: {}", self.source.path.display(), self.title)?;
-        write!(f, "{}", self.plan)?;
+        write!(f, "{}", self.planned.plan)?;
         writeln!(
             f,
             "  memory: at most {:.1} MB; work: at most {:.1e} micro-contacts per pass",
-            self.plan.memory().bytes as f64 / 1e6,
-            self.plan.work() as f64
+            self.planned.plan.memory().bytes as f64 / 1e6,
+            self.planned.plan.work() as f64
         )
     }
 }

@@ -8,7 +8,9 @@ pub mod limit;
 pub mod sampling_interval;
 pub mod tiled;
 
-use asperity_framework::Kind;
+use asperity_framework::AnyKind;
+use asperity_framework::report::digest::DigestRow;
+use asperity_framework::report::table::Schema;
 use asperity_framework::report::table_docs;
 #[cfg(feature = "validation")]
 use asperity_validation::kind::{
@@ -18,7 +20,7 @@ use asperity_validation::kind::{
 
 /// Every kind, in the order in which messages list them; those that measure the program itself only with the feature
 /// `validation`.
-pub const KINDS: &[&dyn Kind] = &[
+pub const KINDS: &[&dyn AnyKind] = &[
     &causes::Causes,
     &compare::Compare,
     #[cfg(feature = "validation")]
@@ -43,5 +45,11 @@ pub const SURFACES: &str = "surface";
 /// Markdown.
 pub fn columns(only: Option<&str>) -> String {
     let kinds = KINDS.iter().filter(|kind| only.is_none_or(|name| name == kind.name()));
-    table_docs::markdown(kinds.map(|kind| (kind.name(), kind.tables())))
+    table_docs::markdown(kinds.map(|kind| {
+        let mut tables = kind.tables();
+        if tables.iter().any(|table| table.is_long) {
+            tables.push(Schema::of::<DigestRow>());
+        }
+        (kind.name(), tables)
+    }))
 }

@@ -9,6 +9,7 @@ use asperity_framework::fields;
 use asperity_framework::input::{InputError, SpecFile};
 use asperity_framework::metadata::{Metadata, Timing};
 use asperity_framework::report::Page;
+use asperity_framework::report::table::Tables;
 use asperity_framework::{Memory, Outcome, Plan, RunContext};
 use indexmap::IndexMap;
 use serde::Serialize;
@@ -46,6 +47,8 @@ impl fmt::Display for SurfacesPlan {
 }
 
 impl Plan for SurfacesPlan {
+    type Outcome = SurfacesResults;
+
     fn inputs(&self) -> Vec<PathBuf> {
         inputs(&self.surfaces)
     }
@@ -58,11 +61,7 @@ impl Plan for SurfacesPlan {
         0
     }
 
-    fn described_file(&self) -> Option<PathBuf> {
-        Some(self.file.clone())
-    }
-
-    fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
+    fn run(&self, context: &RunContext) -> Result<SurfacesResults, InputError> {
         let start = Instant::now();
         let mut timing = Timing::default();
         context.progress.steps(self.surfaces.len() as u64);
@@ -76,11 +75,11 @@ impl Plan for SurfacesPlan {
         }
         timing.total = start.elapsed();
         let papers = seen.iter().flat_map(Surface::papers).collect();
-        Ok(Box::new(SurfacesResults {
+        Ok(SurfacesResults {
             metadata: context.metadata(papers, timing, Some(counter.work())),
             file: self.file.clone(),
             surfaces: seen,
-        }))
+        })
     }
 }
 
@@ -101,11 +100,11 @@ impl Outcome for SurfacesResults {
         warnings(&self.surfaces)
     }
 
-    fn page(&self) -> Page {
+    fn page(&self, _: &Tables) -> Page {
         page::page(self)
     }
 
-    fn summary(&self) -> serde_json::Result<Map<String, Value>> {
+    fn facts(&self) -> serde_json::Result<Map<String, Value>> {
         let surfaces = self.surfaces.iter().map(|surface| (&*surface.name, summary(surface)));
         fields(&Summary {
             looked_at: &self.file,

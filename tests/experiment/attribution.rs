@@ -1,5 +1,6 @@
 //! Why the models differ: for each kind of statement a case in which it holds and one in which it does not.
 
+use crate::Report;
 use std::fmt::Write;
 use std::path::Path;
 
@@ -81,7 +82,7 @@ fn the_cause_that_leads_is_named() {
     let folder = tempfile::tempdir().unwrap();
     list(folder.path(), "correlated.csv", 20_000, true);
     list(folder.path(), "independent.csv", 20_000, false);
-    let page = |surfaces: &str| run(folder.path(), COMPARE, surfaces).page().markdown();
+    let page = |surfaces: &str| run(folder.path(), COMPARE, surfaces).outline().markdown();
     let leads = "In separation the height-radius correlation leads from 1 to 60 MPa.";
     let correlated = page(&surface("list", "correlated.csv", 20_000));
     assert!(correlated.contains(leads), "{correlated}");
@@ -98,7 +99,7 @@ fn the_cause_that_leads_is_named() {
         case_1!()
     );
     let text = format!("statistical = {{ heights = \"gaussian\" }}\n{COMPARE}");
-    let page = run(folder.path(), &text, &population).page().markdown();
+    let page = run(folder.path(), &text, &population).outline().markdown();
     assert!(page.contains("In separation the height distribution leads from 1 to 60 MPa."), "{page}");
     assert!(page.contains(" 0 σ from the spread of radii"), "{page}");
 }
@@ -115,11 +116,11 @@ fn the_cases_that_a_cause_leads_are_named_or_counted() {
         run(folder.path(), COMPARE, &surfaces.concat())
     };
     let six = of(&["a", "b", "c", "d", "e", "f"]);
-    let page = six.page().markdown();
+    let page = six.outline().markdown();
     assert!(page.contains("of 6 cases with valid loads"), "{page}");
     let names = "the height-radius correlation leads on a, b, c, d, e and f";
     assert!(page.contains(&format!("in separation {names}")), "{page}");
-    let page = of(&["a", "b", "c", "d", "e", "f", "g"]).page().markdown();
+    let page = of(&["a", "b", "c", "d", "e", "f", "g"]).outline().markdown();
     assert!(page.contains("in separation the height-radius correlation leads on 7 of them"), "{page}");
     assert!(!page.contains("leads on a"), "{page}");
     let legend = figure(&*six, "verdicts.svg").unwrap();
@@ -132,7 +133,7 @@ fn few_contacts_and_a_single_model_have_no_parts() {
     let folder = tempfile::tempdir().unwrap();
     list(folder.path(), "few.csv", 100, true);
     let outcome = run(folder.path(), COMPARE, &surface("few", "few.csv", 100));
-    let page = outcome.page().markdown();
+    let page = outcome.outline().markdown();
     assert!(
         page.contains("The differences are not divided among their causes: fewer than 30 effective contacts"),
         "{page}"
@@ -144,7 +145,7 @@ fn few_contacts_and_a_single_model_have_no_parts() {
     for off in ["attribution = false", "models = [\"deterministic\"]"] {
         let outcome = run(folder.path(), &format!("{off}\n{COMPARE}"), &surface("few", "few.csv", 100));
         assert!(table(&*outcome, "attribution.csv").is_none(), "{off}");
-        assert!(!outcome.page().markdown().contains("why the models differ"), "{off}");
+        assert!(!outcome.outline().markdown().contains("why the models differ"), "{off}");
     }
 }
 
@@ -166,7 +167,7 @@ fn other_statistical_models() {
     let touching = correlated("statistical = { mean-radius = \"in-contact\" }");
     assert!(largest_gap(&*usual) > 0.15 && largest_gap(&*own) > 0.15, "{}", largest_gap(&*own));
     assert!(largest_gap(&*touching) < 0.1, "{}", largest_gap(&*touching));
-    let page = touching.page().markdown();
+    let page = touching.outline().markdown();
     assert!(page.contains("takes the mean radius of the asperities in contact"), "{page}");
     assert!(table(&*touching, "attribution.csv").is_none());
 
@@ -212,7 +213,7 @@ fn threads_change_nothing() {
     list(folder.path(), "list.csv", 20_000, true);
     let bytes = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        pool.install(|| run(folder.path(), COMPARE, &surface("list", "list.csv", 20_000)).tables().unwrap())
+        pool.install(|| run(folder.path(), COMPARE, &surface("list", "list.csv", 20_000)).files())
     };
     assert!(bytes(1) == bytes(3));
 }

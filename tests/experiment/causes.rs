@@ -1,5 +1,6 @@
 //! A map of causes: for each kind of statement a case in which it holds and one in which it does not.
 
+use crate::Report;
 use asperity_experiment::Experiment;
 use asperity_framework::Outcome;
 use asperity_framework::progress::Silent;
@@ -38,7 +39,7 @@ fn the_height_distribution_leads_on_skewed_surfaces_only() {
         let widest = if number(row, "wavelengths") == 2.0 { 3.0 } else { 5.0 };
         assert!((widest - 1.5..widest).contains(&number(row, "nayak_alpha")), "{row:?}");
     }
-    let page = outcome.page().markdown();
+    let page = outcome.outline().markdown();
     let line = page.lines().find(|line| line.contains("**Separation at")).unwrap();
     assert!(line.contains("of 4 points of the grid, the height distribution leads at 2"), "{line}");
     assert!(line.contains("(at every bandwidth for a skewness of −1)"), "{line}");
@@ -53,7 +54,7 @@ fn points_beyond_the_valid_range_are_not_divided() {
         assert!(row["leading_cause"].is_empty() && row["difference"].is_empty(), "{row:?}");
         assert!(row["limits"].contains("few-contacts"), "{row:?}");
     }
-    let page = outcome.page().markdown();
+    let page = outcome.outline().markdown();
     assert!(page.contains("at no point of the grid are all surfaces within the valid range"), "{page}");
 }
 

@@ -1,5 +1,6 @@
 //! Columns of the tables: what a report holds is what `docs/tables.md` says.
 
+use crate::Report;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
@@ -17,6 +18,14 @@ fn schemas() -> BTreeMap<&'static str, Schema> {
         assert!(same.is_none_or(|same| same == schema), "two tables are called {}", schema.file);
     }
     all
+}
+
+#[test]
+fn long_tables_are_not_under_version_control() {
+    let ignored = committed(".gitignore");
+    for (file, schema) in schemas() {
+        assert_eq!(ignored.contains(&format!("/reports/*/{file}\n")), schema.is_long, "{file}");
+    }
 }
 
 fn committed(path: &str) -> String {
@@ -63,7 +72,7 @@ fn unit_of(name: &str) -> Option<&'static str> {
 fn headings_are_whole() {
     for (file, schema) in schemas() {
         assert!(schema.rows.starts_with("One row for each ") && schema.rows.ends_with('.'), "{file}");
-        for (k, Heading { name, unit, meaning }) in schema.columns.iter().enumerate() {
+        for (k, Heading { name, unit, meaning, .. }) in schema.columns.iter().enumerate() {
             let first = meaning.chars().next();
             assert!(
                 first.is_some_and(char::is_uppercase) && meaning.ends_with('.'),
@@ -237,7 +246,7 @@ fn tables(spec: &str) -> Vec<(&'static str, Vec<u8>)> {
     let path = folder.path().join("spec.toml");
     fs::write(&path, format!("title = \"t\"\nseed = 1\n{spec}")).unwrap();
     fs::write(folder.path().join("points.csv"), "indentation,load\n1e-7,1e-3\n3e-7,6e-3\n").unwrap();
-    Experiment::read(&path).unwrap().run(&Silent).unwrap().tables().unwrap()
+    Experiment::read(&path).unwrap().run(&Silent).unwrap().files()
 }
 
 /// Whether a cell may stand in a column of this unit.
@@ -275,13 +284,8 @@ fn every_kind_writes_the_tables_that_it_declares() {
         for (schema, (file, content)) in declared.iter().zip(written) {
             let mut reader = csv::Reader::from_reader(content.as_slice());
             let header: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
-            // Reference and causes are in `comparison.csv` only where they were asked for.
-            let is_there = |heading: &&Heading| {
-                let name_of = &heading.name;
-                file != "comparison.csv"
-                    || name == "compare"
-                    || !(name_of.starts_with("reference_") || name_of.contains("_from_"))
-            };
+            // Reference and causes are there only where they were asked for.
+            let is_there = |heading: &&Heading| name == "compare" || heading.part.is_none();
             let columns: Vec<&Heading> = schema.columns.iter().filter(is_there).collect();
             assert_eq!(
                 header,

@@ -1,6 +1,7 @@
 //! Fitness of measured maps: each fault planted in a good map is found, blocks the verdict, and its remedy gives the verdict
 //! back; the verdicts under other treatments of a map.
 
+use crate::Report;
 use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
 
@@ -155,14 +156,14 @@ fn planted_faults_are_found_and_their_remedies_give_the_verdict_back() {
     // Each fault is found for what it is.
     assert_eq!(failed(of("spikes")), [Check::Spikes]);
     assert_eq!(failed(of("form"))[0], Check::Form);
-    let summary = Outcome::summary(&results).unwrap();
+    let summary = (&results as &dyn Outcome).records();
     let blocked = |name: &str| {
         let rows = summary["verdicts"].as_array().unwrap().iter().filter(|row| row["surface"] == name);
         rows.map(|row| row["verdict"] == "blocked").collect::<Vec<bool>>()
     };
     assert!(blocked("spikes").iter().all(|is_blocked| *is_blocked) && !blocked("spikes").is_empty());
     assert!(blocked("good").iter().all(|is_blocked| !is_blocked));
-    let page = Outcome::page(&results).markdown();
+    let page = (&results as &dyn Outcome).outline().markdown();
     assert!(
         page.contains("## spikes: verdicts\n\nNo conclusion until the map is fit: 6 spikes of up to"),
         "{page}"
@@ -193,7 +194,7 @@ fn a_verdict_that_depends_on_the_cut_off_says_so_and_a_robust_one_does_not() {
     assert!(choices(0).is_empty(), "{:?}", results.surfaces[0].robustness.as_ref().unwrap().dependences);
     assert!(choices(1).contains(&Choice::ShortWaves), "{:?}", choices(1));
     assert!(choices(2).contains(&Choice::ShortWaves), "{:?}", choices(2));
-    let page = Outcome::page(&results).markdown();
+    let page = (&results as &dyn Outcome).outline().markdown();
     let headline = |name: &str| {
         let section = page.split_once(&format!("# {name}: how sure are the verdicts?")).unwrap().1;
         section.split_once("\n#").unwrap().0.to_owned()
@@ -209,7 +210,7 @@ fn a_verdict_that_depends_on_the_cut_off_says_so_and_a_robust_one_does_not() {
         "{}",
         headline("short")
     );
-    let summary = Outcome::summary(&results).unwrap();
+    let summary = (&results as &dyn Outcome).records();
     let rows = summary["verdicts"].as_array().unwrap();
     let depends =
         |row: &serde_json::Value| row["depends_on"].to_string().contains("short-wavelength-cut-off");

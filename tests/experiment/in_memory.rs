@@ -1,5 +1,6 @@
 //! Specs without a file, and surfaces in memory: the results of the same in files.
 
+use crate::Report;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -63,9 +64,9 @@ fn surfaces_in_memory_are_those_of_files() {
     for (in_files, in_memory, held) in
         [(LIST, LIST, ("list.npy", held)), (&*with_pixel, MAP, ("map.npy", map(0)))]
     {
-        let files = run(folder.path(), in_files, Vec::new()).unwrap().tables().unwrap();
+        let files = run(folder.path(), in_files, Vec::new()).unwrap().files();
         let elsewhere = tempfile::tempdir().unwrap();
-        assert_eq!(run(elsewhere.path(), in_memory, vec![held]).unwrap().tables().unwrap(), files);
+        assert_eq!(run(elsewhere.path(), in_memory, vec![held]).unwrap().files(), files);
     }
 }
 
@@ -90,7 +91,7 @@ fn a_periodic_map_has_the_same_asperities_wherever_it_begins() {
         let outcome = run(folder.path(), surface, vec![("map.npy", map(shift))]).unwrap();
         let rows = table(&*outcome, "comparison.csv").unwrap();
         let density = number(&rows[1], "deterministic_contact_density_per_m2");
-        let summary = outcome.summary().unwrap();
+        let summary = outcome.records();
         (density, summary["surfaces"]["a"]["asperities"].as_u64().unwrap())
     };
     let periodic = format!("{MAP}periodic = true\n");
@@ -108,7 +109,7 @@ fn the_page_of_a_spec_without_a_file_holds_the_spec() {
     let (heights, radii) = list();
     let list = Held::List(Arc::new(AsperityList::of(heights, radii, None)));
     let outcome = run(folder.path(), LIST, vec![("list.npy", list)]).unwrap();
-    let page = outcome.page().files(None);
+    let page = outcome.outline().files(None);
     let text = page.markdown;
     let again = text.split("How to run it again").nth(1).unwrap();
     assert!(again.contains("separation = [1, 0]") && !again.contains("experiment run dictionary"), "{again}");

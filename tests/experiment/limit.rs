@@ -1,5 +1,6 @@
 //! `[limit]` from the spec to the slopes of the report.
 
+use crate::Report;
 use asperity_experiment::Experiment;
 use asperity_framework::Outcome;
 use asperity_framework::progress::Silent;
@@ -20,8 +21,8 @@ fn run(separation: f64, largest: f64) -> Box<dyn Outcome> {
 #[test]
 fn slopes_at_the_quantiles_are_those_of_the_leading_error() {
     let outcome = run(0.0, 1e5);
-    assert!(outcome.page().markdown().contains("**heights at the quantiles, area**: the error decreases"));
-    let summary = outcome.summary().unwrap();
+    assert!(outcome.outline().markdown().contains("**heights at the quantiles, area**: the error decreases"));
+    let summary = outcome.records();
     let slopes = summary["slopes"].as_array().unwrap();
     assert_eq!(slopes.len(), 8, "two laws, two quantities, random and at the quantiles");
     for slope in slopes {
@@ -40,6 +41,6 @@ fn slopes_at_the_quantiles_are_those_of_the_leading_error() {
 #[test]
 fn too_few_contacts_have_no_slope() {
     let outcome = run(3.0, 1e3);
-    assert!(outcome.summary().unwrap().get("slopes").is_none());
-    assert!(!outcome.page().markdown().contains("the error decreases"));
+    assert!(outcome.records().get("slopes").is_none());
+    assert!(!outcome.outline().markdown().contains("the error decreases"));
 }

@@ -49,3 +49,32 @@ mod work;
 fn downcast<T: std::any::Any>(outcome: Box<dyn asperity_framework::Outcome>) -> T {
     *(outcome as Box<dyn std::any::Any>).downcast().expect("the results of this kind")
 }
+
+/// A report before it is written.
+trait Report {
+    /// The page.
+    fn outline(&self) -> asperity_framework::report::Page;
+
+    /// `summary.json`.
+    fn records(&self) -> serde_json::Map<String, serde_json::Value>;
+
+    /// Names and contents of the tables.
+    fn files(&self) -> Vec<(&'static str, Vec<u8>)>;
+}
+
+impl Report for dyn asperity_framework::Outcome {
+    fn outline(&self) -> asperity_framework::report::Page {
+        self.page(&asperity_framework::report::table::Tables::new(self.tables()))
+    }
+
+    fn records(&self) -> serde_json::Map<String, serde_json::Value> {
+        let tables = asperity_framework::report::table::Tables::new(self.tables());
+        let summary = asperity_framework::summary_json(self, &tables).expect("results have a summary");
+        serde_json::from_slice(&summary).expect("a summary is an object")
+    }
+
+    fn files(&self) -> Vec<(&'static str, Vec<u8>)> {
+        let tables = self.tables();
+        tables.iter().map(|table| (table.schema.file, table.csv().expect("cells are CSV"))).collect()
+    }
+}

@@ -1,5 +1,6 @@
 //! Materials of the library: the documentation, specs that take them, and the sources in a report.
 
+use crate::Report;
 use std::fs;
 
 use asperity_experiment::Experiment;
@@ -40,7 +41,7 @@ fn a_report_names_the_source_of_each_value_that_is_from_the_library() {
     assert_eq!(origins.keys().collect::<Vec<_>>(), ["ball", "disc"]);
     let keys: Vec<&str> = origins["ball"].sources().iter().map(|(key, _)| *key).collect();
     assert_eq!(keys, ["young", "poisson"], "the hardness is that of the spec");
-    assert!(results.page().markdown().contains("`bronze-CuSn8` of the library"));
+    assert!(results.outline().markdown().contains("`bronze-CuSn8` of the library"));
     Store::new(folder.path()).write(&report_folder(&*results, "key").unwrap()).unwrap();
     let summary = fs::read_to_string(folder.path().join("t/summary.json")).unwrap();
     let summary: serde_json::Value = serde_json::from_str(&summary).unwrap();

@@ -1,5 +1,6 @@
 //! Which statistical model is enough: for each kind of statement a case in which it holds and one in which it does not.
 
+use crate::Report;
 use asperity_experiment::Experiment;
 use asperity_framework::Outcome;
 use asperity_framework::progress::Silent;
@@ -46,7 +47,7 @@ fn the_joint_density_is_enough_on_a_gaussian_surface_and_not_on_a_skewed_one() {
     assert!(difference(&rows, "five-point", "separation").abs() > 0.3);
     assert!(difference(&rows, "own, in-contact", "separation").abs() < 0.1);
     let statement = |outcome: &dyn Outcome, what: &str| {
-        let page = outcome.page().markdown();
+        let page = outcome.outline().markdown();
         let line = page.lines().find(|line| line.starts_with(&format!("- **{what} from the sum**")));
         line.unwrap_or_else(|| panic!("{page}")).to_owned()
     };
@@ -82,7 +83,7 @@ fn the_selected_model_has_the_differences_of_the_comparison() {
 #[test]
 fn a_joint_density_runs_with_intervals_and_without_causes() {
     let outcome = run("statistical = { model = \"nayak-greenwood\" }", &map("")).unwrap();
-    let page = outcome.page().markdown();
+    let page = outcome.outline().markdown();
     assert!(
         page.contains("has the joint density of height and curvature of summits of a continuous"),
         "{page}"
@@ -110,7 +111,7 @@ fn a_joint_density_needs_a_map_and_nothing_else() {
     // Without a map the others are still compared, and the report says why these are not.
     let outcome = run("", &population).unwrap();
     assert_eq!(table(&*outcome, "ranking.csv").unwrap().len(), 15 * 3);
-    let page = outcome.page().markdown();
+    let page = outcome.outline().markdown();
     assert!(page.contains("Not applicable: nayak-greenwood (the joint density follows from a map"), "{page}");
 }
 
@@ -121,6 +122,6 @@ fn a_ranking_is_made_where_it_is_read() {
     for compare in ["rank-models = false", "models = [\"deterministic\"]", layers] {
         let outcome = run(compare, &format!("{}{thicknesses}", map(""))).unwrap();
         assert!(table(&*outcome, "ranking.csv").is_none(), "{compare}");
-        assert!(!outcome.page().markdown().contains("which statistical model is enough"), "{compare}");
+        assert!(!outcome.outline().markdown().contains("which statistical model is enough"), "{compare}");
     }
 }

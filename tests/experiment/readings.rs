@@ -1,5 +1,6 @@
 //! σ and d of the asperities or of the surface: generated surfaces, populations, and what the reading changes.
 
+use crate::Report;
 use std::path::Path;
 
 use asperity::compare::{Control, Kind};
@@ -54,7 +55,7 @@ fn a_generated_surface_has_sigma_of_its_surface() {
     let surface = "[surface.a.generate]\npoints = 512\nspectrum.self-affine = { hurst = 0.8 }\n\
                    summits = { radius = \"20 um\", sigma = \"48 nm\", density = \"6e10 /m^2\", heights = \"surface\" }\n";
     let outcome = run("[2, 1]", surface);
-    let page = outcome.page().markdown();
+    let page = outcome.outline().markdown();
     assert!(page.contains("Separations are measured from the mean plane of the surface"), "{page}");
     assert!(!page.contains("Two readings"), "there is one reading only");
     let results: CompareResults = crate::downcast(outcome);
@@ -84,9 +85,9 @@ fn a_generated_surface_has_sigma_of_its_surface() {
 fn the_same_numbers_in_both_readings_are_compared() {
     let surfaces = [population("a", "48 nm", "gaussian"), population("b", "48 nm", "surface")].concat();
     let outcome = run("[3, 2, 1.5, 1]", &surfaces);
-    let page = outcome.page().markdown();
+    let page = outcome.outline().markdown();
     assert!(page.contains("## Two readings of σ and d"), "{page}");
-    let summary = outcome.summary().unwrap();
+    let summary = outcome.records();
     let results: CompareResults = crate::downcast(outcome);
     let readings = results.readings.as_ref().unwrap();
     assert_eq!(summary["readings"].as_array().unwrap().len(), readings.loads.len());
@@ -125,7 +126,7 @@ fn other_numbers_or_other_separations_are_not_compared() {
         ("[3, 2, 1]", other_heights),
     ] {
         let outcome = run(separations, &surfaces);
-        assert!(!outcome.page().markdown().contains("Two readings"));
+        assert!(!outcome.outline().markdown().contains("Two readings"));
         let results: CompareResults = crate::downcast(outcome);
         assert_eq!(results.readings, None);
     }

@@ -1,5 +1,6 @@
 //! The boundary element reference beside the models: where it runs, what it gives, and that nothing changes without it.
 
+use crate::Report;
 use std::path::Path;
 
 use asperity::HeightMap;
@@ -81,9 +82,9 @@ fn nothing_changes_where_no_reference_is_asked_for_and_the_models_do_not_where_i
         assert_eq!(rows, of_model(&*without, model));
         assert!(rows.iter().all(|row| row["raw_area_ratio"].is_empty()));
     }
-    let [plain, beside] = [&without, &with].map(|outcome| outcome.summary().unwrap());
+    let [plain, beside] = [&without, &with].map(|outcome| outcome.records());
     assert!(!plain.contains_key("reference") && beside["reference"][0]["boundary"] == "periodic");
-    let [plain, beside] = [&without, &with].map(|outcome| outcome.page().markdown());
+    let [plain, beside] = [&without, &with].map(|outcome| outcome.outline().markdown());
     assert!(!plain.contains("the reference") && beside.contains("## a: the reference"));
 }
 
@@ -200,7 +201,7 @@ fn under_a_layer_it_is_elastic_and_says_so_and_loads_above_the_hardness_are_left
     let words = "law zmc, thickness 200 nm: the reference is elastic under a layer of finite thickness";
     assert!(experiment.to_string().contains(words), "{experiment}");
     let outcome = experiment.run(&Silent).unwrap();
-    let text = outcome.page().markdown();
+    let text = outcome.outline().markdown();
     assert!(text.contains(words), "{text}");
     assert!(
         text.contains(
@@ -212,7 +213,7 @@ fn under_a_layer_it_is_elastic_and_says_so_and_loads_above_the_hardness_are_left
         rows.iter().map(|row| (&*row["layer_thickness_m"], &*row["cap_pa"])).collect();
     let [bare, layered, bulk] = [("0.0", "7600000000.0"), ("2e-7", ""), ("inf", "170000000.0")];
     assert_eq!(found, [bare, bare, layered, layered, bulk]);
-    assert_eq!(outcome.summary().unwrap()["reference"][2]["unreached_loads"], 1);
+    assert_eq!(outcome.records()["reference"][2]["unreached_loads"], 1);
 }
 
 const MEASURED: &str = "[surface.m.file]\npath = \"map.npy\"\npixel = \"1 um\"\n";
@@ -226,15 +227,15 @@ fn a_measured_map_is_levelled_and_mirrored_and_a_finite_patch_has_no_separation(
     let rows = table(&*mirrored, "reference.csv").unwrap();
     assert!(rows.iter().all(|row| row["boundary"] == "mirrored" && row["interpolated_points"] == "3"));
     assert!(
-        mirrored.page().markdown().contains("3 missing points were interpolated for the reference alone")
+        mirrored.outline().markdown().contains("3 missing points were interpolated for the reference alone")
     );
     let level = of_model(&*mirrored, "reference");
     let tilted = of_model(&*run(&spec, &format!("{MEASURED}level = \"mean\"\n")), "reference");
     // On its slope of 1.2 um one side of the map alone is in contact.
     assert!(number(&tilted[0], "separation_m") > 2.0 * number(&level[0], "separation_m").abs());
     let periodic = run(&format!("{spec}reference = {{ boundary = \"periodic\" }}\n"), MEASURED);
-    assert!(periodic.page().markdown().contains("steps at the edges of a measured map"));
-    assert!(!mirrored.page().markdown().contains("steps at the edges"));
+    assert!(periodic.outline().markdown().contains("steps at the edges of a measured map"));
+    assert!(!mirrored.outline().markdown().contains("steps at the edges"));
     let finite = run(&format!("{spec}reference = {{ boundary = \"finite\" }}\n"), MEASURED);
     for row in of_model(&*finite, "reference") {
         for name in ["separation_m", "separation_over_sigma", "stiffness_pa_per_m"] {
@@ -242,7 +243,7 @@ fn a_measured_map_is_levelled_and_mirrored_and_a_finite_patch_has_no_separation(
         }
         assert!(number(&row, "area_ratio") > 0.0);
     }
-    assert!(finite.page().markdown().contains("patch on a half-space"));
+    assert!(finite.outline().markdown().contains("patch on a half-space"));
 }
 
 /// On well resolved waves four times the points change little; the correction for the perimeter shrinks.
@@ -268,7 +269,7 @@ fn a_refined_map_gives_nearly_the_same_on_twice_the_points() {
     }
     let (_folder, experiment) = read(&format!("{spec}reference = {{ refine = 2 }}"), SMOOTH);
     assert!(experiment.to_string().contains("256 x 256 points"), "{experiment}");
-    assert!(experiment.run(&Silent).unwrap().page().markdown().contains("256 × 256 points"));
+    assert!(experiment.run(&Silent).unwrap().outline().markdown().contains("256 × 256 points"));
 }
 
 #[test]
@@ -293,7 +294,7 @@ fn it_runs_alone_at_one_load_and_at_several() {
             let count = loads.matches("MPa").count() * if layer.is_empty() { 1 } else { 2 };
             assert_eq!(table(&*outcome, "curves.csv").unwrap().len(), 2 * count);
             assert_eq!(of_model(&*outcome, "reference").len(), 2 * count);
-            let text = outcome.page().markdown();
+            let text = outcome.outline().markdown();
             let alone = if layer.is_empty() {
                 "the reference alone was run: a real contact area of 0."
             } else {
@@ -304,7 +305,7 @@ fn it_runs_alone_at_one_load_and_at_several() {
                 text.contains("a: the reference") && !text.contains("NaN") && !text.contains("inf,"),
                 "{text}"
             );
-            assert!(outcome.summary().unwrap()["verdicts"].as_array().unwrap().is_empty());
+            assert!(outcome.records()["verdicts"].as_array().unwrap().is_empty());
         }
     }
 }
@@ -312,7 +313,7 @@ fn it_runs_alone_at_one_load_and_at_several() {
 #[test]
 fn one_load_is_answered_beside_both_models() {
     let outcome = run(&format!("law = \"hertz\"\n{THREE}force = \"8 mN\"\n"), SMOOTH);
-    let text = outcome.page().markdown();
+    let text = outcome.outline().markdown();
     let text = text.split("results at this load").nth(1).unwrap();
     let row = |name: &str| -> Vec<String> {
         let line = text.lines().find(|line| line.starts_with(&format!("| {name} |"))).unwrap();
@@ -332,8 +333,8 @@ fn results_are_the_same_on_any_number_of_threads() {
         pool.install(|| {
             let outcome = run(&spec, SMOOTH);
             let figures: Vec<String> =
-                outcome.page().files(None).figures.into_iter().map(|(_, svg)| svg).collect();
-            (outcome.tables().unwrap(), figures)
+                outcome.outline().files(None).figures.into_iter().map(|(_, svg)| svg).collect();
+            (outcome.files(), figures)
         })
     };
     assert!(on(1) == on(3));
@@ -346,9 +347,9 @@ fn the_contact_is_shown_with_the_asperities_of_the_sum() {
     assert!(contact.contains("in contact in the sum and in the reference"));
     assert!(figure(&*outcome, "a-reference-pressures.svg").is_some());
     assert!(figure(&*outcome, "a-area.svg").unwrap().contains("reference"));
-    assert!(outcome.page().markdown().contains("touch in the reference too"));
+    assert!(outcome.outline().markdown().contains("touch in the reference too"));
     let (_folder, experiment) = read(&format!("law = \"hertz\"\nmodels = [\"reference\"]\n{SWEEP}"), SMOOTH);
-    assert!(!experiment.run(&Silent).unwrap().page().markdown().contains("touch in the reference too"));
+    assert!(!experiment.run(&Silent).unwrap().outline().markdown().contains("touch in the reference too"));
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! What tests read of a run: the rows of its tables and the figures of its page.
 
+use crate::Report;
 use std::collections::BTreeMap;
 
 use asperity_framework::Outcome;
@@ -14,7 +15,7 @@ pub fn rows(csv: &[u8]) -> Vec<Row> {
 
 /// The rows of a table; `None` where the report has no such table.
 pub fn table(outcome: &dyn Outcome, file: &str) -> Option<Vec<Row>> {
-    let tables = outcome.tables().unwrap();
+    let tables = outcome.files();
     tables.iter().find(|(name, _)| *name == file).map(|(_, content)| rows(content))
 }
 
@@ -28,5 +29,5 @@ pub fn column(rows: &[Row], name: &str) -> Vec<f64> {
 
 /// A figure of the page, as SVG.
 pub fn figure(outcome: &dyn Outcome, file: &str) -> Option<String> {
-    outcome.page().files(None).figures.into_iter().find(|(name, _)| *name == file).map(|(_, svg)| svg)
+    outcome.outline().files(None).figures.into_iter().find(|(name, _)| *name == file).map(|(_, svg)| svg)
 }

@@ -1,5 +1,6 @@
 //! `[sampling-interval]` from the spec to the statements of the report.
 
+use crate::Report;
 use asperity_experiment::Experiment;
 use asperity_framework::Outcome;
 use asperity_framework::progress::Silent;
@@ -37,11 +38,11 @@ fn outcome_of(series: &Value, quantity: &str) -> String {
 #[test]
 fn a_finely_sampled_surface_has_limits() {
     let outcome = run(2048, 32.0, "pressure = [\"30 MPa\"]\nintervals = [1, 2, 4]\ns-filter = []");
-    let interval = series(&outcome.summary().unwrap(), "interval");
+    let interval = series(&outcome.records(), "interval");
     for quantity in ["density", "statistical-area", "deterministic-area"] {
         assert_eq!(outcome_of(&interval, quantity), "limit", "{interval}");
     }
-    let page = outcome.page().markdown();
+    let page = outcome.outline().markdown();
     let statement = page.lines().find(|line| line.contains("**As the sampling interval shrinks**")).unwrap();
     assert!(statement.contains("the asperity density has a limit on random"), "{statement}");
     assert!(!statement.contains("has no limit"), "{statement}");
@@ -51,13 +52,13 @@ fn a_finely_sampled_surface_has_limits() {
 #[test]
 fn a_surface_that_is_rough_down_to_the_pixel_has_none() {
     let outcome = run(1024, 2.0, "pressure = [\"30 MPa\"]\nintervals = [2, 4, 8]\ns-filter = [1, 2, 4]");
-    let summary = outcome.summary().unwrap();
+    let summary = outcome.records();
     for variation in ["interval", "s-filter"] {
         for quantity in ["density", "mean-radius", "statistical-area"] {
             assert_eq!(outcome_of(&series(&summary, variation), quantity), "no-limit", "{variation}");
         }
     }
-    let page = outcome.page().markdown();
+    let page = outcome.outline().markdown();
     let statement = page.lines().find(|line| line.contains("**As the sampling interval shrinks**")).unwrap();
     let words = "the asperity density has no limit down to the finest interval on random; the mean radius has no limit";
     assert!(statement.contains(words), "{statement}");
@@ -99,7 +100,7 @@ fn tables_hold_every_scale_and_parts_that_add_up() {
     assert!(divided > 3, "{divided}");
     let few = |row: &&Row| row["length_m"].starts_with("3.2") && !row["limits"].is_empty();
     assert!(gaps.iter().filter(few).count() > 0, "16 points per axis carry no load by 30 contacts");
-    assert!(outcome.page().markdown().contains("not valid: fewer than 30 effective contacts"));
+    assert!(outcome.outline().markdown().contains("not valid: fewer than 30 effective contacts"));
 }
 
 /// Steps of an instrument.
@@ -116,8 +117,8 @@ fn a_map_that_is_not_fit_carries_no_conclusion() {
     let file = folder.path().join("interval.toml");
     std::fs::write(&file, spec).unwrap();
     let outcome = Experiment::read(&file).unwrap().run(&Silent).unwrap();
-    let page = outcome.page().markdown();
+    let page = outcome.outline().markdown();
     assert!(page.contains("**ground**: no conclusion is drawn, because its map is not fit"), "{page}");
     assert!(!page.contains("**As the sampling interval shrinks**"));
-    assert_eq!(series(&outcome.summary().unwrap(), "interval")["blocked"], true);
+    assert_eq!(series(&outcome.records(), "interval")["blocked"], true);
 }

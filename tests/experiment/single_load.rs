@@ -1,5 +1,6 @@
 //! One load or one separation: a table that answers in the units of the shop; and one thickness beside the uncoated flat.
 
+use crate::Report;
 use asperity_experiment::Experiment;
 use asperity_framework::Outcome;
 use asperity_framework::progress::Silent;
@@ -30,7 +31,7 @@ fn row(page: &str, name: &str) -> Vec<String> {
 
 #[test]
 fn one_load_is_answered_in_a_table_and_without_figures_of_a_point() {
-    let page = run("force = { values = [\"0.5 N\"] }").0.page();
+    let page = run("force = { values = [\"0.5 N\"] }").0.outline();
     let names: Vec<String> = page.files(None).figures.into_iter().map(|(name, _)| name).collect();
     assert_eq!(names, ["a-asperities.svg"]);
     let text = page.markdown();
@@ -56,13 +57,13 @@ fn one_load_is_answered_in_a_table_and_without_figures_of_a_point() {
 
 #[test]
 fn one_separation_and_one_model_too_but_not_a_sweep() {
-    let text = run("models = [\"deterministic\"]\nseparation = { values = [1.5] }").0.page().markdown();
+    let text = run("models = [\"deterministic\"]\nseparation = { values = [1.5] }").0.outline().markdown();
     assert!(text.contains("## a: results at this separation"));
     assert_eq!(row(&text, "separation in σ"), ["1.5 σ"]);
     // Nothing touches: no contact pressure.
-    let text = run("separation = { values = [9] }").0.page().markdown();
+    let text = run("separation = { values = [9] }").0.outline().markdown();
     assert_eq!(row(&text, "mean contact pressure")[1..], ["–", "–"]);
-    let page = run("pressure = { values = [\"1 MPa\", \"2 MPa\"] }").0.page();
+    let page = run("pressure = { values = [\"1 MPa\", \"2 MPa\"] }").0.outline();
     assert!(!page.markdown().contains("results at this"));
     assert!(page.files(None).figures.into_iter().any(|(name, _)| name == "a-area.svg"));
 }
@@ -74,9 +75,9 @@ fn one_thickness_is_shown_beside_the_uncoated_flat_and_a_list_stays() {
             "layer = {{ material = \"lead\", thickness = {spec} }}\nforce = {{ values = [\"0.05 N\"] }}"
         );
         let (outcome, check) = run(&layer);
-        let summary = outcome.summary().unwrap();
+        let summary = outcome.records();
         assert_eq!(check.contains("lead of 0, "), summary["layer"]["thicknesses_m"][0] == 0.0, "{check}");
-        (summary["layer"]["thicknesses_m"].as_array().unwrap().len(), outcome.page().markdown())
+        (summary["layer"]["thicknesses_m"].as_array().unwrap().len(), outcome.outline().markdown())
     };
     let (count, text) = thicknesses("\"50 nm\"");
     assert_eq!(count, 2);

@@ -1,5 +1,6 @@
 //! Verdicts of `[compare]` and `[laws]`: for each kind of statement a case in which it holds and one in which it does not.
 
+use crate::Report;
 use std::fs::File;
 use std::path::Path;
 
@@ -248,17 +249,17 @@ fn realisations_give_the_interval_directly() {
 #[test]
 fn the_answer_stands_first_and_in_the_files() {
     let outcome = run(tempfile::tempdir().unwrap().path(), LOADS, &population("case", 100_000, ""));
-    let page = outcome.page().markdown();
+    let page = outcome.outline().markdown();
     let first = page.lines().nth(2).unwrap();
     assert!(first.contains("statistical model agrees with the sum in real contact area within"), "{first}");
     assert!(page.contains("Valid for") && page.contains("Accepted (key `accept`): 10 %"));
     assert!(!page.to_lowercase().contains("trust") && page.contains("case-differences.svg"));
-    let json = serde_json::Value::Object(outcome.summary().unwrap());
+    let json = serde_json::Value::Object(outcome.records());
     let all = json["verdicts"].as_array().unwrap();
     let area = all.iter().find(|one| one["quantity"] == "area" && one["verdict"] == "within").unwrap();
     assert_eq!((&area["against"], &area["model"]), (&"deterministic".into(), &"statistical".into()));
     assert!(area["low"].as_f64() < area["difference"].as_f64() && area["accepted"] == 0.1);
-    let tables = outcome.tables().unwrap();
+    let tables = outcome.files();
     let (_, csv) = tables.iter().find(|(name, _)| *name == "differences.csv").unwrap();
     let csv = String::from_utf8(csv.clone()).unwrap();
     assert!(csv.lines().nth(1).unwrap().starts_with("case,zmc,,1000000.0,"), "{csv}");
@@ -269,7 +270,8 @@ fn the_answer_stands_first_and_in_the_files() {
 #[test]
 fn realisations_without_a_common_load_are_not_compared() {
     let several = population("a", 3000, "realisations = 2");
-    let page = |compare: &str| run(tempfile::tempdir().unwrap().path(), compare, &several).page().markdown();
+    let page =
+        |compare: &str| run(tempfile::tempdir().unwrap().path(), compare, &several).outline().markdown();
     assert!(page("separation = { values = [2, 1] }").contains("the realisations have no load in common"));
     assert!(!page("pressure = { values = [\"20 MPa\"] }").contains("no load in common"));
     let one = page("models = [\"deterministic\"]\npressure = { values = [\"20 MPa\"] }");

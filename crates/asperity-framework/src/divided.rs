@@ -14,6 +14,9 @@ use crate::kind::{Outcome, RunContext};
 /// A plan whose work is divided into tiles. The input alone fixes the tiles, so that results are the same to the bit however
 /// many processes share them.
 pub trait Divided {
+    /// Its results.
+    type Outcome: Outcome;
+
     /// Number of tiles.
     fn tiles(&self) -> usize;
 
@@ -35,15 +38,68 @@ pub trait Divided {
     ///
     /// # Errors
     /// As [`Self::pass`].
+    fn merge(&self, context: &RunContext, passes: &[Vec<TileResult>]) -> Result<Self::Outcome, InputError>;
+}
+
+/// A [`Divided`] plan of any type.
+pub trait AnyDivided: Send + Sync {
+    /// Number of tiles.
+    fn tiles(&self) -> usize;
+
+    /// Number of passes over all tiles.
+    fn passes(&self) -> usize;
+
+    /// See [`Divided::pass`].
+    ///
+    /// # Errors
+    /// What only a run can find.
+    fn pass(
+        &self,
+        context: &RunContext,
+        tiles: Range<usize>,
+        earlier: &[Vec<TileResult>],
+    ) -> Result<Vec<TileResult>, InputError>;
+
+    /// See [`Divided::merge`].
+    ///
+    /// # Errors
+    /// What only a run can find.
     fn merge(&self, context: &RunContext, passes: &[Vec<TileResult>])
     -> Result<Box<dyn Outcome>, InputError>;
+}
+
+impl<D: Divided + Send + Sync> AnyDivided for D {
+    fn tiles(&self) -> usize {
+        Divided::tiles(self)
+    }
+
+    fn passes(&self) -> usize {
+        Divided::passes(self)
+    }
+
+    fn pass(
+        &self,
+        context: &RunContext,
+        tiles: Range<usize>,
+        earlier: &[Vec<TileResult>],
+    ) -> Result<Vec<TileResult>, InputError> {
+        Divided::pass(self, context, tiles, earlier)
+    }
+
+    fn merge(
+        &self,
+        context: &RunContext,
+        passes: &[Vec<TileResult>],
+    ) -> Result<Box<dyn Outcome>, InputError> {
+        Ok(Box::new(Divided::merge(self, context, passes)?))
+    }
 }
 
 /// Runs all tiles in this process.
 ///
 /// # Errors
 /// As [`Divided::pass`] and [`Divided::merge`].
-pub fn run_undivided(divided: &dyn Divided, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
+pub fn run_undivided<D: Divided>(divided: &D, context: &RunContext) -> Result<D::Outcome, InputError> {
     let mut passes = Vec::new();
     for _ in 0..divided.passes() {
         passes.push(divided.pass(context, 0..divided.tiles(), &passes)?);

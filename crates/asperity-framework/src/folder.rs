@@ -2,10 +2,18 @@
 
 use std::time::Instant;
 
+use indexmap::IndexMap;
+
+use crate::digest::{hexadecimal, sha256};
 use crate::kind::Outcome;
 use crate::print::{PrintError, printed};
+use crate::report::digest::digest;
 use crate::report::store::Folder;
+use crate::report::table::Tables;
 use crate::summary;
+
+/// Endings of the files of a report that version control keeps, besides short tables and `summary.json`.
+const COMMITTED: [&str; 4] = [".md", ".svg", ".pdf", ".png"];
 
 /// A report that cannot be written down.
 #[derive(Debug, thiserror::Error)]
@@ -27,7 +35,10 @@ pub enum ReportError {
 /// See [`ReportError`].
 pub fn folder(outcome: &dyn Outcome, key: &str) -> Result<Folder, ReportError> {
     let start = Instant::now();
-    let page = outcome.page();
+    let mut tables = outcome.tables();
+    tables.extend(digest(&tables));
+    let tables = Tables::new(tables);
+    let page = outcome.page(&tables);
     let size = outcome.metadata().figure;
     let files = page.files(size);
     let mut folder = Folder::new(&outcome.metadata().stem, key);
@@ -40,13 +51,24 @@ pub fn folder(outcome: &dyn Outcome, key: &str) -> Result<Folder, ReportError> {
     for (name, svg) in files.figures {
         folder.file(name, svg);
     }
-    for (name, table) in outcome.tables()? {
-        folder.file(name, table);
+    for table in tables.iter() {
+        folder.file(table.schema.file, table.csv()?);
     }
-    let mut names: Vec<String> = folder.names().map(str::to_owned).collect();
-    names.extend(["summary.json".to_owned(), "timing.json".to_owned()]);
-    names.sort();
-    folder.file("summary.json", summary::summary(outcome, &page, &names)?);
-    folder.file("timing.json", summary::timing(outcome.metadata(), start.elapsed())?);
+    let is_committed = |name: &str| {
+        COMMITTED.iter().any(|ending| name.ends_with(ending))
+            || tables.iter().any(|table| table.schema.file == name && !table.schema.is_long)
+    };
+    let mut committed: IndexMap<&str, String> = folder
+        .files()
+        .filter(|(name, _)| is_committed(name))
+        .map(|(name, content)| (name, hexadecimal(&sha256(content))))
+        .collect();
+    committed.sort_unstable_keys();
+    let mut names: Vec<&str> = folder.files().map(|(name, _)| name).collect();
+    names.extend(["summary.json", "timing.json"]);
+    names.sort_unstable();
+    let summary = summary::summary(outcome, &tables, &page, committed, names)?;
+    let timing = summary::timing(outcome.metadata(), start.elapsed())?;
+    folder.file("summary.json", summary).file("timing.json", timing);
     Ok(folder)
 }

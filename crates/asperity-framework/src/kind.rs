@@ -1,23 +1,27 @@
 //! What an experiment kind is: one trait for reading a spec's table, one for the plan of a run, one for its results.
+//!
+//! A kind implements [`Kind`], [`Plan`] and [`Outcome`] with its own types; the program keeps any of them as [`AnyKind`] and [`AnyPlan`].
 
 use std::any::Any;
 use std::fmt;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use indexmap::IndexMap;
-use schemars::SchemaGenerator;
+use schemars::{JsonSchema, SchemaGenerator};
 use serde::Serialize;
+use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};
 
 use crate::digest::{hexadecimal, sha256, stream_seed};
-use crate::divided::Divided;
+use crate::divided::AnyDivided;
 use crate::input::material::MaterialOrigin;
-use crate::input::{InputError, Source, SpecFile};
+use crate::input::{InputError, Source, Spanned, SpecFile};
 use crate::metadata::{Again, Metadata, Timing};
 use crate::progress::Progress;
 use crate::report::Page;
-use crate::report::table::{Schema, TableError};
+use crate::report::table::{Schema, Table, Tables};
 use asperity::work::Work;
 use asperity::{Material, Paper};
 use asperity_plot::Size;
@@ -31,8 +35,41 @@ pub struct Reads {
     pub surfaces: bool,
 }
 
-/// A kind of experiment: what the table `[name]` of a spec means.
+/// A kind of experiment: what the table `[NAME]` of a spec means. [`AnyKind`] is the same for a registry.
 pub trait Kind: Sync {
+    /// Name of its table.
+    const NAME: &'static str;
+
+    /// What it reads besides its table.
+    const READS: Reads = Reads { materials: true, surfaces: true };
+
+    /// Whether its page holds measured times, which no second run repeats.
+    const IS_TIMED: bool = false;
+
+    /// Its table.
+    type Spec: DeserializeOwned + JsonSchema;
+
+    /// Its plan.
+    type Plan: Plan + Send + Sync + 'static;
+
+    /// Reads what the table refers to, and checks everything that can be checked without running it; `full` includes parts that
+    /// take minutes and gigabytes.
+    ///
+    /// # Errors
+    /// The first thing that keeps it from running.
+    fn plan(file: &SpecFile, table: &Spanned<Self::Spec>, full: bool) -> Result<Self::Plan, InputError>;
+
+    /// A plan with how it may be run.
+    fn planned(plan: Self::Plan) -> Planned {
+        Planned::new(plan)
+    }
+
+    /// The tables that its reports may hold.
+    fn tables() -> Vec<Schema>;
+}
+
+/// A [`Kind`] of any type.
+pub trait AnyKind: Sync {
     /// Name of its table.
     fn name(&self) -> &'static str;
 
@@ -42,15 +79,43 @@ pub trait Kind: Sync {
     /// What it reads besides its table.
     fn reads(&self) -> Reads;
 
-    /// Reads the table and what it refers to, and checks everything that can be checked without running it; `full` includes
-    /// parts that take minutes and gigabytes.
+    /// Whether its page holds measured times.
+    fn is_timed(&self) -> bool;
+
+    /// See [`Kind::plan`].
     ///
     /// # Errors
-    /// The first thing that keeps it from running.
-    fn plan(&self, spec: &SpecFile, full: bool) -> Result<Box<dyn Plan>, InputError>;
+    /// A table that cannot be read, and as [`Kind::plan`].
+    fn plan(&self, file: &SpecFile, full: bool) -> Result<Planned, InputError>;
 
     /// The tables that its reports may hold.
     fn tables(&self) -> Vec<Schema>;
+}
+
+impl<K: Kind> AnyKind for K {
+    fn name(&self) -> &'static str {
+        K::NAME
+    }
+
+    fn schema(&self, generator: &mut SchemaGenerator) -> schemars::Schema {
+        generator.subschema_for::<K::Spec>()
+    }
+
+    fn reads(&self) -> Reads {
+        K::READS
+    }
+
+    fn is_timed(&self) -> bool {
+        K::IS_TIMED
+    }
+
+    fn plan(&self, file: &SpecFile, full: bool) -> Result<Planned, InputError> {
+        K::plan(file, &file.required_table::<K::Spec>(K::NAME)?, full).map(K::planned)
+    }
+
+    fn tables(&self) -> Vec<Schema> {
+        K::tables()
+    }
 }
 
 /// The memory that a run needs at its peak.
@@ -64,6 +129,9 @@ pub struct Memory {
 
 /// An experiment that can be run. `Display` prints what it will do, one line per item, for `experiment check`.
 pub trait Plan: fmt::Display {
+    /// Its results.
+    type Outcome: Outcome;
+
     /// The files that it reads, each once.
     fn inputs(&self) -> Vec<PathBuf> {
         Vec::new()
@@ -75,16 +143,6 @@ pub trait Plan: fmt::Display {
     /// An estimate of the work: micro-contacts evaluated.
     fn work(&self) -> u128;
 
-    /// Distinguishes its report from that of the same spec run in another way; empty if there is only one.
-    fn variant(&self) -> &'static str {
-        ""
-    }
-
-    /// The measured file or spec whose surfaces it only describes; `None` of an experiment that does more.
-    fn described_file(&self) -> Option<PathBuf> {
-        None
-    }
-
     /// Looks for what a run would refuse, as far as that takes no more than a small part of the run's time.
     ///
     /// # Errors
@@ -93,20 +151,84 @@ pub trait Plan: fmt::Display {
         Ok(())
     }
 
-    /// Its division into tiles, where it can be run in parts.
-    fn divided(&self) -> Option<&dyn Divided> {
-        None
-    }
-
     /// Runs it.
     ///
     /// # Errors
     /// What only a run can find: a map without a summit, a pressure that is not reached.
+    fn run(&self, context: &RunContext) -> Result<Self::Outcome, InputError>;
+}
+
+/// A [`Plan`] of any type.
+pub trait AnyPlan: fmt::Display + Send + Sync {
+    /// See [`Plan::inputs`].
+    fn inputs(&self) -> Vec<PathBuf>;
+
+    /// See [`Plan::memory`].
+    fn memory(&self) -> Memory;
+
+    /// See [`Plan::work`].
+    fn work(&self) -> u128;
+
+    /// See [`Plan::check`].
+    ///
+    /// # Errors
+    /// What a run would refuse.
+    fn check(&self, context: &RunContext) -> Result<(), InputError>;
+
+    /// See [`Plan::run`].
+    ///
+    /// # Errors
+    /// What only a run can find.
     fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError>;
 }
 
-/// Results of a run, for the report. A program that knows the kind can cast it to the kind's own type
-/// through [`Any`].
+impl<P: Plan + Send + Sync> AnyPlan for P {
+    fn inputs(&self) -> Vec<PathBuf> {
+        Plan::inputs(self)
+    }
+
+    fn memory(&self) -> Memory {
+        Plan::memory(self)
+    }
+
+    fn work(&self) -> u128 {
+        Plan::work(self)
+    }
+
+    fn check(&self, context: &RunContext) -> Result<(), InputError> {
+        Plan::check(self, context)
+    }
+
+    fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
+        Ok(Box::new(Plan::run(self, context)?))
+    }
+}
+
+/// A plan with how it may be run.
+pub struct Planned {
+    /// The plan.
+    pub plan: Arc<dyn AnyPlan>,
+    /// The same, where it can be run in parts.
+    pub divided: Option<Arc<dyn AnyDivided>>,
+    /// Distinguishes its report from that of the same spec run in another way; empty if there is only one.
+    pub variant: &'static str,
+}
+
+impl Planned {
+    /// A plan that is run as a whole.
+    pub fn new(plan: impl AnyPlan + 'static) -> Self {
+        Self { plan: Arc::new(plan), divided: None, variant: "" }
+    }
+
+    /// A plan that can be run in parts.
+    pub fn in_parts<P: AnyPlan + AnyDivided + 'static>(plan: P) -> Self {
+        let plan = Arc::new(plan);
+        Self { plan: plan.clone(), divided: Some(plan), variant: "" }
+    }
+}
+
+/// Results of a run: metadata, warnings, tables, and the outline of a page. A program that knows the kind can cast it to the
+/// kind's own type through [`Any`].
 pub trait Outcome: Any + Sync {
     /// What every experiment has.
     fn metadata(&self) -> &Metadata;
@@ -114,22 +236,21 @@ pub trait Outcome: Any + Sync {
     /// Warnings about the results, one per line.
     fn warnings(&self) -> Vec<String>;
 
-    /// The page.
-    fn page(&self) -> Page;
-
-    /// File names and contents of the tables, each one of [`Kind::tables`].
-    ///
-    /// # Errors
-    /// See [`TableError`].
-    fn tables(&self) -> Result<Vec<(&'static str, Vec<u8>)>, TableError> {
-        Ok(Vec::new())
+    /// Its tables, each one of [`Kind::tables`].
+    fn tables(&self) -> Vec<Table> {
+        Vec::new()
     }
 
-    /// Its part of `summary.json`.
+    /// The outline of its page, with views of its tables.
+    fn page(&self, tables: &Tables) -> Page;
+
+    /// What `summary.json` holds besides metadata, warnings and tables.
     ///
     /// # Errors
     /// None that a result can cause.
-    fn summary(&self) -> serde_json::Result<Map<String, Value>>;
+    fn facts(&self) -> serde_json::Result<Map<String, Value>> {
+        Ok(Map::new())
+    }
 
     /// What the terminal shows of it, if anything.
     fn terminal(&self) -> Option<String> {

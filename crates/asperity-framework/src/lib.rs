@@ -21,5 +21,7 @@ pub mod report;
 mod summary;
 
 pub use folder::{ReportError, folder};
-pub use kind::{Kind, Memory, Outcome, Plan, Reads, RunContext, fields, set_memory};
+pub use kind::{
+    AnyKind, AnyPlan, Kind, Memory, Outcome, Plan, Planned, Reads, RunContext, fields, set_memory,
+};
 pub use summary::summary_json;

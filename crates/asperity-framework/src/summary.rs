@@ -8,6 +8,7 @@ use serde_json::{Map, Value};
 
 use crate::kind::Outcome;
 use crate::metadata::Metadata;
+use crate::report::table::Tables;
 use crate::report::{PROGRAM, Page};
 use asperity::work::Work;
 
@@ -31,7 +32,10 @@ struct Summary<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     work: Option<Work>,
     papers: Vec<&'static str>,
-    files: &'a [String],
+    /// SHA-256 of the files that version control keeps.
+    #[serde(skip_serializing_if = "IndexMap::is_empty")]
+    committed: IndexMap<&'a str, String>,
+    files: Vec<&'a str>,
 }
 
 /// A material whose values are from the library: its name there, and the source of each value.
@@ -45,16 +49,29 @@ struct MaterialSummary {
 ///
 /// # Errors
 /// None that a result can cause.
-pub fn summary_json(outcome: &dyn Outcome) -> serde_json::Result<Vec<u8>> {
-    summary(outcome, &outcome.page(), &[])
+pub fn summary_json(outcome: &dyn Outcome, tables: &Tables) -> serde_json::Result<Vec<u8>> {
+    summary(outcome, tables, &outcome.page(tables), IndexMap::new(), Vec::new())
 }
 
-/// `summary.json` of an outcome with its page; `files` are the names of all files of the report.
+/// `summary.json` of an outcome with its tables and page; `committed` are the SHA-256 of the files that version control keeps, `files`
+/// the names of all files of the report.
 ///
 /// # Errors
 /// None that a result can cause.
-pub(super) fn summary(outcome: &dyn Outcome, page: &Page, files: &[String]) -> serde_json::Result<Vec<u8>> {
+pub(super) fn summary(
+    outcome: &dyn Outcome,
+    tables: &Tables,
+    page: &Page,
+    committed: IndexMap<&str, String>,
+    files: Vec<&str>,
+) -> serde_json::Result<Vec<u8>> {
     let metadata = outcome.metadata();
+    let mut of_kind = outcome.facts()?;
+    for table in tables.iter() {
+        if let Some(key) = table.schema.records {
+            of_kind.insert(key.to_owned(), table.records());
+        }
+    }
     serde_json::to_vec_pretty(&Summary {
         program: PROGRAM,
         version: env!("CARGO_PKG_VERSION"),
@@ -73,10 +90,11 @@ pub(super) fn summary(outcome: &dyn Outcome, page: &Page, files: &[String]) -> s
                 (name.as_str(), MaterialSummary { name: origin.from.name, sources })
             })
             .collect(),
-        of_kind: outcome.summary()?,
+        of_kind,
         warnings: outcome.warnings(),
         work: metadata.work,
         papers: metadata.papers.iter().map(|paper| paper.full).collect(),
+        committed,
         files,
     })
 }

@@ -8,7 +8,7 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use asperity_experiment::keys::{all_keys, explain, spec_schema};
-use asperity_experiment::kind::columns;
+use asperity_experiment::kind::{KINDS, columns};
 use asperity_experiment::materials::{all_materials, one_material};
 use asperity_experiment::surface::{FileOptions, described_file};
 use asperity_experiment::terminal::Monitor;
@@ -493,7 +493,7 @@ fn materials(name: Option<&str>) -> Result<(), Failure> {
 }
 
 fn verify(fresh: &Path, committed: &Path) -> Result<(), Failure> {
-    let differences = verify::differences(fresh, committed)
+    let differences = verify::differences(fresh, committed, KINDS)
         .map_err(|error| Failure::Run(format!("{} and {}: {error}", fresh.display(), committed.display())))?;
     if differences.is_empty() {
         print(format_args!("{} agrees with {}", fresh.display(), committed.display()));

@@ -9,12 +9,11 @@ mod spec;
 mod summary;
 mod tables;
 
-use asperity_framework::input::{InputError, SpecFile};
+use asperity_framework::input::{InputError, Spanned, SpecFile};
 use asperity_framework::metadata::Metadata;
 use asperity_framework::report::Page;
-use asperity_framework::report::table::{Schema, TableError};
+use asperity_framework::report::table::{Schema, Table, Tables};
 use asperity_framework::{Kind, Memory, Outcome, Plan, Reads, RunContext};
-use schemars::SchemaGenerator;
 use serde_json::{Map, Value};
 
 use plan::CausesPlan;
@@ -24,28 +23,23 @@ use results::CausesResults;
 pub struct Causes;
 
 impl Kind for Causes {
-    fn name(&self) -> &'static str {
-        "causes"
+    const NAME: &'static str = "causes";
+    const READS: Reads = Reads { materials: true, surfaces: false };
+    type Spec = spec::CausesSpec;
+    type Plan = CausesPlan;
+
+    fn plan(file: &SpecFile, table: &Spanned<Self::Spec>, _: bool) -> Result<CausesPlan, InputError> {
+        plan::plan(file, table)
     }
 
-    fn schema(&self, generator: &mut SchemaGenerator) -> schemars::Schema {
-        generator.subschema_for::<spec::CausesSpec>()
-    }
-
-    fn reads(&self) -> Reads {
-        Reads { materials: true, surfaces: false }
-    }
-
-    fn plan(&self, spec: &SpecFile, _: bool) -> Result<Box<dyn Plan>, InputError> {
-        Ok(Box::new(plan::plan(spec)?))
-    }
-
-    fn tables(&self) -> Vec<Schema> {
+    fn tables() -> Vec<Schema> {
         tables::schemas()
     }
 }
 
 impl Plan for CausesPlan {
+    type Outcome = CausesResults;
+
     fn memory(&self) -> Memory {
         Memory { bytes: self.memory(), key: None }
     }
@@ -54,8 +48,8 @@ impl Plan for CausesPlan {
         self.work()
     }
 
-    fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
-        Ok(Box::new(run::run(context, self)?))
+    fn run(&self, context: &RunContext) -> Result<CausesResults, InputError> {
+        run::run(context, self)
     }
 }
 
@@ -68,15 +62,15 @@ impl Outcome for CausesResults {
         self.contact.caveats.clone()
     }
 
-    fn page(&self) -> Page {
+    fn page(&self, _: &Tables) -> Page {
         page::page(self)
     }
 
-    fn tables(&self) -> Result<Vec<(&'static str, Vec<u8>)>, TableError> {
+    fn tables(&self) -> Vec<Table> {
         tables::tables(self)
     }
 
-    fn summary(&self) -> serde_json::Result<Map<String, Value>> {
+    fn facts(&self) -> serde_json::Result<Map<String, Value>> {
         summary::summary(self)
     }
 }

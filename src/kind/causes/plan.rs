@@ -96,8 +96,7 @@ impl fmt::Display for CausesPlan {
 }
 
 /// Reads `[causes]`.
-pub(super) fn plan(file: &SpecFile) -> Result<CausesPlan, InputError> {
-    let table = file.required_table::<CausesSpec>("causes")?;
+pub(super) fn plan(file: &SpecFile, table: &Spanned<CausesSpec>) -> Result<CausesPlan, InputError> {
     let raw = table.get_ref();
     let (rough, flat) = (raw.rough.get_ref(), raw.flat.get_ref());
     let pair = [file.body(rough, raw.rough.span())?, file.body(flat, raw.flat.span())?];

@@ -2,7 +2,7 @@
 
 use asperity::compare::{Cause, ComparedQuantity, Contributions, Estimate};
 use asperity_framework::columns;
-use asperity_framework::report::table::{Column, Row, Schema, TableError, csv_file};
+use asperity_framework::report::table::{Column, Row, Schema, Table};
 
 use super::results::{CausesResults, GridPoint, QUANTITIES};
 use crate::kind::compare::tables::limits;
@@ -70,14 +70,11 @@ pub(super) fn schemas() -> Vec<Schema> {
 }
 
 /// The file of [`schemas`].
-///
-/// # Errors
-/// See [`TableError`].
-pub(super) fn tables(results: &CausesResults) -> Result<Vec<(&'static str, Vec<u8>)>, TableError> {
+pub(super) fn tables(results: &CausesResults) -> Vec<Table> {
     let rows = results.points.iter().flat_map(|point| {
         (0..results.loads.len()).flat_map(move |load| {
             QUANTITIES.map(|quantity| CauseRow { point, load, quantity, realisations: results.realisations })
         })
     });
-    Ok(vec![csv_file(rows)?])
+    vec![Table::new(rows)]
 }

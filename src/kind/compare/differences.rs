@@ -36,6 +36,7 @@ impl DifferenceRow<'_> {
 impl Row for DifferenceRow<'_> {
     const FILE: &'static str = "differences.csv";
     const ROWS: &'static str = "One row for each surface, law, layer thickness, load and quantity, over all realisations: the difference of the statistical from the deterministic model at equal load, on which the verdicts rest; where a reference was run, that of each model from the reference, too.";
+    const IS_LONG: bool = true;
 
     fn columns() -> Vec<Column<Self>> {
         columns! { row: Self =>

@@ -33,12 +33,11 @@ pub use tables::CurveRow;
 
 use std::path::PathBuf;
 
-use asperity_framework::input::{InputError, SpecFile};
+use asperity_framework::input::{InputError, Spanned, SpecFile};
 use asperity_framework::metadata::Metadata;
 use asperity_framework::report::Page;
-use asperity_framework::report::table::{Schema, TableError, csv_file};
-use asperity_framework::{Kind, Memory, Outcome, Plan, Reads, RunContext};
-use schemars::SchemaGenerator;
+use asperity_framework::report::table::{Schema, Table, Tables};
+use asperity_framework::{Kind, Memory, Outcome, Plan, RunContext};
 use serde_json::{Map, Value};
 
 use plan::ComparePlan;
@@ -51,23 +50,15 @@ use asperity::work::Counter;
 pub struct Compare;
 
 impl Kind for Compare {
-    fn name(&self) -> &'static str {
-        "compare"
+    const NAME: &'static str = "compare";
+    type Spec = spec::CompareSpec;
+    type Plan = ComparePlan;
+
+    fn plan(file: &SpecFile, table: &Spanned<Self::Spec>, _: bool) -> Result<ComparePlan, InputError> {
+        plan::plan(file, table)
     }
 
-    fn schema(&self, generator: &mut SchemaGenerator) -> schemars::Schema {
-        generator.subschema_for::<spec::CompareSpec>()
-    }
-
-    fn reads(&self) -> Reads {
-        Reads { materials: true, surfaces: true }
-    }
-
-    fn plan(&self, spec: &SpecFile, _: bool) -> Result<Box<dyn Plan>, InputError> {
-        Ok(Box::new(plan::plan(spec)?))
-    }
-
-    fn tables(&self) -> Vec<Schema> {
+    fn tables() -> Vec<Schema> {
         vec![
             Schema::of::<tables::CurveRow>(),
             Schema::of::<tables::PairRow>(),
@@ -80,6 +71,8 @@ impl Kind for Compare {
 }
 
 impl Plan for ComparePlan {
+    type Outcome = CompareResults;
+
     fn inputs(&self) -> Vec<PathBuf> {
         inputs(&self.surfaces)
     }
@@ -96,16 +89,12 @@ impl Plan for ComparePlan {
         self.work()
     }
 
-    fn described_file(&self) -> Option<PathBuf> {
-        self.described.clone()
-    }
-
     fn check(&self, context: &RunContext) -> Result<(), InputError> {
         reach::check(context, self)
     }
 
-    fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
-        Ok(Box::new(run::run(context, self, &Counter::default())?))
+    fn run(&self, context: &RunContext) -> Result<CompareResults, InputError> {
+        run::run(context, self, &Counter::default())
     }
 }
 
@@ -118,31 +107,33 @@ impl Outcome for CompareResults {
         self.warnings()
     }
 
-    fn page(&self) -> Page {
+    fn page(&self, _: &Tables) -> Page {
         page::page(self)
     }
 
-    fn tables(&self) -> Result<Vec<(&'static str, Vec<u8>)>, TableError> {
-        let extras =
-            tables::Extras { attribution: self.is_attributed(), reference: self.reference.is_some() };
-        let mut files = vec![
-            csv_file(tables::curves(self))?,
-            tables::comparison_file(tables::comparison(self), extras)?,
-            csv_file(differences::rows(self))?,
-        ];
+    fn tables(&self) -> Vec<Table> {
+        let mut comparison = Table::new(tables::comparison(self));
+        if !self.is_attributed() {
+            comparison = comparison.without_part(tables::CAUSES);
+        }
+        if self.reference.is_none() {
+            comparison = comparison.without_part(tables::REFERENCE);
+        }
+        let mut files =
+            vec![Table::new(tables::curves(self)), comparison, Table::new(differences::rows(self))];
         if self.is_attributed() {
-            files.push(csv_file(attribution::tables::rows(self))?);
+            files.push(Table::new(attribution::tables::rows(self)));
         }
         if self.surfaces.iter().any(|found| !found.rankings.is_empty()) {
-            files.push(csv_file(ranking::tables::rows(self))?);
+            files.push(Table::new(ranking::tables::rows(self)));
         }
         if self.reference.is_some() {
-            files.push(csv_file(reference::tables::rows(self))?);
+            files.push(Table::new(reference::tables::rows(self)));
         }
-        Ok(files)
+        files
     }
 
-    fn summary(&self) -> serde_json::Result<Map<String, Value>> {
+    fn facts(&self) -> serde_json::Result<Map<String, Value>> {
         summary::summary(self)
     }
 

@@ -156,8 +156,7 @@ impl fmt::Display for ComparePlan {
 }
 
 /// Reads `[compare]`.
-pub(super) fn plan(file: &SpecFile) -> Result<ComparePlan, InputError> {
-    let table = file.required_table::<CompareSpec>("compare")?;
+pub(super) fn plan(file: &SpecFile, table: &Spanned<CompareSpec>) -> Result<ComparePlan, InputError> {
     compared(file, table.get_ref(), table.span())
 }
 
@@ -166,7 +165,7 @@ pub(super) fn plan(file: &SpecFile) -> Result<ComparePlan, InputError> {
 /// # Errors
 /// As of any comparison.
 pub fn described(file: &SpecFile) -> Result<ComparePlan, InputError> {
-    let plan = plan(file)?;
+    let plan = plan(file, &file.required_table("compare")?)?;
     let described = plan.surfaces.first().and_then(SurfacePlan::input);
     Ok(ComparePlan { described, ..plan })
 }

@@ -1,7 +1,7 @@
 //! `curves.csv` and `comparison.csv`: pure writers, results to bytes.
 
 use asperity_framework::columns;
-use asperity_framework::report::table::{Column, Heading, Row, TableError, Value, csv_file_with};
+use asperity_framework::report::table::{Column, Heading, Row, Table, Value};
 
 use crate::kind::compare::answers::{CaseResults, RealisationResults};
 use crate::kind::compare::results::CompareResults;
@@ -65,6 +65,7 @@ impl Row for CurveRow {
     const FILE: &'static str = "curves.csv";
     const ROWS: &'static str =
         "One row for each surface, realisation, law, layer thickness, model and control point.";
+    const IS_LONG: bool = true;
 
     fn columns() -> Vec<Column<Self>> {
         let mut columns = Case::columns(|row: &Self| &row.case);
@@ -240,7 +241,7 @@ impl PairRow {
     /// The columns `statistical_X`, `deterministic_X` and `difference_X` of a quantity X.
     fn compared(quantity: &Column<Answer>) -> [Column<Self>; 3] {
         let column = |prefix, title, value: fn(&Self, &Column<Answer>) -> Value| {
-            let Heading { name, unit, meaning } = &quantity.heading;
+            let Heading { name, unit, meaning, .. } = &quantity.heading;
             let quantity = quantity.clone();
             let value = move |row: &Self| value(row, &quantity);
             Column::new(format!("{prefix}_{name}"), unit, format!("{title}: {meaning}"), value)
@@ -248,7 +249,8 @@ impl PairRow {
         [
             column("statistical", "Statistical model", |row, x| row.by(Kind::Statistical, x)),
             column("deterministic", "Deterministic model", |row, x| row.by(Kind::Deterministic, x)),
-            column("difference", "Statistical minus deterministic", Self::difference),
+            column("difference", "Statistical minus deterministic", Self::difference)
+                .scale_of(format!("statistical_{}", quantity.heading.name)),
         ]
     }
 }
@@ -256,6 +258,7 @@ impl PairRow {
 impl Row for PairRow {
     const FILE: &'static str = "comparison.csv";
     const ROWS: &'static str = "One row for each surface, realisation, law, layer thickness and pair of results; a separation sweep also gives pairs at the loads of the deterministic model.";
+    const IS_LONG: bool = true;
 
     fn columns() -> Vec<Column<Self>> {
         let mut columns = Case::columns(|row: &Self| &row.case);
@@ -268,44 +271,26 @@ impl Row for PairRow {
             plasticity_index["1"] = row.plasticity_index, "Plasticity index (E*/H)(sigma/R)^0.5 of Greenwood and Williamson (1966); empty where nothing yields.";
             beyond_model["true/false"] = row.pair.is_beyond_model(), "Whether either area ratio exceeds 0.05, where neighbouring asperities interact and no asperity model is valid.";
             limits["text"] = limits(row.pair.exceeded()), "Limits of the valid range that one of the models exceeds, as in `curves.csv`.";
-            separation_from_heights["1"] = row.contribution(ComparedQuantity::Separation, Cause::Heights), "Contribution of the height distribution to the difference in separation over sigma at equal load: the mean over three orders in which heights, radii and their correlation are changed from those of the statistical to those of the deterministic model. The three contributions add up to the difference. Empty where fewer than 30 effective contacts or one with more than 10 % of the load carry it, and at equal separation.";
-            separation_from_radii["1"] = row.contribution(ComparedQuantity::Separation, Cause::Radii), "The same of the spread of radii.";
-            separation_from_correlation["1"] = row.contribution(ComparedQuantity::Separation, Cause::Correlation), "The same of the correlation of heights and radii; with equal radii, of replacing a sum by its integral.";
-            log_area_from_heights["1"] = row.contribution(ComparedQuantity::Area, Cause::Heights), "Contribution of the height distribution to ln(statistical/deterministic) of the real contact area.";
-            log_area_from_radii["1"] = row.contribution(ComparedQuantity::Area, Cause::Radii), "The same of the spread of radii.";
-            log_area_from_correlation["1"] = row.contribution(ComparedQuantity::Area, Cause::Correlation), "The same of the correlation of heights and radii.";
-            reference_separation_over_sigma["1"] = row.reference(|point| point.separation_over_sigma), "Reference: separation as in `curves.csv`; this and the next columns are there only where a reference was run, and empty at loads without it.";
-            reference_area_ratio["1"] = row.reference(|point| Some(point.area_ratio)), "Reference: real contact area over nominal area, corrected for the perimeter of the contacts.";
-            reference_mean_real_pressure_pa["Pa"] = row.reference(ReferencePoint::mean_real_pressure), "Reference: load over real contact area.";
-            reference_pressure_pa["Pa"] = row.reference(|point| Some(point.pressure)), "Reference: nominal pressure.";
-            reference_stiffness_pa_per_m["Pa/m"] = row.reference(|point| point.stiffness), "Reference: contact stiffness -dp/dd per nominal area, from the neighbouring loads.";
-            separation_from_interaction["1"] = row.missed(|deterministic, point| Some(deterministic.separation_over_sigma - point.separation_over_sigma?)), "Deterministic model minus reference: what the sum leaves out, in separation over sigma. Interaction of the asperities and their shape; where a law yields or under a layer, the difference between that law and the reference, too.";
-            log_area_from_interaction["1"] = row.missed(|deterministic, point| Some((deterministic.area_ratio.total() / point.area_ratio).ln()).filter(|log| log.is_finite())), "The same of the real contact area: ln(deterministic/reference).";
+            separation_from_heights["1", part(CAUSES)] = row.contribution(ComparedQuantity::Separation, Cause::Heights), "Contribution of the height distribution to the difference in separation over sigma at equal load: the mean over three orders in which heights, radii and their correlation are changed from those of the statistical to those of the deterministic model. The three contributions add up to the difference. Empty where fewer than 30 effective contacts or one with more than 10 % of the load carry it, and at equal separation.";
+            separation_from_radii["1", part(CAUSES)] = row.contribution(ComparedQuantity::Separation, Cause::Radii), "The same of the spread of radii.";
+            separation_from_correlation["1", part(CAUSES)] = row.contribution(ComparedQuantity::Separation, Cause::Correlation), "The same of the correlation of heights and radii; with equal radii, of replacing a sum by its integral.";
+            log_area_from_heights["1", part(CAUSES)] = row.contribution(ComparedQuantity::Area, Cause::Heights), "Contribution of the height distribution to ln(statistical/deterministic) of the real contact area.";
+            log_area_from_radii["1", part(CAUSES)] = row.contribution(ComparedQuantity::Area, Cause::Radii), "The same of the spread of radii.";
+            log_area_from_correlation["1", part(CAUSES)] = row.contribution(ComparedQuantity::Area, Cause::Correlation), "The same of the correlation of heights and radii.";
+            reference_separation_over_sigma["1", part(REFERENCE)] = row.reference(|point| point.separation_over_sigma), "Reference: separation as in `curves.csv`; this and the next columns are there only where a reference was run, and empty at loads without it.";
+            reference_area_ratio["1", part(REFERENCE)] = row.reference(|point| Some(point.area_ratio)), "Reference: real contact area over nominal area, corrected for the perimeter of the contacts.";
+            reference_mean_real_pressure_pa["Pa", part(REFERENCE)] = row.reference(ReferencePoint::mean_real_pressure), "Reference: load over real contact area.";
+            reference_pressure_pa["Pa", part(REFERENCE)] = row.reference(|point| Some(point.pressure)), "Reference: nominal pressure.";
+            reference_stiffness_pa_per_m["Pa/m", part(REFERENCE)] = row.reference(|point| point.stiffness), "Reference: contact stiffness -dp/dd per nominal area, from the neighbouring loads.";
+            separation_from_interaction["1", part(REFERENCE)] = row.missed(|deterministic, point| Some(deterministic.separation_over_sigma - point.separation_over_sigma?)), "Deterministic model minus reference: what the sum leaves out, in separation over sigma. Interaction of the asperities and their shape; where a law yields or under a layer, the difference between that law and the reference, too.";
+            log_area_from_interaction["1", part(REFERENCE)] = row.missed(|deterministic, point| Some((deterministic.area_ratio.total() / point.area_ratio).ln()).filter(|log| log.is_finite())), "The same of the real contact area: ln(deterministic/reference).";
         });
         columns
     }
 }
 
-/// What `comparison.csv` holds beside both models.
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Extras {
-    /// Whether the differences are divided among their causes.
-    pub(crate) attribution: bool,
-    /// Whether a reference was run.
-    pub(crate) reference: bool,
-}
-
-impl Extras {
-    /// Whether a column is written.
-    fn include(self, heading: &Heading) -> bool {
-        let of_reference = |rest: &str| rest.starts_with('_');
-        match heading.name.split_once("_from_") {
-            Some((_, "interaction")) => self.reference,
-            Some(_) => self.attribution,
-            None => self.reference || !heading.name.strip_prefix(REFERENCE).is_some_and(of_reference),
-        }
-    }
-}
+/// The columns about causes, and those about the reference, which a table holds where these were run.
+pub(crate) const CAUSES: &str = "causes";
 
 /// The rows of `curves.csv`.
 pub fn curves(results: &CompareResults) -> impl Iterator<Item = CurveRow> {
@@ -338,15 +323,9 @@ pub fn comparison(results: &CompareResults) -> impl Iterator<Item = PairRow> {
     })
 }
 
-/// `comparison.csv`, with the columns of `extras`.
-///
-/// # Errors
-/// See [`TableError`].
-pub(crate) fn comparison_file(
-    rows: impl IntoIterator<Item = PairRow>,
-    extras: Extras,
-) -> Result<(&'static str, Vec<u8>), TableError> {
-    csv_file_with(rows, |heading| extras.include(heading))
+/// `comparison.csv` of both models, without causes and reference.
+pub(crate) fn comparison_of_models(rows: impl IntoIterator<Item = PairRow>) -> Table {
+    Table::new(rows).without_part(CAUSES).without_part(REFERENCE)
 }
 
 /// Every surface under every law, in file order.

@@ -12,12 +12,11 @@ pub use run::{IndentationResults, LawCurves, LayerResults, OverlayFit};
 
 use std::path::PathBuf;
 
-use asperity_framework::input::{InputError, SpecFile};
+use asperity_framework::input::{InputError, Spanned, SpecFile};
 use asperity_framework::metadata::Metadata;
 use asperity_framework::report::Page;
-use asperity_framework::report::table::{Schema, TableError};
+use asperity_framework::report::table::{Schema, Table, Tables};
 use asperity_framework::{Kind, Memory, Outcome, Plan, Reads, RunContext};
-use schemars::SchemaGenerator;
 use serde_json::{Map, Value};
 
 use plan::IndentationPlan;
@@ -26,28 +25,23 @@ use plan::IndentationPlan;
 pub struct Indentation;
 
 impl Kind for Indentation {
-    fn name(&self) -> &'static str {
-        "indentation"
+    const NAME: &'static str = "indentation";
+    const READS: Reads = Reads { materials: true, surfaces: false };
+    type Spec = spec::IndentationSpec;
+    type Plan = IndentationPlan;
+
+    fn plan(file: &SpecFile, table: &Spanned<Self::Spec>, _: bool) -> Result<IndentationPlan, InputError> {
+        plan::plan(file, table)
     }
 
-    fn schema(&self, generator: &mut SchemaGenerator) -> schemars::Schema {
-        generator.subschema_for::<spec::IndentationSpec>()
-    }
-
-    fn reads(&self) -> Reads {
-        Reads { materials: true, surfaces: false }
-    }
-
-    fn plan(&self, spec: &SpecFile, _: bool) -> Result<Box<dyn Plan>, InputError> {
-        Ok(Box::new(plan::plan(spec)?))
-    }
-
-    fn tables(&self) -> Vec<Schema> {
+    fn tables() -> Vec<Schema> {
         tables::schemas()
     }
 }
 
 impl Plan for IndentationPlan {
+    type Outcome = IndentationResults;
+
     fn inputs(&self) -> Vec<PathBuf> {
         self.overlay.iter().map(|overlay| overlay.path.clone()).collect()
     }
@@ -60,8 +54,8 @@ impl Plan for IndentationPlan {
         self.work()
     }
 
-    fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
-        Ok(Box::new(run::run(context, self)?))
+    fn run(&self, context: &RunContext) -> Result<IndentationResults, InputError> {
+        run::run(context, self)
     }
 }
 
@@ -74,15 +68,15 @@ impl Outcome for IndentationResults {
         self.warnings()
     }
 
-    fn page(&self) -> Page {
+    fn page(&self, _: &Tables) -> Page {
         page::page(self)
     }
 
-    fn tables(&self) -> Result<Vec<(&'static str, Vec<u8>)>, TableError> {
+    fn tables(&self) -> Vec<Table> {
         tables::tables(self)
     }
 
-    fn summary(&self) -> serde_json::Result<Map<String, Value>> {
+    fn facts(&self) -> serde_json::Result<Map<String, Value>> {
         summary::summary(self)
     }
 }

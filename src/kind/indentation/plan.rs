@@ -93,8 +93,7 @@ impl fmt::Display for IndentationPlan {
 }
 
 /// Reads `[indentation]`.
-pub(super) fn plan(file: &SpecFile) -> Result<IndentationPlan, InputError> {
-    let table = file.required_table::<IndentationSpec>("indentation")?;
+pub(super) fn plan(file: &SpecFile, table: &Spanned<IndentationSpec>) -> Result<IndentationPlan, InputError> {
     let raw = table.get_ref();
     let body = |name: &Spanned<String>| Ok((name.get_ref().clone(), file.body(name.get_ref(), name.span())?));
     let (ball, flat) = (body(&raw.ball)?, body(&raw.flat)?);

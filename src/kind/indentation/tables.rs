@@ -9,7 +9,7 @@ use asperity::compare::ModulusError;
 use asperity::layer::exact_sphere::ElasticContact;
 use asperity::sphere::{Point, RegimeChange};
 use asperity_framework::columns;
-use asperity_framework::report::table::{Column, Row, Schema, TableError, csv_file};
+use asperity_framework::report::table::{Column, Row, Schema, Table};
 
 /// The columns of the layer that a row belongs to.
 fn layer_columns<R>(layer: impl Fn(&R) -> &LayerResults + Copy + 'static) -> Vec<Column<R>> {
@@ -36,6 +36,7 @@ struct CurveRow<'a> {
 impl Row for CurveRow<'_> {
     const FILE: &'static str = "indentation.csv";
     const ROWS: &'static str = "One row for each layer, law, curve and indentation.";
+    const IS_LONG: bool = true;
 
     fn columns() -> Vec<Column<Self>> {
         let mut columns = layer_columns(|row: &Self| row.layer);
@@ -175,15 +176,13 @@ pub(super) fn schemas() -> Vec<Schema> {
 }
 
 /// The files of [`schemas`], the last one only where points were measured.
-///
-/// # Errors
-/// See [`TableError`].
-pub(super) fn tables(results: &IndentationResults) -> Result<Vec<(&'static str, Vec<u8>)>, TableError> {
-    let mut tables = vec![csv_file(curves(results))?, csv_file(changes(results))?, csv_file(rules(results))?];
+pub(super) fn tables(results: &IndentationResults) -> Vec<Table> {
+    let mut tables =
+        vec![Table::new(curves(results)), Table::new(changes(results)), Table::new(rules(results))];
     if let Some((_, points)) = &results.overlay {
-        tables.push(csv_file(overlay(results, points))?);
+        tables.push(Table::new(overlay(results, points)));
     }
-    Ok(tables)
+    tables
 }
 
 /// Each law's curves; then the exact one, once a layer, without a law.

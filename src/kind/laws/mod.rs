@@ -8,14 +8,13 @@ mod spec;
 mod summary;
 mod tables;
 
-use schemars::SchemaGenerator;
 use std::path::PathBuf;
 
-use asperity_framework::input::{InputError, SpecFile};
+use asperity_framework::input::{InputError, Spanned, SpecFile};
 use asperity_framework::metadata::Metadata;
 use asperity_framework::report::Page;
-use asperity_framework::report::table::{Schema, TableError};
-use asperity_framework::{Kind, Memory, Outcome, Plan, Reads, RunContext};
+use asperity_framework::report::table::{Schema, Table, Tables};
+use asperity_framework::{Kind, Memory, Outcome, Plan, RunContext};
 use serde_json::{Map, Value};
 
 use plan::LawsPlan;
@@ -27,28 +26,22 @@ use crate::surface::{AnalysisDepth, inputs, memory};
 pub struct Laws;
 
 impl Kind for Laws {
-    fn name(&self) -> &'static str {
-        "laws"
+    const NAME: &'static str = "laws";
+    type Spec = spec::LawsSpec;
+    type Plan = LawsPlan;
+
+    fn plan(file: &SpecFile, table: &Spanned<Self::Spec>, _: bool) -> Result<LawsPlan, InputError> {
+        plan::plan(file, table)
     }
 
-    fn schema(&self, generator: &mut SchemaGenerator) -> schemars::Schema {
-        generator.subschema_for::<spec::LawsSpec>()
-    }
-
-    fn reads(&self) -> Reads {
-        Reads { materials: true, surfaces: true }
-    }
-
-    fn plan(&self, spec: &SpecFile, _: bool) -> Result<Box<dyn Plan>, InputError> {
-        Ok(Box::new(plan::plan(spec)?))
-    }
-
-    fn tables(&self) -> Vec<Schema> {
+    fn tables() -> Vec<Schema> {
         tables::schemas()
     }
 }
 
 impl Plan for LawsPlan {
+    type Outcome = LawsResults;
+
     fn inputs(&self) -> Vec<PathBuf> {
         inputs(&self.compare.surfaces)
     }
@@ -65,8 +58,8 @@ impl Plan for LawsPlan {
         self.compare.check(context)
     }
 
-    fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
-        Ok(Box::new(run::run(context, self)?))
+    fn run(&self, context: &RunContext) -> Result<LawsResults, InputError> {
+        run::run(context, self)
     }
 }
 
@@ -79,15 +72,15 @@ impl Outcome for LawsResults {
         self.compare.warnings()
     }
 
-    fn page(&self) -> Page {
+    fn page(&self, _: &Tables) -> Page {
         page::page(self)
     }
 
-    fn tables(&self) -> Result<Vec<(&'static str, Vec<u8>)>, TableError> {
+    fn tables(&self) -> Vec<Table> {
         tables::tables(self)
     }
 
-    fn summary(&self) -> serde_json::Result<Map<String, Value>> {
+    fn facts(&self) -> serde_json::Result<Map<String, Value>> {
         summary::summary(self)
     }
 }

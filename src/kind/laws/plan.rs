@@ -6,9 +6,8 @@ use crate::kind::compare::plan::{ComparePlan, compared};
 use crate::kind::laws::spec::LawsSpec;
 use crate::surface::curvature_ratio;
 use asperity::{ContactLaw, Hertz, Law, Pair, Shape, Zmc};
-use asperity_framework::input::InputError;
-use asperity_framework::input::SpecFile;
 use asperity_framework::input::materials;
+use asperity_framework::input::{InputError, Spanned, SpecFile};
 
 /// Several laws on one asperity and on given surfaces.
 pub struct LawsPlan {
@@ -73,8 +72,7 @@ impl fmt::Display for LawsPlan {
 }
 
 /// Reads `[laws]`.
-pub(super) fn plan(file: &SpecFile) -> Result<LawsPlan, InputError> {
-    let table = file.required_table::<LawsSpec>("laws")?;
+pub(super) fn plan(file: &SpecFile, table: &Spanned<LawsSpec>) -> Result<LawsPlan, InputError> {
     let (raw, span) = (table.get_ref(), table.span());
     let laws = &raw.law.get_ref().0;
     if let [only] = &laws[..] {

@@ -6,7 +6,7 @@ use crate::kind::laws::results::{LawsResults, SurfaceInfluence};
 use asperity::compare::{AtLoad, Group, Kind, Measure};
 use asperity::sphere::{Boundary, Point};
 use asperity_framework::columns;
-use asperity_framework::report::table::{Column, Row, Schema, TableError, csv_file};
+use asperity_framework::report::table::{Column, Row, Schema, Table};
 
 /// A point of one asperity under one law.
 struct LawRow<'a> {
@@ -18,6 +18,7 @@ struct LawRow<'a> {
 impl Row for LawRow<'_> {
     const FILE: &'static str = "laws.csv";
     const ROWS: &'static str = "One row for each law and indentation of the single asperity.";
+    const IS_LONG: bool = true;
 
     fn columns() -> Vec<Column<Self>> {
         columns! { row: Self =>
@@ -130,18 +131,15 @@ pub(super) fn schemas() -> Vec<Schema> {
 }
 
 /// The files of [`schemas`].
-///
-/// # Errors
-/// See [`TableError`].
-pub(super) fn tables(results: &LawsResults) -> Result<Vec<(&'static str, Vec<u8>)>, TableError> {
-    Ok(vec![
-        csv_file(tables::curves(&results.compare))?,
-        tables::comparison_file(tables::comparison(&results.compare), tables::Extras::default())?,
-        csv_file(differences::rows(&results.compare))?,
-        csv_file(curves(results))?,
-        csv_file(boundaries(results))?,
-        csv_file(influences(results))?,
-    ])
+pub(super) fn tables(results: &LawsResults) -> Vec<Table> {
+    vec![
+        Table::new(tables::curves(&results.compare)),
+        tables::comparison_of_models(tables::comparison(&results.compare)),
+        Table::new(differences::rows(&results.compare)),
+        Table::new(curves(results)),
+        Table::new(boundaries(results)),
+        Table::new(influences(results)),
+    ]
 }
 
 fn curves(results: &LawsResults) -> impl Iterator<Item = LawRow<'_>> {

@@ -8,12 +8,11 @@ mod spec;
 mod summary;
 mod tables;
 
-use asperity_framework::input::{InputError, SpecFile};
+use asperity_framework::input::{InputError, Spanned, SpecFile};
 use asperity_framework::metadata::Metadata;
 use asperity_framework::report::Page;
-use asperity_framework::report::table::{Schema, TableError};
+use asperity_framework::report::table::{Schema, Table, Tables};
 use asperity_framework::{Kind, Memory, Outcome, Plan, Reads, RunContext};
-use schemars::SchemaGenerator;
 use serde_json::{Map, Value};
 
 use plan::LimitPlan;
@@ -25,28 +24,23 @@ use asperity_framework::set_memory;
 pub struct Limit;
 
 impl Kind for Limit {
-    fn name(&self) -> &'static str {
-        "limit"
+    const NAME: &'static str = "limit";
+    const READS: Reads = Reads { materials: true, surfaces: false };
+    type Spec = spec::LimitSpec;
+    type Plan = LimitPlan;
+
+    fn plan(file: &SpecFile, table: &Spanned<Self::Spec>, _: bool) -> Result<LimitPlan, InputError> {
+        plan::plan(file, table)
     }
 
-    fn schema(&self, generator: &mut SchemaGenerator) -> schemars::Schema {
-        generator.subschema_for::<spec::LimitSpec>()
-    }
-
-    fn reads(&self) -> Reads {
-        Reads { materials: true, surfaces: false }
-    }
-
-    fn plan(&self, spec: &SpecFile, _: bool) -> Result<Box<dyn Plan>, InputError> {
-        Ok(Box::new(plan::plan(spec)?))
-    }
-
-    fn tables(&self) -> Vec<Schema> {
+    fn tables() -> Vec<Schema> {
         tables::schemas()
     }
 }
 
 impl Plan for LimitPlan {
+    type Outcome = LimitResults;
+
     fn memory(&self) -> Memory {
         let largest = self.counts.iter().copied().max().unwrap_or(0);
         Memory { bytes: set_memory(largest as u128), key: None }
@@ -57,8 +51,8 @@ impl Plan for LimitPlan {
         asperities * ((self.draws + 1) * self.laws.len() * self.separations.len()) as u128
     }
 
-    fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
-        Ok(Box::new(run::run(context, self)?))
+    fn run(&self, context: &RunContext) -> Result<LimitResults, InputError> {
+        run::run(context, self)
     }
 }
 
@@ -71,15 +65,15 @@ impl Outcome for LimitResults {
         self.contact.caveats.clone()
     }
 
-    fn page(&self) -> Page {
+    fn page(&self, _: &Tables) -> Page {
         page::page(self)
     }
 
-    fn tables(&self) -> Result<Vec<(&'static str, Vec<u8>)>, TableError> {
+    fn tables(&self) -> Vec<Table> {
         tables::tables(self)
     }
 
-    fn summary(&self) -> serde_json::Result<Map<String, Value>> {
+    fn facts(&self) -> serde_json::Result<Map<String, Value>> {
         summary::summary(self)
     }
 }

@@ -4,7 +4,7 @@ use std::fmt;
 
 use asperity::{Flat, Heights, Population};
 use asperity_framework::contact::{Bodies, LawPlan};
-use asperity_framework::input::{InputError, SpecFile};
+use asperity_framework::input::{InputError, Spanned, SpecFile};
 
 use super::spec::LimitSpec;
 
@@ -36,8 +36,7 @@ impl fmt::Display for LimitPlan {
 }
 
 /// Reads `[limit]`.
-pub(super) fn plan(file: &SpecFile) -> Result<LimitPlan, InputError> {
-    let table = file.required_table::<LimitSpec>("limit")?;
+pub(super) fn plan(file: &SpecFile, table: &Spanned<LimitSpec>) -> Result<LimitPlan, InputError> {
     let raw = table.get_ref();
     let rough = file.body(raw.rough.get_ref(), raw.rough.span())?;
     let flat = file.body(raw.flat.get_ref(), raw.flat.span())?;

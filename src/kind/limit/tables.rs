@@ -3,10 +3,10 @@
 use asperity::Response;
 use asperity::compare::{Control, CurvePoint, Kind, LimitPoint, Pair, Pairing, Quantity};
 use asperity_framework::columns;
-use asperity_framework::report::table::{Column, Row, Schema, TableError, csv_file};
+use asperity_framework::report::table::{Column, Row, Schema, Table};
 
 use super::run::LimitResults;
-use crate::kind::compare::tables::{AnyPoint, Case, CurveRow, Extras, PairRow, comparison_file};
+use crate::kind::compare::tables::{AnyPoint, Case, CurveRow, PairRow, comparison_of_models};
 
 /// The errors of sets of one size at one separation.
 struct ConvergenceRow<'a> {
@@ -44,15 +44,12 @@ fn sets(point: &LimitPoint) -> impl Iterator<Item = (Case, &Response)> {
 }
 
 /// The files of [`schemas`].
-///
-/// # Errors
-/// See [`TableError`].
-pub(super) fn tables(results: &LimitResults) -> Result<Vec<(&'static str, Vec<u8>)>, TableError> {
-    Ok(vec![
-        csv_file(curves(results))?,
-        comparison_file(comparison(results), Extras::default())?,
-        csv_file(convergence(results))?,
-    ])
+pub(super) fn tables(results: &LimitResults) -> Vec<Table> {
+    vec![
+        Table::new(curves(results)),
+        comparison_of_models(comparison(results)),
+        Table::new(convergence(results)),
+    ]
 }
 
 /// Those of a comparison and `convergence.csv`.

@@ -11,14 +11,13 @@ mod summary;
 mod tables;
 mod trend;
 
-use schemars::SchemaGenerator;
 use std::path::PathBuf;
 
-use asperity_framework::input::{InputError, SpecFile};
+use asperity_framework::input::{InputError, Spanned, SpecFile};
 use asperity_framework::metadata::Metadata;
 use asperity_framework::report::Page;
-use asperity_framework::report::table::{Schema, TableError};
-use asperity_framework::{Kind, Memory, Outcome, Plan, Reads, RunContext};
+use asperity_framework::report::table::{Schema, Table, Tables};
+use asperity_framework::{Kind, Memory, Outcome, Plan, RunContext};
 use serde_json::{Map, Value};
 
 use plan::IntervalPlan;
@@ -30,28 +29,22 @@ use crate::surface::{AnalysisDepth, SurfacePlan, inputs, memory, warnings};
 pub struct SamplingInterval;
 
 impl Kind for SamplingInterval {
-    fn name(&self) -> &'static str {
-        "sampling-interval"
+    const NAME: &'static str = "sampling-interval";
+    type Spec = spec::SamplingIntervalSpec;
+    type Plan = IntervalPlan;
+
+    fn plan(file: &SpecFile, table: &Spanned<Self::Spec>, _: bool) -> Result<IntervalPlan, InputError> {
+        plan::plan(file, table)
     }
 
-    fn schema(&self, generator: &mut SchemaGenerator) -> schemars::Schema {
-        generator.subschema_for::<spec::SamplingIntervalSpec>()
-    }
-
-    fn reads(&self) -> Reads {
-        Reads { materials: true, surfaces: true }
-    }
-
-    fn plan(&self, spec: &SpecFile, _: bool) -> Result<Box<dyn Plan>, InputError> {
-        Ok(Box::new(plan::plan(spec)?))
-    }
-
-    fn tables(&self) -> Vec<Schema> {
+    fn tables() -> Vec<Schema> {
         tables::schemas()
     }
 }
 
 impl Plan for IntervalPlan {
+    type Outcome = IntervalResults;
+
     fn inputs(&self) -> Vec<PathBuf> {
         inputs(&self.compare.surfaces)
     }
@@ -69,8 +62,8 @@ impl Plan for IntervalPlan {
         self.compare.work() * self.scales() as u128
     }
 
-    fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
-        Ok(Box::new(run::run(context, self)?))
+    fn run(&self, context: &RunContext) -> Result<IntervalResults, InputError> {
+        run::run(context, self)
     }
 }
 
@@ -86,15 +79,15 @@ impl Outcome for IntervalResults {
         lines
     }
 
-    fn page(&self) -> Page {
+    fn page(&self, _: &Tables) -> Page {
         page::page(self)
     }
 
-    fn tables(&self) -> Result<Vec<(&'static str, Vec<u8>)>, TableError> {
+    fn tables(&self) -> Vec<Table> {
         tables::tables(self)
     }
 
-    fn summary(&self) -> serde_json::Result<Map<String, Value>> {
+    fn facts(&self) -> serde_json::Result<Map<String, Value>> {
         summary::summary(self)
     }
 }

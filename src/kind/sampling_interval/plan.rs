@@ -75,8 +75,10 @@ fn listed(values: &[impl fmt::Display]) -> String {
 }
 
 /// Reads `[sampling-interval]`.
-pub(super) fn plan(file: &SpecFile) -> Result<IntervalPlan, InputError> {
-    let table = file.required_table::<SamplingIntervalSpec>("sampling-interval")?;
+pub(super) fn plan(
+    file: &SpecFile,
+    table: &Spanned<SamplingIntervalSpec>,
+) -> Result<IntervalPlan, InputError> {
     let (raw, span) = (table.get_ref(), table.span());
     let laws = &raw.law.get_ref().0;
     if laws.len() > 1 {

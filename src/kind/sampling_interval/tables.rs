@@ -2,7 +2,7 @@
 
 use asperity::compare::{Cause, ComparedQuantity, Difference, Estimate, Pair};
 use asperity_framework::columns;
-use asperity_framework::report::table::{Column, Row, Schema, TableError, csv_file};
+use asperity_framework::report::table::{Column, Row, Schema, Table};
 
 use super::results::{Found, IntervalResults, Scale, Series, SurfaceResults};
 use super::trend::Trend;
@@ -175,10 +175,7 @@ pub(super) fn schemas() -> Vec<Schema> {
 }
 
 /// The files of [`schemas`].
-///
-/// # Errors
-/// See [`TableError`].
-pub(super) fn tables(results: &IntervalResults) -> Result<Vec<(&'static str, Vec<u8>)>, TableError> {
+pub(super) fn tables(results: &IntervalResults) -> Vec<Table> {
     let scales = Place::all(results)
         .flat_map(|place| place.series.scales.iter().map(move |scale| ScaleRow { place, scale }));
     let gaps = Place::all(results).flat_map(|place| {
@@ -191,5 +188,5 @@ pub(super) fn tables(results: &IntervalResults) -> Result<Vec<(&'static str, Vec
     });
     let limits = Place::all(results)
         .flat_map(|place| place.series.trends.iter().map(move |trend| LimitRow { place, trend }));
-    Ok(vec![csv_file(scales)?, csv_file(gaps)?, csv_file(limits)?])
+    vec![Table::new(scales), Table::new(gaps), Table::new(limits)]
 }

@@ -10,16 +10,15 @@ mod summary;
 use std::path::PathBuf;
 
 use asperity::Total;
-use asperity_framework::divided::{Divided, run_undivided};
-use asperity_framework::input::{InputError, SpecFile};
+use asperity_framework::divided::run_undivided;
+use asperity_framework::input::{InputError, Spanned, SpecFile};
 use asperity_framework::metadata::Metadata;
 use asperity_framework::report::Page;
-use asperity_framework::report::table::{Schema, TableError, csv_file};
-use asperity_framework::{Kind, Memory, Outcome, Plan, Reads, RunContext};
-use schemars::SchemaGenerator;
+use asperity_framework::report::table::{Schema, Table, Tables};
+use asperity_framework::{Kind, Memory, Outcome, Plan, Planned, RunContext};
 use serde_json::{Map, Value};
 
-use super::compare::tables::{Case, CurveRow, Extras, PairRow, comparison_file};
+use super::compare::tables::{Case, CurveRow, PairRow, comparison_of_models};
 use crate::surface::inputs;
 use plan::TiledPlan;
 pub use results::{LawResults, TiledResults, TiledSurface};
@@ -28,28 +27,26 @@ pub use results::{LawResults, TiledResults, TiledSurface};
 pub struct Tiled;
 
 impl Kind for Tiled {
-    fn name(&self) -> &'static str {
-        "tiled"
+    const NAME: &'static str = "tiled";
+    type Spec = spec::TiledSpec;
+    type Plan = TiledPlan;
+
+    fn plan(file: &SpecFile, table: &Spanned<Self::Spec>, _: bool) -> Result<TiledPlan, InputError> {
+        plan::plan(file, table)
     }
 
-    fn schema(&self, generator: &mut SchemaGenerator) -> schemars::Schema {
-        generator.subschema_for::<spec::TiledSpec>()
+    fn planned(plan: TiledPlan) -> Planned {
+        Planned::in_parts(plan)
     }
 
-    fn reads(&self) -> Reads {
-        Reads { materials: true, surfaces: true }
-    }
-
-    fn plan(&self, spec: &SpecFile, _: bool) -> Result<Box<dyn Plan>, InputError> {
-        Ok(Box::new(plan::plan(spec)?))
-    }
-
-    fn tables(&self) -> Vec<Schema> {
+    fn tables() -> Vec<Schema> {
         vec![Schema::of::<CurveRow>(), Schema::of::<PairRow>()]
     }
 }
 
 impl Plan for TiledPlan {
+    type Outcome = TiledResults;
+
     fn inputs(&self) -> Vec<PathBuf> {
         inputs(&self.compare.surfaces)
     }
@@ -69,11 +66,7 @@ impl Plan for TiledPlan {
         self.compare.work()
     }
 
-    fn divided(&self) -> Option<&dyn Divided> {
-        Some(self)
-    }
-
-    fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
+    fn run(&self, context: &RunContext) -> Result<TiledResults, InputError> {
         run_undivided(self, context)
     }
 }
@@ -87,11 +80,11 @@ impl Outcome for TiledResults {
         self.implausible.iter().chain(&self.contact.caveats).cloned().collect()
     }
 
-    fn page(&self) -> Page {
+    fn page(&self, _: &Tables) -> Page {
         page::page(self)
     }
 
-    fn tables(&self) -> Result<Vec<(&'static str, Vec<u8>)>, TableError> {
+    fn tables(&self) -> Vec<Table> {
         let case = |law: &LawResults| Case::layered(&self.surface.name, &law.law, law.thickness);
         let curves = self
             .laws
@@ -108,10 +101,10 @@ impl Outcome for TiledResults {
                 reference: None,
             })
         });
-        Ok(vec![csv_file(curves)?, comparison_file(pairs, Extras::default())?])
+        vec![Table::new(curves), comparison_of_models(pairs)]
     }
 
-    fn summary(&self) -> serde_json::Result<Map<String, Value>> {
+    fn facts(&self) -> serde_json::Result<Map<String, Value>> {
         summary::summary(self)
     }
 }

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use asperity_framework::input::{InputError, SpecFile};
+use asperity_framework::input::{InputError, Spanned, SpecFile};
 
 use super::spec::TiledSpec;
 use crate::kind::compare::plan::{ComparePlan, compared};
@@ -42,8 +42,7 @@ impl fmt::Display for TiledPlan {
 }
 
 /// Reads `[tiled]`.
-pub(super) fn plan(file: &SpecFile) -> Result<TiledPlan, InputError> {
-    let table = file.required_table::<TiledSpec>("tiled")?;
+pub(super) fn plan(file: &SpecFile, table: &Spanned<TiledSpec>) -> Result<TiledPlan, InputError> {
     let (raw, span) = (table.get_ref(), table.span());
     let elliptic = raw.law.get_ref().0.iter().find(|law| law.is_elliptic());
     if let Some(law) = elliptic {

@@ -4,9 +4,9 @@ use std::ops::Range;
 
 use asperity::{AsperitySums, Deterministic, MeanRadius, Population, ReferencePlane, Total};
 use asperity_framework::RunContext;
+use asperity_framework::contact;
 use asperity_framework::divided::{Divided, TileResult};
 use asperity_framework::input::InputError;
-use asperity_framework::{Outcome, contact};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
@@ -37,6 +37,8 @@ impl TileSums {
 }
 
 impl Divided for TiledPlan {
+    type Outcome = TiledResults;
+
     fn tiles(&self) -> usize {
         self.tiles.count
     }
@@ -72,11 +74,7 @@ impl Divided for TiledPlan {
         Ok(results)
     }
 
-    fn merge(
-        &self,
-        context: &RunContext,
-        passes: &[Vec<TileResult>],
-    ) -> Result<Box<dyn Outcome>, InputError> {
+    fn merge(&self, context: &RunContext, passes: &[Vec<TileResult>]) -> Result<TiledResults, InputError> {
         let mut passes = passes.iter().map(|pass| read(context, pass));
         let first = passes.next().transpose()?.unwrap_or_default();
         let last = passes.next().transpose()?;
@@ -112,7 +110,7 @@ impl Divided for TiledPlan {
             statistics.sigma,
             *nominal_area,
         ));
-        Ok(Box::new(TiledResults {
+        Ok(TiledResults {
             laws: laws.collect(),
             implausible,
             contact: contact::contact_metadata(
@@ -123,7 +121,7 @@ impl Divided for TiledPlan {
             ),
             metadata: context.metadata(papers, Default::default(), None),
             surface,
-        }))
+        })
     }
 }
 

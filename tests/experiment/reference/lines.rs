@@ -1,6 +1,7 @@
 //! Analytical lines beside models and reference.
 
 use super::{SMOOTH, SWEEP, THREE, of_model, run};
+use crate::Report;
 
 use crate::results::{column, figure, number, table};
 
@@ -34,10 +35,10 @@ fn analytical_lines_are_those_of_the_gradient_in_figures_and_table() {
     }
     let separation = |outcome| figure(outcome, "a-separation.svg").unwrap();
     assert_eq!(separation(&*outcome), separation(&*plain));
-    let text = outcome.page().markdown();
+    let text = outcome.outline().markdown();
     assert!(text.contains("Persson, B. N. J. (2001)") && text.contains("Bush, A. W."), "{text}");
-    assert!(!plain.page().markdown().contains("Persson"));
-    let summary = outcome.summary().unwrap();
+    assert!(!plain.outline().markdown().contains("Persson"));
+    let summary = outcome.records();
     let slope = summary["surfaces"]["a"]["height_map"]["rms_slope"].as_f64().unwrap();
     let modulus = summary["reduced_modulus_pa"].as_f64().unwrap();
     let rows = page_table(&text, "Persson");
@@ -54,7 +55,7 @@ fn analytical_lines_are_those_of_the_gradient_in_figures_and_table() {
         }
     }
     // Without a reference at loads of each decade.
-    let alone = run(&format!("law = \"hertz\"\nlines = [\"persson\"]\n{SWEEP}"), SMOOTH).page().markdown();
+    let alone = run(&format!("law = \"hertz\"\nlines = [\"persson\"]\n{SWEEP}"), SMOOTH).outline().markdown();
     assert_eq!(page_table(&alone, "Persson")[0], ["p", "A/A_nom Persson"]);
     assert_eq!(page_table(&alone, "Persson").len(), 6);
 }
@@ -73,7 +74,7 @@ fn interaction_gives_the_distance_of_the_flat_from_an_undeformed_patch() {
     {
         assert!(svg.contains(name), "{name}");
     }
-    let rows = page_table(&outcome.page().markdown(), "with interaction");
+    let rows = page_table(&outcome.outline().markdown(), "with interaction");
     assert_eq!(
         rows[0][1..],
         ["d/σ statistical with interaction", "d/σ deterministic with interaction", "d/σ ref., undeformed"]

@@ -1,6 +1,7 @@
 //! Verdicts against the reference, and the bound of its grid.
 
 use super::{THREE, run};
+use crate::Report;
 use crate::results::{Row, figure, number, table};
 
 /// Rough, with a short correlation length: it holds blocks.
@@ -36,7 +37,7 @@ fn verdicts_against_the_reference_are_those_of_the_tables() {
         compared += 1;
     }
     assert_eq!(compared, 2 * 9);
-    let summary = outcome.summary().unwrap();
+    let summary = outcome.records();
     let verdicts = summary["verdicts"].as_array().unwrap();
     for model in ["statistical", "deterministic"] {
         let of: Vec<_> =
@@ -47,7 +48,7 @@ fn verdicts_against_the_reference_are_those_of_the_tables() {
     let nearer = summary["nearer_to_reference"].as_array().unwrap();
     let of_area: Vec<_> = nearer.iter().filter(|one| one["quantity"] == "area").collect();
     assert!(of_area.iter().any(|one| one["nearer_on_this_map"] == "deterministic"), "{nearer:?}");
-    let page = outcome.page().markdown();
+    let page = outcome.outline().markdown();
     assert!(
         page.contains("\n\nAgainst the reference: ")
             && page.contains("What the sum misses (interaction and geometry;")
@@ -55,12 +56,12 @@ fn verdicts_against_the_reference_are_those_of_the_tables() {
     assert!(figure(&*outcome, "a-against-reference.svg").unwrap().contains("deterministic − reference"));
     // A single case is no overview.
     assert!(!page.contains("**Against the reference**"));
-    let capped = run(&format!("law = \"zmc\"\n{THREE}{loads}"), BLOCKS).page().markdown();
+    let capped = run(&format!("law = \"zmc\"\n{THREE}{loads}"), BLOCKS).outline().markdown();
     assert!(capped.contains("(interaction, geometry and plasticity;"));
-    let ellipses = run(&format!("law = \"elliptic-hertz\"\n{THREE}{loads}"), BLOCKS).page().markdown();
+    let ellipses = run(&format!("law = \"elliptic-hertz\"\n{THREE}{loads}"), BLOCKS).outline().markdown();
     assert!(ellipses.contains("(interaction and geometry;"), "nothing yields on ellipses either");
     let layer = "layer = { material = \"lead\", thickness = [\"200 nm\"] }\n";
-    let layered = run(&format!("law = \"hertz\"\n{THREE}{layer}{loads}"), BLOCKS).page().markdown();
+    let layered = run(&format!("law = \"hertz\"\n{THREE}{layer}{loads}"), BLOCKS).outline().markdown();
     assert!(
         layered.contains("(interaction, geometry and the effective modulus of the layer;"),
         "nothing yields"
@@ -68,7 +69,7 @@ fn verdicts_against_the_reference_are_those_of_the_tables() {
     let layers = "layer = { material = \"lead\", thickness = [0, \"200 nm\"] }\n";
     let layered = run(&format!("law = \"hertz\"\n{THREE}{layers}{loads}"), BLOCKS);
     assert!(figure(&*layered, "a-against-reference.svg").unwrap().contains("200 nm"));
-    let overview = layered.page().markdown();
+    let overview = layered.outline().markdown();
     assert!(overview.contains("**Against the reference**: at valid loads, in real contact area"));
     assert!(
         overview.contains("of the 6 rows of the next table")

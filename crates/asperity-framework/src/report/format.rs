@@ -78,6 +78,12 @@ pub fn ratio(value: f64) -> String {
     format!("{value:.decimals$}")
 }
 
+/// A result with its sign: "+1.2", "-3", and "0".
+pub fn signed(value: f64) -> String {
+    let number = number(value);
+    if value > 0.0 && number != "0" { format!("+{number}") } else { number }
+}
+
 /// A share of one in percent, with at most three significant digits: 0.1234 gives "12.3 %".
 pub fn percent(share: f64) -> String {
     format!("{} %", number(100.0 * share))
@@ -126,6 +132,33 @@ fn joined(names: &[String], last_by: &str) -> String {
         [] => String::new(),
         [one] => one.clone(),
         [others @ .., last] => format!("{} {last_by} {last}", others.join(", ")),
+    }
+}
+
+/// A unit with a prefix, and its size in the unit without.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Prefix {
+    /// Such as "µm".
+    pub name: String,
+    /// Such as 1e-6.
+    pub size: f64,
+}
+
+impl Prefix {
+    /// The prefix that suits a value in an SI unit; compound units take none, since their numbers take powers of ten.
+    pub fn of(value: f64, unit: &str) -> Self {
+        let none = || Self { name: unit.to_owned(), size: 1.0 };
+        let letters = unit.trim_end_matches('²');
+        if letters.is_empty() || !letters.chars().all(char::is_alphabetic) {
+            return none();
+        }
+        let step = if unit.ends_with('²') { 6 } else { 3 };
+        let Some(digits) = decimal(value, RESULT_DIGITS).ok().filter(|digits| digits.value != 0.0) else {
+            return none();
+        };
+        let prefix = digits.exponent.div_euclid(step);
+        let name = usize::try_from(prefix + 5).ok().and_then(|place| PREFIXES.get(place));
+        name.map_or_else(none, |name| Self { name: format!("{name}{unit}"), size: 10f64.powi(step * prefix) })
     }
 }
 
@@ -224,6 +257,16 @@ mod tests {
         assert_eq!(input_quantity(2.71429e9, "Pa"), "2.71429 GPa");
         assert_eq!(input_quantity(10f64.powf(5.5), "Pa"), "316 kPa");
         assert_eq!(thickness(1.25e-9), "1.25 nm");
+    }
+
+    #[test]
+    fn prefixes_and_signs() {
+        let prefix = |value, unit| (Prefix::of(value, unit).name, Prefix::of(value, unit).size);
+        assert_eq!(prefix(4.8e-8, "m"), ("nm".to_owned(), 1e-9));
+        assert_eq!(prefix(2.5e-7, "m²"), ("µm²".to_owned(), 1e-12));
+        assert_eq!(prefix(6e10, "1/m²"), ("1/m²".to_owned(), 1.0));
+        assert_eq!(prefix(0.0, "Pa"), ("Pa".to_owned(), 1.0));
+        assert_eq!([1.234, 0.0, -2.0].map(signed), ["+1.23", "0", "-2"]);
     }
 
     #[test]

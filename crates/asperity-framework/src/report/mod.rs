@@ -7,12 +7,15 @@
 //! | `page` | a page as Markdown and as self-contained HTML |
 //! | [`mod@format`] | numbers and quantities as people read them |
 //! | [`sections`] | sections of every page: set-up, provenance, references |
-//! | [`table`] | columns with unit and meaning; CSV, for machines |
+//! | [`table`] | columns with unit, meaning and value; CSV and records of JSON |
+//! | [`view`] | choices of a table's columns and rows, for people |
+//! | [`digest`] | sums of the columns of long tables, which stand for them where they are not kept |
 //! | [`table_docs`] | the documentation of tables |
 //! | `index` | the pages that lead to all reports of a folder |
 //! | [`store`] | the only module that writes to disk: a folder is replaced atomically |
 //! | [`verify`] | comparison of new reports with committed ones |
 
+pub mod digest;
 pub mod format;
 mod index;
 pub mod page;
@@ -20,7 +23,9 @@ pub mod sections;
 pub mod store;
 pub mod table;
 pub mod table_docs;
+mod text;
 pub mod verify;
+pub mod view;
 
 pub use index::{Index, MARK, PROGRAM};
 pub use page::Page;

@@ -1,18 +1,21 @@
-//! Tables: each column is defined once, with name, unit, meaning and value. The CSV files and the documentation of their
-//! columns are both written from that definition.
+//! Tables: each column is defined once, with name, unit, meaning, value, how a page shows it and how `verify` compares it. CSV
+//! files, records in `summary.json`, views on pages and in the terminal, NumPy arrays and the documentation all follow from it.
 //!
-//! A kind of table is a type of rows that implements [`Row`]; [`columns!`](crate::columns) takes a line per column.
+//! A kind of table is a type of rows that implements [`Row`]; [`columns!`](crate::columns) takes a line per column. [`Table`] holds the
+//! cells of any kind.
 
 use std::rc::Rc;
 
-use serde::Serialize;
+use serde::{Serialize, Serializer};
+use serde_json::{Map, Number};
+
+use super::view::View;
 
 /// A table that cannot be written: a value that CSV cannot hold.
 pub type TableError = csv::Error;
 
 /// The content of a cell.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(untagged)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Value {
     /// A number, which reads back to the same f64.
     Number(f64),
@@ -22,6 +25,8 @@ pub enum Value {
     Flag(bool),
     /// A name.
     Text(String),
+    /// Names; in CSV separated by semicolons.
+    List(Vec<String>),
     /// The quantity does not apply.
     Empty,
 }
@@ -32,6 +37,54 @@ impl Value {
         match self {
             Self::Number(number) => Some(*number),
             _ => None,
+        }
+    }
+
+    /// The name in a cell of names; empty of any other.
+    pub fn text(&self) -> &str {
+        match self {
+            Self::Text(text) => text,
+            _ => "",
+        }
+    }
+
+    /// Whether the quantity does not apply.
+    pub fn is_empty(&self) -> bool {
+        match self {
+            Self::Empty => true,
+            Self::Text(text) => text.is_empty(),
+            Self::List(names) => names.is_empty(),
+            Self::Number(_) | Self::Count(_) | Self::Flag(_) => false,
+        }
+    }
+
+    /// The value in JSON, which has no infinity: it is the word "inf", as in a spec.
+    fn json(&self) -> serde_json::Value {
+        use serde_json::Value as Json;
+        match self {
+            Self::Number(number) if number.is_infinite() => {
+                Json::from(if *number > 0.0 { "inf" } else { "-inf" })
+            }
+            Self::Number(number) => Number::from_f64(*number).map_or(Json::Null, Json::Number),
+            Self::Count(count) => Json::from(*count),
+            Self::Flag(flag) => Json::from(*flag),
+            Self::Text(text) => Json::from(text.as_str()),
+            Self::List(names) => Json::from(names.clone()),
+            Self::Empty => Json::Null,
+        }
+    }
+}
+
+/// As CSV holds it.
+impl Serialize for Value {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::Number(number) => serializer.serialize_f64(*number),
+            Self::Count(count) => serializer.serialize_u64(*count),
+            Self::Flag(flag) => serializer.serialize_bool(*flag),
+            Self::Text(text) => serializer.serialize_str(text),
+            Self::List(names) => serializer.serialize_str(&names.join("; ")),
+            Self::Empty => serializer.serialize_none(),
         }
     }
 }
@@ -72,14 +125,54 @@ impl From<String> for Value {
     }
 }
 
+impl From<Vec<String>> for Value {
+    fn from(names: Vec<String>) -> Self {
+        Self::List(names)
+    }
+}
+
 impl<T: Into<Self>> From<Option<T>> for Value {
     fn from(value: Option<T>) -> Self {
         value.map_or(Self::Empty, Into::into)
     }
 }
 
-/// Name, unit, meaning and value of a column.
-#[derive(Debug, Clone, PartialEq, Eq)]
+/// How a page shows the cells of a column; numbers have three significant digits.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Reading {
+    /// Numbers in the unit of the column, with one prefix for all cells; counts, flags and names as they are.
+    #[default]
+    Plain,
+    /// Inputs, with as many digits as the user gave.
+    Input,
+    /// Numbers with a sign.
+    Signed,
+    /// Ratios in percent.
+    Percent,
+    /// Relative differences in percent, with a sign.
+    SignedPercent,
+    /// Thicknesses of a layer: "uncoated" for 0, "bulk" for infinity, else a length with its unit.
+    Thickness,
+    /// Names of verdicts, which HTML colours.
+    Verdict,
+}
+
+/// How `verify` compares the cells of a column between two machines. Counts, flags and names are exact.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub enum Comparison {
+    /// Numbers relative to themselves.
+    #[default]
+    Relative,
+    /// Numbers relative to the larger of themselves and a scale, in the unit of the column: what is a difference of such numbers.
+    Scale(f64),
+    /// The same with the scale from another column of the row.
+    ScaleOf(String),
+    /// Only whether a cell is empty: measured times, rounding errors and where they occur.
+    Ignored,
+}
+
+/// Name, unit and meaning of a column, and how it is shown and compared.
+#[derive(Debug, Clone, PartialEq)]
 pub struct Heading {
     /// Name in the header line; a unit is its suffix.
     pub name: String,
@@ -87,11 +180,19 @@ pub struct Heading {
     pub unit: &'static str,
     /// One sentence, without a vertical bar.
     pub meaning: String,
+    /// What pages call it, without its unit; by default its name.
+    pub label: Option<&'static str>,
+    /// How pages show it.
+    pub reading: Reading,
+    /// How `verify` compares it.
+    pub comparison: Comparison,
+    /// The part of a run without which a table does not have it; see [`Table::without_part`].
+    pub part: Option<&'static str>,
 }
 
 /// A column of rows `R`: its heading, and its value in a row.
 pub struct Column<R> {
-    /// Name, unit and meaning.
+    /// Name, unit and meaning, and how it is shown and compared.
     pub heading: Heading,
     value: Rc<dyn Fn(&R) -> Value>,
 }
@@ -110,7 +211,15 @@ impl<R> Column<R> {
         meaning: impl Into<String>,
         value: impl Fn(&R) -> Value + 'static,
     ) -> Self {
-        let heading = Heading { name: name.into(), unit, meaning: meaning.into() };
+        let heading = Heading {
+            name: name.into(),
+            unit,
+            meaning: meaning.into(),
+            label: None,
+            reading: Reading::default(),
+            comparison: Comparison::default(),
+            part: None,
+        };
         Self { heading, value: Rc::new(value) }
     }
 
@@ -118,22 +227,100 @@ impl<R> Column<R> {
     pub fn value(&self, row: &R) -> Value {
         (self.value)(row)
     }
+
+    /// The same with another name for pages.
+    pub fn label(mut self, label: &'static str) -> Self {
+        self.heading.label = Some(label);
+        self
+    }
+
+    /// The same column of another type of rows, each of which has a row of this type.
+    pub fn within<S>(self, row: impl Fn(&S) -> &R + 'static) -> Column<S>
+    where
+        R: 'static,
+    {
+        let Self { heading, value } = self;
+        Column { heading, value: Rc::new(move |outer| value(row(outer))) }
+    }
+
+    /// The same, in a table only where this part of a run was asked for.
+    pub fn part(mut self, part: &'static str) -> Self {
+        self.heading.part = Some(part);
+        self
+    }
+
+    fn read_as(mut self, reading: Reading) -> Self {
+        self.heading.reading = reading;
+        self
+    }
+
+    /// The same, shown with as many digits as the user gave.
+    pub fn input(self) -> Self {
+        self.read_as(Reading::Input)
+    }
+
+    /// The same, shown with a sign.
+    pub fn signed(self) -> Self {
+        self.read_as(Reading::Signed)
+    }
+
+    /// The same, shown in percent.
+    pub fn percent(self) -> Self {
+        self.read_as(Reading::Percent)
+    }
+
+    /// The same, shown in percent with a sign.
+    pub fn signed_percent(self) -> Self {
+        self.read_as(Reading::SignedPercent)
+    }
+
+    /// The same, shown as the thickness of a layer.
+    pub fn thickness(self) -> Self {
+        self.read_as(Reading::Thickness)
+    }
+
+    /// The same, shown as a verdict.
+    pub fn verdict(self) -> Self {
+        self.read_as(Reading::Verdict)
+    }
+
+    fn compared_by(mut self, comparison: Comparison) -> Self {
+        self.heading.comparison = comparison;
+        self
+    }
+
+    /// The same, compared relative to a scale.
+    pub fn scale(self, scale: f64) -> Self {
+        self.compared_by(Comparison::Scale(scale))
+    }
+
+    /// The same, compared relative to another column.
+    pub fn scale_of(self, column: impl Into<String>) -> Self {
+        self.compared_by(Comparison::ScaleOf(column.into()))
+    }
+
+    /// The same, not compared.
+    pub fn ignored(self) -> Self {
+        self.compared_by(Comparison::Ignored)
+    }
 }
 
-/// Columns, a line each: `name["unit"] = value, "Meaning.";`, where the value is an expression of the row.
+/// Columns, a line each: `name["unit"] = value, "Meaning.";`, where the value is an expression of the row. Behind the unit stand
+/// methods of [`Column`]: how the column is shown and compared.
 ///
 /// ```text
 /// columns! { point: Point =>
 ///     indentation_m["m"] = point.indentation, "Indentation w (Eq. 1).";
-///     load_n["N"] = point.load, "Load P.";
+///     load_n["N", label("load")] = point.load, "Load P.";
+///     error["1", percent, scale(1e-3)] = point.error, "Relative error of the load.";
 /// }
 /// ```
 #[macro_export]
 macro_rules! columns {
-    ($row:ident: $rows:ty => $($name:ident[$unit:literal] = $value:expr, $meaning:literal;)*) => {
+    ($row:ident: $rows:ty => $($name:ident[$unit:literal $(, $method:ident $(($argument:expr))?)*] = $value:expr, $meaning:literal;)*) => {
         vec![$($crate::report::table::Column::new(stringify!($name), $unit, $meaning, move |$row: &$rows| {
             $crate::report::table::Value::from($value)
-        })),*]
+        })$(.$method($($argument)?))*),*]
     };
 }
 
@@ -145,17 +332,27 @@ pub trait Row: Sized {
     /// Meaning of a row, in one sentence that begins with "One row".
     const ROWS: &'static str;
 
+    /// The key of its records in `summary.json`; `None` of a table that is there as CSV only.
+    const RECORDS: Option<&'static str> = None;
+
+    /// Whether it has thousands of rows: such a table is not committed, only the sums of its columns (`digest.csv`).
+    const IS_LONG: bool = false;
+
     /// Its columns, in file order.
     fn columns() -> Vec<Column<Self>>;
 }
 
 /// Documentation of a table.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Schema {
     /// Name of its file.
     pub file: &'static str,
     /// Meaning of a row.
     pub rows: &'static str,
+    /// The key of its records in `summary.json`.
+    pub records: Option<&'static str>,
+    /// Whether it has thousands of rows.
+    pub is_long: bool,
     /// Its columns, in file order.
     pub columns: Vec<Heading>,
 }
@@ -164,35 +361,115 @@ impl Schema {
     /// That of the table with these rows.
     pub fn of<R: Row>() -> Self {
         let columns = R::columns().into_iter().map(|column| column.heading).collect();
-        Self { file: R::FILE, rows: R::ROWS, columns }
+        Self { file: R::FILE, rows: R::ROWS, records: R::RECORDS, is_long: R::IS_LONG, columns }
     }
 }
 
-/// The file of a table, name and content; the header is there also when there are no rows.
-///
-/// # Errors
-/// See [`TableError`].
-pub fn csv_file<R: Row>(rows: impl IntoIterator<Item = R>) -> Result<(&'static str, Vec<u8>), TableError> {
-    csv_file_with(rows, |_| true)
+/// A table: its schema and its cells.
+#[derive(Debug, Clone)]
+pub struct Table {
+    /// File and columns.
+    pub schema: Schema,
+    /// Column by column, as many cells as rows.
+    cells: Vec<Vec<Value>>,
+    rows: usize,
 }
 
-/// The same with the columns that `is_kept` holds for, for columns about something that was not run.
-///
-/// # Errors
-/// See [`TableError`].
-pub fn csv_file_with<R: Row>(
-    rows: impl IntoIterator<Item = R>,
-    is_kept: impl Fn(&Heading) -> bool,
-) -> Result<(&'static str, Vec<u8>), TableError> {
-    let columns: Vec<Column<R>> =
-        R::columns().into_iter().filter(|column| is_kept(&column.heading)).collect();
-    let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
-    writer.write_record(columns.iter().map(|column| &column.heading.name))?;
-    for row in rows {
-        let cells: Vec<Value> = columns.iter().map(|column| column.value(&row)).collect();
-        writer.serialize(cells)?;
+impl Table {
+    /// The table of these rows.
+    pub fn new<R: Row>(rows: impl IntoIterator<Item = R>) -> Self {
+        let columns = R::columns();
+        let mut cells: Vec<Vec<Value>> = columns.iter().map(|_| Vec::new()).collect();
+        let mut count = 0;
+        for row in rows {
+            count += 1;
+            for (cells, column) in cells.iter_mut().zip(&columns) {
+                cells.push(column.value(&row));
+            }
+        }
+        Self { schema: Schema::of::<R>(), cells, rows: count }
     }
-    Ok((R::FILE, writer.into_inner().map_err(|error| error.into_error())?))
+
+    /// The same without the columns of a part that was not run.
+    #[must_use]
+    pub fn without_part(mut self, part: &str) -> Self {
+        let is_kept: Vec<bool> =
+            self.schema.columns.iter().map(|heading| heading.part != Some(part)).collect();
+        let mut kept = is_kept.iter();
+        self.schema.columns.retain(|_| *kept.next().unwrap_or(&true));
+        let mut kept = is_kept.iter();
+        self.cells.retain(|_| *kept.next().unwrap_or(&true));
+        self
+    }
+
+    /// Number of rows.
+    pub fn rows(&self) -> usize {
+        self.rows
+    }
+
+    /// The columns with their cells, in file order.
+    pub fn columns(&self) -> impl Iterator<Item = (&Heading, &[Value])> {
+        self.schema.columns.iter().zip(self.cells.iter().map(Vec::as_slice))
+    }
+
+    /// The column of a name.
+    pub fn column(&self, name: &str) -> Option<(&Heading, &[Value])> {
+        self.columns().find(|(heading, _)| heading.name == name)
+    }
+
+    /// A choice of its columns and rows, for people.
+    pub fn view(&self) -> View<'_> {
+        View::new(self)
+    }
+
+    /// As CSV; the header is there also when there are no rows.
+    ///
+    /// # Errors
+    /// See [`TableError`].
+    pub fn csv(&self) -> Result<Vec<u8>, TableError> {
+        let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
+        writer.write_record(self.schema.columns.iter().map(|heading| &heading.name))?;
+        for row in 0..self.rows {
+            let cells: Vec<&Value> = self.cells.iter().map(|column| &column[row]).collect();
+            writer.serialize(cells)?;
+        }
+        writer.into_inner().map_err(|error| error.into_error().into())
+    }
+
+    /// As records of JSON, one per row.
+    pub fn records(&self) -> serde_json::Value {
+        let record = |row: usize| {
+            let fields = self.columns().map(|(heading, cells)| (heading.name.clone(), cells[row].json()));
+            serde_json::Value::Object(fields.collect::<Map<_, _>>())
+        };
+        (0..self.rows).map(record).collect()
+    }
+}
+
+/// The tables of a report.
+#[derive(Debug, Clone, Default)]
+pub struct Tables(Vec<Table>);
+
+impl Tables {
+    /// All tables, in their order.
+    pub fn new(tables: Vec<Table>) -> Self {
+        Self(tables)
+    }
+
+    /// All tables, in their order.
+    pub fn iter(&self) -> impl Iterator<Item = &Table> {
+        self.0.iter()
+    }
+
+    /// The table with these rows, where the report has it.
+    pub fn get<R: Row>(&self) -> Option<&Table> {
+        self.0.iter().find(|table| table.schema.file == R::FILE)
+    }
+
+    /// A view of the table with these rows; empty where the report has none.
+    pub fn view<R: Row>(&self) -> View<'_> {
+        self.get::<R>().map_or_else(View::default, Table::view)
+    }
 }
 
 #[cfg(test)]
@@ -212,7 +489,7 @@ mod tests {
         fn columns() -> Vec<Column<Self>> {
             columns! { sphere: Self =>
                 name["text"] = sphere.name, "Name of the sphere.";
-                radius_m["m"] = sphere.radius, "Radius.";
+                radius_m["m", part("radii")] = sphere.radius, "Radius.";
                 load_n["N"] = sphere.load, "Load; empty where there is no contact.";
                 in_contact["true/false"] = sphere.load.is_some(), "Whether there is contact.";
                 letters["count"] = sphere.name.len(), "Letters of the name.";
@@ -226,14 +503,26 @@ mod tests {
             Sphere { name: "a, b", radius: 1e-6, load: Some(0.1 + 0.2) },
             Sphere { name: "c", radius: 2.0, load: None },
         ];
-        let (name, file) = csv_file(rows).unwrap();
+        let table = Table::new(rows);
         let expected = "name,radius_m,load_n,in_contact,letters\n\"a, b\",1e-6,0.30000000000000004,true,4\nc,2.0,,false,1\n";
-        assert_eq!((name, String::from_utf8(file).unwrap().as_str()), ("spheres.csv", expected));
-        let (_, two) =
-            csv_file_with::<Sphere>([], |heading| heading.unit == "m" || heading.unit == "N").unwrap();
-        assert_eq!(two, b"radius_m,load_n\n");
-        let (_, empty) = csv_file::<Sphere>([]).unwrap();
+        assert_eq!(String::from_utf8(table.csv().unwrap()).unwrap(), expected);
+        let parted = table.without_part("radii").csv().unwrap();
+        assert!(parted.starts_with(
+            b"name,load_n,in_contact,letters
+\"a, b\",0.3"
+        ));
+        let empty = Table::new::<Sphere>([]).csv().unwrap();
         assert_eq!(empty, b"name,radius_m,load_n,in_contact,letters\n");
+    }
+
+    #[test]
+    fn records_have_every_column_and_no_infinity() {
+        let rows = [Sphere { name: "a", radius: f64::INFINITY, load: None }];
+        let expected = serde_json::json!([
+            { "name": "a", "radius_m": "inf", "load_n": null, "in_contact": false, "letters": 1 }
+        ]);
+        assert_eq!(Table::new(rows).records(), expected);
+        assert_eq!(Value::List(vec!["a".into(), "b, c".into()]).json(), serde_json::json!(["a", "b, c"]));
     }
 
     #[test]

@@ -1,47 +1,44 @@
-//! Comparison of new reports with committed ones: structure and counts exactly, numbers
-//! to 1e-9, timings and reports on them for their shape only, errors of the size of a rounding and where they occur
-//! not at all (the summary says whether they are within their bounds), pictures, pages and their answer neither. Of contacts that were
-//! counted only whether there were any: the rounds of a search for a load end by the last digits, which machines with
-//! other registers do not share. Files and surfaces are counted exactly.
+//! Comparison of new reports with committed ones. Columns say how their cells are compared ([`Comparison`]); all other numbers of
+//! `summary.json` are compared relative to themselves; pages and pictures by their text and their numbers, which may differ in the last
+//! digit that is shown. Of contacts that were counted only whether there were any: the rounds of a search for a load end by the last
+//! digits, which machines with other registers do not share.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::io;
 use std::path::Path;
 
 use serde_json::Value;
 
+use super::digest::DigestRow;
+use super::table::{Comparison, Heading, Row, Schema};
+use super::text;
+use crate::kind::AnyKind;
+
 /// Relative tolerance of a number.
 const TOLERANCE: f64 = 1e-9;
 
-/// Scale of a relative error, whose own rounding is that of the numbers near 1 that it compares.
-const ERROR_SCALE: f64 = 1e-3;
+const SUMMARY: &str = "summary.json";
 
-/// Scale of differences between laws: separations in sigma, ratios and jumps of a law are of order 1.
-const LAW_SCALE: f64 = 1.0;
-
-/// The key of a summary that holds the first sentences of the page.
-const ANSWER: &str = "answer";
-
-/// The key of a summary that identifies a report of `[precision]`.
-const ON_TIMES: &str = "precision";
+/// Keys of a summary that are not compared: the hashes of files whose content is compared, and the names of all files.
+const NOT_COMPARED: [&str; 2] = ["committed", "files"];
 
 /// Differences between the reports in `fresh` and those in `committed`, one line each; empty if
 /// nothing does.
 ///
 /// # Errors
 /// A folder or file that cannot be read.
-pub fn differences(fresh: &Path, committed: &Path) -> io::Result<Vec<String>> {
-    let mut found = Vec::new();
+pub fn differences(fresh: &Path, committed: &Path, kinds: &[&dyn AnyKind]) -> io::Result<Vec<String>> {
+    let mut lines = Vec::new();
     let (new, old) = (reports(fresh)?, reports(committed)?);
     for name in new.symmetric_difference(&old) {
         let place = if new.contains(name) { "is not committed" } else { "was not made again" };
-        found.push(format!("{name}: {place}"));
+        lines.push(format!("{name}: {place}"));
     }
     for name in new.intersection(&old) {
-        compare_folders(&fresh.join(name), &committed.join(name), name, &mut found)?;
+        lines.extend(Report::read(&fresh.join(name), &committed.join(name), name, kinds)?.differences()?);
     }
-    Ok(found)
+    Ok(lines)
 }
 
 /// Names of the folders that hold a `summary.json`.
@@ -49,280 +46,241 @@ fn reports(folder: &Path) -> io::Result<BTreeSet<String>> {
     let mut names = BTreeSet::new();
     for entry in fs::read_dir(folder)? {
         let entry = entry?;
-        if entry.path().join("summary.json").is_file() {
+        if entry.path().join(SUMMARY).is_file() {
             names.insert(entry.file_name().to_string_lossy().into_owned());
         }
     }
     Ok(names)
 }
 
-fn compare_folders(fresh: &Path, committed: &Path, name: &str, found: &mut Vec<String>) -> io::Result<()> {
-    let files = |folder: &Path| -> io::Result<BTreeSet<String>> {
-        let names = fs::read_dir(folder)?.map(|entry| Ok(entry?.file_name().to_string_lossy().into_owned()));
-        names.filter(|name| !matches!(name, Ok(name) if name == "manifest.json")).collect()
-    };
-    let (new, old) = (files(fresh)?, files(committed)?);
-    found.extend(new.symmetric_difference(&old).map(|file| format!("{name}/{file}: in one of them only")));
-    let read_json = |path: &Path| -> io::Result<Value> { Ok(serde_json::from_slice(&fs::read(path)?)?) };
-    // In a report of `[precision]` the fastest method may differ between machines.
-    let is_on_times = read_json(&committed.join("summary.json"))?.get(ON_TIMES).is_some();
-    for file in new.intersection(&old) {
-        let place = format!("{name}/{file}");
-        let (new, old) = (fresh.join(file), committed.join(file));
-        if file.ends_with(".csv") {
-            compare_tables(&new, &old, is_on_times, &place, found)?;
-        } else if file.ends_with(".json") {
-            let [new, old] = [read_json(&new)?, read_json(&old)?];
-            compare_values(&new, &old, file == "timing.json", &place, found);
-        }
-    }
-    Ok(())
+/// A report made again, beside the committed one.
+struct Report<'a> {
+    name: &'a str,
+    /// Folders: of the new one, of the committed one.
+    folders: [&'a Path; 2],
+    /// Summaries, likewise.
+    summaries: [Value; 2],
+    schemas: Vec<Schema>,
+    /// Whether its page holds measured times.
+    is_timed: bool,
 }
 
-fn compare_tables(
-    new: &Path,
-    old: &Path,
-    shape_only: bool,
-    place: &str,
-    found: &mut Vec<String>,
-) -> io::Result<()> {
-    let read = |path: &Path| -> io::Result<Vec<csv::StringRecord>> {
-        let mut reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_path(path)?;
-        Ok(reader.records().collect::<Result<_, _>>()?)
-    };
-    let (new, old) = (read(new)?, read(old)?);
-    let (Some(header), true) = (new.first(), new.first() == old.first() && new.len() == old.len()) else {
-        found.push(format!("{place}: another header or number of rows"));
-        return Ok(());
-    };
-    if shape_only {
-        return Ok(());
+impl<'a> Report<'a> {
+    fn read(new: &'a Path, old: &'a Path, name: &'a str, kinds: &[&dyn AnyKind]) -> io::Result<Self> {
+        let folders = [new, old];
+        let read = |folder: &Path| -> io::Result<Value> {
+            Ok(serde_json::from_slice(&fs::read(folder.join(SUMMARY))?)?)
+        };
+        let summaries = [read(new)?, read(old)?];
+        let kind = kinds.iter().find(|kind| summaries[1]["kind"] == kind.name());
+        let mut schemas = kind.map(|kind| kind.tables()).unwrap_or_default();
+        schemas.push(Schema::of::<DigestRow>());
+        Ok(Self { name, folders, summaries, schemas, is_timed: kind.is_some_and(|kind| kind.is_timed()) })
     }
-    for (line, (a, b)) in new.iter().zip(&old).enumerate().skip(1) {
-        for (k, column) in header.iter().enumerate() {
-            // A difference of two results is as accurate as they are, not relative to itself.
-            let scale = match column.strip_prefix("difference_") {
-                Some(quantity) => header
-                    .iter()
-                    .position(|name| name == format!("statistical_{quantity}"))
-                    .and_then(|index| a.get(index)?.parse::<f64>().ok())
-                    .unwrap_or(0.0),
-                None if is_between_laws(place, column) => LAW_SCALE,
-                None if is_error(place, column) => ERROR_SCALE,
-                None => 0.0,
+
+    fn differences(&self) -> io::Result<Vec<String>> {
+        let mut lines = Vec::new();
+        let names = |summary: &Value, key: &str| -> BTreeSet<String> {
+            summary[key].as_object().into_iter().flat_map(|files| files.keys().cloned()).collect()
+        };
+        let [new, old] = [0, 1].map(|side| names(&self.summaries[side], "committed"));
+        for file in new.union(&old) {
+            let [new, old] = self.folders.map(|folder| folder.join(file));
+            if !(new.is_file() && old.is_file()) {
+                lines.push(format!("{}/{file}: is missing", self.name));
+            } else if file.ends_with(".csv") {
+                self.compare_tables(file, &new, &old, &mut lines)?;
+            } else if !self.is_timed && (file.ends_with(".md") || file.ends_with(".svg")) {
+                let [new, old] = [fs::read_to_string(new)?, fs::read_to_string(old)?];
+                let place = format!("{}/{file}", self.name);
+                lines.extend(
+                    text::first_difference(&new, &old).map(|difference| format!("{place}, {difference}")),
+                );
+            }
+        }
+        let [new, old] = &self.summaries;
+        self.compare_values(new, old, &Place::of(&format!("{}/{SUMMARY}", self.name)), &mut lines);
+        Ok(lines)
+    }
+
+    fn heading(&self, file: &str, column: &str) -> Option<&Heading> {
+        let schema = self.schemas.iter().find(|schema| schema.file == file)?;
+        schema.columns.iter().find(|heading| heading.name == column)
+    }
+
+    fn compare_tables(&self, file: &str, new: &Path, old: &Path, lines: &mut Vec<String>) -> io::Result<()> {
+        let place = format!("{}/{file}", self.name);
+        let [new, old] = [Cells::read(new)?, Cells::read(old)?];
+        if new.header != old.header || new.rows.len() != old.rows.len() {
+            lines.push(format!("{place}: another header or number of rows"));
+            return Ok(());
+        }
+        for (line, (a, b)) in new.rows.iter().zip(&old.rows).enumerate() {
+            for (k, column) in old.header.iter().enumerate() {
+                let comparison = if file == DigestRow::FILE {
+                    self.digest_comparison(&old, b, column)
+                } else {
+                    let heading = self.heading(file, column);
+                    heading.map_or(Comparison::Relative, |heading| match &heading.comparison {
+                        Comparison::ScaleOf(other) => Comparison::Scale(old.number(b, other)),
+                        comparison => comparison.clone(),
+                    })
+                };
+                let (a, b) = (a.get(k).unwrap_or_default(), b.get(k).unwrap_or_default());
+                if !same_cell(a, b, &comparison) {
+                    lines.push(format!("{place}, line {}, {column}: now {a}, committed {b}", line + 2));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// How a sum over a column is compared, which is a cell of a digest: as the cells of that column.
+    fn digest_comparison(&self, digest: &Cells, row: &csv::StringRecord, cell: &str) -> Comparison {
+        if matches!(cell, "table" | "column" | "rows" | "empty") {
+            return Comparison::Relative;
+        }
+        let [table, column] = ["table", "column"].map(|name| digest.cell(row, name));
+        let magnitude = |column: &str| {
+            let is_of = |row: &&csv::StringRecord| {
+                digest.cell(row, "table") == table && digest.cell(row, "column") == column
             };
-            let (a, b) = (a.get(k).unwrap_or_default(), b.get(k).unwrap_or_default());
-            if is_of_rounding(place, column) && a.is_empty() == b.is_empty() {
-                continue;
+            digest.rows.iter().find(is_of).map_or(0.0, |row| digest.number(row, "magnitude"))
+        };
+        match self.heading(table, column).map(|heading| &heading.comparison) {
+            Some(Comparison::Ignored) => Comparison::Ignored,
+            Some(Comparison::Scale(scale)) => {
+                Comparison::Scale(magnitude(column).max(scale * digest.number(row, "rows")))
             }
-            if !same_text(a, b, scale) {
-                found.push(format!("{place}, line {}, {column}: now {a}, committed {b}", line + 1));
+            Some(Comparison::ScaleOf(other)) => Comparison::Scale(magnitude(column).max(magnitude(other))),
+            Some(Comparison::Relative) | None if matches!(cell, "sum" | "weighted") => {
+                Comparison::Scale(magnitude(column))
             }
+            Some(Comparison::Relative) | None => Comparison::Relative,
         }
     }
-    Ok(())
+
+    fn compare_values(&self, new: &Value, old: &Value, place: &Place, lines: &mut Vec<String>) {
+        match (new, old) {
+            (Value::Object(a), Value::Object(b)) if a.keys().eq(b.keys()) => {
+                for (key, value) in a.iter().filter(|(key, _)| !NOT_COMPARED.contains(&key.as_str())) {
+                    self.compare_values(value, &b[key], &place.key(key, b), lines);
+                }
+            }
+            (Value::Array(a), Value::Array(b)) if a.len() == b.len() => {
+                for (k, (a, b)) in a.iter().zip(b).enumerate() {
+                    self.compare_values(a, b, &place.item(k), lines);
+                }
+            }
+            (Value::Number(a), Value::Number(b)) => {
+                let comparison = self.comparison_of(place);
+                let is_same = match (a.as_u64(), b.as_u64(), a.as_f64(), b.as_f64()) {
+                    _ if comparison == Comparison::Ignored => true,
+                    (Some(a), Some(b), ..) if place.counts_contacts() => (a == 0) == (b == 0),
+                    (Some(a), Some(b), ..) => a == b,
+                    (_, _, Some(a), Some(b)) => same_number(a, b, &comparison),
+                    _ => false,
+                };
+                if !is_same {
+                    lines.push(format!("{}: now {a}, committed {b}", place.path));
+                }
+            }
+            _ if new == old => {}
+            (Value::String(a), Value::String(b))
+                if self.is_timed || text::first_difference(a, b).is_none() => {}
+            _ => lines.push(format!("{}: now {new}, committed {old}", place.path)),
+        }
+    }
+
+    /// How a number of `summary.json` is compared: as the cell of its table, if it is one.
+    fn comparison_of(&self, place: &Place) -> Comparison {
+        let [key, column] = [place.keys.first(), place.keys.get(1)].map(|key| key.map_or("", String::as_str));
+        let schema = self.schemas.iter().find(|schema| schema.records == Some(key));
+        let heading = schema.and_then(|schema| schema.columns.iter().find(|heading| heading.name == column));
+        match heading.map(|heading| &heading.comparison) {
+            Some(Comparison::ScaleOf(other)) => {
+                Comparison::Scale(place.siblings.get(other.as_str()).copied().unwrap_or(0.0))
+            }
+            Some(comparison) => comparison.clone(),
+            None => Comparison::Relative,
+        }
+    }
 }
 
-/// Whether a column contains errors of results against exact ones.
-fn is_error(place: &str, column: &str) -> bool {
-    let tables = ["convergence.csv", "benchmarks.csv"];
-    tables.iter().any(|table| place.ends_with(table)) && column.ends_with("_error")
+/// The cells of a CSV file.
+struct Cells {
+    header: csv::StringRecord,
+    rows: Vec<csv::StringRecord>,
 }
 
-/// Whether a column contains differences between laws or jumps of one.
-fn is_between_laws(place: &str, column: &str) -> bool {
-    (place.ends_with("boundaries.csv") && column.ends_with("_jump"))
-        || (place.ends_with("influence.csv") && !column.ends_with("_pa"))
+impl Cells {
+    fn read(path: &Path) -> io::Result<Self> {
+        let mut reader = csv::ReaderBuilder::new().flexible(true).from_path(path)?;
+        Ok(Self { header: reader.headers()?.clone(), rows: reader.records().collect::<Result<_, _>>()? })
+    }
+
+    fn cell<'r>(&self, row: &'r csv::StringRecord, column: &str) -> &'r str {
+        let place = self.header.iter().position(|name| name == column);
+        place.and_then(|place| row.get(place)).unwrap_or_default()
+    }
+
+    fn number(&self, row: &csv::StringRecord, column: &str) -> f64 {
+        self.cell(row, column).parse().unwrap_or(0.0)
+    }
 }
 
-/// Whether a column contains rounding errors, which vary between machines, or their positions.
-fn is_of_rounding(place: &str, column: &str) -> bool {
-    let is_either = |tables: [&str; 2]| tables.iter().any(|table| place.ends_with(table));
-    is_either(["stability.csv", "maps.csv"]) && (column.ends_with("_error") || column.starts_with("worst_"))
+/// Where a value stands in a summary.
+struct Place {
+    path: String,
+    keys: Vec<String>,
+    /// The numbers beside it.
+    siblings: BTreeMap<String, f64>,
 }
 
-fn same_text(a: &str, b: &str, scale: f64) -> bool {
+impl Place {
+    fn of(file: &str) -> Self {
+        Self { path: file.to_owned(), keys: Vec::new(), siblings: BTreeMap::new() }
+    }
+
+    fn key(&self, key: &str, object: &serde_json::Map<String, Value>) -> Self {
+        let numbers = object.iter().filter_map(|(key, value)| Some((key.clone(), value.as_f64()?)));
+        let keys = self.keys.iter().cloned().chain([key.to_owned()]).collect();
+        Self { path: format!("{}, {key}", self.path), keys, siblings: numbers.collect() }
+    }
+
+    fn item(&self, index: usize) -> Self {
+        Self { path: format!("{}[{index}]", self.path), keys: self.keys.clone(), siblings: BTreeMap::new() }
+    }
+
+    fn counts_contacts(&self) -> bool {
+        const ITEMS: [&str; 4] = ["asperities_touched", "nodes", "single_contacts", "coating_calls"];
+        matches!(&self.keys[..], [work, item] if work == "work" && ITEMS.contains(&item.as_str()))
+    }
+}
+
+fn same_cell(a: &str, b: &str, comparison: &Comparison) -> bool {
     if a == b {
         return true;
     }
+    if *comparison == Comparison::Ignored {
+        return a.is_empty() == b.is_empty();
+    }
     let is_count = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
     match (a.parse(), b.parse()) {
-        (Ok(x), Ok(y)) if !(is_count(a) && is_count(b)) => same_number(x, y, scale),
+        (Ok(a_number), Ok(b_number)) if !(is_count(a) && is_count(b)) => {
+            same_number(a_number, b_number, comparison)
+        }
         _ => false,
     }
 }
 
-fn same_number(a: f64, b: f64, scale: f64) -> bool {
-    (a - b).abs() <= TOLERANCE * a.abs().max(b.abs()).max(scale.abs())
-}
-
-/// Whether a number of a summary counts contacts.
-fn is_of_contacts(place: &str) -> bool {
-    let items = ["asperities_touched", "nodes", "single_contacts", "coating_calls"];
-    place.rsplit_once(", work, ").is_some_and(|(_, item)| items.contains(&item))
-}
-
-fn compare_values(new: &Value, old: &Value, shape_only: bool, place: &str, found: &mut Vec<String>) {
-    match (new, old) {
-        (Value::Object(a), Value::Object(b)) if a.keys().eq(b.keys()) => {
-            for (key, value) in a {
-                let shape_only = shape_only || key == ON_TIMES || key == ANSWER;
-                compare_values(value, &b[key], shape_only, &format!("{place}, {key}"), found);
-            }
-        }
-        (Value::Array(a), Value::Array(b)) if a.len() == b.len() => {
-            for (k, (a, b)) in a.iter().zip(b).enumerate() {
-                compare_values(a, b, shape_only, &format!("{place}[{k}]"), found);
-            }
-        }
-        (Value::Number(a), Value::Number(b)) => {
-            let same = match (a.as_u64(), b.as_u64(), a.as_f64(), b.as_f64()) {
-                (Some(a), Some(b), ..) => a == b,
-                (_, _, Some(a), Some(b)) => {
-                    let is_of_laws =
-                        [", laws, influence[", ", laws, boundaries["].iter().any(|part| place.contains(part));
-                    same_number(a, b, if is_of_laws { LAW_SCALE } else { 0.0 })
-                }
-                _ => false,
-            };
-            let is_of_rounding = place.contains(", stability, ") && place.ends_with(", worst_error");
-            let is_same_work = is_of_contacts(place) && (a.as_u64() == Some(0)) == (b.as_u64() == Some(0));
-            if !(same || shape_only || is_of_rounding || is_same_work) {
-                found.push(format!("{place}: now {a}, committed {b}"));
-            }
-        }
-        _ if new == old => {}
-        // Another method may be the fastest, or none accurate enough.
-        (
-            Value::String(_) | Value::Number(_) | Value::Null,
-            Value::String(_) | Value::Number(_) | Value::Null,
-        ) if shape_only => {}
-        _ => found.push(format!("{place}: now {new}, committed {old}")),
-    }
+fn same_number(a: f64, b: f64, comparison: &Comparison) -> bool {
+    let scale = match comparison {
+        Comparison::Scale(scale) => scale.abs(),
+        _ => 0.0,
+    };
+    a == b || (a - b).abs() <= TOLERANCE * a.abs().max(b.abs()).max(scale)
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn reports_with(table: &str, summary: &str) -> tempfile::TempDir {
-        let folder = tempfile::tempdir().unwrap();
-        let report = folder.path().join("one");
-        fs::create_dir(&report).unwrap();
-        fs::write(report.join("curves.csv"), table).unwrap();
-        fs::write(report.join("summary.json"), summary).unwrap();
-        fs::write(report.join("timing.json"), format!("{{\"total_s\": {}}}", table.len())).unwrap();
-        folder
-    }
-
-    fn count(table: &str, summary: &str) -> usize {
-        let committed = reports_with("n,difference_x,statistical_x\n12,1e-17,3.5\n", "{\"sigma_m\": 6.7e-9}");
-        differences(reports_with(table, summary).path(), committed.path()).unwrap().len()
-    }
-
-    #[test]
-    fn only_what_matters_differs() {
-        let same = "{\"sigma_m\": 6.7e-9}";
-        assert_eq!(count("n,difference_x,statistical_x\n12,1e-17,3.5\n", same), 0);
-        assert_eq!(count("n,difference_x,statistical_x\n12,-3e-16,3.5000000001\n", same), 0);
-        assert_eq!(count("n,difference_x,statistical_x\n13,1e-17,3.5\n", same), 1);
-        assert_eq!(count("n,difference_x,statistical_x\n12,1e-17,3.50001\n", same), 1);
-        assert_eq!(count("n,difference_x,statistical_x\n12,1e-17,\n", same), 1);
-        assert_eq!(count("n,difference_x,y\n12,1e-17,3.5\n", same), 1);
-        assert_eq!(count("n,difference_x,statistical_x\n12,1e-17,3.5\n", "{\"sigma_m\": 6.7001e-9}"), 1);
-        assert_eq!(count("n,difference_x,statistical_x\n12,1e-17,3.5\n", "{\"sigma\": 6.7e-9}"), 1);
-    }
-
-    #[test]
-    fn the_answer_is_that_of_the_page() {
-        let committed = reports_with("n\n1\n", "{\"answer\": \"8.34 %\", \"kind\": \"compare\"}");
-        let count = |summary: &str| {
-            differences(reports_with("n\n1\n", summary).path(), committed.path()).unwrap().len()
-        };
-        assert_eq!(count("{\"answer\": \"8.35 %\", \"kind\": \"compare\"}"), 0);
-        assert_eq!(count("{\"answer\": \"8.34 %\", \"kind\": \"laws\"}"), 1);
-        assert_eq!(count("{\"kind\": \"compare\"}"), 1);
-    }
-
-    #[test]
-    fn a_report_on_times_has_its_shape_compared() {
-        let summary = |rows: &str| format!("{{\"seed\": 1, \"precision\": {{\"winners\": [{rows}]}}}}");
-        let row = "{\"fastest\": \"simpson\", \"error\": 1e-9}";
-        let committed = reports_with("n,s\n1,2e-6\n", &summary(row));
-        let count = |table: &str, summary: &str| {
-            differences(reports_with(table, summary).path(), committed.path()).unwrap().len()
-        };
-        let other = "{\"fastest\": null, \"error\": null}";
-        assert_eq!(count("n,s\n1,3e-6\n", &summary(other)), 0);
-        assert_eq!(count("n,t\n1,2e-6\n", &summary(row)), 1);
-        assert_eq!(count("n,s\n1,2e-6\n2,2e-6\n", &summary(row)), 1);
-        assert_eq!(count("n,s\n1,2e-6\n", &summary(&format!("{row}, {row}"))), 1);
-        assert_eq!(count("n,s\n1,2e-6\n", &summary(row).replace("\"seed\": 1", "\"seed\": 2")), 1);
-    }
-
-    #[test]
-    fn what_tells_laws_apart_is_as_exact_as_their_answers() {
-        let between = |place: &str, column: &str| is_between_laws(place, column);
-        assert!(
-            between("laws/boundaries.csv", "load_jump") && !between("laws/boundaries.csv", "load_below_n")
-        );
-        assert!(
-            between("laws/influence.csv", "models_first_law")
-                && !between("laws/influence.csv", "pressure_pa")
-        );
-        let laws = |place: &str, value: f64| {
-            let of = |value: f64| serde_json::json!({ "laws": { place: [{ "largest": value }] } });
-            let mut found = Vec::new();
-            compare_values(&of(value), &of(1e-5), false, "laws/summary.json", &mut found);
-            found.len()
-        };
-        assert_eq!(
-            [laws("influence", 1e-5 + 1e-12), laws("influence", 1.1e-5), laws("other", 1e-5 + 1e-12)],
-            [0, 1, 1]
-        );
-    }
-
-    #[test]
-    fn errors_of_the_size_of_a_rounding_are_not_compared() {
-        let is_free = |place: &str, column: &str| is_of_rounding(place, column);
-        assert!(
-            is_free("stability/stability.csv", "worst_error")
-                && is_free("stability/stability.csv", "worst_inputs")
-                && is_free("stability/stability.csv", "worst_bound")
-        );
-        assert!(
-            !is_free("stability/stability.csv", "bound") && !is_free("limit/convergence.csv", "worst_error")
-        );
-        let of = |worst: f64, holds: bool| serde_json::json!({ "stability": { "families": [{ "within_bounds": holds, "worst_error": worst }] } });
-        let count = |new: &Value| {
-            let mut found = Vec::new();
-            compare_values(new, &of(1e-16, true), false, "stability/summary.json", &mut found);
-            found.len()
-        };
-        assert_eq!([count(&of(3e-16, true)), count(&of(1e-16, false))], [0, 1]);
-    }
-
-    #[test]
-    fn of_contacts_only_whether_there_are_any_is_compared() {
-        let work = |item: &str, count: u64| serde_json::json!({ "work": { item: count } });
-        let differs = |item: &str, now: u64, before: u64| {
-            let mut found = Vec::new();
-            compare_values(&work(item, now), &work(item, before), false, "one/summary.json", &mut found);
-            !found.is_empty()
-        };
-        for item in ["asperities_touched", "nodes", "single_contacts", "coating_calls"] {
-            assert!(
-                !differs(item, 7, 8) && !differs(item, 0, 0) && differs(item, 0, 8) && differs(item, 7, 0)
-            );
-        }
-        assert!(differs("files_read", 1, 2) && differs("surfaces_made", 7, 8));
-        assert!(!differs("files_read", 2, 2));
-    }
-
-    #[test]
-    fn a_report_that_is_missing_is_said() {
-        let committed = reports_with("a\n", "{}");
-        let fresh = tempfile::tempdir().unwrap();
-        assert_eq!(differences(fresh.path(), committed.path()).unwrap(), ["one: was not made again"]);
-    }
-}
+mod tests;

@@ -30,6 +30,7 @@ impl AttributionRow<'_> {
 impl Row for AttributionRow<'_> {
     const FILE: &'static str = "attribution.csv";
     const ROWS: &'static str = "One row for each surface, law, layer thickness, load, quantity and cause, over all realisations: what each cause contributes to the difference between the models at equal load. The contributions of a load add up to the difference; loads that fewer than 30 effective contacts carry, or one contact with more than 10 % of the load, have none.";
+    const IS_LONG: bool = true;
 
     fn columns() -> Vec<Column<Self>> {
         columns! { row: Self =>

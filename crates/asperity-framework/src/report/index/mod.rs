@@ -116,7 +116,7 @@ fn markdown(entries: &[Entry]) -> String {
                     0 => "none".to_owned(),
                     count => count.to_string(),
                 }),
-                link(entry.data(), entry.data()),
+                link("summary.json", "summary.json"),
             ]
         }),
     );

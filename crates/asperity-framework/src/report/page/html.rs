@@ -14,9 +14,8 @@ const CHART_LICENCE: &str = include_str!("assets/uPlot-LICENSE");
 const CHARTS: &str = include_str!("assets/uPlot.iife.min.js");
 const SCRIPT: &str = include_str!("assets/page.js");
 
-/// Cells that begin with a verdict are coloured by it.
-const VERDICTS: [(&str, &str); 4] =
-    [("within", "within"), ("beyond", "beyond"), ("cannot tell", "open"), ("blocked", "open")];
+/// Classes of the cells of verdicts, by how they begin.
+const VERDICTS: [(&str, &str); 3] = [("within", "within"), ("beyond", "beyond"), ("", "open")];
 
 /// Pages with more sections than this list them.
 const MOST_UNLISTED: usize = 3;
@@ -35,9 +34,6 @@ pub(super) fn page(title: &str, blocks: &[Block], figures: &[Drawn]) -> String {
         )
         .replace("</table>", "</table></div>")
         .replace("<pre>", "<pre tabindex=\"0\">");
-    for (verdict, class) in VERDICTS {
-        body = body.replace(&format!("<td>{verdict}"), &format!("<td class=\"{class}\">{verdict}"));
-    }
     let (style, script) = if figures.iter().any(|figure| figure.data.is_some()) {
         (CHART_STYLE, charts())
     } else {
@@ -114,12 +110,36 @@ impl Writer<'_> {
                     self.body.push_str("</div>\n");
                 }
                 Block::Markdown(text) => push_markdown(&mut self.body, text),
+                Block::Table { markdown, verdicts } => self.table(markdown, verdicts),
                 Block::Figure { caption, .. } => self.figure(caption),
                 Block::Details { title, blocks, .. } => {
                     self.body.push_str(&format!("<details>\n<summary>{}</summary>\n", escape(title)));
                     self.write(blocks);
                     self.body.push_str("</details>\n");
                 }
+            }
+        }
+    }
+
+    fn table(&mut self, markdown: &str, verdicts: &[usize]) {
+        let mut table = String::new();
+        push_markdown(&mut table, markdown);
+        if verdicts.is_empty() {
+            return self.body.push_str(&table);
+        }
+        for line in table.split_inclusive("<tr>") {
+            let mut column = 0;
+            for cell in line.split_inclusive("</td>") {
+                let text = cell.trim_start().strip_prefix("<td>").filter(|_| verdicts.contains(&column));
+                let class =
+                    text.and_then(|text| VERDICTS.iter().find(|(verdict, _)| text.starts_with(verdict)));
+                match class.zip(text) {
+                    Some(((_, class), text)) => {
+                        self.body.push_str(&format!("<td class=\"{class}\">{text}"));
+                    }
+                    None => self.body.push_str(cell),
+                }
+                column += 1;
             }
         }
     }

@@ -120,14 +120,22 @@ struct Summary {
     files: Vec<String>,
     #[serde(default)]
     input_sha256: String,
+    /// SHA-256 of the files that version control keeps.
+    #[serde(default)]
+    committed: BTreeMap<String, String>,
 }
 
-/// Whether a folder holds a report, complete but without manifest, on the input with this hash: one that came with a clone.
+/// Whether a folder holds a report without manifest, on the input with this hash, whose pages, pictures and short tables are those
+/// that were written: one that came with a clone.
 pub(super) fn is_committed(folder: &Path, input_sha256: &str) -> bool {
     !folder.join(MANIFEST).exists()
         && summary(folder).is_some_and(|summary| {
             summary.input_sha256 == input_sha256
-                && summary.files.iter().all(|name| is_plain(name) && folder.join(name).is_file())
+                && !summary.committed.is_empty()
+                && summary.committed.iter().all(|(name, written)| {
+                    is_plain(name)
+                        && fs::read(folder.join(name)).is_ok_and(|content| hash(&content) == *written)
+                })
         })
 }
 

@@ -71,7 +71,12 @@ impl Folder {
         self
     }
 
-    /// Names of the files so far, in their order; `manifest.json` is not among them.
+    /// Names and contents of the files so far, in their order; `manifest.json` is not among them.
+    pub fn files(&self) -> impl Iterator<Item = (&str, &[u8])> {
+        self.files.iter().map(|(name, content)| (name.as_str(), content.as_slice()))
+    }
+
+    /// Their names.
     pub fn names(&self) -> impl Iterator<Item = &str> {
         self.files.iter().map(|(name, _)| name.as_str())
     }

@@ -91,14 +91,21 @@ fn a_fresh_clone_without_manifest_may_be_replaced() {
 fn a_report_that_came_with_a_clone_is_recognised_by_its_input() {
     let (_home, store) = stored();
     let report = store.directory.join("lead");
-    let summary =
-        r#"{"program": "asperity", "input_sha256": "abc", "files": ["curves.csv", "summary.json"]}"#;
+    fs::write(report.join("report.md"), "abc").unwrap();
+    // Of "abc"; pages for the browser and long tables do not come with a clone.
+    let hash = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
+    let summary = format!(
+        r#"{{"program": "asperity", "input_sha256": "abc", "committed": {{"report.md": "{hash}"}}, "files": ["report.html", "report.md"]}}"#
+    );
     fs::write(report.join("summary.json"), summary).unwrap();
     // With a manifest it was written here, and its key decides.
     assert!(!store.is_committed("lead", "abc"));
     fs::remove_file(report.join("manifest.json")).unwrap();
     assert!(store.is_committed("lead", "abc") && !store.is_committed("lead", "abd"));
-    fs::remove_file(report.join("curves.csv")).unwrap();
+    // A page or picture of another run is noticed.
+    fs::write(report.join("report.md"), "abd").unwrap();
+    assert!(!store.is_committed("lead", "abc"));
+    fs::remove_file(report.join("report.md")).unwrap();
     assert!(!store.is_committed("lead", "abc"));
 }
 

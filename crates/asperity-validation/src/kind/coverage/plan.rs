@@ -111,8 +111,7 @@ impl fmt::Display for CoveragePlan {
 }
 
 /// Reads `[coverage]`.
-pub(super) fn plan(file: &SpecFile) -> Result<CoveragePlan, InputError> {
-    let table = file.required_table::<CoverageSpec>("coverage")?;
+pub(super) fn plan(file: &SpecFile, table: &Spanned<CoverageSpec>) -> Result<CoveragePlan, InputError> {
     let raw = table.get_ref();
     let (rough, flat) = (raw.rough.get_ref(), raw.flat.get_ref());
     let pair = [file.body(rough, raw.rough.span())?, file.body(flat, raw.flat.span())?];

@@ -4,7 +4,7 @@ use super::findings::LoadCoverage;
 use super::run::CoverageResults;
 use crate::coverage::{Coverage, Quantity};
 use asperity_framework::columns;
-use asperity_framework::report::table::{Column, Row, Schema, TableError, csv_file};
+use asperity_framework::report::table::{Column, Row, Schema, Table};
 
 /// One quantity at one load of one case.
 struct CoverageRow<'a> {
@@ -49,10 +49,7 @@ pub(super) fn schemas() -> Vec<Schema> {
 }
 
 /// The file of [`schemas`].
-///
-/// # Errors
-/// See [`TableError`].
-pub(super) fn tables(results: &CoverageResults) -> Result<Vec<(&'static str, Vec<u8>)>, TableError> {
+pub(super) fn tables(results: &CoverageResults) -> Vec<Table> {
     let rows = results.cases.iter().flat_map(|case| {
         case.loads.iter().flat_map(move |load| {
             load.each().map(move |(quantity, coverage)| CoverageRow {
@@ -63,5 +60,5 @@ pub(super) fn tables(results: &CoverageResults) -> Result<Vec<(&'static str, Vec
             })
         })
     });
-    Ok(vec![csv_file(rows)?])
+    vec![Table::new(rows)]
 }

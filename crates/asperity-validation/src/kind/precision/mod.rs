@@ -9,12 +9,11 @@ mod spec;
 mod summary;
 mod tables;
 
-use asperity_framework::input::{InputError, SpecFile};
+use asperity_framework::input::{InputError, Spanned, SpecFile};
 use asperity_framework::metadata::Metadata;
 use asperity_framework::report::Page;
-use asperity_framework::report::table::{Schema, TableError};
-use asperity_framework::{Kind, Memory, Outcome, Plan, Reads, RunContext};
-use schemars::SchemaGenerator;
+use asperity_framework::report::table::{Schema, Table, Tables};
+use asperity_framework::{Kind, Memory, Outcome, Plan, Planned, Reads, RunContext};
 use serde_json::{Map, Value};
 
 use plan::PrecisionPlan;
@@ -24,28 +23,29 @@ use run::PrecisionResults;
 pub struct Precision;
 
 impl Kind for Precision {
-    fn name(&self) -> &'static str {
-        "precision"
+    const NAME: &'static str = "precision";
+    const IS_TIMED: bool = true;
+    const READS: Reads = Reads { materials: true, surfaces: false };
+    type Spec = spec::PrecisionSpec;
+    type Plan = PrecisionPlan;
+
+    fn plan(file: &SpecFile, table: &Spanned<Self::Spec>, full: bool) -> Result<PrecisionPlan, InputError> {
+        plan::plan(file, table, full)
     }
 
-    fn schema(&self, generator: &mut SchemaGenerator) -> schemars::Schema {
-        generator.subschema_for::<spec::PrecisionSpec>()
+    fn planned(plan: PrecisionPlan) -> Planned {
+        let variant = if plan.full { "full" } else { "" };
+        Planned { variant, ..Planned::new(plan) }
     }
 
-    fn reads(&self) -> Reads {
-        Reads { materials: true, surfaces: false }
-    }
-
-    fn plan(&self, spec: &SpecFile, full: bool) -> Result<Box<dyn Plan>, InputError> {
-        Ok(Box::new(plan::plan(spec, full)?))
-    }
-
-    fn tables(&self) -> Vec<Schema> {
+    fn tables() -> Vec<Schema> {
         tables::schemas()
     }
 }
 
 impl Plan for PrecisionPlan {
+    type Outcome = PrecisionResults;
+
     fn memory(&self) -> Memory {
         Memory { bytes: self.memory(), key: None }
     }
@@ -54,12 +54,8 @@ impl Plan for PrecisionPlan {
         self.work()
     }
 
-    fn variant(&self) -> &'static str {
-        if self.full { "full" } else { "" }
-    }
-
-    fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
-        Ok(Box::new(run::run(context, self)?))
+    fn run(&self, context: &RunContext) -> Result<PrecisionResults, InputError> {
+        run::run(context, self)
     }
 }
 
@@ -72,15 +68,15 @@ impl Outcome for PrecisionResults {
         self.contact.caveats.clone()
     }
 
-    fn page(&self) -> Page {
+    fn page(&self, _: &Tables) -> Page {
         page::page(self)
     }
 
-    fn tables(&self) -> Result<Vec<(&'static str, Vec<u8>)>, TableError> {
+    fn tables(&self) -> Vec<Table> {
         tables::tables(self)
     }
 
-    fn summary(&self) -> serde_json::Result<Map<String, Value>> {
+    fn facts(&self) -> serde_json::Result<Map<String, Value>> {
         summary::summary(self)
     }
 }

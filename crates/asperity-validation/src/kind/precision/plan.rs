@@ -172,8 +172,11 @@ impl fmt::Display for PrecisionPlan {
 }
 
 /// Reads `[precision]`.
-pub(super) fn plan(file: &SpecFile, full: bool) -> Result<PrecisionPlan, InputError> {
-    let table = file.required_table::<PrecisionSpec>("precision")?;
+pub(super) fn plan(
+    file: &SpecFile,
+    table: &Spanned<PrecisionSpec>,
+    full: bool,
+) -> Result<PrecisionPlan, InputError> {
     let (raw, span) = (table.get_ref(), table.span());
     let (rough, flat) = (raw.rough.get_ref(), raw.flat.get_ref());
     let pair = [file.body(rough, raw.rough.span())?, file.body(flat, raw.flat.span())?];

@@ -12,7 +12,7 @@ use crate::precision::sampling;
 use crate::precision::sum::SumPoint;
 use asperity::compare::{Kind, LimitPoint, Quantity};
 use asperity_framework::columns;
-use asperity_framework::report::table::{Column, Row, Schema, TableError, csv_file};
+use asperity_framework::report::table::{Column, Row, Schema, Table};
 
 /// A point of a case.
 struct OfCase<'a, P> {
@@ -253,38 +253,35 @@ pub(super) fn schemas() -> Vec<Schema> {
 }
 
 /// The files of [`schemas`] that the spec requests.
-///
-/// # Errors
-/// See [`TableError`].
-pub(super) fn tables(results: &PrecisionResults) -> Result<Vec<(&'static str, Vec<u8>)>, TableError> {
+pub(super) fn tables(results: &PrecisionResults) -> Vec<Table> {
     let cases = &results.cases;
     let mut all = Vec::new();
     if cases.iter().any(|case| case.integral.is_some()) {
-        all.push(csv_file(cases.iter().flat_map(rules))?);
+        all.push(Table::new(cases.iter().flat_map(rules)));
     }
     if cases.iter().any(|case| !case.sums.is_empty()) {
-        all.push(csv_file(cases.iter().flat_map(sums))?);
+        all.push(Table::new(cases.iter().flat_map(sums)));
     }
     if !all.is_empty() {
-        all.push(csv_file(cases.iter().flat_map(winners))?);
+        all.push(Table::new(cases.iter().flat_map(winners)));
     }
     if cases.iter().any(|case| case.curve.is_some()) {
-        all.push(csv_file(cases.iter().flat_map(curves))?);
+        all.push(Table::new(cases.iter().flat_map(curves)));
     }
     if cases.iter().any(|case| !case.lists.is_empty()) {
-        all.push(csv_file(cases.iter().flat_map(lists))?);
+        all.push(Table::new(cases.iter().flat_map(lists)));
     }
     if cases.iter().any(|case| case.attribution.is_some()) {
-        all.push(csv_file(cases.iter().flat_map(attributions))?);
-        all.push(csv_file(cases.iter().flat_map(products))?);
+        all.push(Table::new(cases.iter().flat_map(attributions)));
+        all.push(Table::new(cases.iter().flat_map(products)));
     }
     if cases.iter().any(|case| case.sampling.is_some()) {
-        all.push(csv_file(cases.iter().flat_map(sets))?);
+        all.push(Table::new(cases.iter().flat_map(sets)));
     }
     if let Some(grid) = &results.grid {
-        all.push(csv_file(&grid.points)?);
+        all.push(Table::new(&grid.points));
     }
-    Ok(all)
+    all
 }
 
 fn rules(case: &CasePrecision) -> impl Iterator<Item = RuleRow<'_>> {

@@ -8,12 +8,11 @@ mod spec;
 mod summary;
 mod tables;
 
-use asperity_framework::input::{InputError, SpecFile};
+use asperity_framework::input::{InputError, Spanned, SpecFile};
 use asperity_framework::metadata::Metadata;
 use asperity_framework::report::Page;
-use asperity_framework::report::table::{Schema, TableError};
+use asperity_framework::report::table::{Schema, Table, Tables};
 use asperity_framework::{Kind, Memory, Outcome, Plan, Reads, RunContext};
-use schemars::SchemaGenerator;
 use serde_json::{Map, Value};
 
 use plan::SolverPlan;
@@ -23,28 +22,23 @@ use run::SolverResults;
 pub struct SolverValidation;
 
 impl Kind for SolverValidation {
-    fn name(&self) -> &'static str {
-        "solver-validation"
+    const NAME: &'static str = "solver-validation";
+    const READS: Reads = Reads { materials: false, surfaces: false };
+    type Spec = spec::SolverSpec;
+    type Plan = SolverPlan;
+
+    fn plan(file: &SpecFile, table: &Spanned<Self::Spec>, _: bool) -> Result<SolverPlan, InputError> {
+        plan::plan(file, table)
     }
 
-    fn schema(&self, generator: &mut SchemaGenerator) -> schemars::Schema {
-        generator.subschema_for::<spec::SolverSpec>()
-    }
-
-    fn reads(&self) -> Reads {
-        Reads { materials: false, surfaces: false }
-    }
-
-    fn plan(&self, spec: &SpecFile, _: bool) -> Result<Box<dyn Plan>, InputError> {
-        Ok(Box::new(plan::plan(spec)?))
-    }
-
-    fn tables(&self) -> Vec<Schema> {
+    fn tables() -> Vec<Schema> {
         tables::schemas()
     }
 }
 
 impl Plan for SolverPlan {
+    type Outcome = SolverResults;
+
     fn memory(&self) -> Memory {
         Memory { bytes: self.memory(), key: None }
     }
@@ -53,8 +47,8 @@ impl Plan for SolverPlan {
         self.work()
     }
 
-    fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
-        Ok(Box::new(run::run(context, self)?))
+    fn run(&self, context: &RunContext) -> Result<SolverResults, InputError> {
+        run::run(context, self)
     }
 }
 
@@ -67,15 +61,15 @@ impl Outcome for SolverResults {
         self.warnings()
     }
 
-    fn page(&self) -> Page {
+    fn page(&self, _: &Tables) -> Page {
         page::page(self)
     }
 
-    fn tables(&self) -> Result<Vec<(&'static str, Vec<u8>)>, TableError> {
+    fn tables(&self) -> Vec<Table> {
         tables::tables(self)
     }
 
-    fn summary(&self) -> serde_json::Result<Map<String, Value>> {
+    fn facts(&self) -> serde_json::Result<Map<String, Value>> {
         summary::summary(self)
     }
 }

@@ -121,8 +121,7 @@ impl fmt::Display for SolverPlan {
 }
 
 /// Reads `[solver-validation]`.
-pub(super) fn plan(file: &SpecFile) -> Result<SolverPlan, InputError> {
-    let table = file.required_table::<SolverSpec>("solver-validation")?;
+pub(super) fn plan(file: &SpecFile, table: &Spanned<SolverSpec>) -> Result<SolverPlan, InputError> {
     let SolverSpec { hertz, sinusoid, layered_sphere, ensemble, work } = table.get_ref();
     let of_hertz = hertz.as_ref().map(|spec| whole(file, &spec.pixels, PIXELS, "pixels per contact radius"));
     let layered = layered_sphere.as_ref().map(|spec| {

@@ -6,7 +6,7 @@ use crate::solver::ensemble::{EnsembleFindings, EnsemblePoint, Extrapolated, Mea
 use crate::solver::published::{ENSEMBLE, PublishedArea, published};
 use crate::solver::work::WorkPoint;
 use asperity_framework::columns;
-use asperity_framework::report::table::{Column, Row, Schema, TableError, csv_file};
+use asperity_framework::report::table::{Column, Row, Schema, Table};
 
 /// One quantity of one problem.
 struct BenchmarkRow<'a>(&'a Measured);
@@ -119,10 +119,7 @@ pub(super) fn schemas() -> Vec<Schema> {
 }
 
 /// The files of [`schemas`]; those of problems that were not run have no rows.
-///
-/// # Errors
-/// See [`TableError`].
-pub(super) fn tables(results: &SolverResults) -> Result<Vec<(&'static str, Vec<u8>)>, TableError> {
+pub(super) fn tables(results: &SolverResults) -> Vec<Table> {
     let of_ensemble = |found: &EnsembleFindings| -> Vec<EnsembleRow> {
         found
             .points
@@ -131,9 +128,9 @@ pub(super) fn tables(results: &SolverResults) -> Result<Vec<(&'static str, Vec<u
             .chain(found.extrapolated.iter().map(EnsembleRow::from))
             .collect()
     };
-    Ok(vec![
-        csv_file(results.measured.iter().map(BenchmarkRow))?,
-        csv_file(results.ensemble.iter().flat_map(of_ensemble))?,
-        csv_file(results.work.iter().map(WorkRow))?,
-    ])
+    vec![
+        Table::new(results.measured.iter().map(BenchmarkRow)),
+        Table::new(results.ensemble.iter().flat_map(of_ensemble)),
+        Table::new(results.work.iter().map(WorkRow)),
+    ]
 }

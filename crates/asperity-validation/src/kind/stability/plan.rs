@@ -49,8 +49,7 @@ impl fmt::Display for StabilityPlan {
 }
 
 /// Reads `[stability]`.
-pub(super) fn plan(file: &SpecFile) -> Result<StabilityPlan, InputError> {
-    let table = file.required_table::<StabilitySpec>("stability")?;
+pub(super) fn plan(file: &SpecFile, table: &Spanned<StabilitySpec>) -> Result<StabilityPlan, InputError> {
     let raw = table.get_ref();
     let (counts, ranges) = (Counts::default(), Ranges::default());
     Ok(StabilityPlan {

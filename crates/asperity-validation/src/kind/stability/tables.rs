@@ -3,7 +3,7 @@
 use crate::kind::stability::run::StabilityResults;
 use crate::stability::{GroupFindings, Worst};
 use asperity_framework::columns;
-use asperity_framework::report::table::{Column, Row, Schema, TableError, csv_file};
+use asperity_framework::report::table::{Column, Row, Schema, Table};
 
 /// The errors of one quantity over the cases of a group.
 struct WorstRow<'a> {
@@ -45,6 +45,7 @@ struct CellRow {
 impl Row for CellRow {
     const FILE: &'static str = "maps.csv";
     const ROWS: &'static str = "One row for each cell of each map of errors.";
+    const IS_LONG: bool = true;
 
     fn columns() -> Vec<Column<Self>> {
         columns! { row: Self =>
@@ -62,11 +63,8 @@ pub(super) fn schemas() -> Vec<Schema> {
 }
 
 /// The files of [`schemas`].
-///
-/// # Errors
-/// See [`TableError`].
-pub(super) fn tables(results: &StabilityResults) -> Result<Vec<(&'static str, Vec<u8>)>, TableError> {
-    Ok(vec![csv_file(worst(results))?, csv_file(cells(results))?])
+pub(super) fn tables(results: &StabilityResults) -> Vec<Table> {
+    vec![Table::new(worst(results)), Table::new(cells(results))]
 }
 
 fn worst(results: &StabilityResults) -> impl Iterator<Item = WorstRow<'_>> {
