@@ -3,24 +3,24 @@
 pub mod answers;
 mod attribution;
 pub(crate) mod differences;
+pub mod figures;
 pub mod findings;
 mod implausible;
-mod layer_summary;
 mod lines;
 mod models;
+pub mod outline;
 pub mod page;
 pub mod plan;
 pub mod ranking;
 mod reach;
-mod readings_summary;
 pub mod reference;
 pub mod results;
 pub mod robustness;
+mod rows;
 mod run;
 mod sampling;
 pub mod spec;
 pub mod statistical;
-mod summary;
 pub(crate) mod tables;
 mod threshold;
 
@@ -28,17 +28,13 @@ pub(crate) use attribution::attribute;
 pub use run::run as run_compare;
 pub(crate) use run::{differ, layer_metadata, models_of, run_surface};
 pub(crate) use sampling::sampling;
-pub use summary::summary;
 pub use tables::CurveRow;
 
 use std::path::PathBuf;
 
 use asperity_framework::input::{InputError, Spanned, SpecFile};
-use asperity_framework::metadata::Metadata;
-use asperity_framework::report::Page;
-use asperity_framework::report::table::{Schema, Table, Tables};
-use asperity_framework::{Kind, Memory, Outcome, Plan, RunContext};
-use serde_json::{Map, Value};
+use asperity_framework::report::table::Schema;
+use asperity_framework::{Kind, Memory, Plan, RunContext};
 
 use plan::ComparePlan;
 use results::CompareResults;
@@ -59,14 +55,7 @@ impl Kind for Compare {
     }
 
     fn tables() -> Vec<Schema> {
-        vec![
-            Schema::of::<tables::CurveRow>(),
-            Schema::of::<tables::PairRow>(),
-            Schema::of::<differences::DifferenceRow>(),
-            Schema::of::<attribution::tables::AttributionRow>(),
-            Schema::of::<ranking::tables::RankingRow>(),
-            Schema::of::<reference::tables::ReferenceRow>(),
-        ]
+        rows::schemas()
     }
 }
 
@@ -95,49 +84,5 @@ impl Plan for ComparePlan {
 
     fn run(&self, context: &RunContext) -> Result<CompareResults, InputError> {
         run::run(context, self, &Counter::default())
-    }
-}
-
-impl Outcome for CompareResults {
-    fn metadata(&self) -> &Metadata {
-        &self.metadata
-    }
-
-    fn warnings(&self) -> Vec<String> {
-        self.warnings()
-    }
-
-    fn page(&self, _: &Tables) -> Page {
-        page::page(self)
-    }
-
-    fn tables(&self) -> Vec<Table> {
-        let mut comparison = Table::new(tables::comparison(self));
-        if !self.is_attributed() {
-            comparison = comparison.without_part(tables::CAUSES);
-        }
-        if self.reference.is_none() {
-            comparison = comparison.without_part(tables::REFERENCE);
-        }
-        let mut files =
-            vec![Table::new(tables::curves(self)), comparison, Table::new(differences::rows(self))];
-        if self.is_attributed() {
-            files.push(Table::new(attribution::tables::rows(self)));
-        }
-        if self.surfaces.iter().any(|found| !found.rankings.is_empty()) {
-            files.push(Table::new(ranking::tables::rows(self)));
-        }
-        if self.reference.is_some() {
-            files.push(Table::new(reference::tables::rows(self)));
-        }
-        files
-    }
-
-    fn facts(&self) -> serde_json::Result<Map<String, Value>> {
-        summary::summary(self)
-    }
-
-    fn terminal(&self) -> Option<String> {
-        self.described.as_ref().map(|_| page::for_terminal(self))
     }
 }

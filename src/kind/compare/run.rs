@@ -111,7 +111,7 @@ pub fn run(
         papers.extend(first_surface.papers());
         papers.extend(compare.statistical.papers());
         let all: Vec<&RealisationResults> = std::iter::once(&first).chain(&others).collect();
-        let findings = SurfaceFindings::of(&first_surface, &all, &thresholds, &decreases, compare.accept);
+        let findings = SurfaceFindings::of(&first_surface, &all, &thresholds, compare.accept);
         surfaces.push(SurfaceResults {
             surface: first_surface,
             first,

@@ -102,7 +102,7 @@ pub(super) fn summary(results: &LawsResults) -> serde_json::Result<Map<String, V
         boundaries: of_law.collect(),
         influence: results.influences.iter().flat_map(of_surface).collect(),
     };
-    let mut summary = crate::kind::compare::summary(&results.compare)?;
+    let mut summary = asperity_framework::Outcome::facts(&results.compare)?;
     summary.insert("laws".to_owned(), serde_json::to_value(laws)?);
     Ok(summary)
 }

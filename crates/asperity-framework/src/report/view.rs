@@ -1,5 +1,7 @@
 //! Views of tables for people: a choice of columns and rows, in units fit for reading.
 
+use asperity::compare::of_each_decade;
+
 use super::format::{self, Prefix};
 use super::table::{Heading, Reading, Table, Value};
 
@@ -8,9 +10,17 @@ use super::table::{Heading, Reading, Table, Value};
 pub struct View<'a> {
     /// `None` of a table that the report does not have.
     table: Option<&'a Table>,
-    /// Places of the columns, and other labels than those of the table.
-    columns: Vec<(usize, Option<String>)>,
+    columns: Vec<Shown>,
     rows: Vec<usize>,
+}
+
+/// A column of a view.
+#[derive(Debug, Clone)]
+struct Shown {
+    /// Its place in the table.
+    place: usize,
+    /// Its heading, which a view may change.
+    heading: Heading,
 }
 
 /// A view in words: one text per cell.
@@ -27,7 +37,8 @@ pub struct ViewText {
 impl<'a> View<'a> {
     /// All of a table.
     pub(super) fn new(table: &'a Table) -> Self {
-        let columns = (0..table.schema.columns.len()).map(|place| (place, None)).collect();
+        let shown = |(place, heading): (usize, &Heading)| Shown { place, heading: heading.clone() };
+        let columns = table.schema.columns.iter().enumerate().map(shown).collect();
         Self { table: Some(table), columns, rows: (0..table.rows()).collect() }
     }
 
@@ -44,7 +55,9 @@ impl<'a> View<'a> {
     /// These columns by name, in this order.
     #[must_use]
     pub fn columns(mut self, names: &[&str]) -> Self {
-        self.columns = names.iter().filter_map(|name| Some((self.place(name)?, None))).collect();
+        let places: Vec<usize> = names.iter().filter_map(|name| self.place(name)).collect();
+        let shown = |&place: &usize| self.columns.iter().find(|column| column.place == place).cloned();
+        self.columns = places.iter().filter_map(shown).collect();
         self
     }
 
@@ -52,16 +65,32 @@ impl<'a> View<'a> {
     #[must_use]
     pub fn without(mut self, names: &[&str]) -> Self {
         let places: Vec<Option<usize>> = names.iter().map(|name| self.place(name)).collect();
-        self.columns.retain(|(place, _)| !places.contains(&Some(*place)));
+        self.columns.retain(|column| !places.contains(&Some(column.place)));
         self
     }
 
     /// The same with another label for a column, without its unit.
     #[must_use]
-    pub fn label(mut self, name: &str, label: &str) -> Self {
+    pub fn label(self, name: &str, label: &'static str) -> Self {
+        self.with(name, |heading| heading.label = Some(label))
+    }
+
+    /// The same with another reading of a column.
+    #[must_use]
+    pub fn read_as(self, name: &str, reading: Reading) -> Self {
+        self.with(name, |heading| heading.reading = reading)
+    }
+
+    /// The same with the unit of a column whose rows have one of several.
+    #[must_use]
+    pub fn unit(self, name: &str, unit: &'static str) -> Self {
+        self.with(name, |heading| heading.unit = unit)
+    }
+
+    fn with(mut self, name: &str, change: impl FnOnce(&mut Heading)) -> Self {
         let place = self.place(name);
-        for column in self.columns.iter_mut().filter(|(column, _)| Some(*column) == place) {
-            column.1 = Some(label.to_owned());
+        if let Some(column) = self.columns.iter_mut().find(|column| Some(column.place) == place) {
+            change(&mut column.heading);
         }
         self
     }
@@ -104,6 +133,17 @@ impl<'a> View<'a> {
         self.without(&constant)
     }
 
+    /// The rows nearest to so many values of a column per decade, ascending.
+    #[must_use]
+    pub fn each_decade(mut self, name: &str, per_decade: f64) -> Self {
+        let Some(place) = self.place(name) else { return self };
+        let cells = self.cells(place);
+        let number = |row: &usize| cells[*row].number().unwrap_or(f64::NAN);
+        self.rows.sort_by(|a, b| number(a).total_cmp(&number(b)));
+        self.rows = of_each_decade(self.rows, number, per_decade);
+        self
+    }
+
     /// At most so many rows, the first ones.
     #[must_use]
     pub fn most(mut self, count: usize) -> Self {
@@ -130,10 +170,8 @@ impl<'a> View<'a> {
 
     /// The view in words.
     pub fn text(&self) -> ViewText {
-        let Some(table) = self.table else { return ViewText::default() };
         let mut text = ViewText { rows: vec![Vec::new(); self.rows.len()], ..ViewText::default() };
-        for (place, label) in &self.columns {
-            let heading = &table.schema.columns[*place];
+        for Shown { place, heading } in &self.columns {
             let cells: Vec<&Value> = self.rows.iter().map(|&row| &self.cells(*place)[row]).collect();
             if cells.iter().all(|cell| cell.is_empty()) {
                 continue;
@@ -142,7 +180,7 @@ impl<'a> View<'a> {
             if heading.reading == Reading::Verdict {
                 text.verdicts.push(text.header.len());
             }
-            let label = label.clone().unwrap_or_else(|| heading.words());
+            let label = heading.words();
             text.header.push(unit.name.as_ref().map_or(label.clone(), |name| format!("{label} ({name})")));
             for (row, cell) in text.rows.iter_mut().zip(cells) {
                 row.push(unit.cell(cell, heading.reading));

@@ -6,19 +6,16 @@
 //! | `causes` | why the models differ, and why they differ from the reference |
 //! | `reference` | which model is nearer to the reference, and whether it is near enough |
 //! | `layer` | what the thickness of a layer changes |
-//! | `decreasing` | where a deeper asperity has less area or load |
 //! | `readings` | what reading sigma and d as those of the surface changes |
 
 mod causes;
-mod decreasing;
 mod layer;
 mod readings;
 mod reference;
 mod verdicts;
 
 pub use causes::LeadingCause;
-pub use decreasing::Decreasing;
-pub use layer::{AtThickness, GapRange, LayerFindings, PlasticRange};
+pub use layer::LayerFindings;
 pub use readings::{ReadAnswer, ReadLoads, Readings};
 pub use reference::ReferenceVerdicts;
 pub use verdicts::{Basis, Verdicts};
@@ -26,7 +23,7 @@ pub use verdicts::{Basis, Verdicts};
 use asperity::compare::{PointCounts, Realisation, Spread, spread};
 use asperity_framework::input::accept::AcceptSpec;
 
-use super::answers::{CaseResults, DecreaseResults, RealisationResults, Threshold};
+use super::answers::{CaseResults, RealisationResults, Threshold};
 use crate::surface::Surface;
 
 /// Findings on one surface.
@@ -54,8 +51,6 @@ pub struct LawFindings {
     pub law: String,
     /// At how many points the models do not hold.
     pub counts: PointCounts,
-    /// What decreases with growing indentation, area before load.
-    pub decreasing: Vec<Decreasing>,
     /// Effect of the layer thickness; `None` without a layer in the spec.
     pub layer: Option<LayerFindings>,
 }
@@ -66,7 +61,6 @@ impl SurfaceFindings {
         surface: &Surface,
         realisations: &[&RealisationResults],
         thresholds: &[Threshold],
-        decreases: &[DecreaseResults],
         accept: AcceptSpec,
     ) -> Self {
         let first = realisations[0];
@@ -76,7 +70,7 @@ impl SurfaceFindings {
             cases: (0..first.cases.len())
                 .map(|index| CaseFindings::of(surface, realisations, index, accept))
                 .collect(),
-            laws: laws.into_iter().map(|law| LawFindings::of(first, law, thresholds, decreases)).collect(),
+            laws: laws.into_iter().map(|law| LawFindings::of(first, law, thresholds)).collect(),
         }
     }
 }
@@ -93,20 +87,13 @@ impl CaseFindings {
 }
 
 impl LawFindings {
-    fn of(
-        first: &RealisationResults,
-        law: &str,
-        thresholds: &[Threshold],
-        decreases: &[DecreaseResults],
-    ) -> Self {
+    fn of(first: &RealisationResults, law: &str, thresholds: &[Threshold]) -> Self {
         let cases: Vec<_> = first.cases.iter().filter(|case| case.law == law).collect();
         let thresholds: Vec<_> = thresholds.iter().filter(|threshold| threshold.law == law).collect();
-        let decreases: Vec<_> = decreases.iter().filter(|found| found.law == law).collect();
         let counts = |case: &&CaseResults| PointCounts::of(&case.comparison);
         Self {
             law: law.to_owned(),
             counts: cases.iter().map(counts).sum(),
-            decreasing: Decreasing::among(&decreases),
             layer: LayerFindings::of(&cases, &thresholds),
         }
     }

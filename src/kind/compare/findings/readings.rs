@@ -73,26 +73,6 @@ impl Readings {
         }
         (!loads.is_empty()).then_some(Self { loads })
     }
-
-    /// Smallest and largest ratio of the loads.
-    pub fn range(&self) -> Option<[f64; 2]> {
-        ends(self.loads.iter().map(ReadLoads::ratio))
-    }
-
-    /// The same where both loads are valid; `None` where none are.
-    pub fn valid_range(&self) -> Option<[f64; 2]> {
-        ends(self.loads.iter().filter(|loads| loads.is_valid()).map(ReadLoads::ratio))
-    }
-
-    /// Smallest and largest d/sigma.
-    pub fn separations(&self) -> Option<[f64; 2]> {
-        ends(self.loads.iter().map(|loads| loads.separation))
-    }
-}
-
-/// Smallest and largest of some values; `None` of none.
-fn ends(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
-    values.map(|value| [value; 2]).reduce(|[low, high], [value, _]| [low.min(value), high.max(value)])
 }
 
 /// The loads of two surfaces, case by case.

@@ -57,6 +57,16 @@ pub enum Basis {
 }
 
 impl Basis {
+    /// The name in tables.
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::Blocks { .. } => "blocks",
+            Self::TooSmall { .. } => "none",
+            Self::Asperities => "independent",
+            Self::Realisations(_) => "realisations",
+        }
+    }
+
     fn of(surface: &Surface, realisations: usize) -> Self {
         if realisations > 1 {
             return Self::Realisations(realisations);

@@ -1,6 +1,5 @@
 //! How far each statistical model of a surface is from the sum and from the reference, and what it costs.
 
-pub mod summary;
 pub(super) mod tables;
 
 use asperity::compare::{Accepted, ComparedQuantity, Kind, Pair, Pairing, ReferenceCurve, of_each_decade};
@@ -25,6 +24,16 @@ pub enum Against {
     Sum,
     /// The boundary element reference.
     Reference,
+}
+
+impl Against {
+    /// The name in tables.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Sum => "deterministic",
+            Self::Reference => "reference",
+        }
+    }
 }
 
 /// The largest contrast of a model, with its load, Pa.
@@ -59,7 +68,8 @@ pub struct Ranking {
 /// How the models stand in one quantity.
 #[derive(Debug)]
 pub struct Standing<'a> {
-    quantity: ComparedQuantity,
+    /// The quantity.
+    pub quantity: ComparedQuantity,
     /// The models that are compared, with their largest contrasts.
     pub compared: Vec<(&'a Ranked, f64)>,
     /// Those within what is accepted.

@@ -7,17 +7,14 @@
 //! | `run` | the solver on a realisation of a surface, and its results in the terms of the models |
 //! | `view` | a part of the contact, and the distribution of pressures |
 //! | `tables` | `reference.csv` |
-//! | `summary` | its part of `summary.json` |
 
 pub mod plan;
 mod run;
 mod spec;
-mod summary;
 pub(crate) mod tables;
 mod view;
 
 pub use plan::{ElasticCase, ReferencePlan};
 pub use run::ReferenceRun;
 pub use spec::ReferenceSpec;
-pub(super) use summary::{NearerSummary, ReferenceSummary, nearer, summary};
 pub use view::{ContactView, Part, SummitsInContact};

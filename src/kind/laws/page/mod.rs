@@ -6,7 +6,6 @@ mod influence;
 mod measures;
 mod summary;
 
-use crate::kind::compare::page as compare;
 use crate::kind::laws::results::{LawOnOne, LawsResults};
 use asperity::ContactLaw;
 use asperity::compare::PointCounts;
@@ -30,8 +29,7 @@ pub fn page(results: &LawsResults) -> Page {
     one_asperity(&mut page, results);
     laws(&mut page, results);
     for found in &compared.surfaces {
-        compare::answer_by_law(&mut page, found);
-        compare::surface(&mut page, found);
+        crate::surface::section::section(&mut page, &found.surface, Some(&found.first.population));
     }
     sections::notes(&mut page, &compared.metadata);
     sections::what_was_run(&mut page, &compared.metadata, &compared.contact);
@@ -176,13 +174,11 @@ fn limits(page: &mut Page, results: &LawsResults) {
     let mut lines = Vec::new();
     for found in &results.compare.surfaces {
         let counts: PointCounts = found.findings.laws.iter().map(|law| law.counts).sum();
-        lines.extend(compare::limits_of(&escape(&found.surface.name), &counts));
     }
     lines.push(
         "Agreement between laws does not validate them: this report shows how much the choice matters, not which law is \
          best. The finite-element fits were made for a sphere on a rigid flat."
             .to_owned(),
     );
-    lines.extend(compare::assumptions(&results.compare));
     page.bullets(lines);
 }

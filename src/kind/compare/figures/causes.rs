@@ -1,0 +1,65 @@
+//! Contributions to the difference between the models over the load.
+
+use asperity::compare::{Cause, ComparedQuantity, Contributions};
+use asperity_framework::report::format::capitalised;
+use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
+
+use super::axes::Units;
+use super::differences::{MARGIN, invalid, megapascals};
+use crate::kind::compare::findings::Verdicts;
+use crate::kind::compare::outline::name;
+
+/// The quantities that are divided on the page.
+const QUANTITIES: [ComparedQuantity; 2] = [ComparedQuantity::Separation, ComparedQuantity::Area];
+
+/// The contributions over the load, stacked, with the difference; one panel per quantity; `finding` is what it shows, in words.
+pub fn figure(verdicts: &Verdicts, units: &Units, finding: &str) -> Figure {
+    let panels = QUANTITIES.into_iter().map(|quantity| panel(verdicts, units, quantity));
+    Figure::row(finding, panels.collect())
+}
+
+/// The colour of a cause.
+pub fn colour(cause: Cause) -> Colour {
+    match cause {
+        Cause::Heights => Colour::Heights,
+        Cause::Radii => Colour::Radii,
+        Cause::Correlation => Colour::Correlation,
+    }
+}
+
+fn panel(verdicts: &Verdicts, units: &Units, quantity: ComparedQuantity) -> Plot {
+    let divided = || verdicts.attribution.iter().map(|at| (megapascals(at.load), at.of(quantity)));
+    let load: Vec<f64> = divided().map(|(load, _)| load).collect();
+    let ends = [load.iter().copied().fold(f64::INFINITY, f64::min), load.iter().copied().fold(0.0, f64::max)];
+    let y = match quantity {
+        ComparedQuantity::Separation => units.separation_difference("contribution"),
+        _ => Axis::linear("ln(area ratio of the models)"),
+    };
+    let parts = Cause::ALL.map(|cause| {
+        divided().map(|(_, parts)| parts.map_or(f64::NAN, |parts| parts.of(cause))).collect::<Vec<f64>>()
+    });
+    let axis = units.pressure().range(ends[0] / MARGIN, ends[1] * MARGIN);
+    let mut plot = Plot::new(capitalised(name(quantity)), axis, y).height(240.0);
+    for region in invalid(&verdicts.valid, 1e-6) {
+        plot = plot.with(region);
+    }
+    let stacked = Cause::ALL.into_iter().zip(&parts);
+    plot = plot
+        .with_contributions(&load, stacked.map(|(cause, part)| (cause.label(), colour(cause), &part[..])));
+    let gap = divided().map(|(load, parts)| (load, parts.map_or(f64::NAN, Contributions::gap)));
+    plot = plot
+        .with_zero()
+        .with(Layer::line(gap).coloured(Colour::Sum).thick().named("statistical − deterministic"));
+    let missed: Vec<(f64, f64)> = verdicts
+        .attribution
+        .iter()
+        .filter_map(|at| Some((megapascals(at.load), verdicts.missed(quantity, at.load)?.contrast)))
+        .collect();
+    if missed.is_empty() {
+        return plot;
+    }
+    let name = "deterministic − reference";
+    let line = Layer::line(missed.iter().copied()).coloured(Colour::Deterministic).dashed(Dash::DashDot);
+    plot.with(line.named(name))
+        .with(Layer::points(missed, Marker::Triangle).coloured(Colour::Deterministic).named(name))
+}

@@ -1,0 +1,230 @@
+//! The figures behind the verdicts: differences between the models, and between each and the reference, against load, with
+//! what is accepted.
+
+use asperity::compare::{AgainstReference, ComparedQuantity, Difference, Estimate, ValidRange};
+use asperity_framework::report::format::capitalised;
+use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
+
+use super::axes::Units;
+use crate::kind::compare::findings::Verdicts;
+use crate::kind::compare::outline::name;
+
+/// The quantities in the order of their panels.
+const PANELS: [ComparedQuantity; 3] =
+    [ComparedQuantity::Area, ComparedQuantity::Separation, ComparedQuantity::Stiffness];
+
+/// The factor from a share or sigma to the unit of the axis.
+fn unit(compared: ComparedQuantity) -> f64 {
+    if compared == ComparedQuantity::Separation { 1.0 } else { 100.0 }
+}
+
+fn axis(compared: ComparedQuantity, units: &Units) -> Axis {
+    match compared {
+        ComparedQuantity::Separation => units.separation_difference("difference"),
+        ComparedQuantity::Area | ComparedQuantity::Stiffness => Axis::linear("difference (%)"),
+    }
+}
+
+/// Differences over load, with how they are drawn.
+struct Curve<'a> {
+    name: String,
+    colour: Colour,
+    dash: Dash,
+    differences: &'a [Difference],
+    /// Whether its intervals are shown.
+    has_intervals: bool,
+}
+
+impl Curve<'_> {
+    /// The loads at which a quantity is compared, with its estimates.
+    fn of(&self, compared: ComparedQuantity) -> impl Iterator<Item = (&Difference, Estimate)> + Clone {
+        self.differences.iter().filter_map(move |at| Some((at, at.estimates[compared as usize]?)))
+    }
+}
+
+/// Differences of area, separation and stiffness between the models at equal load on the case `name`, one panel each; `finding` is
+/// what the figure shows, in words.
+pub fn differences(name: &str, verdicts: &Verdicts, units: &Units, finding: &str) -> Figure {
+    let curve = Curve {
+        name: "statistical − deterministic".to_owned(),
+        colour: Colour::Statistical,
+        dash: Dash::Solid,
+        differences: &verdicts.differences,
+        has_intervals: true,
+    };
+    figure(finding, verdicts, units, &[curve])
+        .headed(format!("{name}: statistical − deterministic model at equal load"))
+}
+
+/// The same of both models and the reference.
+pub fn against_reference(
+    verdicts: &Verdicts,
+    against: &AgainstReference,
+    units: &Units,
+    finding: &str,
+) -> Figure {
+    let [statistical, sum] = &against.models;
+    let curves = [
+        Curve {
+            name: "statistical − reference".to_owned(),
+            colour: Colour::Statistical,
+            dash: Dash::Dashed,
+            differences: statistical,
+            has_intervals: true,
+        },
+        Curve {
+            name: "deterministic − reference".to_owned(),
+            colour: Colour::Deterministic,
+            dash: Dash::Solid,
+            differences: sum,
+            has_intervals: true,
+        },
+    ];
+    figure(finding, verdicts, units, &curves)
+}
+
+/// The differences between the models on several surfaces, laws or thicknesses, at valid loads; `finding` is what the figure
+/// shows, in words. Nothing where there is none.
+pub fn of_cases(cases: &[(String, &Verdicts)], finding: &str) -> Option<Figure> {
+    let panels = PANELS.map(|compared| {
+        let axis = Axis::linear(match compared {
+            ComparedQuantity::Separation => "difference (σ)",
+            ComparedQuantity::Area | ComparedQuantity::Stiffness => "difference (%)",
+        });
+        let mut plot = Plot::new(capitalised(name(compared)), Axis::log("nominal pressure (MPa)"), axis)
+            .height(210.0)
+            .with_zero();
+        // Accepted separations differ between surfaces in nm, not in sigma; shares not at all.
+        let accepted: Vec<f64> =
+            cases.iter().map(|(_, verdicts)| unit(compared) * verdicts.accepted.of(compared)).collect();
+        if let [first, rest @ ..] = &accepted[..]
+            && rest.iter().all(|other| other == first)
+        {
+            plot = plot.with(Layer::region_y(-first, *first, "accepted").coloured(Colour::Series(2)));
+        }
+        // A case without valid loads has no line, and no name in the legend.
+        let shown =
+            cases.iter().enumerate().filter(|(_, (_, verdicts))| !verdicts.valid.stretches.is_empty());
+        for (index, (case, verdicts)) in shown {
+            let valid = verdicts.differences.iter().filter(|at| at.exceeded().is_none());
+            let line: Vec<(f64, f64)> = valid
+                .filter_map(|at| {
+                    let contrast = at.estimates[compared as usize]?.contrast;
+                    Some((megapascals(at.load), unit(compared) * compared.reported(contrast)))
+                })
+                .collect();
+            let colour = if cases.len() > MOST_SERIES {
+                Colour::Ordered { index, of: cases.len() }
+            } else {
+                Colour::Series(index)
+            };
+            plot = plot.with(Layer::line(line).coloured(colour).named(case.as_str()));
+        }
+        plot
+    });
+    let has_valid = cases.iter().any(|(_, verdicts)| !verdicts.valid.stretches.is_empty());
+    has_valid.then(|| Figure::row(finding, panels.into()))
+}
+
+/// More cases are shown in the colours of an order.
+const MOST_SERIES: usize = 8;
+
+fn figure(title: &str, verdicts: &Verdicts, units: &Units, curves: &[Curve]) -> Figure {
+    let is_compared =
+        |compared: &ComparedQuantity| curves.iter().any(|curve| curve.of(*compared).next().is_some());
+    let panels = PANELS.into_iter().filter(is_compared);
+    Figure::row(title, panels.map(|compared| panel(verdicts, units, curves, compared)).collect())
+}
+
+fn panel(verdicts: &Verdicts, units: &Units, curves: &[Curve], compared: ComparedQuantity) -> Plot {
+    let shown = |contrast: f64| unit(compared) * compared.reported(contrast);
+    let accepted = unit(compared) * verdicts.accepted.of(compared);
+    let loads = curves.iter().flat_map(|curve| curve.differences).map(|at| megapascals(at.load));
+    let tested = [loads.clone().fold(f64::INFINITY, f64::min), loads.fold(0.0, f64::max)];
+    let all = curves.iter().flat_map(|curve| curve.of(compared));
+    let in_view = all.filter(|(at, _)| at.exceeded().is_none());
+    let ends = in_view.flat_map(|(_, found)| found.interval().unwrap_or([found.contrast; 2])).map(shown);
+    let [low, high] =
+        ends.fold([-VIEW * accepted, VIEW * accepted], |[low, high], end| [low.min(end), high.max(end)]);
+    let room = 0.05 * (high - low);
+    let [from, to] = shown_loads(&verdicts.valid, tested);
+    let mut plot = Plot::new(
+        capitalised(name(compared)),
+        units.pressure().range(from, to),
+        axis(compared, units).range(low - room, high + room),
+    )
+    .height(210.0)
+    .with(Layer::region_y(-accepted, accepted, "accepted").coloured(Colour::Series(2)));
+    for region in invalid(&verdicts.valid, 1e-6) {
+        plot = plot.with(region);
+    }
+    plot = plot.with_zero();
+    for curve in curves.iter().filter(|curve| curve.has_intervals) {
+        let band = curve.of(compared).filter_map(|(at, found)| {
+            let [low, high] = found.interval()?;
+            Some((megapascals(at.load), shown(low), shown(high)))
+        });
+        let band: Vec<(f64, f64, f64)> = band.collect();
+        if let &[(load, low, high)] = &band[..] {
+            // One load has no band to fill: an error bar.
+            let bar = Layer::line([(load, low), (load, high)]).coloured(curve.colour);
+            plot = plot.with(bar.named(INTERVAL).thick());
+        } else if !band.is_empty() {
+            plot = plot.with(Layer::band(band).coloured(curve.colour).named(INTERVAL));
+        }
+    }
+    for curve in curves {
+        let line = curve.of(compared).map(|(at, found)| (megapascals(at.load), shown(found.contrast)));
+        let line: Vec<(f64, f64)> = line.collect();
+        let line = if line.len() == 1 {
+            Layer::points(line, Marker::Circle).coloured(curve.colour)
+        } else {
+            Layer::line(line).coloured(curve.colour).dashed(curve.dash)
+        };
+        plot = plot.with(line.named(&curve.name));
+    }
+    plot
+}
+
+/// The intervals in the legend.
+const INTERVAL: &str = "95 % interval";
+
+/// Margin of the load axis at both ends, as a ratio.
+pub const MARGIN: f64 = 1.3;
+
+/// How much of the axis is shown at least, in accepted differences.
+const VIEW: f64 = 1.5;
+
+/// Loads (MPa) that a figure shows of those tested: the valid ones, and some beyond them.
+fn shown_loads(valid: &ValidRange, tested: [f64; 2]) -> [f64; 2] {
+    /// So far beyond the valid loads, as a ratio.
+    const BEYOND: f64 = 4.0;
+    let all = [tested[0] / MARGIN, tested[1] * MARGIN];
+    let ends = valid.stretches.iter().flatten().map(|load| megapascals(*load));
+    let [low, high] = [ends.clone().fold(f64::INFINITY, f64::min), ends.fold(0.0, f64::max)];
+    if low > high { all } else { [all[0].max(low / BEYOND), all[1].min(high * BEYOND)] }
+}
+
+/// A pressure in Pa as one in MPa.
+pub fn megapascals(pressure: f64) -> f64 {
+    1e-6 * pressure
+}
+
+/// The loads beyond the valid range as shaded regions of an axis that shows the pressure (Pa) times `scale`.
+pub fn invalid(valid: &ValidRange, scale: f64) -> Vec<Layer> {
+    const LABEL: &str = "not valid";
+    let mut ends = vec![0.0];
+    ends.extend(valid.stretches.iter().flatten().map(|load| load * scale));
+    ends.push(f64::INFINITY);
+    let last = ends.len() / 2 - 1;
+    let gaps = ends.chunks_exact(2).enumerate();
+    // Beyond the loads that were tested nothing is known.
+    let is_invalid = |index: usize| match index {
+        0 => !valid.below.is_none() || last == 0,
+        index if index == last => !valid.above.is_none(),
+        _ => true,
+    };
+    let label = |index: usize| if index == 0 || index == last { LABEL } else { "" };
+    let gaps = gaps.filter(|(index, _)| is_invalid(*index));
+    gaps.map(|(index, gap)| Layer::region_x(gap[0], gap[1], label(index))).collect()
+}

@@ -1,0 +1,211 @@
+//! Figures by thickness of the layer.
+
+use super::curves::{curve, reference_line, shares_of_load};
+use crate::kind::compare::answers::CaseResults;
+use crate::kind::compare::outline::{Series, is_valid_at};
+use asperity::compare::{ComparedQuantity, CurvePoint, Kind};
+use asperity::{INTERACTION, Regime, Response};
+use asperity_framework::report::format::{input_quantity, thickness};
+use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
+
+/// Separation and real area against load, by thickness.
+pub fn by_load(series: &Series) -> Figure {
+    let (modulus, units) = (series.modulus, series.units);
+    let mut separation = Plot::new("Separation", units.load_ratio(), units.separation());
+    let mut area = Plot::new("Real contact area", units.load_ratio(), Axis::log("area ratio A/A_nom"))
+        .with(Layer::region_y(INTERACTION, f64::INFINITY, "asperities interact"));
+    for (index, (case, valid)) in series.cases.iter().zip(series.valid()).enumerate() {
+        let colour = Colour::Ordered { index, of: series.cases.len() };
+        let kinds = &series.findings.models;
+        for &kind in kinds {
+            let points = curve(&case.comparison, kind);
+            // Beyond the valid range a line is thin.
+            let lines = |value: fn(&Response) -> f64| {
+                let shown = |p: &&CurvePoint| (p.response.pressure.total() / modulus, value(&p.response));
+                let is_valid = |p: &&&CurvePoint| {
+                    let load = p.response.pressure.total();
+                    valid.stretches.iter().any(|[from, to]| (*from..=*to).contains(&load))
+                };
+                let all = Layer::line(points.iter().map(shown).collect::<Vec<_>>()).coloured(colour).thin();
+                let inside = points.iter().filter(is_valid).map(shown).collect::<Vec<_>>();
+                let inside = Layer::line(inside).coloured(colour);
+                [all, inside].map(|line| {
+                    if kind == Kind::Statistical && kinds.len() > 1 {
+                        line.dashed(Dash::Dashed)
+                    } else {
+                        line.named(thickness(case.thickness.unwrap_or(0.0)))
+                    }
+                })
+            };
+            for line in lines(|r| r.separation_over_sigma) {
+                separation = separation.with(line);
+            }
+            for line in lines(|r| r.area_ratio.total()) {
+                area = area.with(line);
+            }
+        }
+        let reference = |value| {
+            let line =
+                Layer::line(reference_line(case, modulus, value)).coloured(colour).dashed(Dash::DashDot);
+            if kinds.is_empty() { line.named(thickness(case.thickness.unwrap_or(0.0))) } else { line }
+        };
+        if case.reference.is_some() {
+            separation = separation.with(reference(|point| point.separation_over_sigma));
+            area = area.with(reference(|point| Some(point.area_ratio)));
+        }
+    }
+    let panels = [separation, area].map(|plot| with_styles(plot, series)).to_vec();
+    let title = format!("{}: separation and real contact area by layer thickness", series.subject);
+    Figure::row(title.clone(), panels).headed(title)
+}
+
+/// The line styles in the legend, where there is more than one.
+fn with_styles(plot: Plot, series: &Series) -> Plot {
+    let kinds = &series.findings.models;
+    let has_reference = series.cases.iter().any(|case| case.reference.is_some());
+    if kinds.len() + usize::from(has_reference) < 2 {
+        return plot;
+    }
+    let style = |kind: Kind| match kind {
+        Kind::Deterministic => Dash::Solid,
+        Kind::Statistical if kinds.len() > 1 => Dash::Dashed,
+        Kind::Statistical => Dash::Solid,
+    };
+    let plot = kinds.iter().rev().fold(plot, |plot, &kind| plot.with_key(kind.name(), style(kind)));
+    if has_reference { plot.with_key("reference", Dash::DashDot) } else { plot }
+}
+
+/// Both models minus the reference against load, by thickness, at valid loads: area and separation. Nothing where no load was
+/// compared.
+pub fn against_reference(series: &Series) -> Option<Figure> {
+    let panel = |quantity: ComparedQuantity, title: &str, label: &str, unit: f64| {
+        let axis = series.units.pressure();
+        let accepted = series.verdicts().next().map(|(_, verdicts)| unit * verdicts.accepted.of(quantity));
+        let mut plot = Plot::new(title, axis, Axis::linear(label)).with_zero();
+        plot = accepted.into_iter().fold(plot, |plot, accepted| {
+            plot.with(Layer::region_y(-accepted, accepted, "accepted").coloured(Colour::Series(2)))
+        });
+        for (index, (t, verdicts)) in series.verdicts().enumerate() {
+            let Some(reference) = &verdicts.reference else { continue };
+            let colour = Colour::Ordered { index, of: series.cases.len() };
+            let lines = reference.against.models.each_ref().map(|differences| {
+                let valid = differences.iter().filter(|at| at.exceeded().is_none());
+                let shown = valid.filter_map(|at| {
+                    let contrast = at.estimates[quantity as usize]?.contrast;
+                    Some((1e-6 * at.load, unit * quantity.reported(contrast)))
+                });
+                Layer::line(shown.collect::<Vec<_>>()).coloured(colour)
+            });
+            let [statistical, sum] = lines;
+            plot = plot.with(statistical.dashed(Dash::Dashed)).with(sum.named(thickness(t)));
+        }
+        plot.with_key("deterministic − reference", Dash::Solid)
+            .with_key("statistical − reference", Dash::Dashed)
+    };
+    let has_reference = series.verdicts().any(|(_, verdicts)| verdicts.reference.is_some());
+    has_reference.then(|| {
+        let panels = vec![
+            panel(ComparedQuantity::Area, "Real contact area", "area minus reference (%)", 100.0),
+            panel(ComparedQuantity::Separation, "Separation", "separation minus reference (σ)", 1.0),
+        ];
+        let title =
+            format!("{}: both models minus the reference at equal load, by layer thickness", series.subject);
+        Figure::row(title.clone(), panels).headed(title)
+    })
+}
+
+/// Real contact area, mean contact pressure and plastic share against layer thickness, by load.
+pub fn by_thickness(series: &Series) -> Figure {
+    type Value = fn(&Response) -> Option<f64>;
+    let panels: [(&str, Axis, Value); 3] = [
+        ("real contact area", Axis::log("area ratio A/A_nom"), |r| Some(r.area_ratio.total())),
+        ("mean contact pressure", Axis::log("mean contact pressure (GPa)"), |r| {
+            r.mean_real_pressure().map(|p| p * 1e-9)
+        }),
+        ("plastic share", Axis::linear("plastic share of the load").range(0.0, 1.0), |r| {
+            r.pressure.shares().map(|shares| shares[Regime::Plastic as usize])
+        }),
+    ];
+    let plots = panels.map(|(title, axis, value)| against_thickness(series, title, axis, value));
+    let title = "real contact area, mean contact pressure and plastic share against layer thickness";
+    Figure::column(
+        format!("{}: {title}", series.subject),
+        plots.map(|plot| with_styles(plot, series)).to_vec(),
+    )
+}
+
+/// Circles on the curves.
+const VALID: &str = "within the valid range";
+
+/// Markers at the ends of the thickness axis.
+const LIMITS: &str = "uncoated (left), bulk layer material (right)";
+
+fn against_thickness(series: &Series, title: &str, axis: Axis, value: fn(&Response) -> Option<f64>) -> Plot {
+    /// Margin for the two limiting cases at the ends of the thickness axis, as a ratio.
+    const ROOM: f64 = 1.6;
+    let all: Vec<f64> = series.finite().map(|(t, _)| t).collect();
+    let (thin, thick) = (all[0], all[all.len() - 1]);
+    let place = |t: f64| nanometres(t.clamp(thin / ROOM, thick * ROOM));
+    let x = thickness_axis().range(nanometres(thin / ROOM / 1.1), nanometres(thick * ROOM * 1.1));
+    let mut plot = Plot::new(format!("{}: {title}", series.subject), x, axis).height(230.0);
+    let loads = &series.findings.loads;
+    for (index, &load) in loads.iter().enumerate() {
+        let colour = Colour::Ordered { index, of: loads.len() };
+        for kind in series.findings.models.iter().copied() {
+            let found = |case: &CaseResults| {
+                case.comparison.at_load(kind, load).and_then(|point| value(&point.response))
+            };
+            let line = series.finite().filter_map(|(t, case)| Some((nanometres(t), found(case)?)));
+            let is_foremost = kind == series.findings.main_model();
+            let line: Vec<(f64, f64)> = line.collect();
+            let places = series.finite().filter(|(_, case)| is_valid_at(case, load));
+            let places = places.filter_map(|(t, case)| Some((nanometres(t), found(case)?)));
+            let places =
+                Layer::points(places.collect::<Vec<_>>(), Marker::Circle).coloured(colour).named(VALID);
+            let is_limit =
+                |case: &&&CaseResults| case.thickness.is_some_and(|t| t == 0.0 || t == f64::INFINITY);
+            let limits = series.cases.iter().filter(is_limit);
+            let limits = limits.filter_map(|case| Some((place(case.thickness?), found(case)?)));
+            let marker = if is_foremost { Marker::Square } else { Marker::Triangle };
+            let limits = Layer::points(limits.collect::<Vec<_>>(), marker).coloured(colour).named(LIMITS);
+            let line = Layer::line(line).coloured(colour);
+            plot = plot.with(limits).with(if is_foremost {
+                line.named(input_quantity(load, "Pa"))
+            } else {
+                line.dashed(Dash::Dashed)
+            });
+            if is_foremost {
+                plot = plot.with(places);
+            }
+        }
+    }
+    plot
+}
+
+/// Shares of the regimes against thickness, at the lowest, a middle and the highest load.
+pub fn regimes(series: &Series) -> Figure {
+    const PANELS: usize = 3;
+    let kind = series.findings.main_model();
+    let loads = &series.findings.loads;
+    let chosen = match loads.len() {
+        0..=PANELS => loads.clone(),
+        count => vec![loads[0], loads[count / 2], loads[count - 1]],
+    };
+    let panel = |load: f64| {
+        let shares = series.finite().filter_map(|(t, case)| {
+            Some((nanometres(t), case.comparison.at_load(kind, load)?.response.pressure.shares()?))
+        });
+        let mark = if series.cases.iter().all(|case| is_valid_at(case, load)) { "" } else { " *" };
+        shares_of_load(&format!("{}{mark}", input_quantity(load, "Pa")), thickness_axis(), shares)
+    };
+    let title = format!("{}: share of the load by contact regime, against layer thickness", series.subject);
+    Figure::row(title.clone(), chosen.into_iter().map(panel).collect()).headed(title)
+}
+
+fn thickness_axis() -> Axis {
+    Axis::log("layer thickness (nm)")
+}
+
+fn nanometres(t: f64) -> f64 {
+    t * 1e9
+}

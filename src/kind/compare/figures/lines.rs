@@ -1,0 +1,119 @@
+//! Closed results beside the models.
+
+use asperity::analytical::{AnalyticalLine, mean_deflection};
+use asperity::compare::{Kind, ReferencePoint};
+use asperity_plot::{Colour, Dash, Layer, Marker};
+
+use super::curves::curve;
+use crate::kind::compare::answers::CaseResults;
+use crate::kind::compare::results::{CompareResults, SurfaceResults};
+
+/// What the lines of one surface are computed from.
+pub(crate) struct Rough {
+    /// r.m.s. gradient of the prepared map.
+    pub(crate) gradient: f64,
+    /// Of the map, m.
+    pub(crate) sides: [f64; 2],
+    /// E*, Pa.
+    pub(crate) modulus: f64,
+    /// What d is measured in, m.
+    sigma: f64,
+    /// Height of the plane of separations above the mean plane of the map, m.
+    offset: Option<f64>,
+}
+
+impl Rough {
+    pub(crate) fn of(results: &CompareResults, found: &SurfaceResults) -> Option<Self> {
+        let map = found.surface.map.as_ref()?;
+        Some(Self {
+            gradient: map.roughness.rms_slope(),
+            sides: [0, 1].map(|axis| map.points[axis] as f64 * map.pixel[axis]),
+            modulus: results.contact.reduced_modulus,
+            sigma: found.surface.plane.sigma,
+            offset: found.surface.plane_above_mean_plane(),
+        })
+    }
+
+    /// d/sigma of a model at a nominal pressure (Pa), with the deflection of the patch.
+    pub(crate) fn interacting(&self, separation: f64, pressure: f64) -> f64 {
+        separation - mean_deflection(pressure / self.modulus, self.sides) / self.sigma
+    }
+
+    /// d/sigma of the reference, to the undeformed heights.
+    pub(crate) fn undeformed(&self, point: &ReferencePoint) -> Option<f64> {
+        Some((point.undeformed_gap - self.offset?) / self.sigma)
+    }
+}
+
+pub(crate) const KINDS: [Kind; 2] = [Kind::Statistical, Kind::Deterministic];
+
+/// The name of an area line.
+pub(crate) fn name(line: AnalyticalLine) -> &'static str {
+    match line {
+        AnalyticalLine::Persson => "Persson",
+        AnalyticalLine::BushGibsonThomas => "Bush-Gibson-Thomas",
+        AnalyticalLine::GreenwoodWilliamsonInteracting => "with interaction",
+    }
+}
+
+/// The lines in the figures of d/sigma and of the area against load.
+pub fn layers(results: &CompareResults, found: &SurfaceResults, case: &CaseResults) -> [Vec<Layer>; 2] {
+    let Some(rough) = Rough::of(results, found) else { return [Vec::new(), Vec::new()] };
+    let loads = dense(&loads(case));
+    let area = |&line: &AnalyticalLine| {
+        let at = |&load: &f64| {
+            let ratio = load / rough.modulus;
+            Some((ratio, line.area_ratio(ratio, rough.gradient)?))
+        };
+        let points: Option<Vec<(f64, f64)>> = loads.iter().map(at).collect();
+        let dash = if line == AnalyticalLine::Persson { Dash::Solid } else { Dash::Dotted };
+        Some(Layer::line(points?).coloured(Colour::Neutral).dashed(dash).thin().named(name(line)))
+    };
+    let areas = results.lines.iter().filter_map(area).collect();
+    if !results.lines.contains(&AnalyticalLine::GreenwoodWilliamsonInteracting) {
+        return [Vec::new(), areas];
+    }
+    let mut separations = Vec::new();
+    for kind in KINDS {
+        let points: Vec<(f64, f64)> = curve(&case.comparison, kind)
+            .iter()
+            .map(|point| {
+                let (load, d) = (point.response.pressure.total(), point.response.separation_over_sigma);
+                (load / rough.modulus, rough.interacting(d, load))
+            })
+            .collect();
+        if points.is_empty() {
+            continue;
+        }
+        let colour = if kind == Kind::Statistical { Colour::Statistical } else { Colour::Deterministic };
+        let dash = if kind == Kind::Statistical { Dash::DashDot } else { Dash::Dotted };
+        let line = Layer::line(points).coloured(colour).dashed(dash).thin();
+        separations.push(line.named(format!("{}, with interaction", kind.name())));
+    }
+    let solved = case.reference.iter().flat_map(|curve| &curve.points);
+    let solved: Vec<(f64, f64)> =
+        solved.filter_map(|point| Some((point.pressure / rough.modulus, rough.undeformed(point)?))).collect();
+    if !solved.is_empty() {
+        let points = Layer::points(solved, Marker::Triangle).coloured(Colour::Reference);
+        separations.push(points.named("reference, to the undeformed mean plane"));
+    }
+    [separations, areas]
+}
+
+/// Loads (Pa) of the reference, else of the models, ascending, each once.
+pub(crate) fn loads(case: &CaseResults) -> Vec<f64> {
+    let of_reference = case.reference.iter().flat_map(|curve| &curve.points).map(|point| point.pressure);
+    let of_models = case.comparison.curves.iter().map(|point| point.response.pressure.total());
+    let mut loads: Vec<f64> = of_reference.chain(of_models).filter(|&load| load > 0.0).collect();
+    loads.sort_by(f64::total_cmp);
+    loads.dedup();
+    loads
+}
+
+/// Loads between the ends of `loads`, close enough for a smooth line.
+fn dense(loads: &[f64]) -> Vec<f64> {
+    const STEPS: usize = 100;
+    let [Some(first), Some(last)] = [loads.first(), loads.last()] else { return Vec::new() };
+    let at = |k: usize| first * (last / first).powf(k as f64 / STEPS as f64);
+    (0..=STEPS).map(at).collect()
+}

@@ -1,0 +1,235 @@
+//! One surface under one law and thickness: its answer, figures and tables.
+
+use asperity::compare::Comparison;
+use asperity_framework::report::format::{input_quantity, number, percent};
+use asperity_framework::report::page::Page;
+use asperity_framework::report::table::{Reading, Tables};
+use asperity_framework::report::view::View;
+
+use super::lead;
+use super::{stem, subject};
+use crate::kind::compare::figures::axes::Units;
+use crate::kind::compare::figures::curves::{self, Setting};
+use crate::kind::compare::figures::{causes, contact, differences as figure, filter, lines};
+use crate::kind::compare::results::{CompareResults, SurfaceResults};
+use crate::kind::compare::rows::{LineRow, RobustnessRow, SpreadRow, StudiedCase, is_single};
+use crate::kind::compare::tables::PairRow;
+
+/// Loads per decade in tables.
+const PER_DECADE: f64 = 2.0;
+
+impl StudiedCase<'_> {
+    /// The surface, with law and layer where there are several.
+    pub(super) fn name(&self, results: &CompareResults) -> String {
+        let layer = results.contact.layer.as_ref().zip(self.first.thickness);
+        let layer = layer.map_or_else(String::new, |(layer, t)| format!(", {}", super::under(layer, t)));
+        format!("{}{layer}", subject(results, self.surface, &self.first.law))
+    }
+
+    /// The rows of a table that belong to it.
+    fn of<'t>(&self, view: View<'t>) -> View<'t> {
+        let key = self.key();
+        view.only("surface", key.surface).only("law", key.law).only("layer_thickness_m", key.thickness)
+    }
+}
+
+/// The answer in a sentence or two.
+pub fn answer(case: StudiedCase) -> String {
+    let verdicts = &case.findings.verdicts;
+    if !verdicts.differences.is_empty() {
+        return lead::answer(verdicts, &case.surface.surface);
+    }
+    let comparison = &case.first.comparison;
+    if comparison.curves.is_empty() {
+        return of_reference_alone(case);
+    }
+    if comparison.pairs.is_empty() {
+        return "One model was run, so that no models are compared.".to_owned();
+    }
+    if case.surface.others.is_empty() {
+        return "Both models are in contact at none of the separations, so that they are not compared at equal load.".to_owned();
+    }
+    "The realisations have no load in common, so that the models are not compared at equal load; add `pressure` or `force` to the spec."
+        .to_owned()
+}
+
+/// The area at the lowest and the highest load, where only the reference was run.
+fn of_reference_alone(case: StudiedCase) -> String {
+    let points = || case.first.reference.iter().flat_map(|curve| &curve.points);
+    let lowest = points().min_by(|a, b| a.pressure.total_cmp(&b.pressure));
+    let highest = points().max_by(|a, b| a.pressure.total_cmp(&b.pressure));
+    let (Some(lowest), Some(highest)) = (lowest, highest) else { return "No load was solved.".to_owned() };
+    let at_load = |point: &asperity::compare::ReferencePoint| {
+        let separation = point.separation_over_sigma.map(|h| format!(" at d = {} σ", number(h)));
+        format!(
+            "{} of the nominal area{} under {}",
+            percent(point.area_ratio),
+            separation.unwrap_or_default(),
+            input_quantity(point.pressure, "Pa")
+        )
+    };
+    let ends = if lowest == highest {
+        at_load(lowest)
+    } else {
+        format!("{}, {}", at_load(lowest), at_load(highest))
+    };
+    format!("The reference alone was run: {ends}.")
+}
+
+/// The figure behind the verdicts; nothing of one load, and where no models are compared.
+pub fn differences(page: &mut Page, results: &CompareResults, case: StudiedCase) {
+    let verdicts = &case.findings.verdicts;
+    if is_single(case.first) || verdicts.differences.is_empty() {
+        return;
+    }
+    let name = case.name(results);
+    let units = Units::of(results, case.surface);
+    page.figure(
+        &format!("{}-differences.svg", stem(case.surface, &case.first.law)),
+        figure::differences(&name, verdicts, &units, &answer(case)),
+        &format!(
+            "{name}: statistical minus deterministic model at equal load, with 95 % intervals. Green: accepted; grey: loads that are \
+             not admissible."
+        ),
+    );
+}
+
+/// Why the models differ, how sure the verdicts are, and the curves, folded.
+pub fn section(page: &mut Page, results: &CompareResults, tables: &Tables, case: StudiedCase) {
+    let name = case.name(results);
+    let stem = stem(case.surface, &case.first.law);
+    let units = Units::of(results, case.surface);
+    page.details(2, &format!("{name}: why do the models differ?"), |page| {
+        why(page, tables, case, &stem, &units);
+    });
+    page.details(2, &format!("{name}: other treatments of the map"), |page| {
+        robustness(page, tables, case, &stem);
+    });
+    page.details(2, &format!("{name}: curves and tables"), |page| {
+        if StudiedCase::all(results).count() > 1 {
+            differences(page, results, case);
+        }
+        curves(page, results, case, &name, &stem);
+        page.view(&case.of(tables.view::<LineRow>()));
+        page.view(&case.of(tables.view::<SpreadRow>()).each_decade("pressure_pa", PER_DECADE));
+        page.view(&by_load(tables, case).columns(&[
+            "target",
+            "statistical_separation_over_sigma",
+            "deterministic_separation_over_sigma",
+            "statistical_area_ratio",
+            "deterministic_area_ratio",
+            "statistical_mean_real_pressure_pa",
+            "deterministic_mean_real_pressure_pa",
+            "statistical_contacts",
+            "deterministic_contacts",
+            "limits",
+        ]));
+    });
+}
+
+/// Pairs at equal load of the first realisation.
+fn by_load<'t>(tables: &'t Tables, case: StudiedCase) -> View<'t> {
+    let pairs = case.of(tables.view::<PairRow>()).only("realisation", 1usize).only("pairing", "load");
+    pairs.each_decade("target", PER_DECADE).label("target", "nominal pressure").unit("target", "Pa")
+}
+
+fn why(page: &mut Page, tables: &Tables, case: StudiedCase, stem: &str, units: &Units) {
+    let verdicts = &case.findings.verdicts;
+    if let Some(reason) = case.surface.first.model.undivided() {
+        page.paragraph(&format!("The differences are not divided among their causes: {reason}."));
+        return;
+    }
+    if verdicts.attribution.is_empty() {
+        return;
+    }
+    if !is_single(case.first) {
+        page.figure(
+            &format!("{stem}-causes.svg"),
+            causes::figure(verdicts, units, "Contributions of the causes to the difference between the models"),
+            "Contributions of heights, radii and their correlation to the difference between the models at equal load.",
+        );
+    }
+    page.view(&by_load(tables, case).columns(&[
+        "target",
+        "difference_separation_over_sigma",
+        "separation_from_heights",
+        "separation_from_radii",
+        "separation_from_correlation",
+        "log_area_from_heights",
+        "log_area_from_radii",
+        "log_area_from_correlation",
+    ]));
+    page.note(include_str!("notes/causes.md"));
+}
+
+fn robustness(page: &mut Page, tables: &Tables, case: StudiedCase, stem: &str) {
+    let Some(robustness) = &case.surface.robustness else { return };
+    let loads = robustness.loads(case.index);
+    let Some(&load) = loads.get(loads.len() / 2) else { return };
+    if !is_single(case.first) {
+        let verdicts = &case.findings.verdicts;
+        if let Some(figure) = filter::against_filter(robustness, verdicts, case.index, case.surface) {
+            page.figure(
+                &format!("{stem}-filter.svg"),
+                figure,
+                "Differences between the models against the nesting index of the S filter; without a filter at one pixel; green: accepted.",
+            );
+        }
+    }
+    page.paragraph(&format!(
+        "Differences under other treatments of the map, at {}:",
+        input_quantity(load, "Pa")
+    ));
+    let view = case.of(tables.view::<RobustnessRow>()).only("at_pa", load).without(&["choice"]);
+    page.view(
+        &view
+            .clone()
+            .filter("quantity", |cell| cell.text() == "separation")
+            .label("difference", "difference (σ)"),
+    );
+    let relative = view.filter("quantity", |cell| cell.text() != "separation");
+    page.view(
+        &["difference", "low", "high"]
+            .into_iter()
+            .fold(relative, |view, name| view.read_as(name, Reading::SignedPercent)),
+    );
+}
+
+/// The figures of the curves over load.
+fn curves(page: &mut Page, results: &CompareResults, case: StudiedCase, name: &str, stem: &str) {
+    if is_single(case.first) {
+        return;
+    }
+    let surface = case.surface;
+    let others: Vec<&Comparison> = case.realisations().skip(1).map(|other| &other.comparison).collect();
+    let verdicts = &case.findings.verdicts;
+    let units = Units::of(results, surface);
+    let setting = Setting { name, case: case.first, valid: &verdicts.valid, units, finding: "" };
+    let [beside_separation, beside_area] = lines::layers(results, surface, case.first);
+    let file = |figure: &str| format!("{stem}-{figure}.svg");
+    page.figure(
+        &file("separation"),
+        curves::separation(&setting, &others, beside_separation),
+        "Separation against load. Bands: 95 % sampling uncertainty for independent asperities; grey: loads that are not admissible.",
+    );
+    page.figure(
+        &file("area"),
+        curves::area(&setting, beside_area),
+        "Real contact area against load; bands and grey as above.",
+    );
+    if let Some(figure) = curves::regimes(&setting).filter(|_| !case.first.comparison.curves.is_empty()) {
+        page.figure(&file("regimes"), figure, "Share of the load by contact regime, by model.");
+    }
+}
+
+/// The contact in the reference at one load, of a few solutions.
+pub fn contacts(page: &mut Page, results: &CompareResults, surface: &SurfaceResults) {
+    /// More contacts, as of many thicknesses, are left to the tables.
+    const MOST: usize = 4;
+    page.details(3, &format!("{}: contact in the reference", surface.surface.name), |page| {
+        for (index, view) in surface.contacts.iter().take(MOST).enumerate() {
+            let name = if surface.contacts.len() == 1 { String::new() } else { format!("-{}", index + 1) };
+            contact::contact_figures(page, results, surface, view, &name);
+        }
+    });
+}

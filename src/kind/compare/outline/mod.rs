@@ -1,0 +1,194 @@
+//! The page of a comparison: the answer first, then its figure, the verdicts, why, how sure, the surfaces, and what the results rest on.
+//!
+//! | module | what it writes |
+//! |---|---|
+//! | `lead` | the answer in a sentence or two |
+//! | `case` | one surface under one law |
+//! | `series` | one surface under one law by layer thickness |
+//! | `sections` | what is shown of all cases together |
+//! | `names` | quantities, surfaces, laws and thicknesses |
+
+mod case;
+mod lead;
+mod names;
+mod sections;
+mod series;
+
+pub use lead::{count, limit_words};
+pub use names::{name, stem, subject, under};
+pub use sections::limits_note;
+pub(crate) use series::{Series, is_valid_at};
+
+use asperity::compare::Tolerances;
+use asperity_framework::Outcome;
+use asperity_framework::contact::ContactSummary;
+use asperity_framework::metadata::Metadata;
+use asperity_framework::report::page::{Page, escape_around_code};
+use asperity_framework::report::sections as common;
+use asperity_framework::report::table::{Table, Tables};
+use serde_json::{Map, Value, json};
+
+use super::figures::differences;
+use super::findings::Verdicts;
+use super::results::{CompareResults, SurfaceResults};
+use super::rows::{RuleRow, StudiedCase, tables};
+use crate::surface::fitness::fitness_summary;
+use crate::surface::{PopulationSummary, RealisationSummary, SurfaceSummary, section};
+
+impl Outcome for CompareResults {
+    fn metadata(&self) -> &Metadata {
+        &self.metadata
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        self.warnings()
+    }
+
+    fn tables(&self) -> Vec<Table> {
+        tables(self)
+    }
+
+    fn page(&self, tables: &Tables) -> Page {
+        let mut page = Page::new(&self.metadata.title);
+        let series = Series::all(self);
+        page.lead(&escape_around_code(&answer(self)));
+        common::warnings(&mut page, &self.warnings());
+        main_figure(&mut page, self, &series);
+        sections::results(&mut page, tables);
+        sections::verdicts(&mut page, tables);
+        sections::reference(&mut page, tables);
+        sections::models(&mut page, tables);
+        sections::layer(&mut page, tables);
+        for series in &series {
+            page.details(2, &format!("{}: by layer thickness", series.subject), |page| series.figures(page));
+        }
+        if series.is_empty() {
+            StudiedCase::all(self).for_each(|case| case::section(&mut page, self, tables, case));
+        }
+        for surface in &self.surfaces {
+            page.heading(2, &format!("Surface {}", surface.surface.name));
+            section::section(&mut page, &surface.surface, Some(&surface.first.population));
+            case::contacts(&mut page, self, surface);
+        }
+        sections::readings(&mut page, tables);
+        common::notes(&mut page, &self.metadata);
+        common::what_was_run(&mut page, &self.metadata, &self.contact);
+        sections::limits_note(&mut page);
+        let spec = self.described.as_ref().map(|described| described.spec.as_str());
+        common::run_again(&mut page, &self.metadata, spec);
+        common::sources(&mut page, &self.metadata);
+        page
+    }
+
+    fn facts(&self) -> serde_json::Result<Map<String, Value>> {
+        let mut facts = asperity_framework::fields(&ContactSummary::of(&self.contact))?;
+        let mut add = |key: &str, value: Value| facts.insert(key.to_owned(), value);
+        if let Some(described) = &self.described {
+            add("looked_at", json!(described.file));
+        }
+        if let Some(layer) = &self.contact.layer {
+            let finite = |t: &f64| if t.is_finite() { json!(t) } else { json!("inf") };
+            add(
+                "layer",
+                json!({
+                    "material": layer.name,
+                    "rule": layer.rule.name(),
+                    "thicknesses_m": layer.thicknesses.iter().map(finite).collect::<Vec<_>>(),
+                    "modulus_ratio": layer.check.as_ref().map(|check| check.modulus_ratio),
+                    "rule_errors": Table::new(RuleRow::all(self)).records(),
+                }),
+            );
+        }
+        let Tolerances { statistical, deterministic } = self.tolerances;
+        if statistical.or(deterministic).is_some() {
+            add("tolerance", json!({ "statistical": statistical, "deterministic": deterministic }));
+        }
+        let surfaces = self.surfaces.iter().map(|surface| (surface.surface.name.clone(), summary(surface)));
+        let surfaces: serde_json::Result<Map<String, Value>> =
+            surfaces.map(|(name, summary)| Ok((name, serde_json::to_value(summary)?))).collect();
+        add("surfaces", Value::Object(surfaces?));
+        let all = self.surfaces.iter().map(|surface| &surface.surface);
+        add("fitness", serde_json::to_value(fitness_summary(all))?);
+        Ok(facts)
+    }
+
+    fn terminal(&self) -> Option<String> {
+        self.described.as_ref()?;
+        let text = |surface: &SurfaceResults| {
+            let answers: String = StudiedCase::of_surface(surface)
+                .map(|case| {
+                    format!("\n{}: {}\n", subject(self, surface, &case.first.law), case::answer(case))
+                })
+                .collect();
+            format!("\n{}{}", section::for_terminal(&surface.surface), answers).trim_end().to_owned()
+        };
+        Some(self.surfaces.iter().map(text).collect::<Vec<_>>().join("\n"))
+    }
+}
+
+/// The answer: of one case by itself, of several counted.
+fn answer(results: &CompareResults) -> String {
+    let cases: Vec<StudiedCase> = StudiedCase::all(results).collect();
+    let compared = |case: &&StudiedCase| !case.findings.verdicts.differences.is_empty();
+    let verdicts: Vec<&Verdicts> =
+        cases.iter().filter(compared).map(|case| &case.findings.verdicts).collect();
+    match (&cases[..], verdicts.len()) {
+        ([only], _) => case::answer(*only),
+        (_, 0) => {
+            let each = cases.iter().map(|case| {
+                let name = subject(results, case.surface, &case.first.law);
+                format!("{name}: {}", case::answer(*case))
+            });
+            each.collect::<Vec<_>>().join(" ")
+        }
+        _ => lead::count(&verdicts),
+    }
+}
+
+/// The differences behind the verdicts: of one case with intervals, of several cases together.
+fn main_figure(page: &mut Page, results: &CompareResults, series: &[Series]) {
+    let cases: Vec<StudiedCase> = StudiedCase::all(results).collect();
+    if let [only] = &cases[..] {
+        return case::differences(page, results, *only);
+    }
+    let mut draw = |file: &str, subject: &str, cases: &[(String, &Verdicts)]| {
+        let title = format!("{subject}statistical − deterministic model at equal load, admissible loads");
+        if let Some(figure) = differences::of_cases(cases, &title) {
+            let caption =
+                "Differences between the models at equal load, at admissible loads; green: accepted.";
+            page.figure(file, figure.headed(title), caption);
+        }
+    };
+    if series.is_empty() {
+        if !cases.iter().all(|case| super::rows::is_single(case.first)) {
+            let named = cases.iter().map(|case| (case.name(results), &case.findings.verdicts));
+            draw("verdicts.svg", "", &named.collect::<Vec<_>>());
+        }
+        return;
+    }
+    for series in series {
+        let subject = format!("{}: ", series.subject);
+        draw(&format!("{}-verdicts.svg", series.stem), &subject, &series.named_verdicts());
+    }
+}
+
+/// A surface under both models.
+fn summary(surface: &SurfaceResults) -> SurfaceSummary<'_> {
+    let several = !surface.others.is_empty();
+    let realisations = surface.realisations().filter(|_| several).map(|(number, answered)| {
+        RealisationSummary::new(
+            number,
+            answered.asperities,
+            answered.nominal_area,
+            &answered.statistics,
+            answered.moments,
+        )
+    });
+    let mut summary = crate::surface::summary(&surface.surface);
+    summary.plasticity_index = surface.first.cases.first().and_then(|case| case.plasticity_index);
+    // A joint density is named in the spec.
+    let is_separate = surface.first.model.joint.is_none();
+    summary.statistical_model = is_separate.then(|| PopulationSummary::from(&surface.first.population));
+    summary.realisations = realisations.collect();
+    summary
+}

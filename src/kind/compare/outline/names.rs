@@ -1,0 +1,44 @@
+//! Names of quantities, surfaces, laws and thicknesses on a page.
+
+use asperity::compare::ComparedQuantity;
+use asperity_framework::contact::LayerMetadata;
+use asperity_framework::report::format::input_quantity;
+
+use crate::kind::compare::results::{CompareResults, SurfaceResults};
+
+/// A quantity in words.
+pub fn name(compared: ComparedQuantity) -> &'static str {
+    match compared {
+        ComparedQuantity::Separation => "separation",
+        ComparedQuantity::Area => "real contact area",
+        ComparedQuantity::Stiffness => "stiffness",
+    }
+}
+
+/// The surface, and the law where there are several.
+pub fn subject(results: &CompareResults, surface: &SurfaceResults, law: &str) -> String {
+    let has_one_law = results.surfaces.iter().all(|surface| surface.findings.laws.len() == 1);
+    let name = &surface.surface.name;
+    if has_one_law { name.clone() } else { format!("{name}, law {law}") }
+}
+
+/// The same as the beginning of a file's name.
+pub fn stem(surface: &SurfaceResults, law: &str) -> String {
+    let name = &surface.surface.name;
+    if surface.findings.laws.len() == 1 { name.clone() } else { format!("{name}-{}", slug(law)) }
+}
+
+/// A law's label as part of a file name.
+fn slug(label: &str) -> String {
+    let kept: String = label.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
+    kept.trim_matches('-').to_owned()
+}
+
+/// "under 50 nm of lead".
+pub fn under(layer: &LayerMetadata, t: f64) -> String {
+    match t {
+        0.0 => "on the uncoated flat".to_owned(),
+        f64::INFINITY => format!("on bulk {}", layer.name),
+        t => format!("under {} of {}", input_quantity(t, "m"), layer.name),
+    }
+}

@@ -1,0 +1,146 @@
+//! What is shown of all cases together: views of tables.
+
+use asperity::compare::ComparedQuantity;
+use asperity_framework::report::format::capitalised;
+use asperity_framework::report::page::Page;
+use asperity_framework::report::table::{Reading, Tables};
+use asperity_framework::report::view::View;
+
+use super::lead::ORDER;
+use super::name;
+use crate::kind::compare::rows::{
+    CaseRow, DecreaseRow, NearerRow, ReadingRow, ReferenceCurveRow, ResultRow, RuleRow, StandingRow,
+    ThresholdRow, VerdictRow,
+};
+use crate::kind::compare::tables::REFERENCE;
+
+/// Columns that name a case, which are left out where there is one.
+const CASE: [&str; 3] = ["surface", "law", "layer_thickness_m"];
+
+/// More rows are folded.
+const MOST_OPEN: usize = 12;
+
+/// The answer at the one load or separation of a spec.
+pub fn results(page: &mut Page, tables: &Tables) {
+    let view = tables.view::<ResultRow>();
+    if !view.is_empty() {
+        page.heading(2, "Results").view(&view.without_constant(&CASE));
+    }
+}
+
+/// The verdicts on the statistical model against the sum, and how sure they are.
+pub fn verdicts(page: &mut Page, tables: &Tables) {
+    let view = tables.view::<VerdictRow>().only("against", "deterministic").without(&["model"]);
+    if view.is_empty() {
+        return;
+    }
+    page.heading(2, "May the integral replace the sum?");
+    by_quantity(page, &view);
+    page.note(include_str!("notes/verdicts.md"));
+    page.details(3, "How sure are the verdicts?", |page| {
+        page.view(&tables.view::<CaseRow>().without_constant(&CASE));
+    });
+}
+
+/// A view of each quantity, whose differences have a unit of their own.
+fn by_quantity(page: &mut Page, view: &View) {
+    for quantity in ORDER {
+        let view = view.clone().only("quantity", quantity.name()).without_constant(&CASE);
+        let view = ["difference", "low", "high"].into_iter().fold(view, |view, column| match quantity {
+            ComparedQuantity::Separation => view,
+            _ => view.read_as(column, Reading::SignedPercent),
+        });
+        let view = match quantity {
+            ComparedQuantity::Separation => view.label("difference", "largest difference (σ)"),
+            _ => view.read_as("accepted", Reading::Percent),
+        };
+        if !view.is_empty() {
+            let title = capitalised(name(quantity));
+            if view.len() > MOST_OPEN {
+                page.details(3, &title, |page| {
+                    page.view(&view);
+                });
+            } else {
+                page.heading(3, &title).view(&view);
+            }
+        }
+    }
+}
+
+/// Both models against the reference.
+pub fn reference(page: &mut Page, tables: &Tables) {
+    let solved = tables.view::<ReferenceCurveRow>();
+    if solved.is_empty() {
+        return;
+    }
+    page.heading(2, "Which model is nearer to the reference?");
+    let nearer = tables.view::<NearerRow>().without_constant(&CASE);
+    page.view(&nearer.clone().only("quantity", ComparedQuantity::Area.name()));
+    page.details(3, "Separation, stiffness, and both models against the reference", |page| {
+        page.view(&nearer.filter("quantity", |cell| cell.text() != ComparedQuantity::Area.name()));
+        by_quantity(page, &tables.view::<VerdictRow>().only("against", REFERENCE));
+        page.view(&solved.without_constant(&CASE));
+        page.note(include_str!("notes/reference.md"));
+    });
+}
+
+/// Which statistical model is enough.
+pub fn models(page: &mut Page, tables: &Tables) {
+    let view = tables.view::<StandingRow>();
+    if view.is_empty() {
+        return;
+    }
+    page.details(2, "Which statistical model is enough?", |page| {
+        by_quantity_of_models(page, &view);
+        page.note(include_str!("notes/models.md"));
+    });
+}
+
+fn by_quantity_of_models(page: &mut Page, view: &View) {
+    for quantity in ORDER {
+        let view =
+            view.clone().only("quantity", quantity.name()).without_constant(&CASE).without(&["within"]);
+        let view = match quantity {
+            ComparedQuantity::Separation => view.label("nearest_difference", "its difference (σ)"),
+            _ => view
+                .read_as("nearest_difference", Reading::SignedPercent)
+                .read_as("accepted", Reading::Percent),
+        };
+        if !view.is_empty() {
+            page.heading(3, &capitalised(name(quantity))).view(&view);
+        }
+    }
+}
+
+/// What the layer changes, and how good its effective modulus is.
+pub fn layer(page: &mut Page, tables: &Tables) {
+    let thresholds = tables.view::<ThresholdRow>().without_constant(&CASE[..2]);
+    if !thresholds.is_empty() {
+        page.heading(2, "Below which thickness does the layer have no effect?").view(&thresholds);
+    }
+    let rules = tables.view::<RuleRow>();
+    if !rules.is_empty() {
+        page.details(2, "Accuracy of the effective-modulus models", |page| {
+            page.view(&rules);
+        });
+    }
+    let decreases = tables.view::<DecreaseRow>().without_constant(&CASE);
+    if !decreases.is_empty() {
+        page.details(2, "Asperities whose area or load decreases as they are pressed deeper", |page| {
+            page.view(&decreases);
+        });
+    }
+}
+
+/// σ and d read as those of the asperities, or of the surface.
+pub fn readings(page: &mut Page, tables: &Tables) {
+    let view = tables.view::<ReadingRow>();
+    if !view.is_empty() {
+        page.heading(2, "Two readings of σ and d").view(&view).note(include_str!("notes/readings.md"));
+    }
+}
+
+/// The limits within which results are admissible.
+pub fn limits_note(page: &mut Page) {
+    page.heading(2, "Limits of validity").note(include_str!("notes/limits.md"));
+}

@@ -1,0 +1,68 @@
+//! `robustness.csv`: the differences under other treatments of a measured map.
+
+use asperity::compare::{ComparedQuantity, Difference, Estimate, Verdict};
+use asperity_framework::columns;
+use asperity_framework::report::table::{Column, Row};
+
+use super::{CaseKey, StudiedCase, case_columns};
+use crate::kind::compare::findings::Verdicts;
+use crate::kind::compare::results::CompareResults;
+use crate::kind::compare::robustness::Treated;
+
+/// One quantity at one load under one treatment.
+pub(crate) struct RobustnessRow<'a> {
+    key: CaseKey<'a>,
+    treated: &'a Treated,
+    at_load: &'a Difference,
+    quantity: ComparedQuantity,
+    estimate: Estimate,
+    verdicts: &'a Verdicts,
+}
+
+impl RobustnessRow<'_> {
+    fn end(&self, index: usize) -> Option<f64> {
+        self.estimate.interval().map(|ends| self.quantity.reported(ends[index]))
+    }
+}
+
+impl Row for RobustnessRow<'_> {
+    const FILE: &'static str = "robustness.csv";
+    const ROWS: &'static str = "One row for each surface, law, layer thickness, other treatment of a measured map, load and quantity: the difference of the statistical from the deterministic model at equal load.";
+    const IS_LONG: bool = true;
+
+    fn columns() -> Vec<Column<Self>> {
+        let mut columns = case_columns(|row: &Self| row.key);
+        columns.extend(columns! { row: Self =>
+            choice["text"] = row.treated.treatment.choice().name(), "The choice that is made in another way: `short-wavelength-cut-off`, `summits`, `mean-radius`, `level`, `spikes` or `part`.";
+            treatment["text"] = row.treated.treatment.to_string(), "How it is made.";
+            quantity["text"] = row.quantity.name(), "What is compared: `separation`, `area` (real contact area) or `stiffness`.";
+            at_pa["Pa", label("at")] = row.at_load.load, "Nominal pressure.";
+            valid["true/false"] = row.at_load.exceeded().is_none(), "Whether the load is within the valid range under this treatment.";
+            difference["1", signed, scale(1.0)] = row.quantity.reported(row.estimate.contrast), "The difference: of the separation in sigma, of area and stiffness relative to the deterministic model.";
+            low["1", label("95 % interval from"), signed, scale(1.0)] = row.end(0), "Lower end of its 95 % interval; empty where none is claimed.";
+            high["1", label("to"), signed, scale(1.0)] = row.end(1), "Upper end of the interval.";
+            verdict["text", verdict] = Verdict::of(&row.estimate, row.verdicts.accepted.band(row.quantity)).name(), "The verdict by the interval: `within`, `beyond` or `cannot-tell`.";
+        });
+        columns
+    }
+}
+
+/// The rows: surface by surface, treatment by treatment.
+pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = RobustnessRow<'_>> {
+    results.surfaces.iter().flat_map(|surface| {
+        let treated = surface.robustness.iter().flat_map(|robustness| &robustness.treated);
+        treated.flat_map(move |treated| {
+            StudiedCase::of_surface(surface).flat_map(move |case| of_case(case, treated))
+        })
+    })
+}
+
+fn of_case<'a>(case: StudiedCase<'a>, treated: &'a Treated) -> impl Iterator<Item = RobustnessRow<'a>> {
+    treated.differences(case.index).iter().flat_map(move |at_load| {
+        ComparedQuantity::ALL.into_iter().filter_map(move |quantity| {
+            let estimate = at_load.estimates[quantity as usize]?;
+            let verdicts = &case.findings.verdicts;
+            Some(RobustnessRow { key: case.key(), treated, at_load, quantity, estimate, verdicts })
+        })
+    })
+}

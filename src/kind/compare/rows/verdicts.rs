@@ -1,0 +1,95 @@
+//! `verdicts.csv`: whether the statistical model may replace the sum.
+
+use asperity::compare::{Kind, Stretch};
+use asperity_framework::columns;
+use asperity_framework::report::table::{Column, Row};
+
+use super::{CaseKey, StudiedCase, case_columns};
+use crate::kind::compare::findings::LeadingCause;
+use crate::kind::compare::results::CompareResults;
+use crate::kind::compare::tables::REFERENCE;
+
+/// A stretch of load with one verdict.
+pub(crate) struct VerdictRow<'a> {
+    key: CaseKey<'a>,
+    stretch: &'a Stretch,
+    /// The model, and what it is compared with.
+    names: [&'static str; 2],
+    verdict: &'static str,
+    area_needed: Option<f64>,
+    cause: Option<LeadingCause>,
+    depends_on: Vec<String>,
+}
+
+impl VerdictRow<'_> {
+    fn largest(&self) -> Option<f64> {
+        self.stretch.largest.map(|(_, estimate)| self.stretch.quantity.reported(estimate.contrast))
+    }
+
+    fn end(&self, index: usize) -> Option<f64> {
+        let ends = self.stretch.largest.and_then(|(_, estimate)| estimate.interval())?;
+        Some(self.stretch.quantity.reported(ends[index]))
+    }
+}
+
+impl Row for VerdictRow<'_> {
+    const FILE: &'static str = "verdicts.csv";
+    const ROWS: &'static str = "One row for each surface, law, layer thickness, quantity, model, what it is compared with and stretch of load with one verdict, over all realisations.";
+    const RECORDS: Option<&'static str> = Some("verdicts");
+
+    fn columns() -> Vec<Column<Self>> {
+        let mut columns = case_columns(|row: &Self| row.key);
+        columns.extend(columns! { row: Self =>
+            quantity["text"] = row.stretch.quantity.name(), "What is compared: `separation`, `area` (real contact area) or `stiffness`.";
+            against["text"] = row.names[1], "What the model is compared with: `deterministic` or `reference`.";
+            model["text"] = row.names[0], "The model that is judged: `statistical` or `deterministic`.";
+            from_pa["Pa", label("from"), input] = row.stretch.loads[0], "Lowest nominal pressure of the stretch.";
+            to_pa["Pa", label("to"), input] = row.stretch.loads[1], "Highest nominal pressure of the stretch.";
+            verdict["text", verdict] = row.verdict, "Whether the 95 % interval of the difference lies inside what is accepted (`within`), outside (`beyond`) or neither (`cannot-tell`) at all loads of the stretch; `blocked` on a surface that failed a fitness check.";
+            difference["1", label("largest difference"), signed, scale(1.0)] = row.largest(), "The largest difference in the stretch: of the separation in sigma, of area and stiffness relative to what the model is compared with.";
+            low["1", label("95 % interval from"), signed, scale(1.0)] = row.end(0), "Lower end of its 95 % interval; empty where none is claimed.";
+            high["1", label("to"), signed, scale(1.0)] = row.end(1), "Upper end of the interval.";
+            at_pa["Pa", label("at")] = row.stretch.largest.map(|(load, _)| load), "Nominal pressure of the largest difference.";
+            accepted["1"] = row.stretch.accepted, "The largest difference that is accepted.";
+            area_needed_m2["m²", label("needs a surface of")] = row.area_needed, "Nominal area at which half of a stretch that cannot be told would be; empty of others.";
+            cause["text", label("leading cause")] = row.cause.map(LeadingCause::name), "The leading cause of the largest difference: `heights`, `radii`, `correlation` or, against the reference, `interaction`.";
+            depends_on["text", label("depends on")] = row.depends_on.clone(), "Choices in the analysis of the map that reverse the verdict on this quantity.";
+        });
+        columns
+    }
+}
+
+/// The rows, case by case; those against the reference last.
+pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = VerdictRow<'_>> {
+    StudiedCase::all(results).flat_map(of_case)
+}
+
+fn of_case(case: StudiedCase<'_>) -> Vec<VerdictRow<'_>> {
+    let verdicts = &case.findings.verdicts;
+    let mut rows = Vec::new();
+    for stretch in &verdicts.stretches {
+        let dependences = case.dependences().iter().filter(|one| one.quantity == stretch.quantity);
+        rows.push(VerdictRow {
+            key: case.key(),
+            stretch,
+            names: [Kind::Statistical.name(), Kind::Deterministic.name()],
+            verdict: verdicts.name(stretch.verdict),
+            area_needed: verdicts.area_needed(stretch),
+            cause: verdicts.cause(stretch),
+            depends_on: dependences.map(|one| one.choice.name().to_owned()).collect(),
+        });
+    }
+    let Some(reference) = &verdicts.reference else { return rows };
+    for (kind, stretches) in [Kind::Statistical, Kind::Deterministic].into_iter().zip(&reference.stretches) {
+        rows.extend(stretches.iter().map(|stretch| VerdictRow {
+            key: case.key(),
+            stretch,
+            names: [kind.name(), REFERENCE],
+            verdict: verdicts.name(stretch.verdict),
+            area_needed: verdicts.area_needed(stretch),
+            cause: verdicts.cause_against_reference(kind, stretch),
+            depends_on: Vec::new(),
+        }));
+    }
+    rows
+}
