@@ -75,11 +75,11 @@ impl Row for CurveRow {
             target["1, Pa or N"] = row.either(|point| point.target, |point| point.target), "Prescribed value: separation over sigma, nominal pressure or force on the nominal area.";
             separation_m["m"] = row.either(|point| Some(point.response.separation), |point| point.separation), "Separation d of the flat from the mean asperity height; for the reference the mean gap, zero at points in contact, less the height of the mean asperity above the mean plane of the map, and empty with a finite boundary.";
             separation_over_sigma["1"] = row.either(|point| Some(point.response.separation_over_sigma), |point| point.separation_over_sigma), "Separation over sigma, the standard deviation of the asperity heights.";
-            pressure_pa["Pa"] = row.pressure(), "Nominal pressure, load over nominal area; above the target where the law jumps past it.";
+            pressure_pa["Pa", prefix("M")] = row.pressure(), "Nominal pressure, load over nominal area; above the target where the law jumps past it.";
             load_ratio["1"] = row.pressure() / row.reduced_modulus, "Nominal pressure over E* (Eq. 3) of the pair without a layer.";
             area_ratio["1"] = row.either(|point| point.response.area_ratio.total(), |point| point.area_ratio), "Real contact area over nominal area, never clamped; for the reference corrected for the perimeter of the contacts.";
             contact_density_per_m2["1/m²"] = row.model(|response| response.contact_density), "Contacts per nominal area.";
-            mean_real_pressure_pa["Pa"] = row.either(|point| point.response.mean_real_pressure(), ReferencePoint::mean_real_pressure), "Load over real contact area; empty where there is no contact.";
+            mean_real_pressure_pa["Pa", prefix("M")] = row.either(|point| point.response.mean_real_pressure(), ReferencePoint::mean_real_pressure), "Load over real contact area; empty where there is no contact.";
             stiffness_pa_per_m["Pa/m"] = row.either(|point| Some(point.response.stiffness), |point| point.stiffness), "Contact stiffness -dp/dd per nominal area; jumps of a law are excluded for the sum and included for the integral; for the reference from the neighbouring loads, empty where one is further than a factor of 3.";
             elastic_load_share["1"] = row.model_value(|response| share(&response.pressure, 0)), "Share of the load in elastic contacts; empty where there is no contact.";
             elastic_plastic_load_share["1"] = row.model_value(|response| share(&response.pressure, 1)), "Share of the load in elastic-plastic contacts.";
@@ -186,8 +186,8 @@ impl Answer {
             separation_over_sigma["1"] = answer.response.separation_over_sigma, "separation from the mean asperity height over sigma, the standard deviation of the asperity heights.";
             area_ratio["1"] = answer.response.area_ratio.total(), "real contact area over nominal area.";
             contact_density_per_m2["1/m²"] = answer.response.contact_density, "contacts per nominal area.";
-            mean_real_pressure_pa["Pa"] = answer.response.mean_real_pressure(), "load over real contact area; empty where there is no contact.";
-            pressure_pa["Pa"] = answer.response.pressure.total(), "nominal pressure, load over nominal area.";
+            mean_real_pressure_pa["Pa", prefix("M")] = answer.response.mean_real_pressure(), "load over real contact area; empty where there is no contact.";
+            pressure_pa["Pa", prefix("M")] = answer.response.pressure.total(), "nominal pressure, load over nominal area.";
             stiffness_pa_per_m["Pa/m"] = answer.response.stiffness, "contact stiffness -dp/dd per nominal area.";
             contacts["1"] = answer.contacts(), "number of contacts on the nominal area.";
         }
@@ -279,8 +279,8 @@ impl Row for PairRow {
             log_area_from_correlation["1", part(CAUSES)] = row.contribution(ComparedQuantity::Area, Cause::Correlation), "The same of the correlation of heights and radii.";
             reference_separation_over_sigma["1", part(REFERENCE)] = row.reference(|point| point.separation_over_sigma), "Reference: separation as in `curves.csv`; this and the next columns are there only where a reference was run, and empty at loads without it.";
             reference_area_ratio["1", part(REFERENCE)] = row.reference(|point| Some(point.area_ratio)), "Reference: real contact area over nominal area, corrected for the perimeter of the contacts.";
-            reference_mean_real_pressure_pa["Pa", part(REFERENCE)] = row.reference(ReferencePoint::mean_real_pressure), "Reference: load over real contact area.";
-            reference_pressure_pa["Pa", part(REFERENCE)] = row.reference(|point| Some(point.pressure)), "Reference: nominal pressure.";
+            reference_mean_real_pressure_pa["Pa", prefix("M"), part(REFERENCE)] = row.reference(ReferencePoint::mean_real_pressure), "Reference: load over real contact area.";
+            reference_pressure_pa["Pa", prefix("M"), part(REFERENCE)] = row.reference(|point| Some(point.pressure)), "Reference: nominal pressure.";
             reference_stiffness_pa_per_m["Pa/m", part(REFERENCE)] = row.reference(|point| point.stiffness), "Reference: contact stiffness -dp/dd per nominal area, from the neighbouring loads.";
             separation_from_interaction["1", part(REFERENCE)] = row.missed(|deterministic, point| Some(deterministic.separation_over_sigma - point.separation_over_sigma?)), "Deterministic model minus reference: what the sum leaves out, in separation over sigma. Interaction of the asperities and their shape; where a law yields or under a layer, the difference between that law and the reference, too.";
             log_area_from_interaction["1", part(REFERENCE)] = row.missed(|deterministic, point| Some((deterministic.area_ratio.total() / point.area_ratio).ln()).filter(|log| log.is_finite())), "The same of the real contact area: ln(deterministic/reference).";

@@ -158,7 +158,15 @@ impl Prefix {
         };
         let prefix = digits.exponent.div_euclid(step);
         let name = usize::try_from(prefix + 5).ok().and_then(|place| PREFIXES.get(place));
-        name.map_or_else(none, |name| Self { name: format!("{name}{unit}"), size: 10f64.powi(step * prefix) })
+        name.map_or_else(none, |name| Self::named(name, unit))
+    }
+
+    /// A unit with the prefix of a name.
+    pub fn named(name: &str, unit: &str) -> Self {
+        let step = if unit.ends_with('²') { 6 } else { 3 };
+        let place = PREFIXES.iter().position(|prefix| *prefix == name);
+        let size = place.map_or(1.0, |place| 10f64.powi(step * (place as i32 - 5)));
+        Self { name: format!("{name}{unit}"), size }
     }
 }
 

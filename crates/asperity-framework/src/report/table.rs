@@ -184,6 +184,8 @@ pub struct Heading {
     pub label: Option<&'static str>,
     /// How pages show it.
     pub reading: Reading,
+    /// The prefix of its unit on pages; `None` where the cells decide.
+    pub prefix: Option<&'static str>,
     /// How `verify` compares it.
     pub comparison: Comparison,
     /// The part of a run without which a table does not have it; see [`Table::without_part`].
@@ -217,6 +219,7 @@ impl<R> Column<R> {
             meaning: meaning.into(),
             label: None,
             reading: Reading::default(),
+            prefix: None,
             comparison: Comparison::default(),
             part: None,
         };
@@ -231,6 +234,12 @@ impl<R> Column<R> {
     /// The same with another name for pages.
     pub fn label(mut self, label: &'static str) -> Self {
         self.heading.label = Some(label);
+        self
+    }
+
+    /// The same, shown in its unit with this prefix, such as "M".
+    pub fn prefix(mut self, prefix: &'static str) -> Self {
+        self.heading.prefix = Some(prefix);
         self
     }
 

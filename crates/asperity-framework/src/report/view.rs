@@ -81,10 +81,13 @@ impl<'a> View<'a> {
         self.with(name, |heading| heading.reading = reading)
     }
 
-    /// The same with the unit of a column whose rows have one of several.
+    /// The same with the unit of a column whose rows have one of several, and its prefix.
     #[must_use]
-    pub fn unit(self, name: &str, unit: &'static str) -> Self {
-        self.with(name, |heading| heading.unit = unit)
+    pub fn unit(self, name: &str, unit: &'static str, prefix: &'static str) -> Self {
+        self.with(name, |heading| {
+            heading.unit = unit;
+            heading.prefix = Some(prefix);
+        })
     }
 
     fn with(mut self, name: &str, change: impl FnOnce(&mut Heading)) -> Self {
@@ -238,6 +241,10 @@ impl Unit {
         match (heading.reading, heading.unit) {
             (Reading::Percent | Reading::SignedPercent, _) => Self { name: Some("%".to_owned()), size: 0.01 },
             (Reading::Thickness | Reading::Verdict, _) | (_, "1" | "count" | "text" | "true/false") => none,
+            (_, unit) if heading.prefix.is_some() => {
+                let Prefix { name, size } = Prefix::named(heading.prefix.unwrap_or_default(), unit);
+                Self { name: Some(name), size }
+            }
             (_, unit) => {
                 let mut sizes: Vec<f64> = cells
                     .iter()

@@ -42,9 +42,8 @@ impl Curve<'_> {
     }
 }
 
-/// Differences of area, separation and stiffness between the models at equal load on the case `name`, one panel each; `finding` is
-/// what the figure shows, in words.
-pub fn differences(name: &str, verdicts: &Verdicts, units: &Units, finding: &str) -> Figure {
+/// Differences of area, separation and stiffness between the models at equal load on the case `name`, one panel each.
+pub fn differences(name: &str, verdicts: &Verdicts, units: &Units) -> Figure {
     let curve = Curve {
         name: "statistical − deterministic".to_owned(),
         colour: Colour::Statistical,
@@ -52,8 +51,8 @@ pub fn differences(name: &str, verdicts: &Verdicts, units: &Units, finding: &str
         differences: &verdicts.differences,
         has_intervals: true,
     };
-    figure(finding, verdicts, units, &[curve])
-        .headed(format!("{name}: statistical − deterministic model at equal load"))
+    let title = format!("{name}: statistical − deterministic model at equal load");
+    figure(&title, verdicts, units, &[curve]).headed(title)
 }
 
 /// The same of both models and the reference.

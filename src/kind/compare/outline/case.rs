@@ -86,7 +86,7 @@ pub fn differences(page: &mut Page, results: &CompareResults, case: StudiedCase)
     let units = Units::of(results, case.surface);
     page.figure(
         &format!("{}-differences.svg", stem(case.surface, &case.first.law)),
-        figure::differences(&name, verdicts, &units, &answer(case)),
+        figure::differences(&name, verdicts, &units),
         &format!(
             "{name}: statistical minus deterministic model at equal load, with 95 % intervals. Green: accepted; grey: loads that are \
              not admissible."
@@ -130,7 +130,7 @@ pub fn section(page: &mut Page, results: &CompareResults, tables: &Tables, case:
 /// Pairs at equal load of the first realisation.
 fn by_load<'t>(tables: &'t Tables, case: StudiedCase) -> View<'t> {
     let pairs = case.of(tables.view::<PairRow>()).only("realisation", 1usize).only("pairing", "load");
-    pairs.each_decade("target", PER_DECADE).label("target", "nominal pressure").unit("target", "Pa")
+    pairs.each_decade("target", PER_DECADE).label("target", "nominal pressure").unit("target", "Pa", "M")
 }
 
 fn why(page: &mut Page, tables: &Tables, case: StudiedCase, stem: &str, units: &Units) {

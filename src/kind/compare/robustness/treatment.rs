@@ -5,6 +5,7 @@ use std::fmt;
 use asperity::MeanRadius;
 use asperity::topography::summits::Neighbours;
 use asperity::topography::{Filter, Level};
+use asperity_framework::report::format::quantity;
 
 use crate::kind::compare::statistical::StatisticalModel;
 use crate::surface::{MapFacts, Preparation};
@@ -115,7 +116,7 @@ impl fmt::Display for Treatment {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
             Self::ShortWaves(None) => f.write_str("no S filter"),
-            Self::ShortWaves(Some(s)) => write!(f, "S filter {s:e} m"),
+            Self::ShortWaves(Some(s)) => write!(f, "S filter {}", quantity(*s, "m")),
             Self::Summits(neighbours) => write!(f, "{} summits", neighbours.name()),
             Self::MeanRadius(MeanRadius::Arithmetic) => f.write_str("arithmetic mean radius"),
             Self::MeanRadius(MeanRadius::InverseMeanCurvature) => f.write_str("1/(mean curvature)"),

@@ -46,9 +46,9 @@ impl Row for CaseRow<'_> {
         let mut columns = case_columns(|row: &Self| row.key);
         columns.extend(columns! { row: Self =>
             plasticity_index["1"] = row.plasticity_index, "Plasticity index (E*/H)(sigma/R)^0.5 of Greenwood and Williamson (1966); empty where nothing yields.";
-            nominal_area_m2["m²"] = row.verdicts.area, "Nominal area of one realisation.";
-            admissible_from_pa["Pa", input] = row.end(|all| all.first().map(|loads| loads[0])), "Lowest nominal pressure at which both models are within their limits; empty where there is none.";
-            admissible_to_pa["Pa", label("to"), input] = row.end(|all| all.last().map(|loads| loads[1])), "Highest such pressure.";
+            nominal_area_m2["m²", prefix("m")] = row.verdicts.area, "Nominal area of one realisation.";
+            admissible_from_pa["Pa", prefix("M"), input] = row.end(|all| all.first().map(|loads| loads[0])), "Lowest nominal pressure at which both models are within their limits; empty where there is none.";
+            admissible_to_pa["Pa", prefix("M"), label("to"), input] = row.end(|all| all.last().map(|loads| loads[1])), "Highest such pressure.";
             limits_below["text"] = limits(row.verdicts.valid.below), "Limits that are exceeded at lower loads, as in `curves.csv`.";
             limits_above["text"] = limits(row.verdicts.valid.above), "Limits that are exceeded at higher loads.";
             basis["text", label("intervals from")] = row.verdicts.basis.name(), "What the intervals rest on: `blocks` of a map, `realisations`, `independent` asperities, or `none` of a map too small for blocks.";

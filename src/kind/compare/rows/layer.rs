@@ -25,7 +25,7 @@ impl Row for ThresholdRow<'_> {
             surface["text"] = row.surface, "Name of the surface.";
             law["text"] = row.threshold.law.as_str(), "Contact law of an asperity.";
             model["text"] = row.threshold.kind.name(), "Model: `statistical` or `deterministic`.";
-            pressure_pa["Pa", label("nominal pressure"), input] = row.threshold.pressure, "Nominal pressure.";
+            pressure_pa["Pa", prefix("M"), label("nominal pressure"), input] = row.threshold.pressure, "Nominal pressure.";
             thickness_m["m", label("no effect up to")] = row.threshold.thickness, "The thickness; inf where no layer has an effect, empty where even the thinnest one tested has.";
         }
     }

@@ -31,7 +31,7 @@ impl Row for LineRow<'_> {
         columns.extend(columns! { row: Self =>
             line["text"] = row.line, "The line: `persson`, A/A_nom = erf(2^0.5 p/(E* g)); `bush-gibson-thomas`, (2 pi)^0.5 p/(E* g), at most 1; or `greenwood-williamson-interacting`, the separation less the mean deflection of the patch. g is the r.m.s. gradient of the prepared map.";
             model["text"] = row.model, "The model whose separation is corrected for interaction, or the reference, whose separation is that to the undeformed mean plane.";
-            pressure_pa["Pa", label("nominal pressure")] = row.pressure, "Nominal pressure.";
+            pressure_pa["Pa", prefix("M"), label("nominal pressure")] = row.pressure, "Nominal pressure.";
             area_ratio["1"] = row.area_ratio, "Real contact area over nominal area.";
             separation_over_sigma["1"] = row.separation, "Separation over sigma.";
         });

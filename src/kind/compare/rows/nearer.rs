@@ -40,8 +40,8 @@ impl Row for ReferenceCurveRow<'_> {
             refine["count"] = row.refine, "Points along an axis for each of the map's.";
             cap_pa["Pa", label("largest pressure")] = row.curves[0].cap, "The largest contact pressure, the hardness of the softer body; empty for an elastic contact.";
             loads["count"] = row.curves[0].points.len(), "Solved loads of one realisation.";
-            from_pa["Pa", label("from")] = row.load(f64::min), "Lowest solved nominal pressure.";
-            to_pa["Pa", label("to")] = row.load(f64::max), "Highest solved nominal pressure.";
+            from_pa["Pa", prefix("M"), label("from")] = row.load(f64::min), "Lowest solved nominal pressure.";
+            to_pa["Pa", prefix("M"), label("to")] = row.load(f64::max), "Highest solved nominal pressure.";
             unreached_loads["count"] = row.curves.iter().map(|curve| curve.unreached.len()).sum::<usize>(), "Loads at or above the largest pressure, which no contact carries.";
             dual_gap["1", ignored] = row.dual_gap(), "The largest relative dual gap, a bound of the error in energy.";
             convolutions["count", ignored] = row.convolutions(), "Convolutions of the solver.";
@@ -77,8 +77,8 @@ impl Row for NearerRow<'_> {
         let mut columns = case_columns(|row: &Self| row.key);
         columns.extend(columns! { row: Self =>
             quantity["text"] = row.stretch.quantity.name(), "What is compared: `separation`, `area` (real contact area) or `stiffness`.";
-            from_pa["Pa", label("from"), input] = row.stretch.loads[0], "Lowest nominal pressure of the stretch.";
-            to_pa["Pa", label("to"), input] = row.stretch.loads[1], "Highest nominal pressure of the stretch.";
+            from_pa["Pa", prefix("M"), label("from"), input] = row.stretch.loads[0], "Lowest nominal pressure of the stretch.";
+            to_pa["Pa", prefix("M"), label("to"), input] = row.stretch.loads[1], "Highest nominal pressure of the stretch.";
             nearer["text", label("nearer, on such surfaces")] = row.stretch.nearer.map(Kind::name), "The nearer model, with the sampling error of such surfaces; empty where it cannot be told or both are as near.";
             nearer_on_this_map["text"] = row.stretch.nearer_here.filter(|_| row.is_one_map).map(Kind::name), "The same on this very map; empty over several realisations.";
         });

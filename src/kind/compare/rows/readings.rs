@@ -22,8 +22,8 @@ impl Row for ReadingRow<'_> {
             layer_thickness_m["m", label("layer"), thickness] = row.0.thickness, "Thickness of the layer; empty where the spec has no layer.";
             model["text"] = row.0.kind.name(), "Model: `statistical` or `deterministic`.";
             separation_over_sigma["1", input] = row.0.separation, "Separation over sigma.";
-            pressure_with_asperity_sigma_pa["Pa", label("pressure, asperity reading")] = row.0.answers[0].pressure, "Nominal pressure with sigma and d of the asperities.";
-            pressure_with_surface_sigma_pa["Pa", label("pressure, surface reading")] = row.0.answers[1].pressure, "Nominal pressure with sigma and d of the surface.";
+            pressure_with_asperity_sigma_pa["Pa", prefix("M"), label("pressure, asperity reading")] = row.0.answers[0].pressure, "Nominal pressure with sigma and d of the asperities.";
+            pressure_with_surface_sigma_pa["Pa", prefix("M"), label("pressure, surface reading")] = row.0.answers[1].pressure, "Nominal pressure with sigma and d of the surface.";
             ratio["1"] = row.0.ratio(), "The second over the first.";
             valid["true/false"] = row.0.is_valid(), "Whether both models are within their valid range under both readings, in every realisation.";
         }

@@ -36,13 +36,13 @@ impl Row for ResultRow<'_> {
         columns.extend(columns! { row: Self =>
             model["text"] = row.model, "Model: `statistical`, `deterministic` or `reference`.";
             force_n["N", label("load")] = row.pressure * row.nominal_area, "Load on the nominal area.";
-            pressure_pa["Pa", label("nominal pressure")] = row.pressure, "Load over nominal area.";
+            pressure_pa["Pa", prefix("M"), label("nominal pressure")] = row.pressure, "Load over nominal area.";
             separation_m["m"] = row.separation, "Separation of the flat from the mean asperity height.";
             separation_over_sigma["1"] = row.separation_over_sigma, "The same over sigma, the standard deviation of the asperity heights.";
-            real_area_m2["m²", label("real contact area")] = row.area_ratio * row.nominal_area, "Real contact area.";
+            real_area_m2["m²", prefix("µ"), label("real contact area")] = row.area_ratio * row.nominal_area, "Real contact area.";
             area_ratio["1", label("of the nominal area"), percent] = row.area_ratio, "Real contact area over nominal area.";
             contacts["1"] = row.response.map(|response| response.contact_density * row.nominal_area), "Number of contacts; empty for the reference.";
-            mean_real_pressure_pa["Pa", label("mean contact pressure")] = row.mean_real_pressure, "Load over real contact area; empty where there is no contact.";
+            mean_real_pressure_pa["Pa", prefix("M"), label("mean contact pressure")] = row.mean_real_pressure, "Load over real contact area; empty where there is no contact.";
             stiffness_n_per_m["N/m", label("stiffness")] = row.stiffness.map(|stiffness| stiffness * row.nominal_area), "Contact stiffness of the nominal area.";
             elastic_load_share["1", label("elastic"), percent] = share(row.response, 0), "Share of the load in elastic contacts; empty for the reference and where there is no contact.";
             elastic_plastic_load_share["1", label("elastic-plastic"), percent] = share(row.response, 1), "Share of the load in elastic-plastic contacts.";

@@ -20,7 +20,7 @@ impl Row for SpreadRow<'_> {
     fn columns() -> Vec<Column<Self>> {
         let mut columns = case_columns(|row: &Self| row.key);
         columns.extend(columns! { row: Self =>
-            pressure_pa["Pa", label("nominal pressure"), input] = row.spread.target, "Nominal pressure.";
+            pressure_pa["Pa", prefix("M"), label("nominal pressure"), input] = row.spread.target, "Nominal pressure.";
             statistical_separation_over_sigma["1", label("d/σ, statistical")] = row.spread.statistical_separation.mean, "Statistical model: mean separation over sigma.";
             deterministic_separation_over_sigma["1", label("d/σ, deterministic")] = row.spread.deterministic_separation.mean, "Deterministic model: mean separation over sigma.";
             deterministic_separation_deviation["1", label("± s.d.")] = row.spread.deterministic_separation.deviation, "Its standard deviation over the realisations.";
