@@ -13,6 +13,7 @@ mod layer;
 pub mod materials;
 mod parts;
 mod plausibility;
+pub mod study;
 pub mod surface;
 #[cfg(feature = "cli")]
 pub mod terminal;

@@ -1,33 +1,24 @@
 //! `[compare]`: both models on given surfaces.
 
-pub mod answers;
-mod attribution;
-pub(crate) mod differences;
 pub mod figures;
-pub mod findings;
 mod implausible;
 mod lines;
-mod models;
 pub mod outline;
 pub mod page;
 pub mod plan;
-pub mod ranking;
 mod reach;
+mod readings;
 pub mod reference;
 pub mod results;
-pub mod robustness;
-mod rows;
+mod robustness;
+pub(crate) mod rows;
 mod run;
-mod sampling;
 pub mod spec;
 pub mod statistical;
 pub(crate) mod tables;
-mod threshold;
 
-pub(crate) use attribution::attribute;
+pub(crate) use run::layer_metadata;
 pub use run::run as run_compare;
-pub(crate) use run::{differ, layer_metadata, models_of, run_surface};
-pub(crate) use sampling::sampling;
 pub use tables::CurveRow;
 
 use std::path::PathBuf;

@@ -12,15 +12,14 @@ use asperity_framework::contact::{Bodies, LawPlan};
 use asperity_framework::input::Spanned;
 use asperity_framework::input::accept::AcceptSpec;
 use asperity_framework::input::{InputError, SpecFile};
-use asperity_framework::progress::Progress;
 
 use super::lines::lines;
 use super::reference::ReferencePlan;
 use super::reference::plan::{Resolved, reference};
 use super::spec::{CompareSpec, Models};
-use super::statistical::StatisticalModel;
 use crate::layer::{LayerPlan, layer};
 use crate::plausibility;
+use crate::study::{Setup, StatisticalModel};
 use crate::surface::{AnalysisDepth, SurfacePlan, describe, surfaces};
 
 /// Both models on given surfaces.
@@ -63,29 +62,6 @@ pub struct ComparePlan {
     pub implausible: Vec<String>,
     /// The measured file that the command line named: its surface is described in full.
     pub described: Option<PathBuf>,
-}
-
-/// What both models are run with on a surface.
-#[derive(Clone, Copy)]
-pub struct Setup<'a> {
-    /// The laws, each under every thickness of the layer.
-    pub laws: &'a [LawPlan],
-    /// The laws alone.
-    pub law_specs: &'a [ContactLaw],
-    /// The models to run.
-    pub models: &'a [Kind],
-    /// The statistical model.
-    pub statistical: &'a StatisticalModel,
-    /// Whether the gap between the models is divided among its causes.
-    pub is_attributed: bool,
-    /// Whether all statistical models are compared with sum and reference.
-    pub is_ranked: bool,
-    /// What the surface is pressed to.
-    pub controls: &'a Controls,
-    /// The seed of the spec.
-    pub seed: u64,
-    /// Whoever watches.
-    pub progress: &'a dyn Progress,
 }
 
 impl ComparePlan {

@@ -8,7 +8,8 @@ use asperity_framework::input::InputError;
 use asperity_framework::metadata::Timing;
 
 use super::plan::ComparePlan;
-use super::run::{inapplicable, models_of, unreachable_load};
+use super::run::{inapplicable, unreachable_load};
+use crate::study::models_of;
 use crate::surface::{AnalysisDepth, SurfaceFactory, files_of};
 
 /// Refuses a load that a population or a list does not reach, as a run would; of several realisations the first is tried.

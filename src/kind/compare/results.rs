@@ -7,12 +7,10 @@ use asperity::compare::Tolerances;
 use asperity_framework::contact::ContactMetadata;
 use asperity_framework::metadata::Metadata;
 
-use super::answers::{DecreaseResults, RealisationResults, Threshold};
-use super::findings::{Readings, SurfaceFindings};
-use super::ranking::Ranking;
+use super::readings::Readings;
 use super::reference::{ContactView, ElasticCase};
-use super::robustness::Robustness;
 use crate::layer::rule_warning;
+use crate::study::{CaseStudy, DecreaseResults, LawFindings, RealisationFacts, Threshold};
 use crate::surface::{Surface, warnings};
 
 /// Both models on given surfaces.
@@ -61,13 +59,13 @@ pub struct Described {
 impl CompareResults {
     /// Whether the gap between the models is divided among its causes.
     pub fn is_attributed(&self) -> bool {
-        let cases = self.surfaces.iter().flat_map(|found| &found.first.cases);
-        cases.into_iter().any(|case| !case.attribution.is_empty())
+        let mut cases = self.surfaces.iter().flat_map(|surface| &surface.cases);
+        cases.any(|case| !case.first().attribution.is_empty())
     }
 
     /// Warnings about the results, one per line.
     pub fn warnings(&self) -> Vec<String> {
-        let mut lines = warnings(self.surfaces.iter().map(|found| &found.surface));
+        let mut lines = warnings(self.surfaces.iter().map(|results| &results.surface));
         lines.extend(self.implausible.iter().cloned());
         lines.extend(self.contact.caveats.iter().cloned());
         lines.extend(
@@ -85,33 +83,19 @@ impl CompareResults {
 pub struct SurfaceResults {
     /// The first realisation, with its asperities.
     pub surface: Surface,
-    /// Results on the first realisation.
-    pub first: RealisationResults,
-    /// The others: their asperities are not kept.
-    pub others: Vec<RealisationResults>,
+    /// Its realisations, the first first; the asperities of the others are not kept.
+    pub realisations: Vec<RealisationFacts>,
+    /// Every law under every thickness, in file order.
+    pub cases: Vec<CaseStudy>,
+    /// Law by law, in file order.
+    pub laws: Vec<LawFindings>,
     /// Up to which thickness the first takes no notice of the layer, law by law, load by load, model by model.
     pub thresholds: Vec<Threshold>,
     /// Where the sharpest, a mean and the bluntest asperity of the first carry less, or touch on less, as they are
     /// pressed deeper.
     pub decreases: Vec<DecreaseResults>,
-    /// Findings.
-    pub findings: SurfaceFindings,
-    /// The verdicts under other treatments of a measured map; `None` where none were examined.
-    pub robustness: Option<Robustness>,
-    /// The other statistical models, in the order of the cases of the first; empty where none is asked for.
-    pub rankings: Vec<Ranking>,
+    /// The nesting index (m) of the map's own S filter, `None` without one; where other treatments of a measured map were examined.
+    pub own_cut_off: Option<Option<f64>>,
     /// The contact of each solution of the reference at one load, on the first.
     pub contacts: Vec<ContactView>,
-}
-
-impl SurfaceResults {
-    /// Every realisation with its number, from 1.
-    pub fn realisations(&self) -> impl Iterator<Item = (usize, &RealisationResults)> {
-        (1..).zip(std::iter::once(&self.first).chain(&self.others))
-    }
-
-    /// Number of realisations.
-    pub fn count(&self) -> usize {
-        1 + self.others.len()
-    }
 }

@@ -3,8 +3,8 @@
 use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Heading, Row, Table, Value};
 
-use crate::kind::compare::answers::{CaseResults, RealisationResults};
 use crate::kind::compare::results::CompareResults;
+use crate::study::{CaseResults, RealisationFacts};
 
 use asperity::compare::{
     Attribution, Cause, ComparedQuantity, Comparison, CurvePoint, Kind, Pair, ReferencePoint,
@@ -328,14 +328,16 @@ pub(crate) fn comparison_of_models(rows: impl IntoIterator<Item = PairRow>) -> T
     Table::new(rows).without_part(CAUSES).without_part(REFERENCE)
 }
 
-/// Every surface under every law, in file order.
+/// Every case of every realisation of every surface, in file order.
 pub(crate) fn cases(
     results: &CompareResults,
-) -> impl Iterator<Item = (Case, &RealisationResults, &CaseResults)> {
-    results.surfaces.iter().flat_map(|found| {
-        found.realisations().flat_map(move |(number, realisation)| {
-            let case = move |case| (Case::of(&found.surface.name, number, case), realisation, case);
-            realisation.cases.iter().map(case)
+) -> impl Iterator<Item = (Case, &RealisationFacts, &CaseResults)> {
+    results.surfaces.iter().flat_map(|surface| {
+        surface.realisations.iter().enumerate().flat_map(move |(index, realisation)| {
+            surface.cases.iter().map(move |case| {
+                let results = &case.realisations[index];
+                (Case::of(&surface.surface.name, index + 1, results), realisation, results)
+            })
         })
     })
 }

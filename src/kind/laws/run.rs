@@ -2,10 +2,9 @@
 
 use super::plan::LawsPlan;
 use super::results::{LawOnOne, LawsResults, SmallStrainEnd, SurfaceInfluence};
-use crate::kind::compare::answers::RealisationResults;
-use crate::kind::compare::findings::CaseFindings;
 use crate::kind::compare::results::SurfaceResults;
 use crate::kind::compare::run_compare;
+use crate::study::CaseStudy;
 use asperity::compare::{Difference, Dominance, Influence, Measure, UnderLaw};
 use asperity::sphere::{Curve, boundaries};
 use asperity::work::{CountedContact, Counter};
@@ -18,8 +17,9 @@ pub(super) fn run(context: &RunContext, laws_plan: &LawsPlan) -> Result<LawsResu
     let mut compare = run_compare(context, &laws_plan.compare, &counter)?;
     let mut influences = Vec::new();
     for found in &compare.surfaces {
-        influences.extend(found.realisations().map(|(realisation, answered)| {
-            let influence = influence(&laws_plan.compare.laws, found, answered);
+        influences.extend((0..found.realisations.len()).map(|index| {
+            let realisation = index + 1;
+            let influence = influence(&laws_plan.compare.laws, found, index);
             let by = |measure| Dominance::of(&influence, measure);
             let dominances = Measure::ALL.into_iter().filter_map(by).collect();
             SurfaceInfluence { surface: found.surface.name.clone(), realisation, influence, dominances }
@@ -55,17 +55,17 @@ fn on_one(plan: &LawsPlan, law: &LawPlan, counter: &Counter) -> LawOnOne {
 
 /// Of one realisation of a surface. Its sampling errors are those of the verdicts, which are of the mean over all
 /// realisations.
-fn influence(laws: &[LawPlan], found: &SurfaceResults, answered: &RealisationResults) -> Influence {
-    let of_one = (found.count() as f64).sqrt();
-    let of_case = |case: &CaseFindings| {
+fn influence(laws: &[LawPlan], found: &SurfaceResults, realisation: usize) -> Influence {
+    let of_one = (found.realisations.len() as f64).sqrt();
+    let of_case = |case: &CaseStudy| {
         let mut differences = case.verdicts.differences.clone();
         for estimate in differences.iter_mut().flat_map(|at| &mut at.estimates).flatten() {
             estimate.error = estimate.error.map(|error| of_one * error);
         }
         differences
     };
-    let differences: Vec<Vec<Difference>> = found.findings.cases.iter().map(of_case).collect();
-    let cases = answered.cases.iter().zip(&differences);
+    let differences: Vec<Vec<Difference>> = found.cases.iter().map(of_case).collect();
+    let cases = found.cases.iter().map(|case| &case.realisations[realisation]).zip(&differences);
     let under = laws.iter().zip(cases).map(|(law, (case, differences))| UnderLaw {
         law: &case.law,
         is_elastic_plastic: law.spec.has_ranges(),

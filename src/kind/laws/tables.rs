@@ -1,6 +1,6 @@
 //! The tables of several laws, besides those of a comparison.
 
-use crate::kind::compare::differences::{self, DifferenceRow};
+use crate::kind::compare::rows::differences::{self, DifferenceRow};
 use crate::kind::compare::tables::{self, CurveRow, PairRow, limits};
 use crate::kind::laws::results::{LawsResults, SurfaceInfluence};
 use asperity::compare::{AtLoad, Group, Kind, Measure};

@@ -17,9 +17,8 @@ use super::plan::IntervalPlan;
 use super::quantity::Quantity;
 use super::results::{BlocksLeftOut, Found, IntervalResults, Scale, Series, SurfaceResults, Variation};
 use super::trend::{Point, Trend};
-use crate::kind::compare::plan::Setup;
-use crate::kind::compare::{attribute, differ, models_of, run_surface, sampling};
 use crate::plausibility;
+use crate::study::{Setup, StudyError, study};
 use crate::surface::{AnalysisDepth, Independence, MapFacts, Surface, SurfaceFactory, files_of};
 use asperity::compare::Accepted;
 
@@ -134,14 +133,12 @@ impl Varied<'_> {
 
     /// Both models on one variant.
     fn compared(&self, surface: &Surface) -> Result<Found, String> {
-        let mut timing = Timing::default();
-        let setup = self.setup;
-        let models = models_of(setup, surface, &mut timing).map_err(|error| error.to_string())?;
-        let answered = run_surface(setup, surface, &models, self.counter, &mut timing);
-        let mut cases = answered.map_err(|(_, error)| error.to_string())?.cases;
-        let samplings = sampling(setup, surface, &models, &cases);
-        differ(&mut cases, &samplings, setup.laws, &models);
-        attribute(setup, surface, &models, &mut cases, true);
+        let (realisation, samplings) =
+            study(self.setup, surface, true, self.counter).map_err(|error| match error {
+                StudyError::Inapplicable(error) => error.to_string(),
+                StudyError::NotReached(_, error) => error.to_string(),
+            })?;
+        let mut cases = realisation.cases;
         let case = cases.swap_remove(0);
         let at_load = |&load: &f64| {
             let is_there = |pair: &&Pair| pair.pairing == Pairing::Load && pair.target == load;

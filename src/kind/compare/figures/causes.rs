@@ -6,8 +6,8 @@ use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
 use super::axes::Units;
 use super::differences::{MARGIN, invalid, megapascals};
-use crate::kind::compare::findings::Verdicts;
 use crate::kind::compare::outline::name;
+use crate::study::Verdicts;
 
 /// The quantities that are divided on the page.
 const QUANTITIES: [ComparedQuantity; 2] = [ComparedQuantity::Separation, ComparedQuantity::Area];

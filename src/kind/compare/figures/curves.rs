@@ -2,7 +2,7 @@
 
 use super::axes::Units;
 use super::differences::invalid;
-use crate::kind::compare::answers::CaseResults;
+use crate::study::CaseResults;
 use asperity::compare::{Comparison, CurvePoint, Kind, Pair, Pairing, ReferencePoint, ValidRange};
 use asperity::{INTERACTION, Limit, Regime};
 use asperity_framework::report::format::capitalised;

@@ -6,8 +6,8 @@ use asperity_framework::report::format::capitalised;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
 use super::axes::Units;
-use crate::kind::compare::findings::Verdicts;
 use crate::kind::compare::outline::name;
+use crate::study::Verdicts;
 
 /// The quantities in the order of their panels.
 const PANELS: [ComparedQuantity; 3] =

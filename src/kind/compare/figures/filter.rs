@@ -4,40 +4,36 @@ use asperity::compare::{ComparedQuantity, Difference};
 use asperity_framework::report::format::{capitalised, input_quantity};
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
-use crate::kind::compare::findings::Verdicts;
 use crate::kind::compare::outline::name;
 use crate::kind::compare::results::SurfaceResults;
-use crate::kind::compare::robustness::{Robustness, Treatment};
+use crate::study::{CaseStudy, Treatment};
 
 /// How much of the axis is shown at least, in accepted differences.
 const VIEW: f64 = 1.5;
 
 /// Differences of area and separation against the nesting index; `None` where fewer than two filters gave an answer.
-pub fn against_filter(
-    robustness: &Robustness,
-    verdicts: &Verdicts,
-    index: usize,
-    found: &SurfaceResults,
-) -> Option<Figure> {
-    let map = found.surface.map.as_ref()?;
+pub fn against_filter(case: &CaseStudy, surface: &SurfaceResults) -> Option<Figure> {
+    let own_cut_off = surface.own_cut_off?;
+    let verdicts = &case.verdicts;
+    let map = surface.surface.map.as_ref()?;
     let pixel = 1e6 * map.pixel[0].max(map.pixel[1]);
-    let mut filtered: Vec<(f64, &[Difference])> = robustness
+    let mut filtered: Vec<(f64, &[Difference])> = case
         .treated
         .iter()
         .filter_map(|one| match one.treatment {
-            Treatment::ShortWaves(s) => Some((s.map_or(pixel, |s| 1e6 * s), one.differences(index))),
+            Treatment::ShortWaves(s) => Some((s.map_or(pixel, |s| 1e6 * s), &one.differences[..])),
             _ => None,
         })
         .filter(|(_, differences)| !differences.is_empty())
         .collect();
-    let has_none = robustness.own_cut_off.is_none()
-        || robustness.treated.iter().any(|one| one.treatment == Treatment::ShortWaves(None));
-    filtered.push((robustness.own_cut_off.map_or(pixel, |s| 1e6 * s), &verdicts.differences));
+    let has_none =
+        own_cut_off.is_none() || case.treated.iter().any(|one| one.treatment == Treatment::ShortWaves(None));
+    filtered.push((own_cut_off.map_or(pixel, |s| 1e6 * s), &verdicts.differences));
     filtered.sort_by(|a, b| a.0.total_cmp(&b.0));
     if filtered.len() < 2 {
         return None;
     }
-    let examined = robustness.loads(index);
+    let examined = case.treated_loads();
     if examined.is_empty() {
         return None;
     }
@@ -91,6 +87,6 @@ pub fn against_filter(
         plot
     });
     let title =
-        format!("{}: statistical − deterministic model at equal load, by S filter", found.surface.name);
+        format!("{}: statistical − deterministic model at equal load, by S filter", surface.surface.name);
     Some(Figure::row(title.clone(), plots.collect()).headed(title))
 }

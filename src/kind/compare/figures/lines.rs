@@ -5,8 +5,8 @@ use asperity::compare::{Kind, ReferencePoint};
 use asperity_plot::{Colour, Dash, Layer, Marker};
 
 use super::curves::curve;
-use crate::kind::compare::answers::CaseResults;
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
+use crate::study::CaseResults;
 
 /// What the lines of one surface are computed from.
 pub(crate) struct Rough {

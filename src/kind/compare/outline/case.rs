@@ -12,18 +12,18 @@ use crate::kind::compare::figures::axes::Units;
 use crate::kind::compare::figures::curves::{self, Setting};
 use crate::kind::compare::figures::{causes, contact, differences as figure, filter, lines};
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
-use crate::kind::compare::rows::{LineRow, RobustnessRow, SpreadRow, StudiedCase, is_single};
+use crate::kind::compare::rows::{LineRow, RobustnessRow, SpreadRow, SurfaceCase, is_single};
 use crate::kind::compare::tables::PairRow;
 
 /// Loads per decade in tables.
 const PER_DECADE: f64 = 2.0;
 
-impl StudiedCase<'_> {
+impl SurfaceCase<'_> {
     /// The surface, with law and layer where there are several.
     pub(super) fn name(&self, results: &CompareResults) -> String {
-        let layer = results.contact.layer.as_ref().zip(self.first.thickness);
+        let layer = results.contact.layer.as_ref().zip(self.first().thickness);
         let layer = layer.map_or_else(String::new, |(layer, t)| format!(", {}", super::under(layer, t)));
-        format!("{}{layer}", subject(results, self.surface, &self.first.law))
+        format!("{}{layer}", subject(results, self.surface, &self.first().law))
     }
 
     /// The rows of a table that belong to it.
@@ -34,19 +34,19 @@ impl StudiedCase<'_> {
 }
 
 /// The answer in a sentence or two.
-pub fn answer(case: StudiedCase) -> String {
-    let verdicts = &case.findings.verdicts;
+pub fn answer(case: SurfaceCase) -> String {
+    let verdicts = case.verdicts();
     if !verdicts.differences.is_empty() {
         return lead::answer(verdicts, &case.surface.surface);
     }
-    let comparison = &case.first.comparison;
+    let comparison = &case.first().comparison;
     if comparison.curves.is_empty() {
         return of_reference_alone(case);
     }
     if comparison.pairs.is_empty() {
         return "One model was run, so that no models are compared.".to_owned();
     }
-    if case.surface.others.is_empty() {
+    if case.surface.realisations.len() == 1 {
         return "Both models are in contact at none of the separations, so that they are not compared at equal load.".to_owned();
     }
     "The realisations have no load in common, so that the models are not compared at equal load; add `pressure` or `force` to the spec."
@@ -54,8 +54,8 @@ pub fn answer(case: StudiedCase) -> String {
 }
 
 /// The area at the lowest and the highest load, where only the reference was run.
-fn of_reference_alone(case: StudiedCase) -> String {
-    let points = || case.first.reference.iter().flat_map(|curve| &curve.points);
+fn of_reference_alone(case: SurfaceCase) -> String {
+    let points = || case.first().reference.iter().flat_map(|curve| &curve.points);
     let lowest = points().min_by(|a, b| a.pressure.total_cmp(&b.pressure));
     let highest = points().max_by(|a, b| a.pressure.total_cmp(&b.pressure));
     let (Some(lowest), Some(highest)) = (lowest, highest) else { return "No load was solved.".to_owned() };
@@ -77,15 +77,15 @@ fn of_reference_alone(case: StudiedCase) -> String {
 }
 
 /// The figure behind the verdicts; nothing of one load, and where no models are compared.
-pub fn differences(page: &mut Page, results: &CompareResults, case: StudiedCase) {
-    let verdicts = &case.findings.verdicts;
-    if is_single(case.first) || verdicts.differences.is_empty() {
+pub fn differences(page: &mut Page, results: &CompareResults, case: SurfaceCase) {
+    let verdicts = case.verdicts();
+    if is_single(case.first()) || verdicts.differences.is_empty() {
         return;
     }
     let name = case.name(results);
     let units = Units::of(results, case.surface);
     page.figure(
-        &format!("{}-differences.svg", stem(case.surface, &case.first.law)),
+        &format!("{}-differences.svg", stem(case.surface, &case.first().law)),
         figure::differences(&name, verdicts, &units),
         &format!(
             "{name}: statistical minus deterministic model at equal load, with 95 % intervals. Green: accepted; grey: loads that are \
@@ -95,9 +95,9 @@ pub fn differences(page: &mut Page, results: &CompareResults, case: StudiedCase)
 }
 
 /// Why the models differ, how sure the verdicts are, and the curves, folded.
-pub fn section(page: &mut Page, results: &CompareResults, tables: &Tables, case: StudiedCase) {
+pub fn section(page: &mut Page, results: &CompareResults, tables: &Tables, case: SurfaceCase) {
     let name = case.name(results);
-    let stem = stem(case.surface, &case.first.law);
+    let stem = stem(case.surface, &case.first().law);
     let units = Units::of(results, case.surface);
     page.details(2, &format!("{name}: why do the models differ?"), |page| {
         why(page, tables, case, &stem, &units);
@@ -106,7 +106,7 @@ pub fn section(page: &mut Page, results: &CompareResults, tables: &Tables, case:
         robustness(page, tables, case, &stem);
     });
     page.details(2, &format!("{name}: curves and tables"), |page| {
-        if StudiedCase::all(results).count() > 1 {
+        if SurfaceCase::all(results).count() > 1 {
             differences(page, results, case);
         }
         curves(page, results, case, &name, &stem);
@@ -128,21 +128,21 @@ pub fn section(page: &mut Page, results: &CompareResults, tables: &Tables, case:
 }
 
 /// Pairs at equal load of the first realisation.
-fn by_load<'t>(tables: &'t Tables, case: StudiedCase) -> View<'t> {
+fn by_load<'t>(tables: &'t Tables, case: SurfaceCase) -> View<'t> {
     let pairs = case.of(tables.view::<PairRow>()).only("realisation", 1usize).only("pairing", "load");
     pairs.each_decade("target", PER_DECADE).label("target", "nominal pressure").unit("target", "Pa", "M")
 }
 
-fn why(page: &mut Page, tables: &Tables, case: StudiedCase, stem: &str, units: &Units) {
-    let verdicts = &case.findings.verdicts;
-    if let Some(reason) = case.surface.first.model.undivided() {
+fn why(page: &mut Page, tables: &Tables, case: SurfaceCase, stem: &str, units: &Units) {
+    let verdicts = case.verdicts();
+    if let Some(reason) = case.surface.realisations[0].model.undivided() {
         page.paragraph(&format!("The differences are not divided among their causes: {reason}."));
         return;
     }
     if verdicts.attribution.is_empty() {
         return;
     }
-    if !is_single(case.first) {
+    if !is_single(case.first()) {
         page.figure(
             &format!("{stem}-causes.svg"),
             causes::figure(verdicts, units, "Contributions of the causes to the difference between the models"),
@@ -162,13 +162,11 @@ fn why(page: &mut Page, tables: &Tables, case: StudiedCase, stem: &str, units: &
     page.note(include_str!("notes/causes.md"));
 }
 
-fn robustness(page: &mut Page, tables: &Tables, case: StudiedCase, stem: &str) {
-    let Some(robustness) = &case.surface.robustness else { return };
-    let loads = robustness.loads(case.index);
+fn robustness(page: &mut Page, tables: &Tables, case: SurfaceCase, stem: &str) {
+    let loads = case.case.treated_loads();
     let Some(&load) = loads.get(loads.len() / 2) else { return };
-    if !is_single(case.first) {
-        let verdicts = &case.findings.verdicts;
-        if let Some(figure) = filter::against_filter(robustness, verdicts, case.index, case.surface) {
+    if !is_single(case.first()) {
+        if let Some(figure) = filter::against_filter(case.case, case.surface) {
             page.figure(
                 &format!("{stem}-filter.svg"),
                 figure,
@@ -196,16 +194,17 @@ fn robustness(page: &mut Page, tables: &Tables, case: StudiedCase, stem: &str) {
 }
 
 /// The figures of the curves over load.
-fn curves(page: &mut Page, results: &CompareResults, case: StudiedCase, name: &str, stem: &str) {
-    if is_single(case.first) {
+fn curves(page: &mut Page, results: &CompareResults, case: SurfaceCase, name: &str, stem: &str) {
+    if is_single(case.first()) {
         return;
     }
     let surface = case.surface;
-    let others: Vec<&Comparison> = case.realisations().skip(1).map(|other| &other.comparison).collect();
-    let verdicts = &case.findings.verdicts;
+    let others: Vec<&Comparison> =
+        case.case.realisations.iter().skip(1).map(|other| &other.comparison).collect();
+    let verdicts = case.verdicts();
     let units = Units::of(results, surface);
-    let setting = Setting { name, case: case.first, valid: &verdicts.valid, units, finding: "" };
-    let [beside_separation, beside_area] = lines::layers(results, surface, case.first);
+    let setting = Setting { name, case: case.first(), valid: &verdicts.valid, units, finding: "" };
+    let [beside_separation, beside_area] = lines::layers(results, surface, case.first());
     let file = |figure: &str| format!("{stem}-{figure}.svg");
     page.figure(
         &file("separation"),
@@ -217,7 +216,7 @@ fn curves(page: &mut Page, results: &CompareResults, case: StudiedCase, name: &s
         curves::area(&setting, beside_area),
         "Real contact area against load; bands and grey as above.",
     );
-    if let Some(figure) = curves::regimes(&setting).filter(|_| !case.first.comparison.curves.is_empty()) {
+    if let Some(figure) = curves::regimes(&setting).filter(|_| !case.first().comparison.curves.is_empty()) {
         page.figure(&file("regimes"), figure, "Share of the load by contact regime, by model.");
     }
 }

@@ -7,7 +7,7 @@ use asperity_framework::report::format::{
 };
 
 use super::name;
-use crate::kind::compare::findings::{Basis, Verdicts};
+use crate::study::{Basis, Verdicts};
 use crate::surface::{Surface, fitness};
 
 /// The order in which quantities are spoken of.

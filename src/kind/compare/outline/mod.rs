@@ -29,9 +29,9 @@ use asperity_framework::report::table::{Table, Tables};
 use serde_json::{Map, Value, json};
 
 use super::figures::differences;
-use super::findings::Verdicts;
 use super::results::{CompareResults, SurfaceResults};
-use super::rows::{RuleRow, StudiedCase, tables};
+use super::rows::{RuleRow, SurfaceCase, tables};
+use crate::study::Verdicts;
 use crate::surface::fitness::fitness_summary;
 use crate::surface::{PopulationSummary, RealisationSummary, SurfaceSummary, section};
 
@@ -63,11 +63,11 @@ impl Outcome for CompareResults {
             page.details(2, &format!("{}: by layer thickness", series.subject), |page| series.figures(page));
         }
         if series.is_empty() {
-            StudiedCase::all(self).for_each(|case| case::section(&mut page, self, tables, case));
+            SurfaceCase::all(self).for_each(|case| case::section(&mut page, self, tables, case));
         }
         for surface in &self.surfaces {
             page.heading(2, &format!("Surface {}", surface.surface.name));
-            section::section(&mut page, &surface.surface, Some(&surface.first.population));
+            section::section(&mut page, &surface.surface, Some(&surface.realisations[0].population));
             case::contacts(&mut page, self, surface);
         }
         sections::readings(&mut page, tables);
@@ -115,9 +115,9 @@ impl Outcome for CompareResults {
     fn terminal(&self) -> Option<String> {
         self.described.as_ref()?;
         let text = |surface: &SurfaceResults| {
-            let answers: String = StudiedCase::of_surface(surface)
+            let answers: String = SurfaceCase::on_surface(surface)
                 .map(|case| {
-                    format!("\n{}: {}\n", subject(self, surface, &case.first.law), case::answer(case))
+                    format!("\n{}: {}\n", subject(self, surface, &case.first().law), case::answer(case))
                 })
                 .collect();
             format!("\n{}{}", section::for_terminal(&surface.surface), answers).trim_end().to_owned()
@@ -128,15 +128,14 @@ impl Outcome for CompareResults {
 
 /// The answer: of one case by itself, of several counted.
 fn answer(results: &CompareResults) -> String {
-    let cases: Vec<StudiedCase> = StudiedCase::all(results).collect();
-    let compared = |case: &&StudiedCase| !case.findings.verdicts.differences.is_empty();
-    let verdicts: Vec<&Verdicts> =
-        cases.iter().filter(compared).map(|case| &case.findings.verdicts).collect();
+    let cases: Vec<SurfaceCase> = SurfaceCase::all(results).collect();
+    let compared = |case: &&SurfaceCase| !case.verdicts().differences.is_empty();
+    let verdicts: Vec<&Verdicts> = cases.iter().filter(compared).map(|case| case.verdicts()).collect();
     match (&cases[..], verdicts.len()) {
         ([only], _) => case::answer(*only),
         (_, 0) => {
             let each = cases.iter().map(|case| {
-                let name = subject(results, case.surface, &case.first.law);
+                let name = subject(results, case.surface, &case.first().law);
                 format!("{name}: {}", case::answer(*case))
             });
             each.collect::<Vec<_>>().join(" ")
@@ -147,7 +146,7 @@ fn answer(results: &CompareResults) -> String {
 
 /// The differences behind the verdicts: of one case with intervals, of several cases together.
 fn main_figure(page: &mut Page, results: &CompareResults, series: &[Series]) {
-    let cases: Vec<StudiedCase> = StudiedCase::all(results).collect();
+    let cases: Vec<SurfaceCase> = SurfaceCase::all(results).collect();
     if let [only] = &cases[..] {
         return case::differences(page, results, *only);
     }
@@ -160,8 +159,8 @@ fn main_figure(page: &mut Page, results: &CompareResults, series: &[Series]) {
         }
     };
     if series.is_empty() {
-        if !cases.iter().all(|case| super::rows::is_single(case.first)) {
-            let named = cases.iter().map(|case| (case.name(results), &case.findings.verdicts));
+        if !cases.iter().all(|case| super::rows::is_single(case.first())) {
+            let named = cases.iter().map(|case| (case.name(results), case.verdicts()));
             draw("verdicts.svg", "", &named.collect::<Vec<_>>());
         }
         return;
@@ -174,21 +173,22 @@ fn main_figure(page: &mut Page, results: &CompareResults, series: &[Series]) {
 
 /// A surface under both models.
 fn summary(surface: &SurfaceResults) -> SurfaceSummary<'_> {
-    let several = !surface.others.is_empty();
-    let realisations = surface.realisations().filter(|_| several).map(|(number, answered)| {
+    let several = surface.realisations.len() > 1;
+    let realisations = surface.realisations.iter().zip(1..).filter(|_| several).map(|(facts, number)| {
         RealisationSummary::new(
             number,
-            answered.asperities,
-            answered.nominal_area,
-            &answered.statistics,
-            answered.moments,
+            facts.asperities,
+            facts.nominal_area,
+            &facts.statistics,
+            facts.moments,
         )
     });
     let mut summary = crate::surface::summary(&surface.surface);
-    summary.plasticity_index = surface.first.cases.first().and_then(|case| case.plasticity_index);
+    summary.plasticity_index = surface.cases.first().and_then(|case| case.first().plasticity_index);
     // A joint density is named in the spec.
-    let is_separate = surface.first.model.joint.is_none();
-    summary.statistical_model = is_separate.then(|| PopulationSummary::from(&surface.first.population));
+    let is_separate = surface.realisations[0].model.joint.is_none();
+    summary.statistical_model =
+        is_separate.then(|| PopulationSummary::from(&surface.realisations[0].population));
     summary.realisations = realisations.collect();
     summary
 }

@@ -17,7 +17,7 @@ pub fn name(compared: ComparedQuantity) -> &'static str {
 
 /// The surface, and the law where there are several.
 pub fn subject(results: &CompareResults, surface: &SurfaceResults, law: &str) -> String {
-    let has_one_law = results.surfaces.iter().all(|surface| surface.findings.laws.len() == 1);
+    let has_one_law = results.surfaces.iter().all(|surface| surface.laws.len() == 1);
     let name = &surface.surface.name;
     if has_one_law { name.clone() } else { format!("{name}, law {law}") }
 }
@@ -25,7 +25,7 @@ pub fn subject(results: &CompareResults, surface: &SurfaceResults, law: &str) ->
 /// The same as the beginning of a file's name.
 pub fn stem(surface: &SurfaceResults, law: &str) -> String {
     let name = &surface.surface.name;
-    if surface.findings.laws.len() == 1 { name.clone() } else { format!("{name}-{}", slug(law)) }
+    if surface.laws.len() == 1 { name.clone() } else { format!("{name}-{}", slug(law)) }
 }
 
 /// A law's label as part of a file name.

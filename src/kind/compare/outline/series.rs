@@ -6,12 +6,11 @@ use asperity_framework::report::format::thickness;
 use asperity_framework::report::page::Page;
 
 use super::{stem, subject};
-use crate::kind::compare::answers::CaseResults;
 use crate::kind::compare::figures::axes::Units;
 use crate::kind::compare::figures::layers;
-use crate::kind::compare::findings::{LawFindings, LayerFindings, Verdicts};
+use crate::study::{CaseResults, CaseStudy, LawFindings, LayerFindings, Verdicts};
+
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
-use crate::kind::compare::rows::StudiedCase;
 
 /// One surface under one law: a case for each thickness.
 pub struct Series<'a> {
@@ -28,21 +27,21 @@ impl<'a> Series<'a> {
     /// Every surface under every law with several thicknesses.
     pub fn all(results: &'a CompareResults) -> Vec<Self> {
         let laws = |surface: &'a SurfaceResults| {
-            surface.findings.laws.iter().filter_map(move |law| Self::new(results, surface, law))
+            surface.laws.iter().filter_map(move |law| Self::new(results, surface, law))
         };
         results.surfaces.iter().flat_map(laws).filter(|series| series.cases.len() > 1).collect()
     }
 
     fn new(results: &'a CompareResults, surface: &'a SurfaceResults, law: &'a LawFindings) -> Option<Self> {
-        let cases = || StudiedCase::of_surface(surface).filter(|case| case.first.law == law.law);
+        let cases = || surface.cases.iter().filter(|case| case.first().law == law.law);
         Some(Self {
             findings: law.layer.as_ref()?,
             subject: subject(results, surface, &law.law),
             stem: stem(surface, &law.law),
-            cases: cases().map(|case| case.first).collect(),
+            cases: cases().map(CaseStudy::first).collect(),
             modulus: results.contact.reduced_modulus,
             units: Units::of(results, surface),
-            verdicts: cases().map(|case| &case.findings.verdicts).collect(),
+            verdicts: cases().map(|case| &case.verdicts).collect(),
         })
     }
 

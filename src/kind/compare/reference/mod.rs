@@ -11,7 +11,6 @@
 pub mod plan;
 mod run;
 mod spec;
-pub(crate) mod tables;
 mod view;
 
 pub use plan::{ElasticCase, ReferencePlan};

@@ -17,9 +17,9 @@ use asperity_framework::metadata::Timing;
 
 use super::plan::{ReferencePlan, Solution, spread_over};
 use super::view::{ContactView, SumAtLoad};
-use crate::kind::compare::answers::CaseResults;
 use crate::kind::compare::plan::ComparePlan;
 use crate::layer::thickness_words;
+use crate::study::CaseResults;
 use crate::surface::{Independence, PreparedMap, Surface, SurfacePlan};
 
 /// A surface whose prepared map is solved.

@@ -5,7 +5,7 @@ use asperity::compare::Kind;
 
 use super::plan::Solution;
 use super::run::ReferenceRun;
-use crate::kind::compare::answers::CaseResults;
+use crate::study::CaseResults;
 
 /// The contact at the load whose contact area is nearest to 2 %.
 #[derive(Debug)]

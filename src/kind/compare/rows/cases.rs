@@ -5,10 +5,10 @@ use asperity::compare::PointCounts;
 use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row};
 
-use super::{CaseKey, StudiedCase, case_columns};
-use crate::kind::compare::findings::{Basis, Verdicts};
+use super::{CaseKey, SurfaceCase, case_columns};
 use crate::kind::compare::results::CompareResults;
 use crate::kind::compare::tables::limits;
+use crate::study::{Basis, Verdicts};
 
 /// One surface under one law and thickness.
 pub(crate) struct CaseRow<'a> {
@@ -71,10 +71,10 @@ impl Row for CaseRow<'_> {
 
 /// The rows.
 pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = CaseRow<'_>> {
-    StudiedCase::all(results).map(|case| CaseRow {
+    SurfaceCase::all(results).map(|case| CaseRow {
         key: case.key(),
-        verdicts: &case.findings.verdicts,
-        plasticity_index: case.first.plasticity_index,
-        counts: PointCounts::of(&case.first.comparison),
+        verdicts: case.verdicts(),
+        plasticity_index: case.first().plasticity_index,
+        counts: PointCounts::of(&case.first().comparison),
     })
 }

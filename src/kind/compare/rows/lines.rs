@@ -5,7 +5,7 @@ use asperity::compare::of_each_decade;
 use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row};
 
-use super::{CaseKey, StudiedCase, case_columns};
+use super::{CaseKey, SurfaceCase, case_columns};
 use crate::kind::compare::figures::curves::curve;
 use crate::kind::compare::figures::lines::{KINDS, Rough, loads};
 use crate::kind::compare::results::CompareResults;
@@ -41,18 +41,18 @@ impl Row for LineRow<'_> {
 
 /// The rows.
 pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = LineRow<'_>> {
-    StudiedCase::all(results).flat_map(|case| of_case(results, case))
+    SurfaceCase::all(results).flat_map(|case| of_case(results, case))
 }
 
-fn of_case<'a>(results: &'a CompareResults, case: StudiedCase<'a>) -> Vec<LineRow<'a>> {
+fn of_case<'a>(results: &'a CompareResults, case: SurfaceCase<'a>) -> Vec<LineRow<'a>> {
     /// Loads per decade.
     const PER_DECADE: f64 = 2.0;
     let Some(rough) = Rough::of(results, case.surface).filter(|_| !results.lines.is_empty()) else {
         return Vec::new();
     };
-    let loads = match &case.first.reference {
-        Some(_) => loads(case.first),
-        None => of_each_decade(loads(case.first), |&load| load, PER_DECADE),
+    let loads = match &case.first().reference {
+        Some(_) => loads(case.first()),
+        None => of_each_decade(loads(case.first()), |&load| load, PER_DECADE),
     };
     let row = |line: AnalyticalLine, model, pressure, area_ratio, separation| LineRow {
         key: case.key(),
@@ -72,7 +72,7 @@ fn of_case<'a>(results: &'a CompareResults, case: StudiedCase<'a>) -> Vec<LineRo
         }
         for kind in KINDS {
             let points = of_each_decade(
-                curve(&case.first.comparison, kind),
+                curve(&case.first().comparison, kind),
                 |point| point.response.pressure.total(),
                 PER_DECADE,
             );
@@ -82,7 +82,7 @@ fn of_case<'a>(results: &'a CompareResults, case: StudiedCase<'a>) -> Vec<LineRo
                 row(line, Some(kind.name()), pressure, None, Some(separation))
             }));
         }
-        let points = case.first.reference.iter().flat_map(|curve| &curve.points);
+        let points = case.first().reference.iter().flat_map(|curve| &curve.points);
         rows.extend(points.filter_map(|point| {
             Some(row(line, Some(REFERENCE), point.pressure, None, Some(rough.undeformed(point)?)))
         }));

@@ -1,10 +1,14 @@
 //! The tables of a comparison besides curves and pairs: a type of rows in each file.
 
+mod attribution;
 mod cases;
+pub(crate) mod differences;
 mod layer;
 mod lines;
 mod nearer;
+mod ranking;
 mod readings;
+mod reference;
 mod results;
 mod robustness;
 mod spread;
@@ -25,62 +29,48 @@ pub(crate) use verdicts::VerdictRow;
 use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Schema, Table};
 
-use super::answers::CaseResults;
-use super::attribution::tables::AttributionRow;
-use super::differences::DifferenceRow;
-use super::findings::CaseFindings;
-use super::ranking::Ranking;
-use super::ranking::tables::RankingRow;
-use super::reference::tables::ReferenceRow;
 use super::results::{CompareResults, SurfaceResults};
-use super::robustness::Dependence;
 use super::tables::{CAUSES, CurveRow, PairRow, REFERENCE};
+use crate::study::{CaseResults, CaseStudy, Verdicts};
+use attribution::AttributionRow;
+use differences::DifferenceRow;
+use ranking::RankingRow;
+use reference::ReferenceRow;
 
-/// One surface under one law and layer thickness, with all that is known of it.
+/// A case with its surface.
 #[derive(Clone, Copy)]
-pub(crate) struct StudiedCase<'a> {
+pub(crate) struct SurfaceCase<'a> {
     /// Its surface.
     pub(crate) surface: &'a SurfaceResults,
-    /// Its place among the cases of the surface.
-    pub(crate) index: usize,
-    /// Results on the first realisation.
-    pub(crate) first: &'a CaseResults,
-    /// Findings over all realisations.
-    pub(crate) findings: &'a CaseFindings,
+    /// What is known of it.
+    pub(crate) case: &'a CaseStudy,
 }
 
-impl<'a> StudiedCase<'a> {
+impl<'a> SurfaceCase<'a> {
     /// All cases, surface by surface.
     pub(crate) fn all(results: &'a CompareResults) -> impl Iterator<Item = Self> + Clone {
-        results.surfaces.iter().flat_map(Self::of_surface)
+        results.surfaces.iter().flat_map(Self::on_surface)
     }
 
     /// The cases of one surface.
-    pub(crate) fn of_surface(surface: &'a SurfaceResults) -> impl Iterator<Item = Self> + Clone {
-        let cases = surface.first.cases.iter().zip(&surface.findings.cases).enumerate();
-        cases.map(move |(index, (first, findings))| Self { surface, index, first, findings })
+    pub(crate) fn on_surface(surface: &'a SurfaceResults) -> impl Iterator<Item = Self> + Clone {
+        surface.cases.iter().map(move |case| Self { surface, case })
     }
 
-    /// The same case on every realisation.
-    pub(crate) fn realisations(&self) -> impl Iterator<Item = &'a CaseResults> + use<'a> {
-        let index = self.index;
-        self.surface.realisations().map(move |(_, realisation)| &realisation.cases[index])
+    /// Results on the first realisation.
+    pub(crate) fn first(&self) -> &'a CaseResults {
+        self.case.first()
     }
 
-    /// The other statistical models, where they were ranked.
-    pub(crate) fn ranking(&self) -> Option<&'a Ranking> {
-        self.surface.rankings.get(self.index).filter(|ranking| !ranking.models.is_empty())
-    }
-
-    /// The choices in the analysis of the map that decide a verdict.
-    pub(crate) fn dependences(&self) -> &'a [Dependence] {
-        let robustness = self.surface.robustness.as_ref();
-        robustness.and_then(|robustness| robustness.dependences.get(self.index)).map_or(&[], Vec::as_slice)
+    /// Whether the statistical model may be used.
+    pub(crate) fn verdicts(&self) -> &'a Verdicts {
+        &self.case.verdicts
     }
 
     /// What it is called in tables.
     pub(crate) fn key(&self) -> CaseKey<'a> {
-        CaseKey { surface: &self.surface.surface.name, law: &self.first.law, thickness: self.first.thickness }
+        let CaseResults { law, thickness, .. } = self.first();
+        CaseKey { surface: &self.surface.surface.name, law, thickness: *thickness }
     }
 }
 
@@ -142,15 +132,15 @@ pub(crate) fn tables(results: &CompareResults) -> Vec<Table> {
         Table::new(super::tables::curves(results)),
         pairs,
         Table::new(results::gaps(results)),
-        Table::new(super::differences::rows(results)),
+        Table::new(differences::rows(results)),
     ];
     let optional = [
         Table::new(results::rows(results)),
         Table::new(spread::rows(results)),
-        Table::new(super::attribution::tables::rows(results)),
-        Table::new(super::ranking::tables::rows(results)),
+        Table::new(attribution::rows(results)),
+        Table::new(ranking::rows(results)),
         Table::new(standings::rows(results)),
-        Table::new(super::reference::tables::rows(results)),
+        Table::new(reference::rows(results)),
         Table::new(nearer::curves(results)),
         Table::new(nearer::rows(results)),
         Table::new(robustness::rows(results)),

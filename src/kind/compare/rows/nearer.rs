@@ -4,7 +4,7 @@ use asperity::compare::{Kind, NearerStretch, ReferenceCurve};
 use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row};
 
-use super::{CaseKey, StudiedCase, case_columns};
+use super::{CaseKey, SurfaceCase, case_columns};
 use crate::kind::compare::results::CompareResults;
 
 /// The reference on one surface under one law and thickness, over all realisations.
@@ -54,8 +54,9 @@ impl Row for ReferenceCurveRow<'_> {
 /// The rows of what was solved.
 pub(super) fn curves(results: &CompareResults) -> impl Iterator<Item = ReferenceCurveRow<'_>> {
     let refine = results.reference.as_ref().map_or(1, |reference| reference.refine);
-    StudiedCase::all(results).filter(|case| case.first.reference.is_some()).map(move |case| {
-        let curves = case.realisations().filter_map(|realisation| realisation.reference.as_ref()).collect();
+    SurfaceCase::all(results).filter(|case| case.first().reference.is_some()).map(move |case| {
+        let curves =
+            case.case.realisations.iter().filter_map(|realisation| realisation.reference.as_ref()).collect();
         ReferenceCurveRow { key: case.key(), refine, curves }
     })
 }
@@ -88,8 +89,8 @@ impl Row for NearerRow<'_> {
 
 /// The rows.
 pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = NearerRow<'_>> {
-    StudiedCase::all(results).flat_map(|case| {
-        let verdicts = &case.findings.verdicts;
+    SurfaceCase::all(results).flat_map(|case| {
+        let verdicts = case.verdicts();
         let stretches = verdicts.reference.iter().flat_map(|reference| &reference.nearer);
         let is_one_map = verdicts.has_one_surface();
         stretches.map(move |stretch| NearerRow { key: case.key(), stretch, is_one_map })

@@ -3,7 +3,7 @@
 use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row};
 
-use crate::kind::compare::findings::ReadLoads;
+use crate::kind::compare::readings::ReadLoads;
 use crate::kind::compare::results::CompareResults;
 
 /// One model at one d/sigma under both readings.

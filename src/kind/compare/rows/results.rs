@@ -5,10 +5,10 @@ use asperity::compare::{Gap, ReferencePoint};
 use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row};
 
-use super::{CaseKey, StudiedCase, case_columns};
-use crate::kind::compare::answers::CaseResults;
+use super::{CaseKey, SurfaceCase, case_columns};
 use crate::kind::compare::results::CompareResults;
 use crate::kind::compare::tables::REFERENCE;
+use crate::study::CaseResults;
 
 /// One model, or the reference, at the one load or separation of a spec.
 pub(crate) struct ResultRow<'a> {
@@ -67,9 +67,9 @@ pub(crate) fn is_single(case: &CaseResults) -> bool {
 
 /// The rows.
 pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = ResultRow<'_>> {
-    StudiedCase::all(results).filter(|case| is_single(case.first)).flat_map(|case| {
+    SurfaceCase::all(results).filter(|case| is_single(case.first())).flat_map(|case| {
         let nominal_area = case.surface.surface.set.nominal_area();
-        let models = case.first.comparison.curves.iter().map(move |point| {
+        let models = case.first().comparison.curves.iter().map(move |point| {
             let response = &point.response;
             ResultRow {
                 key: case.key(),
@@ -84,7 +84,7 @@ pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = ResultRow<'
                 response: Some(response),
             }
         });
-        let reference = case.first.reference.iter().flat_map(|curve| &curve.points);
+        let reference = case.first().reference.iter().flat_map(|curve| &curve.points);
         models.chain(reference.map(move |point: &ReferencePoint| ResultRow {
             key: case.key(),
             model: REFERENCE,
@@ -130,11 +130,10 @@ impl Row for GapRow<'_> {
 /// The rows of the largest gaps.
 pub(super) fn gaps(results: &CompareResults) -> impl Iterator<Item = GapRow<'_>> {
     results.surfaces.iter().flat_map(|surface| {
-        surface.realisations().flat_map(move |(realisation, answered)| {
-            answered.cases.iter().flat_map(move |case| {
-                let key =
-                    CaseKey { surface: &surface.surface.name, law: &case.law, thickness: case.thickness };
-                case.gaps.largest.iter().map(move |gap| GapRow { key, realisation, gap })
+        (0..surface.realisations.len()).flat_map(move |realisation| {
+            SurfaceCase::on_surface(surface).flat_map(move |case| {
+                let gaps = case.case.realisations[realisation].gaps.largest.iter();
+                gaps.map(move |gap| GapRow { key: case.key(), realisation: realisation + 1, gap })
             })
         })
     })

@@ -4,10 +4,10 @@ use asperity::compare::{ComparedQuantity, Difference, Estimate, Verdict};
 use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row};
 
-use super::{CaseKey, StudiedCase, case_columns};
-use crate::kind::compare::findings::Verdicts;
+use super::{CaseKey, SurfaceCase, case_columns};
 use crate::kind::compare::results::CompareResults;
-use crate::kind::compare::robustness::Treated;
+use crate::study::Treated;
+use crate::study::Verdicts;
 
 /// One quantity at one load under one treatment.
 pub(crate) struct RobustnessRow<'a> {
@@ -47,21 +47,20 @@ impl Row for RobustnessRow<'_> {
     }
 }
 
-/// The rows: surface by surface, treatment by treatment.
+/// The rows: case by case, treatment by treatment.
 pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = RobustnessRow<'_>> {
-    results.surfaces.iter().flat_map(|surface| {
-        let treated = surface.robustness.iter().flat_map(|robustness| &robustness.treated);
-        treated.flat_map(move |treated| {
-            StudiedCase::of_surface(surface).flat_map(move |case| of_case(case, treated))
-        })
-    })
+    SurfaceCase::all(results)
+        .flat_map(|case| case.case.treated.iter().flat_map(move |treated| with_treatment(case, treated)))
 }
 
-fn of_case<'a>(case: StudiedCase<'a>, treated: &'a Treated) -> impl Iterator<Item = RobustnessRow<'a>> {
-    treated.differences(case.index).iter().flat_map(move |at_load| {
+fn with_treatment<'a>(
+    case: SurfaceCase<'a>,
+    treated: &'a Treated,
+) -> impl Iterator<Item = RobustnessRow<'a>> {
+    treated.differences.iter().flat_map(move |at_load| {
         ComparedQuantity::ALL.into_iter().filter_map(move |quantity| {
             let estimate = at_load.estimates[quantity as usize]?;
-            let verdicts = &case.findings.verdicts;
+            let verdicts = case.verdicts();
             Some(RobustnessRow { key: case.key(), treated, at_load, quantity, estimate, verdicts })
         })
     })

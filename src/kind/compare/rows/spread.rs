@@ -4,7 +4,7 @@ use asperity::compare::Spread;
 use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row};
 
-use super::{CaseKey, StudiedCase, case_columns};
+use super::{CaseKey, SurfaceCase, case_columns};
 use crate::kind::compare::results::CompareResults;
 
 /// Both models at a load that all realisations have in common.
@@ -37,6 +37,6 @@ impl Row for SpreadRow<'_> {
 
 /// The rows.
 pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = SpreadRow<'_>> {
-    StudiedCase::all(results)
-        .flat_map(|case| case.findings.spread.iter().map(move |spread| SpreadRow { key: case.key(), spread }))
+    SurfaceCase::all(results)
+        .flat_map(|case| case.case.spread.iter().map(move |spread| SpreadRow { key: case.key(), spread }))
 }

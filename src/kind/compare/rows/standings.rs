@@ -4,9 +4,9 @@ use asperity::compare::ComparedQuantity;
 use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row};
 
-use super::{CaseKey, StudiedCase, case_columns};
-use crate::kind::compare::ranking::{Against, Standing};
+use super::{CaseKey, SurfaceCase, case_columns};
 use crate::kind::compare::results::CompareResults;
+use crate::study::{Against, Standing};
 
 /// How the statistical models stand in one quantity on one surface.
 pub(crate) struct StandingRow<'a> {
@@ -46,10 +46,10 @@ impl Row for StandingRow<'_> {
 
 /// The rows.
 pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = StandingRow<'_>> {
-    StudiedCase::all(results).flat_map(|case| {
+    SurfaceCase::all(results).flat_map(|case| {
         let alpha = case.surface.surface.map.as_ref().and_then(|map| map.roughness.alpha());
-        let accepted = &case.findings.verdicts.accepted;
-        case.ranking().into_iter().flat_map(move |ranking| {
+        let accepted = &case.verdicts().accepted;
+        case.case.ranking.iter().flat_map(move |ranking| {
             let each = ranking
                 .against()
                 .iter()

@@ -4,10 +4,10 @@ use asperity::compare::{Kind, Stretch};
 use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row};
 
-use super::{CaseKey, StudiedCase, case_columns};
-use crate::kind::compare::findings::LeadingCause;
+use super::{CaseKey, SurfaceCase, case_columns};
 use crate::kind::compare::results::CompareResults;
 use crate::kind::compare::tables::REFERENCE;
+use crate::study::LeadingCause;
 
 /// A stretch of load with one verdict.
 pub(crate) struct VerdictRow<'a> {
@@ -61,14 +61,14 @@ impl Row for VerdictRow<'_> {
 
 /// The rows, case by case; those against the reference last.
 pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = VerdictRow<'_>> {
-    StudiedCase::all(results).flat_map(of_case)
+    SurfaceCase::all(results).flat_map(of_case)
 }
 
-fn of_case(case: StudiedCase<'_>) -> Vec<VerdictRow<'_>> {
-    let verdicts = &case.findings.verdicts;
+fn of_case(case: SurfaceCase<'_>) -> Vec<VerdictRow<'_>> {
+    let verdicts = case.verdicts();
     let mut rows = Vec::new();
     for stretch in &verdicts.stretches {
-        let dependences = case.dependences().iter().filter(|one| one.quantity == stretch.quantity);
+        let dependences = case.case.dependences.iter().filter(|one| one.quantity == stretch.quantity);
         rows.push(VerdictRow {
             key: case.key(),
             stretch,

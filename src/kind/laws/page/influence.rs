@@ -39,7 +39,7 @@ pub fn section(page: &mut Page, results: &LawsResults, found: &SurfaceResults) {
             "Under an elliptic law the statistical model uses the mean curvature (radius {}), under the others the radius \
              {}; part of the effect of the law is due to this.",
             quantity(mean.mean_curvature.recip(), "m"),
-            input_quantity(found.first.population.radius, "m"),
+            input_quantity(found.realisations[0].population.radius, "m"),
         ));
     }
 }

@@ -29,7 +29,7 @@ pub fn page(results: &LawsResults) -> Page {
     one_asperity(&mut page, results);
     laws(&mut page, results);
     for found in &compared.surfaces {
-        crate::surface::section::section(&mut page, &found.surface, Some(&found.first.population));
+        crate::surface::section::section(&mut page, &found.surface, Some(&found.realisations[0].population));
     }
     sections::notes(&mut page, &compared.metadata);
     sections::what_was_run(&mut page, &compared.metadata, &compared.contact);
@@ -173,7 +173,7 @@ fn limits(page: &mut Page, results: &LawsResults) {
     page.heading(2, "Limits of validity");
     let mut lines = Vec::new();
     for found in &results.compare.surfaces {
-        let counts: PointCounts = found.findings.laws.iter().map(|law| law.counts).sum();
+        let counts: PointCounts = found.laws.iter().map(|law| law.counts).sum();
     }
     lines.push(
         "Agreement between laws does not validate them: this report shows how much the choice matters, not which law is \

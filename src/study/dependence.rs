@@ -2,7 +2,16 @@
 
 use asperity::compare::{Accepted, ComparedQuantity, Difference, Estimate, Verdict};
 
-use super::{Choice, Treated};
+use super::treatment::{Choice, Treatment};
+
+/// The differences between the models in a case under one treatment of a map.
+#[derive(Debug)]
+pub struct Treated {
+    /// The treatment.
+    pub treatment: Treatment,
+    /// At loads of the map's own verdicts; empty where the treated map has no asperities or a model does not reach a load.
+    pub differences: Vec<Difference>,
+}
 
 /// A verdict that depends on a choice: at one load two ways of making it give different answers.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -51,20 +60,13 @@ impl Side {
 }
 
 impl Dependence {
-    /// Of the map's own `differences` in case `index`, and of those under other treatments.
-    pub fn all(
-        differences: &[Difference],
-        treated: &[Treated],
-        index: usize,
-        accepted: &Accepted,
-    ) -> Vec<Self> {
+    /// Of the map's own `differences` in a case, and of those under other treatments.
+    pub fn all(differences: &[Difference], treated: &[Treated], accepted: &Accepted) -> Vec<Self> {
         let each = Choice::ALL
             .into_iter()
             .flat_map(|choice| ComparedQuantity::ALL.map(|quantity| (choice, quantity)));
-        each.filter_map(|(choice, quantity)| {
-            Self::of(choice, quantity, differences, treated, index, accepted)
-        })
-        .collect()
+        each.filter_map(|(choice, quantity)| Self::of(choice, quantity, differences, treated, accepted))
+            .collect()
     }
 
     fn of(
@@ -72,7 +74,6 @@ impl Dependence {
         quantity: ComparedQuantity,
         differences: &[Difference],
         treated: &[Treated],
-        index: usize,
         accepted: &Accepted,
     ) -> Option<Self> {
         let band = accepted.band(quantity);
@@ -83,7 +84,7 @@ impl Dependence {
         let treated = || treated.iter().enumerate().filter(|(_, one)| one.treatment.choice() == choice);
         let at_load = |own: &Difference| {
             let others = treated().filter_map(|(place, one): (usize, &Treated)| {
-                let at = one.differences(index).iter().find(|at| at.load == own.load)?;
+                let at = one.differences.iter().find(|at| at.load == own.load)?;
                 answer(Some(place), at)
             });
             let answers: Vec<Answer> = answer(None, own).into_iter().chain(others).collect();

@@ -2,30 +2,41 @@
 
 use rayon::prelude::*;
 
+use super::case::RealisationResults;
+use super::layer::Threshold;
 use super::models::SurfaceModels;
-use super::plan::ComparePlan;
-use crate::kind::compare::answers::{RealisationResults, Threshold};
+use super::setup::Setup;
 use crate::layer::LayerPlan;
 use crate::surface::Surface;
 use asperity::compare::{Kind, of_each_decade, threshold};
 use asperity::work::{CountedContact, Counter};
-use asperity::{ContactLaw, Model, reached_at};
+use asperity::{ContactLaw, Material, Model, reached_at};
 
 /// A layer matters where it changes the real area by more than this part.
 const PART: f64 = 0.05;
 
-/// Law by law, load by load, model by model; nothing without a layer.
-pub(super) fn thresholds(
-    plan: &ComparePlan,
+/// A layer on a flat, against a rough body.
+#[derive(Clone, Copy)]
+pub struct LayerQuestion<'a> {
+    /// The layer.
+    pub layer: &'a LayerPlan,
+    /// The rough body.
+    pub rough: &'a Material,
+}
+
+/// Law by law, load by load, model by model.
+pub fn thresholds(
+    question: LayerQuestion,
+    setup: Setup,
     surface: &Surface,
     models: &SurfaceModels,
-    answered: &RealisationResults,
+    realisation: &RealisationResults,
     counter: &Counter,
 ) -> Vec<Threshold> {
-    let Some(layer) = &plan.layer else { return Vec::new() };
+    let LayerQuestion { layer, rough } = question;
     let area = surface.set.nominal_area();
-    let mut pressures: Vec<f64> = plan.controls.pressures.clone();
-    pressures.extend(plan.controls.forces.iter().map(|force| force / area));
+    let mut pressures: Vec<f64> = setup.controls.pressures.clone();
+    pressures.extend(setup.controls.forces.iter().map(|force| force / area));
     let pressures = some_of(pressures);
     if layer.thicknesses == [0.0] {
         return Vec::new();
@@ -33,14 +44,14 @@ pub(super) fn thresholds(
     let mut searches = Vec::new();
     // Only laws under a layer of finite thickness have a threshold.
     let stands =
-        |law: &&ContactLaw| layer.flat(1.0).is_ok_and(|finite| law.interface(&plan.pair[0], &finite).is_ok());
-    for law in plan.law_specs.iter().filter(stands) {
+        |law: &&ContactLaw| layer.flat(1.0).is_ok_and(|finite| law.interface(rough, &finite).is_ok());
+    for law in setup.law_specs.iter().filter(stands) {
         for &pressure in &pressures {
-            searches.extend(plan.models.iter().map(|&kind| (law, pressure, kind)));
+            searches.extend(setup.models.iter().map(|&kind| (law, pressure, kind)));
         }
     }
     let one = |&(law, pressure, kind): &(&ContactLaw, f64, Kind)| {
-        let question = Question { plan, layer, models, answered, counter, law, pressure, kind };
+        let question = Question { rough, layer, models, realisation, counter, law, pressure, kind };
         question.threshold()
     };
     searches.par_iter().filter_map(one).collect()
@@ -59,10 +70,10 @@ fn some_of(mut loads: Vec<f64>) -> Vec<f64> {
 
 /// One law, load and model.
 struct Question<'a> {
-    plan: &'a ComparePlan,
+    rough: &'a Material,
     layer: &'a LayerPlan,
     models: &'a SurfaceModels<'a>,
-    answered: &'a RealisationResults,
+    realisation: &'a RealisationResults,
     counter: &'a Counter,
     law: &'a ContactLaw,
     pressure: f64,
@@ -88,15 +99,18 @@ impl Question<'_> {
     /// The area ratio that the comparison has found for a listed thickness.
     fn known(&self, thickness: f64) -> Option<f64> {
         let label = self.law.label();
-        let case =
-            self.answered.cases.iter().find(|case| case.law == label && case.thickness == Some(thickness))?;
+        let case = self
+            .realisation
+            .cases
+            .iter()
+            .find(|case| case.law == label && case.thickness == Some(thickness))?;
         Some(case.comparison.at_load(self.kind, self.pressure)?.response.area_ratio.total())
     }
 
     /// The area ratio under a layer of any thickness (m).
     fn area(&self, thickness: f64) -> Option<f64> {
         let flat = self.layer.flat(thickness).ok()?;
-        let contact = self.law.interface(&self.plan.pair[0], &flat).ok()?;
+        let contact = self.law.interface(self.rough, &flat).ok()?;
         let contact = &CountedContact::new(&*contact, self.counter);
         let press = |model: &dyn Model| reached_at(model, &[self.pressure])[0];
         let reached = match self.kind {

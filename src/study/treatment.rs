@@ -7,7 +7,7 @@ use asperity::topography::summits::Neighbours;
 use asperity::topography::{Filter, Level};
 use asperity_framework::report::format::quantity;
 
-use crate::kind::compare::statistical::StatisticalModel;
+use super::statistical::StatisticalModel;
 use crate::surface::{MapFacts, Preparation};
 
 /// A choice made in the analysis of a map.

@@ -1,15 +1,13 @@
 //! The gap between both models divided among its causes, at every load of a case.
 
-pub(super) mod tables;
-
-use asperity::compare::{Division, GroupsLeftOut, Kind, Rearranged, StatesAtLoads};
+use asperity::compare::{Division, GroupsLeftOut, Rearranged, StatesAtLoads};
 use asperity::{ContactLaw, MicroContact};
 use asperity_framework::contact::LawPlan;
 use asperity_framework::digest::stream_seed;
 
-use super::answers::CaseResults;
+use super::case::CaseResults;
 use super::models::SurfaceModels;
-use super::plan::Setup;
+use super::setup::Setup;
 use crate::surface::{Independence, Surface};
 
 /// The asperities of a surface rearranged, for laws of spheres and of ellipses.
@@ -30,15 +28,14 @@ impl<'a> ForLaws<'a> {
 
 /// Divides the gap of every case of a surface; with its sampling error, where the surface allows one and `has_errors`.
 /// Nothing where only one model was run, or no attribution is asked for.
-pub(crate) fn attribute(
+pub fn attribute(
     setup: Setup,
     surface: &Surface,
     models: &SurfaceModels,
     cases: &mut [CaseResults],
     has_errors: bool,
 ) {
-    let has_both = [Kind::Statistical, Kind::Deterministic].iter().all(|kind| setup.models.contains(kind));
-    if !(has_both && setup.is_attributed) {
+    if !(setup.has_both_models() && setup.is_attributed) {
         return;
     }
     setup.progress.stage("causes", cases.len() as f64);

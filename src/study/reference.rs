@@ -2,7 +2,7 @@
 
 use asperity::compare::{Accepted, AgainstReference, NearerStretch, Stretch};
 
-use crate::kind::compare::answers::RealisationResults;
+use super::case::CaseResults;
 
 /// Which model is nearer to the reference, and whether it is near enough.
 #[derive(Debug)]
@@ -20,9 +20,9 @@ pub struct ReferenceVerdicts {
 }
 
 impl ReferenceVerdicts {
-    /// Of case `index` of all realisations; `None` where no load was compared.
-    pub fn of(realisations: &[&RealisationResults], index: usize, accepted: &Accepted) -> Option<Self> {
-        let cases = || realisations.iter().map(|answered| &answered.cases[index]);
+    /// Of a case on all realisations; `None` where no load was compared.
+    pub fn new(realisations: &[CaseResults], accepted: &Accepted) -> Option<Self> {
+        let cases = || realisations.iter();
         let each: Vec<AgainstReference> = cases().map(|case| case.against_reference.clone()).collect();
         let against = AgainstReference::over(&each).sorted();
         let yields = cases().any(|case| {

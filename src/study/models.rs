@@ -13,7 +13,7 @@ use asperity::{
 };
 
 /// A surface with its asperities as the laws of the sums that are asked for see them.
-pub(crate) struct SurfaceModels<'a> {
+pub struct SurfaceModels<'a> {
     surface: &'a Surface,
     population: Population,
     statistical: StatisticalModel,
@@ -27,7 +27,7 @@ impl<'a> SurfaceModels<'a> {
     ///
     /// # Errors
     /// A statistical model that does not apply to the surface.
-    pub(super) fn new(
+    pub fn new(
         surface: &'a Surface,
         statistical: &StatisticalModel,
         laws: &[ContactLaw],
@@ -41,7 +41,7 @@ impl<'a> SurfaceModels<'a> {
     ///
     /// # Errors
     /// As [`Self::new`].
-    pub(super) fn of_part<'b>(
+    pub fn of_part<'b>(
         &self,
         part: &'b Surface,
         laws: &[ContactLaw],
@@ -64,18 +64,18 @@ impl<'a> SurfaceModels<'a> {
     }
 
     /// Input of the statistical model.
-    pub(super) fn population(&self) -> &Population {
+    pub fn population(&self) -> &Population {
         &self.population
     }
 
     /// The mean asperity under a law.
-    pub(super) fn mean_shape(&self, law: &ContactLaw) -> Shape {
+    pub fn mean_shape(&self, law: &ContactLaw) -> Shape {
         let ellipticity = self.surface.ellipticity.filter(|_| law.is_elliptic());
         ellipticity.map_or(Shape::sphere(self.population.radius), |mean| mean.shape())
     }
 
     /// The sharpest and the bluntest asperity under a law.
-    pub(super) fn extreme_shapes(&self, law: &ContactLaw) -> [Shape; 2] {
+    pub fn extreme_shapes(&self, law: &ContactLaw) -> [Shape; 2] {
         let set = &self.surface.set;
         let by_radius = |a: &Shape, b: &Shape| a.radius.total_cmp(&b.radius);
         let extremes = |shapes: &mut dyn Iterator<Item = Shape>| {
@@ -91,11 +91,7 @@ impl<'a> SurfaceModels<'a> {
     }
 
     /// The statistical model with one contact of a law.
-    pub(super) fn statistical<'b>(
-        &'b self,
-        contact: &'b dyn MicroContact,
-        law: &ContactLaw,
-    ) -> Box<dyn Model + 'b> {
+    pub fn statistical<'b>(&'b self, contact: &'b dyn MicroContact, law: &ContactLaw) -> Box<dyn Model + 'b> {
         if let (Some(joint), Some(density), Some(mean)) =
             (self.statistical.joint, &self.joint, self.surface.plane_above_mean_plane())
         {
@@ -126,7 +122,7 @@ impl<'a> SurfaceModels<'a> {
 
     /// What the states between both models are made from under laws of the same shapes; `None` unless the sum is requested, and
     /// of a statistical model that has not one radius.
-    pub(super) fn inputs(&self, law: &ContactLaw) -> Option<Inputs<'_>> {
+    pub fn inputs(&self, law: &ContactLaw) -> Option<Inputs<'_>> {
         if self.statistical.undivided().is_some() {
             return None;
         }
@@ -140,7 +136,7 @@ impl<'a> SurfaceModels<'a> {
     }
 
     /// The sum of one contact of a law; `None` unless the sum is requested.
-    pub(super) fn deterministic<'b>(
+    pub fn deterministic<'b>(
         &'b self,
         contact: &'b dyn MicroContact,
         law: &ContactLaw,

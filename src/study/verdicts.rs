@@ -2,8 +2,8 @@
 
 use asperity::compare::{Accepted, Attribution, Comparison, Difference, Stretch, ValidRange, Verdict};
 
-use super::ReferenceVerdicts;
-use crate::kind::compare::answers::RealisationResults;
+use super::case::CaseResults;
+use super::reference::ReferenceVerdicts;
 use crate::surface::{Independence, Surface};
 
 /// Whether the statistical model may be used instead of the sum, at which loads.
@@ -84,20 +84,15 @@ impl Basis {
 }
 
 impl Verdicts {
-    /// Of case `index` of all realisations; `surface` is the first.
-    pub fn of(
-        surface: &Surface,
-        realisations: &[&RealisationResults],
-        index: usize,
-        accepted: Accepted,
-    ) -> Self {
+    /// Of a case on all realisations; `surface` is the first.
+    pub fn new(surface: &Surface, realisations: &[CaseResults], accepted: Accepted) -> Self {
         let of_each: Vec<Vec<Difference>> =
-            realisations.iter().map(|answered| answered.cases[index].differences.clone()).collect();
+            realisations.iter().map(|case| case.differences.clone()).collect();
         let mut differences =
             if let [only] = &of_each[..] { only.clone() } else { Difference::over(&of_each) };
         differences.sort_by(|a, b| a.load.total_cmp(&b.load));
         let of_each: Vec<Vec<Attribution>> =
-            realisations.iter().map(|answered| answered.cases[index].attribution.clone()).collect();
+            realisations.iter().map(|case| case.attribution.clone()).collect();
         let mut attribution =
             if let [only] = &of_each[..] { only.clone() } else { Attribution::over(&of_each) };
         attribution.sort_by(|a, b| a.load.total_cmp(&b.load));
@@ -105,7 +100,7 @@ impl Verdicts {
             accepted,
             attribution,
             valid: if differences.is_empty() {
-                of_one_model(&realisations[0].cases[index].comparison)
+                of_one_model(&realisations[0].comparison)
             } else {
                 ValidRange::of(differences.iter().map(|at| (at.load, at.exceeded())))
             },
@@ -114,7 +109,7 @@ impl Verdicts {
             over_independent: over_independent(&differences),
             area: surface.set.nominal_area(),
             is_blocked: surface.is_blocked(),
-            reference: ReferenceVerdicts::of(realisations, index, &accepted),
+            reference: ReferenceVerdicts::new(realisations, &accepted),
             differences,
         }
     }

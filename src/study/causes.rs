@@ -2,7 +2,7 @@
 
 use asperity::compare::{Cause, ComparedQuantity, Contributions, Estimate, Kind, Stretch, Verdict, leading};
 
-use super::Verdicts;
+use super::verdicts::Verdicts;
 
 /// The cause that contributes most to a difference.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

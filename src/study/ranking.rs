@@ -1,16 +1,14 @@
 //! How far each statistical model of a surface is from the sum and from the reference, and what it costs.
 
-pub(super) mod tables;
-
-use asperity::compare::{Accepted, ComparedQuantity, Kind, Pair, Pairing, ReferenceCurve, of_each_decade};
+use asperity::compare::{Accepted, ComparedQuantity, Pair, Pairing, ReferenceCurve, of_each_decade};
 use asperity::distribution::HeightsError;
 use asperity::work::{CountedContact, Counter};
 use asperity::{Response, reached_at};
 use asperity_framework::contact::LawPlan;
 
-use super::answers::CaseResults;
+use super::case::CaseResults;
 use super::models::SurfaceModels;
-use super::plan::Setup;
+use super::setup::Setup;
 use super::statistical::StatisticalModel;
 use crate::surface::Surface;
 
@@ -132,9 +130,8 @@ pub fn is_within(accepted: &Accepted, quantity: ComparedQuantity, contrast: f64)
 }
 
 /// The ranking of each case of a surface; nothing where only one model was run, or no ranking is asked for.
-pub(super) fn rank(setup: Setup, surface: &Surface, cases: &[CaseResults]) -> Vec<Ranking> {
-    let has_both = [Kind::Statistical, Kind::Deterministic].iter().all(|kind| setup.models.contains(kind));
-    if !(has_both && setup.is_ranked) {
+pub fn rank(setup: Setup, surface: &Surface, cases: &[CaseResults]) -> Vec<Ranking> {
+    if !(setup.has_both_models() && setup.is_ranked) {
         return Vec::new();
     }
     setup.progress.stage("other statistical models", cases.len() as f64);

@@ -4,14 +4,13 @@ use asperity::compare::ComparedQuantity;
 use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row};
 
-use super::{Against, Largest, Ranked};
+use super::{CaseKey, SurfaceCase, case_columns};
 use crate::kind::compare::results::CompareResults;
+use crate::study::{Against, Largest, Ranked};
 
 /// One model and one quantity.
 pub(crate) struct RankingRow<'a> {
-    surface: &'a str,
-    law: &'a str,
-    thickness: Option<f64>,
+    key: CaseKey<'a>,
     alpha: Option<f64>,
     ranked: &'a Ranked,
     quantity: ComparedQuantity,
@@ -37,42 +36,36 @@ impl Row for RankingRow<'_> {
     const ROWS: &'static str = "One row for each surface, law, layer thickness, statistical model that applies and quantity, on the first realisation: the largest difference of the model from the sum, and from the reference where one was run, over the valid loads (three per decade, and those of the reference).";
 
     fn columns() -> Vec<Column<Self>> {
-        columns! { row: Self =>
-            surface["text"] = row.surface, "Name of the surface.";
-            law["text"] = row.law, "Contact law of an asperity.";
-            layer_thickness_m["m"] = row.thickness, "Thickness of the layer, 0 for the bare substrate and inf for a flat of the layer's material; empty where the spec has no layer.";
+        let mut columns = case_columns(|row: &Self| row.key);
+        columns.extend(columns! { row: Self =>
             nayak_alpha["1"] = row.alpha, "Nayak's bandwidth parameter of the map; empty without a map.";
             model["text"] = row.ranked.model.name(), "The statistical model: its heights and its radius, or `nayak-greenwood` or `five-point`, joint densities of height and curvature.";
             quantity["text"] = row.quantity.name(), "What is compared: `separation`, `area` (real contact area) or `stiffness`.";
-            from_deterministic["1"] = row.reported(row.largest(Against::Sum)), "The difference from the deterministic model that is largest in magnitude: of the separation in sigma, of area and stiffness relative to it; empty where the model does not reach a load.";
+            from_deterministic["1", signed, scale(1.0)] = row.reported(row.largest(Against::Sum)), "The difference from the deterministic model that is largest in magnitude: of the separation in sigma, of area and stiffness relative to it; empty where the model does not reach a load.";
             from_deterministic_at_pa["Pa"] = RankingRow::load(row.largest(Against::Sum)), "The nominal pressure of that difference.";
-            from_reference["1"] = row.reported(row.largest(Against::Reference)), "The same from the reference; empty where none was run.";
+            from_reference["1", signed, scale(1.0)] = row.reported(row.largest(Against::Reference)), "The same from the reference; empty where none was run.";
             from_reference_at_pa["Pa"] = RankingRow::load(row.largest(Against::Reference)), "The nominal pressure of that difference.";
             accepted["1"] = row.accepted, "The largest difference that is accepted.";
             contacts_per_load["1"] = row.ranked.evaluations, "Contacts evaluated per load, the search for the separation included: what the model costs.";
-        }
+        });
+        columns
     }
 }
 
 /// The rows.
-pub(crate) fn rows(results: &CompareResults) -> impl Iterator<Item = RankingRow<'_>> {
-    results.surfaces.iter().flat_map(|found| {
-        let alpha = found.surface.map.as_ref().and_then(|map| map.roughness.alpha());
-        let cases = found.first.cases.iter().zip(&found.findings.cases).zip(&found.rankings);
-        cases.flat_map(move |((case, findings), ranking)| {
-            let row = move |ranked, quantity| RankingRow {
-                surface: &found.surface.name,
-                law: &case.law,
-                thickness: case.thickness,
+pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = RankingRow<'_>> {
+    SurfaceCase::all(results).flat_map(|case| {
+        let alpha = case.surface.surface.map.as_ref().and_then(|map| map.roughness.alpha());
+        let accepted = case.verdicts().accepted;
+        let models = case.case.ranking.iter().flat_map(|ranking| &ranking.models);
+        models.flat_map(move |ranked| {
+            ComparedQuantity::ALL.map(|quantity| RankingRow {
+                key: case.key(),
                 alpha,
                 ranked,
                 quantity,
-                accepted: findings.verdicts.accepted.of(quantity),
-            };
-            ranking
-                .models
-                .iter()
-                .flat_map(move |ranked| ComparedQuantity::ALL.map(|quantity| row(ranked, quantity)))
+                accepted: accepted.of(quantity),
+            })
         })
     })
 }

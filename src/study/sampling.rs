@@ -1,24 +1,24 @@
 //! Both models on a surface with groups of its asperities left out, from which sampling errors follow.
 
 use asperity::Total;
-use asperity::compare::{CaseSampling, Division, Kind, LeftOut, OneStep, Pair, Pairing, State};
+use asperity::compare::{CaseSampling, Division, LeftOut, OneStep, Pair, Pairing, State};
 use asperity_framework::contact::LawPlan;
 use asperity_framework::digest::stream_seed;
 
-use super::answers::CaseResults;
+use super::case::CaseResults;
 use super::models::SurfaceModels;
-use super::plan::Setup;
+use super::setup::Setup;
 use super::statistical::StatisticalModel;
 use crate::surface::{Independence, Surface};
 
 /// The sampling uncertainty of each case on a surface that has been compared; nothing where only one model was run.
-pub(crate) fn sampling(
+pub fn sampling(
     setup: Setup,
     surface: &Surface,
     models: &SurfaceModels,
     cases: &[CaseResults],
 ) -> Vec<CaseSampling> {
-    if ![Kind::Statistical, Kind::Deterministic].iter().all(|kind| setup.models.contains(kind)) {
+    if !setup.has_both_models() {
         return Vec::new();
     }
     let steps: Vec<OneStep> = setup

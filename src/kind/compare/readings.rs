@@ -4,8 +4,8 @@ use asperity::Response;
 use asperity::compare::{Control, Kind};
 use asperity::topography::generate::SigmaOf;
 
-use crate::kind::compare::answers::RealisationResults;
 use crate::kind::compare::results::SurfaceResults;
+use crate::study::{CaseResults, CaseStudy};
 
 /// The d/sigma at which readings are compared.
 const SEPARATIONS: [f64; 3] = [1.0, 2.0, 3.0];
@@ -78,16 +78,16 @@ impl Readings {
 /// The loads of two surfaces, case by case.
 fn read_loads(surfaces: [&SurfaceResults; 2]) -> Vec<ReadLoads> {
     let mut loads = Vec::new();
-    for (index, case) in surfaces[0].first.cases.iter().enumerate() {
+    for (first_case, second_case) in surfaces[0].cases.iter().zip(&surfaces[1].cases) {
         for separation in SEPARATIONS {
             for kind in [Kind::Statistical, Kind::Deterministic] {
-                let [first, second] = surfaces.map(|found| answer(found, index, kind, separation));
+                let [first, second] = [first_case, second_case].map(|case| mean_load(case, kind, separation));
                 let (Some(first), Some(second)) = (first, second) else { continue };
                 if first.pressure > 0.0 {
                     loads.push(ReadLoads {
-                        surfaces: surfaces.map(|found| found.surface.name.clone()),
-                        law: case.law.clone(),
-                        thickness: case.thickness,
+                        surfaces: surfaces.map(|results| results.surface.name.clone()),
+                        law: first_case.first().law.clone(),
+                        thickness: first_case.first().thickness,
                         kind,
                         separation,
                         answers: [first, second],
@@ -100,27 +100,27 @@ fn read_loads(surfaces: [&SurfaceResults; 2]) -> Vec<ReadLoads> {
 }
 
 /// Means of a model over the realisations at one separation; `None` where it is not in the sweep.
-fn answer(found: &SurfaceResults, index: usize, kind: Kind, separation: f64) -> Option<ReadAnswer> {
-    let all: Option<Vec<Response>> =
-        found.realisations().map(|(_, answered)| response(answered, index, kind, separation)).collect();
-    let all = all?;
-    let pressure = all.iter().map(|response| response.pressure.total()).sum::<f64>() / all.len() as f64;
+fn mean_load(case: &CaseStudy, kind: Kind, separation: f64) -> Option<ReadAnswer> {
+    let responses: Option<Vec<Response>> =
+        case.realisations.iter().map(|results| response(results, kind, separation)).collect();
+    let responses = responses?;
+    let sum: f64 = responses.iter().map(|response| response.pressure.total()).sum();
     // An integral has no single contacts: the limits of both models hold.
-    let both = || [Kind::Statistical, Kind::Deterministic];
-    let is_valid = found.realisations().all(|(_, answered)| {
-        let all = both().into_iter().filter_map(|kind| response(answered, index, kind, separation));
-        all.into_iter().all(|response| response.exceeded().is_none())
+    let is_valid = case.realisations.iter().all(|results| {
+        let both = [Kind::Statistical, Kind::Deterministic];
+        both.into_iter()
+            .filter_map(|kind| response(results, kind, separation))
+            .all(|response| response.exceeded().is_none())
     });
-    Some(ReadAnswer { pressure, is_valid })
+    Some(ReadAnswer { pressure: sum / responses.len() as f64, is_valid })
 }
 
-fn response(answered: &RealisationResults, index: usize, kind: Kind, separation: f64) -> Option<Response> {
+fn response(results: &CaseResults, kind: Kind, separation: f64) -> Option<Response> {
     /// Rounding of a sweep's steps.
     const ROUNDING: f64 = 1e-9;
-    let curves = &answered.cases.get(index)?.comparison.curves;
     let is_there = |h: f64| (h - separation).abs() < ROUNDING;
-    let point = curves
-        .iter()
+    let mut points = results.comparison.curves.iter();
+    let point = points
         .find(|point| point.kind == kind && point.control == Control::Separation && is_there(point.target));
     point.map(|point| point.response)
 }

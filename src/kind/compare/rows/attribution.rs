@@ -1,0 +1,63 @@
+//! `attribution.csv`: the differences between the models at equal load divided among their causes.
+
+use asperity::compare::{Attribution, Cause, ComparedQuantity, Contributions, Order};
+use asperity_framework::columns;
+use asperity_framework::report::table::{Column, Row};
+
+use super::{CaseKey, SurfaceCase, case_columns};
+use crate::kind::compare::results::CompareResults;
+
+/// The contribution of one cause to one quantity at one load.
+pub(crate) struct AttributionRow<'a> {
+    key: CaseKey<'a>,
+    at_load: &'a Attribution,
+    quantity: ComparedQuantity,
+    cause: Cause,
+    parts: &'a Contributions,
+}
+
+impl AttributionRow<'_> {
+    fn end(&self, index: usize) -> Option<f64> {
+        self.parts.estimates[self.cause as usize].interval().map(|ends| ends[index])
+    }
+
+    fn in_order(&self, order: Order) -> f64 {
+        self.parts.by_order[order as usize][self.cause as usize]
+    }
+}
+
+impl Row for AttributionRow<'_> {
+    const FILE: &'static str = "attribution.csv";
+    const ROWS: &'static str = "One row for each surface, law, layer thickness, load, quantity and cause, over all realisations: what each cause contributes to the difference between the models at equal load. The contributions of a load add up to the difference; loads that fewer than 30 effective contacts carry, or one contact with more than 10 % of the load, have none.";
+    const IS_LONG: bool = true;
+
+    fn columns() -> Vec<Column<Self>> {
+        let mut columns = case_columns(|row: &Self| row.key);
+        columns.extend(columns! { row: Self =>
+            pressure_pa["Pa"] = row.at_load.load, "Nominal pressure.";
+            quantity["text"] = row.quantity.name(), "What is compared: `separation`, `area` (real contact area) or `stiffness`.";
+            cause["text"] = row.cause.name(), "The cause: `heights` (the heights do not follow the density of the statistical model), `radii` (the radii are not all equal to the mean radius) or `correlation` (heights and radii are correlated; with equal radii, what replacing a sum by its integral leaves).";
+            contribution["1", signed, scale(1.0)] = row.parts.of(row.cause), "Mean contribution over the three orders: of the separation in sigma, of area and stiffness to ln(statistical/deterministic).";
+            low["1", signed, scale(1.0)] = row.end(0), "Lower end of the pointwise 95 % interval of the contribution; empty where none is claimed.";
+            high["1", signed, scale(1.0)] = row.end(1), "Upper end of the interval.";
+            standard_error["1"] = row.parts.estimates[row.cause as usize].error, "Standard error of the contribution, from blocks of a map, groups of independent asperities or realisations; empty where no interval is claimed.";
+            heights_radii_correlation["1", signed, scale(1.0)] = row.in_order(Order::HeightsFirst), "Contribution where first the heights, then the radii, then the correlation is changed.";
+            radii_heights_correlation["1", signed, scale(1.0)] = row.in_order(Order::RadiiFirst), "Contribution where first the radii, then the heights, then the correlation is changed.";
+            radii_correlation_heights["1", signed, scale(1.0)] = row.in_order(Order::HeightsLast), "Contribution where first the radii, then the correlation, then the heights are changed.";
+        });
+        columns
+    }
+}
+
+/// The rows.
+pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = AttributionRow<'_>> {
+    SurfaceCase::all(results).flat_map(|case| {
+        case.verdicts().attribution.iter().flat_map(move |at_load| {
+            let quantities = ComparedQuantity::ALL.into_iter();
+            let divided = quantities.filter_map(|quantity| Some((quantity, at_load.of(quantity)?)));
+            divided.flat_map(move |(quantity, parts)| {
+                Cause::ALL.map(|cause| AttributionRow { key: case.key(), at_load, quantity, cause, parts })
+            })
+        })
+    })
+}

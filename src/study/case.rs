@@ -1,0 +1,149 @@
+//! A case: one surface under one law and layer thickness, on one realisation and over all.
+
+use asperity::compare::{
+    AgainstReference, Attribution, Comparison, Difference, Gaps, Pair, Pairing, Realisation, ReferenceCurve,
+    ReferencePoint, Spread, spread,
+};
+use asperity::topography::Moments;
+use asperity::{Population, Statistics};
+use asperity_framework::input::accept::AcceptSpec;
+
+use super::dependence::{Dependence, Treated};
+use super::ranking::Ranking;
+use super::statistical::StatisticalModel;
+use super::verdicts::Verdicts;
+use crate::surface::Surface;
+
+/// One realisation of a surface.
+#[derive(Debug)]
+pub struct RealisationFacts {
+    /// Number of asperities.
+    pub asperities: usize,
+    /// Nominal area, m^2.
+    pub nominal_area: f64,
+    /// Statistics of the asperities.
+    pub statistics: Statistics,
+    /// What d is measured in, m.
+    pub sigma: f64,
+    /// Of the map that they were found on.
+    pub moments: Option<Moments>,
+    /// Input of the statistical model.
+    pub population: Population,
+    /// The statistical model.
+    pub model: StatisticalModel,
+}
+
+/// Results on one realisation of a surface.
+#[derive(Debug)]
+pub struct RealisationResults {
+    /// Its asperities and the model of them.
+    pub facts: RealisationFacts,
+    /// Law by law, thickness by thickness.
+    pub cases: Vec<CaseResults>,
+}
+
+/// One case on one realisation.
+#[derive(Debug)]
+pub struct CaseResults {
+    /// The law, as tables name it.
+    pub law: String,
+    /// Whether contacts yield under it.
+    pub yields: bool,
+    /// Thickness of the layer, m; `None` without a layer in the spec.
+    pub thickness: Option<f64>,
+    /// Greenwood and Williamson's plasticity index; `None` where nothing yields.
+    pub plasticity_index: Option<f64>,
+    /// Results of both models.
+    pub comparison: Comparison,
+    /// The largest gaps between them.
+    pub gaps: Gaps,
+    /// The differences at equal load, in the order of the pairs, with their sampling uncertainty.
+    pub differences: Vec<Difference>,
+    /// The differences divided among their causes, in the order of the pairs at equal load; empty where none is asked for.
+    pub attribution: Vec<Attribution>,
+    /// The reference; `None` where none is asked for.
+    pub reference: Option<ReferenceCurve>,
+    /// How far both models are from it, in the order of the pairs.
+    pub against_reference: AgainstReference,
+}
+
+impl CaseResults {
+    /// The gap of a pair at equal load divided among its causes; `None` for other pairs, and where it is not divided.
+    pub fn attribution_of(&self, pair: &Pair) -> Option<&Attribution> {
+        self.attribution.iter().filter(|_| pair.pairing == Pairing::Load).find(|at| at.load == pair.target)
+    }
+
+    /// The reference at the load of a pair of both models; `None` where it did not run.
+    pub fn reference_of(&self, pair: &Pair) -> Option<&ReferencePoint> {
+        self.reference.as_ref().filter(|_| pair.pairing == Pairing::Load)?.at_load(pair.target)
+    }
+}
+
+/// One case over all realisations, with what follows from them.
+#[derive(Debug)]
+pub struct CaseStudy {
+    /// Results on each realisation; at least one.
+    pub realisations: Vec<CaseResults>,
+    /// Both models at the loads that all realisations have in common; empty for a single realisation.
+    pub spread: Vec<Spread>,
+    /// Whether the statistical model may be used.
+    pub verdicts: Verdicts,
+    /// The other statistical models on the first realisation, where they were ranked.
+    pub ranking: Option<Ranking>,
+    /// The differences under other treatments of a measured map.
+    pub treated: Vec<Treated>,
+    /// The choices in the analysis of the map that decide a verdict.
+    pub dependences: Vec<Dependence>,
+}
+
+impl CaseStudy {
+    /// Every case of a surface, the first realisation of which is `surface`, from the results of its `realisations`; without ranking
+    /// and treatments.
+    pub fn all(
+        surface: &Surface,
+        realisations: Vec<RealisationResults>,
+        accept: AcceptSpec,
+    ) -> (Vec<RealisationFacts>, Vec<Self>) {
+        let mut facts = Vec::new();
+        let mut cases: Vec<Vec<CaseResults>> = Vec::new();
+        for realisation in realisations {
+            facts.push(realisation.facts);
+            for (index, case) in realisation.cases.into_iter().enumerate() {
+                if index == cases.len() {
+                    cases.push(Vec::new());
+                }
+                cases[index].push(case);
+            }
+        }
+        let sigmas: Vec<f64> = facts.iter().map(|facts| facts.sigma).collect();
+        let study = |realisations: Vec<CaseResults>| {
+            let pairs: Vec<Realisation> = realisations
+                .iter()
+                .zip(&sigmas)
+                .map(|(case, &sigma)| (&case.comparison.pairs[..], sigma))
+                .collect();
+            let accepted = accept.on(surface.plane.sigma);
+            Self {
+                spread: spread(&pairs),
+                verdicts: Verdicts::new(surface, &realisations, accepted),
+                ranking: None,
+                treated: Vec::new(),
+                dependences: Vec::new(),
+                realisations,
+            }
+        };
+        let cases = cases.into_iter().map(study).collect();
+        (facts, cases)
+    }
+
+    /// Results on the first realisation.
+    pub fn first(&self) -> &CaseResults {
+        &self.realisations[0]
+    }
+
+    /// The loads (Pa) at which the verdicts were computed again under other treatments, ascending.
+    pub fn treated_loads(&self) -> Vec<f64> {
+        let longest = self.treated.iter().max_by_key(|treated| treated.differences.len());
+        longest.map_or_else(Vec::new, |treated| treated.differences.iter().map(|at| at.load).collect())
+    }
+}

@@ -1,0 +1,47 @@
+//! A study: both models on a surface under laws and layers, with all that follows from them. It knows no spec, no file and no page;
+//! the kinds that compare are made of it.
+//!
+//! | module | what lives there |
+//! |---|---|
+//! | `setup` | what the models are run with |
+//! | `statistical`, `models` | the statistical model, and both models on a surface |
+//! | `run` | both models on one realisation |
+//! | `case` | a case on one realisation and over all: results, verdicts, ranking, treatments |
+//! | `sampling` | sampling errors, from groups of asperities left out |
+//! | `attribution`, `causes` | the differences divided among their causes |
+//! | `verdicts`, `reference` | whether the integral may replace the sum; which model is nearer to the reference |
+//! | `ranking` | the other statistical models |
+//! | `treatment`, `dependence` | other treatments of a measured map, and the verdicts that depend on them |
+//! | `layer`, `threshold` | what a layer changes |
+
+mod attribution;
+mod case;
+mod causes;
+mod dependence;
+mod layer;
+mod models;
+mod ranking;
+mod reference;
+mod run;
+mod sampling;
+mod setup;
+mod statistical;
+mod threshold;
+mod treatment;
+mod verdicts;
+
+pub use attribution::attribute;
+pub use case::{CaseResults, CaseStudy, RealisationFacts, RealisationResults};
+pub use causes::LeadingCause;
+pub use dependence::{Dependence, Treated};
+pub use layer::{DecreaseResults, LawFindings, LayerFindings, Threshold};
+pub use models::SurfaceModels;
+pub use ranking::{Against, Largest, Ranked, Ranking, Standing, is_within, rank};
+pub use reference::ReferenceVerdicts;
+pub use run::{StudyError, decreases, differ, models_of, run_surface, study};
+pub use sampling::sampling;
+pub use setup::Setup;
+pub use statistical::{JointModel, StatisticalModel};
+pub use threshold::{LayerQuestion, thresholds};
+pub use treatment::{Choice, Treatment};
+pub use verdicts::{Basis, Verdicts};

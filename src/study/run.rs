@@ -1,0 +1,185 @@
+//! Both models on one realisation of a surface under every law, with sampling errors and causes.
+
+use std::time::Instant;
+
+use asperity::compare::{
+    AgainstReference, CaseSampling, ComparedQuantity, Difference, Gaps, Kind, Models, NotReached, compare,
+};
+use asperity::distribution::HeightsError;
+use asperity::sphere::{Curve, boundaries};
+use asperity::work::{CountedContact, Counter};
+use asperity::{Model, plasticity_index};
+use asperity_framework::contact::LawPlan;
+use asperity_framework::metadata::Timing;
+
+use super::attribution::attribute;
+use super::case::{CaseResults, RealisationFacts, RealisationResults};
+use super::layer::DecreaseResults;
+use super::models::SurfaceModels;
+use super::sampling::sampling;
+use super::setup::Setup;
+use crate::surface::Surface;
+
+/// Why both models cannot be compared on a surface.
+pub enum StudyError<'a> {
+    /// The statistical model does not apply to it.
+    Inapplicable(HeightsError),
+    /// A load that a model does not reach under a law.
+    NotReached(&'a LawPlan, NotReached),
+}
+
+/// Both models on a surface with the differences between them, their sampling errors and, where `has_causes`, their causes.
+///
+/// # Errors
+/// See [`StudyError`].
+pub fn study<'a>(
+    setup: Setup<'a>,
+    surface: &Surface,
+    has_causes: bool,
+    counter: &Counter,
+) -> Result<(RealisationResults, Vec<CaseSampling>), StudyError<'a>> {
+    let timing = &mut Timing::default();
+    let models = models_of(setup, surface, timing).map_err(StudyError::Inapplicable)?;
+    let mut realisation = run_surface(setup, surface, &models, counter, timing)
+        .map_err(|(law, error)| StudyError::NotReached(law, error))?;
+    let samplings = sampling(setup, surface, &models, &realisation.cases);
+    differ(&mut realisation.cases, &samplings, setup.laws, &models);
+    if has_causes {
+        attribute(setup, surface, &models, &mut realisation.cases, true);
+    }
+    Ok((realisation, samplings))
+}
+
+/// Both models on a surface, its asperities as the laws see them.
+///
+/// # Errors
+/// A statistical model that does not apply to the surface.
+pub fn models_of<'a>(
+    setup: Setup,
+    surface: &'a Surface,
+    timing: &mut Timing,
+) -> Result<SurfaceModels<'a>, HeightsError> {
+    let start = Instant::now();
+    let is_summed = setup.models.contains(&Kind::Deterministic);
+    let models = SurfaceModels::new(surface, setup.statistical, setup.law_specs, is_summed);
+    timing.deterministic += start.elapsed();
+    models
+}
+
+/// Both models under every law.
+///
+/// # Errors
+/// A load that a model does not reach, and under which law.
+pub fn run_surface<'a>(
+    setup: Setup<'a>,
+    surface: &Surface,
+    models: &SurfaceModels,
+    counter: &Counter,
+    timing: &mut Timing,
+) -> Result<RealisationResults, (&'a LawPlan, NotReached)> {
+    let is_run = |kind| setup.models.contains(&kind);
+    let population = models.population();
+    let area = surface.set.nominal_area();
+    let mut cases = Vec::new();
+    setup.progress.stage("both models", setup.laws.len() as f64);
+    for law in setup.laws {
+        let contact = &CountedContact::new(&*law.contact, counter);
+        let statistical = is_run(Kind::Statistical).then(|| models.statistical(contact, &law.spec));
+        let deterministic = models.deterministic(contact, &law.spec);
+        let models = Models {
+            statistical: statistical.as_deref(),
+            deterministic: deterministic.as_ref().map(|model| model as &dyn Model),
+        };
+        let comparison = compare(models, setup.controls, area).map_err(|error| (law, error))?;
+        timing.statistical += comparison.statistical_time;
+        timing.deterministic += comparison.deterministic_time;
+        cases.push(CaseResults {
+            law: law.label.clone(),
+            yields: law.spec.law().yields_by().is_some(),
+            thickness: law.thickness,
+            plasticity_index: plasticity_index(contact, population.sigma, population.radius),
+            gaps: Gaps::of(&comparison.pairs),
+            differences: Vec::new(),
+            attribution: Vec::new(),
+            reference: None,
+            against_reference: AgainstReference::default(),
+            comparison,
+        });
+        setup.progress.advance(1.0);
+    }
+    let facts = RealisationFacts {
+        asperities: surface.set.count(),
+        nominal_area: area,
+        statistics: surface.reported_statistics(),
+        sigma: surface.plane.sigma,
+        moments: surface.map.as_ref().map(|map| map.roughness.moments),
+        population: population.clone(),
+        model: setup.statistical.clone(),
+    };
+    Ok(RealisationResults { facts, cases })
+}
+
+/// The differences of each case with their sampling uncertainty, where both models were run.
+pub fn differ(
+    cases: &mut [CaseResults],
+    samplings: &[CaseSampling],
+    laws: &[LawPlan],
+    models: &SurfaceModels,
+) {
+    /// Larger jumps of the load make the stiffness of a sum, which leaves them out, another than that of the integral.
+    const JUMP: f64 = 0.01;
+    for ((case, law), sampling) in cases.iter_mut().zip(laws).zip(samplings) {
+        case.differences = Difference::of(&case.comparison.pairs, sampling);
+        let shape = models.mean_shape(&law.spec);
+        if boundaries(&*law.contact, shape).iter().any(|at| at.load_jump().abs() > JUMP) {
+            let stiffnesses =
+                case.differences.iter_mut().map(|at| &mut at.estimates[ComparedQuantity::Stiffness as usize]);
+            stiffnesses.for_each(|stiffness| *stiffness = None);
+        }
+    }
+}
+
+/// Where area or load of the sharpest asperity, of one of the mean radius and of the bluntest falls, as deep as the
+/// highest asperity is pressed.
+pub fn decreases(
+    laws: &[LawPlan],
+    surface: &Surface,
+    models: &SurfaceModels,
+    realisation: &RealisationResults,
+    counter: &Counter,
+) -> Vec<DecreaseResults> {
+    /// Smallest indentation examined over the largest.
+    const SHALLOWEST: f64 = 1e-4;
+    let extremes = |values: &[f64]| {
+        let ends = (f64::INFINITY, f64::NEG_INFINITY);
+        values.iter().fold(ends, |(low, high), &value| (low.min(value), high.max(value)))
+    };
+    let highest = extremes(surface.set.heights()).1 - surface.plane.mean;
+    let mut all = Vec::new();
+    let cases: Vec<_> = laws.iter().zip(&realisation.cases).collect();
+    // Laws of the same kind of asperities, for any layer.
+    for alike in cases.chunk_by(|a, b| a.0.spec.is_elliptic() == b.0.spec.is_elliptic()) {
+        let spec = &alike[0].0.spec;
+        let [sharpest, bluntest] = models.extreme_shapes(spec);
+        let mut shapes = vec![sharpest, models.mean_shape(spec), bluntest];
+        shapes.dedup();
+        for (law, case) in alike {
+            let separations = case.comparison.curves.iter().map(|point| point.response.separation);
+            let deepest = highest - separations.fold(f64::INFINITY, f64::min);
+            if !(deepest > 0.0 && deepest.is_finite()) {
+                continue;
+            }
+            let contact = CountedContact::new(&*law.contact, counter);
+            for &shape in &shapes {
+                let decreases = Curve::of(&contact, shape, &[SHALLOWEST * deepest, deepest]).decreases;
+                all.extend(decreases.into_iter().map(|decrease| DecreaseResults {
+                    law: case.law.clone(),
+                    thickness: case.thickness,
+                    radius: shape.radius,
+                    decrease,
+                }));
+            }
+        }
+    }
+    all
+}

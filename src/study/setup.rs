@@ -1,0 +1,38 @@
+//! What both models are run with.
+
+use asperity::ContactLaw;
+use asperity::compare::{Controls, Kind};
+use asperity_framework::contact::LawPlan;
+use asperity_framework::progress::Progress;
+
+use super::statistical::StatisticalModel;
+
+/// What both models are run with on a surface.
+#[derive(Clone, Copy)]
+pub struct Setup<'a> {
+    /// The laws, each under every thickness of the layer.
+    pub laws: &'a [LawPlan],
+    /// The laws alone.
+    pub law_specs: &'a [ContactLaw],
+    /// The models to run.
+    pub models: &'a [Kind],
+    /// The statistical model.
+    pub statistical: &'a StatisticalModel,
+    /// Whether the gap between the models is divided among its causes.
+    pub is_attributed: bool,
+    /// Whether all statistical models are compared with sum and reference.
+    pub is_ranked: bool,
+    /// What the surface is pressed to.
+    pub controls: &'a Controls,
+    /// The seed of the spec.
+    pub seed: u64,
+    /// Whoever watches.
+    pub progress: &'a dyn Progress,
+}
+
+impl Setup<'_> {
+    /// Whether both models are run, so that they can be compared.
+    pub fn has_both_models(&self) -> bool {
+        [Kind::Statistical, Kind::Deterministic].iter().all(|kind| self.models.contains(kind))
+    }
+}
