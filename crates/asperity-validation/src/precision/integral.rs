@@ -1,272 +1,178 @@
-//! Cost of integrating one micro-contact over the heights, by rule and order.
+//! Cost of integrating one micro-contact over the heights, by rule and order or tolerance.
 //!
-//! Every rule gives area and load and evaluates the same contact, node by node. Only the rule of
-//! the statistical model runs as in production, with all its other results.
+//! Every rule gives area and load and evaluates the same contact, node by node. Only the rule of the statistical model runs as in
+//! production, with all its other results.
 
 use std::hint::black_box;
+use std::iter::once;
 use std::num::NonZeroUsize;
 
 use asperity_fft::Complex;
+use gauss_quad::GaussLegendre;
 use quad_rs::{Integrable, IntegratorConfig, integrate_real};
 
-use super::Cost;
-use super::rules::{self, Node};
 use super::timing::{Candidate, medians};
-use crate::stability::exact::Integral;
-use crate::stability::exact::{self, Exact};
-use crate::stability::wide::{Wide, relative_error};
+use super::{Case, Cost};
+use crate::stability::exact::{self, Exact, Integral};
+use crate::stability::wide::Wide;
 use asperity::distribution::Gaussian;
-use asperity::{HeightDistribution, Heights, MicroContact, Model, Population, Shape, Statistical};
+use asperity::{HeightDistribution, Heights, MicroContact, Model, Shape, Statistical};
 
-pub use super::rules::Family;
-
-/// E-foldings of the density over one panel of [`Family::Panels`]; where the density also rises, fewer.
-const FOLDINGS: [f64; 2] = [20.0, 8.0];
-
-/// Order of the shipped rule in each of its panels.
-const SHIPPED_ORDER: usize = 24;
-
-/// Orders of Gauss rules.
+/// Orders of Gauss-Legendre.
 const ORDERS: [usize; 13] = [2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128];
 
-/// Orders of rules of equal steps, and of Gauss rules where the integrand is not smooth.
-const MANY: [usize; 6] = [8, 16, 32, 64, 128, 256];
+/// Relative tolerances of Gauss-Kronrod.
+const TOLERANCES: [f64; 6] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
 
-/// A rule and how it is used.
+/// A quadrature rule. A smoothed one splits the integral where the law changes, and its variable is the square root of the indentation,
+/// in which the load is smooth; any other is applied to the whole range at once.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Rule {
-    /// The family.
-    pub family: Family,
-    /// Whether the integral is split where the law changes.
-    pub split: bool,
-    /// Whether the variable is w^.5 (Laguerre: up to the last breakpoint).
-    pub substituted: bool,
-    /// Its order or tolerance.
-    pub effort: Effort,
+pub enum Rule {
+    /// Gauss-Legendre (gauss-quad) with so many nodes per piece.
+    Legendre {
+        /// Whether it is smoothed.
+        smoothed: bool,
+        /// Nodes.
+        order: usize,
+    },
+    /// Adaptive Gauss-Kronrod (quad-rs) within a relative tolerance of area and load.
+    Kronrod {
+        /// Whether it is smoothed.
+        smoothed: bool,
+        /// The tolerance.
+        tolerance: f64,
+    },
+    /// The rule of the statistical model.
+    Shipped,
 }
 
-/// Order or tolerance of a rule.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Effort {
-    /// Nodes or steps of each panel.
-    Order(usize),
-    /// A relative tolerance.
-    Tolerance(f64),
-    /// As it is.
-    Fixed,
+impl Rule {
+    /// All rules, those of one name together and the fastest first.
+    fn all() -> Vec<Self> {
+        let smoothed = [false, true].into_iter();
+        let legendre =
+            smoothed.clone().flat_map(|smoothed| ORDERS.map(move |order| Self::Legendre { smoothed, order }));
+        let kronrod = smoothed
+            .flat_map(|smoothed| TOLERANCES.map(move |tolerance| Self::Kronrod { smoothed, tolerance }));
+        legendre.chain(kronrod).chain([Self::Shipped]).collect()
+    }
+
+    /// As tables name it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Legendre { smoothed: false, .. } => "gauss-legendre, whole range",
+            Self::Legendre { smoothed: true, .. } => "gauss-legendre, split and substituted",
+            Self::Kronrod { smoothed: false, .. } => "gauss-kronrod, whole range",
+            Self::Kronrod { smoothed: true, .. } => "gauss-kronrod, split and substituted",
+            Self::Shipped => "shipped",
+        }
+    }
+
+    /// Nodes per piece, where they are fixed.
+    pub const fn order(self) -> Option<usize> {
+        if let Self::Legendre { order, .. } = self { Some(order) } else { None }
+    }
+
+    /// Tolerance of an adaptive rule.
+    pub const fn tolerance(self) -> Option<f64> {
+        if let Self::Kronrod { tolerance, .. } = self { Some(tolerance) } else { None }
+    }
 }
 
 /// One rule on one population.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct IntegralPoint {
+    /// Name of the population.
+    pub case: String,
     /// The rule.
     pub rule: Rule,
-    /// Contacts evaluated, in the mean of the separations; `None` where the rule does not report it.
+    /// Contacts evaluated, in the mean of the separations; `None` of the shipped rule, which does not report it.
     pub evaluations: Option<f64>,
-    /// The largest relative error of the area over the separations.
-    pub area_error: f64,
-    /// The same of the load.
-    pub load_error: f64,
-    /// Both.
+    /// Per separation.
     pub cost: Cost,
 }
 
-/// All rules on one population.
-#[derive(Debug, Clone, PartialEq)]
-pub struct IntegralFindings {
-    /// Rule by rule.
-    pub points: Vec<IntegralPoint>,
-}
-
-impl IntegralFindings {
-    /// The rule of the statistical model.
-    pub fn shipped(&self) -> Option<&IntegralPoint> {
-        self.points.iter().find(|point| point.rule.family == Family::Shipped)
-    }
-
-    /// The nodes of the shipped rule in the loop of all others.
-    pub fn shipped_nodes(&self) -> Option<&IntegralPoint> {
-        let is_it =
-            |rule: &Rule| rule.family == Family::Panels && rule.effort == Effort::Order(SHIPPED_ORDER);
-        self.points.iter().find(|point| is_it(&point.rule))
-    }
-}
-
-/// The rules compared: those that can integrate from the flat upwards.
-fn rules() -> Vec<Rule> {
-    let of = |family, [split, substituted]: [bool; 2], orders: &[usize]| {
-        let rule = move |order: &usize| Rule { family, split, substituted, effort: Effort::Order(*order) };
-        orders.iter().map(rule).collect::<Vec<_>>()
-    };
-    let mut all = Vec::new();
-    for use_of in [[false, false], [false, true], [true, false], [true, true]] {
-        all.extend(of(Family::Legendre, use_of, &ORDERS));
-    }
-    all.extend(of(Family::Panels, [true, true], &ORDERS[..11]));
-    all.extend(of(Family::Jacobi, [true, false], &ORDERS[..11]));
-    for family in [Family::ChebyshevFirst, Family::ChebyshevSecond] {
-        all.extend(of(family, [true, true], &MANY));
-    }
-    all.extend(of(Family::Laguerre, [false, false], &MANY[..5]));
-    all.extend(of(Family::Laguerre, [true, true], &MANY[..5]));
-    all.extend(of(Family::Hermite, [false, false], &MANY));
-    for family in [Family::Midpoint, Family::Trapezoid, Family::Simpson] {
-        for use_of in [[false, false], [true, true]] {
-            all.extend(of(family, use_of, &MANY));
-        }
-    }
-    for [split, substituted] in [[false, false], [true, false], [true, true]] {
-        let tolerances = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12].map(Effort::Tolerance);
-        all.extend(tolerances.map(|effort| Rule { family: Family::Kronrod, split, substituted, effort }));
-    }
-    all.push(Rule { family: Family::Shipped, split: true, substituted: true, effort: Effort::Fixed });
-    all
-}
-
-/// A rule with its nodes.
-struct Prepared {
-    rule: Rule,
-    /// Of the segment that begins at w = 0, and of any other.
-    segments: [Vec<Node>; 2],
-    /// Of all that follows the last breakpoint, in the variable t = rate x.
-    tail: Option<Vec<Node>>,
-    /// Of all heights.
-    heights: Option<Vec<Node>>,
-}
-
-impl Prepared {
-    fn new(rule: Rule) -> Self {
-        let order = match rule.effort {
-            Effort::Order(order) => NonZeroUsize::new(order),
-            _ => None,
-        };
-        let family = rule.family;
-        let segments = order.map(|order| rules::on_segments(family, order)).unwrap_or_default();
-        let tail = order.filter(|_| family == Family::Laguerre).map(rules::laguerre);
-        let heights = order.filter(|_| family == Family::Hermite).map(rules::hermite);
-        Self { rule, segments, tail, heights }
-    }
-}
-
 /// Area ratio and pressure, and how many contacts were evaluated.
-type Answer = ([f64; 2], usize);
+type Evaluated = ([f64; 2], usize);
 
 /// One micro-contact and one population.
 struct Problem<'a> {
     contact: &'a dyn MicroContact,
-    population: &'a Population,
     shape: Shape,
+    sigma: f64,
+    density: f64,
     /// In units of sigma, ascending.
     breakpoints: Vec<f64>,
 }
 
-impl<'a> Problem<'a> {
-    fn new(contact: &'a dyn MicroContact, population: &'a Population) -> Self {
-        let shape = Shape::sphere(population.radius);
-        let breakpoints = contact.breakpoints(shape).into_iter().map(|w| w / population.sigma).collect();
-        Self { contact, population, shape, breakpoints }
-    }
-
+impl Problem<'_> {
     /// Area and load at the indentation `x` in sigma.
     #[inline]
     fn values(&self, x: f64) -> [f64; 2] {
-        let contact = self.contact.contact(x * self.population.sigma, self.shape);
+        let contact = self.contact.contact(x * self.sigma, self.shape);
         [contact.area, contact.load]
     }
 
-    /// The ends of the segments: those of the window and, if it is split, the breakpoints between.
-    fn ends(&self, h: f64, split: bool) -> impl Iterator<Item = f64> {
-        let [start, end] = Gaussian.window(h);
-        let between = self.breakpoints.iter().copied().filter(move |x| split && start < *x && *x < end);
-        [start].into_iter().chain(between).chain([end])
+    /// Area and load at `s`, times the density relative to that at the flat.
+    #[inline]
+    fn integrand(&self, h: f64, smoothed: bool, s: f64) -> [f64; 2] {
+        let (x, stretch) = if smoothed { (s * s, 2.0 * s) } else { (s, 1.0) };
+        let density = stretch * (-Gaussian.exponent(h, x)).exp();
+        self.values(x).map(|value| density * value)
     }
 
-    /// Result of a rule with nodes at `h` = d/sigma.
-    fn answer(&self, rule: &Prepared, h: f64) -> Answer {
-        let (mut sums, mut count) = ([0.0; 2], 0);
-        if let Some(nodes) = &rule.heights {
-            // Relative to its scale, the density is exp(-exponent); the weights hold it.
-            for node in nodes.iter().filter(|node| node.at > h) {
-                add(&mut sums, node.weights, self.values(node.at - h));
-                count += 1;
-            }
-            return (sums.map(|sum| sum * self.population.density), count);
-        }
-        let mut ends = self.ends(h, rule.rule.split).peekable();
+    /// The ends of the pieces at `h` = d/sigma.
+    fn ends(&self, h: f64, smoothed: bool) -> impl Iterator<Item = f64> {
+        let [start, end] = Gaussian.window(h);
+        let is_between = move |x: &f64| smoothed && start < *x && *x < end;
+        let between = self.breakpoints.iter().copied().filter(is_between);
+        let ends = once(start).chain(between).chain(once(end));
+        ends.map(move |x| if smoothed { x.sqrt() } else { x })
+    }
+
+    /// By nodes and weights on [-1, 1].
+    fn legendre(&self, nodes: &[(f64, f64)], smoothed: bool, h: f64) -> Evaluated {
+        let (mut sums, mut evaluations) = ([0.0; 2], 0);
+        let mut ends = self.ends(h, smoothed);
         let mut from = ends.next().unwrap_or_default();
-        while let Some(to) = ends.next() {
-            if let Some(nodes) = rule.tail.as_ref().filter(|_| ends.peek().is_none()) {
-                // Mean indentation of a Gaussian excess, nearly.
-                let rate = 0.5 * (h + (h * h + std::f64::consts::TAU).sqrt());
-                for node in nodes {
-                    let x = from + node.at / rate;
-                    let density = (node.exponent - Gaussian.exponent(h, x)).exp() / rate;
-                    add(&mut sums, node.weights.map(|weight| weight * density), self.values(x));
-                }
-                count += nodes.len();
-                continue;
+        for to in ends {
+            let half = 0.5 * (to - from);
+            for (x, weight) in nodes {
+                let [area, load] = self.integrand(h, smoothed, from + half * (1.0 + x));
+                sums = [sums[0] + half * weight * area, sums[1] + half * weight * load];
             }
-            let nodes = &rule.segments[usize::from(from > 0.0)];
-            let panels = match rule.rule.family {
-                Family::Panels => {
-                    let foldings = FOLDINGS[usize::from(Gaussian.contains_peak(h, from, to))];
-                    (Gaussian.e_foldings(h, from, to) / foldings).ceil().max(1.0) as usize
-                }
-                _ => 1,
-            };
-            let [low, high] = if rule.rule.substituted { [from.sqrt(), to.sqrt()] } else { [from, to] };
-            let width = (high - low) / panels as f64;
-            for panel in 0..panels {
-                let begin = low + width * panel as f64;
-                for node in nodes {
-                    let s = begin + width * node.at;
-                    let (x, stretch) =
-                        if rule.rule.substituted { (s * s, 2.0 * s * width) } else { (s, width) };
-                    // An end of a closed rule may lie on the flat.
-                    if x > 0.0 {
-                        let density = stretch * (-Gaussian.exponent(h, x)).exp();
-                        add(&mut sums, node.weights.map(|weight| weight * density), self.values(x));
-                    }
-                }
-                count += nodes.len();
-            }
+            evaluations += nodes.len();
             from = to;
         }
-        let scale = self.population.density * Gaussian.scale(h);
-        (sums.map(|sum| sum * scale), count)
+        let scale = self.density * Gaussian.scale(h);
+        (sums.map(|sum| sum * scale), evaluations)
     }
 
-    /// The same by quad-rs; `None` where it gives up.
-    fn adaptive(&self, rule: &Rule, tolerance: f64, h: f64) -> Option<Answer> {
+    /// By quad-rs; `None` where it gives up.
+    fn kronrod(&self, tolerance: f64, smoothed: bool, h: f64) -> Option<Evaluated> {
         /// Evaluations before it gives up.
         const MOST: usize = 100_000;
-        let ends = self.ends(h, rule.split).map(|x| if rule.substituted { x.sqrt() } else { x }).collect();
         // Area and load are scaled to near 1; the tolerance applies to the norm of both.
         let unit = self.values(1.0);
-        let problem = Above { problem: self, h, substituted: rule.substituted, unit };
         let config = IntegratorConfig::default()
             .with_relative_tolerance(tolerance)
             .with_absolute_tolerance(0.0)
             .with_minimum_segment_width(f64::MIN_POSITIVE)
             .with_max_function_evalutions(MOST)
             .with_tolerance_window(1);
-        let found = integrate_real(problem, ends, config).ok()?;
-        let scale = self.population.density * Gaussian.scale(h);
-        Some(([found.integral.re * unit[0] * scale, found.integral.im * unit[1] * scale], found.evaluations))
+        let above = Above { problem: self, h, smoothed, unit };
+        let output = integrate_real(above, self.ends(h, smoothed).collect(), config).ok()?;
+        let scale = self.density * Gaussian.scale(h);
+        let values = [output.integral.re * unit[0] * scale, output.integral.im * unit[1] * scale];
+        Some((values, output.evaluations))
     }
-}
-
-#[inline]
-fn add(sums: &mut [f64; 2], weights: [f64; 2], values: [f64; 2]) {
-    sums[0] += weights[0] * values[0];
-    sums[1] += weights[1] * values[1];
 }
 
 /// Area and load above the flat, as the integrand of quad-rs.
 struct Above<'a> {
     problem: &'a Problem<'a>,
     h: f64,
-    substituted: bool,
+    smoothed: bool,
     unit: [f64; 2],
 }
 
@@ -276,22 +182,20 @@ impl Integrable for Above<'_> {
     type Output = Complex<f64>;
 
     fn integrand(&self, s: &f64) -> Complex<f64> {
-        let (x, stretch) = if self.substituted { (s * s, 2.0 * s) } else { (*s, 1.0) };
-        let density = stretch * (-Gaussian.exponent(self.h, x)).exp();
-        let [area, load] = self.problem.values(x);
-        Complex::new(density * area / self.unit[0], density * load / self.unit[1])
+        let [area, load] = self.problem.integrand(self.h, self.smoothed, *s);
+        Complex::new(area / self.unit[0], load / self.unit[1])
     }
 }
 
-/// Runs every rule on a Gaussian population at `separations` (d/sigma, at least one); `None` for other heights, and where the
-/// reference does not settle.
-/// `exact` is what `contact` should be.
-pub fn rules_on(
+/// Runs every rule on a population at `separations` (d/sigma, at least one); `None` for heights that are not Gaussian, and where the
+/// reference does not settle. `exact` is what `contact` should be.
+pub fn integrals(
     contact: &dyn MicroContact,
     exact: &Exact,
-    population: &Population,
+    case: &Case,
     separations: &[f64],
-) -> Option<IntegralFindings> {
+) -> Option<Vec<IntegralPoint>> {
+    let population = &case.population;
     if population.heights != Heights::GAUSSIAN {
         return None;
     }
@@ -301,92 +205,85 @@ pub fn rules_on(
         Some([total.total_area(), total.total_load()])
     };
     let exact: Vec<[Wide; 2]> = separations.iter().map(reference).collect::<Option<_>>()?;
-    let problem = Problem::new(contact, population);
+    let shape = Shape::sphere(population.radius);
+    let problem = Problem {
+        contact,
+        shape,
+        sigma: population.sigma,
+        density: population.density,
+        breakpoints: contact.breakpoints(shape).into_iter().map(|w| w / population.sigma).collect(),
+    };
     let shipped = Statistical::new(contact, population.clone());
-    let rules: Vec<Prepared> = rules().into_iter().map(Prepared::new).collect();
-    let answer = |rule: &Prepared, h: f64| match (rule.rule.family, rule.rule.effort) {
-        (Family::Shipped, _) => {
+    let nodes = |rule: Rule| {
+        let order = rule.order().and_then(NonZeroUsize::new);
+        order.map_or_else(Vec::new, |order| GaussLegendre::new(order).as_node_weight_pairs().to_vec())
+    };
+    let evaluate = |rule: Rule, nodes: &[(f64, f64)], h: f64| match rule {
+        Rule::Legendre { smoothed, .. } => Some(problem.legendre(nodes, smoothed, h)),
+        Rule::Kronrod { smoothed, tolerance } => problem.kronrod(tolerance, smoothed, h),
+        Rule::Shipped => {
             let response = shipped.respond(h);
             Some(([response.area_ratio.total(), response.pressure.total()], 0))
         }
-        (_, Effort::Tolerance(tolerance)) => problem.adaptive(&rule.rule, tolerance, h),
-        _ => Some(problem.answer(rule, h)),
     };
     // Rules with a result at every separation.
-    let answered: Vec<(&Prepared, Vec<Answer>)> = rules
-        .iter()
-        .filter_map(|rule| Some((rule, separations.iter().map(|&h| answer(rule, h)).collect::<Option<_>>()?)))
-        .collect();
-    let mut candidates: Vec<Candidate> = answered
-        .iter()
-        .map(|(rule, _)| -> Candidate {
-            Box::new(|| {
-                for &h in separations {
-                    black_box(answer(rule, black_box(h)));
-                }
-            })
-        })
-        .collect();
+    let mut evaluated: Vec<(Rule, Vec<(f64, f64)>, Vec<Evaluated>)> = Vec::new();
+    for rule in Rule::all() {
+        let nodes = nodes(rule);
+        let results: Option<_> = separations.iter().map(|&h| evaluate(rule, &nodes, h)).collect();
+        evaluated.extend(results.map(|results| (rule, nodes, results)));
+    }
+    let mut candidates: Vec<Candidate> = Vec::new();
+    for (rule, nodes, _) in &evaluated {
+        let evaluate = &evaluate;
+        candidates.push(Box::new(move || {
+            for &h in separations {
+                black_box(evaluate(*rule, nodes, black_box(h)));
+            }
+        }));
+    }
     let seconds = medians(&mut candidates);
-    let points = answered.iter().zip(seconds).map(|((rule, answers), seconds)| {
-        let error = |which: usize| {
-            let pairs = answers.iter().zip(&exact);
-            let errors = pairs.map(|((found, _), exact)| relative_error(found[which], exact[which]));
-            errors.fold(0.0, f64::max)
-        };
-        let (area_error, load_error) = (error(0), error(1));
-        let count: usize = answers.iter().map(|(_, count)| count).sum();
-        let count = count as f64 / separations.len() as f64;
-        let seconds = seconds / separations.len() as f64;
+    let points = evaluated.iter().zip(seconds).map(|((rule, _, results), seconds)| {
+        let values: Vec<[f64; 2]> = results.iter().map(|(values, _)| *values).collect();
+        let count: usize = results.iter().map(|(_, count)| count).sum();
         IntegralPoint {
-            rule: rule.rule,
-            evaluations: (count > 0.0).then_some(count),
-            area_error,
-            load_error,
-            cost: Cost { seconds, error: area_error.max(load_error) },
+            case: case.name.clone(),
+            rule: *rule,
+            evaluations: (count > 0).then(|| count as f64 / separations.len() as f64),
+            cost: Cost::new(seconds, &values, &exact),
         }
     });
-    Some(IntegralFindings { points: points.collect() })
+    Some(points.collect())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::precision::{LEVELS, fastest};
     use crate::stability::Bodies;
-    use asperity::{Interface, Material, Zmc};
-
-    fn findings() -> IntegralFindings {
-        let steel = Material::new(210e9, 0.3, Some(7.6e9), None).unwrap();
-        let contact = Interface::bare(Zmc::default(), &steel, &steel).unwrap();
-        let case = Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: Heights::GAUSSIAN };
-        let law = crate::stability::CoveredLaw::zmc();
-        let exact = Exact::new(&Bodies { law, rough: steel, flat: steel, layer: None });
-        rules_on(&contact, &exact, &case, &[-1.0, 0.0, 2.0]).unwrap()
-    }
+    use asperity::{Interface, Material, Population, Zmc};
 
     #[test]
     fn rules_are_as_exact_as_they_should_be() {
-        let found = findings();
-        let error = |family, split, substituted, effort| {
-            let rule = Rule { family, split, substituted, effort };
-            found.points.iter().find(|point| point.rule == rule).unwrap().cost.error
-        };
-        let legendre =
-            |split, substituted, order| error(Family::Legendre, split, substituted, Effort::Order(order));
-        assert!(legendre(true, true, 8) > 100.0 * legendre(true, true, 24));
-        assert!(legendre(true, true, 64) < 1e-13);
-        assert!(legendre(false, true, 64) > 1e3 * legendre(true, true, 64));
-        assert!(legendre(true, false, 64) > 1e2 * legendre(true, true, 64));
-        assert!(error(Family::Panels, true, true, Effort::Order(24)) < 1e-13);
-        assert!(error(Family::Jacobi, true, false, Effort::Order(64)) < 1e-12);
-        assert!(error(Family::Laguerre, true, true, Effort::Order(64)) < 1e-6);
-        assert!(error(Family::Hermite, false, false, Effort::Order(256)) < 0.05);
-        assert!(error(Family::Simpson, true, true, Effort::Order(256)) < 1e-5);
-        assert!(error(Family::Kronrod, true, true, Effort::Tolerance(1e-8)) < 1e-8);
-        assert!(found.shipped().unwrap().cost.error < 1e-13);
-        assert!(found.points.iter().all(|point| point.cost.error.is_finite() && point.cost.seconds > 0.0));
-        let costs = || found.points.iter().map(|point| &point.cost);
-        assert!(LEVELS.into_iter().all(|level| fastest(costs(), level).is_some()));
+        let steel = Material::new(210e9, 0.3, Some(7.6e9), None).unwrap();
+        let contact = Interface::bare(Zmc::default(), &steel, &steel).unwrap();
+        let population =
+            Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: Heights::GAUSSIAN };
+        let law = crate::stability::CoveredLaw::zmc();
+        let exact = Exact::new(&Bodies { law, rough: steel, flat: steel, layer: None });
+        let case = Case { name: "one".to_owned(), population };
+        let points = integrals(&contact, &exact, &case, &[-1.0, 0.0, 2.0]).unwrap();
+        let error = |rule: Rule| points.iter().find(|point| point.rule == rule).unwrap().cost.error();
+        let legendre = |smoothed, order| error(Rule::Legendre { smoothed, order });
+        assert!(legendre(true, 8) > 100.0 * legendre(true, 24));
+        assert!(legendre(true, 64) < 1e-13 && legendre(false, 64) > 1e3 * legendre(true, 64));
+        for tolerance in TOLERANCES {
+            assert!(error(Rule::Kronrod { smoothed: true, tolerance }) < tolerance);
+        }
+        assert!(error(Rule::Kronrod { smoothed: false, tolerance: 1e-12 }) < 1e-10);
+        assert!(error(Rule::Shipped) < 1e-13);
+        assert_eq!(points.len(), 2 * (ORDERS.len() + TOLERANCES.len()) + 1);
+        assert!(points.iter().all(|point| point.cost.error().is_finite() && point.cost.seconds > 0.0));
+        let shipped = points.last().unwrap();
+        assert!(shipped.rule == Rule::Shipped && shipped.evaluations.is_none());
     }
 }

@@ -1,19 +1,17 @@
 //! `[precision]`: run time against error.
 
-mod findings;
-mod names;
 mod page;
 mod plan;
 mod run;
 mod spec;
-mod summary;
 mod tables;
 
+use asperity_framework::contact::ContactSummary;
 use asperity_framework::input::{InputError, Spanned, SpecFile};
 use asperity_framework::metadata::Metadata;
 use asperity_framework::report::Page;
 use asperity_framework::report::table::{Schema, Table, Tables};
-use asperity_framework::{Kind, Memory, Outcome, Plan, Planned, Reads, RunContext};
+use asperity_framework::{Kind, Memory, Outcome, Plan, Planned, Reads, RunContext, fields};
 use serde_json::{Map, Value};
 
 use plan::PrecisionPlan;
@@ -68,8 +66,8 @@ impl Outcome for PrecisionResults {
         self.contact.caveats.clone()
     }
 
-    fn page(&self, _: &Tables) -> Page {
-        page::page(self)
+    fn page(&self, tables: &Tables) -> Page {
+        page::page(self, tables)
     }
 
     fn tables(&self) -> Vec<Table> {
@@ -77,6 +75,6 @@ impl Outcome for PrecisionResults {
     }
 
     fn facts(&self) -> serde_json::Result<Map<String, Value>> {
-        summary::summary(self)
+        fields(&ContactSummary::of(&self.contact))
     }
 }

@@ -1,171 +1,104 @@
 //! Run time against error: names resolved, sizes checked.
 
 use std::fmt;
+use std::ops::RangeInclusive;
 
 use super::spec::{self, PrecisionSpec};
-use crate::precision::attribution::{AttributionTask, MULTIPLIED};
-use crate::precision::curve::CurveTask;
-use crate::precision::grid::{GridTask, side};
-use crate::precision::list::ListTask;
-use crate::precision::sampling::SamplingTask;
-use crate::precision::sum::{POINTS, SumTask};
+use crate::precision::Case;
+use crate::precision::sum::POINTS;
+use crate::precision::surface::{SurfaceTask, side};
 use crate::stability;
+use asperity::bem::{Boundary, Solver};
 use asperity::{ContactLaw, Flat, Heights, Population};
-use asperity_framework::contact::Bodies;
-use asperity_framework::contact::LawPlan;
-use asperity_framework::input::InputError;
-use asperity_framework::input::Spanned;
-use asperity_framework::input::SpecFile;
-use asperity_framework::input::Whole;
+use asperity_framework::contact::{Bodies, LawPlan};
 use asperity_framework::input::quantity::Pure;
 use asperity_framework::input::sweep::LogSweep;
-use asperity_framework::input::tolerance::TOLERANCES;
+use asperity_framework::input::{InputError, Spanned, SpecFile};
 use asperity_framework::set_memory;
 
-/// Of one curve.
-const MOST_SEPARATIONS: u64 = 100_000;
+/// d/sigma within which rules and reference keep their digits.
+const SEPARATIONS: RangeInclusive<f64> = -10.0..=35.0;
 
-/// Of one set: what memory holds is looked at besides.
-const MOST_ASPERITIES: u64 = 1_000_000_000_000;
+/// Pixels per contact radius: fewer show no circle.
+const PIXELS: RangeInclusive<f64> = 4.0..=400.0;
 
-/// Run time against error of integrals, sums and surfaces.
+/// Run time against error of integrals, sums, surfaces and boundary elements.
 pub struct PrecisionPlan {
     /// Names of the two bodies.
     pub bodies: Bodies,
     pub law: LawPlan,
-    /// Law and bodies for the reference.
+    /// Law and bodies for the reference of the integrals.
     pub exact: stability::Bodies,
-    /// Populations by name.
-    pub cases: Vec<(String, Population)>,
+    pub cases: Vec<Case>,
     /// d/sigma of the integrals; empty unless the spec requests them.
     pub separations: Vec<f64>,
-    pub sum: Option<SumTask>,
-    /// Curves within a tolerance.
-    pub curve: Option<CurveTask>,
-    /// Lists in files.
-    pub list: Option<ListTask>,
-    /// Differences divided among their causes.
-    pub attribution: Option<AttributionTask>,
-    pub sampling: Option<SamplingTask>,
-    pub grid: Option<GridTask>,
+    /// Sizes of the sets that are summed; empty unless the spec requests them.
+    pub counts: Vec<usize>,
+    pub surface: Option<SurfaceTask>,
+    /// Pixels per contact radius of boundary elements; empty unless the spec requests them.
+    pub pixels: Vec<usize>,
     /// Whether the largest sizes are included (`--full`).
     pub full: bool,
 }
 
 impl PrecisionPlan {
+    /// Points of each kind of map.
+    fn maps(&self) -> impl Iterator<Item = u128> {
+        self.surface.iter().flat_map(SurfaceTask::kinds).map(|(_, size)| (side(size) as u128).pow(2))
+    }
+
+    /// Points along a side of each map of Hertz's contact, which is 2.5 contact radii.
+    fn hertz(&self) -> impl Iterator<Item = usize> {
+        self.pixels.iter().map(|pixels| (5 * pixels).div_ceil(2))
+    }
+
     /// Bytes at the peak.
     pub fn memory(&self) -> u128 {
         /// The map, its half spectrum, and what finding summits takes.
         const BYTES_PER_POINT: u128 = 32;
-        let sets = [
-            self.sum.as_ref().map(|task| &task.counts),
-            self.list.as_ref().map(|task| &task.counts),
-            self.attribution.as_ref().map(|task| &task.counts),
-            self.sampling.as_ref().map(|task| &task.counts),
-        ];
-        let asperities = sets.into_iter().flatten().flatten();
-        let curve = self.curve.iter().map(|task| &task.asperities);
-        let asperities = asperities.chain(curve).max().copied().unwrap_or(0);
-        let points = self.grid.iter().flat_map(maps).max().unwrap_or(0);
-        set_memory(asperities as u128).max(points * BYTES_PER_POINT)
+        let asperities = self.counts.iter().max().copied().unwrap_or(0);
+        let maps = self.maps().map(|points| points * BYTES_PER_POINT);
+        let contacts = self.hertz().map(|points| {
+            // The map, and its heights before they are scaled.
+            16 * (points as u128).pow(2) + Solver::memory([points; 2], Boundary::Finite)
+        });
+        maps.chain(contacts).fold(set_memory(asperities as u128), u128::max)
     }
 
-    /// Contacts evaluated in one pass over everything.
+    /// Contacts evaluated in one pass over everything; a convolution of boundary elements counts as one per point.
     pub fn work(&self) -> u128 {
-        let sums = self.sum.iter().map(|task| task.counts.iter().sum::<usize>() * POINTS);
-        let sets = self
-            .sampling
-            .iter()
-            .map(|task| task.counts.iter().sum::<usize>() * task.separations.len() * task.draws);
-        let lists = self.list.iter().map(|task| task.counts.iter().sum::<usize>() * task.separations);
-        let curves =
-            self.curve.iter().map(|task| task.asperities * task.separations * (1 + task.tolerances.len()));
-        let attributions = self
-            .attribution
-            .iter()
-            .map(|task| task.counts.iter().sum::<usize>() * task.loads + MULTIPLIED * MULTIPLIED);
-        sums.chain(curves)
-            .chain(lists)
-            .chain(attributions)
-            .chain(sets)
-            .map(|contacts| (contacts * self.cases.len()) as u128)
-            .sum()
+        const CONVOLUTIONS: u128 = 200;
+        let sums = self.counts.iter().sum::<usize>() * POINTS * self.cases.len();
+        sums as u128 + self.hertz().map(|points| CONVOLUTIONS * (points as u128).pow(2)).sum::<u128>()
     }
 
     /// Steps of its progress: pieces of work of very different size.
     pub fn steps(&self) -> u64 {
-        let of_case = u64::from(!self.separations.is_empty())
-            + self.sum.as_ref().map_or(0, |task| task.counts.len() as u64)
-            + u64::from(self.curve.is_some())
-            + self.list.as_ref().map_or(0, |task| task.counts.len() as u64)
-            + self.attribution.as_ref().map_or(0, |task| task.counts.len() as u64)
-            + self.sampling.as_ref().map_or(0, |task| (task.counts.len() * (task.draws + 1)) as u64);
-        let maps = self.grid.as_ref().map_or(0, |task| maps(task).count() * task.realisations);
-        of_case * self.cases.len() as u64 + maps as u64
+        let per_case = usize::from(!self.separations.is_empty()) + self.counts.len();
+        let maps = self.surface.as_ref().map_or(0, |task| task.kinds().count() * task.realisations);
+        (per_case * self.cases.len() + maps + usize::from(!self.pixels.is_empty())) as u64
     }
-}
-
-/// Points of each kind of map.
-fn maps(task: &GridTask) -> impl Iterator<Item = u128> {
-    let sides = task.per_length.iter().flat_map(|&p| task.lengths.iter().map(move |&l| side(p, l) as u128));
-    sides.map(|side| side * side)
 }
 
 impl fmt::Display for PrecisionPlan {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let names: Vec<&str> = self.cases.iter().map(|(name, _)| name.as_str()).collect();
-        writeln!(
-            f,
-            "  {} on {}, law {}, {}",
-            self.bodies.rough,
-            self.bodies.flat,
-            self.law.label,
-            names.join(", ")
-        )?;
+        let Self { bodies, law, counts, pixels, .. } = self;
+        let names: Vec<&str> = self.cases.iter().map(|case| case.name.as_str()).collect();
+        writeln!(f, "  {} on {}, law {}, {}", bodies.rough, bodies.flat, law.label, names.join(", "))?;
         if !self.separations.is_empty() {
             writeln!(f, "  quadrature rules at {} separations", self.separations.len())?;
         }
-        if let Some(task) = &self.sum {
+        if !counts.is_empty() {
+            writeln!(f, "  sums of {counts:?} asperities at {POINTS} separations")?;
+        }
+        if let Some(SurfaceTask { per_length, lengths, realisations }) = &self.surface {
             writeln!(
                 f,
-                "  sums of {:?} asperities, at {:?} separations, on {:?} threads",
-                task.counts, task.separations, task.threads
+                "  {realisations} maps of each size: {per_length:?} points per correlation length, {lengths:?} correlation lengths per side"
             )?;
         }
-        if let Some(task) = &self.curve {
-            writeln!(
-                f,
-                "  curves of {} separations, the sum of {} asperities, exactly and within {} tolerances",
-                task.separations,
-                task.asperities,
-                task.tolerances.len()
-            )?;
-        }
-        if let Some(task) = &self.list {
-            writeln!(
-                f,
-                "  lists of {:?} asperities, written to {} and read, at {} separations",
-                task.counts,
-                std::env::temp_dir().display(),
-                task.separations
-            )?;
-        }
-        if let Some(task) = &self.attribution {
-            writeln!(
-                f,
-                "  causes of the difference of {:?} asperities at {} loads",
-                task.counts, task.loads
-            )?;
-        }
-        if let Some(task) = &self.sampling {
-            writeln!(f, "  {} random sets for each size, {:?} asperities", task.draws, task.counts)?;
-        }
-        if let Some(task) = &self.grid {
-            writeln!(
-                f,
-                "  {} maps of each size: {:?} points per correlation length, {:?} correlation lengths per side",
-                task.realisations, task.per_length, task.lengths
-            )?;
+        if !pixels.is_empty() {
+            writeln!(f, "  boundary elements at {pixels:?} pixels per contact radius")?;
         }
         Ok(())
     }
@@ -177,10 +110,10 @@ pub(super) fn plan(
     table: &Spanned<PrecisionSpec>,
     full: bool,
 ) -> Result<PrecisionPlan, InputError> {
-    let (raw, span) = (table.get_ref(), table.span());
+    let raw = table.get_ref();
     let (rough, flat) = (raw.rough.get_ref(), raw.flat.get_ref());
     let pair = [file.body(rough, raw.rough.span())?, file.body(flat, raw.flat.span())?];
-    let (spec, law) = one_law(file, raw)?;
+    let (spec, law) = single_law(file, raw)?;
     file.check_laws(&raw.law, (rough, &pair[0]), &[(flat, &pair[1])])?;
     let contact = spec
         .interface(&pair[0], &Flat::Bare(pair[1]))
@@ -190,40 +123,41 @@ pub(super) fn plan(
             "found no case; allowed: at least one [precision.case.NAME] with radius, sigma and density";
         return Err(file.source.error_at(raw.case.span(), message));
     }
-    let case = |(name, raw): (&Spanned<String>, &spec::CaseSpec)| {
-        let population = Population {
+    let case = |(name, raw): (&Spanned<String>, &spec::CaseSpec)| Case {
+        name: name.get_ref().clone(),
+        population: Population {
             radius: raw.radius.value(),
             sigma: raw.sigma.value(),
             density: raw.density.value(),
             heights: Heights::GAUSSIAN,
-        };
-        (name.get_ref().clone(), population)
+        },
     };
+    let separations = raw.integral.as_ref().map(|raw| separations(file, raw));
+    let pixels = raw.reference.as_ref().map(|raw| pixels(file, &raw.pixels));
     let plan = PrecisionPlan {
         bodies: Bodies { rough: rough.clone(), flat: flat.clone() },
         exact: stability::Bodies { law, rough: pair[0], flat: pair[1], layer: None },
         law: LawPlan { label: spec.label(), thickness: None, contact, spec },
         cases: raw.case.get_ref().iter().map(case).collect(),
-        separations: raw.integral.as_ref().map(|raw| separations(file, raw)).transpose()?.unwrap_or_default(),
-        sum: raw.sum.as_ref().map(|raw| sum(file, raw, full)).transpose()?,
-        curve: raw.curve.as_ref().map(|raw| curve(file, raw)).transpose()?,
-        list: raw.list.as_ref().map(|raw| lists(file, raw, full)).transpose()?,
-        attribution: raw.attribution.as_ref().map(|raw| attribution(file, raw)).transpose()?,
-        sampling: raw.sampling.as_ref().map(|raw| sampling(file, raw)).transpose()?,
-        grid: raw.grid.as_ref().map(|raw| grid(file, raw)).transpose()?,
+        separations: separations.transpose()?.unwrap_or_default(),
+        counts: raw.sum.as_ref().map(|raw| counts(file, raw, full)).transpose()?.unwrap_or_default(),
+        surface: raw.surface.as_ref().map(|raw| surface(file, raw)).transpose()?,
+        pixels: pixels.transpose()?.unwrap_or_default(),
         full,
     };
     if plan.steps() == 0 {
         let message = "found nothing to measure; allowed: at least one of [precision.integral], [precision.sum], \
-                       [precision.curve], [precision.list], [precision.attribution], [precision.sampling], \
-                       [precision.grid]";
-        return Err(file.source.error_at(span, message));
+                       [precision.surface], [precision.reference]";
+        return Err(file.source.error_at(table.span(), message));
     }
     Ok(plan)
 }
 
-/// The one law, and the same with its reference.
-fn one_law(file: &SpecFile, raw: &PrecisionSpec) -> Result<(ContactLaw, stability::CoveredLaw), InputError> {
+/// The law, and the same with its reference.
+fn single_law(
+    file: &SpecFile,
+    raw: &PrecisionSpec,
+) -> Result<(ContactLaw, stability::CoveredLaw), InputError> {
     let [law] = &raw.law.get_ref().0[..] else {
         let message = format!("found {} laws; allowed: one", raw.law.get_ref().0.len());
         return Err(file.source.error_at(raw.law.span(), message));
@@ -242,12 +176,11 @@ fn one_law(file: &SpecFile, raw: &PrecisionSpec) -> Result<(ContactLaw, stabilit
 }
 
 fn separations(file: &SpecFile, raw: &spec::IntegralSpec) -> Result<Vec<f64>, InputError> {
-    /// Of d/sigma: within them rules and reference keep their digits.
-    const WITHIN: [f64; 2] = [-10.0, 35.0];
     let separations = &raw.separation.get_ref().0;
-    match separations.iter().find(|h| !(WITHIN[0]..=WITHIN[1]).contains(*h)) {
+    let (least, most) = (SEPARATIONS.start(), SEPARATIONS.end());
+    match separations.iter().find(|h| !SEPARATIONS.contains(h)) {
         Some(h) => {
-            let message = format!("found {h}; allowed: separations of {} to {} sigma", WITHIN[0], WITHIN[1]);
+            let message = format!("found {h}; allowed: separations of {least} to {most} sigma");
             Err(file.source.error_at(raw.separation.span(), message))
         }
         None => Ok(separations.clone()),
@@ -255,106 +188,37 @@ fn separations(file: &SpecFile, raw: &spec::IntegralSpec) -> Result<Vec<f64>, In
 }
 
 /// Sizes, ascending: the largest only in full.
-fn sizes(
-    file: &SpecFile,
-    always: &Spanned<LogSweep<Pure>>,
-    in_full: Option<&Spanned<LogSweep<Pure>>>,
-    full: bool,
-) -> Result<Vec<usize>, InputError> {
-    let mut counts = file.counts(always)?;
-    if let Some(more) = in_full {
-        let more = file.counts(more)?;
-        if full {
-            counts.extend(more);
-        }
-    }
+fn counts(file: &SpecFile, raw: &spec::SumSpec, full: bool) -> Result<Vec<usize>, InputError> {
+    let mut counts = file.counts(&raw.count)?;
+    let further = raw.full_count.as_ref().map(|further| file.counts(further)).transpose()?;
+    counts.extend(further.filter(|_| full).into_iter().flatten());
     counts.sort_unstable();
     counts.dedup();
     Ok(counts)
 }
 
-/// One whole number from `least` to `most`.
-fn one_of(
-    file: &SpecFile,
-    raw: &Spanned<Whole>,
-    what: &str,
-    [least, most]: [u64; 2],
-) -> Result<usize, InputError> {
-    let Whole(found) = *raw.get_ref();
-    let is_allowed = (least..=most).contains(&found);
-    let value = usize::try_from(found).ok().filter(|_| is_allowed);
-    value.ok_or_else(|| {
-        let message = format!("found {found}; allowed: {least} to {most} {what}");
-        file.source.error_at(raw.span(), message)
-    })
-}
-
-fn curve(file: &SpecFile, raw: &spec::CurveSpec) -> Result<CurveTask, InputError> {
-    let mut tolerances = raw.tolerance.get_ref().values.clone();
-    tolerances.sort_by(f64::total_cmp);
-    let [least, most] = TOLERANCES;
-    if let Some(tolerance) = tolerances.iter().find(|tolerance| !(least..=most).contains(*tolerance)) {
-        let message = format!("found the tolerance {tolerance:e}; allowed: {least:e} to {most}");
-        return Err(file.source.error_at(raw.tolerance.span(), message));
+fn pixels(file: &SpecFile, raw: &Spanned<LogSweep<Pure>>) -> Result<Vec<usize>, InputError> {
+    let values = ascending(raw);
+    if let Some(value) = values.iter().find(|value| !PIXELS.contains(value)) {
+        let (least, most) = (PIXELS.start(), PIXELS.end());
+        let message = format!("found {value}; allowed: {least} to {most} pixels per contact radius");
+        return Err(file.source.error_at(raw.span(), message));
     }
-    Ok(CurveTask {
-        asperities: one_of(file, &raw.asperities, "asperities", [1, MOST_ASPERITIES])?,
-        separations: one_of(file, &raw.separations, "separations", [2, MOST_SEPARATIONS])?,
-        tolerances,
-    })
+    let mut pixels: Vec<usize> = values.into_iter().map(|value| value.round() as usize).collect();
+    pixels.dedup();
+    Ok(pixels)
 }
 
-fn lists(file: &SpecFile, raw: &spec::ListsSpec, full: bool) -> Result<ListTask, InputError> {
-    Ok(ListTask {
-        counts: sizes(file, &raw.count, raw.full_count.as_ref(), full)?,
-        separations: one_of(file, &raw.separations, "separations", [1, MOST_SEPARATIONS])?,
-    })
+fn ascending(raw: &Spanned<LogSweep<Pure>>) -> Vec<f64> {
+    let mut values = raw.get_ref().values.clone();
+    values.sort_by(f64::total_cmp);
+    values
 }
 
-fn attribution(file: &SpecFile, raw: &spec::AttributionSpec) -> Result<AttributionTask, InputError> {
-    /// Fewer do not hold 30 contacts at all loads.
-    const FEWEST: usize = 2000;
-    const MOST_LOADS: u64 = 1000;
-    let counts = sizes(file, &raw.count, None, false)?;
-    if let Some(count) = counts.iter().find(|&&count| count < FEWEST) {
-        let message = format!(
-            "found {count}; allowed: at least {FEWEST} asperities, whose contacts can be divided at every load"
-        );
-        return Err(file.source.error_at(raw.count.span(), message));
-    }
-    Ok(AttributionTask { counts, loads: one_of(file, &raw.loads, "loads", [2, MOST_LOADS])? })
-}
-
-fn sum(file: &SpecFile, raw: &spec::SumSpec, full: bool) -> Result<SumTask, InputError> {
-    const MOST_THREADS: f64 = 1024.0;
-    let most_for_threads = file.counts(&raw.count)?.into_iter().max().unwrap_or(0);
-    Ok(SumTask {
-        counts: sizes(file, &raw.count, raw.full_count.as_ref(), full)?,
-        separations: file.whole(&raw.separations, "separations", MOST_SEPARATIONS as f64)?,
-        threads: file.whole(&raw.threads, "threads", MOST_THREADS)?,
-        most_for_threads,
-    })
-}
-
-fn sampling(file: &SpecFile, raw: &spec::SamplingSpec) -> Result<SamplingTask, InputError> {
-    let mut counts = file.counts(&raw.count)?;
-    counts.sort_unstable();
-    Ok(SamplingTask {
-        counts,
-        separations: raw.separation.0.clone(),
-        draws: file.several(&raw.draws, "random sets of each size")?,
-    })
-}
-
-fn grid(file: &SpecFile, raw: &spec::GridSpec) -> Result<GridTask, InputError> {
+fn surface(file: &SpecFile, raw: &spec::SurfaceSpec) -> Result<SurfaceTask, InputError> {
     /// Points along a side.
     const MOST: usize = 1 << 14;
-    let sorted = |sweep: &Spanned<LogSweep<_>>| {
-        let mut values = sweep.get_ref().values.clone();
-        values.sort_by(f64::total_cmp);
-        values
-    };
-    let (per_length, lengths) = (sorted(&raw.points_per_length), sorted(&raw.lengths));
+    let (per_length, lengths) = (ascending(&raw.points_per_length), ascending(&raw.lengths));
     if per_length[0] < 1.0 {
         let message = format!("found {}; allowed: at least one point per correlation length", per_length[0]);
         return Err(file.source.error_at(raw.points_per_length.span(), message));
@@ -363,7 +227,9 @@ fn grid(file: &SpecFile, raw: &spec::GridSpec) -> Result<GridTask, InputError> {
         let message = format!("found {}; allowed: sides of at least 10 correlation lengths", lengths[0]);
         return Err(file.source.error_at(raw.lengths.span(), message));
     }
-    let largest = side(per_length[per_length.len() - 1], lengths[lengths.len() - 1]);
+    let realisations = file.several(&raw.realisations, "maps of each size")?;
+    let task = SurfaceTask { per_length, lengths, realisations };
+    let largest = task.kinds().map(|(_, size)| side(size)).max().unwrap_or(0);
     if largest > MOST {
         let message = format!(
             "found maps of up to {largest} x {largest} points; allowed: at most {MOST} points along a side, which is lengths \
@@ -371,6 +237,5 @@ fn grid(file: &SpecFile, raw: &spec::GridSpec) -> Result<GridTask, InputError> {
         );
         return Err(file.source.error_at(raw.lengths.span(), message));
     }
-    let realisations = file.several(&raw.realisations, "maps of each size")?;
-    Ok(GridTask { per_length, lengths, realisations })
+    Ok(task)
 }

@@ -1,27 +1,24 @@
 //! Running `[precision]`: run time against error.
 
+use std::fmt::Display;
 use std::time::Instant;
 
-use super::findings::CaseFindings;
-use super::plan::PrecisionPlan;
-use crate::precision::attribution::{AttributionFindings, attributions_on};
-use crate::precision::curve::{CurveFindings, curves_of};
-use crate::precision::grid::{GridFindings, maps_of};
-use crate::precision::integral::{IntegralFindings, rules_on};
-use crate::precision::list::{ListPoint, lists_of};
-use crate::precision::sampling::{SamplingFindings, sets_of};
-use crate::precision::sum::{SumPoint, ways_on};
-use crate::stability::exact::Exact;
-use asperity::{Population, literature, plasticity_index};
-use asperity_framework::RunContext;
-use asperity_framework::contact::{contact_metadata, papers_of};
-use asperity_framework::input::InputError;
-use asperity_framework::{
-    contact::ContactMetadata,
-    metadata::{Metadata, Timing},
-};
+use rayon::ThreadPoolBuilder;
 
-/// What integrals, sums and surfaces cost, and how exact they are.
+use super::plan::PrecisionPlan;
+use crate::precision::Case;
+use crate::precision::integral::{IntegralPoint, integrals};
+use crate::precision::reference::{ReferencePoint, contacts};
+use crate::precision::sum::{SumPoint, sums};
+use crate::precision::surface::{SurfacePoint, maps};
+use crate::stability::exact::Exact;
+use asperity::literature;
+use asperity_framework::RunContext;
+use asperity_framework::contact::{ContactMetadata, contact_metadata, papers_of};
+use asperity_framework::input::InputError;
+use asperity_framework::metadata::{Metadata, Timing};
+
+/// What integrals, sums, surfaces and boundary elements cost, and how exact they are; empty where the spec does not request them.
 #[derive(Debug)]
 pub struct PrecisionResults {
     /// What every experiment has.
@@ -29,142 +26,74 @@ pub struct PrecisionResults {
     pub contact: ContactMetadata,
     /// The law, as tables name it.
     pub law: String,
+    pub cases: Vec<Case>,
     /// d/sigma of the integrals.
     pub separations: Vec<f64>,
-    /// Random sets of each size.
-    pub draws: usize,
-    /// Population by population.
-    pub cases: Vec<CasePrecision>,
-    /// Random maps, if the spec requests them.
-    pub grid: Option<GridFindings>,
-    /// Whether the largest sizes were run.
-    pub full: bool,
-    /// Threads that the program uses by default.
+    /// Case by case, rule by rule.
+    pub integrals: Vec<IntegralPoint>,
+    /// Case by case, size by size, method by method.
+    pub sums: Vec<SumPoint>,
+    /// Grid by grid, size by size.
+    pub maps: Vec<SurfacePoint>,
+    /// Grid by grid.
+    pub contacts: Vec<ReferencePoint>,
+    /// Threads that maps and boundary elements use.
     pub threads: usize,
 }
 
-#[derive(Debug)]
-pub struct CasePrecision {
-    /// Its name in the spec.
-    pub name: String,
-    /// Its numbers.
-    pub population: Population,
-    /// Greenwood and Williamson's plasticity index; `None` where nothing yields.
-    pub plasticity_index: Option<f64>,
-    /// Rules of quadrature, if the spec requests them.
-    pub integral: Option<IntegralFindings>,
-    /// Summation methods; empty unless the spec requests them.
-    pub sums: Vec<SumPoint>,
-    /// Curves within a tolerance, if the spec requests them.
-    pub curve: Option<CurveFindings>,
-    /// Lists in files, shortest first; empty unless the spec requests them.
-    pub lists: Vec<ListPoint>,
-    /// The difference divided among its causes, if the spec requests it.
-    pub attribution: Option<AttributionFindings>,
-    /// Random sets, if the spec requests them.
-    pub sampling: Option<SamplingFindings>,
-    /// Findings over rules and sums.
-    pub findings: CaseFindings,
-}
-
-pub(super) fn run(context: &RunContext, all: &PrecisionPlan) -> Result<PrecisionResults, InputError> {
+pub(super) fn run(context: &RunContext, plan: &PrecisionPlan) -> Result<PrecisionResults, InputError> {
+    let refuse = |error: &dyn Display| InputError::file(&context.source.path, error);
     let start = Instant::now();
     let mut timing = Timing::default();
-    context.progress.stage("errors and times", all.steps() as f64);
-    let mut cases = Vec::new();
-    for (name, population) in &all.cases {
-        cases.push(case(context, all, name, population, &mut timing)?);
+    context.progress.stage("errors and times", plan.steps() as f64);
+    let step = || context.progress.advance(1.0);
+    let contact = &*plan.law.contact;
+    let (mut integrals_of_all, mut sums_of_all) = (Vec::new(), Vec::new());
+    let single = ThreadPoolBuilder::new().num_threads(1).build();
+    let single = single.map_err(|error| refuse(&format!("the system gives no thread: {error}")))?;
+    for case in &plan.cases {
+        let refuse = |error: &dyn Display| refuse(&format!("case {}: {error}", case.name));
+        let of_case = Instant::now();
+        if !plan.separations.is_empty() {
+            let points = integrals(contact, &Exact::new(&plan.exact), case, &plan.separations);
+            integrals_of_all.extend(points.ok_or_else(|| {
+                refuse(&"the reference integral does not settle in 32 digits; allowed: numbers nearer to those of real surfaces")
+            })?);
+            step();
+        }
+        timing.statistical += of_case.elapsed();
+        let of_case = Instant::now();
+        for &count in &plan.counts {
+            let seed = context.stream_seed(&format!("sum {} {count}", case.name));
+            let points = single.install(|| sums(contact, case, count, seed));
+            sums_of_all.extend(points.map_err(|error| refuse(&error))?);
+            step();
+        }
+        timing.deterministic += of_case.elapsed();
     }
-    let maps = Instant::now();
-    let refuse = |error: &dyn std::fmt::Display| InputError::file(&context.source.path, error);
-    let seed = |i, j, k| context.stream_seed(&format!("grid {i} {j} {k}"));
-    let grid = all.grid.as_ref().map(|task| maps_of(task, seed, |_| context.progress.advance(1.0)));
-    let grid = grid.transpose().map_err(|error| refuse(&error))?;
-    timing.generate = maps.elapsed();
+    let of_maps = Instant::now();
+    let seed = |[i, j]: [usize; 2], k| context.stream_seed(&format!("grid {i} {j} {k}"));
+    let maps = plan.surface.as_ref().map(|task| maps(task, seed, step)).transpose();
+    let maps = maps.map_err(|error| refuse(&error))?.unwrap_or_default();
+    timing.generate = of_maps.elapsed();
+    let contacts = contacts(&plan.pixels).map_err(|error| refuse(&error))?;
     timing.total = start.elapsed();
-    let laws = std::slice::from_ref(&all.law);
+    let laws = std::slice::from_ref(&plan.law);
     let mut papers = papers_of(laws);
-    if grid.is_some() {
+    if !maps.is_empty() {
         papers.extend([literature::GREENWOOD_1984, literature::NAYAK_1971]);
     }
     Ok(PrecisionResults {
         // What is timed is repeated until the clock is content: a count would differ from run to run.
         metadata: context.metadata(papers, timing, None),
-        contact: contact_metadata(context.materials, laws, &all.bodies, None),
-        law: all.law.label.clone(),
-        separations: all.separations.clone(),
-        draws: all.sampling.as_ref().map_or(0, |task| task.draws),
-        cases,
-        grid,
-        full: all.full,
+        contact: contact_metadata(context.materials, laws, &plan.bodies, None),
+        law: plan.law.label.clone(),
+        cases: plan.cases.clone(),
+        separations: plan.separations.clone(),
+        integrals: integrals_of_all,
+        sums: sums_of_all,
+        maps,
+        contacts,
         threads: rayon::current_num_threads(),
-    })
-}
-
-fn case(
-    context: &RunContext,
-    all: &PrecisionPlan,
-    name: &str,
-    population: &Population,
-    timing: &mut Timing,
-) -> Result<CasePrecision, InputError> {
-    let contact = &*all.law.contact;
-    let refuse = |error: &dyn std::fmt::Display| {
-        InputError::file(&context.source.path, format!("case {name}: {error}"))
-    };
-    let start = Instant::now();
-    let mut integral = None;
-    if !all.separations.is_empty() {
-        let exact = Exact::new(&all.exact);
-        let found = rules_on(contact, &exact, population, &all.separations);
-        integral = Some(found.ok_or_else(|| {
-            refuse(&"the reference integral does not settle in 32 digits; allowed: numbers nearer to those of real surfaces")
-        })?);
-        context.progress.advance(1.0);
-    }
-    timing.statistical += start.elapsed();
-    let start = Instant::now();
-    let mut sums = Vec::new();
-    if let Some(task) = &all.sum {
-        let seed = |count| context.stream_seed(&format!("sum {name} {count}"));
-        sums = ways_on(contact, population, task, seed, |_| context.progress.advance(1.0))
-            .map_err(|error| refuse(&error))?;
-    }
-    let seed = context.stream_seed(&format!("curve {name}"));
-    let curve = all.curve.as_ref().map(|task| curves_of(contact, population, task, seed));
-    let curve = curve.transpose().map_err(|error| refuse(&error))?;
-    if curve.is_some() {
-        context.progress.advance(1.0);
-    }
-    let seed = |count| context.stream_seed(&format!("list {name} {count}"));
-    let lists = all
-        .list
-        .as_ref()
-        .map(|task| lists_of(contact, population, task, seed, |_| context.progress.advance(1.0)));
-    let lists = lists.transpose().map_err(|error| refuse(&error))?.unwrap_or_default();
-    let seed = |what: &str| context.stream_seed(&format!("attribution {name} {what}"));
-    let bodies = (&all.exact.rough, &all.exact.flat);
-    let done = || context.progress.advance(1.0);
-    let attribution =
-        all.attribution.as_ref().map(|task| attributions_on(contact, bodies, population, task, seed, done));
-    let attribution = attribution.transpose().map_err(|error| refuse(&error))?;
-    let seed = |count, draw| context.stream_seed(&format!("sampling {name} {count} {draw}"));
-    let sets = all
-        .sampling
-        .as_ref()
-        .map(|task| sets_of(contact, population, task, seed, |_| context.progress.advance(1.0)));
-    let sampling = sets.transpose().map_err(|error| refuse(&error))?;
-    timing.deterministic += start.elapsed();
-    Ok(CasePrecision {
-        name: name.to_owned(),
-        population: population.clone(),
-        plasticity_index: plasticity_index(contact, population.sigma, population.radius),
-        findings: CaseFindings::of(integral.as_ref(), &sums),
-        integral,
-        sums,
-        curve,
-        lists,
-        attribution,
-        sampling,
     })
 }
