@@ -2,7 +2,7 @@
 
 use asperity::compare::{Cause, ComparedQuantity};
 
-use super::results::CausesResults;
+use super::results::{CausesResults, QUANTITIES};
 
 /// One quantity at one load.
 #[derive(Debug)]
@@ -31,8 +31,14 @@ pub struct Lead {
 }
 
 impl Findings {
+    /// Load by load, quantity by quantity.
+    pub fn all(results: &CausesResults) -> Vec<Self> {
+        let quantities = |load| QUANTITIES.map(|quantity| Self::new(results, quantity, load));
+        (0..results.loads.len()).flat_map(quantities).collect()
+    }
+
     /// Of a quantity at the load of index `load`.
-    pub fn of(results: &CausesResults, quantity: ComparedQuantity, load: usize) -> Self {
+    fn new(results: &CausesResults, quantity: ComparedQuantity, load: usize) -> Self {
         let divided: Vec<(f64, Option<Cause>, f64)> = results
             .points
             .iter()

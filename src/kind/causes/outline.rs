@@ -1,0 +1,149 @@
+//! The page: which cause leads where, a map for each load, the contributions over the skewness, and all numbers.
+
+use asperity_framework::contact::ContactSummary;
+use asperity_framework::metadata::Metadata;
+use asperity_framework::report::format::{input_quantity, number};
+use asperity_framework::report::page::Page;
+use asperity_framework::report::sections;
+use asperity_framework::report::table::{Table, Tables};
+use asperity_framework::{Outcome, fields};
+use serde_json::{Map, Value, json};
+
+use super::figures::{contributions, map};
+use super::findings::Findings;
+use super::results::{CausesResults, QUANTITIES};
+use super::rows::{CauseRow, LeadRow, tables};
+use crate::kind::compare::outline::name;
+
+impl Outcome for CausesResults {
+    fn metadata(&self) -> &Metadata {
+        &self.metadata
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        self.contact.caveats.clone()
+    }
+
+    fn tables(&self) -> Vec<Table> {
+        tables(self)
+    }
+
+    fn page(&self, tables: &Tables) -> Page {
+        let mut page = Page::new(&self.metadata.title);
+        page.lead(&answer(self));
+        for (load, pressure) in self.loads.iter().enumerate() {
+            page.figure(
+                &format!("causes-{}.svg", load + 1),
+                map(self, load),
+                &format!(
+                    "Leading cause at {} ({} E* times the gradient), with the difference between the models in each cell. Grey: no cause \
+                     leads; empty: beyond the valid range.",
+                    input_quantity(*pressure, "Pa"),
+                    number(pressure / self.unit)
+                ),
+            );
+        }
+        sections::warnings(&mut page, &self.warnings());
+        page.heading(2, "Which cause leads how often").view(&tables.view::<LeadRow>());
+        page.note(include_str!("notes/leads.md"));
+        page.details(2, "Contributions over the skewness", |page| over_skewness(page, self));
+        page.details(2, "Surfaces, means over the realisations", |page| {
+            let first =
+                tables.view::<CauseRow>().columns(SURFACE).first_of_each(&["skewness", "wavelengths"]);
+            page.view(&first);
+        });
+        for quantity in QUANTITIES {
+            page.details(2, &format!("Contributions to the difference in {}", name(quantity)), |page| {
+                let view = tables.view::<CauseRow>().only("quantity", quantity.name());
+                page.view(&view.columns(CONTRIBUTIONS));
+            });
+        }
+        sections::notes(&mut page, &self.metadata);
+        sections::what_was_run(&mut page, &self.metadata, &self.contact);
+        page.paragraph(&format!(
+            "Law `{}`; {} surfaces of each skewness and bandwidth, {} points along each side, σ = {}, root mean square gradient {}, \
+             self-affine with the Hurst exponent {}.",
+            self.law,
+            self.realisations,
+            self.points.first().map_or(0, |point| point.points),
+            input_quantity(self.sigma, "m"),
+            number(self.gradient),
+            number(self.hurst)
+        ));
+        sections::run_again(&mut page, &self.metadata, None);
+        sections::sources(&mut page, &self.metadata);
+        page
+    }
+
+    fn facts(&self) -> serde_json::Result<Map<String, Value>> {
+        let mut facts = fields(&ContactSummary::of(&self.contact))?;
+        facts.insert("law".to_owned(), json!(self.law));
+        facts.insert("surfaces".to_owned(), json!(self.points.len() * self.realisations));
+        Ok(facts)
+    }
+}
+
+const SURFACE: &[&str] = &[
+    "skewness",
+    "surface_skewness",
+    "kurtosis",
+    "surface_kurtosis",
+    "wavelengths",
+    "nayak_alpha",
+    "gradient",
+    "asperities",
+    "asperity_skewness",
+    "radius_cv",
+    "height_radius_correlation",
+    "plasticity_index",
+];
+
+const CONTRIBUTIONS: &[&str] = &[
+    "skewness",
+    "nayak_alpha",
+    "pressure_pa",
+    "difference",
+    "from_heights",
+    "from_heights_half_width",
+    "from_radii",
+    "from_radii_half_width",
+    "from_correlation",
+    "from_correlation_half_width",
+    "leading_cause",
+    "limits",
+];
+
+/// Which cause leads most often in each quantity over all loads.
+fn answer(results: &CausesResults) -> String {
+    let findings = Findings::all(results);
+    let of_quantity = |quantity| {
+        let all: Vec<&Findings> = findings.iter().filter(|found| found.quantity == quantity).collect();
+        let divided: usize = all.iter().map(|findings| findings.divided).sum();
+        let count = |cause| {
+            let leads =
+                all.iter().flat_map(|findings| &findings.leads).filter(move |lead| lead.cause == cause);
+            leads.map(|lead| lead.points).sum::<usize>()
+        };
+        let causes =
+            asperity::compare::Cause::ALL.map(|cause| format!("{} {}", cause.label(), count(Some(cause))));
+        format!("in {} of {divided} cases: {}, none {}", name(quantity), causes.join(", "), count(None))
+    };
+    format!("How often each cause leads, {}.", QUANTITIES.map(of_quantity).join("; "))
+}
+
+/// The contributions at each load, over the skewness.
+fn over_skewness(page: &mut Page, results: &CausesResults) {
+    for (load, pressure) in results.loads.iter().enumerate() {
+        for quantity in QUANTITIES {
+            page.figure(
+                &format!("contributions-{}-{}.svg", load + 1, quantity.name()),
+                contributions(results, quantity, load),
+                &format!(
+                    "Contributions to the difference in {} at {}, means over the surfaces with 95 % intervals; one panel for each bandwidth.",
+                    name(quantity),
+                    input_quantity(*pressure, "Pa"),
+                ),
+            );
+        }
+    }
+}

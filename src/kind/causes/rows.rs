@@ -1,0 +1,108 @@
+//! `causes.csv` and `leads.csv`.
+
+use asperity::compare::{Cause, ComparedQuantity, Contributions, Estimate};
+use asperity_framework::columns;
+use asperity_framework::report::format::input_number;
+use asperity_framework::report::table::{Column, Row, Table};
+
+use super::findings::{Findings, Lead};
+use super::results::{CausesResults, GridPoint, QUANTITIES};
+use crate::kind::compare::tables::limits;
+
+/// One point of the grid, load and quantity.
+pub struct CauseRow<'a> {
+    point: &'a GridPoint,
+    load: usize,
+    quantity: ComparedQuantity,
+    realisations: usize,
+}
+
+impl CauseRow<'_> {
+    fn parts(&self) -> Option<&Contributions> {
+        self.point.parts(self.load, self.quantity)
+    }
+
+    fn part(&self, cause: Cause) -> Option<Estimate> {
+        Some(self.parts()?.estimates[cause as usize])
+    }
+
+    fn half_width(&self, cause: Cause) -> Option<f64> {
+        self.part(cause)?.half_width()
+    }
+}
+
+impl Row for CauseRow<'_> {
+    const FILE: &'static str = "causes.csv";
+    const ROWS: &'static str = "One row for each skewness, bandwidth, load and quantity: what each cause contributes to the difference between the models at equal load, means over the surfaces. The contributions are empty where the load is beyond the valid range of a surface.";
+
+    fn columns() -> Vec<Column<Self>> {
+        columns! { row: Self =>
+            skewness["1", input] = row.point.skewness, "Skewness of the surface heights asked for.";
+            kurtosis["1", input] = row.point.kurtosis, "Kurtosis asked for: that of a gamma distribution of the skewness.";
+            wavelengths["1", input] = row.point.wavelengths, "Longest over shortest wavelength of the self-affine spectrum.";
+            surfaces["count"] = row.realisations, "Number of surfaces.";
+            pixel_m["m"] = row.point.pixel, "Sampling interval.";
+            asperities["1"] = row.point.reached.asperities, "Number of asperities; this and what follows are means over the surfaces.";
+            surface_skewness["1"] = row.point.reached.skewness, "Skewness of the surface heights that was reached.";
+            surface_kurtosis["1"] = row.point.reached.kurtosis, "Kurtosis of the surface heights that was reached.";
+            nayak_alpha["1", label("Nayak's α")] = row.point.reached.alpha, "Nayak's bandwidth parameter m0 m4/m2^2.";
+            gradient["1"] = row.point.reached.gradient, "Root mean square gradient.";
+            asperity_skewness["1"] = row.point.reached.asperity_skewness, "Skewness of the heights of the asperities.";
+            radius_cv["1"] = row.point.reached.radius_cv, "Standard deviation of the radii over their mean.";
+            height_radius_correlation["1"] = row.point.reached.height_radius_correlation, "Correlation of heights and radii.";
+            plasticity_index["1"] = row.point.reached.plasticity_index, "Plasticity index (E*/H)(sigma/R)^0.5 of Greenwood and Williamson (1966); 0 where nothing yields.";
+            pressure_pa["Pa", prefix("M"), input] = row.point.at[row.load].load, "Nominal pressure.";
+            quantity["text"] = row.quantity.name(), "What is compared: `separation` or `area` (real contact area).";
+            difference["1", signed, scale(1.0)] = row.parts().map(Contributions::gap), "Statistical minus deterministic: of the separation in sigma of the asperities; of the area the logarithm of the ratio of both.";
+            from_heights["1", signed, scale(1.0)] = row.part(Cause::Heights).map(|part| part.contrast), "Part of the difference from the height distribution, mean over the orders of replacement. The parts add up to the difference.";
+            from_radii["1", signed, scale(1.0)] = row.part(Cause::Radii).map(|part| part.contrast), "Part from the spread of radii.";
+            from_correlation["1", signed, scale(1.0)] = row.part(Cause::Correlation).map(|part| part.contrast), "Part from the correlation of heights and radii.";
+            from_heights_half_width["1"] = row.half_width(Cause::Heights), "Half-width of the 95 % interval of the mean part from the height distribution, from the scatter of the surfaces.";
+            from_radii_half_width["1"] = row.half_width(Cause::Radii), "The same of the spread of radii.";
+            from_correlation_half_width["1"] = row.half_width(Cause::Correlation), "The same of the correlation.";
+            limits["text"] = limits(row.point.at[row.load].exceeded), "Limits of the valid range that are exceeded on some of the surfaces, as in `curves.csv`.";
+            leading_cause["text"] = row.parts().map(|parts| parts.leading().map_or("none", Cause::name)), "The leading cause: `heights`, `radii`, `correlation`, or `none`.";
+        }
+    }
+}
+
+/// How often a cause leads at one load in one quantity.
+pub struct LeadRow<'a> {
+    pressure: f64,
+    findings: &'a Findings,
+    lead: &'a Lead,
+}
+
+impl Row for LeadRow<'_> {
+    const FILE: &'static str = "leads.csv";
+    const ROWS: &'static str = "One row for each load, quantity and cause that leads somewhere on the grid; `none` for points where no cause leads.";
+    const RECORDS: Option<&'static str> = Some("causes");
+
+    fn columns() -> Vec<Column<Self>> {
+        columns! { row: Self =>
+            pressure_pa["Pa", label("nominal pressure"), prefix("M"), input] = row.pressure, "Nominal pressure.";
+            quantity["text"] = row.findings.quantity.name(), "What is compared: `separation` or `area` (real contact area).";
+            cause["text", label("leading cause")] = row.lead.cause.map_or("none", Cause::name), "The cause: `heights`, `radii`, `correlation`, or `none`.";
+            points["count"] = row.lead.points, "Points of the grid at which it leads.";
+            points_divided["count", label("of")] = row.findings.divided, "Points whose difference is divided: within the valid range on all surfaces.";
+            skewness_at_every_bandwidth["text", label("at every bandwidth for a skewness of")] = row.lead.at_every_bandwidth.iter().map(|&skewness| input_number(skewness)).collect::<Vec<_>>(), "Skewnesses at which it leads at every bandwidth that is divided.";
+            smallest_share_of_radii["1", percent] = row.findings.share_of_radii.map(|[low, _]| low), "Smallest share of the spread of radii in the contributions, taken by magnitude, over the points.";
+            largest_share_of_radii["1", percent] = row.findings.share_of_radii.map(|[_, high]| high), "Largest such share.";
+        }
+    }
+}
+
+/// The tables.
+pub fn tables(results: &CausesResults) -> Vec<Table> {
+    let rows = results.points.iter().flat_map(|point| {
+        (0..results.loads.len()).flat_map(move |load| {
+            QUANTITIES.map(|quantity| CauseRow { point, load, quantity, realisations: results.realisations })
+        })
+    });
+    let findings = Findings::all(results);
+    let leads = findings.iter().flat_map(|findings| {
+        let pressure = results.loads[findings.load];
+        findings.leads.iter().map(move |lead| LeadRow { pressure, findings, lead })
+    });
+    vec![Table::new(leads), Table::new(rows)]
+}
