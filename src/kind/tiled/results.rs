@@ -35,8 +35,6 @@ pub struct TiledSurface {
     pub origin: f64,
     /// Statistics of all asperities, heights relative to `origin`.
     pub statistics: Statistics,
-    /// Whether it is drawn from a population, which then is the input of the statistical model.
-    pub is_nominal: bool,
     /// Input of the statistical model.
     pub population: Population,
     /// Where separations are measured from, heights relative to `origin`.
@@ -117,11 +115,6 @@ impl LawResults {
     pub fn at_separations(&self) -> impl Iterator<Item = (&Pair, Option<f64>)> {
         let pairs = self.comparison.pairs.iter().filter(|pair| pair.pairing == Pairing::Separation);
         pairs.zip(self.errors.iter().copied())
-    }
-
-    /// Pairs at equal load within the valid range of both models.
-    pub fn valid_loads(&self) -> impl Iterator<Item = &Pair> {
-        self.comparison.pairs.iter().filter(|pair| pair.pairing == Pairing::Load && pair.is_valid())
     }
 }
 

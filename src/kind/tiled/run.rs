@@ -208,7 +208,6 @@ impl TiledPlan {
             nominal_area: sums.nominal_area(),
             origin: open.origin(),
             statistics,
-            is_nominal: self.surface().nominal().is_some(),
             reporting_plane: ReferencePlane { mean: plane.mean - population_mean, sigma: plane.sigma },
             population,
             plane,

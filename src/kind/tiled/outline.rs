@@ -1,0 +1,159 @@
+//! The page of a surface in tiles: how far is the integral from the sum over all of it?
+
+use asperity::compare::Kind;
+use asperity_framework::contact::ContactSummary;
+use asperity_framework::metadata::Metadata;
+use asperity_framework::report::format::{count, input_number, number, percent, signed, thickness};
+use asperity_framework::report::page::{Page, escape};
+use asperity_framework::report::sections;
+use asperity_framework::report::table::{Table, Tables};
+use asperity_framework::{Outcome, fields};
+use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Plot};
+use serde_json::{Map, Value, json};
+
+use super::results::{LawResults, TiledResults, TiledSurface};
+use super::rows::{INTERVAL, SeparationRow, StatisticRow, tables};
+use crate::kind::compare::outline::limits_note;
+
+impl Outcome for TiledResults {
+    fn metadata(&self) -> &Metadata {
+        &self.metadata
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        self.implausible.iter().chain(&self.contact.caveats).cloned().collect()
+    }
+
+    fn tables(&self) -> Vec<Table> {
+        tables(self)
+    }
+
+    fn page(&self, tables: &Tables) -> Page {
+        let mut page = Page::new(&self.metadata.title);
+        sections::findings(&mut page, self.laws.iter().map(answer));
+        sections::warnings(&mut page, &self.warnings());
+        for law in &self.laws {
+            let name = name(law);
+            let layer = law.thickness.map_or_else(String::new, |at| format!("-layer-{at:e}"));
+            let file = format!("{}{layer}-pressure.svg", law.law).replace(['(', ')', ' ', '=', ','], "-");
+            page.figure(
+                &file,
+                figure(&name, law),
+                "Left: nominal pressure against separation. Right: pressure of the integral over that of the sum, less one, with the 95 % \
+                 interval of the sum from the scatter of the tiles.",
+            );
+        }
+        page.details(2, "Both models at equal separation", |page| {
+            page.view(&tables.view::<SeparationRow>().without_constant(&["law", "layer_thickness_m"]));
+        });
+        let TiledSurface { name, count: asperities, nominal_area, tiles, .. } = &self.surface;
+        page.heading(2, &format!("Surface {name}"));
+        page.paragraph(&format!(
+            "{} asperities on {} m² in {} tiles.",
+            count(*asperities),
+            number(*nominal_area),
+            count(*tiles)
+        ));
+        page.view(&tables.view::<StatisticRow>());
+        sections::notes(&mut page, &self.metadata);
+        page.heading(2, "Method").note(include_str!("notes/method.md"));
+        sections::what_was_run(&mut page, &self.metadata, &self.contact);
+        limits_note(&mut page);
+        sections::run_again(&mut page, &self.metadata, None);
+        sections::sources(&mut page, &self.metadata);
+        page
+    }
+
+    fn facts(&self) -> serde_json::Result<Map<String, Value>> {
+        let TiledSurface { name, tiles, count, nominal_area, origin, statistics, .. } = &self.surface;
+        let surface = json!({
+            "tiles": tiles,
+            "asperities": count,
+            "nominal_area_m2": nominal_area,
+            "mean_height_m": origin + statistics.mean_height,
+            "sigma_m": statistics.sigma,
+            "skewness": statistics.skewness,
+            "kurtosis": statistics.kurtosis,
+            "mean_radius_m": statistics.mean_radius,
+            "radius_of_mean_curvature_m": statistics.radius_of_mean_curvature,
+            "radius_cv": statistics.radius_cv,
+            "height_radius_correlation": statistics.height_radius_correlation,
+        });
+        let mut facts = fields(&ContactSummary::of(&self.contact))?;
+        facts.insert("surfaces".to_owned(), json!({ name.as_str(): surface }));
+        Ok(facts)
+    }
+}
+
+/// A law and its layer, in words.
+fn name(law: &LawResults) -> String {
+    match law.thickness {
+        None => law.law.clone(),
+        Some(at) => format!("{}, layer {}", law.law, thickness(at)),
+    }
+}
+
+/// How far the models are apart at equal separation, as far as the sampling error lets that be known.
+fn answer(law: &LawResults) -> String {
+    let name = escape(&name(law));
+    let rows: Vec<SeparationRow> = SeparationRow::all(law).collect();
+    let judged: Vec<&SeparationRow> = rows.iter().filter(|row| row.is_within().is_some()).collect();
+    let excess = |row: &&&SeparationRow| row.ratio().map_or(0.0, |ratio| (ratio - 1.0).abs());
+    let largest = judged.iter().max_by(|a, b| excess(a).total_cmp(&excess(b)));
+    let Some(largest) = largest else {
+        return format!(
+            "**{name}**: the sum has no interval at any separation within the valid range: its heights are at the quantiles, or fewer than \
+             eight tiles carry load."
+        );
+    };
+    let beyond = judged.iter().filter(|row| row.is_within() == Some(false)).count();
+    format!(
+        "**{name}**: at equal separation the pressure of the integral is outside the 95 % interval of the sum at {beyond} of {} valid \
+         separations; the largest difference is {} % at d/σ = {} (interval ±{}).",
+        judged.len(),
+        signed(100.0 * (largest.ratio().unwrap_or(1.0) - 1.0)),
+        input_number(largest.separation()),
+        percent(INTERVAL * largest.relative_error().unwrap_or(0.0)),
+    )
+}
+
+fn figure(name: &str, law: &LawResults) -> Figure {
+    let curve = |kind: Kind| {
+        let points = law.comparison.curves.iter().filter(move |point| point.kind == kind);
+        points.map(|point| (point.target, point.response.pressure.total())).collect::<Vec<_>>()
+    };
+    let loaded = |points: Vec<(f64, f64)>| points.into_iter().filter(|(_, p)| *p > 0.0).collect::<Vec<_>>();
+    let curves = Plot::new(
+        format!("{name}: both models"),
+        Axis::linear("separation d/σ"),
+        Axis::log("nominal pressure in Pa"),
+    )
+    .with(
+        Layer::line(loaded(curve(Kind::Deterministic)))
+            .coloured(Colour::Deterministic)
+            .named("deterministic"),
+    )
+    .with(
+        Layer::line(loaded(curve(Kind::Statistical)))
+            .coloured(Colour::Statistical)
+            .dashed(Dash::Dashed)
+            .named("statistical"),
+    );
+    let differences: Vec<_> =
+        SeparationRow::all(law).filter_map(|row| Some((row.separation(), row.ratio()? - 1.0))).collect();
+    let band: Vec<_> = SeparationRow::all(law)
+        .filter_map(|row| {
+            let (excess, half) = (row.ratio()? - 1.0, INTERVAL * row.relative_error()?);
+            Some((row.separation(), excess - half, excess + half))
+        })
+        .collect();
+    let difference = Plot::new(
+        format!("{name}: difference"),
+        Axis::linear("separation d/σ"),
+        Axis::linear("integral over sum, less one"),
+    )
+    .with(Layer::band(band).coloured(Colour::Statistical))
+    .with(Layer::line(differences).coloured(Colour::Statistical).named("difference"))
+    .with_zero();
+    Figure::row(format!("Both models under {name}"), vec![curves, difference])
+}

@@ -1,0 +1,132 @@
+//! The tables of a surface in tiles.
+
+use asperity::compare::Pair;
+use asperity_framework::columns;
+use asperity_framework::report::table::{Column, Row, Table};
+
+use super::results::{LawResults, TiledResults, TiledSurface};
+use crate::kind::compare::tables::{Case, CurveRow, PairRow, comparison_of_models, limits};
+
+/// Half-width of a 95 % interval in standard errors.
+pub const INTERVAL: f64 = 1.96;
+
+/// Both models at equal separation.
+pub struct SeparationRow<'a> {
+    law: &'a LawResults,
+    pair: &'a Pair,
+    error: Option<f64>,
+}
+
+impl<'a> SeparationRow<'a> {
+    /// The rows of a law.
+    pub fn all(law: &'a LawResults) -> impl Iterator<Item = Self> {
+        law.at_separations().map(move |(pair, error)| Self { law, pair, error })
+    }
+
+    /// d/sigma.
+    pub fn separation(&self) -> f64 {
+        self.pair.target
+    }
+
+    fn over_sum(&self, pressure: f64) -> Option<f64> {
+        Some(pressure / self.pair.deterministic.pressure.total()).filter(|ratio| ratio.is_finite())
+    }
+
+    /// Pressure of the integral over that of the sum.
+    pub fn ratio(&self) -> Option<f64> {
+        self.over_sum(self.pair.statistical.pressure.total())
+    }
+
+    /// Standard error of the sum's pressure, relative to it.
+    pub fn relative_error(&self) -> Option<f64> {
+        self.error.and_then(|error| self.over_sum(error))
+    }
+
+    /// Whether the integral is in the 95 % interval of the sum; `None` without one, or beyond the valid range.
+    pub fn is_within(&self) -> Option<bool> {
+        let (ratio, error) = (self.ratio()?, self.relative_error().filter(|_| self.pair.is_valid())?);
+        Some((ratio - 1.0).abs() <= INTERVAL * error)
+    }
+}
+
+impl Row for SeparationRow<'_> {
+    const FILE: &'static str = "separations.csv";
+    const ROWS: &'static str = "One row for each law, layer thickness and separation: both models at equal separation, with the sampling error of the sum from the scatter of its tiles.";
+    const RECORDS: Option<&'static str> = Some("at_separations");
+
+    fn columns() -> Vec<Column<Self>> {
+        columns! { row: Self =>
+            law["text"] = row.law.law.as_str(), "Contact law of an asperity.";
+            layer_thickness_m["m", label("layer"), thickness] = row.law.thickness, "Thickness of the layer; empty where the spec has no layer.";
+            separation_over_sigma["1", input] = row.separation(), "Separation over sigma.";
+            deterministic_pressure_pa["Pa", label("pressure of the sum")] = row.pair.deterministic.pressure.total(), "Nominal pressure of the sum.";
+            relative_standard_error_from_tiles["1", label("± s.e."), percent] = row.relative_error(), "Standard error of that pressure, relative to it, from the scatter of the tiles; empty where fewer than eight tiles carry load.";
+            statistical_pressure_pa["Pa", label("pressure of the integral")] = row.pair.statistical.pressure.total(), "Nominal pressure of the integral.";
+            statistical_over_deterministic_pressure["1", label("integral over sum")] = row.ratio(), "The second over the first.";
+            deterministic_area_ratio["1", label("area ratio of the sum")] = row.pair.deterministic.area_ratio.total(), "Real contact area of the sum over nominal area.";
+            within_interval["true/false", label("in the interval")] = row.is_within(), "Whether the integral lies in the 95 % interval of the sum; empty without one and beyond the valid range.";
+            limits["text"] = limits(row.pair.exceeded()), "Limits of the valid range that are exceeded, as in `curves.csv`.";
+        }
+    }
+}
+
+/// A statistic of all asperities beside that in the integral.
+pub struct StatisticRow {
+    name: &'static str,
+    asperities: Option<f64>,
+    integral: f64,
+}
+
+impl Row for StatisticRow {
+    const FILE: &'static str = "statistics.csv";
+    const ROWS: &'static str =
+        "One row for each statistic of the asperities, in SI units, beside its value in the integral.";
+
+    fn columns() -> Vec<Column<Self>> {
+        columns! { row: Self =>
+            statistic["text"] = row.name, "The statistic.";
+            asperities["SI", label("of all asperities")] = row.asperities, "Of all asperities.";
+            integral["SI", label("in the integral")] = row.integral, "In the integral.";
+        }
+    }
+}
+
+impl StatisticRow {
+    fn all(surface: &TiledSurface) -> [Self; 7] {
+        let TiledSurface { count, nominal_area, statistics, population, .. } = surface;
+        let row = |name, asperities, integral| Self { name, asperities, integral };
+        [
+            row("sigma of the heights, m", Some(statistics.sigma), population.sigma),
+            row("mean radius, m", Some(statistics.mean_radius), population.radius),
+            row("density, 1/m²", Some(*count as f64 / nominal_area), population.density),
+            row("skewness of the heights", statistics.skewness, population.heights.skewness()),
+            row("kurtosis of the heights", statistics.kurtosis, population.heights.kurtosis()),
+            row("scatter of the radii over their mean", Some(statistics.radius_cv), 0.0),
+            row("correlation of height and radius", statistics.height_radius_correlation, 0.0),
+        ]
+    }
+}
+
+/// The tables.
+pub fn tables(results: &TiledResults) -> Vec<Table> {
+    let case = |law: &LawResults| Case::layered(&results.surface.name, &law.law, law.thickness);
+    let modulus = results.contact.reduced_modulus;
+    let curves = results.laws.iter().flat_map(|law| CurveRow::of_case(&case(law), &law.comparison, modulus));
+    let pairs = results.laws.iter().flat_map(|law| {
+        let case = case(law);
+        law.comparison.pairs.iter().map(move |&pair| PairRow {
+            case: case.clone(),
+            pair,
+            nominal_area: results.surface.nominal_area,
+            plasticity_index: None,
+            attribution: None,
+            reference: None,
+        })
+    });
+    vec![
+        Table::new(curves),
+        comparison_of_models(pairs),
+        Table::new(results.laws.iter().flat_map(SeparationRow::all)),
+        Table::new(StatisticRow::all(&results.surface)),
+    ]
+}
