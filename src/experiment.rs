@@ -13,7 +13,7 @@ use asperity_framework::input::{InputError, Source, SpecFile};
 use asperity_framework::metadata::Timing;
 use asperity_framework::progress::{Progress, Silent};
 use asperity_framework::report::format::listed;
-use asperity_framework::{AnyKind, AnyPlan, Outcome, Planned, RunContext};
+use asperity_framework::{AnyKind, AnyPlan, Outcome, Planned, Print, RunContext};
 use asperity_plot::Size;
 use indexmap::IndexMap;
 use sha2::{Digest, Sha256};
@@ -24,6 +24,16 @@ use crate::surface::{AnalysisDepth, FileOptions, Surface, SurfaceFactory, Surfac
 
 /// SHA-256 of the sources that this program was built from.
 const SOURCES: &str = env!("ASPERITY_SOURCES");
+
+/// Figures as PDF and PNG (300 pixels per inch, as journals ask for), where this build has the feature `print`.
+#[cfg(feature = "print")]
+pub const PRINT: Option<Print> = Some(|svg| {
+    const DPI: f32 = 300.0;
+    Ok(vec![("pdf", asperity_print::pdf(svg)?), ("png", asperity_print::png(svg, DPI)?)])
+});
+/// The same without the feature `print`: figures are SVG.
+#[cfg(not(feature = "print"))]
+pub const PRINT: Option<Print> = None;
 
 /// A commented spec that runs as it stands.
 pub const TEMPLATE: &str = include_str!("template.toml");
@@ -165,6 +175,9 @@ impl Experiment {
         hash.update(SOURCES);
         hash.update(sha256(self.stem.as_bytes()));
         hash.update(input);
+        if PRINT.is_some() && self.figure.is_some() {
+            hash.update("PDF");
+        }
         hexadecimal(&hash.finalize())
     }
 

@@ -18,5 +18,5 @@ pub mod surface;
 #[cfg(feature = "cli")]
 pub mod terminal;
 
-pub use experiment::{Experiment, TEMPLATE, make_surface};
+pub use experiment::{Experiment, PRINT, TEMPLATE, make_surface};
 pub use parts::{Merged, PartError, PartRun};

@@ -3,10 +3,10 @@
 use std::time::Instant;
 
 use indexmap::IndexMap;
+use rayon::prelude::*;
 
 use crate::digest::{hexadecimal, sha256};
 use crate::kind::Outcome;
-use crate::print::{PrintError, printed};
 use crate::report::digest::digest;
 use crate::report::store::Folder;
 use crate::report::table::Tables;
@@ -29,11 +29,18 @@ pub enum ReportError {
     Summary(#[from] serde_json::Error),
 }
 
-/// The complete report on `outcome`; `key` identifies everything that it depends on.
+/// A figure that cannot be converted.
+pub type PrintError = Box<dyn std::error::Error + Send + Sync>;
+
+/// Makes other files of a figure's SVG: endings of their names, and contents.
+pub type Print = fn(&str) -> Result<Vec<(&'static str, Vec<u8>)>, PrintError>;
+
+/// The complete report on `outcome`; `key` identifies everything that it depends on. Figures in a size for print are also
+/// written as `print` makes them.
 ///
 /// # Errors
 /// See [`ReportError`].
-pub fn folder(outcome: &dyn Outcome, key: &str) -> Result<Folder, ReportError> {
+pub fn folder(outcome: &dyn Outcome, key: &str, print: Option<Print>) -> Result<Folder, ReportError> {
     let start = Instant::now();
     let mut tables = outcome.tables();
     tables.extend(digest(&tables));
@@ -43,9 +50,14 @@ pub fn folder(outcome: &dyn Outcome, key: &str) -> Result<Folder, ReportError> {
     let files = page.files(size);
     let mut folder = Folder::new(&outcome.metadata().stem, key);
     folder.file("report.md", files.markdown).file("report.html", files.html);
-    if size.is_some() {
-        for (name, content) in printed(&files.figures)? {
-            folder.file(name, content);
+    if let Some(print) = print.filter(|_| size.is_some()) {
+        let printed: Result<Vec<_>, PrintError> =
+            files.figures.par_iter().map(|(_, svg)| print(svg)).collect();
+        for ((name, _), contents) in files.figures.iter().zip(printed?) {
+            let stem = name.strip_suffix(".svg").unwrap_or(name);
+            for (ending, content) in contents {
+                folder.file(format!("{stem}.{ending}"), content);
+            }
         }
     }
     for (name, svg) in files.figures {

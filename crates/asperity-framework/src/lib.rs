@@ -15,12 +15,11 @@ pub mod keys;
 mod kind;
 pub mod metadata;
 pub mod parts;
-mod print;
 pub mod progress;
 pub mod report;
 mod summary;
 
-pub use folder::{ReportError, folder};
+pub use folder::{Print, PrintError, ReportError, folder};
 pub use kind::{
     AnyKind, AnyPlan, Kind, Memory, Outcome, Plan, Planned, Reads, RunContext, fields, set_memory,
 };

@@ -267,7 +267,12 @@ fn finish(
         None => None,
         Some(directory) => {
             let key = experiment.key().map_err(|error| input(&error))?;
-            let made = folder(&*outcome, &key).map_err(|error| input(&error))?;
+            if outcome.metadata().figure.is_some() {
+                return Err(input(
+                    &"a figure cannot be written as PDF and PNG by this build; allowed: no `figure` in the spec, or the program `experiment`",
+                ));
+            }
+            let made = folder(&*outcome, &key, None).map_err(|error| input(&error))?;
             let mut store = Store::new(&directory);
             store.recover().map_err(|error| file(&error))?;
             store.write(&made).map_err(|error| file(&error))?;

@@ -12,7 +12,7 @@ use asperity_experiment::kind::{KINDS, columns};
 use asperity_experiment::materials::{all_materials, one_material};
 use asperity_experiment::surface::{FileOptions, described_file};
 use asperity_experiment::terminal::Monitor;
-use asperity_experiment::{Experiment, PartError, TEMPLATE};
+use asperity_experiment::{Experiment, PRINT, PartError, TEMPLATE};
 use asperity_framework::divided::Part;
 use asperity_framework::input::InputError;
 use asperity_framework::progress::{Progress, Silent};
@@ -392,7 +392,7 @@ fn write_report(
     start: Instant,
 ) -> Result<(), Failure> {
     let folder = options.out.join(experiment.stem());
-    let report = report_folder(results, key)?;
+    let report = report_folder(results, key, PRINT)?;
     for kept in store.write(&report)? {
         print_error(format_args!(
             "warning: {}: a file of the last report was edited since it was written; it is kept as {}",
@@ -409,6 +409,12 @@ fn write_report(
         options,
         &format!("{} written: {} files in {} s", folder.display(), report.names().count(), seconds(start)),
     );
+    if results.metadata().figure.is_some() && PRINT.is_none() {
+        say(
+            options,
+            "its figures are SVG; for PDF and PNG as well, run it by `cargo run --release --features print -- run SPEC`",
+        );
+    }
     Ok(())
 }
 

@@ -11,7 +11,7 @@ use serde_json::json;
 use super::quantity::{Length, Quantity};
 use super::schema::{RANGE, TYPE, UNIT};
 
-/// Figures in print: each also as PNG and PDF, in this size.
+/// Figures in print: in this size, with the feature `print` as PNG and PDF, too.
 #[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, expecting = "a table such as { width = \"85 mm\", font = \"8 pt\" }")]
 pub struct FigureSpec {

@@ -52,7 +52,7 @@ struct CommonKeys {
     #[serde(default)]
     #[schemars(extend("default" = 0, "examples" = [1]))]
     seed: Whole,
-    /// Figures in a size for print, each also as PNG and PDF.
+    /// Figures in a size for print; with the feature `print` of the program as PNG and PDF, too.
     #[schemars(extend("x-default" = "SVG as wide as the page", "examples" = [{ "width": "85 mm", "font": "8 pt" }]))]
     figure: Option<FigureSpec>,
     /// The bodies by name.
