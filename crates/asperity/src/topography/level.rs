@@ -3,8 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::HeightMap;
-use super::rows::{Boundary, Rows, Strip, first_present, strips};
-use crate::progress::Progress;
+use super::rows::{Rows, Strip, first_present, rows_from, strips};
 
 /// The form to remove.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
@@ -193,21 +192,7 @@ pub struct Levelled<'a> {
 }
 
 impl Rows for Levelled<'_> {
-    fn points(&self) -> [usize; 2] {
-        self.map.points()
-    }
-
-    fn pixel(&self) -> [f64; 2] {
-        self.map.pixel()
-    }
-
-    fn precision(&self) -> f64 {
-        self.map.precision()
-    }
-
-    fn boundary(&self) -> Boundary {
-        self.map.boundary()
-    }
+    rows_from!(map: points pixel precision boundary progress);
 
     /// Every form includes the mean, and with it the offset.
     fn offset(&self) -> f64 {
@@ -217,10 +202,6 @@ impl Rows for Levelled<'_> {
     fn read(&self, ix: usize, row: &mut [f64]) {
         self.map.read(ix, row);
         self.form.subtract(ix, row);
-    }
-
-    fn progress(&self) -> &dyn Progress {
-        self.map.progress()
     }
 
     fn block(&self, rows: std::ops::Range<usize>) -> Option<&[f64]> {

@@ -1,8 +1,8 @@
 //! Line offsets: lines of a scan, or parts of a stitched map, at wrong heights.
 
 use super::NORMAL;
-use crate::progress::Progress;
-use crate::topography::{Boundary, Rows, strips};
+use crate::topography::rows::rows_from;
+use crate::topography::{Rows, strips};
 
 /// Points of a line that are compared with those of the next.
 const SAMPLED: usize = 512;
@@ -240,29 +240,7 @@ impl<'a> AlignedLines<'a> {
 }
 
 impl Rows for AlignedLines<'_> {
-    fn points(&self) -> [usize; 2] {
-        self.map.points()
-    }
-
-    fn pixel(&self) -> [f64; 2] {
-        self.map.pixel()
-    }
-
-    fn precision(&self) -> f64 {
-        self.map.precision()
-    }
-
-    fn boundary(&self) -> Boundary {
-        self.map.boundary()
-    }
-
-    fn offset(&self) -> f64 {
-        self.map.offset()
-    }
-
-    fn progress(&self) -> &dyn Progress {
-        self.map.progress()
-    }
+    rows_from!(map: points pixel precision boundary offset progress);
 
     fn read(&self, ix: usize, row: &mut [f64]) {
         self.map.read(ix, row);

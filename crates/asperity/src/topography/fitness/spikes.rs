@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::NORMAL;
-use crate::progress::Progress;
+use crate::topography::rows::rows_from;
 use crate::topography::{Boundary, Rows, Strip, strips};
 
 /// Half the side of the window (in points) whose median is the local height.
@@ -254,29 +254,7 @@ pub struct Without<'a> {
 }
 
 impl Rows for Without<'_> {
-    fn points(&self) -> [usize; 2] {
-        self.map.points()
-    }
-
-    fn pixel(&self) -> [f64; 2] {
-        self.map.pixel()
-    }
-
-    fn precision(&self) -> f64 {
-        self.map.precision()
-    }
-
-    fn boundary(&self) -> Boundary {
-        self.map.boundary()
-    }
-
-    fn offset(&self) -> f64 {
-        self.map.offset()
-    }
-
-    fn progress(&self) -> &dyn Progress {
-        self.map.progress()
-    }
+    rows_from!(map: points pixel precision boundary offset progress);
 
     fn read(&self, ix: usize, row: &mut [f64]) {
         self.map.read(ix, row);
