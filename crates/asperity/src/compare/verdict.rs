@@ -2,6 +2,7 @@
 
 use super::difference::{ComparedQuantity, Difference, Estimate};
 use crate::model::Limit;
+use crate::named_enum;
 
 /// The largest difference that is accepted, by quantity: in sigma, else relative to the deterministic result.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -36,27 +37,20 @@ impl Accepted {
     }
 }
 
-/// The answer for one quantity at one load, or over a stretch of loads.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Verdict {
-    /// The 95 % interval of the difference is inside the accepted band.
-    Within,
-    /// It is outside.
-    Beyond,
-    /// It is across the edge of the band, or there is none.
-    CannotTell,
+named_enum! {
+    /// The answer for one quantity at one load, or over a stretch of loads.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    pub enum Verdict {
+        /// The 95 % interval of the difference is inside the accepted band.
+        Within = "within",
+        /// It is outside.
+        Beyond = "beyond",
+        /// It is across the edge of the band, or there is none.
+        CannotTell = "cannot-tell",
+    }
 }
 
 impl Verdict {
-    /// The name in tables.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Within => "within",
-            Self::Beyond => "beyond",
-            Self::CannotTell => "cannot-tell",
-        }
-    }
-
     /// Of an estimate against the band `[low, high]` of contrasts.
     pub fn of(estimate: &Estimate, [low, high]: [f64; 2]) -> Self {
         match estimate.interval() {

@@ -4,24 +4,27 @@ use nalgebra::{DMatrix, DVector};
 
 use super::HeightMap;
 use super::rows::{Rows, Strip, first_present, rows_from, strips};
+use crate::named_enum;
 
-/// The form to remove.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Deserialize))]
-#[cfg_attr(feature = "schemars", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
-pub enum Level {
-    /// Nothing is removed.
-    None,
-    /// The mean.
-    Mean,
-    /// The least-squares plane.
-    #[default]
-    Plane,
-    /// The least-squares polynomial of second degree.
-    Quadratic,
-    /// The least-squares polynomial of third degree.
-    Cubic,
+named_enum! {
+    /// The form to remove.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+    #[cfg_attr(feature = "serde", derive(serde::Deserialize))]
+    #[cfg_attr(feature = "schemars", derive(schemars::JsonSchema))]
+    #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+    pub enum Level {
+        /// Nothing is removed.
+        None = "none",
+        /// The mean.
+        Mean = "mean",
+        /// The least-squares plane.
+        #[default]
+        Plane = "plane",
+        /// The least-squares polynomial of second degree.
+        Quadratic = "quadratic",
+        /// The least-squares polynomial of third degree.
+        Cubic = "cubic",
+    }
 }
 
 /// The present points do not determine the form: too few, or on a line.
@@ -41,17 +44,6 @@ const DEGREES: usize = 4;
 const PRODUCTS: usize = 7;
 
 impl Level {
-    /// The name in specs and reports.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::None => "none",
-            Self::Mean => "mean",
-            Self::Plane => "plane",
-            Self::Quadratic => "quadratic",
-            Self::Cubic => "cubic",
-        }
-    }
-
     const fn terms(self) -> usize {
         match self {
             Self::None => 0,

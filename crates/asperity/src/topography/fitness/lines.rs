@@ -1,6 +1,7 @@
 //! Line offsets: lines of a scan, or parts of a stitched map, at wrong heights.
 
 use super::NORMAL;
+use crate::named_enum;
 use crate::topography::rows::rows_from;
 use crate::topography::{Rows, strips};
 
@@ -160,27 +161,21 @@ fn has_single_offset(lines: &[Steps]) -> bool {
     largest > LARGEST_OFFSET * usual && largest > NORMAL * scatter
 }
 
-/// The lines of a map along one axis.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Deserialize))]
-#[cfg_attr(feature = "schemars", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
-pub enum Lines {
-    /// Lines of constant y.
-    X,
-    /// Lines of constant x.
-    Y,
+named_enum! {
+    /// The lines of a map along one axis.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    #[cfg_attr(feature = "serde", derive(serde::Deserialize))]
+    #[cfg_attr(feature = "schemars", derive(schemars::JsonSchema))]
+    #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+    pub enum Lines {
+        /// Lines of constant y.
+        X = "x",
+        /// Lines of constant x.
+        Y = "y",
+    }
 }
 
 impl Lines {
-    /// The name in specs.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::X => "x",
-            Self::Y => "y",
-        }
-    }
-
     /// The mean height of the present points of each line of `map`, m; zero where all are missing. A median would jump from
     /// line to line on a smooth surface.
     fn means(self, map: &dyn Rows) -> Vec<f64> {
