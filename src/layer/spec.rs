@@ -54,9 +54,9 @@ impl<'de> Deserialize<'de> for Thickness {
                     .map(|length| Self(length.value()))
                     .map_err(|_| refused(format!("\"{text}\""))),
             })
-            .number(|number| match number.value {
+            .number(|value, found| match value {
                 f64::INFINITY => Ok(Self(f64::INFINITY)),
-                value => Quantity::<Length, NotNegative>::checked(value, &number)
+                value => Quantity::<Length, NotNegative>::checked(value, &found)
                     .map(|length| Self(length.value()))
                     .map_err(|_| refused(value.to_string())),
             })

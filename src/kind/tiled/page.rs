@@ -2,7 +2,9 @@
 
 use asperity::compare::{Kind, Pair};
 use asperity_framework::Outcome;
-use asperity_framework::report::format::{count, input_number, number, percent, quantity, thickness};
+use asperity_framework::report::format::{
+    count, input_number, number, percent, quantity, thickness, with_sign,
+};
 use asperity_framework::report::page::Page;
 use asperity_framework::report::sections;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Plot};
@@ -93,7 +95,7 @@ fn finding(law: &LawResults) -> String {
             " At equal load, at {} as the highest in the valid range, its contact area differs by {} and its separation by {} σ.",
             quantity(*target, "Pa"),
             signed(area),
-            with_sign(apart, number(apart.abs()))
+            with_sign(apart, number)
         );
     }
     words
@@ -140,12 +142,7 @@ impl AtSeparation {
 }
 
 fn signed(share: f64) -> String {
-    with_sign(share, percent(share.abs()))
-}
-
-fn with_sign(value: f64, size: String) -> String {
-    let sign = if value < 0.0 { "−" } else { "+" };
-    format!("{sign}{size}")
+    with_sign(share, percent)
 }
 
 /// Figures and table under one law.

@@ -93,8 +93,7 @@ impl<'de> Deserialize<'de> for RelativeDifference {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         const ALLOWED: &str = "a positive share such as \"10 %\" or 0.1";
         Forms::new(ALLOWED)
-            .number(|number| {
-                let share = number.value;
+            .number(|share, _| {
                 // 10 is rarely meant as 1000 %.
                 if share > 1.0 && share.is_finite() {
                     let percent = 100.0 * share;
@@ -119,7 +118,7 @@ impl<'de> Deserialize<'de> for AcceptedSeparation {
         const ALLOWED: &str = "a positive number (in sigma), or a length such as \"20 nm\"";
 
         Forms::new(ALLOWED)
-            .number(|number| positive(number.value, &number.value, ALLOWED).map(Self::Sigma))
+            .number(|sigma, _| positive(sigma, &sigma, ALLOWED).map(Self::Sigma))
             .text(|text| {
                 let length = Quantity::<Length>::parse(text).map_or(f64::NAN, |length| length.value());
                 positive(length, &format_args!("\"{text}\""), ALLOWED).map(Self::Length)

@@ -91,7 +91,7 @@ impl<'de> Deserialize<'de> for FontSize {
                 let points = text.trim().strip_suffix("pt").and_then(|number| number.trim().parse().ok());
                 Self::new(points, &format_args!("\"{text}\""))
             })
-            .number(|number| Self::new(Some(number.value), &number.value))
+            .number(|points, _| Self::new(Some(points), &points))
             .read(deserializer)
     }
 }

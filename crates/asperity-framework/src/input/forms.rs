@@ -7,29 +7,17 @@ use serde::de::{Error, IgnoredAny, MapAccess, SeqAccess, Unexpected, Visitor};
 use serde::{Deserialize, Deserializer};
 
 type Reader<'a, W, T> = Box<dyn FnOnce(W) -> Result<T, String> + 'a>;
+type TextReader<'a, T> = Box<dyn FnOnce(&str) -> Result<T, String> + 'a>;
+type NumberReader<'a, T> = Box<dyn FnOnce(f64, &str) -> Result<T, String> + 'a>;
 
 /// How a value is read from each form that is allowed. Unlike `serde-untagged` it passes on errors of tables with their
 /// position in the spec.
 pub struct Forms<'a, T, Item = IgnoredAny, Table = IgnoredAny> {
     expected: &'a str,
-    text: Option<Box<dyn FnOnce(&str) -> Result<T, String> + 'a>>,
-    number: Option<Reader<'a, Number, T>>,
+    text: Option<TextReader<'a, T>>,
+    number: Option<NumberReader<'a, T>>,
     list: Option<Reader<'a, Vec<Item>, T>>,
     table: Option<Reader<'a, Table, T>>,
-}
-
-/// A number of a spec.
-pub struct Number {
-    /// Its value.
-    pub value: f64,
-    written: String,
-}
-
-/// As the spec writes it.
-impl fmt::Display for Number {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        f.write_str(&self.written)
-    }
 }
 
 impl<'a, T> Forms<'a, T> {
@@ -46,9 +34,9 @@ impl<'a, T, Item, Table> Forms<'a, T, Item, Table> {
         Self { text: Some(Box::new(read)), ..self }
     }
 
-    /// A number is allowed.
+    /// A number is allowed: its value, and how the spec writes it.
     #[must_use]
-    pub fn number(self, read: impl FnOnce(Number) -> Result<T, String> + 'a) -> Self {
+    pub fn number(self, read: impl FnOnce(f64, &str) -> Result<T, String> + 'a) -> Self {
         Self { number: Some(Box::new(read)), ..self }
     }
 
@@ -78,7 +66,7 @@ impl<'de, T, Item: Deserialize<'de>, Table: Deserialize<'de>> Forms<'_, T, Item,
 
     fn read_number<E: Error>(self, value: f64, written: String, form: Unexpected) -> Result<T, E> {
         let read = self.number.ok_or_else(|| E::invalid_type(form, &self.expected))?;
-        read(Number { value, written }).map_err(E::custom)
+        read(value, &written).map_err(E::custom)
     }
 }
 

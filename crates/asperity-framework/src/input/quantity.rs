@@ -217,7 +217,7 @@ impl<'de, D: Dimension, R: Range> Deserialize<'de> for Quantity<D, R> {
     fn deserialize<T: Deserializer<'de>>(deserializer: T) -> Result<Self, T::Error> {
         Forms::new(&format!("{} {}", R::WORDS, D::allowed()))
             .text(Self::parse)
-            .number(|number| Self::checked(number.value, &number))
+            .number(|value, found| Self::checked(value, &found))
             .read(deserializer)
     }
 }

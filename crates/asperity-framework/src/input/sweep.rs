@@ -34,7 +34,7 @@ impl<'de, D: Dimension, R: Range> Deserialize<'de> for Written<D, R> {
         let example = D::UNITS.map_or_else(|| "2.5".to_owned(), |units| format!("\"{}\"", units.example()));
         Forms::new(&format!("one value such as {example}, a list of values, {TABLES}"))
             .text(|text| Quantity::parse(text).map(|value| Self::of(vec![value])))
-            .number(|number| Quantity::checked(number.value, &number).map(|value| Self::of(vec![value])))
+            .number(|value, found| Quantity::checked(value, &found).map(|value| Self::of(vec![value])))
             .list(|values| Ok(Self::of(values)))
             .table(|keys| Ok(Self(keys)))
             .read(deserializer)

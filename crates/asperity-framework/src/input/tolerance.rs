@@ -51,8 +51,8 @@ impl<'de> Deserialize<'de> for ToleranceSpec {
         }
 
         Forms::new("a number such as 1e-4, or { statistical = 1e-8, deterministic = 1e-4 }")
-            .number(|number| {
-                let tolerance = Some(checked(number.value)?);
+            .number(|value, _| {
+                let tolerance = Some(checked(value)?);
                 Ok(Self(Tolerances { statistical: tolerance, deterministic: tolerance }))
             })
             .table(|each: Each| {

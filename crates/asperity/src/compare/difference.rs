@@ -19,6 +19,9 @@ named_enum! {
 }
 
 impl ComparedQuantity {
+    /// All of them, as they are reported: the area first.
+    pub const REPORTED: [Self; 3] = [Self::Area, Self::Separation, Self::Stiffness];
+
     /// The statistical less the deterministic result of a pair at equal load, on the scale on which errors are symmetric:
     /// d/sigma, or the logarithm of the ratio; 0 if they differ by rounding only. `None` where a ratio has no logarithm.
     pub fn contrast(self, pair: &Pair) -> Option<f64> {

@@ -3,6 +3,7 @@
 use super::{ComparedQuantity, Difference, Kind, Pair, Pairing};
 use crate::model::{Exceeded, Response};
 use crate::named_enum;
+use crate::numeric::extremes;
 
 /// A gap between the models of at most this number of sampling errors is not detected.
 pub const DETECTABLE: f64 = 2.0;
@@ -129,8 +130,7 @@ impl AtLoad {
         let deviations = self.differences(measure).deviations.iter().enumerate();
         let members = deviations.filter(|(law, _)| self.is_in(group, *law) && Some(*law) != without);
         let values: Vec<f64> = members.map(|(_, deviation)| deviation[kind as usize]).collect();
-        let (low, high) =
-            (values.iter().copied().reduce(f64::min)?, values.iter().copied().reduce(f64::max)?);
+        let [low, high] = extremes(values.iter().copied())?;
         (values.len() > 1).then_some(high - low)
     }
 

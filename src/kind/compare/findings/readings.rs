@@ -2,6 +2,7 @@
 
 use asperity::Response;
 use asperity::compare::{Control, Kind};
+use asperity::numeric::extremes;
 use asperity::topography::generate::SigmaOf;
 
 use crate::kind::compare::answers::RealisationResults;
@@ -76,23 +77,18 @@ impl Readings {
 
     /// Smallest and largest ratio of the loads.
     pub fn range(&self) -> Option<[f64; 2]> {
-        ends(self.loads.iter().map(ReadLoads::ratio))
+        extremes(self.loads.iter().map(ReadLoads::ratio))
     }
 
     /// The same where both loads are valid; `None` where none are.
     pub fn valid_range(&self) -> Option<[f64; 2]> {
-        ends(self.loads.iter().filter(|loads| loads.is_valid()).map(ReadLoads::ratio))
+        extremes(self.loads.iter().filter(|loads| loads.is_valid()).map(ReadLoads::ratio))
     }
 
     /// Smallest and largest d/sigma.
     pub fn separations(&self) -> Option<[f64; 2]> {
-        ends(self.loads.iter().map(|loads| loads.separation))
+        extremes(self.loads.iter().map(|loads| loads.separation))
     }
-}
-
-/// Smallest and largest of some values; `None` of none.
-fn ends(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
-    values.map(|value| [value; 2]).reduce(|[low, high], [value, _]| [low.min(value), high.max(value)])
 }
 
 /// The loads of two surfaces, case by case.

@@ -10,8 +10,7 @@ use super::verdict::name;
 use crate::kind::compare::findings::Verdicts;
 
 /// The quantities in the order of their panels.
-const PANELS: [ComparedQuantity; 3] =
-    [ComparedQuantity::Area, ComparedQuantity::Separation, ComparedQuantity::Stiffness];
+const PANELS: [ComparedQuantity; 3] = ComparedQuantity::REPORTED;
 
 /// The factor from a share or sigma to the unit of the axis.
 fn unit(compared: ComparedQuantity) -> f64 {

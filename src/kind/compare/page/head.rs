@@ -13,8 +13,7 @@ use super::{reference, sentences, verdict_of};
 use crate::kind::compare::findings::Verdicts;
 use crate::kind::compare::results::CompareResults;
 
-const ORDER: [ComparedQuantity; 3] =
-    [ComparedQuantity::Area, ComparedQuantity::Separation, ComparedQuantity::Stiffness];
+const ORDER: [ComparedQuantity; 3] = ComparedQuantity::REPORTED;
 
 /// The head of the page. `series` are the surfaces and laws where several thicknesses are compared, else none; `overview` is that of
 /// several cases with a reference.

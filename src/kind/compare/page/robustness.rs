@@ -11,8 +11,7 @@ use crate::kind::compare::findings::Verdicts;
 use crate::kind::compare::results::SurfaceResults;
 use crate::kind::compare::robustness::{Choice, Dependence, Robustness, Treatment};
 
-const ORDER: [ComparedQuantity; 3] =
-    [ComparedQuantity::Area, ComparedQuantity::Separation, ComparedQuantity::Stiffness];
+const ORDER: [ComparedQuantity; 3] = ComparedQuantity::REPORTED;
 
 /// What the verdicts of case `index` depend on, in a sentence; `None` where they depend on no choice.
 pub fn sentence(found: &SurfaceResults, index: usize) -> Option<String> {

@@ -2,6 +2,7 @@
 
 use super::NORMAL;
 use crate::named_enum;
+use crate::numeric::median;
 use crate::topography::rows::rows_from;
 use crate::topography::{Rows, strips};
 
@@ -110,11 +111,6 @@ fn spread(values: impl Iterator<Item = f64>) -> Option<([f64; 2], usize)> {
 fn typical(magnitudes: &mut [f64]) -> Option<f64> {
     let middle = median(magnitudes)?;
     Some(if middle > 0.0 { middle } else { magnitudes.iter().sum::<f64>() / magnitudes.len() as f64 })
-}
-
-fn median(values: &mut [f64]) -> Option<f64> {
-    let middle = values.len() / 2;
-    (!values.is_empty()).then(|| *values.select_nth_unstable_by(middle, f64::total_cmp).1)
 }
 
 /// The share of offsets in the variance of second differences across lines.

@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::NORMAL;
+use crate::numeric::median;
 use crate::topography::rows::rows_from;
 use crate::topography::{Boundary, Rows, Strip, strips};
 
@@ -88,11 +89,9 @@ fn scale(map: &dyn Rows) -> f64 {
     }
     let robust = |which: usize| {
         let mut values: Vec<f64> = sample.iter().map(|at| at[which]).collect();
-        let middle = values.len() / 2;
-        let median = *values.select_nth_unstable_by(middle, f64::total_cmp).1;
         // On height steps most may be zero.
         let mean = values.iter().sum::<f64>() / values.len() as f64;
-        if median > 0.0 { NORMAL * median } else { mean }
+        median(&mut values).filter(|middle| *middle > 0.0).map_or(mean, |middle| NORMAL * middle)
     };
     robust(0).max(0.2 * robust(1))
 }
@@ -131,8 +130,7 @@ impl<'a> Local<'a> {
                 }
             }
         }
-        let middle = count / 2;
-        Some(z - *window[..count].select_nth_unstable_by(middle, f64::total_cmp).1)
+        Some(z - median(&mut window[..count])?)
     }
 
     fn spikes(&self, scale: f64) -> Spikes {

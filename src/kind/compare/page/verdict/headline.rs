@@ -1,6 +1,7 @@
 //! The answer in one sentence.
 
 use asperity::compare::{ComparedQuantity, Stretch, Verdict};
+use asperity::numeric::decades;
 use asperity_framework::report::format::{capitalised, listed, percent};
 
 use super::range::any_exceeded_words;
@@ -8,8 +9,7 @@ use super::words::{accepted, between, name, need, over, size, span};
 use crate::kind::compare::findings::{Basis, LeadingCause, Verdicts};
 
 /// The order in which quantities are spoken of.
-const ORDER: [ComparedQuantity; 3] =
-    [ComparedQuantity::Area, ComparedQuantity::Separation, ComparedQuantity::Stiffness];
+const ORDER: [ComparedQuantity; 3] = ComparedQuantity::REPORTED;
 
 /// The answer on one surface, with separations in units of `sigma` (m): of each quantity its widest stretch of load with a
 /// conclusion, or the widest where there is none; with the leading causes.
@@ -40,7 +40,7 @@ fn answer(verdicts: &Verdicts, sigma: f64, with_causes: bool) -> String {
     let of = |compared: ComparedQuantity| {
         verdicts.stretches.iter().filter(move |stretch| stretch.quantity == compared)
     };
-    let rank = |stretch: &Stretch| (stretch.verdict != Verdict::CannotTell, decades(stretch));
+    let rank = |stretch: &Stretch| (stretch.verdict != Verdict::CannotTell, decades(stretch.loads));
     let widest = |compared: ComparedQuantity| {
         of(compared).max_by(|a, b| {
             let (a, b) = (rank(a), rank(b));
@@ -115,11 +115,6 @@ fn causes(main: &[&Stretch], verdicts: &Verdicts) -> Option<String> {
 
 fn by<'a>(main: &[&'a Stretch], verdict: Verdict) -> Vec<&'a Stretch> {
     main.iter().copied().filter(|stretch| stretch.verdict == verdict).collect()
-}
-
-/// The width of a stretch on a logarithmic scale.
-fn decades(stretch: &Stretch) -> f64 {
-    (stretch.loads[1] / stretch.loads[0]).log10()
 }
 
 /// How much surface it would take to tell of all these stretches, or why none would; nothing where that is not known.

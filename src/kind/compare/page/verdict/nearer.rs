@@ -1,15 +1,15 @@
 //! Both models against the reference, in words and in a table.
 
 use asperity::compare::{ComparedQuantity, Difference, Estimate, Kind, NearerStretch, Verdict};
-use asperity_framework::report::format::{capitalised, listed, number};
+use asperity::numeric::decades;
+use asperity_framework::report::format::{capitalised, listed, number, with_sign};
 use asperity_framework::report::page::Page;
 
 use super::words::{loads, name, over, signed, verdict};
 use crate::kind::compare::findings::{ReferenceVerdicts, Verdicts};
 
 /// The order in which quantities are spoken of.
-pub(super) const ORDER: [ComparedQuantity; 3] =
-    [ComparedQuantity::Area, ComparedQuantity::Separation, ComparedQuantity::Stiffness];
+pub(super) const ORDER: [ComparedQuantity; 3] = ComparedQuantity::REPORTED;
 
 /// A model as sentences name it.
 fn model(kind: Kind) -> &'static str {
@@ -17,10 +17,6 @@ fn model(kind: Kind) -> &'static str {
         Kind::Statistical => "the statistical model",
         Kind::Deterministic => "the sum",
     }
-}
-
-fn decades(loads: [f64; 2]) -> f64 {
-    (loads[1] / loads[0]).ln()
 }
 
 /// Which model is nearer to the reference, in one sentence: of each quantity its widest stretch of load with an answer, or
@@ -203,7 +199,7 @@ pub fn misses(reference: &ReferenceVerdicts, alpha: Option<f64>) -> Option<Strin
             format!("{} of separation", signed(ComparedQuantity::Separation, h))
         });
         let area = part(ComparedQuantity::Area, &|log| {
-            format!("{} in ln(A) ({} of area)", signed_number(log), signed(ComparedQuantity::Area, log))
+            format!("{} in ln(A) ({} of area)", with_sign(log, number), signed(ComparedQuantity::Area, log))
         });
         let parts: Vec<String> = [separation, area].into_iter().flatten().collect();
         format!("at {} {}", loads([at.load; 2]), listed(&parts))
@@ -215,11 +211,6 @@ pub fn misses(reference: &ReferenceVerdicts, alpha: Option<f64>) -> Option<Strin
     let values = if first.load == last.load { of(first) } else { format!("{}; {}", of(first), of(last)) };
     let alpha = alpha.map_or_else(String::new, |alpha| format!(" Nayak's α of the map: {}.", number(alpha)));
     Some(format!("What the sum misses ({what}; sum minus reference): {values}.{alpha}"))
-}
-
-fn signed_number(value: f64) -> String {
-    let sign = if value < 0.0 { "−" } else { "+" };
-    format!("{sign}{}", number(value.abs()))
 }
 
 #[cfg(test)]
