@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use asperity::material_library::{self, Class, LibraryMaterial, Sourced};
-use asperity_framework::report::format::{input_number, input_quantity};
+use asperity_framework::report::format::{capitalised, input_number, input_quantity};
 use asperity_framework::report::sections::by_source;
 
 /// All materials of the library: their values, then the source of each.
@@ -24,9 +24,7 @@ pub fn all_materials() -> String {
     for class in Class::ALL {
         let of_class: Vec<&LibraryMaterial> =
             material_library::all().filter(|material| material.class == class).collect();
-        let mut name = class.name().to_owned();
-        name[..1].make_ascii_uppercase();
-        let _ = write!(text, "\n## {name}\n\n{}", table(&of_class));
+        let _ = write!(text, "\n## {}\n\n{}", capitalised(class.name()), table(&of_class));
     }
     text.push_str("\n## Sources\n\n");
     for material in material_library::all() {

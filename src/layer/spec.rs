@@ -1,18 +1,14 @@
 //! `layer = { material = "lead", thickness = [0, "50 nm", "inf"] }`: the layer on the flat.
 
-use std::fmt;
-
 use schemars::JsonSchema;
-use serde::Deserialize;
-use serde::de::value::{F64Deserializer, StrDeserializer};
-use serde::de::{Deserializer, Error, IntoDeserializer, Visitor};
+use serde::de::Error;
+use serde::{Deserialize, Deserializer};
 use serde_json::json;
 
 use asperity::{ModulusModel, units};
-use asperity_framework::input::OneOrMany;
-use asperity_framework::input::Spanned;
 use asperity_framework::input::quantity::{Length, NotNegative, Quantity};
 use asperity_framework::input::schema;
+use asperity_framework::input::{Forms, OneOrMany, Spanned};
 use asperity_framework::written_schema;
 
 /// A layer on the flat, of one thickness or several.
@@ -50,37 +46,21 @@ fn allowed() -> String {
 
 impl<'de> Deserialize<'de> for Thickness {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct OneThickness;
-
-        impl Visitor<'_> for OneThickness {
-            type Value = Thickness;
-
-            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                f.write_str(&allowed())
-            }
-            fn visit_str<E: Error>(self, text: &str) -> Result<Thickness, E> {
-                if text.trim() == "inf" {
-                    return Ok(Thickness(f64::INFINITY));
-                }
-                let read: Result<Quantity<Length, NotNegative>, E> =
-                    Quantity::deserialize(StrDeserializer::new(text));
-                read.map(|quantity| Thickness(quantity.value()))
-                    .map_err(|_| E::custom(format!("found \"{text}\"; allowed: {}", allowed())))
-            }
-            fn visit_f64<E: Error>(self, value: f64) -> Result<Thickness, E> {
-                if value == f64::INFINITY {
-                    return Ok(Thickness(value));
-                }
-                let number: F64Deserializer<E> = value.into_deserializer();
-                let read: Result<Quantity<Length, NotNegative>, E> = Quantity::deserialize(number);
-                read.map(|quantity| Thickness(quantity.value()))
-                    .map_err(|_| E::custom(format!("found {value}; allowed: {}", allowed())))
-            }
-            fn visit_i64<E: Error>(self, value: i64) -> Result<Thickness, E> {
-                self.visit_f64(value as f64)
-            }
-        }
-        deserializer.deserialize_any(OneThickness)
+        let refused = |found: String| format!("found {found}; allowed: {}", allowed());
+        Forms::new(&allowed())
+            .text(|text| match text.trim() {
+                "inf" => Ok(Self(f64::INFINITY)),
+                _ => Quantity::<Length, NotNegative>::parse(text)
+                    .map(|length| Self(length.value()))
+                    .map_err(|_| refused(format!("\"{text}\""))),
+            })
+            .number(|value, found| match value {
+                f64::INFINITY => Ok(Self(f64::INFINITY)),
+                value => Quantity::<Length, NotNegative>::checked(value, &found)
+                    .map(|length| Self(length.value()))
+                    .map_err(|_| refused(value.to_string())),
+            })
+            .read(deserializer)
     }
 }
 

@@ -1,12 +1,9 @@
 //! `[surface.NAME.KIND]`: where asperities come from.
 
-use std::fmt;
 use std::path::PathBuf;
 
 use schemars::JsonSchema;
-use serde::Deserialize;
-use serde::de::value::MapAccessDeserializer;
-use serde::de::{Deserializer, Error, MapAccess, Visitor};
+use serde::{Deserialize, Deserializer};
 
 use crate::surface::generate_spec::GenerateSpec;
 use crate::surface::pixel_spec::PixelSpec;
@@ -17,7 +14,7 @@ use asperity::topography::summits::Neighbours;
 use asperity::units::Dimension;
 use asperity_framework::input::Spanned;
 use asperity_framework::input::Whole;
-use asperity_framework::input::heights::{self, HeightsSpec};
+use asperity_framework::input::heights;
 use asperity_framework::input::quantity::{Area, ArealNumberDensity, Length, Pure, Quantity};
 use asperity_framework::input::schema;
 use asperity_framework::written_schema;
@@ -144,28 +141,7 @@ written_schema!(PopulationHeights, |_| heights::schema(&["surface"]));
 
 impl<'de> Deserialize<'de> for PopulationHeights {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        const SURFACE: &str = "surface";
-        struct NameOrTable;
-
-        impl<'de> Visitor<'de> for NameOrTable {
-            type Value = PopulationHeights;
-
-            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                f.write_str(&HeightsSpec::allowed(&[SURFACE]))
-            }
-            fn visit_str<E: Error>(self, name: &str) -> Result<PopulationHeights, E> {
-                if name == SURFACE {
-                    return Ok(PopulationHeights::Surface);
-                }
-                let heights = HeightsSpec::named(name, &[SURFACE]).map_err(E::custom)?;
-                Ok(PopulationHeights::Asperities(heights.0))
-            }
-            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<PopulationHeights, A::Error> {
-                let heights = HeightsSpec::deserialize(MapAccessDeserializer::new(map))?;
-                Ok(PopulationHeights::Asperities(heights.0))
-            }
-        }
-        deserializer.deserialize_any(NameOrTable)
+        heights::read_or(deserializer, &[("surface", Self::Surface)], Self::Asperities)
     }
 }
 

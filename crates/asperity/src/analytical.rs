@@ -6,33 +6,24 @@ use std::f64::consts::{PI, SQRT_2, TAU};
 use libm::erf;
 
 use crate::literature::{self, Paper};
+use crate::named_enum;
 
-/// A closed result beside the models.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
-#[cfg_attr(feature = "schemars", derive(schemars::JsonSchema))]
-pub enum AnalyticalLine {
-    /// Area against load by Persson, see [`persson`].
-    Persson,
-    /// Area against load by Bush, Gibson and Thomas, see [`bush_gibson_thomas`].
-    BushGibsonThomas,
-    /// The models' separation less the deflection of a finite patch as a whole, [`mean_deflection`].
-    GreenwoodWilliamsonInteracting,
+named_enum! {
+    /// A closed result beside the models.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
+    #[cfg_attr(feature = "schemars", derive(schemars::JsonSchema))]
+    pub enum AnalyticalLine {
+        /// Area against load by Persson, see [`persson`].
+        Persson = "persson",
+        /// Area against load by Bush, Gibson and Thomas, see [`bush_gibson_thomas`].
+        BushGibsonThomas = "bush-gibson-thomas",
+        /// The models' separation less the deflection of a finite patch as a whole, [`mean_deflection`].
+        GreenwoodWilliamsonInteracting = "greenwood-williamson-interacting",
+    }
 }
 
 impl AnalyticalLine {
-    /// All of them.
-    pub const ALL: [Self; 3] = [Self::Persson, Self::BushGibsonThomas, Self::GreenwoodWilliamsonInteracting];
-
-    /// Its name in specs.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Persson => "persson",
-            Self::BushGibsonThomas => "bush-gibson-thomas",
-            Self::GreenwoodWilliamsonInteracting => "greenwood-williamson-interacting",
-        }
-    }
-
     /// Real over nominal area at a nominal pressure over E* on a surface of an r.m.s. `gradient`; `None` of a line that
     /// gives a separation.
     pub fn area_ratio(self, pressure: f64, gradient: f64) -> Option<f64> {

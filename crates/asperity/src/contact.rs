@@ -1,32 +1,21 @@
 //! One micro-contact at one indentation: area, load, stiffness, regime.
 
+use crate::named_enum;
 use crate::numeric::lanes::Real;
 
 /// Contact radius over sphere radius, a/R, beyond which the paraboloid approximation fails and strains are not small.
 pub const LARGEST_SLOPE: f64 = 0.3;
 
-/// The deformation regime of an asperity.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Regime {
-    /// Fully recoverable.
-    Elastic,
-    /// Contained plastic deformation.
-    ElasticPlastic,
-    /// The mean pressure has reached the hardness.
-    Plastic,
-}
-
-impl Regime {
-    /// All regimes, in the order of increasing indentation.
-    pub const ALL: [Self; 3] = [Self::Elastic, Self::ElasticPlastic, Self::Plastic];
-
-    /// The name in reports and tables.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Elastic => "elastic",
-            Self::ElasticPlastic => "elastic-plastic",
-            Self::Plastic => "plastic",
-        }
+named_enum! {
+    /// The deformation regime of an asperity.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    pub enum Regime {
+        /// Fully recoverable.
+        Elastic = "elastic",
+        /// Contained plastic deformation.
+        ElasticPlastic = "elastic-plastic",
+        /// The mean pressure has reached the hardness.
+        Plastic = "plastic",
     }
 }
 

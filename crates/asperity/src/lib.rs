@@ -91,6 +91,7 @@ mod material;
 pub mod material_library;
 mod memory;
 mod model;
+mod named_enum;
 pub mod npy;
 pub mod numeric;
 pub mod progress;

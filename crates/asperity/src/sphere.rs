@@ -3,6 +3,7 @@
 pub use crate::contact::LARGEST_SLOPE;
 use crate::contact::{Contact, Regime};
 use crate::interface::MicroContact;
+use crate::named_enum;
 use crate::shape::Shape;
 
 /// Points of the trace between two breakpoints.
@@ -96,27 +97,18 @@ pub struct Decrease {
     pub to: Point,
 }
 
-/// The quantity that decreases.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum DecreasingQuantity {
-    /// Real contact area.
-    Area,
-    /// Load.
-    Load,
+named_enum! {
+    /// The quantity that decreases.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum DecreasingQuantity {
+        /// Real contact area.
+        Area = "area",
+        /// Load.
+        Load = "load",
+    }
 }
 
 impl DecreasingQuantity {
-    /// Both quantities.
-    pub const ALL: [Self; 2] = [Self::Area, Self::Load];
-
-    /// The name in reports.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Area => "area",
-            Self::Load => "load",
-        }
-    }
-
     /// Its value, m^2 or N.
     pub fn of(self, contact: &Contact) -> f64 {
         match self {

@@ -1,10 +1,8 @@
 //! `[compare]`: both models on the same surfaces, and the reference beside them.
 
-use std::fmt;
-
 use schemars::JsonSchema;
-use serde::Deserialize;
-use serde::de::{Deserializer, Error, SeqAccess, Visitor};
+use serde::de::IgnoredAny;
+use serde::{Deserialize, Deserializer};
 use serde_json::json;
 
 use super::reference::ReferenceSpec;
@@ -12,13 +10,13 @@ use super::statistical::StatisticalSpec;
 use crate::layer::LayerSpec;
 use asperity::analytical::AnalyticalLine;
 use asperity::compare::Kind;
-use asperity_framework::input::Spanned;
 use asperity_framework::input::accept::AcceptSpec;
 use asperity_framework::input::law::Laws;
 use asperity_framework::input::quantity::{Force, Pressure};
 use asperity_framework::input::schema::TYPE;
 use asperity_framework::input::sweep::{LinearSweep, LogSweep};
 use asperity_framework::input::tolerance::ToleranceSpec;
+use asperity_framework::input::{Forms, Spanned};
 use asperity_framework::written_schema;
 
 /// Both models on the same surfaces, and the reference beside them: may the integral replace the sum?
@@ -93,26 +91,15 @@ written_schema!(RoughBody, |_| json!({ "type": "string", TYPE: "name of a materi
 
 impl<'de> Deserialize<'de> for RoughBody {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct OneName;
-
-        impl<'de> Visitor<'de> for OneName {
-            type Value = RoughBody;
-
-            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                f.write_str("the name of one material")
-            }
-            fn visit_str<E: Error>(self, name: &str) -> Result<RoughBody, E> {
-                Ok(RoughBody(name.to_owned()))
-            }
-            fn visit_seq<A: SeqAccess<'de>>(self, _: A) -> Result<RoughBody, A::Error> {
-                Err(A::Error::custom(
-                    "found a list; allowed: one rough body against a smooth flat. For two rough bodies enter \
+        Forms::new("the name of one material")
+            .text(|name| Ok(Self(name.to_owned())))
+            .list(|_: Vec<IgnoredAny>| {
+                Err("found a list; allowed: one rough body against a smooth flat. For two rough bodies enter \
                      the composite surface: the sum of both height maps, or a population with the composite \
-                     sigma and curvature",
-                ))
-            }
-        }
-        deserializer.deserialize_any(OneName)
+                     sigma and curvature"
+                    .to_owned())
+            })
+            .read(deserializer)
     }
 }
 

@@ -1,16 +1,12 @@
 //! `statistical` in `[compare]`: which statistical model runs.
 
-use std::fmt;
-
 use asperity::MeanRadius;
 use asperity::distribution::HeightModel;
 use schemars::JsonSchema;
-use serde::Deserialize;
-use serde::de::value::MapAccessDeserializer;
-use serde::de::{Deserializer, Error, MapAccess, Visitor};
+use serde::{Deserialize, Deserializer};
 
 use crate::study::{JointModel, StatisticalModel};
-use asperity_framework::input::heights::{self, HeightsSpec};
+use asperity_framework::input::heights;
 
 /// `statistical` as a spec writes it: a height density and one radius, independent of each other, or a joint density of both.
 #[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
@@ -59,27 +55,7 @@ asperity_framework::written_schema!(HeightModelSpec, |_| heights::schema(
 
 impl<'de> Deserialize<'de> for HeightModelSpec {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct NameOrTable;
-
-        impl<'de> Visitor<'de> for NameOrTable {
-            type Value = HeightModelSpec;
-
-            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                f.write_str(&HeightsSpec::allowed(&HeightModel::FITTED.map(|fitted| fitted.name())))
-            }
-            fn visit_str<E: Error>(self, name: &str) -> Result<HeightModelSpec, E> {
-                if let Some(fitted) = HeightModel::FITTED.into_iter().find(|fitted| fitted.name() == name) {
-                    return Ok(HeightModelSpec(fitted));
-                }
-                let also = HeightModel::FITTED.map(|fitted| fitted.name());
-                let heights = HeightsSpec::named(name, &also).map_err(E::custom)?;
-                Ok(HeightModelSpec(HeightModel::Given(heights.0)))
-            }
-            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<HeightModelSpec, A::Error> {
-                let heights = HeightsSpec::deserialize(MapAccessDeserializer::new(map))?;
-                Ok(HeightModelSpec(HeightModel::Given(heights.0)))
-            }
-        }
-        deserializer.deserialize_any(NameOrTable)
+        let fitted = HeightModel::FITTED.map(|fitted| (fitted.name(), fitted));
+        heights::read_or(deserializer, &fitted, HeightModel::Given).map(Self)
     }
 }

@@ -3,12 +3,12 @@
 use std::fmt;
 
 use schemars::JsonSchema;
-use serde::Deserialize;
-use serde::de::{Deserializer, Error, Visitor};
+use serde::{Deserialize, Deserializer};
 use serde_json::json;
 
 use asperity::compare::Accepted;
 
+use super::Forms;
 use super::quantity::{Length, Quantity};
 use super::schema::{RANGE, TYPE, UNIT};
 
@@ -71,14 +71,6 @@ impl AcceptSpec {
 #[derive(Debug, Clone, Copy)]
 struct RelativeDifference(f64);
 
-impl RelativeDifference {
-    const ALLOWED: &'static str = "a positive share such as \"10 %\" or 0.1";
-
-    fn new<E: Error>(share: f64, found: &dyn fmt::Display) -> Result<Self, E> {
-        positive(share, found, Self::ALLOWED).map(Self)
-    }
-}
-
 crate::written_schema!(RelativeDifference, |_| json!({
     "anyOf": [{ "type": "number", "exclusiveMinimum": 0, "maximum": 1 }, { "type": "string", "pattern": "%" }],
     TYPE: "share, as a number up to 1 or in percent", RANGE: "above 0",
@@ -89,49 +81,35 @@ crate::written_schema!(AcceptedSeparation, |_| json!({
     TYPE: "number or length", UNIT: "m, mm, um, nm; a bare number is in sigma", RANGE: "above 0",
 }));
 
-fn positive<E: Error>(value: f64, found: &dyn fmt::Display, allowed: &str) -> Result<f64, E> {
+fn positive(value: f64, found: &dyn fmt::Display, allowed: &str) -> Result<f64, String> {
     if value > 0.0 && value.is_finite() {
         Ok(value)
     } else {
-        Err(E::custom(format!("found {found}; allowed: {allowed}")))
+        Err(format!("found {found}; allowed: {allowed}"))
     }
 }
 
 impl<'de> Deserialize<'de> for RelativeDifference {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct ShareOrPercent;
-
-        impl Visitor<'_> for ShareOrPercent {
-            type Value = RelativeDifference;
-
-            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                f.write_str(RelativeDifference::ALLOWED)
-            }
-
-            /// A bare number above 1 is rejected: 10 is rarely meant as 1000 %.
-            fn visit_f64<E: Error>(self, share: f64) -> Result<RelativeDifference, E> {
+        const ALLOWED: &str = "a positive share such as \"10 %\" or 0.1";
+        Forms::new(ALLOWED)
+            .number(|share, _| {
+                // 10 is rarely meant as 1000 %.
                 if share > 1.0 && share.is_finite() {
-                    return Err(E::custom(format!(
-                        "found {share}, which is {} %; allowed: {}; above 1 in percent",
-                        100.0 * share,
-                        RelativeDifference::ALLOWED
-                    )));
+                    let percent = 100.0 * share;
+                    return Err(format!(
+                        "found {share}, which is {percent} %; allowed: {ALLOWED}; above 1 in percent"
+                    ));
                 }
-                RelativeDifference::new(share, &share)
-            }
-
-            fn visit_i64<E: Error>(self, share: i64) -> Result<RelativeDifference, E> {
-                self.visit_f64(share as f64)
-            }
-
-            fn visit_str<E: Error>(self, text: &str) -> Result<RelativeDifference, E> {
+                positive(share, &share, ALLOWED).map(Self)
+            })
+            .text(|text| {
                 let percent =
                     text.trim().strip_suffix('%').and_then(|number| number.trim().parse::<f64>().ok());
                 let share = percent.map_or(f64::NAN, |percent| percent / 100.0);
-                RelativeDifference::new(share, &format!("\"{text}\""))
-            }
-        }
-        deserializer.deserialize_any(ShareOrPercent)
+                positive(share, &format_args!("\"{text}\""), ALLOWED).map(Self)
+            })
+            .read(deserializer)
     }
 }
 
@@ -139,29 +117,13 @@ impl<'de> Deserialize<'de> for AcceptedSeparation {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         const ALLOWED: &str = "a positive number (in sigma), or a length such as \"20 nm\"";
 
-        struct SigmaOrLength;
-
-        impl Visitor<'_> for SigmaOrLength {
-            type Value = AcceptedSeparation;
-
-            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                f.write_str(ALLOWED)
-            }
-
-            fn visit_f64<E: Error>(self, sigma: f64) -> Result<AcceptedSeparation, E> {
-                positive(sigma, &sigma, ALLOWED).map(AcceptedSeparation::Sigma)
-            }
-
-            fn visit_i64<E: Error>(self, sigma: i64) -> Result<AcceptedSeparation, E> {
-                self.visit_f64(sigma as f64)
-            }
-
-            fn visit_str<E: Error>(self, text: &str) -> Result<AcceptedSeparation, E> {
+        Forms::new(ALLOWED)
+            .number(|sigma, _| positive(sigma, &sigma, ALLOWED).map(Self::Sigma))
+            .text(|text| {
                 let length = Quantity::<Length>::parse(text).map_or(f64::NAN, |length| length.value());
-                positive(length, &format!("\"{text}\""), ALLOWED).map(AcceptedSeparation::Length)
-            }
-        }
-        deserializer.deserialize_any(SigmaOrLength)
+                positive(length, &format_args!("\"{text}\""), ALLOWED).map(Self::Length)
+            })
+            .read(deserializer)
     }
 }
 

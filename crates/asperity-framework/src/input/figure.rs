@@ -4,10 +4,10 @@ use std::fmt;
 
 use asperity_plot::Size;
 use schemars::JsonSchema;
-use serde::Deserialize;
-use serde::de::{Deserializer, Error, Visitor};
+use serde::{Deserialize, Deserializer};
 use serde_json::json;
 
+use super::Forms;
 use super::quantity::{Length, Quantity};
 use super::schema::{RANGE, TYPE, UNIT};
 
@@ -67,10 +67,10 @@ impl FontSize {
         format!("a size of {least} to {most} points such as \"8 pt\"")
     }
 
-    fn new<E: Error>(points: Option<f64>, found: &dyn fmt::Display) -> Result<Self, E> {
+    fn new(points: Option<f64>, found: &dyn fmt::Display) -> Result<Self, String> {
         let [least, most] = Size::FONTS;
         let points = points.filter(|points| (least..=most).contains(points));
-        points.map(Self).ok_or_else(|| E::custom(format!("found {found}; allowed: {}", Self::allowed())))
+        points.map(Self).ok_or_else(|| format!("found {found}; allowed: {}", Self::allowed()))
     }
 }
 
@@ -86,25 +86,12 @@ crate::written_schema!(FontSize, |_| json!({
 
 impl<'de> Deserialize<'de> for FontSize {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Points;
-
-        impl Visitor<'_> for Points {
-            type Value = FontSize;
-
-            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                f.write_str(&FontSize::allowed())
-            }
-            fn visit_str<E: Error>(self, text: &str) -> Result<FontSize, E> {
+        Forms::new(&Self::allowed())
+            .text(|text| {
                 let points = text.trim().strip_suffix("pt").and_then(|number| number.trim().parse().ok());
-                FontSize::new(points, &format_args!("\"{text}\""))
-            }
-            fn visit_f64<E: Error>(self, points: f64) -> Result<FontSize, E> {
-                FontSize::new(Some(points), &points)
-            }
-            fn visit_i64<E: Error>(self, points: i64) -> Result<FontSize, E> {
-                FontSize::new(Some(points as f64), &points)
-            }
-        }
-        deserializer.deserialize_any(Points)
+                Self::new(points, &format_args!("\"{text}\""))
+            })
+            .number(|points, _| Self::new(Some(points), &points))
+            .read(deserializer)
     }
 }

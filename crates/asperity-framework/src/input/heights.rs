@@ -6,6 +6,7 @@ use serde::Deserialize;
 use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, Visitor};
 use serde_json::{Map, Value, json};
 
+use super::Forms;
 use super::quantity::{Finite, Pure, Quantity};
 use super::schema::{self, TYPE};
 use asperity::Heights;
@@ -107,6 +108,25 @@ impl<'de> Deserialize<'de> for HeightsSpec {
         }
         deserializer.deserialize_any(NameOrTable)
     }
+}
+
+/// Reads a name of `others` as its value, and a distribution as what `otherwise` makes of it.
+///
+/// # Errors
+/// Neither of both.
+pub fn read_or<'de, T: Clone, D: Deserializer<'de>>(
+    deserializer: D,
+    others: &[(&str, T)],
+    otherwise: fn(Heights) -> T,
+) -> Result<T, D::Error> {
+    let names: Vec<&str> = others.iter().map(|(name, _)| *name).collect();
+    Forms::new(&HeightsSpec::allowed(&names))
+        .text(|text| match others.iter().find(|(name, _)| *name == text) {
+            Some((_, value)) => Ok(value.clone()),
+            None => HeightsSpec::named(text, &names).map(|heights| otherwise(heights.0)),
+        })
+        .table(|heights: HeightsSpec| Ok(otherwise(heights.0)))
+        .read(deserializer)
 }
 
 /// The values of the parameters of a family, in its order.

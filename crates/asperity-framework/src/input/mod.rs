@@ -4,6 +4,7 @@ pub mod accept;
 mod error;
 pub mod figure;
 mod file;
+mod forms;
 pub mod heights;
 mod held;
 pub mod law;
@@ -19,6 +20,7 @@ mod whole;
 
 pub use error::{InputError, Source};
 pub use file::SpecFile;
+pub use forms::Forms;
 pub use held::Held;
 pub use one_or_many::OneOrMany;
 pub use resolver::materials;

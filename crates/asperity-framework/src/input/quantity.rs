@@ -5,12 +5,12 @@ use std::fmt;
 use std::marker::PhantomData;
 
 use schemars::{JsonSchema, Schema, SchemaGenerator};
-use serde::de::{Deserialize, Deserializer, Error, Visitor};
+use serde::{Deserialize, Deserializer};
 
 use asperity::numeric::{LARGEST, is_positive};
 use asperity::units;
 
-use super::schema;
+use super::{Forms, schema};
 
 /// A kind of quantity that a spec may hold.
 pub trait Dimension {
@@ -160,7 +160,11 @@ impl<D: Dimension, R: Range> Quantity<D, R> {
         self.value
     }
 
-    fn checked(value: f64, found: &dyn fmt::Display) -> Result<Self, String> {
+    /// A value in SI, which an error calls `found`.
+    ///
+    /// # Errors
+    /// A value out of range.
+    pub fn checked(value: f64, found: &dyn fmt::Display) -> Result<Self, String> {
         if R::holds(value) {
             return Ok(Self { value, kind: PhantomData });
         }
@@ -178,7 +182,11 @@ impl<D: Dimension, R: Range> Quantity<D, R> {
         format!("found {found}; allowed: {} {}", R::WORDS, D::allowed())
     }
 
-    pub(super) fn parse(text: &str) -> Result<Self, String> {
+    /// A value with its unit.
+    ///
+    /// # Errors
+    /// No unit of this dimension, or a value out of range.
+    pub fn parse(text: &str) -> Result<Self, String> {
         let found = format!("\"{text}\"");
         let parse = |text: &str| D::UNITS.and_then(|units| units.parse(text));
         if let Some(value) = parse(text) {
@@ -207,28 +215,10 @@ impl<D: Dimension, R: Range> JsonSchema for Quantity<D, R> {
 
 impl<'de, D: Dimension, R: Range> Deserialize<'de> for Quantity<D, R> {
     fn deserialize<T: Deserializer<'de>>(deserializer: T) -> Result<Self, T::Error> {
-        struct Reader<D, R>(PhantomData<(D, R)>);
-
-        impl<D: Dimension, R: Range> Visitor<'_> for Reader<D, R> {
-            type Value = Quantity<D, R>;
-
-            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                write!(f, "{} {}", R::WORDS, D::allowed())
-            }
-            fn visit_str<E: Error>(self, text: &str) -> Result<Self::Value, E> {
-                Quantity::parse(text).map_err(E::custom)
-            }
-            fn visit_f64<E: Error>(self, value: f64) -> Result<Self::Value, E> {
-                Quantity::checked(value, &format_args!("{value:?}")).map_err(E::custom)
-            }
-            fn visit_i64<E: Error>(self, value: i64) -> Result<Self::Value, E> {
-                Quantity::checked(value as f64, &value).map_err(E::custom)
-            }
-            fn visit_u64<E: Error>(self, value: u64) -> Result<Self::Value, E> {
-                Quantity::checked(value as f64, &value).map_err(E::custom)
-            }
-        }
-        deserializer.deserialize_any(Reader(PhantomData))
+        Forms::new(&format!("{} {}", R::WORDS, D::allowed()))
+            .text(Self::parse)
+            .number(|value, found| Self::checked(value, &found))
+            .read(deserializer)
     }
 }
 

@@ -1,15 +1,13 @@
 //! Sweeps: one value, a list of values, `{ from, to, points }` or `{ values = [...] }`.
 
 use std::borrow::Cow;
-use std::fmt;
 use std::marker::PhantomData;
 
 use schemars::{JsonSchema, Schema, SchemaGenerator};
-use serde::Deserialize;
-use serde::de::value::MapAccessDeserializer;
-use serde::de::{Deserializer, Error, IntoDeserializer, MapAccess, SeqAccess, Visitor};
+use serde::{Deserialize, Deserializer};
 use serde_json::json;
 
+use crate::input::Forms;
 use crate::input::quantity::{Dimension, Positive, Pure, Quantity, Range, SeparationRange};
 use crate::input::schema::{self, RANGE, TYPE, UNIT};
 use crate::input::whole::Whole;
@@ -33,45 +31,13 @@ struct Written<D, R>(Keys<D, R>);
 
 impl<'de, D: Dimension, R: Range> Deserialize<'de> for Written<D, R> {
     fn deserialize<T: Deserializer<'de>>(deserializer: T) -> Result<Self, T::Error> {
-        struct Reader<D, R>(PhantomData<(D, R)>);
-
-        impl<D: Dimension, R: Range> Reader<D, R> {
-            fn one<E: Error>(value: impl IntoDeserializer<'static, E>) -> Result<Written<D, R>, E> {
-                Quantity::deserialize(value.into_deserializer()).map(|value| Written::of(vec![value]))
-            }
-        }
-
-        impl<'de, D: Dimension, R: Range> Visitor<'de> for Reader<D, R> {
-            type Value = Written<D, R>;
-
-            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                let example = match D::UNITS {
-                    Some(units) => format!("\"{}\"", units.example()),
-                    None => "2.5".to_owned(),
-                };
-                write!(f, "one value such as {example}, a list of values, {TABLES}")
-            }
-            fn visit_str<E: Error>(self, text: &str) -> Result<Self::Value, E> {
-                Quantity::parse(text).map(|value| Written::of(vec![value])).map_err(E::custom)
-            }
-            fn visit_f64<E: Error>(self, value: f64) -> Result<Self::Value, E> {
-                Self::one(value)
-            }
-            fn visit_i64<E: Error>(self, value: i64) -> Result<Self::Value, E> {
-                Self::one(value)
-            }
-            fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Self::Value, A::Error> {
-                let mut values = Vec::new();
-                while let Some(value) = list.next_element()? {
-                    values.push(value);
-                }
-                Ok(Written::of(values))
-            }
-            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Self::Value, A::Error> {
-                Keys::deserialize(MapAccessDeserializer::new(map)).map(Written)
-            }
-        }
-        deserializer.deserialize_any(Reader(PhantomData))
+        let example = D::UNITS.map_or_else(|| "2.5".to_owned(), |units| format!("\"{}\"", units.example()));
+        Forms::new(&format!("one value such as {example}, a list of values, {TABLES}"))
+            .text(|text| Quantity::parse(text).map(|value| Self::of(vec![value])))
+            .number(|value, found| Quantity::checked(value, &found).map(|value| Self::of(vec![value])))
+            .list(|values| Ok(Self::of(values)))
+            .table(|keys| Ok(Self(keys)))
+            .read(deserializer)
     }
 }
 

@@ -1,14 +1,11 @@
 //! How far the curve of a separation sweep may be off.
 
-use std::fmt;
-
-use serde::Deserialize;
-use serde::de::value::MapAccessDeserializer;
-use serde::de::{Deserializer, Error, MapAccess, Visitor};
+use serde::{Deserialize, Deserializer};
 use serde_json::json;
 
 use asperity::compare::Tolerances;
 
+use super::Forms;
 use super::schema::{RANGE, TYPE};
 
 /// One number for both models, or one for each.
@@ -18,12 +15,12 @@ pub struct ToleranceSpec(pub Tolerances);
 /// The tolerances that mean anything: a sum of a million asperities has a sampling error of 1e-3, rounding is 1e-15.
 pub const TOLERANCES: [f64; 2] = [1e-12, 0.01];
 
-fn check<E: Error>(tolerance: f64) -> Result<f64, E> {
+fn checked(tolerance: f64) -> Result<f64, String> {
     let [least, most] = TOLERANCES;
     if (least..=most).contains(&tolerance) {
         Ok(tolerance)
     } else {
-        Err(E::custom(format!("found the tolerance {tolerance}; allowed: {least:e} to {most}")))
+        Err(format!("found the tolerance {tolerance}; allowed: {least:e} to {most}"))
     }
 }
 
@@ -53,33 +50,17 @@ impl<'de> Deserialize<'de> for ToleranceSpec {
             deterministic: Option<f64>,
         }
 
-        struct OneOrEach;
-
-        impl<'de> Visitor<'de> for OneOrEach {
-            type Value = ToleranceSpec;
-
-            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                f.write_str("a number such as 1e-4, or { statistical = 1e-8, deterministic = 1e-4 }")
-            }
-
-            fn visit_f64<E: Error>(self, tolerance: f64) -> Result<ToleranceSpec, E> {
-                let tolerance = Some(check(tolerance)?);
-                Ok(ToleranceSpec(Tolerances { statistical: tolerance, deterministic: tolerance }))
-            }
-
-            fn visit_i64<E: Error>(self, tolerance: i64) -> Result<ToleranceSpec, E> {
-                self.visit_f64(tolerance as f64)
-            }
-
-            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<ToleranceSpec, A::Error> {
-                let each = Each::deserialize(MapAccessDeserializer::new(map))?;
-                let checked = |tolerance: Option<f64>| tolerance.map(check::<A::Error>).transpose();
-                Ok(ToleranceSpec(Tolerances {
-                    statistical: checked(each.statistical)?,
-                    deterministic: checked(each.deterministic)?,
+        Forms::new("a number such as 1e-4, or { statistical = 1e-8, deterministic = 1e-4 }")
+            .number(|value, _| {
+                let tolerance = Some(checked(value)?);
+                Ok(Self(Tolerances { statistical: tolerance, deterministic: tolerance }))
+            })
+            .table(|each: Each| {
+                Ok(Self(Tolerances {
+                    statistical: each.statistical.map(checked).transpose()?,
+                    deterministic: each.deterministic.map(checked).transpose()?,
                 }))
-            }
-        }
-        deserializer.deserialize_any(OneOrEach)
+            })
+            .read(deserializer)
     }
 }

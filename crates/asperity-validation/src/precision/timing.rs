@@ -2,6 +2,8 @@
 
 use std::time::Instant;
 
+use asperity::numeric::median;
+
 /// A method, ready to run.
 pub type Candidate<'a> = Box<dyn FnMut() + 'a>;
 
@@ -37,7 +39,7 @@ pub fn medians(candidates: &mut [Candidate]) -> Vec<f64> {
             }
         }
     }
-    times.into_iter().map(median).collect()
+    times.iter_mut().map(|times| median(times).unwrap_or(f64::NAN)).collect()
 }
 
 /// Seconds a call, of so many.
@@ -47,12 +49,6 @@ fn seconds(candidate: &mut Candidate, calls: usize) -> f64 {
         candidate();
     }
     start.elapsed().as_secs_f64() / calls as f64
-}
-
-/// Median of an odd number of values.
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_unstable_by(f64::total_cmp);
-    values[values.len() / 2]
 }
 
 #[cfg(test)]

@@ -38,38 +38,30 @@ mod solver;
 
 use std::ops::RangeInclusive;
 
+use crate::named_enum;
+
 pub use compliance::ElasticPair;
 pub use contact::Contact;
 pub use refine::refined;
 pub use solver::{MOST_MISSING, Solver};
 
-/// What lies beyond the border of the map.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
-#[cfg_attr(feature = "schemars", derive(schemars::JsonSchema))]
-pub enum Boundary {
-    /// The map again: for maps that are periodic.
-    Periodic,
-    /// The map reflected at its border, half a pixel beyond the last point: for measured maps.
-    Mirrored,
-    /// Nothing: the map is alone. The mean gap then includes the deflection of the whole patch, and the pressures rise towards the border as
-    /// under a rigid punch: neither separation nor stiffness compares with those of a surface without end.
-    Finite,
+named_enum! {
+    /// What lies beyond the border of the map.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
+    #[cfg_attr(feature = "schemars", derive(schemars::JsonSchema))]
+    pub enum Boundary {
+        /// The map again: for maps that are periodic.
+        Periodic = "periodic",
+        /// The map reflected at its border, half a pixel beyond the last point: for measured maps.
+        Mirrored = "mirrored",
+        /// Nothing: the map is alone. The mean gap then includes the deflection of the whole patch, and the pressures rise towards the border as
+        /// under a rigid punch: neither separation nor stiffness compares with those of a surface without end.
+        Finite = "finite",
+    }
 }
 
 impl Boundary {
-    /// All of them.
-    pub const ALL: [Self; 3] = [Self::Periodic, Self::Mirrored, Self::Finite];
-
-    /// Its name in specs and tables.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Periodic => "periodic",
-            Self::Mirrored => "mirrored",
-            Self::Finite => "finite",
-        }
-    }
-
     /// Whether points on opposite borders are neighbours.
     pub fn wraps(self) -> bool {
         self == Self::Periodic

@@ -3,30 +3,24 @@
 use super::sampling::{jackknife_error, jackknife_quantile, student_quantile};
 use super::{Pair, Pairing};
 use crate::model::{Exceeded, LoadSharing, MIN_CONTACTS, ReferencePlane};
+use crate::named_enum;
 
-/// A quantity in which the models are compared at equal load.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum ComparedQuantity {
-    /// Separation.
-    Separation,
-    /// Real contact area.
-    Area,
-    /// Stiffness -dp/dd.
-    Stiffness,
+named_enum! {
+    /// A quantity in which the models are compared at equal load.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    pub enum ComparedQuantity {
+        /// Separation.
+        Separation = "separation",
+        /// Real contact area.
+        Area = "area",
+        /// Stiffness -dp/dd.
+        Stiffness = "stiffness",
+    }
 }
 
 impl ComparedQuantity {
-    /// All quantities.
-    pub const ALL: [Self; 3] = [Self::Separation, Self::Area, Self::Stiffness];
-
-    /// The name in tables.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Separation => "separation",
-            Self::Area => "area",
-            Self::Stiffness => "stiffness",
-        }
-    }
+    /// All of them, as they are reported: the area first.
+    pub const REPORTED: [Self; 3] = [Self::Area, Self::Separation, Self::Stiffness];
 
     /// The statistical less the deterministic result of a pair at equal load, on the scale on which errors are symmetric:
     /// d/sigma, or the logarithm of the ratio; 0 if they differ by rounding only. `None` where a ratio has no logarithm.

@@ -1,26 +1,18 @@
 //! The largest differences between the two models, each with its pair of values.
 
 use super::{Pair, Pairing};
+use crate::named_enum;
 
-/// A quantity in which the models are compared.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum GapQuantity {
-    /// d/sigma at equal load.
-    Separation,
-    /// A/A_nom at equal load.
-    AreaRatio,
-    /// Nominal pressure at equal separation, Pa.
-    Pressure,
-}
-
-impl GapQuantity {
-    /// As tables name it.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Separation => "separation_over_sigma",
-            Self::AreaRatio => "area_ratio",
-            Self::Pressure => "pressure_pa",
-        }
+named_enum! {
+    /// A quantity in which the models are compared.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum GapQuantity {
+        /// d/sigma at equal load.
+        Separation = "separation_over_sigma",
+        /// A/A_nom at equal load.
+        AreaRatio = "area_ratio",
+        /// Nominal pressure at equal separation, Pa.
+        Pressure = "pressure_pa",
     }
 }
 

@@ -2,32 +2,25 @@
 
 use super::{ComparedQuantity, Difference, Kind, Pair, Pairing};
 use crate::model::{Exceeded, Response};
+use crate::named_enum;
+use crate::numeric::extremes;
 
 /// A gap between the models of at most this number of sampling errors is not detected.
 pub const DETECTABLE: f64 = 2.0;
 
-/// Quantities in which laws and models are compared at equal load. The mean contact pressure is not listed separately:
-/// at equal load it is inversely proportional to the area.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Measure {
-    /// d/sigma, compared by difference.
-    Separation,
-    /// A/A_nom, compared by the logarithm of the ratio.
-    Area,
+named_enum! {
+    /// Quantities in which laws and models are compared at equal load. The mean contact pressure is not listed separately:
+    /// at equal load it is inversely proportional to the area.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Measure {
+        /// d/sigma, compared by difference.
+        Separation = "separation_over_sigma",
+        /// A/A_nom, compared by the logarithm of the ratio.
+        Area = "area_ratio",
+    }
 }
 
 impl Measure {
-    /// Both variants.
-    pub const ALL: [Self; 2] = [Self::Separation, Self::Area];
-
-    /// As tables name it.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Separation => "separation_over_sigma",
-            Self::Area => "area_ratio",
-        }
-    }
-
     /// The difference of `value` from `other`; 0 if they differ by rounding only.
     fn difference(self, value: &Response, other: &Response) -> f64 {
         /// Rounding error of a separation at a given load.
@@ -62,25 +55,14 @@ pub struct UnderLaw<'a> {
     pub differences: &'a [Difference],
 }
 
-/// The laws included in a spread.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Group {
-    /// All laws.
-    All,
-    /// Elastic-plastic laws only.
-    ElasticPlastic,
-}
-
-impl Group {
-    /// Both variants.
-    pub const ALL: [Self; 2] = [Self::All, Self::ElasticPlastic];
-
-    /// As tables name it.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::All => "all",
-            Self::ElasticPlastic => "passing",
-        }
+named_enum! {
+    /// The laws included in a spread.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Group {
+        /// All laws.
+        All = "all",
+        /// Elastic-plastic laws only.
+        ElasticPlastic = "passing",
     }
 }
 
@@ -148,8 +130,7 @@ impl AtLoad {
         let deviations = self.differences(measure).deviations.iter().enumerate();
         let members = deviations.filter(|(law, _)| self.is_in(group, *law) && Some(*law) != without);
         let values: Vec<f64> = members.map(|(_, deviation)| deviation[kind as usize]).collect();
-        let (low, high) =
-            (values.iter().copied().reduce(f64::min)?, values.iter().copied().reduce(f64::max)?);
+        let [low, high] = extremes(values.iter().copied())?;
         (values.len() > 1).then_some(high - low)
     }
 

@@ -7,6 +7,7 @@ use crate::asperity::{AsperitySet, Draw, Population, SetError};
 use crate::contact::Contact;
 use crate::interface::MicroContact;
 use crate::model::{Deterministic, Model, ReferencePlane, Response};
+use crate::named_enum;
 use crate::shape::Shape;
 
 use crate::model::MIN_CONTACTS;
@@ -63,25 +64,14 @@ pub struct LimitPoint {
     expected_quantile_errors: [f64; 2],
 }
 
-/// A quantity whose error is evaluated.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Quantity {
-    /// Real contact area.
-    Area,
-    /// Load.
-    Load,
-}
-
-impl Quantity {
-    /// Both quantities.
-    pub const ALL: [Self; 2] = [Self::Area, Self::Load];
-
-    /// As tables name it.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Area => "area",
-            Self::Load => "load",
-        }
+named_enum! {
+    /// A quantity whose error is evaluated.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Quantity {
+        /// Real contact area.
+        Area = "area",
+        /// Load.
+        Load = "load",
     }
 }
 

@@ -40,48 +40,32 @@ use std::time::{Duration, Instant};
 use crate::model::{
     Exceeded, Model, Reached, Response, Unreachable, at_pressures, reached_at, respond_within,
 };
+use crate::named_enum;
 
-/// The summation method.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Deserialize))]
-#[cfg_attr(feature = "schemars", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
-pub enum Kind {
-    /// The integral over a height density.
-    Statistical,
-    /// The sum over the asperities.
-    Deterministic,
-}
-
-impl Kind {
-    /// The name in tables.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Statistical => "statistical",
-            Self::Deterministic => "deterministic",
-        }
+named_enum! {
+    /// The summation method.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    #[cfg_attr(feature = "serde", derive(serde::Deserialize))]
+    #[cfg_attr(feature = "schemars", derive(schemars::JsonSchema))]
+    #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+    pub enum Kind {
+        /// The integral over a height density.
+        Statistical = "statistical",
+        /// The sum over the asperities.
+        Deterministic = "deterministic",
     }
 }
 
-/// What is prescribed at a point of a curve.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Control {
-    /// d/sigma.
-    Separation,
-    /// Nominal pressure, Pa.
-    Pressure,
-    /// Force on the nominal area, N.
-    Force,
-}
-
-impl Control {
-    /// The name in tables.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Separation => "separation",
-            Self::Pressure => "pressure",
-            Self::Force => "force",
-        }
+named_enum! {
+    /// What is prescribed at a point of a curve.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    pub enum Control {
+        /// d/sigma.
+        Separation = "separation",
+        /// Nominal pressure, Pa.
+        Pressure = "pressure",
+        /// Force on the nominal area, N.
+        Force = "force",
     }
 }
 
@@ -141,22 +125,14 @@ pub struct CurvePoint {
     pub in_jump: bool,
 }
 
-/// The quantity that is equal in a pair.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Pairing {
-    /// The nominal pressure, Pa.
-    Load,
-    /// d/sigma.
-    Separation,
-}
-
-impl Pairing {
-    /// The name in tables.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Load => "load",
-            Self::Separation => "separation",
-        }
+named_enum! {
+    /// The quantity that is equal in a pair.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    pub enum Pairing {
+        /// The nominal pressure, Pa.
+        Load = "load",
+        /// d/sigma.
+        Separation = "separation",
     }
 }
 

@@ -2,6 +2,8 @@
 
 use super::difference::{ComparedQuantity, Difference, Estimate};
 use crate::model::Limit;
+use crate::named_enum;
+use crate::numeric::median;
 
 /// The largest difference that is accepted, by quantity: in sigma, else relative to the deterministic result.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -36,27 +38,20 @@ impl Accepted {
     }
 }
 
-/// The answer for one quantity at one load, or over a stretch of loads.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Verdict {
-    /// The 95 % interval of the difference is inside the accepted band.
-    Within,
-    /// It is outside.
-    Beyond,
-    /// It is across the edge of the band, or there is none.
-    CannotTell,
+named_enum! {
+    /// The answer for one quantity at one load, or over a stretch of loads.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    pub enum Verdict {
+        /// The 95 % interval of the difference is inside the accepted band.
+        Within = "within",
+        /// It is outside.
+        Beyond = "beyond",
+        /// It is across the edge of the band, or there is none.
+        CannotTell = "cannot-tell",
+    }
 }
 
 impl Verdict {
-    /// The name in tables.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Within => "within",
-            Self::Beyond => "beyond",
-            Self::CannotTell => "cannot-tell",
-        }
-    }
-
     /// Of an estimate against the band `[low, high]` of contrasts.
     pub fn of(estimate: &Estimate, [low, high]: [f64; 2]) -> Self {
         match estimate.interval() {
@@ -159,8 +154,8 @@ impl Stretch {
         };
         let is_open = verdict == Verdict::CannotTell;
         let band = accepted.band(quantity);
-        let growths = each().map(|(_, estimate)| growth(&estimate, band)).collect();
-        let needed = stretch.iter().map(|at| at.area_needed.unwrap_or(0.0)).collect();
+        let mut growths: Vec<f64> = each().map(|(_, estimate)| growth(&estimate, band)).collect();
+        let mut needed: Vec<f64> = stretch.iter().map(|at| at.area_needed.unwrap_or(0.0)).collect();
         Self {
             quantity,
             verdict,
@@ -169,8 +164,8 @@ impl Stretch {
             largest,
             range: hull(&|estimate| Some([estimate.contrast; 2])),
             bounds: hull(&Estimate::interval),
-            growth: Some(median(growths)).filter(|growth| is_open && *growth < LARGEST_GROWTH),
-            area_needed: Some(median(needed)).filter(|area| is_open && *area > 0.0 && area.is_finite()),
+            growth: median(&mut growths).filter(|growth| is_open && *growth < LARGEST_GROWTH),
+            area_needed: median(&mut needed).filter(|area| is_open && *area > 0.0 && area.is_finite()),
         }
     }
 }
@@ -183,12 +178,6 @@ const LARGEST_GROWTH: f64 = 100.0;
 fn growth(estimate: &Estimate, [low, high]: [f64; 2]) -> f64 {
     let distance = (estimate.contrast - low).abs().min((estimate.contrast - high).abs());
     estimate.half_width().map_or(f64::INFINITY, |half| (half / distance).powi(2).max(1.0))
-}
-
-/// The upper median.
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values[values.len() / 2]
 }
 
 #[cfg(test)]

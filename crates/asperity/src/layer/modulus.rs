@@ -5,6 +5,7 @@ use std::sync::{Arc, OnceLock};
 
 use super::weights::{LOG_PEAK, POLE_PEAK, SWELL_PEAK, Weights};
 use crate::material::Material;
+use crate::named_enum;
 use crate::numeric::interval::Interval;
 use crate::numeric::lanes::Real;
 use crate::numeric::table::Table;
@@ -12,31 +13,20 @@ use crate::numeric::table::Table;
 /// The octaves of a/t that the tables cover.
 const OCTAVES: Range<i32> = -24..24;
 
-/// The effective-modulus model, which combines the moduli of layer and substrate.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Deserialize))]
-#[cfg_attr(feature = "schemars", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
-pub enum ModulusModel {
-    /// E_eff = E_s + (E_l - E_s) I0 (Eq. 15; Gao, Chiu and Lee 1992, Swain and Mencik 1994): exact to first order in
-    /// the mismatch, accurate for E_l/E_s of 0.5 to 2.
-    #[default]
-    Gao,
-    /// 1/mu = (1 - I0)/mu_s + I0/mu_l, mu the shear modulus (Song and Pharr 1999): compliances in series with the same
-    /// weights.
-    Series,
-}
-
-impl ModulusModel {
-    /// Both.
-    pub const ALL: [Self; 2] = [Self::Gao, Self::Series];
-
-    /// The name in specs and tables.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Gao => "gao",
-            Self::Series => "series",
-        }
+named_enum! {
+    /// The effective-modulus model, which combines the moduli of layer and substrate.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+    #[cfg_attr(feature = "serde", derive(serde::Deserialize))]
+    #[cfg_attr(feature = "schemars", derive(schemars::JsonSchema))]
+    #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+    pub enum ModulusModel {
+        /// E_eff = E_s + (E_l - E_s) I0 (Eq. 15; Gao, Chiu and Lee 1992, Swain and Mencik 1994): exact to first order in
+        /// the mismatch, accurate for E_l/E_s of 0.5 to 2.
+        #[default]
+        Gao = "gao",
+        /// 1/mu = (1 - I0)/mu_s + I0/mu_l, mu the shear modulus (Song and Pharr 1999): compliances in series with the same
+        /// weights.
+        Series = "series",
     }
 }
 

@@ -21,6 +21,7 @@ mod polymers;
 mod references;
 
 use crate::material::{Material, MaterialError};
+use crate::named_enum;
 
 /// A value with its source.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,28 +44,16 @@ impl Sourced {
     }
 }
 
-/// What a material is, which decides how hardness and yield strength relate.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Class {
-    /// Metals and alloys.
-    Metal,
-    /// Ceramics, glasses, semiconductors and hard coatings.
-    Ceramic,
-    /// Polymers.
-    Polymer,
-}
-
-impl Class {
-    /// All classes.
-    pub const ALL: [Self; 3] = [Self::Metal, Self::Ceramic, Self::Polymer];
-
-    /// Name of the class in the plural.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Metal => "metals",
-            Self::Ceramic => "ceramics, glasses and hard coatings",
-            Self::Polymer => "polymers",
-        }
+named_enum! {
+    /// What a material is, which decides how hardness and yield strength relate.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Class {
+        /// Metals and alloys.
+        Metal = "metals",
+        /// Ceramics, glasses, semiconductors and hard coatings.
+        Ceramic = "ceramics, glasses and hard coatings",
+        /// Polymers.
+        Polymer = "polymers",
     }
 }
 

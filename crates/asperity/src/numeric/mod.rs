@@ -4,6 +4,7 @@ pub(crate) mod condensed;
 pub(crate) mod interval;
 pub mod lanes;
 pub(crate) mod levels;
+mod order;
 pub(crate) mod parallel;
 pub(crate) mod power;
 pub mod quadrature;
@@ -13,6 +14,7 @@ pub(crate) mod sum;
 pub(crate) mod table;
 
 pub use interval::Interval;
+pub use order::{decades, extremes, median};
 pub use sum::{Sum, in_chunks};
 
 /// The largest magnitude of any input: loads computed from such numbers, their squares and sums neither overflow nor

@@ -3,26 +3,28 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::HeightMap;
-use super::rows::{Boundary, Rows, Strip, first_present, strips};
-use crate::progress::Progress;
+use super::rows::{Rows, Strip, first_present, rows_from, strips};
+use crate::named_enum;
 
-/// The form to remove.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Deserialize))]
-#[cfg_attr(feature = "schemars", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
-pub enum Level {
-    /// Nothing is removed.
-    None,
-    /// The mean.
-    Mean,
-    /// The least-squares plane.
-    #[default]
-    Plane,
-    /// The least-squares polynomial of second degree.
-    Quadratic,
-    /// The least-squares polynomial of third degree.
-    Cubic,
+named_enum! {
+    /// The form to remove.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+    #[cfg_attr(feature = "serde", derive(serde::Deserialize))]
+    #[cfg_attr(feature = "schemars", derive(schemars::JsonSchema))]
+    #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+    pub enum Level {
+        /// Nothing is removed.
+        None = "none",
+        /// The mean.
+        Mean = "mean",
+        /// The least-squares plane.
+        #[default]
+        Plane = "plane",
+        /// The least-squares polynomial of second degree.
+        Quadratic = "quadratic",
+        /// The least-squares polynomial of third degree.
+        Cubic = "cubic",
+    }
 }
 
 /// The present points do not determine the form: too few, or on a line.
@@ -42,17 +44,6 @@ const DEGREES: usize = 4;
 const PRODUCTS: usize = 7;
 
 impl Level {
-    /// The name in specs and reports.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::None => "none",
-            Self::Mean => "mean",
-            Self::Plane => "plane",
-            Self::Quadratic => "quadratic",
-            Self::Cubic => "cubic",
-        }
-    }
-
     const fn terms(self) -> usize {
         match self {
             Self::None => 0,
@@ -193,21 +184,7 @@ pub struct Levelled<'a> {
 }
 
 impl Rows for Levelled<'_> {
-    fn points(&self) -> [usize; 2] {
-        self.map.points()
-    }
-
-    fn pixel(&self) -> [f64; 2] {
-        self.map.pixel()
-    }
-
-    fn precision(&self) -> f64 {
-        self.map.precision()
-    }
-
-    fn boundary(&self) -> Boundary {
-        self.map.boundary()
-    }
+    rows_from!(map: points pixel precision boundary progress);
 
     /// Every form includes the mean, and with it the offset.
     fn offset(&self) -> f64 {
@@ -217,10 +194,6 @@ impl Rows for Levelled<'_> {
     fn read(&self, ix: usize, row: &mut [f64]) {
         self.map.read(ix, row);
         self.form.subtract(ix, row);
-    }
-
-    fn progress(&self) -> &dyn Progress {
-        self.map.progress()
     }
 
     fn block(&self, rows: std::ops::Range<usize>) -> Option<&[f64]> {

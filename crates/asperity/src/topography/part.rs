@@ -1,7 +1,7 @@
 //! Maps derived from a map: a coarse one, every so many points of it, and a part of it.
 
+use super::rows::rows_from;
 use super::{Boundary, HeightMap, Rows};
-use crate::progress::Progress;
 
 /// A map of at most `most` points along each axis: each the mean of a block of points that are there.
 pub fn thumbnail(map: &dyn Rows, most: usize) -> HeightMap {
@@ -15,6 +15,8 @@ struct Means<'a> {
 }
 
 impl Rows for Means<'_> {
+    rows_from!(map: boundary offset progress);
+
     fn points(&self) -> [usize; 2] {
         [0, 1].map(|axis| self.map.points()[axis].div_ceil(self.block[axis]))
     }
@@ -25,18 +27,6 @@ impl Rows for Means<'_> {
 
     fn precision(&self) -> f64 {
         f64::EPSILON
-    }
-
-    fn boundary(&self) -> Boundary {
-        self.map.boundary()
-    }
-
-    fn offset(&self) -> f64 {
-        self.map.offset()
-    }
-
-    fn progress(&self) -> &dyn Progress {
-        self.map.progress()
     }
 
     fn read(&self, ix: usize, row: &mut [f64]) {
@@ -69,6 +59,8 @@ pub struct Sampled<'a> {
 }
 
 impl Rows for Sampled<'_> {
+    rows_from!(map: precision offset progress);
+
     fn points(&self) -> [usize; 2] {
         self.map.points().map(|count| count.div_ceil(self.every))
     }
@@ -77,21 +69,9 @@ impl Rows for Sampled<'_> {
         self.map.pixel().map(|pixel| pixel * self.every as f64)
     }
 
-    fn precision(&self) -> f64 {
-        self.map.precision()
-    }
-
     fn boundary(&self) -> Boundary {
         let is_whole = self.map.points().iter().all(|count| count.is_multiple_of(self.every));
         if is_whole { self.map.boundary() } else { Boundary::Open }
-    }
-
-    fn offset(&self) -> f64 {
-        self.map.offset()
-    }
-
-    fn progress(&self) -> &dyn Progress {
-        self.map.progress()
     }
 
     fn read(&self, ix: usize, row: &mut [f64]) {
@@ -141,28 +121,14 @@ impl<'a> Window<'a> {
 }
 
 impl Rows for Window<'_> {
+    rows_from!(map: pixel precision offset progress);
+
     fn points(&self) -> [usize; 2] {
         self.points
     }
 
-    fn pixel(&self) -> [f64; 2] {
-        self.map.pixel()
-    }
-
-    fn precision(&self) -> f64 {
-        self.map.precision()
-    }
-
     fn boundary(&self) -> Boundary {
         if self.points == self.map.points() { self.map.boundary() } else { Boundary::Open }
-    }
-
-    fn offset(&self) -> f64 {
-        self.map.offset()
-    }
-
-    fn progress(&self) -> &dyn Progress {
-        self.map.progress()
     }
 
     fn read(&self, ix: usize, row: &mut [f64]) {

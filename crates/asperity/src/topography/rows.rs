@@ -52,28 +52,52 @@ pub trait Rows: Send + Sync {
     }
 }
 
+/// Methods of [`Rows`] that a map has from the map in its field `$map`.
+macro_rules! rows_from {
+    ($map:tt: $($method:ident)*) => {$(
+        $crate::topography::rows::rows_from!(@$method $map);
+    )*};
+    (@points $map:tt) => {
+        fn points(&self) -> [usize; 2] {
+            self.$map.points()
+        }
+    };
+    (@pixel $map:tt) => {
+        fn pixel(&self) -> [f64; 2] {
+            self.$map.pixel()
+        }
+    };
+    (@precision $map:tt) => {
+        fn precision(&self) -> f64 {
+            self.$map.precision()
+        }
+    };
+    (@boundary $map:tt) => {
+        fn boundary(&self) -> $crate::topography::Boundary {
+            self.$map.boundary()
+        }
+    };
+    (@offset $map:tt) => {
+        fn offset(&self) -> f64 {
+            self.$map.offset()
+        }
+    };
+    (@progress $map:tt) => {
+        fn progress(&self) -> &dyn $crate::progress::Progress {
+            self.$map.progress()
+        }
+    };
+}
+pub(super) use rows_from;
+
 /// A map that continues periodically beyond its border, as simulated surfaces do.
 pub struct Continued(pub Arc<dyn Rows>);
 
 impl Rows for Continued {
-    fn points(&self) -> [usize; 2] {
-        self.0.points()
-    }
-
-    fn pixel(&self) -> [f64; 2] {
-        self.0.pixel()
-    }
-
-    fn precision(&self) -> f64 {
-        self.0.precision()
-    }
+    rows_from!(0: points pixel precision offset);
 
     fn boundary(&self) -> Boundary {
         Boundary::Periodic
-    }
-
-    fn offset(&self) -> f64 {
-        self.0.offset()
     }
 
     fn read(&self, ix: usize, row: &mut [f64]) {
@@ -94,25 +118,7 @@ pub struct Watched<'a> {
 }
 
 impl Rows for Watched<'_> {
-    fn points(&self) -> [usize; 2] {
-        self.map.points()
-    }
-
-    fn pixel(&self) -> [f64; 2] {
-        self.map.pixel()
-    }
-
-    fn precision(&self) -> f64 {
-        self.map.precision()
-    }
-
-    fn boundary(&self) -> Boundary {
-        self.map.boundary()
-    }
-
-    fn offset(&self) -> f64 {
-        self.map.offset()
-    }
+    rows_from!(map: points pixel precision boundary offset);
 
     fn read(&self, ix: usize, row: &mut [f64]) {
         self.map.read(ix, row);

@@ -10,8 +10,7 @@ use crate::kind::compare::outline::name;
 use crate::study::Verdicts;
 
 /// The quantities in the order of their panels.
-const PANELS: [ComparedQuantity; 3] =
-    [ComparedQuantity::Area, ComparedQuantity::Separation, ComparedQuantity::Stiffness];
+const PANELS: [ComparedQuantity; 3] = ComparedQuantity::REPORTED;
 
 /// The factor from a share or sigma to the unit of the axis.
 fn unit(compared: ComparedQuantity) -> f64 {

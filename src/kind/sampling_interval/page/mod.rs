@@ -4,7 +4,7 @@ mod figures;
 mod words;
 
 use asperity::compare::{Cause, ComparedQuantity};
-use asperity_framework::report::format::{input_quantity, listed, number, percent, quantity};
+use asperity_framework::report::format::{input_quantity, listed, number, percent, quantity, with_sign};
 use asperity_framework::report::page::{Page, escape};
 use asperity_framework::report::sections;
 
@@ -245,7 +245,7 @@ fn trends(page: &mut Page, surface: &SurfaceResults, load: usize) {
             let trend = series.trend(quantity, load)?;
             let exponent = trend.exponent.map_or_else(
                 || NONE.to_owned(),
-                |fit| format!("{} ± {}", words::signed_number(fit.slope), number(fit.standard_error)),
+                |fit| format!("{} ± {}", with_sign(fit.slope, number), number(fit.standard_error)),
             );
             Some(vec![
                 words::varied(series.variation).to_owned(),

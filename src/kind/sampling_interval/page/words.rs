@@ -1,7 +1,7 @@
 //! Changes, lengths and findings in words.
 
 use asperity::compare::{ComparedQuantity, Estimate};
-use asperity_framework::report::format::{input_quantity, listed, number, quantity};
+use asperity_framework::report::format::{input_quantity, listed, number, quantity, with_sign};
 use asperity_framework::report::page::escape;
 
 use super::super::findings::{Findings, Lead, Sign, main_load};
@@ -24,16 +24,6 @@ pub fn outcome(outcome: Outcome) -> &'static str {
 /// The order of sentences.
 const ORDER: [Outcome; 4] = [Outcome::NoLimit, Outcome::Approaching, Outcome::CannotTell, Outcome::Limit];
 
-/// A number with its sign: "+0.12", "−3.4".
-pub fn signed_number(value: f64) -> String {
-    let size = number(value.abs());
-    match value {
-        0.0 => size,
-        negative if negative < 0.0 => format!("−{size}"),
-        _ => format!("+{size}"),
-    }
-}
-
 /// A change of a quantity with its interval: "+153 ± 1.2 %", "−0.02 ± 0.04 σ".
 pub fn change(of: Quantity, change: f64, half_width: Option<f64>) -> String {
     let value = of.change_shown(change);
@@ -55,7 +45,7 @@ pub fn estimate(estimate: &Estimate, scale: f64) -> String {
 
 /// "+0.12 ± 0.04": the half-width with two significant digits, the value with at most three and no more decimals than that.
 fn with_interval(value: f64, half_width: Option<f64>) -> String {
-    let Some(half) = half_width.filter(|half| *half > 0.0) else { return signed_number(value) };
+    let Some(half) = half_width.filter(|half| *half > 0.0) else { return with_sign(value, number) };
     let decimals = |value: f64, significant: i32| significant - 1 - value.abs().log10().floor() as i32;
     let of_half = decimals(half, 2);
     let of_value = if value == 0.0 { of_half } else { decimals(value, 3).min(of_half) };
@@ -165,7 +155,7 @@ fn trends(findings: &Findings, of: Outcome) -> Option<String> {
     let item = |trend: &Trend| {
         let power = trend.exponent.filter(|_| matches!(of, Outcome::NoLimit | Outcome::Approaching));
         let power = power.map_or_else(String::new, |fit| {
-            format!(", as length^{}", signed_number(fit.slope).trim_start_matches('+'))
+            format!(", as length^{}", with_sign(fit.slope, number).trim_start_matches('+'))
         });
         format!(
             "{} ({}{power})",

@@ -28,32 +28,24 @@ mod tests;
 pub use at_loads::{GroupsLeftOut, StatesAtLoads};
 pub use states::{Inputs, Rearranged};
 
+use crate::named_enum;
+
 use super::difference::{ComparedQuantity, Estimate, over_realisations};
 
-/// A reason why both models differ.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Cause {
-    /// The heights do not follow the density of the statistical model.
-    Heights,
-    /// The radii are not all equal to the mean radius.
-    Radii,
-    /// Heights and radii are correlated. With equal radii: what replacing a sum by its integral leaves.
-    Correlation,
+named_enum! {
+    /// A reason why both models differ.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    pub enum Cause {
+        /// The heights do not follow the density of the statistical model.
+        Heights = "heights",
+        /// The radii are not all equal to the mean radius.
+        Radii = "radii",
+        /// Heights and radii are correlated. With equal radii: what replacing a sum by its integral leaves.
+        Correlation = "correlation",
+    }
 }
 
 impl Cause {
-    /// All causes.
-    pub const ALL: [Self; 3] = [Self::Heights, Self::Radii, Self::Correlation];
-
-    /// The name in tables.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Heights => "heights",
-            Self::Radii => "radii",
-            Self::Correlation => "correlation",
-        }
-    }
-
     /// The name in sentences.
     pub const fn label(self) -> &'static str {
         match self {
@@ -64,30 +56,20 @@ impl Cause {
     }
 }
 
-/// An order in which one thing after the other is changed from the statistical to the deterministic model.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Order {
-    /// Heights, radii, correlation.
-    HeightsFirst,
-    /// Radii, heights, correlation.
-    RadiiFirst,
-    /// Radii, correlation, heights.
-    HeightsLast,
+named_enum! {
+    /// An order in which one thing after the other is changed from the statistical to the deterministic model.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    pub enum Order {
+        /// Heights, radii, correlation.
+        HeightsFirst = "heights-radii-correlation",
+        /// Radii, heights, correlation.
+        RadiiFirst = "radii-heights-correlation",
+        /// Radii, correlation, heights.
+        HeightsLast = "radii-correlation-heights",
+    }
 }
 
 impl Order {
-    /// All orders in which the correlation follows the radii.
-    pub const ALL: [Self; 3] = [Self::HeightsFirst, Self::RadiiFirst, Self::HeightsLast];
-
-    /// The name in tables.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::HeightsFirst => "heights-radii-correlation",
-            Self::RadiiFirst => "radii-heights-correlation",
-            Self::HeightsLast => "radii-correlation-heights",
-        }
-    }
-
     /// The causes in this order.
     const fn causes(self) -> [Cause; 3] {
         match self {

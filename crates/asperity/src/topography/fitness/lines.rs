@@ -1,8 +1,10 @@
 //! Line offsets: lines of a scan, or parts of a stitched map, at wrong heights.
 
 use super::NORMAL;
-use crate::progress::Progress;
-use crate::topography::{Boundary, Rows, strips};
+use crate::named_enum;
+use crate::numeric::median;
+use crate::topography::rows::rows_from;
+use crate::topography::{Rows, strips};
 
 /// Points of a line that are compared with those of the next.
 const SAMPLED: usize = 512;
@@ -111,11 +113,6 @@ fn typical(magnitudes: &mut [f64]) -> Option<f64> {
     Some(if middle > 0.0 { middle } else { magnitudes.iter().sum::<f64>() / magnitudes.len() as f64 })
 }
 
-fn median(values: &mut [f64]) -> Option<f64> {
-    let middle = values.len() / 2;
-    (!values.is_empty()).then(|| *values.select_nth_unstable_by(middle, f64::total_cmp).1)
-}
-
 /// The share of offsets in the variance of second differences across lines.
 fn share(lines: &[Steps]) -> f64 {
     /// Variance of a median of n Gaussian values times n over their variance.
@@ -160,27 +157,21 @@ fn has_single_offset(lines: &[Steps]) -> bool {
     largest > LARGEST_OFFSET * usual && largest > NORMAL * scatter
 }
 
-/// The lines of a map along one axis.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Deserialize))]
-#[cfg_attr(feature = "schemars", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
-pub enum Lines {
-    /// Lines of constant y.
-    X,
-    /// Lines of constant x.
-    Y,
+named_enum! {
+    /// The lines of a map along one axis.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    #[cfg_attr(feature = "serde", derive(serde::Deserialize))]
+    #[cfg_attr(feature = "schemars", derive(schemars::JsonSchema))]
+    #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+    pub enum Lines {
+        /// Lines of constant y.
+        X = "x",
+        /// Lines of constant x.
+        Y = "y",
+    }
 }
 
 impl Lines {
-    /// The name in specs.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::X => "x",
-            Self::Y => "y",
-        }
-    }
-
     /// The mean height of the present points of each line of `map`, m; zero where all are missing. A median would jump from
     /// line to line on a smooth surface.
     fn means(self, map: &dyn Rows) -> Vec<f64> {
@@ -240,29 +231,7 @@ impl<'a> AlignedLines<'a> {
 }
 
 impl Rows for AlignedLines<'_> {
-    fn points(&self) -> [usize; 2] {
-        self.map.points()
-    }
-
-    fn pixel(&self) -> [f64; 2] {
-        self.map.pixel()
-    }
-
-    fn precision(&self) -> f64 {
-        self.map.precision()
-    }
-
-    fn boundary(&self) -> Boundary {
-        self.map.boundary()
-    }
-
-    fn offset(&self) -> f64 {
-        self.map.offset()
-    }
-
-    fn progress(&self) -> &dyn Progress {
-        self.map.progress()
-    }
+    rows_from!(map: points pixel precision boundary offset progress);
 
     fn read(&self, ix: usize, row: &mut [f64]) {
         self.map.read(ix, row);

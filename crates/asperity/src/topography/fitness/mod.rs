@@ -15,47 +15,33 @@ pub use steps::step_over_drop;
 
 use super::theory::Expected;
 use super::{CorrelationLengths, Level, Levelled, Moments, RoughnessParameters, Rows};
+use crate::named_enum;
 
 /// The standard deviation of a Gaussian variable over the median of its magnitude.
 const NORMAL: f64 = 1.4826;
 
-/// What is checked.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Check {
-    /// Points that the instrument got wrong.
-    Spikes,
-    /// Form that levelling leaves.
-    Form,
-    /// A lay at an angle to the grid, or too strong for spheres.
-    Lay,
-    /// Offsets between lines of a scan or between stitched parts.
-    Lines,
-    /// Heights quantised by the instrument.
-    Steps,
-    /// Summits that the pixel does not resolve.
-    CoarsePixel,
-    /// Pixels so fine that noise makes the summits.
-    FinePixel,
-    /// Waves as long as the map.
-    LongWaves,
-    /// Slopes beyond the theory of small slopes.
-    Slope,
-}
-
-impl Check {
-    /// The name in tables and summaries.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Spikes => "spikes",
-            Self::Form => "form",
-            Self::Lay => "lay",
-            Self::Lines => "lines",
-            Self::Steps => "steps",
-            Self::CoarsePixel => "coarse-pixel",
-            Self::FinePixel => "fine-pixel",
-            Self::LongWaves => "long-waves",
-            Self::Slope => "slope",
-        }
+named_enum! {
+    /// What is checked.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Check {
+        /// Points that the instrument got wrong.
+        Spikes = "spikes",
+        /// Form that levelling leaves.
+        Form = "form",
+        /// A lay at an angle to the grid, or too strong for spheres.
+        Lay = "lay",
+        /// Offsets between lines of a scan or between stitched parts.
+        Lines = "lines",
+        /// Heights quantised by the instrument.
+        Steps = "steps",
+        /// Summits that the pixel does not resolve.
+        CoarsePixel = "coarse-pixel",
+        /// Pixels so fine that noise makes the summits.
+        FinePixel = "fine-pixel",
+        /// Waves as long as the map.
+        LongWaves = "long-waves",
+        /// Slopes beyond the theory of small slopes.
+        Slope = "slope",
     }
 }
 

@@ -3,7 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::NORMAL;
-use crate::progress::Progress;
+use crate::numeric::median;
+use crate::topography::rows::rows_from;
 use crate::topography::{Boundary, Rows, Strip, strips};
 
 /// Half the side of the window (in points) whose median is the local height.
@@ -88,11 +89,9 @@ fn scale(map: &dyn Rows) -> f64 {
     }
     let robust = |which: usize| {
         let mut values: Vec<f64> = sample.iter().map(|at| at[which]).collect();
-        let middle = values.len() / 2;
-        let median = *values.select_nth_unstable_by(middle, f64::total_cmp).1;
         // On height steps most may be zero.
         let mean = values.iter().sum::<f64>() / values.len() as f64;
-        if median > 0.0 { NORMAL * median } else { mean }
+        median(&mut values).filter(|middle| *middle > 0.0).map_or(mean, |middle| NORMAL * middle)
     };
     robust(0).max(0.2 * robust(1))
 }
@@ -131,8 +130,7 @@ impl<'a> Local<'a> {
                 }
             }
         }
-        let middle = count / 2;
-        Some(z - *window[..count].select_nth_unstable_by(middle, f64::total_cmp).1)
+        Some(z - median(&mut window[..count])?)
     }
 
     fn spikes(&self, scale: f64) -> Spikes {
@@ -254,29 +252,7 @@ pub struct Without<'a> {
 }
 
 impl Rows for Without<'_> {
-    fn points(&self) -> [usize; 2] {
-        self.map.points()
-    }
-
-    fn pixel(&self) -> [f64; 2] {
-        self.map.pixel()
-    }
-
-    fn precision(&self) -> f64 {
-        self.map.precision()
-    }
-
-    fn boundary(&self) -> Boundary {
-        self.map.boundary()
-    }
-
-    fn offset(&self) -> f64 {
-        self.map.offset()
-    }
-
-    fn progress(&self) -> &dyn Progress {
-        self.map.progress()
-    }
+    rows_from!(map: points pixel precision boundary offset progress);
 
     fn read(&self, ix: usize, row: &mut [f64]) {
         self.map.read(ix, row);

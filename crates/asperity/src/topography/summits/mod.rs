@@ -1,5 +1,7 @@
 //! Summits of a map: five-point (Greenwood 1984), or higher than all eight neighbours.
 
+use crate::named_enum;
+
 use std::ops::Range;
 
 use pulp::{Arch, Simd, WithSimd};
@@ -13,28 +15,22 @@ use plateau::LevelPoint;
 use super::rows::{Boundary, IsWhole, Rows, Strip, strips_in_turn};
 use crate::memory::reserve;
 
-/// The neighbours that a summit must be higher than.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Deserialize))]
-#[cfg_attr(feature = "schemars", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
-pub enum Neighbours {
-    /// The four nearest along x and y: five-point summits (Greenwood 1984).
-    #[default]
-    Four,
-    /// Also the four diagonal ones.
-    Eight,
+named_enum! {
+    /// The neighbours that a summit must be higher than.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    #[cfg_attr(feature = "serde", derive(serde::Deserialize))]
+    #[cfg_attr(feature = "schemars", derive(schemars::JsonSchema))]
+    #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+    pub enum Neighbours {
+        /// The four nearest along x and y: five-point summits (Greenwood 1984).
+        #[default]
+        Four = "five-point",
+        /// Also the four diagonal ones.
+        Eight = "eight-neighbour",
+    }
 }
 
 impl Neighbours {
-    /// The name of the summits in reports.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Four => "five-point",
-            Self::Eight => "eight-neighbour",
-        }
-    }
-
     const fn steps(self) -> &'static [[isize; 2]] {
         match self {
             Self::Four => STEPS.split_at(4).0,
