@@ -4,7 +4,6 @@ pub mod figures;
 mod implausible;
 mod lines;
 pub mod outline;
-pub mod page;
 pub mod plan;
 mod reach;
 mod readings;

@@ -72,8 +72,8 @@ impl Outcome for LawsResults {
         self.compare.warnings()
     }
 
-    fn page(&self, _: &Tables) -> Page {
-        page::page(self)
+    fn page(&self, tables: &Tables) -> Page {
+        page::page(self, tables)
     }
 
     fn tables(&self) -> Vec<Table> {

@@ -1,7 +1,7 @@
 //! The tables of several laws, besides those of a comparison.
 
-use crate::kind::compare::rows::differences::{self, DifferenceRow};
-use crate::kind::compare::tables::{self, CurveRow, PairRow, limits};
+use crate::kind::compare::rows;
+use crate::kind::compare::tables::limits;
 use crate::kind::laws::results::{LawsResults, SurfaceInfluence};
 use asperity::compare::{AtLoad, Group, Kind, Measure};
 use asperity::sphere::{Boundary, Point};
@@ -60,8 +60,8 @@ impl Row for BoundaryRow<'_> {
             load_above_n["N"] = row.boundary.above.load, "Load just above the boundary.";
             area_below_m2["m²"] = row.boundary.below.area, "Real contact area just below the boundary.";
             area_above_m2["m²"] = row.boundary.above.area, "Real contact area just above the boundary.";
-            load_jump["1"] = row.boundary.load_jump(), "Jump of the load over the load below; 0 where it is continuous.";
-            area_jump["1"] = row.boundary.area_jump(), "Jump of the area over the area below; 0 where it is continuous.";
+            load_jump["1", scale(1.0)] = row.boundary.load_jump(), "Jump of the load over the load below; 0 where it is continuous.";
+            area_jump["1", scale(1.0)] = row.boundary.area_jump(), "Jump of the area over the area below; 0 where it is continuous.";
             beyond_small_strains["true/false"] = row.results.is_beyond_small_strains(&row.boundary.above), "Whether the contact radius exceeds 0.3 of the asperity radius, beyond which strains are not small.";
         }
     }
@@ -86,15 +86,15 @@ impl Row for InfluenceRow<'_> {
             pressure_pa["Pa"] = row.at.pressure, "Nominal pressure.";
             counts["true/false"] = row.at.exceeded.is_none(), "Whether the load is within the valid range under every law.";
             limits["text"] = limits(row.at.exceeded), "Limits of the valid range that are exceeded under some law, as in `curves.csv`.";
-            fewest_contacts["1"] = row.at.fewest_contacts, "Fewest effective contacts of the deterministic model under any law.";
-            all_laws_statistical["1"] = row.spread(Group::All, Kind::Statistical), "Highest over lowest of all laws under the statistical model.";
-            all_laws_deterministic["1"] = row.spread(Group::All, Kind::Deterministic), "Highest over lowest of all laws under the deterministic model.";
-            passing_laws_statistical["1"] = row.spread(Group::ElasticPlastic, Kind::Statistical), "Highest over lowest of the elastic-plastic laws, without the limits `hertz` and `fully-plastic`, under the statistical model.";
-            passing_laws_deterministic["1"] = row.spread(Group::ElasticPlastic, Kind::Deterministic), "Highest over lowest of the elastic-plastic laws under the deterministic model.";
-            models_first_law["1"] = row.compared(row.at.gap(row.measure, 0)), "Statistical over deterministic model under the first law.";
-            passing_laws_models_most["1"] = row.largest_gap().map(|(_, gap)| row.compared(gap)), "Statistical over deterministic model under the elastic-plastic law for which they differ most.";
+            fewest_contacts["1", scale(1.0)] = row.at.fewest_contacts, "Fewest effective contacts of the deterministic model under any law.";
+            all_laws_statistical["1", scale(1.0)] = row.spread(Group::All, Kind::Statistical), "Highest over lowest of all laws under the statistical model.";
+            all_laws_deterministic["1", scale(1.0)] = row.spread(Group::All, Kind::Deterministic), "Highest over lowest of all laws under the deterministic model.";
+            passing_laws_statistical["1", scale(1.0)] = row.spread(Group::ElasticPlastic, Kind::Statistical), "Highest over lowest of the elastic-plastic laws, without the limits `hertz` and `fully-plastic`, under the statistical model.";
+            passing_laws_deterministic["1", scale(1.0)] = row.spread(Group::ElasticPlastic, Kind::Deterministic), "Highest over lowest of the elastic-plastic laws under the deterministic model.";
+            models_first_law["1", scale(1.0)] = row.compared(row.at.gap(row.measure, 0)), "Statistical over deterministic model under the first law.";
+            passing_laws_models_most["1", scale(1.0)] = row.largest_gap().map(|(_, gap)| row.compared(gap)), "Statistical over deterministic model under the elastic-plastic law for which they differ most.";
             passing_laws_models_most_law["text"] = row.largest_gap().map(|(law, _)| row.found.influence.laws[law].as_str()), "The law of the previous column.";
-            sampling_error["1"] = row.at.sampling_error(row.measure, 0), "Standard error of the difference between the models under the first law, of an area relative to it.";
+            sampling_error["1", scale(1.0)] = row.at.sampling_error(row.measure, 0), "Standard error of the difference between the models under the first law, of an area relative to it.";
         }
     }
 }
@@ -120,26 +120,20 @@ impl InfluenceRow<'_> {
 
 /// Those of a comparison, `laws.csv`, `boundaries.csv` and `influence.csv`.
 pub(super) fn schemas() -> Vec<Schema> {
-    vec![
-        Schema::of::<CurveRow>(),
-        Schema::of::<PairRow>(),
-        Schema::of::<DifferenceRow>(),
-        Schema::of::<LawRow>(),
-        Schema::of::<BoundaryRow>(),
-        Schema::of::<InfluenceRow>(),
-    ]
+    let mut schemas = rows::schemas();
+    schemas.extend([Schema::of::<LawRow>(), Schema::of::<BoundaryRow>(), Schema::of::<InfluenceRow>()]);
+    schemas
 }
 
 /// The files of [`schemas`].
 pub(super) fn tables(results: &LawsResults) -> Vec<Table> {
-    vec![
-        Table::new(tables::curves(&results.compare)),
-        tables::comparison_of_models(tables::comparison(&results.compare)),
-        Table::new(differences::rows(&results.compare)),
+    let mut tables = rows::tables(&results.compare);
+    tables.extend([
         Table::new(curves(results)),
         Table::new(boundaries(results)),
         Table::new(influences(results)),
-    ]
+    ]);
+    tables
 }
 
 fn curves(results: &LawsResults) -> impl Iterator<Item = LawRow<'_>> {

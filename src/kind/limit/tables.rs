@@ -25,10 +25,10 @@ impl Row for ConvergenceRow<'_> {
             separation_over_sigma["1"] = row.point.exact.statistical.separation_over_sigma, "Separation over sigma, the standard deviation of the asperity heights.";
             asperities["count"] = row.point.count, "Asperities in a set.";
             expected_contacts["1"] = row.point.expected_contacts(), "Expected number of contacts.";
-            random_mean_error["1"] = row.point.scatter(row.quantity).0, "Mean relative error of the random sets.";
-            random_rms_error["1"] = row.point.scatter(row.quantity).1, "Root mean square of the relative errors of the random sets.";
-            quantile_error["1"] = row.point.quantile_error(row.quantity), "Relative error, without sign, of the set with heights at the quantiles.";
-            expected_quantile_error["1"] = row.point.expected_quantile_error(row.quantity), "Leading term of that error, of the midpoint rule in probability at the tail of the heights.";
+            random_mean_error["1", scale(1e-3)] = row.point.scatter(row.quantity).0, "Mean relative error of the random sets.";
+            random_rms_error["1", scale(1e-3)] = row.point.scatter(row.quantity).1, "Root mean square of the relative errors of the random sets.";
+            quantile_error["1", scale(1e-3)] = row.point.quantile_error(row.quantity), "Relative error, without sign, of the set with heights at the quantiles.";
+            expected_quantile_error["1", scale(1e-3)] = row.point.expected_quantile_error(row.quantity), "Leading term of that error, of the midpoint rule in probability at the tail of the heights.";
             fitted["true/false"] = row.point.is_fitted(), "Whether more than 30 contacts are expected, so that the row takes part in the fit of the slopes.";
         }
     }

@@ -192,17 +192,20 @@ impl<'a> Report<'a> {
         }
     }
 
-    /// How a number of `summary.json` is compared: as the cell of its table, if it is one.
+    /// How a number of `summary.json` is compared: as the cell of its table, if it is one; not where a column of its name is not.
     fn comparison_of(&self, place: &Place) -> Comparison {
-        let [key, column] = [place.keys.first(), place.keys.get(1)].map(|key| key.map_or("", String::as_str));
-        let schema = self.schemas.iter().find(|schema| schema.records == Some(key));
+        let [key, column] = [place.keys.first(), place.keys.last()].map(|key| key.map_or("", String::as_str));
+        let heading = |schema: &&Schema| schema.columns.iter().any(|heading| heading.name == column);
+        let of_records = self.schemas.iter().filter(|schema| schema.records == Some(key)).find(heading);
+        let schema = of_records.or_else(|| self.schemas.iter().find(heading));
         let heading = schema.and_then(|schema| schema.columns.iter().find(|heading| heading.name == column));
         match heading.map(|heading| &heading.comparison) {
-            Some(Comparison::ScaleOf(other)) => {
+            Some(Comparison::Ignored) => Comparison::Ignored,
+            Some(Comparison::ScaleOf(other)) if of_records.is_some() => {
                 Comparison::Scale(place.siblings.get(other.as_str()).copied().unwrap_or(0.0))
             }
-            Some(comparison) => comparison.clone(),
-            None => Comparison::Relative,
+            Some(Comparison::Scale(scale)) => Comparison::Scale(*scale),
+            _ => Comparison::Relative,
         }
     }
 }

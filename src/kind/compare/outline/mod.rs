@@ -17,6 +17,7 @@ mod series;
 pub use lead::{count, limit_words};
 pub use names::{name, stem, subject, under};
 pub use sections::limits_note;
+pub(crate) use sections::verdicts;
 pub(crate) use series::{Series, is_valid_at};
 
 use asperity::compare::Tolerances;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::kind::compare::page::figures::regime_colour;
+use crate::kind::compare::figures::curves::regime_colour;
 use crate::kind::indentation::run::{IndentationResults, LawCurves, LayerResults};
 use crate::kind::indentation::shown::Shown;
 use crate::kind::indentation::spec::Show;

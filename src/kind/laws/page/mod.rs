@@ -6,16 +6,17 @@ mod influence;
 mod measures;
 mod summary;
 
+use crate::kind::compare::outline;
 use crate::kind::laws::results::{LawOnOne, LawsResults};
 use asperity::ContactLaw;
-use asperity::compare::PointCounts;
 use asperity::contact_law::registry;
 use asperity::sphere::{Boundary, LARGEST_SLOPE};
 use asperity_framework::report::format::{input_number, input_quantity, listed, number, percent, quantity};
 use asperity_framework::report::page::{Page, escape};
 use asperity_framework::report::sections;
+use asperity_framework::report::table::Tables;
 
-pub fn page(results: &LawsResults) -> Page {
+pub fn page(results: &LawsResults, tables: &Tables) -> Page {
     let compared = &results.compare;
     let mut page = Page::new(&compared.metadata.title);
     summary::verdict(results).iter().for_each(|line| {
@@ -23,6 +24,7 @@ pub fn page(results: &LawsResults) -> Page {
     });
     page.table(summary::HEADER, summary::rows(results));
     sections::warnings(&mut page, &compared.warnings());
+    outline::verdicts(&mut page, tables);
     for found in &compared.surfaces {
         influence::section(&mut page, results, found);
     }
@@ -33,7 +35,11 @@ pub fn page(results: &LawsResults) -> Page {
     }
     sections::notes(&mut page, &compared.metadata);
     sections::what_was_run(&mut page, &compared.metadata, &compared.contact);
-    limits(&mut page, results);
+    outline::limits_note(&mut page);
+    page.paragraph(
+        "Agreement between laws does not validate them: this report shows how much the choice matters, not which law is best. The \
+         finite-element fits were made for a sphere on a rigid flat.",
+    );
     sections::run_again(&mut page, &compared.metadata, None);
     sections::sources(&mut page, &compared.metadata);
     page
@@ -167,18 +173,4 @@ fn signed_percent(jump: f64) -> String {
     }
     let sign = if jump > 0.0 { "+" } else { "" };
     format!("{sign}{}", percent(jump))
-}
-
-fn limits(page: &mut Page, results: &LawsResults) {
-    page.heading(2, "Limits of validity");
-    let mut lines = Vec::new();
-    for found in &results.compare.surfaces {
-        let counts: PointCounts = found.laws.iter().map(|law| law.counts).sum();
-    }
-    lines.push(
-        "Agreement between laws does not validate them: this report shows how much the choice matters, not which law is \
-         best. The finite-element fits were made for a sphere on a rigid flat."
-            .to_owned(),
-    );
-    page.bullets(lines);
 }

@@ -5,7 +5,7 @@ use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
 
 use super::super::findings::gap as gap_at;
 use super::super::results::{Found, Scale, Series, SurfaceResults, Variation};
-use crate::kind::compare::page::causes::colour;
+use crate::kind::compare::figures::causes::colour;
 
 const MICRO: f64 = 1e6;
 

@@ -12,7 +12,7 @@ use super::findings::{gap, main_load};
 use super::quantity::Quantity;
 use super::results::{Found, IntervalResults, Scale, Series, SurfaceResults, Variation};
 use super::trend::{FASTEST, HALVINGS, SHRINKS};
-use crate::kind::compare::page::verdict::limit_words;
+use crate::kind::compare::outline::limit_words;
 use crate::surface::section;
 
 const NONE: &str = "–";

@@ -1,14 +1,13 @@
 //! Changes, lengths and findings in words.
 
-use asperity::compare::{ComparedQuantity, Estimate};
-use asperity_framework::report::format::{input_quantity, listed, number, quantity, with_sign};
+use asperity::compare::Estimate;
+use asperity_framework::report::format::{input_quantity, listed, number, quantity, signed, with_sign};
 use asperity_framework::report::page::escape;
 
 use super::super::findings::{Findings, Lead, Sign, main_load};
 use super::super::quantity::Quantity;
 use super::super::results::{IntervalResults, Series, SurfaceResults, Variation};
 use super::super::trend::{Outcome, Trend};
-use crate::kind::compare::page::verdict::signed;
 use crate::surface::fitness;
 
 /// An outcome in a table.
@@ -202,7 +201,7 @@ fn models(findings: &Findings, load: f64) -> Vec<String> {
 }
 
 fn sign(found: Sign) -> String {
-    let shown = |gap: f64| signed(ComparedQuantity::Separation, gap);
+    let shown = |gap: f64| format!("{} σ", signed(gap));
     match found {
         Sign::Kept([low, high]) => {
             format!("the gap in separation keeps its sign ({} to {})", shown(low), shown(high))

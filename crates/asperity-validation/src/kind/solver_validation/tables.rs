@@ -24,8 +24,8 @@ impl Row for BenchmarkRow<'_> {
             benchmark_quantity["text"] = row.0.quantity.name(), "Quantity whose error is given: `indentation`, `raw-area` (points counted), `area` (corrected for the border), `peak-pressure`, `pressures` (r.m.s. error over r.m.s. pressure; in full contact the largest error over the amplitude) or `mean-gap`.";
             exact_value["1"] = row.0.exact, "Exact value, with E* and R or the wavelength as units; of the mean gap over the height of the wave; empty for `pressures`.";
             found_value["1"] = row.0.found, "Value of the boundary elements; of a sinusoid the mean over places of the crest between two points (areas) or the one farthest from the exact value (gap).";
-            measured_error["1"] = row.0.error, "Error: relative; of a sinusoid's areas (width over the wavelength) and gap the difference.";
-            allowed_error["1"] = row.0.allowed, "Largest error allowed; empty where none is stated.";
+            measured_error["1", scale(1e-3)] = row.0.error, "Error: relative; of a sinusoid's areas (width over the wavelength) and gap the difference.";
+            allowed_error["1", scale(1e-3)] = row.0.allowed, "Largest error allowed; empty where none is stated.";
         }
     }
 }
@@ -81,12 +81,12 @@ impl Row for EnsembleRow {
             pressure_over_modulus["1"] = row.pressure, "Mean pressure over E*.";
             reduced_pressure["1"] = row.pressure / ENSEMBLE.gradient, "Mean pressure over E* times the r.m.s. gradient.";
             raw_area_mean["1"] = row.raw_area.mean, "Points in contact over all points, mean over the surfaces.";
-            raw_area_standard_error["1"] = row.raw_area.error, "Its standard error.";
+            raw_area_standard_error["1", scale(1e-3)] = row.raw_area.error, "Its standard error.";
             area_mean["1"] = row.area.mean, "Area ratio corrected for the border of the contact, mean over the surfaces.";
-            area_standard_error["1"] = row.area.error, "Its standard error.";
+            area_standard_error["1", scale(1e-3)] = row.area.error, "Its standard error.";
             kappa["1"] = row.kappa(), "Area ratio over the reduced pressure: of the corrected area, of the raw one where extrapolated.";
             gap_over_rms_height["1"] = row.gap.map(|gap| gap.mean), "Mean gap over the r.m.s. height of the surface, mean over the surfaces.";
-            gap_standard_error["1"] = row.gap.map(|gap| gap.error), "Its standard error.";
+            gap_standard_error["1", scale(1e-3)] = row.gap.map(|gap| gap.error), "Its standard error.";
             published_area["1"] = row.published().map(|published| published.area), "Published area ratio (Xu, Zhu, Xiao and Zhou 2024); empty at other pressures.";
             published_deviation["1"] = row.published().map(|published| published.deviation), "Published standard deviation over the surfaces.";
             earlier_area["1"] = row.published().and_then(|published| published.earlier), "Area ratio of an earlier file of the same authors, which does not say whether its surfaces are the same.";

@@ -23,13 +23,13 @@ impl Row for WorstRow<'_> {
             quantity["text"] = row.worst.quantity.name(), "Quantity whose error is given.";
             cases["count"] = row.findings.cases, "Cases checked.";
             failures["count"] = row.findings.failures.len(), "Cases that failed or could not be checked.";
-            median_error["1"] = row.worst.median, "Median of the errors.";
-            worst_error["1"] = row.worst.checked, "Largest error; zero where the result is exact for a separation within rounding of the given one.";
+            median_error["1", ignored] = row.worst.median, "Median of the errors.";
+            worst_error["1", ignored] = row.worst.checked, "Largest error; zero where the result is exact for a separation within rounding of the given one.";
             bound["1"] = row.findings.group.bound(row.worst.quantity), "Bound of the error under most laws.";
-            plain_error["1"] = row.worst.error, "Largest error, the rounding of the separation included.";
-            worst_bound["1"] = row.worst.bound(row.findings.group), "Bound of the case with the largest error, which a narrow elastic-plastic transition makes larger.";
-            worst_scene["count"] = row.worst.case.index, "Number of the case with the largest error within its group.";
-            worst_inputs["text"] = row.worst.case.inputs(), "Every input of that case, to run it again.";
+            plain_error["1", ignored] = row.worst.error, "Largest error, the rounding of the separation included.";
+            worst_bound["1", ignored] = row.worst.bound(row.findings.group), "Bound of the case with the largest error, which a narrow elastic-plastic transition makes larger.";
+            worst_scene["count", ignored] = row.worst.case.index, "Number of the case with the largest error within its group.";
+            worst_inputs["text", ignored] = row.worst.case.inputs(), "Every input of that case, to run it again.";
         }
     }
 }
@@ -52,7 +52,7 @@ impl Row for CellRow {
             map["text"] = row.map, "Map; the report names its quantity and axes.";
             x["1"] = row.x, "Position along x, as a common logarithm where the axis says so.";
             y["1"] = row.y, "Position along y, likewise.";
-            cell_error["1"] = Some(row.error).filter(|error| error.is_finite()), "Relative error; empty where the evaluation of 32 digits does not converge.";
+            cell_error["1", ignored] = Some(row.error).filter(|error| error.is_finite()), "Relative error; empty where the evaluation of 32 digits does not converge.";
         }
     }
 }
