@@ -1,11 +1,13 @@
 //! Specs from Python: paths, or dictionaries with surfaces in memory.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use asperity_experiment::Experiment;
 use asperity_experiment::kind::KINDS;
 use asperity_framework::input::{Held, Source};
 use asperity_framework::report::store::Store;
+use asperity_framework::report::table::{Table as Cells, Tables};
 use asperity_framework::{Outcome, folder, summary_json};
 use indexmap::IndexMap;
 use pyo3::IntoPyObjectExt;
@@ -137,8 +139,7 @@ pub fn held_of(held: &Bound<PyDict>) -> PyResult<IndexMap<PathBuf, Held>> {
 pub struct Run {
     #[pyo3(get)]
     kind: &'static str,
-    /// By file name.
-    files: Vec<(&'static str, Vec<u8>)>,
+    tables: Vec<Arc<Cells>>,
     #[pyo3(get)]
     summary: String,
     #[pyo3(get)]
@@ -165,14 +166,15 @@ impl Run {
         let found =
             found.ok_or_else(|| refuse(format!("found results of {kind}, which this version has not")))?;
         let schemas = found.tables();
-        let file = |(name, content): (Bound<PyAny>, Bound<PyAny>)| {
+        let table = |(name, content): (Bound<PyAny>, Bound<PyAny>)| {
             let name: String = name.extract()?;
             let schema = schemas.iter().find(|schema| schema.file == name);
             let schema = schema.ok_or_else(|| refuse(format!("the table {name} is not described")))?;
-            Ok((schema.file, content.extract::<Vec<u8>>()?))
+            let content: Vec<u8> = content.extract()?;
+            Ok(Arc::new(Cells::read(schema, &content).map_err(refuse)?))
         };
-        let files: PyResult<Vec<_>> = csv.iter().map(file).collect();
-        Ok(Self { kind: found.name(), files: files?, summary, warnings, report })
+        let tables: PyResult<Vec<_>> = csv.iter().map(table).collect();
+        Ok(Self { kind: found.name(), tables: tables?, summary, warnings, report })
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Parts<'py>)> {
@@ -184,20 +186,19 @@ impl Run {
     /// The files of the tables by name.
     fn csv<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let dict = PyDict::new(py);
-        self.files.iter().try_for_each(|(name, content)| dict.set_item(name, PyBytes::new(py, content)))?;
+        for table in &self.tables {
+            dict.set_item(table.schema.file, PyBytes::new(py, &table.csv().map_err(refuse)?))?;
+        }
         Ok(dict)
     }
 
     /// The tables by name.
     fn tables<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let dict = PyDict::new(py);
-        let schemas =
-            KINDS.iter().find(|kind| kind.name() == self.kind).map(|kind| kind.tables()).unwrap_or_default();
-        for (name, content) in &self.files {
-            let schema = schemas.iter().find(|schema| schema.file == *name);
-            let schema = schema.ok_or_else(|| refuse(format!("the table {name} is not described")))?;
-            let name = name.strip_suffix(".csv").unwrap_or(name);
-            dict.set_item(name, Table::of_csv(py, content, schema)?)?;
+        for table in &self.tables {
+            let file = table.schema.file;
+            let name = file.strip_suffix(".csv").unwrap_or(file);
+            dict.set_item(name, Table::of_cells(py, table.clone()))?;
         }
         Ok(dict)
     }
@@ -279,11 +280,12 @@ fn finish(
             Some(directory.join(experiment.stem()))
         }
     };
+    let tables = Tables::new(outcome.tables());
+    let summary = summary_json(&*outcome, &tables).map_err(|error| input(&error))?;
     Ok(Run {
         kind: outcome.metadata().kind,
-        files: outcome.tables().map_err(|error| input(&error))?,
-        summary: String::from_utf8(summary_json(&*outcome).map_err(|error| input(&error))?)
-            .map_err(|error| input(&error))?,
+        summary: String::from_utf8(summary).map_err(|error| input(&error))?,
+        tables: tables.into_iter().map(Arc::new).collect(),
         warnings: outcome.warnings(),
         report,
     })

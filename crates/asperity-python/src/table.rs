@@ -1,13 +1,12 @@
 //! Tables as mappings of column names to NumPy arrays, which are made when they are asked for.
 
 use asperity_experiment::kind::compare::CurveRow;
-use asperity_framework::report::table::{Column, Heading, Row, Schema, Value};
+use asperity_framework::report::table::{Column, Heading, Row, Table as Cells, Value};
 use numpy::PyArray1;
 use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
-
-use crate::refuse;
+use std::sync::Arc;
 
 thread_local! {
     /// The columns of `curves.csv` from the model on: those before are of a spec with several surfaces.
@@ -19,21 +18,21 @@ thread_local! {
 
 enum Content {
     Curves(Vec<CurveRow>),
-    Cells { headings: Vec<Heading>, columns: Vec<Vec<Value>> },
+    Cells(Arc<Cells>),
 }
 
 impl Content {
     fn headings(&self) -> Vec<Heading> {
         match self {
             Self::Curves(_) => CURVES.with(|all| all.iter().map(|column| column.heading.clone()).collect()),
-            Self::Cells { headings, .. } => headings.clone(),
+            Self::Cells(table) => table.schema.columns.clone(),
         }
     }
 
     fn rows(&self) -> usize {
         match self {
             Self::Curves(rows) => rows.len(),
-            Self::Cells { columns, .. } => columns.first().map_or(0, Vec::len),
+            Self::Cells(table) => table.rows(),
         }
     }
 
@@ -44,9 +43,9 @@ impl Content {
                 let column = all.iter().find(|column| column.heading.name == name)?;
                 Some((column.heading.unit, rows.iter().map(|row| column.value(row)).collect()))
             }),
-            Self::Cells { headings, columns } => {
-                let place = headings.iter().position(|heading| heading.name == name)?;
-                Some((headings[place].unit, columns[place].clone()))
+            Self::Cells(table) => {
+                let (heading, cells) = table.column(name)?;
+                Some((heading.unit, cells.to_vec()))
             }
         }
     }
@@ -78,25 +77,9 @@ impl Table {
         Self { content: Content::Curves(rows), arrays: PyDict::new(py).unbind() }
     }
 
-    /// A file that one of `schemas` describes.
-    pub fn of_csv(py: Python, bytes: &[u8], schema: &Schema) -> PyResult<Self> {
-        let mut reader = csv::Reader::from_reader(bytes);
-        let names = reader.headers().map_err(refuse)?.clone();
-        let heading = |name: &str| {
-            let found = schema.columns.iter().find(|heading| heading.name == name);
-            found
-                .cloned()
-                .ok_or_else(|| refuse(format!("{}: the column {name} is not described", schema.file)))
-        };
-        let headings = names.iter().map(heading).collect::<PyResult<Vec<_>>>()?;
-        let mut columns: Vec<Vec<Value>> = vec![Vec::new(); headings.len()];
-        for record in reader.records() {
-            let record = record.map_err(refuse)?;
-            for ((column, heading), cell) in columns.iter_mut().zip(&headings).zip(record.iter()) {
-                column.push(value(cell, heading.unit));
-            }
-        }
-        Ok(Self { content: Content::Cells { headings, columns }, arrays: PyDict::new(py).unbind() })
+    /// A table of a run.
+    pub fn of_cells(py: Python, table: Arc<Cells>) -> Self {
+        Self { content: Content::Cells(table), arrays: PyDict::new(py).unbind() }
     }
 
     fn names(&self) -> Vec<String> {
@@ -112,22 +95,12 @@ impl Table {
     }
 }
 
-/// A cell of a file.
-fn value(cell: &str, unit: &str) -> Value {
-    match unit {
-        _ if cell.is_empty() && unit != "text" => Value::Empty,
-        "text" => Value::Text(cell.to_owned()),
-        "true/false" => Value::Flag(cell == "true"),
-        "count" => cell.parse().map_or(Value::Empty, Value::Count),
-        _ => cell.parse().map_or(Value::Empty, Value::Number),
-    }
-}
-
 /// Counts as integers and flags as bool where there is no empty cell; numbers with NaN for empty cells; texts.
 fn array<'py>(py: Python<'py>, unit: &str, values: &[Value]) -> PyResult<Bound<'py, PyAny>> {
     if unit == "text" {
         let text = |value: &Value| match value {
             Value::Text(text) => text.clone(),
+            Value::List(names) => names.join("; "),
             _ => String::new(),
         };
         let texts = PyList::new(py, values.iter().map(text))?;
@@ -158,7 +131,7 @@ fn array<'py>(py: Python<'py>, unit: &str, values: &[Value]) -> PyResult<Bound<'
         Value::Number(number) => *number,
         Value::Count(count) => *count as f64,
         Value::Flag(flag) => f64::from(u8::from(*flag)),
-        Value::Text(_) | Value::Empty => f64::NAN,
+        Value::Text(_) | Value::List(_) | Value::Empty => f64::NAN,
     };
     Ok(PyArray1::from_vec(py, values.iter().map(number).collect()).into_any())
 }

@@ -40,7 +40,7 @@ impl Case {
             surface["text"] = case(row).surface.as_str(), "Name of the surface; in `[limit]` the set of asperities, `random-N` or `quantiles-N`, or `population` for the integral.";
             realisation["count"] = case(row).realisation, "Number of the realisation of the surface, from 1; a given or measured surface has one.";
             law["text"] = case(row).law.as_str(), "Contact law of an asperity.";
-            layer_thickness_m["m"] = case(row).thickness, "Thickness of the layer, 0 for the bare substrate and inf for a flat of the layer's material; empty where the spec has no layer.";
+            layer_thickness_m["m", label("layer"), thickness] = case(row).thickness, "Thickness of the layer, 0 for the bare substrate and inf for a flat of the layer's material; empty where the spec has no layer.";
         }
     }
 }
@@ -81,9 +81,9 @@ impl Row for CurveRow {
             contact_density_per_m2["1/m²"] = row.model(|response| response.contact_density), "Contacts per nominal area.";
             mean_real_pressure_pa["Pa", prefix("M")] = row.either(|point| point.response.mean_real_pressure(), ReferencePoint::mean_real_pressure), "Load over real contact area; empty where there is no contact.";
             stiffness_pa_per_m["Pa/m"] = row.either(|point| Some(point.response.stiffness), |point| point.stiffness), "Contact stiffness -dp/dd per nominal area; jumps of a law are excluded for the sum and included for the integral; for the reference from the neighbouring loads, empty where one is further than a factor of 3.";
-            elastic_load_share["1"] = row.model_value(|response| share(&response.pressure, 0)), "Share of the load in elastic contacts; empty where there is no contact.";
-            elastic_plastic_load_share["1"] = row.model_value(|response| share(&response.pressure, 1)), "Share of the load in elastic-plastic contacts.";
-            plastic_load_share["1"] = row.model_value(|response| share(&response.pressure, 2)), "Share of the load in plastic contacts.";
+            elastic_load_share["1", label("elastic"), percent] = row.model_value(|response| share(&response.pressure, 0)), "Share of the load in elastic contacts; empty where there is no contact.";
+            elastic_plastic_load_share["1", label("elastic-plastic"), percent] = row.model_value(|response| share(&response.pressure, 1)), "Share of the load in elastic-plastic contacts.";
+            plastic_load_share["1", label("plastic"), percent] = row.model_value(|response| share(&response.pressure, 2)), "Share of the load in plastic contacts.";
             elastic_area_share["1"] = row.model_value(|response| share(&response.area_ratio, 0)), "Share of the real contact area in elastic contacts; empty where there is no contact.";
             elastic_plastic_area_share["1"] = row.model_value(|response| share(&response.area_ratio, 1)), "Share of the real contact area in elastic-plastic contacts.";
             plastic_area_share["1"] = row.model_value(|response| share(&response.area_ratio, 2)), "Share of the real contact area in plastic contacts.";
@@ -94,6 +94,7 @@ impl Row for CurveRow {
             largest_load_share["1"] = row.model_value(|response| Some(response.sharing?.largest_share)), "Share of the load in the most heavily loaded contact of the sum.";
             large_strain_load_share["1"] = row.model_value(|response| Some(response.sharing?.large_strain_share)), "Share of the load of the sum in contacts whose radius exceeds 0.3 of the asperity radius.";
             limits["text"] = limits(row.exceeded()), "Limits of the valid range that one of the models exceeds at this control point, separated by spaces: `few-contacts` (fewer than 30 effective), `dominant-contact` (more than 10 % of the load in one), `interaction` (area ratio above 0.05), `large-strain` (more than 10 % of the load in contacts whose radius exceeds 0.3 of the asperity radius); empty within the valid range, and for the reference.";
+            contact_radius_over_thickness["1", label("a/t")] = row.radius_over_thickness(), "Mean contact radius over the thickness of the layer; empty without a layer of finite thickness and without contact.";
             raw_area_ratio["1"] = row.either(|_| None, |point| Some(point.raw_area_ratio)), "Points in contact over all points of the reference; empty for the models.";
         });
         columns
@@ -137,6 +138,11 @@ impl CurveRow {
     /// A value that a model may lack; `None` for the reference.
     fn model_value(&self, of: fn(&Response) -> Option<f64>) -> Option<f64> {
         self.model(of).flatten()
+    }
+
+    fn radius_over_thickness(&self) -> Option<f64> {
+        let thickness = self.case.thickness.filter(|t| *t > 0.0 && t.is_finite())?;
+        Some(self.model_value(Response::mean_contact_radius)? / thickness)
     }
 
     /// The limits of the models; the reference has none.

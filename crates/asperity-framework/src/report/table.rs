@@ -4,6 +4,7 @@
 //! A kind of table is a type of rows that implements [`Row`]; [`columns!`](crate::columns) takes a line per column. [`Table`] holds the
 //! cells of any kind.
 
+use std::io;
 use std::rc::Rc;
 
 use serde::{Serialize, Serializer};
@@ -55,6 +56,17 @@ impl Value {
             Self::Text(text) => text.is_empty(),
             Self::List(names) => names.is_empty(),
             Self::Number(_) | Self::Count(_) | Self::Flag(_) => false,
+        }
+    }
+
+    /// A cell of a CSV file in a column of this unit.
+    fn read(cell: &str, unit: &str) -> Self {
+        match unit {
+            "text" => Self::Text(cell.to_owned()),
+            _ if cell.is_empty() => Self::Empty,
+            "true/false" => Self::Flag(cell == "true"),
+            "count" => cell.parse().map_or(Self::Empty, Self::Count),
+            _ => cell.parse().map_or(Self::Empty, Self::Number),
         }
     }
 
@@ -411,6 +423,31 @@ impl Table {
         self
     }
 
+    /// The table that [`Self::csv`] has written, which may lack columns of `schema`.
+    ///
+    /// # Errors
+    /// A column that the schema does not have.
+    pub fn read(schema: &Schema, csv: &[u8]) -> Result<Self, TableError> {
+        let mut reader = csv::Reader::from_reader(csv);
+        let names = reader.headers()?.clone();
+        let heading = |name: &str| {
+            let heading = schema.columns.iter().find(|heading| heading.name == name);
+            let unknown = || io::Error::other(format!("{}: unknown column {name}", schema.file));
+            heading.cloned().ok_or_else(|| TableError::from(unknown()))
+        };
+        let columns = names.iter().map(heading).collect::<Result<Vec<_>, _>>()?;
+        let mut cells: Vec<Vec<Value>> = vec![Vec::new(); columns.len()];
+        let mut rows = 0;
+        for record in reader.records() {
+            rows += 1;
+            let record = record?;
+            for ((cells, heading), cell) in cells.iter_mut().zip(&columns).zip(record.iter()) {
+                cells.push(Value::read(cell, heading.unit));
+            }
+        }
+        Ok(Self { schema: Schema { columns, ..schema.clone() }, cells, rows })
+    }
+
     /// Number of rows.
     pub fn rows(&self) -> usize {
         self.rows
@@ -452,6 +489,15 @@ impl Table {
             serde_json::Value::Object(fields.collect::<Map<_, _>>())
         };
         (0..self.rows).map(record).collect()
+    }
+}
+
+impl IntoIterator for Tables {
+    type Item = Table;
+    type IntoIter = std::vec::IntoIter<Table>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.0.into_iter()
     }
 }
 
@@ -515,6 +561,8 @@ mod tests {
         let table = Table::new(rows);
         let expected = "name,radius_m,load_n,in_contact,letters\n\"a, b\",1e-6,0.30000000000000004,true,4\nc,2.0,,false,1\n";
         assert_eq!(String::from_utf8(table.csv().unwrap()).unwrap(), expected);
+        let read = Table::read(&table.schema, expected.as_bytes()).unwrap();
+        assert_eq!(read.csv().unwrap(), expected.as_bytes());
         let parted = table.without_part("radii").csv().unwrap();
         assert!(parted.starts_with(
             b"name,load_n,in_contact,letters

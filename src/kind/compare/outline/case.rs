@@ -1,6 +1,7 @@
 //! One surface under one law and thickness: its answer, figures and tables.
 
 use asperity::compare::Comparison;
+use asperity::topography::generate::SigmaOf;
 use asperity_framework::report::format::{input_quantity, number, percent};
 use asperity_framework::report::page::Page;
 use asperity_framework::report::table::{Reading, Tables};
@@ -14,6 +15,7 @@ use crate::kind::compare::figures::{causes, contact, differences as figure, filt
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
 use crate::kind::compare::rows::{LineRow, RobustnessRow, SpreadRow, SurfaceCase, is_single};
 use crate::kind::compare::tables::PairRow;
+use crate::study::RealisationFacts;
 
 /// Loads per decade in tables.
 const PER_DECADE: f64 = 2.0;
@@ -218,6 +220,40 @@ fn curves(page: &mut Page, results: &CompareResults, case: SurfaceCase, name: &s
     );
     if let Some(figure) = curves::regimes(&setting).filter(|_| !case.first().comparison.curves.is_empty()) {
         page.figure(&file("regimes"), figure, "Share of the load by contact regime, by model.");
+    }
+}
+
+/// Inputs of the statistical model, and where separations are measured from.
+pub fn inputs(page: &mut Page, surface: &SurfaceResults) {
+    if surface.realisations.len() > 1 {
+        page.paragraph(&format!("Shown: the first of {} realisations.", surface.realisations.len()));
+    }
+    if surface.surface.separations_of() == SigmaOf::Surface {
+        page.paragraph(
+            "Separations are measured from the mean plane of the surface and normalised by the standard deviation of the surface heights.",
+        );
+    }
+    let RealisationFacts { population, model, .. } = &surface.realisations[0];
+    page.paragraph(&match model.joint {
+        Some(joint) => format!(
+            "The statistical model has the joint density of height and curvature of {}.",
+            joint.label()
+        ),
+        None => format!(
+            "Inputs of the statistical model: {} heights with σ = {}, radius {} ({}), density {} /m².",
+            population.heights.label(),
+            input_quantity(population.sigma, "m"),
+            input_quantity(population.radius, "m"),
+            model.mean_radius.name(),
+            number(population.density),
+        ),
+    });
+    if let Some(mean) = &surface.surface.ellipticity {
+        page.paragraph(&format!(
+            "Under an elliptic law: mean curvature {} /m, mean ratio of the smaller to the larger principal curvature {}.",
+            number(mean.mean_curvature),
+            number(mean.mean_ratio),
+        ));
     }
 }
 

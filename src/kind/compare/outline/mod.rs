@@ -57,11 +57,14 @@ impl Outcome for CompareResults {
         main_figure(&mut page, self, &series);
         sections::results(&mut page, tables);
         sections::verdicts(&mut page, tables);
-        sections::reference(&mut page, tables);
+        sections::reference(&mut page, self, tables);
         sections::models(&mut page, tables);
         sections::layer(&mut page, tables);
         for series in &series {
-            page.details(2, &format!("{}: by layer thickness", series.subject), |page| series.figures(page));
+            page.details(2, &format!("{}: by layer thickness", series.subject), |page| {
+                series.figures(page);
+                series.table(page, tables);
+            });
         }
         if series.is_empty() {
             SurfaceCase::all(self).for_each(|case| case::section(&mut page, self, tables, case));
@@ -69,6 +72,7 @@ impl Outcome for CompareResults {
         for surface in &self.surfaces {
             page.heading(2, &format!("Surface {}", surface.surface.name));
             section::section(&mut page, &surface.surface, Some(&surface.realisations[0].population));
+            case::inputs(&mut page, surface);
             case::contacts(&mut page, self, surface);
         }
         sections::readings(&mut page, tables);

@@ -2,12 +2,13 @@
 
 use asperity::compare::ComparedQuantity;
 use asperity_framework::report::format::capitalised;
-use asperity_framework::report::page::Page;
+use asperity_framework::report::page::{Page, escape};
 use asperity_framework::report::table::{Reading, Tables};
 use asperity_framework::report::view::View;
 
 use super::lead::ORDER;
 use super::name;
+use crate::kind::compare::results::CompareResults;
 use crate::kind::compare::rows::{
     CaseRow, DecreaseRow, NearerRow, ReadingRow, ReferenceCurveRow, ResultRow, RuleRow, StandingRow,
     ThresholdRow, VerdictRow,
@@ -68,12 +69,14 @@ fn by_quantity(page: &mut Page, view: &View) {
 }
 
 /// Both models against the reference.
-pub fn reference(page: &mut Page, tables: &Tables) {
+pub fn reference(page: &mut Page, results: &CompareResults, tables: &Tables) {
     let solved = tables.view::<ReferenceCurveRow>();
     if solved.is_empty() {
         return;
     }
     page.heading(2, "Which model is nearer to the reference?");
+    let elastic = results.reference.iter().flat_map(|reference| &reference.elastic);
+    page.bullets(elastic.map(|case| format!("{}.", escape(&case.to_string()))));
     let nearer = tables.view::<NearerRow>().without_constant(&CASE);
     page.view(&nearer.clone().only("quantity", ComparedQuantity::Area.name()));
     page.details(3, "Separation, stiffness, and both models against the reference", |page| {

@@ -4,6 +4,7 @@ use asperity::Exceeded;
 use asperity::compare::ValidRange;
 use asperity_framework::report::format::thickness;
 use asperity_framework::report::page::Page;
+use asperity_framework::report::table::Tables;
 
 use super::{stem, subject};
 use crate::kind::compare::figures::axes::Units;
@@ -11,11 +12,14 @@ use crate::kind::compare::figures::layers;
 use crate::study::{CaseResults, CaseStudy, LawFindings, LayerFindings, Verdicts};
 
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
+use crate::kind::compare::tables::CurveRow;
 
 /// One surface under one law: a case for each thickness.
 pub struct Series<'a> {
     pub findings: &'a LayerFindings,
     pub subject: String,
+    /// Name of the surface.
+    pub surface: &'a str,
     pub stem: String,
     pub cases: Vec<&'a CaseResults>,
     pub modulus: f64,
@@ -37,6 +41,7 @@ impl<'a> Series<'a> {
         Some(Self {
             findings: law.layer.as_ref()?,
             subject: subject(results, surface, &law.law),
+            surface: &surface.surface.name,
             stem: stem(surface, &law.law),
             cases: cases().map(CaseStudy::first).collect(),
             modulus: results.contact.reduced_modulus,
@@ -102,6 +107,36 @@ impl<'a> Series<'a> {
                 self.findings.main_model().name()
             ),
         );
+    }
+}
+
+impl Series<'_> {
+    /// Both models at the loads at which thicknesses are compared.
+    pub fn table(&self, page: &mut Page, tables: &Tables) {
+        let loads = &self.findings.loads;
+        if loads.is_empty() {
+            page.paragraph(
+                "Without `pressure` or `force` in the spec thicknesses are not compared at equal load.",
+            );
+            return;
+        }
+        let view =
+            tables.view::<CurveRow>().only("surface", self.surface).only("law", self.cases[0].law.as_str());
+        let view = view.only("realisation", 1usize).only("control", "pressure");
+        let view = view.filter("target", |cell| cell.number().is_some_and(|load| loads.contains(&load)));
+        page.view(&view.label("target", "nominal pressure").unit("target", "Pa", "M").columns(&[
+            "target",
+            "layer_thickness_m",
+            "model",
+            "contact_radius_over_thickness",
+            "separation_over_sigma",
+            "area_ratio",
+            "mean_real_pressure_pa",
+            "elastic_load_share",
+            "elastic_plastic_load_share",
+            "plastic_load_share",
+            "limits",
+        ]));
     }
 }
 

@@ -6,7 +6,7 @@ use asperity_framework::report::table::{Column, Row};
 
 use super::{CaseKey, SurfaceCase, case_columns};
 use crate::kind::compare::results::CompareResults;
-use crate::study::{Against, Standing};
+use crate::study::{Against, Standing, StatisticalModel};
 
 /// How the statistical models stand in one quantity on one surface.
 pub(crate) struct StandingRow<'a> {
@@ -15,6 +15,7 @@ pub(crate) struct StandingRow<'a> {
     against: Against,
     accepted: f64,
     standing: Standing<'a>,
+    inapplicable: &'a [(StatisticalModel, String)],
 }
 
 impl StandingRow<'_> {
@@ -39,6 +40,7 @@ impl Row for StandingRow<'_> {
             cheapest_within["text"] = row.standing.cheapest().map(|(ranked, _)| ranked.model.name()), "The one that evaluates the fewest contacts.";
             nearest["text"] = row.standing.nearest().map(|(ranked, _)| ranked.model.name()), "The model with the smallest largest difference.";
             nearest_difference["1", signed, scale(1.0)] = row.nearest_difference(), "Its largest difference: of the separation in sigma, else relative.";
+            inapplicable["text"] = row.inapplicable.iter().map(|(model, reason)| format!("{} ({reason})", model.name())).collect::<Vec<_>>(), "The models that do not apply to the surface, and why.";
         });
         columns
     }
@@ -60,6 +62,7 @@ pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = StandingRow
                 against,
                 accepted: accepted.of(quantity),
                 standing: ranking.standing(against, quantity, accepted),
+                inapplicable: &ranking.inapplicable,
             })
         })
     })
