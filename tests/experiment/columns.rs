@@ -280,8 +280,12 @@ fn every_kind_writes_the_tables_that_it_declares() {
     for (kind, (name, spec)) in KINDS.iter().zip(specs) {
         let (declared, written) = (kind.tables(), tables(&spec));
         let files = |schemas: &[Schema]| schemas.iter().map(|schema| schema.file).collect::<Vec<_>>();
-        assert_eq!(files(&declared), written.iter().map(|(file, _)| *file).collect::<Vec<_>>(), "{name}");
-        for (schema, (file, content)) in declared.iter().zip(written) {
+        // A table without rows may be left out.
+        let names: Vec<&str> = written.iter().map(|(file, _)| *file).collect();
+        let in_order = files(&declared).into_iter().filter(|file| names.contains(file));
+        assert_eq!(in_order.collect::<Vec<_>>(), names, "{name}");
+        for (file, content) in written {
+            let schema = declared.iter().find(|schema| schema.file == file).unwrap();
             let mut reader = csv::Reader::from_reader(content.as_slice());
             let header: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
             // Reference and causes are there only where they were asked for.

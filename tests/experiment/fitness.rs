@@ -15,7 +15,7 @@ use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
 use asperity::topography::summits::Neighbours;
 use asperity_experiment::Experiment;
 use asperity_experiment::kind::compare::results::{CompareResults, SurfaceResults};
-use asperity_experiment::kind::compare::robustness::{Choice, Treatment};
+use asperity_experiment::study::{Choice, Treatment};
 use asperity_framework::Outcome;
 use asperity_framework::progress::Silent;
 use rand::{RngExt, SeedableRng};
@@ -69,7 +69,7 @@ fn failed(found: &SurfaceResults) -> Vec<Check> {
 
 /// The verdict on each quantity at each load, where it is valid.
 fn verdicts(found: &SurfaceResults) -> Vec<Option<Verdict>> {
-    let verdicts = &found.findings.cases[0].verdicts;
+    let verdicts = &found.cases[0].verdicts;
     let at_each = verdicts.differences.iter().flat_map(|at| {
         ComparedQuantity::ALL.map(|quantity| {
             let estimate = at.estimates[quantity as usize].filter(|_| at.exceeded().is_none())?;
@@ -135,7 +135,7 @@ fn planted_faults_are_found_and_their_remedies_give_the_verdict_back() {
         ("lay", Check::Lay),
     ] {
         assert!(failed(of(name)).contains(&check), "{name}: {:?}", of(name).surface.fitness());
-        assert!(of(name).findings.cases[0].verdicts.is_blocked);
+        assert!(of(name).cases[0].verdicts.is_blocked);
         // A lay is part of the surface, which only another measurement can turn.
         if check == Check::Lay {
             assert!(failed(of("eight")).contains(&Check::Lay));
@@ -165,7 +165,7 @@ fn planted_faults_are_found_and_their_remedies_give_the_verdict_back() {
     assert!(blocked("good").iter().all(|is_blocked| !is_blocked));
     let page = (&results as &dyn Outcome).outline().markdown();
     assert!(
-        page.contains("## spikes: verdicts\n\nNo conclusion until the map is fit: 6 spikes of up to"),
+        page.contains("are on maps that fail a fitness check: no conclusion until those are fit."),
         "{page}"
     );
     assert!(page.contains("outliers = \"remove\""));
@@ -188,28 +188,15 @@ fn a_verdict_that_depends_on_the_cut_off_says_so_and_a_robust_one_does_not() {
     let accept = "accept = { area = \"30 %\", separation = 0.3, stiffness = \"40 %\" }";
     let results: CompareResults = crate::downcast(run(folder.path(), accept, &maps));
     let choices = |surface: usize| -> Vec<Choice> {
-        let robustness = results.surfaces[surface].robustness.as_ref().unwrap();
-        robustness.dependences[0].iter().map(|one| one.choice).collect()
+        results.surfaces[surface].cases[0].dependences.iter().map(|one| one.choice).collect()
     };
-    assert!(choices(0).is_empty(), "{:?}", results.surfaces[0].robustness.as_ref().unwrap().dependences);
+    assert!(choices(0).is_empty(), "{:?}", choices(0));
     assert!(choices(1).contains(&Choice::ShortWaves), "{:?}", choices(1));
     assert!(choices(2).contains(&Choice::ShortWaves), "{:?}", choices(2));
     let page = (&results as &dyn Outcome).outline().markdown();
-    let headline = |name: &str| {
-        let section = page.split_once(&format!("# {name}: how sure are the verdicts?")).unwrap().1;
-        section.split_once("\n#").unwrap().0.to_owned()
-    };
-    assert!(!headline("good").contains("on the short-wavelength cut-off"), "{}", headline("good"));
-    assert!(
-        headline("fine").contains("The verdict depends on the short-wavelength cut-off"),
-        "{}",
-        headline("fine")
-    );
-    assert!(
-        headline("short").contains("The differences depend on the short-wavelength cut-off"),
-        "{}",
-        headline("short")
-    );
+    for name in ["good", "fine", "short"] {
+        assert!(page.contains(&format!("## {name}: other treatments of the map")), "{name}");
+    }
     let summary = (&results as &dyn Outcome).records();
     let rows = summary["verdicts"].as_array().unwrap();
     let depends =
@@ -217,7 +204,7 @@ fn a_verdict_that_depends_on_the_cut_off_says_so_and_a_robust_one_does_not() {
     assert!(rows.iter().any(|row| row["surface"] == "fine" && depends(row)));
     assert!(!rows.iter().any(|row| row["surface"] == "good" && depends(row)));
     let off = run(folder.path(), "robustness = false", &maps[..1]);
-    assert!(crate::downcast::<CompareResults>(off).surfaces[0].robustness.is_none());
+    assert!(crate::downcast::<CompareResults>(off).surfaces[0].cases[0].treated.is_empty());
 }
 
 /// Bytes per point that a plan names, for a map that stays on disk.
@@ -251,7 +238,7 @@ fn treatments_are_those_of_specs() {
         crate::downcast(run(folder.path(), more, &[("a", "good.npy", keys)]))
     };
     let examined = of("", "");
-    let robustness = examined.surfaces[0].robustness.as_ref().unwrap();
+    let examined_case = &examined.surfaces[0].cases[0];
     let inverse = "statistical = { mean-radius = \"inverse-mean-curvature\" }\nrobustness = false";
     let off = "robustness = false";
     for (treatment, results) in [
@@ -260,16 +247,16 @@ fn treatments_are_those_of_specs() {
         (Treatment::Level(Level::Quadratic), of(off, "level = \"quadratic\"")),
         (Treatment::Summits(Neighbours::Eight), of(off, "neighbours = \"eight\"")),
     ] {
-        let treated = robustness.treated.iter().find(|one| one.treatment == treatment).unwrap();
-        let own = &examined.surfaces[0].findings.cases[0].verdicts.differences;
-        let asked = &results.surfaces[0].findings.cases[0].verdicts.differences;
+        let treated = examined_case.treated.iter().find(|one| one.treatment == treatment).unwrap();
+        let own = &examined.surfaces[0].cases[0].verdicts.differences;
+        let asked = &results.surfaces[0].cases[0].verdicts.differences;
         let contrast = |all: &[Difference], load: f64| {
             let at = all.iter().find(|at| at.load == load).unwrap();
             at.estimates[ComparedQuantity::Separation as usize].unwrap().contrast
         };
-        assert!(treated.differences(0).len() > 3);
-        for at in treated.differences(0) {
-            let found = contrast(treated.differences(0), at.load);
+        assert!(treated.differences.len() > 3);
+        for at in &treated.differences {
+            let found = contrast(&treated.differences, at.load);
             assert!((found - contrast(asked, at.load)).abs() < 1e-12, "{treatment}");
             assert!((found - contrast(own, at.load)).abs() > 1e-6, "{treatment}");
         }

@@ -10,8 +10,8 @@ use asperity::topography::generate::SigmaOf;
 use asperity::topography::read::{ReadOptions, height_map};
 use asperity::{Population, SurfaceHeights, npy};
 use asperity_experiment::Experiment;
-use asperity_experiment::kind::compare::answers::RealisationResults;
 use asperity_experiment::kind::compare::results::CompareResults;
+use asperity_experiment::study::CaseResults;
 use asperity_framework::Outcome;
 use asperity_framework::progress::Silent;
 
@@ -42,8 +42,8 @@ fn greenwood_williamson(population: &Population, modulus: f64, separation: f64) 
     4.0 / 3.0 * density * modulus * radius.sqrt() * sigma.powf(1.5) * moment
 }
 
-fn pressure(found: &RealisationResults, kind: Kind, h: f64) -> f64 {
-    let curves = &found.cases[0].comparison.curves;
+fn pressure(results: &CaseResults, kind: Kind, h: f64) -> f64 {
+    let curves = &results.comparison.curves;
     let at = |target: f64| target == h;
     let mut points = curves.iter().filter(|point| point.kind == kind && point.control == Control::Separation);
     points.find(|point| at(point.target)).unwrap().response.pressure.total()
@@ -71,12 +71,15 @@ fn a_generated_surface_has_sigma_of_its_surface() {
     assert!(surface.offset_to_mean_plane().unwrap() > 0.5 * moments.sq);
     for h in [2.0, 1.0] {
         let separation = h * moments.sq - (surface.statistics.mean_height - moments.mean);
-        let expected =
-            greenwood_williamson(&found.first.population, results.contact.reduced_modulus, separation);
-        let integral = pressure(&found.first, Kind::Statistical, h);
+        let expected = greenwood_williamson(
+            &found.realisations[0].population,
+            results.contact.reduced_modulus,
+            separation,
+        );
+        let integral = pressure(found.cases[0].first(), Kind::Statistical, h);
         assert!((integral / expected - 1.0).abs() < 1e-9, "{integral} and {expected}");
         // The sum is over the same asperities, from the same plane.
-        let sum = pressure(&found.first, Kind::Deterministic, h);
+        let sum = pressure(found.cases[0].first(), Kind::Deterministic, h);
         assert!((0.5..1.5).contains(&(sum / integral)), "{sum} and {integral}");
     }
 }
@@ -150,7 +153,7 @@ fn an_offset_of_a_list_costs_no_digits() {
     assert!((high.sigma / low.sigma - 1.0).abs() < 2e-15);
     for kind in [Kind::Statistical, Kind::Deterministic] {
         for h in [2.0, 1.0, 0.0] {
-            let [low, high] = [near, far].map(|found| pressure(&found.first, kind, h));
+            let [low, high] = [near, far].map(|found| pressure(found.cases[0].first(), kind, h));
             assert!((low == 0.0 && high == 0.0) || (high / low - 1.0).abs() < 1e-14, "{high} for {low}");
         }
     }

@@ -1,6 +1,7 @@
 //! One load or one separation: a table that answers in the units of the shop; and one thickness beside the uncoated flat.
 
 use crate::Report;
+use crate::results::{number, table};
 use asperity_experiment::Experiment;
 use asperity_framework::Outcome;
 use asperity_framework::progress::Silent;
@@ -22,50 +23,40 @@ fn run(compare: &str) -> (Box<dyn Outcome>, String) {
     (experiment.run(&Silent).unwrap(), experiment.to_string())
 }
 
-/// The cells of the row called `name` of the first table of results.
-fn row(page: &str, name: &str) -> Vec<String> {
-    let results = page.split("results at this").nth(1).unwrap();
-    let line = results.lines().find(|line| line.starts_with(&format!("| {name} |"))).expect(name);
-    line.trim_matches('|').split('|').skip(1).map(|cell| cell.trim().to_owned()).collect()
-}
-
 #[test]
 fn one_load_is_answered_in_a_table_and_without_figures_of_a_point() {
-    let page = run("force = { values = [\"0.5 N\"] }").0.outline();
+    let outcome = run("force = { values = [\"0.5 N\"] }").0;
+    let page = outcome.outline();
     let names: Vec<String> = page.files(None).figures.into_iter().map(|(name, _)| name).collect();
     assert_eq!(names, ["a-asperities.svg"]);
     let text = page.markdown();
-    assert!(text.contains("## a: results at this load"));
-    // 6000 asperities on 0.1 mm².
-    assert_eq!(row(&text, "load"), ["0.5 N", "0.5 N", "0 %"].map(|cell| cell.replace("0.5 N", "500 mN")));
-    assert_eq!(row(&text, "nominal pressure")[..2], ["5 MPa", "5 MPa"]);
-    let number = |cell: &str| cell.split(' ').next().unwrap().replace(['+', ','], "").replace('−', "-");
-    let value = |name: &str, column: usize| number(&row(&text, name)[column]).parse::<f64>().unwrap();
-    for column in [0, 1] {
-        // The mean contact pressure is the load over the real area, in GPa; sigma is 48 nm.
-        let ratio =
-            0.5e12 / value("real contact area", column) / 1e9 / value("mean contact pressure", column);
-        assert!((ratio - 1.0).abs() < 0.01, "{ratio}");
-        let of_nominal = value("real contact area, of the nominal", column);
-        assert!((of_nominal * 1e3 / value("real contact area", column) - 1.0).abs() < 0.01);
-        let d =
-            value("separation (from the mean asperity height)", column) / value("separation in σ", column);
-        assert!((d / 48.0 - 1.0).abs() < 0.01, "{d}");
+    let table_on_page = "| model | load (mN) | nominal pressure (MPa) | separation (nm) |";
+    assert!(text.contains("## Results") && text.contains(table_on_page), "{text}");
+    for row in table(&*outcome, "results.csv").unwrap() {
+        // 6000 asperities on 0.1 mm².
+        assert!(
+            (number(&row, "force_n") - 0.5).abs() < 1e-9 && (number(&row, "pressure_pa") - 5e6).abs() < 1.0
+        );
+        let area = number(&row, "real_area_m2");
+        assert!((0.5 / area / number(&row, "mean_real_pressure_pa") - 1.0).abs() < 1e-6);
+        assert!((number(&row, "area_ratio") * 1e-7 / area - 1.0).abs() < 1e-9);
+        let sigma = number(&row, "separation_m") / number(&row, "separation_over_sigma");
+        assert!((sigma / 48e-9 - 1.0).abs() < 1e-9, "{sigma}");
+        assert!(number(&row, "stiffness_n_per_m") > 0.0);
     }
-    assert!(row(&text, "stiffness")[0].ends_with("N/µm"));
 }
 
 #[test]
 fn one_separation_and_one_model_too_but_not_a_sweep() {
-    let text = run("models = [\"deterministic\"]\nseparation = { values = [1.5] }").0.outline().markdown();
-    assert!(text.contains("## a: results at this separation"));
-    assert_eq!(row(&text, "separation in σ"), ["1.5 σ"]);
+    let outcome = run("models = [\"deterministic\"]\nseparation = { values = [1.5] }").0;
+    let rows = table(&*outcome, "results.csv").unwrap();
+    assert_eq!((rows.len(), number(&rows[0], "separation_over_sigma")), (1, 1.5));
     // Nothing touches: no contact pressure.
-    let text = run("separation = { values = [9] }").0.outline().markdown();
-    assert_eq!(row(&text, "mean contact pressure")[1..], ["–", "–"]);
-    let page = run("pressure = { values = [\"1 MPa\", \"2 MPa\"] }").0.outline();
-    assert!(!page.markdown().contains("results at this"));
-    assert!(page.files(None).figures.into_iter().any(|(name, _)| name == "a-area.svg"));
+    let rows = table(&*run("separation = { values = [9] }").0, "results.csv").unwrap();
+    assert!(rows[1]["mean_real_pressure_pa"].is_empty(), "{rows:?}");
+    let outcome = run("pressure = { values = [\"1 MPa\", \"2 MPa\"] }").0;
+    assert!(table(&*outcome, "results.csv").is_none());
+    assert!(outcome.outline().files(None).figures.into_iter().any(|(name, _)| name == "a-area.svg"));
 }
 
 #[test]
@@ -81,8 +72,10 @@ fn one_thickness_is_shown_beside_the_uncoated_flat_and_a_list_stays() {
     };
     let (count, text) = thicknesses("\"50 nm\"");
     assert_eq!(count, 2);
-    assert!(text.contains("on the uncoated flat: results at this load"), "{text}");
-    assert!(text.contains("under 50 nm of lead: results at this load"));
+    assert!(
+        text.contains("| uncoated | statistical |") && text.contains("| 50 nm | statistical |"),
+        "{text}"
+    );
     assert_eq!(thicknesses("[\"50 nm\"]").0, 1);
     assert_eq!(thicknesses("\"inf\"").0, 1);
     assert_eq!(thicknesses("[\"50 nm\", \"inf\"]").0, 2);

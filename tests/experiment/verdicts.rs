@@ -10,8 +10,8 @@ use asperity::topography::generate::{Process, Seeds, SpectrumOf, SurfaceGenerato
 use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
 use asperity::{HeightMap, Heights, Limit};
 use asperity_experiment::Experiment;
-use asperity_experiment::kind::compare::findings::{Basis, Verdicts};
 use asperity_experiment::kind::compare::results::CompareResults;
+use asperity_experiment::study::{Basis, Verdicts};
 use asperity_framework::Outcome;
 use asperity_framework::progress::Silent;
 
@@ -31,7 +31,7 @@ fn compared(compare: &str, surfaces: &str) -> CompareResults {
 }
 
 fn verdicts(results: &CompareResults, surface: usize) -> &Verdicts {
-    &results.surfaces[surface].findings.cases[0].verdicts
+    &results.surfaces[surface].cases[0].verdicts
 }
 
 fn population(name: &str, count: usize, more: &str) -> String {
@@ -143,7 +143,7 @@ fn windows_of_one_surface_do_not_contradict_each_other() {
         (at.verdict != Verdict::CannotTell).then_some(at.verdict)
     };
     let mut conclusions = [0; 4];
-    for load in results.surfaces[0].findings.cases[0].verdicts.differences.iter().map(|at| at.load) {
+    for load in results.surfaces[0].cases[0].verdicts.differences.iter().map(|at| at.load) {
         for quantity in ComparedQuantity::ALL {
             let said: Vec<Option<Verdict>> = all.iter().map(|found| told(found, quantity, load)).collect();
             let concluded: Vec<Verdict> = said.iter().copied().flatten().collect();
@@ -251,8 +251,8 @@ fn the_answer_stands_first_and_in_the_files() {
     let outcome = run(tempfile::tempdir().unwrap().path(), LOADS, &population("case", 100_000, ""));
     let page = outcome.outline().markdown();
     let first = page.lines().nth(2).unwrap();
-    assert!(first.contains("statistical model agrees with the sum in real contact area within"), "{first}");
-    assert!(page.contains("Valid for") && page.contains("Accepted (key `accept`): 10 %"));
+    assert!(first.contains("Within what is accepted: real contact area"), "{first}");
+    assert!(page.contains("May the integral replace the sum?") && page.contains("(accepted 10 %)"));
     assert!(!page.to_lowercase().contains("trust") && page.contains("case-differences.svg"));
     let json = serde_json::Value::Object(outcome.records());
     let all = json["verdicts"].as_array().unwrap();
@@ -272,8 +272,8 @@ fn realisations_without_a_common_load_are_not_compared() {
     let several = population("a", 3000, "realisations = 2");
     let page =
         |compare: &str| run(tempfile::tempdir().unwrap().path(), compare, &several).outline().markdown();
-    assert!(page("separation = { values = [2, 1] }").contains("the realisations have no load in common"));
+    assert!(page("separation = { values = [2, 1] }").contains("The realisations have no load in common"));
     assert!(!page("pressure = { values = [\"20 MPa\"] }").contains("no load in common"));
     let one = page("models = [\"deterministic\"]\npressure = { values = [\"20 MPa\"] }");
-    assert!(one.contains("one model was run"), "{one}");
+    assert!(one.contains("One model was run"), "{one}");
 }

@@ -188,7 +188,7 @@ fn a_surface_is_made_once_for_all_laws_layers_and_models() {
     let random = "[surface.random.generate]\npoints = [80, 80]\npixel = \"1 um\"\nsigma = \"0.1 um\"\n\
                   spectrum.gaussian = { correlation-length = \"6 um\" }\nrealisations = 2";
     let (work, results) = compare(words, &format!("{DRAWN}realisations = 3\n{random}"));
-    assert_eq!(results.surfaces.iter().map(|found| found.realisations().count()).sum::<usize>(), 5);
+    assert_eq!(results.surfaces.iter().map(|found| found.realisations.len()).sum::<usize>(), 5);
     assert_eq!((work.surfaces_made, work.files_read), (5, 0));
     // Of each size some random sets, and one at the quantiles, for all laws.
     let limit = work_of(
@@ -212,7 +212,7 @@ fn a_file_is_read_once_by_all_surfaces_found_in_it() {
         let (work, results) = compare(words, &surfaces.concat());
         assert_eq!(work.surfaces_made, surfaces.len() as u64);
         let numbers = |found: &SurfaceResults| {
-            (found.surface.set.clone(), found.first.cases[0].comparison.curves.clone())
+            (found.surface.set.clone(), found.cases[0].first().comparison.curves.clone())
         };
         (work.files_read, results.surfaces.iter().map(numbers).collect::<Vec<_>>())
     };

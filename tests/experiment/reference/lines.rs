@@ -14,16 +14,6 @@ sigma = "20 nm"
 spectrum.self-affine = { hurst = 0.8, roll-off = "8 um", cut-off = "4 um" }
 "#;
 
-/// The rows of the last table of a page whose header begins with `| p |` and holds `name`.
-fn page_table(page: &str, name: &str) -> Vec<Vec<String>> {
-    let lines: Vec<&str> = page.lines().collect();
-    let head = lines.iter().rposition(|line| line.starts_with("| p |") && line.contains(name)).unwrap();
-    let cells =
-        |line: &&str| line.trim_matches('|').split('|').map(|cell| cell.trim().replace("\\_", "_")).collect();
-    let rows = lines[head..].iter().take_while(|line| line.starts_with('|'));
-    rows.enumerate().filter(|(k, _)| *k != 1).map(|(_, line)| cells(line)).collect()
-}
-
 #[test]
 fn analytical_lines_are_those_of_the_gradient_in_figures_and_table() {
     let spec = |lines: &str| format!("law = \"hertz\"\n{THREE}{lines}{SWEEP}reference = {{ loads = 3 }}\n");
@@ -41,23 +31,17 @@ fn analytical_lines_are_those_of_the_gradient_in_figures_and_table() {
     let summary = outcome.records();
     let slope = summary["surfaces"]["a"]["height_map"]["rms_slope"].as_f64().unwrap();
     let modulus = summary["reduced_modulus_pa"].as_f64().unwrap();
-    let rows = page_table(&text, "Persson");
-    assert_eq!(rows[0], ["p", "A/A_nom Persson", "A/A_nom Bush-Gibson-Thomas", "A/A_nom ref."]);
-    assert_eq!(rows.len(), 4);
-    for (row, load) in rows[1..].iter().zip([1e6, 1e7, 1e8]) {
-        let ratio = load / (modulus * slope);
-        for (cell, area) in
-            [(&row[1], (8.0 / std::f64::consts::PI).sqrt() * ratio), (&row[2], 2.5066 * ratio)]
-        {
-            // Light loads, three digits.
-            let found: f64 = cell.parse().unwrap();
-            assert!((found / area - 1.0).abs() < 0.012, "{row:?}: {area}");
-        }
+    let rows = table(&*outcome, "lines.csv").unwrap();
+    assert_eq!(rows.len(), 2 * 3);
+    for row in &rows {
+        let ratio = number(row, "pressure_pa") / (modulus * slope);
+        let factor = if row["line"] == "persson" { (8.0 / std::f64::consts::PI).sqrt() } else { 2.5066 };
+        // Light loads.
+        assert!((number(row, "area_ratio") / (factor * ratio) - 1.0).abs() < 0.012, "{row:?}");
     }
     // Without a reference at loads of each decade.
-    let alone = run(&format!("law = \"hertz\"\nlines = [\"persson\"]\n{SWEEP}"), SMOOTH).outline().markdown();
-    assert_eq!(page_table(&alone, "Persson")[0], ["p", "A/A_nom Persson"]);
-    assert_eq!(page_table(&alone, "Persson").len(), 6);
+    let alone = run(&format!("law = \"hertz\"\nlines = [\"persson\"]\n{SWEEP}"), SMOOTH);
+    assert_eq!(table(&*alone, "lines.csv").unwrap().len(), 5);
 }
 
 /// The separation of the models from the flat, less the deflection of the patch, is near that of the reference on a finite
@@ -74,17 +58,17 @@ fn interaction_gives_the_distance_of_the_flat_from_an_undeformed_patch() {
     {
         assert!(svg.contains(name), "{name}");
     }
-    let rows = page_table(&outcome.outline().markdown(), "with interaction");
-    assert_eq!(
-        rows[0][1..],
-        ["d/σ statistical with interaction", "d/σ deterministic with interaction", "d/σ ref., undeformed"]
-    );
+    let rows = table(&*outcome, "lines.csv").unwrap();
+    let of_line = |model: &str| -> Vec<f64> {
+        let rows = rows.iter().filter(|row| row["model"] == model);
+        rows.map(|row| number(row, "separation_over_sigma")).collect()
+    };
     let sum = column(&of_model(&*outcome, "deterministic"), "separation_over_sigma");
-    for (row, plain) in rows[1..].iter().zip(sum) {
-        let [found, reference] =
-            [&row[2], &row[3]].map(|cell| cell.replace('−', "-").parse::<f64>().unwrap());
-        assert!(plain - reference > 0.4, "{row:?} {plain}");
-        assert!((found - reference).abs() < 0.4 * (plain - reference).abs(), "{row:?} {plain}");
+    let [corrected, reference] = ["deterministic", "reference"].map(of_line);
+    assert!(corrected.len() == 2 && reference.len() == 2, "{rows:?}");
+    for ((found, reference), plain) in corrected.iter().zip(&reference).zip(sum) {
+        assert!(plain - reference > 0.4, "{reference} {plain}");
+        assert!((found - reference).abs() < 0.4 * (plain - reference).abs(), "{found} {reference} {plain}");
     }
     // The distance from the deformed surface is greater by the mean deflection; a surface without end has none.
     let solved = table(&*outcome, "reference.csv").unwrap();

@@ -48,35 +48,11 @@ fn verdicts_against_the_reference_are_those_of_the_tables() {
     let nearer = summary["nearer_to_reference"].as_array().unwrap();
     let of_area: Vec<_> = nearer.iter().filter(|one| one["quantity"] == "area").collect();
     assert!(of_area.iter().any(|one| one["nearer_on_this_map"] == "deterministic"), "{nearer:?}");
-    let page = outcome.outline().markdown();
-    assert!(
-        page.contains("\n\nAgainst the reference: ")
-            && page.contains("What the sum misses (interaction and geometry;")
-    );
+    assert!(outcome.outline().markdown().contains("Which model is nearer to the reference?"));
     assert!(figure(&*outcome, "a-against-reference.svg").unwrap().contains("deterministic − reference"));
-    // A single case is no overview.
-    assert!(!page.contains("**Against the reference**"));
-    let capped = run(&format!("law = \"zmc\"\n{THREE}{loads}"), BLOCKS).outline().markdown();
-    assert!(capped.contains("(interaction, geometry and plasticity;"));
-    let ellipses = run(&format!("law = \"elliptic-hertz\"\n{THREE}{loads}"), BLOCKS).outline().markdown();
-    assert!(ellipses.contains("(interaction and geometry;"), "nothing yields on ellipses either");
-    let layer = "layer = { material = \"lead\", thickness = [\"200 nm\"] }\n";
-    let layered = run(&format!("law = \"hertz\"\n{THREE}{layer}{loads}"), BLOCKS).outline().markdown();
-    assert!(
-        layered.contains("(interaction, geometry and the effective modulus of the layer;"),
-        "nothing yields"
-    );
     let layers = "layer = { material = \"lead\", thickness = [0, \"200 nm\"] }\n";
     let layered = run(&format!("law = \"hertz\"\n{THREE}{layers}{loads}"), BLOCKS);
     assert!(figure(&*layered, "a-against-reference.svg").unwrap().contains("200 nm"));
-    let overview = layered.outline().markdown();
-    assert!(overview.contains("**Against the reference**: at valid loads, in real contact area"));
-    assert!(
-        overview.contains("of the 6 rows of the next table")
-            && overview.contains("judged on these maps alone")
-    );
-    let thinnest = overview.split("In the reference 200 nm of lead change it by up to +").nth(1).unwrap();
-    assert!(thinnest.split_once(" %").unwrap().0.parse::<f64>().unwrap() > 20.0);
 }
 
 #[test]
