@@ -180,26 +180,12 @@ law = "zmc"
 separation = { values = [1] }
 [precision.sum]
 count = { values = [1e3] }
-separations = { values = [1] }
-threads = { values = [1] }
-[precision.curve]
-asperities = 3000
-separations = 20
-tolerance = { values = [1e-2] }
-[precision.list]
-count = { values = [1e3] }
-separations = 2
-[precision.attribution]
-count = { values = [2e3] }
-loads = 2
-[precision.sampling]
-separation = { values = [0] }
-count = { values = [100, 1e3] }
-draws = 4
-[precision.grid]
+[precision.surface]
 points-per-length = { values = [2, 4] }
 lengths = { values = [10] }
 realisations = 2
+[precision.reference]
+pixels = { values = [4] }
 [precision.case.one]
 "#,
     case_1!()

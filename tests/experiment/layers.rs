@@ -124,7 +124,9 @@ fn a_report_of_one_model_shows_one_model() {
         let mean = point.area_ratio.total() / point.contact_density;
         let ratio = (mean / std::f64::consts::PI).sqrt() / 2e-8;
         let page = written(&found, &["report.md"]).remove(0);
-        let row = page.lines().find(|line| line.starts_with("| 1 | 20 nm")).unwrap().to_owned();
+        let model = if models.contains("deterministic") { "deterministic" } else { "statistical" };
+        let start = format!("| 1 | 20 nm | {model} |");
+        let row = page.lines().find(|line| line.starts_with(&start)).unwrap().to_owned();
         assert!(
             row.contains(&format!("| {} |", asperity_framework::report::format::number(ratio))),
             "{row}: {ratio}"

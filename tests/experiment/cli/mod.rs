@@ -159,7 +159,7 @@ fn the_tables_have_the_columns_and_rows_of_the_contract() {
          pressure_pa,load_ratio,area_ratio,contact_density_per_m2,mean_real_pressure_pa,stiffness_pa_per_m,\
          elastic_load_share,elastic_plastic_load_share,plastic_load_share,elastic_area_share,\
          elastic_plastic_area_share,plastic_area_share,pressure_standard_error_pa,area_ratio_standard_error,\
-         beyond_model,effective_contacts,largest_load_share,large_strain_load_share,limits,\
+         beyond_model,effective_contacts,largest_load_share,large_strain_load_share,limits,contact_radius_over_thickness,\
          raw_area_ratio"
     );
     // 2 surfaces, 2 laws, 2 models, 4 control points.
@@ -320,11 +320,11 @@ fn verify_finds_a_report_that_no_longer_matches() {
     assert!(run(&spec, &fresh, &[]).status.success());
     let verify = || experiment(&["verify", "fresh", "--out", "reports"], folder.path());
     assert!(verify().status.success(), "{}", text(&verify().stderr));
-    let curves = out.join("small/curves.csv");
-    let changed = fs::read_to_string(&curves).unwrap().replacen("hertz", "hurtz", 1);
-    fs::write(&curves, changed).unwrap();
+    let table = out.join("small/verdicts.csv");
+    let changed = fs::read_to_string(&table).unwrap().replacen("hertz", "hurtz", 1);
+    fs::write(&table, changed).unwrap();
     assert_eq!(verify().status.code(), Some(1));
-    assert!(text(&verify().stderr).contains("small/curves.csv, line 2, law"), "{}", text(&verify().stderr));
+    assert!(text(&verify().stderr).contains("small/verdicts.csv, line 2, law"), "{}", text(&verify().stderr));
 }
 
 fn summary(out: &Path, stem: &str) -> serde_json::Value {
@@ -452,7 +452,7 @@ realisations = 3
     }
     assert!(of("random")[0] != of("random")[1] && of("random")[1] != of("random")[2]);
     let report = fs::read_to_string(out.join("several/report.md")).unwrap();
-    assert!(report.contains("the scatter of 3 realisations"));
+    assert!(report.contains("| realisations | 3 |"), "{report}");
     let random = &summary(&out, "several")["surfaces"]["random"];
     assert_eq!(random["realisations"].as_array().unwrap().len(), 3);
     for key in ["sq_m", "ssk", "sku"] {

@@ -104,6 +104,7 @@ pub fn section(page: &mut Page, results: &CompareResults, tables: &Tables, case:
     page.details(2, &format!("{name}: why do the models differ?"), |page| {
         why(page, tables, case, &stem, &units);
     });
+    against_reference(page, case, &name, &stem, &units);
     page.details(2, &format!("{name}: other treatments of the map"), |page| {
         robustness(page, tables, case, &stem);
     });
@@ -126,6 +127,21 @@ pub fn section(page: &mut Page, results: &CompareResults, tables: &Tables, case:
             "deterministic_contacts",
             "limits",
         ]));
+    });
+}
+
+/// Both models minus the reference; nothing where none was run, and of one load.
+fn against_reference(page: &mut Page, case: SurfaceCase, name: &str, stem: &str, units: &Units) {
+    let verdicts = case.verdicts();
+    let Some(reference) = verdicts.reference.as_ref().filter(|_| !is_single(case.first())) else { return };
+    let title = format!("{name}: each model minus the reference at equal load");
+    let drawn = figure::against_reference(verdicts, &reference.against, units, &title);
+    page.details(2, &format!("{name}: against the reference"), |page| {
+        page.figure(
+            &format!("{stem}-against-reference.svg"),
+            drawn.headed(title.as_str()),
+            "Each model minus the reference at equal load, with 95 % intervals. Green: accepted; grey: loads that are not admissible.",
+        );
     });
 }
 

@@ -14,6 +14,7 @@ mod names;
 mod sections;
 mod series;
 
+pub use case::inputs;
 pub use lead::{count, limit_words};
 pub use names::{name, stem, subject, under};
 pub use sections::limits_note;
@@ -79,6 +80,7 @@ impl Outcome for CompareResults {
         common::notes(&mut page, &self.metadata);
         common::what_was_run(&mut page, &self.metadata, &self.contact);
         sections::limits_note(&mut page);
+        sections::tolerance(&mut page, self.tolerances);
         let spec = self.described.as_ref().map(|described| described.spec.as_str());
         common::run_again(&mut page, &self.metadata, spec);
         common::sources(&mut page, &self.metadata);

@@ -1,7 +1,7 @@
 //! What is shown of all cases together: views of tables.
 
-use asperity::compare::ComparedQuantity;
-use asperity_framework::report::format::capitalised;
+use asperity::compare::{ComparedQuantity, Kind, Tolerances};
+use asperity_framework::report::format::{capitalised, listed};
 use asperity_framework::report::page::{Page, escape};
 use asperity_framework::report::table::{Reading, Tables};
 use asperity_framework::report::view::View;
@@ -146,4 +146,16 @@ pub fn readings(page: &mut Page, tables: &Tables) {
 /// The limits within which results are admissible.
 pub fn limits_note(page: &mut Page) {
     page.heading(2, "Limits of validity").note(include_str!("notes/limits.md"));
+}
+
+/// Error of interpolated curves; nothing where they are exact.
+pub fn tolerance(page: &mut Page, tolerances: Tolerances) {
+    let part = |kind: Kind| Some(format!("to {:e} for the {} model", tolerances.of(kind)?, kind.name()));
+    let parts: Vec<String> = [Kind::Statistical, Kind::Deterministic].into_iter().filter_map(part).collect();
+    if !parts.is_empty() {
+        page.paragraph(&format!(
+            "Load and area of the curves over d/σ agree with direct evaluation {}; between exact points they are interpolated.",
+            listed(&parts)
+        ));
+    }
 }

@@ -1,7 +1,7 @@
 //! `lines.csv`: closed results beside the models.
 
 use asperity::analytical::AnalyticalLine;
-use asperity::compare::of_each_decade;
+use asperity::compare::{CurvePoint, of_each_decade};
 use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row};
 
@@ -47,11 +47,13 @@ pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = LineRow<'_>
 fn of_case<'a>(results: &'a CompareResults, case: SurfaceCase<'a>) -> Vec<LineRow<'a>> {
     /// Loads per decade.
     const PER_DECADE: f64 = 2.0;
+    /// A load is met to rounding.
+    const ROUNDING: f64 = 1e-9;
     let Some(rough) = Rough::of(results, case.surface).filter(|_| !results.lines.is_empty()) else {
         return Vec::new();
     };
-    let loads = match &case.first().reference {
-        Some(_) => loads(case.first()),
+    let loads: Vec<f64> = match &case.first().reference {
+        Some(curve) => curve.points.iter().map(|point| point.pressure).collect(),
         None => of_each_decade(loads(case.first()), |&load| load, PER_DECADE),
     };
     let row = |line: AnalyticalLine, model, pressure, area_ratio, separation| LineRow {
@@ -71,12 +73,12 @@ fn of_case<'a>(results: &'a CompareResults, case: SurfaceCase<'a>) -> Vec<LineRo
             continue;
         }
         for kind in KINDS {
-            let points = of_each_decade(
-                curve(&case.first().comparison, kind),
-                |point| point.response.pressure.total(),
-                PER_DECADE,
-            );
-            rows.extend(points.into_iter().map(|point| {
+            let is_at_load = |point: &&CurvePoint| {
+                let pressure = point.response.pressure.total();
+                loads.iter().any(|load| (load / pressure - 1.0).abs() < ROUNDING)
+            };
+            let points = curve(&case.first().comparison, kind).into_iter().filter(is_at_load);
+            rows.extend(points.map(|point| {
                 let pressure = point.response.pressure.total();
                 let separation = rough.interacting(point.response.separation_over_sigma, pressure);
                 row(line, Some(kind.name()), pressure, None, Some(separation))

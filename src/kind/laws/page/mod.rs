@@ -32,6 +32,7 @@ pub fn page(results: &LawsResults, tables: &Tables) -> Page {
     laws(&mut page, results);
     for found in &compared.surfaces {
         crate::surface::section::section(&mut page, &found.surface, Some(&found.realisations[0].population));
+        outline::inputs(&mut page, found);
     }
     sections::notes(&mut page, &compared.metadata);
     sections::what_was_run(&mut page, &compared.metadata, &compared.contact);

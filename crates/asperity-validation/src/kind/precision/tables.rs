@@ -67,7 +67,7 @@ impl Row for &SurfacePoint {
 }
 
 impl Row for &ReferencePoint {
-    const FILE: &'static str = "reference.csv";
+    const FILE: &'static str = "boundary_elements.csv";
     const ROWS: &'static str = "One row for each resolution of Hertz's contact solved by boundary elements; written where `reference` is given.";
 
     fn columns() -> Vec<Column<Self>> {
