@@ -60,7 +60,7 @@ impl Outcome for CompareResults {
         sections::verdicts(&mut page, tables);
         sections::reference(&mut page, self, tables);
         sections::models(&mut page, tables);
-        sections::layer(&mut page, tables);
+        sections::layer(&mut page, self, tables);
         for series in &series {
             page.details(2, &format!("{}: by layer thickness", series.subject), |page| {
                 series.figures(page);

@@ -1,7 +1,7 @@
 //! What is shown of all cases together: views of tables.
 
-use asperity::compare::{ComparedQuantity, Kind, Tolerances};
-use asperity_framework::report::format::{capitalised, listed};
+use asperity::compare::{ComparedQuantity, GOOD_RATIO, Kind, Tolerances};
+use asperity_framework::report::format::{capitalised, listed, number};
 use asperity_framework::report::page::{Page, escape};
 use asperity_framework::report::table::{Reading, Tables};
 use asperity_framework::report::view::View;
@@ -116,7 +116,7 @@ fn by_quantity_of_models(page: &mut Page, view: &View) {
 }
 
 /// What the layer changes, and how good its effective modulus is.
-pub fn layer(page: &mut Page, tables: &Tables) {
+pub fn layer(page: &mut Page, results: &CompareResults, tables: &Tables) {
     let thresholds = tables.view::<ThresholdRow>().without_constant(&CASE[..2]);
     if !thresholds.is_empty() {
         page.heading(2, "Below which thickness does the layer have no effect?").view(&thresholds);
@@ -124,6 +124,18 @@ pub fn layer(page: &mut Page, tables: &Tables) {
     let rules = tables.view::<RuleRow>();
     if !rules.is_empty() {
         page.details(2, "Accuracy of the effective-modulus models", |page| {
+            let layer = results.contact.layer.iter();
+            for (layer, check) in layer.filter_map(|layer| Some((layer, layer.check.as_ref()?))) {
+                page.paragraph(&format!(
+                    "The layer modulus is {} times the substrate modulus, {} the range {} to {} in which the model `gao` is accurate \
+                     (Perriot and Barthel 2004); this experiment uses `{}`.",
+                    number(check.modulus_ratio),
+                    if check.is_good() { "within" } else { "outside" },
+                    GOOD_RATIO[0],
+                    GOOD_RATIO[1],
+                    layer.rule.name(),
+                ));
+            }
             page.view(&rules);
         });
     }
