@@ -187,6 +187,9 @@ impl Integrable for Above<'_> {
     }
 }
 
+/// Nodes and weights.
+type Nodes = Vec<(f64, f64)>;
+
 /// Runs every rule on a population at `separations` (d/sigma, at least one); `None` for heights that are not Gaussian, and where the
 /// reference does not settle. `exact` is what `contact` should be.
 pub fn integrals(
@@ -227,7 +230,7 @@ pub fn integrals(
         }
     };
     // Rules with a result at every separation.
-    let mut evaluated: Vec<(Rule, Vec<(f64, f64)>, Vec<Evaluated>)> = Vec::new();
+    let mut evaluated: Vec<(Rule, Nodes, Vec<Evaluated>)> = Vec::new();
     for rule in Rule::all() {
         let nodes = nodes(rule);
         let results: Option<_> = separations.iter().map(|&h| evaluate(rule, &nodes, h)).collect();

@@ -183,14 +183,13 @@ fn why(page: &mut Page, tables: &Tables, case: SurfaceCase, stem: &str, units: &
 fn robustness(page: &mut Page, tables: &Tables, case: SurfaceCase, stem: &str) {
     let loads = case.case.treated_loads();
     let Some(&load) = loads.get(loads.len() / 2) else { return };
-    if !is_single(case.first()) {
-        if let Some(figure) = filter::against_filter(case.case, case.surface) {
-            page.figure(
+    if let Some(figure) = filter::against_filter(case.case, case.surface).filter(|_| !is_single(case.first()))
+    {
+        page.figure(
                 &format!("{stem}-filter.svg"),
                 figure,
                 "Differences between the models against the nesting index of the S filter; without a filter at one pixel; green: accepted.",
             );
-        }
     }
     page.paragraph(&format!(
         "Differences under other treatments of the map, at {}:",

@@ -128,8 +128,7 @@ impl Writer<'_> {
             return self.body.push_str(&table);
         }
         for line in table.split_inclusive("<tr>") {
-            let mut column = 0;
-            for cell in line.split_inclusive("</td>") {
+            for (column, cell) in line.split_inclusive("</td>").enumerate() {
                 let text = cell.trim_start().strip_prefix("<td>").filter(|_| verdicts.contains(&column));
                 let class =
                     text.and_then(|text| VERDICTS.iter().find(|(verdict, _)| text.starts_with(verdict)));
@@ -139,7 +138,6 @@ impl Writer<'_> {
                     }
                     None => self.body.push_str(cell),
                 }
-                column += 1;
             }
         }
     }
