@@ -9,7 +9,7 @@
 //! | [`integral`] | rules of quadrature, by order or tolerance |
 //! | [`sum`] | summation methods, by number of asperities |
 //! | [`surface`] | summits of a random map relative to an infinite surface on a fine grid, by pixel and side |
-//! | [`reference`] | boundary elements on Hertz's contact, by pixel |
+//! | [`mod@reference`] | boundary elements on Hertz's contact, by pixel |
 
 pub mod integral;
 pub mod reference;
