@@ -1,6 +1,6 @@
 //! What a layer changes on one surface.
 
-use asperity::compare::{Kind, PointCounts};
+use asperity::compare::Kind;
 use asperity::sphere::Decrease;
 
 use super::case::CaseStudy;
@@ -67,8 +67,6 @@ impl LayerFindings {
 pub struct LawFindings {
     /// The law, as tables name it.
     pub law: String,
-    /// At how many points the models do not hold.
-    pub counts: PointCounts,
     /// Effect of the layer thickness; `None` without a layer in the spec.
     pub layer: Option<LayerFindings>,
 }
@@ -82,11 +80,7 @@ impl LawFindings {
             let cases: Vec<&CaseStudy> = cases.iter().filter(|case| case.first().law == law).collect();
             let thresholds: Vec<&Threshold> =
                 thresholds.iter().filter(|threshold| threshold.law == law).collect();
-            Self {
-                law: law.to_owned(),
-                counts: cases.iter().map(|case| PointCounts::of(&case.first().comparison)).sum(),
-                layer: LayerFindings::new(&cases, &thresholds),
-            }
+            Self { law: law.to_owned(), layer: LayerFindings::new(&cases, &thresholds) }
         };
         laws.into_iter().map(findings).collect()
     }

@@ -255,15 +255,6 @@ impl<R> Column<R> {
         self
     }
 
-    /// The same column of another type of rows, each of which has a row of this type.
-    pub fn within<S>(self, row: impl Fn(&S) -> &R + 'static) -> Column<S>
-    where
-        R: 'static,
-    {
-        let Self { heading, value } = self;
-        Column { heading, value: Rc::new(move |outer| value(row(outer))) }
-    }
-
     /// The same, in a table only where this part of a run was asked for.
     pub fn part(mut self, part: &'static str) -> Self {
         self.heading.part = Some(part);

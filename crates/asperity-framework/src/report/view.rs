@@ -147,13 +147,6 @@ impl<'a> View<'a> {
         self
     }
 
-    /// At most so many rows, the first ones.
-    #[must_use]
-    pub fn most(mut self, count: usize) -> Self {
-        self.rows.truncate(count);
-        self
-    }
-
     /// Whether it has no rows.
     pub fn is_empty(&self) -> bool {
         self.rows.is_empty()
@@ -162,13 +155,6 @@ impl<'a> View<'a> {
     /// Number of rows.
     pub fn len(&self) -> usize {
         self.rows.len()
-    }
-
-    /// The numbers of a column, empty cells left out.
-    pub fn numbers(&self, name: &str) -> Vec<f64> {
-        let Some(place) = self.place(name) else { return Vec::new() };
-        let cells = self.cells(place);
-        self.rows.iter().filter_map(|&row| cells[row].number()).collect()
     }
 
     /// The view in words.
@@ -330,9 +316,11 @@ mod tests {
             (text.header, text.rows),
             (vec!["difference (%)".into()], vec![vec!["+10".into()], vec!["-2".into()]])
         );
-        assert_eq!(view.numbers("pressure_pa"), [2e5, 2.5e6]);
         assert_eq!(table.view().first_of_each(&["law"]).len(), 2);
-        let constant = table.view().most(2).without_constant(&["law", "verdict", "error"]);
+        let constant = table
+            .view()
+            .filter("law", |law| law.text() == "zmc")
+            .without_constant(&["law", "verdict", "error"]);
         assert_eq!(
             constant.text().header,
             ["pressure (MPa)".replace("pressure", "nominal pressure"), "error (%)".into()]
