@@ -79,7 +79,7 @@ pub fn page(results: &PrecisionResults, tables: &Tables) -> Page {
          contact, and the same corrected for its border. The load is compared at the computed indentation. `[solver-validation]` \
          compares further solutions.",
         (
-            "reference.svg",
+            "boundary_elements.svg",
             reference_figure(&results.contacts),
             "Time for map, kernel and contact against error; the number of pixels per contact radius increases along each line.",
         ),
