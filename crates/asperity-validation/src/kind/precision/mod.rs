@@ -11,7 +11,7 @@ use asperity_framework::input::{InputError, Spanned, SpecFile};
 use asperity_framework::metadata::Metadata;
 use asperity_framework::report::Page;
 use asperity_framework::report::table::{Schema, Table, Tables};
-use asperity_framework::{Kind, Memory, Outcome, Plan, Planned, Reads, RunContext, fields};
+use asperity_framework::{Kind, Outcome, Planned, Reads, fields};
 use serde_json::{Map, Value};
 
 use plan::PrecisionPlan;
@@ -38,22 +38,6 @@ impl Kind for Precision {
 
     fn tables() -> Vec<Schema> {
         tables::schemas()
-    }
-}
-
-impl Plan for PrecisionPlan {
-    type Outcome = PrecisionResults;
-
-    fn memory(&self) -> Memory {
-        Memory { bytes: self.memory(), key: None }
-    }
-
-    fn work(&self) -> u128 {
-        self.work()
-    }
-
-    fn run(&self, context: &RunContext) -> Result<PrecisionResults, InputError> {
-        run::run(context, self)
     }
 }
 

@@ -76,10 +76,10 @@ pub fn page(results: &PrecisionResults, tables: &Tables) -> Page {
         &mut page,
         "Boundary elements",
         "A paraboloid on a half-space under a given load (Hertz), solved to a relative dual gap of 1e-11. The area is that of the points in \
-         contact, and the same corrected for its border. The load is compared at the computed indentation. [Further \
-         solutions](../solver-validation/report.md) are compared in `[solver-validation]`.",
+         contact, and the same corrected for its border. The load is compared at the computed indentation. `[solver-validation]` \
+         compares further solutions.",
         (
-            "reference.svg",
+            "boundary_elements.svg",
             reference_figure(&results.contacts),
             "Time for map, kernel and contact against error; the number of pixels per contact radius increases along each line.",
         ),

@@ -3,6 +3,7 @@
 use std::fmt;
 use std::ops::RangeInclusive;
 
+use super::run::{self, PrecisionResults};
 use super::spec::{self, PrecisionSpec};
 use crate::precision::Case;
 use crate::precision::sum::POINTS;
@@ -14,7 +15,7 @@ use asperity_framework::contact::{Bodies, LawPlan};
 use asperity_framework::input::quantity::Pure;
 use asperity_framework::input::sweep::LogSweep;
 use asperity_framework::input::{InputError, Spanned, SpecFile};
-use asperity_framework::set_memory;
+use asperity_framework::{Memory, Plan, RunContext, set_memory};
 
 /// d/sigma within which rules and reference keep their digits.
 const SEPARATIONS: RangeInclusive<f64> = -10.0..=35.0;
@@ -52,8 +53,18 @@ impl PrecisionPlan {
         self.pixels.iter().map(|pixels| (5 * pixels).div_ceil(2))
     }
 
-    /// Bytes at the peak.
-    pub fn memory(&self) -> u128 {
+    /// Steps of its progress: pieces of work of very different size.
+    pub fn steps(&self) -> u64 {
+        let per_case = usize::from(!self.separations.is_empty()) + self.counts.len();
+        let maps = self.surface.as_ref().map_or(0, |task| task.kinds().count() * task.realisations);
+        (per_case * self.cases.len() + maps + usize::from(!self.pixels.is_empty())) as u64
+    }
+}
+
+impl Plan for PrecisionPlan {
+    type Outcome = PrecisionResults;
+
+    fn memory(&self) -> Memory {
         /// The map, its half spectrum, and what finding summits takes.
         const BYTES_PER_POINT: u128 = 32;
         let asperities = self.counts.iter().max().copied().unwrap_or(0);
@@ -62,21 +73,19 @@ impl PrecisionPlan {
             // The map, and its heights before they are scaled.
             16 * (points as u128).pow(2) + Solver::memory([points; 2], Boundary::Finite)
         });
-        maps.chain(contacts).fold(set_memory(asperities as u128), u128::max)
+        let bytes = maps.chain(contacts).fold(set_memory(asperities as u128), u128::max);
+        Memory { bytes, key: None }
     }
 
-    /// Contacts evaluated in one pass over everything; a convolution of boundary elements counts as one per point.
-    pub fn work(&self) -> u128 {
+    /// In one pass over everything; a convolution of boundary elements counts as one contact per point.
+    fn work(&self) -> u128 {
         const CONVOLUTIONS: u128 = 200;
         let sums = self.counts.iter().sum::<usize>() * POINTS * self.cases.len();
         sums as u128 + self.hertz().map(|points| CONVOLUTIONS * (points as u128).pow(2)).sum::<u128>()
     }
 
-    /// Steps of its progress: pieces of work of very different size.
-    pub fn steps(&self) -> u64 {
-        let per_case = usize::from(!self.separations.is_empty()) + self.counts.len();
-        let maps = self.surface.as_ref().map_or(0, |task| task.kinds().count() * task.realisations);
-        (per_case * self.cases.len() + maps + usize::from(!self.pixels.is_empty())) as u64
+    fn run(&self, context: &RunContext) -> Result<PrecisionResults, InputError> {
+        run::run(context, self)
     }
 }
 
