@@ -1,13 +1,17 @@
 //! Several laws on one asperity and on surfaces: names resolved, the unit of indentation found.
 
 use std::fmt;
+use std::path::PathBuf;
 
+use super::results::LawsResults;
+use super::run::run;
+use super::spec::LawsSpec;
 use crate::kind::compare::plan::{ComparePlan, compared};
-use crate::kind::laws::spec::LawsSpec;
-use crate::surface::curvature_ratio;
+use crate::surface::{AnalysisDepth, curvature_ratio, inputs, memory};
 use asperity::{ContactLaw, Hertz, Law, Pair, Shape, Zmc};
 use asperity_framework::input::materials;
 use asperity_framework::input::{InputError, Spanned, SpecFile};
+use asperity_framework::{Memory, Plan, RunContext};
 
 /// Several laws on one asperity and on given surfaces.
 pub struct LawsPlan {
@@ -36,8 +40,8 @@ pub struct Critical {
 }
 
 impl Critical {
-    /// Of a pair with a hardness and a sphere of radius `radius` (m).
-    fn of(pair: &Pair, radius: f64) -> Self {
+    /// That of a pair with a hardness and a sphere of radius `radius` (m).
+    fn new(pair: &Pair, radius: f64) -> Self {
         let indentation = pair.ratio(Zmc::ONSET) * radius;
         let contact = Hertz.contact(indentation, radius, pair);
         Self { indentation, load: contact.load, area: contact.area }
@@ -49,10 +53,29 @@ impl LawsPlan {
     pub fn shape(&self, law: &ContactLaw) -> Shape {
         law.shape(self.radius, self.curvature_ratio)
     }
+}
 
-    /// Points of the curves of the single asperity.
-    pub fn points(&self) -> u128 {
-        (self.ratios.len() * self.compare.laws.len()) as u128
+impl Plan for LawsPlan {
+    type Outcome = LawsResults;
+
+    fn inputs(&self) -> Vec<PathBuf> {
+        inputs(&self.compare.surfaces)
+    }
+
+    fn memory(&self) -> Memory {
+        memory(&self.compare.surfaces, AnalysisDepth::Comparison, self.compare.is_robustness_examined)
+    }
+
+    fn work(&self) -> u128 {
+        self.compare.work() + (self.ratios.len() * self.compare.laws.len()) as u128
+    }
+
+    fn check(&self, context: &RunContext) -> Result<(), InputError> {
+        self.compare.check(context)
+    }
+
+    fn run(&self, context: &RunContext) -> Result<LawsResults, InputError> {
+        run(context, self)
     }
 }
 
@@ -101,7 +124,7 @@ pub(super) fn plan(file: &SpecFile, table: &Spanned<LawsSpec>) -> Result<LawsPla
     let ratio = curvature_ratio(&file.source, &raw.asperity.span(), given, is_elliptic)?;
     let radius = asperity.radius.value();
     Ok(LawsPlan {
-        critical: Critical::of(&pair, radius),
+        critical: Critical::new(&pair, radius),
         radius,
         curvature_ratio: ratio.filter(|_| is_elliptic).unwrap_or(1.0),
         ratios: file.growing(&raw.indentation)?,

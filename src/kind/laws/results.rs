@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use super::plan::Critical;
 use crate::kind::compare::results::CompareResults;
-use asperity::compare::{Dominance, Influence, Measure};
+use asperity::compare::{Dominance, Influence};
 use asperity::sphere::{Boundary, Curve, LARGEST_SLOPE};
 use asperity::{Contact, Paper};
 
@@ -20,55 +20,35 @@ pub struct LawsResults {
     /// The unit of indentation, load and area.
     pub critical: Critical,
     /// Law by law; the others are compared with the first.
-    pub laws: Vec<LawOnOne>,
+    pub laws: Vec<LawOnAsperity>,
     /// Surface by surface, realisation by realisation.
     pub influences: Vec<SurfaceInfluence>,
-    /// Where small strains end on the single asperity under the first law to exceed them; `None` if none does.
-    pub end_of_small_strains: Option<SmallStrainEnd>,
 }
 
 impl LawsResults {
-    /// What law and summation do on the first realisation of a surface.
-    pub fn of_first(&self, surface: &str) -> Option<&SurfaceInfluence> {
-        self.influences.iter().find(|found| found.surface == surface)
+    /// The effects on the first realisation of a surface.
+    pub fn first_influence(&self, surface: &str) -> Option<&SurfaceInfluence> {
+        self.influences.iter().find(|influence| influence.surface == surface)
     }
 
-    /// Whether strains are not small in a contact on the single asperity.
+    /// Whether strains are not small in a contact on the single asperity: a/R is larger than [`LARGEST_SLOPE`].
     pub fn is_beyond_small_strains(&self, contact: &Contact) -> bool {
-        is_beyond_small_strains(contact, self.radius)
+        (contact.area / PI).sqrt() / self.radius > LARGEST_SLOPE
     }
-}
 
-/// Whether strains are not small in a contact on an asperity of radius `radius` (m): a/R is larger than
-/// [`LARGEST_SLOPE`].
-fn is_beyond_small_strains(contact: &Contact, radius: f64) -> bool {
-    (contact.area / PI).sqrt() / radius > LARGEST_SLOPE
-}
-
-/// Where small strains end on the single asperity.
-#[derive(Debug, Clone)]
-pub struct SmallStrainEnd {
-    /// The law, as tables name it.
-    pub law: String,
-    /// Indentation, m.
-    pub indentation: f64,
-}
-
-impl SmallStrainEnd {
-    /// The smallest indentation at which strains are not small under one of the laws.
-    pub fn of(laws: &[LawOnOne], radius: f64) -> Option<Self> {
-        let end = |law: &LawOnOne| {
-            let trace = &law.curve.trace;
-            let first = trace.iter().find(|point| is_beyond_small_strains(&point.contact, radius))?;
-            Some(Self { law: law.law.clone(), indentation: first.indentation })
+    /// The smallest indentation (m) of the single asperity at which strains are not small under one of the laws.
+    pub fn end_of_small_strains(&self) -> Option<f64> {
+        let end = |law: &LawOnAsperity| {
+            let mut trace = law.curve.trace.iter();
+            Some(trace.find(|point| self.is_beyond_small_strains(&point.contact))?.indentation)
         };
-        laws.iter().filter_map(end).min_by(|a, b| a.indentation.total_cmp(&b.indentation))
+        self.laws.iter().filter_map(end).reduce(f64::min)
     }
 }
 
 /// The single asperity under one law.
 #[derive(Debug)]
-pub struct LawOnOne {
+pub struct LawOnAsperity {
     /// The law, as tables name it.
     pub law: String,
     /// Description and range of validity, in one line.
@@ -94,11 +74,4 @@ pub struct SurfaceInfluence {
     pub influence: Influence,
     /// Which of the two matters more: one per measure that allows a conclusion.
     pub dominances: Vec<Dominance>,
-}
-
-impl SurfaceInfluence {
-    /// Which matters more by a measure.
-    pub fn dominance(&self, measure: Measure) -> Option<&Dominance> {
-        self.dominances.iter().find(|found| found.measure == measure)
-    }
 }

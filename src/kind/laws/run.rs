@@ -1,7 +1,7 @@
 //! Running `[laws]`: several laws on one asperity, and on surfaces under both models.
 
 use super::plan::LawsPlan;
-use super::results::{LawOnOne, LawsResults, SmallStrainEnd, SurfaceInfluence};
+use super::results::{LawOnAsperity, LawsResults, SurfaceInfluence};
 use crate::kind::compare::results::SurfaceResults;
 use crate::kind::compare::run_compare;
 use crate::study::CaseStudy;
@@ -12,38 +12,41 @@ use asperity_framework::RunContext;
 use asperity_framework::contact::LawPlan;
 use asperity_framework::input::InputError;
 
-pub(super) fn run(context: &RunContext, laws_plan: &LawsPlan) -> Result<LawsResults, InputError> {
+/// Runs it.
+///
+/// # Errors
+/// As a comparison.
+pub fn run(context: &RunContext, laws_plan: &LawsPlan) -> Result<LawsResults, InputError> {
     let counter = Counter::default();
     let mut compare = run_compare(context, &laws_plan.compare, &counter)?;
     let mut influences = Vec::new();
-    for found in &compare.surfaces {
-        influences.extend((0..found.realisations.len()).map(|index| {
+    for surface in &compare.surfaces {
+        influences.extend((0..surface.realisations.len()).map(|index| {
             let realisation = index + 1;
-            let influence = influence(&laws_plan.compare.laws, found, index);
+            let influence = influence(&laws_plan.compare.laws, surface, index);
             let by = |measure| Dominance::of(&influence, measure);
             let dominances = Measure::ALL.into_iter().filter_map(by).collect();
-            SurfaceInfluence { surface: found.surface.name.clone(), realisation, influence, dominances }
+            SurfaceInfluence { surface: surface.surface.name.clone(), realisation, influence, dominances }
         }));
     }
-    let laws: Vec<LawOnOne> =
-        laws_plan.compare.laws.iter().map(|law| on_one(laws_plan, law, &counter)).collect();
+    let laws: Vec<LawOnAsperity> =
+        laws_plan.compare.laws.iter().map(|law| on_asperity(laws_plan, law, &counter)).collect();
     compare.metadata.work = Some(counter.work());
     Ok(LawsResults {
         compare,
         radius: laws_plan.radius,
         curvature_ratio: laws_plan.curvature_ratio,
         critical: laws_plan.critical,
-        end_of_small_strains: SmallStrainEnd::of(&laws, laws_plan.radius),
         laws,
         influences,
     })
 }
 
-fn on_one(plan: &LawsPlan, law: &LawPlan, counter: &Counter) -> LawOnOne {
+fn on_asperity(plan: &LawsPlan, law: &LawPlan, counter: &Counter) -> LawOnAsperity {
     let contact = CountedContact::new(&*law.contact, counter);
     let shape = plan.shape(&law.spec);
     let indentations: Vec<f64> = plan.ratios.iter().map(|ratio| ratio * plan.critical.indentation).collect();
-    LawOnOne {
+    LawOnAsperity {
         law: law.label.clone(),
         about: law.spec.about(),
         papers: law.spec.papers(),
@@ -55,17 +58,17 @@ fn on_one(plan: &LawsPlan, law: &LawPlan, counter: &Counter) -> LawOnOne {
 
 /// Of one realisation of a surface. Its sampling errors are those of the verdicts, which are of the mean over all
 /// realisations.
-fn influence(laws: &[LawPlan], found: &SurfaceResults, realisation: usize) -> Influence {
-    let of_one = (found.realisations.len() as f64).sqrt();
+fn influence(laws: &[LawPlan], surface: &SurfaceResults, realisation: usize) -> Influence {
+    let of_single = (surface.realisations.len() as f64).sqrt();
     let of_case = |case: &CaseStudy| {
         let mut differences = case.verdicts.differences.clone();
         for estimate in differences.iter_mut().flat_map(|at| &mut at.estimates).flatten() {
-            estimate.error = estimate.error.map(|error| of_one * error);
+            estimate.error = estimate.error.map(|error| of_single * error);
         }
         differences
     };
-    let differences: Vec<Vec<Difference>> = found.cases.iter().map(of_case).collect();
-    let cases = found.cases.iter().map(|case| &case.realisations[realisation]).zip(&differences);
+    let differences: Vec<Vec<Difference>> = surface.cases.iter().map(of_case).collect();
+    let cases = surface.cases.iter().map(|case| &case.realisations[realisation]).zip(&differences);
     let under = laws.iter().zip(cases).map(|(law, (case, differences))| UnderLaw {
         law: &case.law,
         is_elastic_plastic: law.spec.has_ranges(),

@@ -149,20 +149,6 @@ impl AtLoad {
         self.differences(measure).errors[law]
     }
 
-    /// Whether the gap between the models under a law is more than [`DETECTABLE`] of its standard errors; not where these
-    /// are unknown.
-    pub fn is_gap_detectable(&self, measure: Measure, law: usize) -> bool {
-        let error = self.sampling_error(measure, law);
-        error.is_some_and(|error| self.gap(measure, law).abs() > DETECTABLE * error)
-    }
-
-    /// Spread of the elastic-plastic laws in the deterministic model over the gap between the models under the first
-    /// law; `None` if that gap is not significant.
-    pub fn law_over_summation(&self, measure: Measure) -> Option<f64> {
-        let law = self.spread(measure, Group::ElasticPlastic, Kind::Deterministic)?;
-        self.is_gap_detectable(measure, 0).then(|| law / self.gap(measure, 0).abs())
-    }
-
     /// The law of a group with the largest gap between the models, and that gap.
     pub fn largest_gap(&self, measure: Measure, group: Group) -> Option<(usize, f64)> {
         let gaps = self.differences(measure).gaps.iter().copied().enumerate();
@@ -397,6 +383,5 @@ mod tests {
         let at = &Influence::of(&[law]).loads[0];
         assert_eq!(at.sampling_error(Measure::Separation, 0), Some(0.2));
         assert_eq!(at.sampling_error(Measure::Area, 0), None, "independent draws are no basis");
-        assert!(at.is_gap_detectable(Measure::Separation, 0) && !at.is_gap_detectable(Measure::Area, 0));
     }
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::kind::laws::results::{LawOnOne, LawsResults};
+use super::results::{LawOnAsperity, LawsResults};
 use asperity::Contact;
 use asperity::compare::{AtLoad, Influence, Kind, Measure};
 use asperity::sphere::LARGEST_SLOPE;
@@ -21,21 +21,21 @@ fn colour(law: usize) -> Colour {
 }
 
 /// Laws of a single regime are dashed: they are limiting cases.
-fn dash(law: &LawOnOne) -> Dash {
+fn dash(law: &LawOnAsperity) -> Dash {
     if law.is_elastic_plastic { Dash::Solid } else { Dash::Dashed }
 }
 
 /// What a panel of the single asperity shows of a contact at an indentation (m).
-type Shown<'a> = &'a dyn Fn(f64, &Contact) -> f64;
+type Ordinate<'a> = &'a dyn Fn(f64, &Contact) -> f64;
 
 /// All laws against w/wc, their boundaries marked on the curves.
-fn panel(results: &LawsResults, plot: Plot, shown: Shown) -> Plot {
+fn panel(results: &LawsResults, plot: Plot, ordinate: Ordinate) -> Plot {
     let unit = results.critical.indentation;
-    let at = |w: f64, contact: &Contact| (w / unit, shown(w, contact));
+    let at = |w: f64, contact: &Contact| (w / unit, ordinate(w, contact));
     let mut plot = plot;
     let whole = results.radius / unit;
-    if let Some(end) = &results.end_of_small_strains {
-        plot = plot.with(Layer::region_x(end.indentation / unit, whole, format!("a > {LARGEST_SLOPE} R")));
+    if let Some(end) = results.end_of_small_strains() {
+        plot = plot.with(Layer::region_x(end / unit, whole, format!("a > {LARGEST_SLOPE} R")));
     }
     plot = plot.with(Layer::region_x(whole, f64::INFINITY, "w > R"));
     // The first law is named first and drawn last, so that it is not hidden.
@@ -148,8 +148,8 @@ pub fn law_or_model(results: &LawsResults, influence: &Influence) -> Figure {
     Figure::row("Contact law against summation method at equal load", panels)
 }
 
-/// How a difference is drawn.
-fn shown(measure: Measure, difference: f64) -> f64 {
+/// A difference of separations, or a ratio of areas.
+fn ordinate(measure: Measure, difference: f64) -> f64 {
     match measure {
         Measure::Separation => difference,
         Measure::Area => difference.exp(),
@@ -168,31 +168,16 @@ fn range(results: &LawsResults, influence: &Influence, measure: Measure) -> Opti
         needed.extend([at.gap(measure, 0) - half, at.gap(measure, 0) + half]);
         needed
     };
-    let needed = || influence.counting().flat_map(of_load).map(|difference| shown(measure, difference));
+    let needed = || influence.counting().flat_map(of_load).map(|difference| ordinate(measure, difference));
     let (low, high) = (needed().reduce(f64::min)?, needed().reduce(f64::max)?);
     let room = ROOM * (high - low);
     (room > 0.0).then_some([low - room, high + room])
 }
 
-/// The laws whose sums lie outside the axes of a measure at all valid loads, and between which values.
-pub fn outside(results: &LawsResults, influence: &Influence, measure: Measure) -> Vec<(String, [f64; 2])> {
-    let Some([low, high]) = range(results, influence, measure) else { return Vec::new() };
-    let of_law = |law: usize| {
-        let values = || {
-            let difference = |at: &AtLoad| at.deviation(measure, law, Kind::Deterministic);
-            influence.counting().map(move |at| shown(measure, difference(at)))
-        };
-        let is_outside = values().all(|value| !(low..=high).contains(&value));
-        let ends = [values().reduce(f64::min)?, values().reduce(f64::max)?];
-        is_outside.then(|| (influence.laws[law].clone(), ends))
-    };
-    (0..results.laws.len()).filter_map(of_law).collect()
-}
-
 fn beside(results: &LawsResults, influence: &Influence, measure: Measure, plot: Plot) -> Plot {
     const MEGA: f64 = 1e6;
     let line = |of: &dyn Fn(&AtLoad) -> f64| -> Line {
-        influence.loads.iter().map(|at| (at.pressure / MEGA, shown(measure, of(at)))).collect()
+        influence.loads.iter().map(|at| (at.pressure / MEGA, ordinate(measure, of(at)))).collect()
     };
     let mut plot = plot;
     let counting: Vec<f64> = influence.counting().map(|at| at.pressure / MEGA).collect();
@@ -208,10 +193,10 @@ fn beside(results: &LawsResults, influence: &Influence, measure: Measure, plot: 
     let name = format!("{}, integral", influence.laws[0]);
     let band = influence.loads.iter().filter_map(|at| {
         let (gap, half) = (at.gap(measure, 0), BAND * at.sampling_error(measure, 0)?);
-        Some((at.pressure / MEGA, shown(measure, gap - half), shown(measure, gap + half)))
+        Some((at.pressure / MEGA, ordinate(measure, gap - half), ordinate(measure, gap + half)))
     });
     plot = plot
-        .with(Layer::at_y(shown(measure, 0.0), ""))
+        .with(Layer::at_y(ordinate(measure, 0.0), ""))
         .with(Layer::band(band.collect::<Vec<_>>()).coloured(colour(0)).named(name.clone()))
         .with(Layer::line(line(&|at| at.gap(measure, 0))).coloured(colour(0)).named(name).thick());
     for (index, law) in results.laws.iter().enumerate().skip(1) {

@@ -1,0 +1,257 @@
+//! The page of several laws: what matters more on surfaces, contact law or summation method, and how the laws differ on a single asperity.
+
+use asperity::compare::{Dominant, Measure};
+use asperity_framework::Outcome;
+use asperity_framework::metadata::Metadata;
+use asperity_framework::report::format::{input_number, input_quantity, listed, number, quantity};
+use asperity_framework::report::page::{Page, escape};
+use asperity_framework::report::sections;
+use asperity_framework::report::table::{Reading, Table, Tables};
+use asperity_framework::report::view::View;
+use serde_json::{Map, Value, json};
+
+use super::figures;
+use super::results::LawsResults;
+use super::rows::{BoundaryRow, ChoiceRow, DominanceRow, InfluenceRow, LawRow, tables};
+use crate::kind::compare::outline;
+use crate::kind::compare::results::SurfaceResults;
+use crate::surface::section;
+
+impl Outcome for LawsResults {
+    fn metadata(&self) -> &Metadata {
+        &self.compare.metadata
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        self.compare.warnings()
+    }
+
+    fn tables(&self) -> Vec<Table> {
+        tables(self)
+    }
+
+    fn page(&self, tables: &Tables) -> Page {
+        let compared = &self.compare;
+        let mut page = Page::new(&compared.metadata.title);
+        for measure in Measure::ALL {
+            if let Some(answer) = answer(measure, &dominants(self, measure)) {
+                page.lead(&answer);
+            }
+        }
+        for measure in Measure::ALL {
+            let view = by_measure(tables.view::<DominanceRow>(), measure, &DOMINANCE).columns(&OVERVIEW);
+            page.view(&match measure {
+                Measure::Separation => view.label("law_range", "range over the laws (σ)"),
+                Measure::Area => view,
+            });
+        }
+        page.note(include_str!("notes/influence.md"));
+        sections::warnings(&mut page, &self.warnings());
+        outline::verdicts(&mut page, tables);
+        for surface in &compared.surfaces {
+            on_surface(&mut page, self, tables, surface);
+        }
+        on_asperity(&mut page, self, tables);
+        page.heading(2, "Laws").view(&tables.view::<LawRow>()).note(include_str!("notes/laws.md"));
+        for surface in &compared.surfaces {
+            section::section(&mut page, &surface.surface, Some(&surface.realisations[0].population));
+            outline::inputs(&mut page, surface);
+        }
+        sections::notes(&mut page, &compared.metadata);
+        sections::what_was_run(&mut page, &compared.metadata, &compared.contact);
+        outline::limits_note(&mut page);
+        sections::run_again(&mut page, &compared.metadata, None);
+        sections::sources(&mut page, &compared.metadata);
+        page
+    }
+
+    fn facts(&self) -> serde_json::Result<Map<String, Value>> {
+        let mut facts = self.compare.facts()?;
+        let asperity = json!({
+            "radius_m": self.radius,
+            "curvature_ratio": self.curvature_ratio,
+            "critical_indentation_m": self.critical.indentation,
+            "critical_load_n": self.critical.load,
+            "critical_area_m2": self.critical.area,
+            "end_of_small_strains_m": self.end_of_small_strains(),
+        });
+        facts.insert("asperity".to_owned(), asperity);
+        Ok(facts)
+    }
+}
+
+/// Columns of the first view.
+const OVERVIEW: [&str; 8] = [
+    "surface",
+    "matters_more",
+    "law_range",
+    "largest_law_range",
+    "models_difference",
+    "standard_error",
+    "most_deviating_law",
+    "law_range_without_it",
+];
+
+/// Columns of differences in sigma or relative.
+const DOMINANCE: [&str; 5] =
+    ["law_range", "largest_law_range", "models_difference", "standard_error", "law_range_without_it"];
+const CHOICE: [&str; 3] =
+    ["statistical_from_first", "deterministic_from_first", "statistical_from_deterministic"];
+/// The rows of one measure on the first realisations, in sigma or percent.
+fn by_measure<'a>(view: View<'a>, measure: Measure, differences: &[&str]) -> View<'a> {
+    let view = view.only("measure", measure.name()).only("realisation", 1u64);
+    match measure {
+        Measure::Separation => view,
+        Measure::Area => {
+            differences.iter().fold(view, |view, name| view.read_as(name, Reading::SignedPercent))
+        }
+    }
+}
+
+/// What matters more by a measure, surface by surface.
+fn dominants(results: &LawsResults, measure: Measure) -> Vec<(String, Dominant)> {
+    let surfaces = results.compare.surfaces.iter();
+    let first = surfaces.filter_map(|surface| results.first_influence(&surface.surface.name));
+    let dominant = first.filter_map(|influence| {
+        let dominance = influence.dominances.iter().find(|dominance| dominance.measure == measure)?;
+        Some((influence.surface.clone(), dominance.dominant()))
+    });
+    dominant.collect()
+}
+
+/// "**What matters more for d/σ**: the contact law on case-1; the summation method on case-2; cannot be told on fine-finish." `None` without
+/// surfaces.
+fn answer(measure: Measure, dominants: &[(String, Dominant)]) -> Option<String> {
+    /// More surfaces are counted.
+    const MOST_NAMED: usize = 3;
+    let part = |dominant: Dominant| {
+        let names: Vec<String> =
+            dominants.iter().filter(|(_, each)| *each == dominant).map(|(name, _)| escape(name)).collect();
+        let what = match dominant {
+            Dominant::Law => "the contact law",
+            Dominant::Summation => "the summation method",
+            Dominant::Equal => "both equally",
+            Dominant::Undecided => "cannot be told",
+        };
+        match names.len() {
+            0 => None,
+            1..=MOST_NAMED => Some(format!("{what} on {}", listed(&names))),
+            more => Some(format!("{what} on {more} surfaces")),
+        }
+    };
+    let parts: Vec<String> = Dominant::ALL.into_iter().filter_map(part).collect();
+    let quantity = match measure {
+        Measure::Separation => "d/σ",
+        Measure::Area => "real area",
+    };
+    (!parts.is_empty()).then(|| format!("**What matters more for {quantity}**: {}.", parts.join("; ")))
+}
+
+/// The figure and the views of one surface.
+fn on_surface(page: &mut Page, results: &LawsResults, tables: &Tables, surface: &SurfaceResults) {
+    let name = &surface.surface.name;
+    let Some(influence) = results.first_influence(name) else { return };
+    page.heading(2, &format!("{name}: contact law or summation method?"));
+    page.figure(
+        &format!("{name}-law-or-model.svg"),
+        figures::law_or_model(results, &influence.influence),
+        &format!(
+            "The contact law matters more where the coloured lines lie further apart than the black line from zero (or one). All at equal \
+             load, relative to the sum under {}; bands: 1.96 standard errors of the difference between the models; shaded: loads beyond \
+             the valid range. Limiting cases may lie outside the axes.",
+            influence.influence.laws[0],
+        ),
+    );
+    for measure in Measure::ALL {
+        let title = match measure {
+            Measure::Separation => "separation",
+            Measure::Area => "real area",
+        };
+        page.details(3, &format!("{name}: {title} law by law and load by load"), |page| {
+            let choices = tables.view::<ChoiceRow>().only("surface", name.as_str());
+            page.view(&by_measure(choices, measure, &CHOICE));
+            let loads = tables.view::<InfluenceRow>().only("surface", name.as_str());
+            page.view(&by_measure(loads, measure, &[]).each_decade("pressure_pa", 1.0).without(&["counts"]));
+        });
+    }
+    if let Some(mean) = &surface.surface.ellipticity {
+        page.paragraph(&format!(
+            "Under an elliptic law the statistical model uses the mean curvature (radius {}), under the others the radius {}; part of the \
+             effect of the law is due to this.",
+            quantity(mean.mean_curvature.recip(), "m"),
+            input_quantity(surface.realisations[0].population.radius, "m"),
+        ));
+    }
+}
+
+/// The laws on a single asperity.
+fn on_asperity(page: &mut Page, results: &LawsResults, tables: &Tables) {
+    let critical = &results.critical;
+    page.heading(2, "Single asperity");
+    let ellipse = match results.curvature_ratio {
+        1.0 => String::new(),
+        ratio => format!(
+            " Elliptic laws use the same mean curvature and a ratio of principal curvatures of {}.",
+            input_number(ratio)
+        ),
+    };
+    page.paragraph(&format!(
+        "Radius R = {}. Indentations are normalised by the onset of yield of a sphere after Zhao, Maietta and Chang: wc = (0.3 π)² R (H/E*)² \
+         = {}; Pc = {} and Ac = {} are Hertz's load and area there.{ellipse}",
+        input_quantity(results.radius, "m"),
+        quantity(critical.indentation, "m"),
+        quantity(critical.load, "N"),
+        quantity(critical.area, "m²"),
+    ));
+    if let Some(end) = results.end_of_small_strains() {
+        page.paragraph(&format!(
+            "Strains are small up to w/wc = {}; beyond, the curves extrapolate the laws.",
+            number(end / critical.indentation)
+        ));
+    }
+    page.figure(
+        "asperity-curves.svg",
+        figures::curves(results),
+        "Load and real contact area of one asperity under every law. Circles: both sides of each boundary between two formulas.",
+    );
+    if let Some(hardness) = results.compare.contact.hardness {
+        page.figure(
+            "asperity-differences.svg",
+            figures::differences(results, hardness),
+            "Mean contact pressure over hardness, and area over that of an elastic contact.",
+        );
+    }
+    if let Some(figure) = figures::jumps(results) {
+        page.figure(
+            "asperity-jumps.svg",
+            figure,
+            "Jumps of the laws: load and area over those of an elastic contact at equal indentation.",
+        );
+    }
+    page.heading(3, "Boundaries between two formulas").view(&tables.view::<BoundaryRow>());
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn surfaces_are_named_with_what_matters_more_on_them() {
+        let dominants = |each: &[(&str, Dominant)]| -> Vec<(String, Dominant)> {
+            each.iter().map(|(name, dominant)| (name.to_string(), *dominant)).collect()
+        };
+        let some = dominants(&[("a", Dominant::Undecided), ("b", Dominant::Law), ("c", Dominant::Law)]);
+        assert_eq!(
+            answer(Measure::Area, &some).unwrap(),
+            "**What matters more for real area**: the contact law on b and c; cannot be told on a."
+        );
+        let many = dominants(&[
+            ("a", Dominant::Law),
+            ("b", Dominant::Law),
+            ("c", Dominant::Law),
+            ("d", Dominant::Law),
+        ]);
+        assert!(answer(Measure::Area, &many).unwrap().ends_with("the contact law on 4 surfaces."));
+        assert_eq!(answer(Measure::Separation, &[]), None);
+    }
+}
