@@ -5,21 +5,18 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use asperity::work::Counter;
-use asperity_framework::fields;
 use asperity_framework::input::{InputError, SpecFile};
 use asperity_framework::metadata::{Metadata, Timing};
 use asperity_framework::report::Page;
-use asperity_framework::report::table::Tables;
+use asperity_framework::report::table::{Table, Tables};
 use asperity_framework::{Memory, Outcome, Plan, RunContext};
-use indexmap::IndexMap;
-use serde::Serialize;
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, json};
 
-use super::fitness::{FitnessSummary, fitness_summary};
 use super::results::SurfacesResults;
+use super::rows::SurfaceRow;
 use super::{
-    AnalysisDepth, Surface, SurfaceFactory, SurfacePlan, SurfaceSummary, describe, files_of, inputs, memory,
-    page, section, summary, surfaces, warnings,
+    AnalysisDepth, Surface, SurfaceFactory, SurfacePlan, describe, files_of, inputs, memory, page, rows,
+    section, surfaces, warnings,
 };
 
 /// Surfaces to be described.
@@ -83,14 +80,6 @@ impl Plan for SurfacesPlan {
     }
 }
 
-/// Its part of `summary.json`. The key `looked_at` is the contract of older reports.
-#[derive(Serialize)]
-struct Summary<'a> {
-    looked_at: &'a Path,
-    surfaces: IndexMap<&'a str, SurfaceSummary<'a>>,
-    fitness: Vec<FitnessSummary<'a>>,
-}
-
 impl Outcome for SurfacesResults {
     fn metadata(&self) -> &Metadata {
         &self.metadata
@@ -100,17 +89,20 @@ impl Outcome for SurfacesResults {
         warnings(&self.surfaces)
     }
 
-    fn page(&self, _: &Tables) -> Page {
-        page::page(self)
+    fn tables(&self) -> Vec<Table> {
+        rows::tables(self.surfaces.iter().map(SurfaceRow::new))
     }
 
+    fn page(&self, tables: &Tables) -> Page {
+        page::page(self, tables)
+    }
+
+    /// The key `looked_at` is the contract of older reports.
     fn facts(&self) -> serde_json::Result<Map<String, Value>> {
-        let surfaces = self.surfaces.iter().map(|surface| (&*surface.name, summary(surface)));
-        fields(&Summary {
-            looked_at: &self.file,
-            surfaces: surfaces.collect(),
-            fitness: fitness_summary(&self.surfaces),
-        })
+        let mut facts = Map::new();
+        facts.insert("looked_at".to_owned(), json!(self.file));
+        facts.insert("surfaces".to_owned(), rows::records(self.surfaces.iter().map(SurfaceRow::new)));
+        Ok(facts)
     }
 
     fn terminal(&self) -> Option<String> {

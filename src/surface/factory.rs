@@ -15,10 +15,10 @@ use asperity_framework::progress::{Progress, Silent};
 
 use super::files::Files;
 use super::fitness;
-use super::found::{MapFacts, Surface};
 use super::overview::AnalysisDepth;
 use super::plan::{Origin, SurfacePlan};
 use super::read_error::{list_message, spec_message};
+use super::rough_surface::{MapFacts, Surface};
 use super::search::{Found, NoAsperities, Preparation, SummitSearch};
 use super::spec::DrawSpec;
 

@@ -2,38 +2,8 @@
 
 use asperity::topography::fitness::{Check, Finding, Measure};
 use asperity_framework::report::format::{count, input_quantity, number, percent, quantity};
-use asperity_framework::report::page::{Cell, Page};
-use serde::Serialize;
 
-use super::found::{MapFacts, Surface};
-
-/// A check in `summary.json`.
-#[derive(Debug, Serialize)]
-pub struct FitnessSummary<'a> {
-    surface: &'a str,
-    check: &'static str,
-    measure: &'static str,
-    value: f64,
-    threshold: f64,
-    passed: bool,
-    blocks: bool,
-}
-
-/// The checks of surfaces for `summary.json`.
-pub fn fitness_summary<'a>(surfaces: impl IntoIterator<Item = &'a Surface>) -> Vec<FitnessSummary<'a>> {
-    let of = |surface: &'a Surface| {
-        surface.fitness().iter().map(move |finding| FitnessSummary {
-            surface: &surface.name,
-            check: finding.check.name(),
-            measure: finding.measure.name(),
-            value: finding.value,
-            threshold: finding.threshold(),
-            passed: finding.has_passed(),
-            blocks: finding.is_blocking(),
-        })
-    };
-    surfaces.into_iter().flat_map(of).collect()
-}
+use super::rough_surface::{MapFacts, Surface};
 
 /// What keeps a map from carrying a verdict, and the remedy: a sentence for each such check.
 pub fn failures(map: &MapFacts) -> Vec<String> {
@@ -70,86 +40,8 @@ fn in_order(map: &MapFacts) -> Vec<&Finding> {
     blocking
 }
 
-/// The checks on a page; nothing where nothing was checked.
-pub fn section(page: &mut Page, surface: &Surface) {
-    let Some(map) = surface.map.as_ref().filter(|map| !map.fitness.is_empty()) else { return };
-    page.heading(3, &format!("{}: fitness of the map", surface.name));
-    page.paragraph(&conclusion(map));
-    page.table(
-        ["check", "measured", "value", "allowed", "result", "remedy"],
-        map.fitness.iter().map(|finding| {
-            let result = match (finding.has_passed(), finding.is_blocking()) {
-                (true, _) => "passed",
-                (false, true) => "failed",
-                (false, false) => "caution",
-            };
-            let remedy = if finding.has_passed() { String::new() } else { remedy(finding, map) };
-            let mut row: Vec<Cell> = [
-                finding.check.name().to_owned(),
-                measured(finding.measure).to_owned(),
-                value(finding.measure, finding.value),
-                allowed(finding),
-                result.to_owned(),
-            ]
-            .map(Cell::from)
-            .into();
-            row.push(Cell::AroundCode(remedy));
-            row
-        }),
-    );
-}
-
-/// The checks as lines of text for a terminal.
-pub fn for_terminal(surface: &Surface) -> Vec<[String; 2]> {
-    let Some(map) = &surface.map else { return Vec::new() };
-    let line = |finding: &Finding| {
-        let state = match (finding.has_passed(), finding.is_blocking()) {
-            (true, _) => "passed",
-            (false, true) => "FAILED",
-            (false, false) => "caution",
-        };
-        let name = format!("check {}", finding.check.name());
-        let found = format!(
-            "{state}: {} {} (allowed: {})",
-            measured(finding.measure),
-            value(finding.measure, finding.value),
-            allowed(finding)
-        );
-        [name, found]
-    };
-    map.fitness.iter().map(line).collect()
-}
-
-fn conclusion(map: &MapFacts) -> String {
-    let of = |is_wanted: &dyn Fn(&Finding) -> bool| {
-        map.fitness.iter().filter(|finding| is_wanted(finding)).count()
-    };
-    let failed = of(&Finding::is_blocking);
-    let cautions = of(&|finding| !finding.has_passed()) - failed;
-    let passed = map.fitness.len() - failed - cautions;
-    let rest = match cautions {
-        0 => String::new(),
-        1 => " One check calls for caution, which does not keep the map from carrying a verdict.".to_owned(),
-        more => {
-            format!(" {more} checks call for caution, which does not keep the map from carrying a verdict.")
-        }
-    };
-    match failed {
-        0 => {
-            format!(
-                "No fault found that blocks a verdict: {passed} of {} checks passed.{rest}",
-                map.fitness.len()
-            )
-        }
-        1 => format!("Not fit for a verdict as it is: one of {} checks failed.{rest}", map.fitness.len()),
-        more => {
-            format!("Not fit for a verdict as it is: {more} of {} checks failed.{rest}", map.fitness.len())
-        }
-    }
-}
-
 /// What a check measures.
-fn measured(measure: Measure) -> &'static str {
+pub fn measured(measure: Measure) -> &'static str {
     match measure {
         Measure::Spikes => "number of spikes",
         Measure::FormShare => "share of the variance in the next higher polynomial",
@@ -176,7 +68,8 @@ fn value(measure: Measure, value: f64) -> String {
     }
 }
 
-fn allowed(finding: &Finding) -> String {
+/// The values that pass.
+pub fn allowed(finding: &Finding) -> String {
     let threshold = value(finding.measure, finding.threshold());
     match (finding.is_least(), finding.measure) {
         (_, Measure::Spikes) => "none".to_owned(),
@@ -250,7 +143,7 @@ fn fault(finding: &Finding, map: &MapFacts) -> String {
 }
 
 /// What to do about a failed check, in the keys of a spec where there is one.
-fn remedy(finding: &Finding, map: &MapFacts) -> String {
+pub fn remedy(finding: &Finding, map: &MapFacts) -> String {
     let pixel = map.pixel[0].max(map.pixel[1]);
     let side = (map.points[0] as f64 * map.pixel[0]).min(map.points[1] as f64 * map.pixel[1]);
     let s =

@@ -3,10 +3,10 @@
 use std::f64::consts::TAU;
 use std::ops::Range;
 
-use crate::surface::found::GenerationFacts;
 use crate::surface::generate_spec::{
     CorrelationSpec, GenerateSpec, PlateauSpec, SelfAffineSpec, SpectrumSpec,
 };
+use crate::surface::rough_surface::GenerationFacts;
 use asperity::progress::Progress;
 use asperity::topography::generate::{
     Plateau, Process, Seeds, SigmaOf, SpectrumOf, SurfaceGenerator, Target, TargetGenerator, Unreachable,

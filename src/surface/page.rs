@@ -5,8 +5,9 @@ use super::section::{section, sentence};
 use asperity_framework::Outcome;
 use asperity_framework::report::page::{Page, escape, escape_around_code};
 use asperity_framework::report::sections;
+use asperity_framework::report::table::Tables;
 
-pub fn page(results: &SurfacesResults) -> Page {
+pub fn page(results: &SurfacesResults, tables: &Tables) -> Page {
     let mut page = Page::new(&results.metadata.title);
     for surface in &results.surfaces {
         let sentence = escape_around_code(&sentence(surface));
@@ -18,7 +19,7 @@ pub fn page(results: &SurfacesResults) -> Page {
         if surface.realisations > 1 {
             page.paragraph(&format!("First of {} realisations.", surface.realisations));
         }
-        section(&mut page, surface, None);
+        section(&mut page, tables, surface, None);
         if surface.map.as_ref().is_some_and(|map| map.whole.spectrum.is_none()) {
             page.paragraph("The map is too large to compute its spectrum and autocorrelation in memory.");
         }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use asperity_framework::metadata::Metadata;
 
-use super::found::Surface;
+use super::rough_surface::Surface;
 
 /// Surfaces described, without any contact.
 #[derive(Debug)]

@@ -11,9 +11,9 @@ use asperity::topography::{
 use asperity::{AsperitySet, Ellipse, HeightMap, SetError};
 use asperity_framework::progress::Progress;
 
-use super::found::{GenerationFacts, MapFacts, PreparedMap, SpikeFacts};
 use super::independence::Independence;
 use super::overview::{AnalysisDepth, MapOverview};
+use super::rough_surface::{GenerationFacts, MapFacts, PreparedMap, SpikeFacts};
 
 /// A map on which no asperities are found.
 #[derive(Debug, thiserror::Error)]

@@ -51,7 +51,8 @@ fn one_kind_has_its_own_tables_only() {
 
 /// The unit that the name of a column ends with.
 fn unit_of(name: &str) -> Option<&'static str> {
-    const SUFFIXES: [(&str, &str); 9] = [
+    const SUFFIXES: [(&str, &str); 10] = [
+        ("curvature_per_m", "1/m"),
         ("_pa_per_m", "Pa/m"),
         ("_n_per_m", "N/m"),
         ("_per_m2", "1/m²"),

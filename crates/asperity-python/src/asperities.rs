@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use asperity::{AsperityList, AsperitySet, MeanRadius, SetError, Statistics};
+use asperity_experiment::surface::rows::statistics_columns;
 use asperity_framework::input::Held;
 use asperity_framework::input::heights::HeightsSpec;
 use numpy::PyArrayDyn;
@@ -138,15 +139,12 @@ impl Asperities {
     ///     ``radius_of_mean_curvature_m``, ``radius_cv`` and ``height_radius_correlation``; None where it is undefined.
     fn statistics<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let found = py.detach(|| self.set().map(|set| Statistics::of(&set))).map_err(refuse)?;
+        let mean_height = asperity::ReferencePlane::from(self.spheres().map_err(refuse)?).mean;
+        let statistics = Statistics { mean_height, ..found };
         let dict = PyDict::new(py);
-        dict.set_item("mean_height_m", asperity::ReferencePlane::from(self.spheres().map_err(refuse)?).mean)?;
-        dict.set_item("sigma_m", found.sigma)?;
-        dict.set_item("skewness", found.skewness)?;
-        dict.set_item("kurtosis", found.kurtosis)?;
-        dict.set_item("mean_radius_m", found.mean_radius)?;
-        dict.set_item("radius_of_mean_curvature_m", found.radius_of_mean_curvature)?;
-        dict.set_item("radius_cv", found.radius_cv)?;
-        dict.set_item("height_radius_correlation", found.height_radius_correlation)?;
+        for column in statistics_columns(|statistics: &Statistics| statistics) {
+            dict.set_item(&column.heading.name, column.value(&statistics).number())?;
+        }
         Ok(dict)
     }
 

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use asperity::HeightMap;
 use asperity::topography::{Boundary, Rows, read};
 use asperity::units::Dimension;
-use asperity_experiment::surface::{fitness::fitness_summary, summary};
+use asperity_experiment::surface::rows::{fitness_records, map_record};
 use asperity_framework::input::Held;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
@@ -138,7 +138,7 @@ pub struct Surface {
     #[pyo3(get)]
     map: Option<Py<Map>>,
     #[pyo3(get)]
-    summary: String,
+    roughness: String,
     #[pyo3(get)]
     fitness: String,
     #[pyo3(get)]
@@ -160,16 +160,12 @@ pub fn make_surface(
     let source = source_of(spec, std::path::Path::new(""))?.with_held(held_of(held)?);
     // Ellipses are known on maps without further input.
     let as_ellipses = held.is_empty() && spec_has_map(spec)? || holds_map(held)?;
-    type Made = Result<(asperity_experiment::surface::Surface, String, String), String>;
-    let made: Made = interruptible(py, move |watch| {
-        let surface = asperity_experiment::make_surface(source, realisation, as_ellipses, watch)
-            .map_err(|error| error.to_string())?;
-        let text = serde_json::to_string(&summary(&surface)).map_err(|error| error.to_string())?;
-        let fitness =
-            serde_json::to_string(&fitness_summary([&surface])).map_err(|error| error.to_string())?;
-        Ok((surface, text, fitness))
-    })?;
-    let (surface, summary, fitness) = made.map_err(refuse)?;
+    let surface = interruptible(py, move |watch| {
+        asperity_experiment::make_surface(source, realisation, as_ellipses, watch)
+            .map_err(|error| error.to_string())
+    })?
+    .map_err(refuse)?;
+    let (roughness, fitness) = (map_record(&surface).to_string(), fitness_records(&surface).to_string());
     let origin = surface.origin;
     let set = surface.set;
     // In the frame of the map: zero where that is the frame of the set already.
@@ -206,7 +202,7 @@ pub fn make_surface(
         asperities: Py::new(py, asperities)?,
         positions,
         map,
-        summary,
+        roughness,
         fitness,
         warnings: surface.warnings,
     })

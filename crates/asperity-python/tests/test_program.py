@@ -197,7 +197,7 @@ nominal-area = 1e-8
         for column in ("pressure_pa", "area_ratio", "stiffness_pa_per_m", "separation_m"):
             assert np.array_equal(table[column], numbers(rows, column)), (name, column)
     assert surface.heights.shape == (96, 80)
-    assert surface.roughness["points"] == [96, 80]
+    assert [surface.roughness[f"points_{axis}"] for axis in "xy"] == [96, 80]
 
 
 def test_a_periodic_file(report, tmp_path):

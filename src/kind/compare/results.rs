@@ -11,6 +11,7 @@ use super::readings::Readings;
 use super::reference::{ContactView, ElasticCase};
 use crate::layer::rule_warning;
 use crate::study::{CaseStudy, DecreaseResults, LawFindings, RealisationFacts, Threshold};
+use crate::surface::rows::SurfaceRow;
 use crate::surface::{Surface, warnings};
 
 /// Both models on given surfaces.
@@ -63,6 +64,11 @@ impl CompareResults {
         cases.any(|case| !case.first().attribution.is_empty())
     }
 
+    /// Its surfaces and their realisations as rows of `surfaces.csv`.
+    pub fn surface_rows(&self) -> impl Iterator<Item = SurfaceRow<'_>> {
+        self.surfaces.iter().flat_map(SurfaceResults::rows)
+    }
+
     /// Warnings about the results, one per line.
     pub fn warnings(&self) -> Vec<String> {
         let mut lines = warnings(self.surfaces.iter().map(|results| &results.surface));
@@ -98,4 +104,24 @@ pub struct SurfaceResults {
     pub own_cut_off: Option<Option<f64>>,
     /// The contact of each solution of the reference at one load, on the first.
     pub contacts: Vec<ContactView>,
+}
+
+impl SurfaceResults {
+    fn rows(&self) -> impl Iterator<Item = SurfaceRow<'_>> {
+        self.realisations.iter().zip(1..).map(|(facts, realisation)| SurfaceRow {
+            name: &self.surface.name,
+            realisation,
+            asperities: facts.asperities,
+            nominal_area: facts.nominal_area,
+            statistics: facts.statistics,
+            moments: facts.moments,
+            surface: (realisation == 1).then_some(&self.surface),
+            plasticity_index: self
+                .cases
+                .first()
+                .and_then(|case| case.realisations.get(realisation - 1)?.plasticity_index),
+            // A joint density is named in the spec.
+            population: facts.model.joint.is_none().then_some(&facts.population),
+        })
+    }
 }

@@ -54,7 +54,7 @@ impl Outcome for LawsResults {
         on_asperity(&mut page, self, tables);
         page.heading(2, "Laws").view(&tables.view::<LawRow>()).note(include_str!("notes/laws.md"));
         for surface in &compared.surfaces {
-            section::section(&mut page, &surface.surface, Some(&surface.realisations[0].population));
+            section::section(&mut page, tables, &surface.surface, Some(&surface.realisations[0].population));
             outline::inputs(&mut page, surface);
         }
         sections::notes(&mut page, &compared.metadata);

@@ -9,14 +9,12 @@ use serde_json::{Map, Value};
 use super::findings::{Findings, Lead, Sign, main_load};
 use super::results::{IntervalResults, Series, SurfaceResults};
 use super::trend::Trend;
-use crate::surface::fitness::{FitnessSummary, fitness_summary};
 
 #[derive(Serialize)]
 struct IntervalSummary<'a> {
     #[serde(flatten)]
     contact: ContactSummary,
     law: &'a str,
-    fitness: Vec<FitnessSummary<'a>>,
     sampling_interval: Vec<SeriesSummary<'a>>,
 }
 
@@ -90,7 +88,6 @@ pub(super) fn summary(results: &IntervalResults) -> serde_json::Result<Map<Strin
     fields(&IntervalSummary {
         contact: ContactSummary::of(&results.contact),
         law: &results.law,
-        fitness: fitness_summary(results.surfaces.iter().map(|found| &found.surface)),
         sampling_interval: series.collect(),
     })
 }

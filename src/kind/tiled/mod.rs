@@ -12,6 +12,7 @@ use asperity_framework::report::table::Schema;
 use asperity_framework::{Kind, Planned};
 
 use super::compare::tables::{CurveRow, PairRow};
+use crate::surface::rows::SurfaceRow;
 use plan::TiledPlan;
 pub use results::{LawResults, TiledResults, TiledSurface};
 
@@ -36,7 +37,7 @@ impl Kind for Tiled {
             Schema::of::<CurveRow>(),
             Schema::of::<PairRow>(),
             Schema::of::<rows::SeparationRow>(),
-            Schema::of::<rows::StatisticRow>(),
+            Schema::of::<SurfaceRow>(),
         ]
     }
 }

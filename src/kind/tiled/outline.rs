@@ -12,8 +12,9 @@ use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Plot};
 use serde_json::{Map, Value, json};
 
 use super::results::{LawResults, TiledResults, TiledSurface};
-use super::rows::{INTERVAL, SeparationRow, StatisticRow, tables};
+use super::rows::{INTERVAL, SeparationRow, surface_row, tables};
 use crate::kind::compare::outline::limits_note;
+use crate::surface::rows::{SurfaceRow, records};
 
 impl Outcome for TiledResults {
     fn metadata(&self) -> &Metadata {
@@ -54,7 +55,7 @@ impl Outcome for TiledResults {
             number(*nominal_area),
             count(*tiles)
         ));
-        page.view(&tables.view::<StatisticRow>());
+        page.properties(&tables.view::<SurfaceRow>().without(&["surface", "realisation"]));
         sections::notes(&mut page, &self.metadata);
         page.heading(2, "Method").note(include_str!("notes/method.md"));
         sections::what_was_run(&mut page, &self.metadata, &self.contact);
@@ -65,22 +66,9 @@ impl Outcome for TiledResults {
     }
 
     fn facts(&self) -> serde_json::Result<Map<String, Value>> {
-        let TiledSurface { name, tiles, count, nominal_area, origin, statistics, .. } = &self.surface;
-        let surface = json!({
-            "tiles": tiles,
-            "asperities": count,
-            "nominal_area_m2": nominal_area,
-            "mean_height_m": origin + statistics.mean_height,
-            "sigma_m": statistics.sigma,
-            "skewness": statistics.skewness,
-            "kurtosis": statistics.kurtosis,
-            "mean_radius_m": statistics.mean_radius,
-            "radius_of_mean_curvature_m": statistics.radius_of_mean_curvature,
-            "radius_cv": statistics.radius_cv,
-            "height_radius_correlation": statistics.height_radius_correlation,
-        });
         let mut facts = fields(&ContactSummary::of(&self.contact))?;
-        facts.insert("surfaces".to_owned(), json!({ name.as_str(): surface }));
+        facts.insert("surfaces".to_owned(), records([surface_row(&self.surface)]));
+        facts.insert("tiles".to_owned(), json!(self.surface.tiles));
         Ok(facts)
     }
 }

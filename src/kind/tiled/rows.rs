@@ -1,11 +1,13 @@
 //! The tables of a surface in tiles.
 
+use asperity::Statistics;
 use asperity::compare::Pair;
 use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row, Table};
 
 use super::results::{LawResults, TiledResults, TiledSurface};
 use crate::kind::compare::tables::{Case, CurveRow, PairRow, comparison_of_models, limits};
+use crate::surface::rows::SurfaceRow;
 
 /// Half-width of a 95 % interval in standard errors.
 pub const INTERVAL: f64 = 1.96;
@@ -70,40 +72,19 @@ impl Row for SeparationRow<'_> {
     }
 }
 
-/// A statistic of all asperities beside that in the integral.
-pub struct StatisticRow {
-    name: &'static str,
-    asperities: Option<f64>,
-    integral: f64,
-}
-
-impl Row for StatisticRow {
-    const FILE: &'static str = "statistics.csv";
-    const ROWS: &'static str =
-        "One row for each statistic of the asperities, in SI units, beside its value in the integral.";
-
-    fn columns() -> Vec<Column<Self>> {
-        columns! { row: Self =>
-            statistic["text"] = row.name, "The statistic.";
-            asperities["SI", label("of all asperities")] = row.asperities, "Of all asperities.";
-            integral["SI", label("in the integral")] = row.integral, "In the integral.";
-        }
-    }
-}
-
-impl StatisticRow {
-    fn all(surface: &TiledSurface) -> [Self; 7] {
-        let TiledSurface { count, nominal_area, statistics, population, .. } = surface;
-        let row = |name, asperities, integral| Self { name, asperities, integral };
-        [
-            row("sigma of the heights, m", Some(statistics.sigma), population.sigma),
-            row("mean radius, m", Some(statistics.mean_radius), population.radius),
-            row("density, 1/m²", Some(*count as f64 / nominal_area), population.density),
-            row("skewness of the heights", statistics.skewness, population.heights.skewness()),
-            row("kurtosis of the heights", statistics.kurtosis, population.heights.kurtosis()),
-            row("scatter of the radii over their mean", Some(statistics.radius_cv), 0.0),
-            row("correlation of height and radius", statistics.height_radius_correlation, 0.0),
-        ]
+/// The surface.
+pub fn surface_row(surface: &TiledSurface) -> SurfaceRow<'_> {
+    let mean_height = surface.origin + surface.statistics.mean_height;
+    SurfaceRow {
+        name: &surface.name,
+        realisation: 1,
+        asperities: surface.count,
+        nominal_area: surface.nominal_area,
+        statistics: Statistics { mean_height, ..surface.statistics },
+        moments: None,
+        surface: None,
+        plasticity_index: None,
+        population: Some(&surface.population),
     }
 }
 
@@ -127,6 +108,6 @@ pub fn tables(results: &TiledResults) -> Vec<Table> {
         Table::new(curves),
         comparison_of_models(pairs),
         Table::new(results.laws.iter().flat_map(SeparationRow::all)),
-        Table::new(StatisticRow::all(&results.surface)),
+        Table::new([surface_row(&results.surface)]),
     ]
 }

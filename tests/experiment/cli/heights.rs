@@ -47,7 +47,7 @@ fn outcome(spec: &str) -> (f64, f64, String) {
         row[pressure].parse::<f64>().unwrap()
     };
     let summary: serde_json::Value = serde_json::from_str(&read("summary.json")).unwrap();
-    let heights = &summary["surfaces"]["a"]["statistical_model"]["heights"];
+    let heights = &summary["surfaces"]["a"]["model_heights"];
     (last("statistical"), last("deterministic"), heights.as_str().unwrap().to_owned())
 }
 

@@ -17,7 +17,7 @@ fn a_surface_is_described() {
     let output = look(&[opd, "--pixel", "196.73303177114576 nm"]);
     assert!(output.status.success(), "{}", text(&output.stderr));
     let said = text(&output.stdout);
-    for words in ["24,714 of 304,784", "6.71 nm", "-0.367, 4.54", "autocorrelation length Sal"] {
+    for words in ["24,714", "304,784", "6.71 nm", "-0.367", "4.54", "autocorrelation length Sal"] {
         assert!(said.contains(words), "{words}: {said}");
     }
     for file in
@@ -94,20 +94,22 @@ fn described(words: &str, heights: &str) -> (tempfile::TempDir, Output) {
     (folder, output)
 }
 
-/// The summary and the report of a successful `surface` run.
-fn look(words: &str, heights: &str) -> (serde_json::Value, String) {
+/// The summary, its surfaces and the report of a successful `surface` run.
+fn look(words: &str, heights: &str) -> ([serde_json::Value; 2], String) {
     let (folder, output) = described(words, heights);
     assert!(output.status.success(), "{}", text(&output.stderr));
     let out = folder.path().join("reports");
     let report = fs::read_to_string(out.join("look-surfaces/report.md")).unwrap();
-    (summary(&out, "look-surfaces")["surfaces"].take(), report)
+    let summary = summary(&out, "look-surfaces");
+    let surfaces = summary["surfaces"].clone();
+    ([summary, surfaces], report)
 }
 
 #[test]
 fn a_random_surface_is_generated_as_specified() {
     let grid = "points = [128, 96]\npixel = [\"1 um\", \"0.8 um\"]\nsigma = \"0.2 um\"\n";
     let lay = "spectrum.gaussian = { correlation-length = [\"8 um\", \"3 um\"], angle = \"30 deg\" }";
-    let (surfaces, report) = look(
+    let ([summary, surfaces], report) = look(
         &format!(
             "[surface.one.generate]\n{grid}{lay}\n[surface.two.generate]\n{grid}{lay}\nneighbours = \"eight\"
 [surface.honed.generate]\n{grid}spectrum.exponential.correlation-length = \"4 um\"
@@ -116,7 +118,11 @@ plateau = {{ height = \"-50 nm\", sigma = \"20 nm\", spectrum.exponential.correl
         ),
         "",
     );
-    let process = &surfaces["one"]["generation"]["process"];
+    let processes = |name: &str| -> Vec<serde_json::Value> {
+        let all = summary["processes"].as_array().unwrap();
+        all.iter().filter(|process| process["surface"] == name).cloned().collect()
+    };
+    let process = &processes("one")[0];
     let number = |value: &serde_json::Value| value.as_f64().unwrap();
     assert_eq!((&process["spectrum"], &process["cut_off_m"]), (&"gaussian".into(), &serde_json::Value::Null));
     close(number(&process["correlation_length_m"]), 3e-6, 1e-12);
@@ -126,18 +132,21 @@ plateau = {{ height = \"-50 nm\", sigma = \"20 nm\", spectrum.exponential.correl
         surfaces["one"]["height_map"]["sq_m"], surfaces["two"]["height_map"]["sq_m"],
         "of its own name"
     );
-    close(number(&surfaces["honed"]["generation"]["plateau_height_m"]), -5e-8, 1e-12);
-    assert!(report.contains("the target is that of the Gaussian field before the transform"));
+    close(number(&processes("honed")[1]["plateau_height_m"]), -5e-8, 1e-12);
+    assert_eq!(processes("mapped")[0]["spectrum_of"], "gaussian");
+    assert!(report.contains("the target is that of the field before the transform"));
 
     assert_eq!(surfaces["one"]["height_map"]["summit_definition"], "five-point");
     assert_eq!(surfaces["two"]["height_map"]["summit_definition"], "eight-neighbour");
-    assert!(surfaces["one"]["height_map"]["five_point_theory"].is_object());
-    assert!(surfaces["two"]["height_map"]["five_point_theory"].is_null(), "none for other summits");
+    let theory = summary["summit_theory"].as_array().unwrap();
+    let five_point =
+        |name: &str| theory.iter().find(|row| row["surface"] == name).unwrap()["five_point"].clone();
+    assert!(five_point("one").is_number() && five_point("two").is_null(), "none for other summits");
 }
 
 #[test]
 fn tables_of_a_surface_agree_with_its_summary() {
-    let (surfaces, report) = look(
+    let ([summary, surfaces], report) = look(
         "[surface.met.generate]
 points = 512
 spectrum.self-affine.hurst = 0.8
@@ -147,22 +156,23 @@ summits = { radius = \"20 um\", sigma = \"48 nm\", density = \"6e10 /m^2\" }
     );
     let (met, map) = (&surfaces["met"], &surfaces["met"]["height_map"]);
     let number = |value: &serde_json::Value| value.as_f64().unwrap();
-    for name in ["σ of the summit heights", "density of the summits"] {
+    for name in ["σ of the summit heights, m", "density of the summits, 1/m²"] {
         let cells = row(&report, name);
         assert_eq!(cells[1], cells[2], "{name}");
     }
-    let along = [0, 1].map(|axis| format::number(number(&map["m2_along_x_y"][axis])));
-    assert_eq!(row(&report, "m2 along x, y")[1], along.join(", "));
-    close(
-        2.0 * number(&map["m4_per_m2"]),
-        (0..2).map(|k| number(&map["m4_along_x_y_per_m2"][k])).sum(),
-        1e-12,
-    );
-    let cells = row(&report, "density \\[1/m²\\]");
-    let [found, theory, nayak] = [met, &map["five_point_theory"], &map["nayak_theory"]]
-        .map(|expected| number(&expected["density_per_m2"]));
-    assert_eq!([1, 2, 4].map(|k| cells[k].clone()), [found, theory, nayak].map(format::number));
-    assert_eq!([3, 5].map(|k| cells[k].clone()), [found / theory, found / nayak].map(format::ratio));
+    for axis in ["x", "y"] {
+        let along = format::number(number(&map[format!("m2_along_{axis}")]));
+        assert_eq!(row(&report, &format!("m2 along {axis}"))[1], along);
+    }
+    let along = ["x", "y"].map(|axis| number(&map[format!("m4_along_{axis}_per_m2")]));
+    close(2.0 * number(&map["m4_per_m2"]), along[0] + along[1], 1e-12);
+    let cells = row(&report, "density, 1/m²");
+    let theory = &summary["summit_theory"][0];
+    let density = number(&met["density_per_m2"]);
+    assert_eq!(number(&theory["found"]), density);
+    let expected = ["five_point", "nayak"].map(|name| number(&theory[name]));
+    assert_eq!([2, 4].map(|k| cells[k].clone()), expected.map(format::number));
+    assert_eq!([3, 5].map(|k| cells[k].clone()), expected.map(|theory| format::number(density / theory)));
     let saddles = &row(&report, "summits whose smaller principal curvature is not positive")[1];
     assert_eq!(saddles.replace(',', ""), map["summits_with_a_saddle"].to_string());
     assert!(number(&met["offset_to_mean_plane_m"]) > 0.0, "summits are above the mean plane");
@@ -181,7 +191,7 @@ fn rough() -> String {
 #[test]
 fn a_measured_map_is_processed_as_specified() {
     let file = "path = \"map.txt\"\npixel = \"1 um\"\nunit = \"nm\"\n";
-    let (surfaces, report) = look(
+    let ([_, surfaces], report) = look(
         &format!(
             "[surface.raw.file]\n{file}level = \"none\"\n[surface.level.file]\n{file}
 [surface.bowl.file]\n{file}level = \"quadratic\"\nneighbours = \"eight\"\nfilter = {{ s = \"3 um\" }}\n"
@@ -210,7 +220,7 @@ fn doubtful_maps_are_reported() {
         )
     };
     let warned = |unit: &str, heights: &str| {
-        let (surfaces, _) = look(&words(unit), heights);
+        let ([_, surfaces], _) = look(&words(unit), heights);
         surfaces["a"]["warnings"]
             .as_array()
             .unwrap()

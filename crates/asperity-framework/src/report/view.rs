@@ -157,6 +157,25 @@ impl<'a> View<'a> {
         self.rows.len()
     }
 
+    /// The first row as a table of two columns, property and value with its unit.
+    pub fn properties(&self) -> ViewText {
+        let property = |Shown { place, heading }: &Shown| {
+            let cell = &self.cells(*place)[*self.rows.first()?];
+            let unit = Unit::of(heading, &[cell]);
+            let value = unit.cell(cell, heading.reading);
+            let value = match &unit.name {
+                Some(name) => format!("{value} {}", name.strip_prefix('1').unwrap_or(name)),
+                None => value,
+            };
+            (!cell.is_empty()).then(|| vec![heading.words(), value])
+        };
+        ViewText {
+            header: vec!["property".to_owned(), "value".to_owned()],
+            rows: self.columns.iter().filter_map(property).collect(),
+            verdicts: Vec::new(),
+        }
+    }
+
     /// The view in words.
     pub fn text(&self) -> ViewText {
         let mut text = ViewText { rows: vec![Vec::new(); self.rows.len()], ..ViewText::default() };
@@ -180,23 +199,30 @@ impl<'a> View<'a> {
 }
 
 impl ViewText {
-    /// The table as lines of text: the first column left-aligned, the others right-aligned.
+    /// The table as lines of text, columns of numbers right-aligned.
     pub fn lines(&self) -> String {
         let length = |cell: &str| cell.chars().count();
-        let width = |column: usize| {
-            let cells = self.rows.iter().chain([&self.header]).map(|row| length(&row[column]));
-            cells.max().unwrap_or(0)
+        let column = |place: usize| {
+            let cells = || self.rows.iter().map(move |row| row[place].as_str());
+            let width = cells().map(length).chain([length(&self.header[place])]).max();
+            (width.unwrap_or(0), cells().all(is_number))
         };
-        let widths: Vec<usize> = (0..self.header.len()).map(width).collect();
+        let columns: Vec<(usize, bool)> = (0..self.header.len()).map(column).collect();
         let line = |cells: &Vec<String>| {
-            let cells = cells.iter().zip(&widths).enumerate().map(|(column, (cell, &width))| {
+            let cells = cells.iter().zip(&columns).map(|(cell, &(width, is_numeric))| {
                 let blanks = " ".repeat(width - length(cell));
-                if column == 0 { format!("  {cell}{blanks}") } else { format!("  {blanks}{cell}") }
+                if is_numeric { format!("  {blanks}{cell}") } else { format!("  {cell}{blanks}") }
             });
             cells.collect::<String>().trim_end().to_owned() + "\n"
         };
         line(&self.header) + &self.rows.iter().map(line).collect::<String>()
     }
+}
+
+/// Whether a cell is empty or holds a number without a unit.
+fn is_number(cell: &str) -> bool {
+    let digits = |c: char| c.is_ascii_digit() || matches!(c, '.' | ',' | '-' | '+' | 'e' | '−' | '∞' | '–');
+    cell.chars().all(digits)
 }
 
 impl Heading {
@@ -226,7 +252,8 @@ impl Unit {
         let none = Self { name: None, size: 1.0 };
         match (heading.reading, heading.unit) {
             (Reading::Percent | Reading::SignedPercent, _) => Self { name: Some("%".to_owned()), size: 0.01 },
-            (Reading::Thickness | Reading::Verdict, _) | (_, "1" | "count" | "text" | "true/false") => none,
+            (Reading::Thickness | Reading::Verdict, _)
+            | (_, "1" | "SI" | "count" | "text" | "true/false") => none,
             (_, unit) if heading.prefix.is_some() => {
                 let Prefix { name, size } = Prefix::named(heading.prefix.unwrap_or_default(), unit);
                 Self { name: Some(name), size }
@@ -326,5 +353,14 @@ mod tests {
             ["pressure (MPa)".replace("pressure", "nominal pressure"), "error (%)".into()]
         );
         assert!(table.view().filter("error", |cell| cell.number() > Some(1.0)).is_empty());
+    }
+
+    #[test]
+    fn a_row_is_a_list_of_properties() {
+        let table = table();
+        let properties = table.view().only("law", "hertz").properties();
+        assert_eq!(properties.rows[0], ["nominal pressure", "100 MPa"]);
+        assert_eq!(properties.rows[1..], [["error", "+60 %"], ["verdict", "cannot tell"]]);
+        assert!(table.view().only("law", "none").properties().rows.is_empty());
     }
 }

@@ -192,7 +192,7 @@ class Topography:
     @cached_property
     def roughness(self) -> dict[str, Any]:
         """Parameters of the prepared map, with the names and units of ``height_map`` in ``summary.json``."""
-        return json.loads(self._surface.summary)["height_map"]
+        return json.loads(self._surface.roughness)
 
     @cached_property
     def fitness(self) -> list[dict[str, Any]]:

@@ -34,8 +34,7 @@ use super::figures::differences;
 use super::results::{CompareResults, SurfaceResults};
 use super::rows::{RuleRow, SurfaceCase, tables};
 use crate::study::Verdicts;
-use crate::surface::fitness::fitness_summary;
-use crate::surface::{PopulationSummary, RealisationSummary, SurfaceSummary, section};
+use crate::surface::{rows as surface_rows, section};
 
 impl Outcome for CompareResults {
     fn metadata(&self) -> &Metadata {
@@ -72,7 +71,7 @@ impl Outcome for CompareResults {
         }
         for surface in &self.surfaces {
             page.heading(2, &format!("Surface {}", surface.surface.name));
-            section::section(&mut page, &surface.surface, Some(&surface.realisations[0].population));
+            section::section(&mut page, tables, &surface.surface, Some(&surface.realisations[0].population));
             case::inputs(&mut page, surface);
             case::contacts(&mut page, self, surface);
         }
@@ -110,12 +109,7 @@ impl Outcome for CompareResults {
         if statistical.or(deterministic).is_some() {
             add("tolerance", json!({ "statistical": statistical, "deterministic": deterministic }));
         }
-        let surfaces = self.surfaces.iter().map(|surface| (surface.surface.name.clone(), summary(surface)));
-        let surfaces: serde_json::Result<Map<String, Value>> =
-            surfaces.map(|(name, summary)| Ok((name, serde_json::to_value(summary)?))).collect();
-        add("surfaces", Value::Object(surfaces?));
-        let all = self.surfaces.iter().map(|surface| &surface.surface);
-        add("fitness", serde_json::to_value(fitness_summary(all))?);
+        add("surfaces", surface_rows::records(self.surface_rows()));
         Ok(facts)
     }
 
@@ -176,26 +170,4 @@ fn main_figure(page: &mut Page, results: &CompareResults, series: &[Series]) {
         let subject = format!("{}: ", series.subject);
         draw(&format!("{}-verdicts.svg", series.stem), &subject, &series.named_verdicts());
     }
-}
-
-/// A surface under both models.
-fn summary(surface: &SurfaceResults) -> SurfaceSummary<'_> {
-    let several = surface.realisations.len() > 1;
-    let realisations = surface.realisations.iter().zip(1..).filter(|_| several).map(|(facts, number)| {
-        RealisationSummary::new(
-            number,
-            facts.asperities,
-            facts.nominal_area,
-            &facts.statistics,
-            facts.moments,
-        )
-    });
-    let mut summary = crate::surface::summary(&surface.surface);
-    summary.plasticity_index = surface.cases.first().and_then(|case| case.first().plasticity_index);
-    // A joint density is named in the spec.
-    let is_separate = surface.realisations[0].model.joint.is_none();
-    summary.statistical_model =
-        is_separate.then(|| PopulationSummary::from(&surface.realisations[0].population));
-    summary.realisations = realisations.collect();
-    summary
 }

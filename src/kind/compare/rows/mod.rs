@@ -32,6 +32,7 @@ use asperity_framework::report::table::{Column, Schema, Table};
 use super::results::{CompareResults, SurfaceResults};
 use super::tables::{CAUSES, CurveRow, PairRow, REFERENCE};
 use crate::study::{CaseResults, CaseStudy, Verdicts};
+use crate::surface::rows as surface_rows;
 use attribution::AttributionRow;
 use differences::DifferenceRow;
 use ranking::RankingRow;
@@ -93,7 +94,7 @@ fn case_columns<R>(key: impl for<'r> Fn(&'r R) -> CaseKey<'r> + Copy + 'static) 
 
 /// The tables of a comparison.
 pub(crate) fn schemas() -> Vec<Schema> {
-    vec![
+    let mut schemas = vec![
         Schema::of::<VerdictRow>(),
         Schema::of::<CaseRow>(),
         Schema::of::<ResultRow>(),
@@ -114,7 +115,9 @@ pub(crate) fn schemas() -> Vec<Schema> {
         Schema::of::<RuleRow>(),
         Schema::of::<ReadingRow>(),
         Schema::of::<LineRow>(),
-    ]
+    ];
+    schemas.extend(surface_rows::schemas());
+    schemas
 }
 
 /// The tables of one comparison: curves, pairs, verdicts, differences and gaps always, all others where they have rows.
@@ -151,5 +154,6 @@ pub(crate) fn tables(results: &CompareResults) -> Vec<Table> {
         Table::new(lines::rows(results)),
     ];
     tables.extend(optional.into_iter().filter(|table| table.rows() > 0));
+    tables.extend(surface_rows::tables(results.surface_rows()));
     tables
 }

@@ -7,6 +7,7 @@ use asperity::compare::{Cause, ComparedQuantity};
 use asperity_framework::report::format::{input_quantity, listed, number, percent, quantity, with_sign};
 use asperity_framework::report::page::{Page, escape};
 use asperity_framework::report::sections;
+use asperity_framework::report::table::Tables;
 
 use super::findings::{gap, main_load};
 use super::quantity::Quantity;
@@ -111,7 +112,9 @@ fn of_surface(page: &mut Page, surface: &SurfaceResults) {
 fn tables(page: &mut Page, surface: &SurfaceResults) {
     let name = &surface.surface.name;
     page.details(3, &format!("{name}: asperities by length"), |page| asperities(page, surface));
-    page.details(3, &format!("{name}: the surface"), |page| section::section(page, &surface.surface, None));
+    page.details(3, &format!("{name}: the surface"), |page| {
+        section::section(page, &Tables::default(), &surface.surface, None)
+    });
 }
 
 /// Every variant of a surface with its length.

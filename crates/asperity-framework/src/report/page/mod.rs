@@ -191,10 +191,19 @@ impl Page {
 
     /// Adds a view of a table; nothing where it has no rows.
     pub fn view(&mut self, view: &View) -> &mut Self {
-        if view.is_empty() {
+        self.view_text(view.text())
+    }
+
+    /// Adds the first row of a table as a list of properties and values; nothing without a row.
+    pub fn properties(&mut self, view: &View) -> &mut Self {
+        self.view_text(view.properties())
+    }
+
+    fn view_text(&mut self, text: ViewText) -> &mut Self {
+        let ViewText { header, rows, verdicts } = text;
+        if rows.is_empty() {
             return self;
         }
-        let ViewText { header, rows, verdicts } = view.text();
         let header: Vec<&str> = header.iter().map(String::as_str).collect();
         let rows = rows.into_iter().map(|row| row.into_iter().map(Cell::AroundCode).collect()).collect();
         self.rows(&header, rows, verdicts)
