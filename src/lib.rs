@@ -13,10 +13,10 @@ mod layer;
 pub mod materials;
 mod parts;
 mod plausibility;
-pub mod study;
 pub mod surface;
 #[cfg(feature = "cli")]
 pub mod terminal;
 
+pub use asperity::study;
 pub use experiment::{Experiment, PRINT, TEMPLATE, make_surface};
 pub use parts::{Merged, PartError, PartRun};

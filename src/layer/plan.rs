@@ -3,7 +3,8 @@
 use std::fmt;
 
 use crate::layer::spec::LayerSpec;
-use asperity::{Flat, LayerError, LayeredFlat, Material, ModulusModel};
+use asperity::layer::Coating;
+use asperity::{Material, ModulusModel};
 use asperity_framework::input::InputError;
 
 use asperity_framework::input::SpecFile;
@@ -13,13 +14,12 @@ use asperity_framework::input::SpecFile;
 pub struct LayerPlan {
     /// Name of its material.
     pub name: String,
-    pub material: Material,
+    /// Effective-modulus model.
     pub rule: ModulusModel,
     /// Thicknesses, m, ascending; 0 and infinity among them.
     pub thicknesses: Vec<f64>,
-    /// The layer, 1 m thick, on its substrate: what does not depend on the thickness is found once.
-    layered: LayeredFlat,
-    substrate: Material,
+    /// The layer in any thickness on its substrate.
+    pub coating: Coating,
 }
 
 /// A thickness (m) as a spec gives it.
@@ -40,15 +40,6 @@ impl LayerPlan {
             self.thicknesses.insert(0, 0.0);
         }
     }
-
-    /// The substrate with the layer in the thickness `thickness` (m) on it.
-    ///
-    /// # Errors
-    /// A thickness that is not positive and finite, nor 0 or infinite.
-    pub fn flat(&self, thickness: f64) -> Result<Flat, LayerError> {
-        let layered = || self.layered.with_thickness(thickness);
-        Flat::in_thickness(&self.material, &self.substrate, thickness, layered)
-    }
 }
 
 /// "lead of 0, 50 nm, inf, rule gao".
@@ -63,8 +54,8 @@ impl fmt::Display for LayerPlan {
 pub fn layer(file: &SpecFile, spec: &LayerSpec, substrate: &Material) -> Result<LayerPlan, InputError> {
     let name = spec.material.get_ref().clone();
     let material = file.body(&name, spec.material.span())?;
-    let layered = LayeredFlat::new(&material, substrate, 1.0, spec.rule)
+    let coating = Coating::new(material, *substrate, spec.rule)
         .map_err(|error| file.source.error_at(spec.material.span(), format!("found \"{name}\": {error}")))?;
     let thicknesses = spec.thickness.values.clone();
-    Ok(LayerPlan { name, material, rule: spec.rule, thicknesses, layered, substrate: *substrate })
+    Ok(LayerPlan { name, rule: spec.rule, thicknesses, coating })
 }

@@ -3,24 +3,23 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use asperity::topography::generate::SigmaOf;
+use asperity::numeric::stream_seed;
 use asperity::topography::{Continued, CorrelationLengths, Rows};
 use asperity::work::{Counter, Item};
-use asperity::{AsperityList, Draw, Ellipse, Ellipticity, ReferencePlane, Statistics};
+use asperity::{AsperityList, Draw, Ellipse, Ellipticity, Statistics};
 use asperity_framework::RunContext;
-use asperity_framework::digest::stream_seed;
 use asperity_framework::input::{Held, InputError, Source};
 use asperity_framework::metadata::Timing;
 use asperity_framework::progress::{Progress, Silent};
 
 use super::files::Files;
 use super::fitness;
-use super::overview::AnalysisDepth;
 use super::plan::{Origin, SurfacePlan};
 use super::read_error::{list_message, spec_message};
-use super::rough_surface::{MapFacts, Surface};
-use super::search::{Found, NoAsperities, Preparation, SummitSearch};
 use super::spec::DrawSpec;
+use asperity::surface::AnalysisDepth;
+use asperity::surface::{MapFacts, Surface};
+use asperity::surface::{NoAsperities, Preparation, SummitSearch};
 
 /// Makes or reads the realisations of a surface.
 pub struct SurfaceFactory<'a> {
@@ -245,9 +244,6 @@ impl<'a> SurfaceFactory<'a> {
 /// The ratio is 1.2 for Gaussian heights, and 1.5 for those of machined surfaces.
 const FEW_FLAT_TOPS: f64 = 4.0;
 
-/// Heights that scatter by less, relative to themselves, are equal but for rounding.
-const ROUNDING: f64 = 1e-12;
-
 /// The surface of the asperities that are found on a map.
 fn found(
     name: &str,
@@ -256,34 +252,18 @@ fn found(
     timing: &mut Timing,
 ) -> Result<Surface, NoAsperities> {
     let start = Instant::now();
-    let Found { set, facts, independence, prepared } = search.asperities(map)?;
+    let mut surface = search.surface(name, map)?;
     timing.summits += start.elapsed();
-    let (set, origin) = set.near_zero();
-    let statistics = Statistics::of(&set);
-    let summits = facts.summits;
-    if statistics.sigma <= ROUNDING * ((origin + statistics.mean_height).abs() + facts.roughness.moments.sq) {
-        return Err(NoAsperities::EqualHeights { summits });
+    if let Some(map) = &surface.map {
+        surface.warnings = fitness::warnings(map);
+        surface.warnings.extend(fitness::failures(map));
     }
-    let mut surface = Surface::new(name, set, statistics);
-    surface.warnings = facts.warnings();
-    surface.warnings.extend(fitness::failures(&facts));
-    let spread = statistics.mean_radius / statistics.radius_of_mean_curvature;
+    let spread = surface.statistics.mean_radius / surface.statistics.radius_of_mean_curvature;
     if spread > FEW_FLAT_TOPS {
         surface.warnings.push(format!(
             "the mean radius is {spread:.1} times the radius of the mean curvature: it is dominated by a few nearly flat summits. \
              statistical.mean-radius = \"inverse-mean-curvature\" selects the other mean.",
         ));
-    }
-    let moments = &facts.roughness.moments;
-    surface.origin = origin + facts.offset;
-    let mean = moments.mean - origin;
-    surface.mean_plane = Some(mean);
-    let plane = ReferencePlane { mean, sigma: moments.sq };
-    surface.map = Some(facts);
-    surface.independence = independence;
-    surface.prepared = prepared;
-    if surface.separations_of() == SigmaOf::Surface {
-        surface.plane = plane;
     }
     Ok(surface)
 }

@@ -3,7 +3,40 @@
 use asperity::topography::fitness::{Check, Finding, Measure};
 use asperity_framework::report::format::{count, input_quantity, number, percent, quantity};
 
-use super::rough_surface::{MapFacts, Surface};
+use asperity::surface::{MapFacts, Surface};
+
+/// Caveats that no check states.
+pub fn warnings(map: &MapFacts) -> Vec<String> {
+    /// Largest plausible point spacing, m.
+    const WIDE: f64 = 1e-3;
+    /// Smallest plausible r.m.s. slope: below that of polished optics.
+    const FLAT: f64 = 1e-4;
+    /// Share of missing points from which it matters which ones are missing.
+    const MANY: f64 = 0.1;
+    let mut warnings = Vec::new();
+    let widest = map.pixel[0].max(map.pixel[1]);
+    let slope = map.roughness.rms_slope();
+    if widest >= WIDE {
+        warnings.push(format!(
+            "its points are {} apart: the unit of its lengths is probably wrong (set unit = \"um\" next to path).",
+            quantity(widest, "m"),
+        ));
+    } else if slope < FLAT && map.generation.is_none() {
+        warnings.push(format!(
+            "the r.m.s. slope is {}, less than that of polished optics: heights and pixel size are probably in different units.",
+            number(slope),
+        ));
+    }
+    let missing = map.roughness.missing as f64 / (map.points[0] * map.points[1]) as f64;
+    if missing > MANY {
+        warnings.push(format!(
+            "{} of its points are missing: where an instrument loses valleys or steep flanks rather than points at random, σ \
+             and the separation are too small.",
+            percent(missing),
+        ));
+    }
+    warnings
+}
 
 /// What keeps a map from carrying a verdict, and the remedy: a sentence for each such check.
 pub fn failures(map: &MapFacts) -> Vec<String> {

@@ -6,15 +6,15 @@ use std::ops::Range;
 use crate::surface::generate_spec::{
     CorrelationSpec, GenerateSpec, PlateauSpec, SelfAffineSpec, SpectrumSpec,
 };
-use crate::surface::rough_surface::GenerationFacts;
+use asperity::numeric::stream_seed;
 use asperity::progress::Progress;
+use asperity::surface::GenerationFacts;
 use asperity::topography::generate::{
     Plateau, Process, Seeds, SigmaOf, SpectrumOf, SurfaceGenerator, Target, TargetGenerator, Unreachable,
 };
 use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
 use asperity::topography::summits::Neighbours;
 use asperity::{HeightMap, Heights};
-use asperity_framework::digest::stream_seed;
 use asperity_framework::input::Spanned;
 use asperity_framework::input::quantity::{Angle, Finite, Quantity};
 use asperity_framework::input::{InputError, Source};

@@ -6,30 +6,26 @@ mod files;
 pub mod fitness;
 mod generate_spec;
 mod generation;
-mod independence;
 mod options;
-mod overview;
 mod page;
 mod pixel_spec;
 mod plan;
 mod read_error;
 mod results;
-mod rough_surface;
 pub mod rows;
-mod search;
 pub mod section;
 mod spec;
 mod tiles;
 
+pub use asperity::surface::{
+    AnalysisDepth, GenerationFacts, Independence, MapBlocks, MapFacts, MapOverview, Preparation, PreparedMap,
+    Surface,
+};
 pub use description::{SurfacesPlan, described_file};
 pub use factory::SurfaceFactory;
 pub use files::Files;
-pub use independence::{Independence, MapBlocks};
 pub use options::FileOptions;
-pub use overview::{AnalysisDepth, MapOverview};
 pub use plan::{SurfacePlan, beside, curvature_ratio, describe, inputs, memory, surfaces};
-pub use rough_surface::{GenerationFacts, MapFacts, PreparedMap, Surface};
-pub use search::Preparation;
 pub use spec::SurfaceSpec;
 pub use tiles::{OpenTiles, SurfaceTiles};
 

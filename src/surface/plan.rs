@@ -8,12 +8,12 @@ use std::path::PathBuf;
 use crate::plausibility;
 use crate::surface::files::Reading;
 use crate::surface::generation::Generation;
-use crate::surface::overview::{AnalysisDepth, MOST_ANALYSED_POINTS};
 use crate::surface::read_error::{list_message, options_message, spec_message};
-use crate::surface::search::Preparation;
 use crate::surface::spec::{
     DrawSpec, FileSpec, ListSpec, Outliers, PopulationHeights, PopulationSpec, SurfaceSpec,
 };
+use asperity::surface::Preparation;
+use asperity::surface::{AnalysisDepth, MOST_ANALYSED_POINTS};
 use asperity::topography::read::{Metadata, ReadOptions, ReadOptionsError};
 use asperity::topography::{Boundary, Filter, Level, read};
 use asperity::{

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use asperity_framework::metadata::Metadata;
 
-use super::rough_surface::Surface;
+use asperity::surface::Surface;
 
 /// Surfaces described, without any contact.
 #[derive(Debug)]

@@ -13,7 +13,7 @@ use indexmap::IndexMap;
 use serde_json::{Map, Value};
 
 use super::fitness;
-use super::rough_surface::{GenerationFacts, MapFacts, Surface};
+use asperity::surface::{GenerationFacts, MapFacts, Surface};
 
 /// The statistics of asperities: each is a column here, and a field of [`Statistics`].
 pub fn statistics_columns<R>(

@@ -4,6 +4,7 @@ use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 
+use asperity::numeric::stream_seed;
 use asperity::topography::read::{ReadError, check_rows, unchecked_rows};
 use asperity::topography::summits::{Detail, find_in_rows};
 use asperity::topography::{Filter, HeightMap, Level, Rows, Window};
@@ -11,18 +12,17 @@ use asperity::work::Counter;
 use asperity::{
     AsperityList, AsperitySet, AsperitySums, Draw, ListOptions, MapError, Population, ReferencePlane, STREAM,
 };
-use asperity_framework::digest::stream_seed;
 use asperity_framework::input::{Held, InputError, Source};
 use asperity_framework::metadata::Timing;
 use asperity_framework::progress::Silent;
 
 use super::factory::SurfaceFactory;
 use super::files::Files;
-use super::overview::AnalysisDepth;
 use super::plan::{MapPlan, Origin, SurfacePlan};
 use super::read_error::{list_message, spec_message};
-use super::search::Preparation;
 use super::spec::DrawSpec;
+use asperity::surface::AnalysisDepth;
+use asperity::surface::Preparation;
 
 /// How a surface is divided into tiles. The input alone fixes it.
 #[derive(Debug)]

@@ -257,8 +257,8 @@ fn treatments_are_those_of_specs() {
         assert!(treated.differences.len() > 3);
         for at in &treated.differences {
             let found = contrast(&treated.differences, at.load);
-            assert!((found - contrast(asked, at.load)).abs() < 1e-12, "{treatment}");
-            assert!((found - contrast(own, at.load)).abs() > 1e-6, "{treatment}");
+            assert!((found - contrast(asked, at.load)).abs() < 1e-12, "{treatment:?}");
+            assert!((found - contrast(own, at.load)).abs() > 1e-6, "{treatment:?}");
         }
     }
 }

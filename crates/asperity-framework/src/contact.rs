@@ -5,7 +5,8 @@ use serde::Serialize;
 
 use asperity::compare::ModulusFindings;
 use asperity::law::Property;
-use asperity::{ContactLaw, Material, MicroContact, ModulusModel, Paper, literature};
+use asperity::study::LawContact;
+use asperity::{Material, ModulusModel, Paper, literature};
 
 /// The two bodies, by name.
 #[derive(Debug, Clone)]
@@ -14,18 +15,6 @@ pub struct Bodies {
     pub rough: String,
     /// Material of the flat.
     pub flat: String,
-}
-
-/// A law and the micro-contact that it makes of the two bodies.
-pub struct LawPlan {
-    /// Name in tables and plots.
-    pub label: String,
-    /// Thickness of the layer, m; `None` without a layer in the spec.
-    pub thickness: Option<f64>,
-    /// The micro-contact.
-    pub contact: Box<dyn MicroContact>,
-    /// The law as given in the spec.
-    pub spec: ContactLaw,
 }
 
 /// The layer on the flat.
@@ -74,20 +63,20 @@ impl ContactSummary {
 }
 
 /// References for the laws and both models.
-pub fn papers_of(laws: &[LawPlan]) -> Vec<Paper> {
+pub fn papers_of(laws: &[LawContact]) -> Vec<Paper> {
     let models = [literature::PASARIBU_SCHIPPER_2005, literature::ZHAO_MAIETTA_CHANG_2000];
     laws.iter().flat_map(papers_of_law).chain(models).collect()
 }
 
 /// References for one law.
-fn papers_of_law(law: &LawPlan) -> Vec<Paper> {
+fn papers_of_law(law: &LawContact) -> Vec<Paper> {
     law.contact.papers().into_iter().chain(law.spec.papers()).collect()
 }
 
 /// Description of two bodies under laws, for a report.
 pub fn contact_metadata(
     materials: &IndexMap<String, Material>,
-    laws: &[LawPlan],
+    laws: &[LawContact],
     bodies: &Bodies,
     layer: Option<LayerMetadata>,
 ) -> ContactMetadata {
@@ -110,7 +99,7 @@ pub fn contact_metadata(
 /// Warns of materials whose hardness and yield strength are inconsistent, where laws use both.
 fn inconsistent_strengths(
     materials: &IndexMap<String, Material>,
-    laws: &[LawPlan],
+    laws: &[LawContact],
     bodies: &Bodies,
     layer: Option<&LayerMetadata>,
 ) -> Vec<String> {

@@ -83,15 +83,6 @@ pub fn hexadecimal(bytes: &[u8]) -> String {
     bytes.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-/// The seed of one stream of random numbers: it depends on the spec's seed and on what is drawn, not on the rest of the
-/// spec.
-pub fn stream_seed(seed: u64, what: &str) -> [u8; 32] {
-    let mut hash = Sha256::new();
-    hash.update(seed.to_le_bytes());
-    hash.update(what);
-    hash.finalize().into()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

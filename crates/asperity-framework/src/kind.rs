@@ -14,7 +14,7 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};
 
-use crate::digest::{hexadecimal, sha256, stream_seed};
+use crate::digest::{hexadecimal, sha256};
 use crate::divided::AnyDivided;
 use crate::input::material::MaterialOrigin;
 use crate::input::{InputError, Source, Spanned, SpecFile};
@@ -22,6 +22,7 @@ use crate::metadata::{Again, Metadata, Timing};
 use crate::progress::Progress;
 use crate::report::Page;
 use crate::report::table::{Schema, Table, Tables};
+use asperity::numeric::stream_seed;
 use asperity::work::Work;
 use asperity::{Material, Paper};
 use asperity_plot::Size;

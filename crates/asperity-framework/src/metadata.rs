@@ -1,9 +1,8 @@
 //! What every experiment has: title, seed, sources, time and work.
 
-use std::time::Duration;
-
 use crate::input::material::MaterialOrigin;
 use asperity::Paper;
+pub use asperity::work::Timing;
 use asperity::work::Work;
 use asperity_plot::Size;
 use indexmap::IndexMap;
@@ -46,25 +45,4 @@ pub enum Again {
     Command(String),
     /// The spec itself, which has no file.
     Spec(String),
-}
-
-/// Where the time went.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct Timing {
-    /// Reading files.
-    pub read: Duration,
-    /// Drawing asperities.
-    pub generate: Duration,
-    /// Levelling, filtering, finding summits.
-    pub summits: Duration,
-    /// The integrals.
-    pub statistical: Duration,
-    /// The sums, ordering included.
-    pub deterministic: Duration,
-    /// Both models again, for sampling errors.
-    pub sampling: Duration,
-    /// The boundary element reference.
-    pub reference: Duration,
-    /// From the spec to the results.
-    pub total: Duration,
 }

@@ -42,6 +42,7 @@
 //! | the result | [`Response`]: contacts, area, pressure, stiffness, shares of the regimes, standard errors for independent asperities, [`LoadSharing`]; the limits of the valid range that it exceeds: [`Response::exceeded`] |
 //! | one asperity | [`sphere`]: its curve, its critical indentations |
 //! | comparison of both models | [`compare`]: pairs at equal load and separation, [`Difference`](compare::Difference) with its 95 % interval, [`ValidRange`](compare::ValidRange), [`Stretch`](compare::Stretch) of loads with one [`Verdict`](compare::Verdict) |
+//! | a surface with all that is known of it | [`surface`]: its asperities, the fitness of its map, blocks; [`study`]: both models on it, with sampling errors, causes and verdicts; [`study::verdicts`] does all of it |
 //! | the map itself | [`bem`]: boundary elements without asperities; [`analytical`]: closed results from its r.m.s. gradient |
 //! | files and units | [`topography::read`], [`AsperityList::read`], [`npy`], [`units`] |
 //! | tools | [`numeric`], [`literature`], [`work`] |
@@ -97,6 +98,8 @@ pub mod numeric;
 pub mod progress;
 mod shape;
 pub mod sphere;
+pub mod study;
+pub mod surface;
 pub mod topography;
 pub mod units;
 pub mod work;

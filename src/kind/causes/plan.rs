@@ -3,10 +3,11 @@
 use std::fmt;
 
 use asperity::distribution::Johnson;
+use asperity::study::LawContact;
 use asperity::topography::generate::{Process, SpectrumOf, SurfaceGenerator};
 use asperity::topography::spectrum::{Lay, Spectrum, SpectrumError, SpectrumShape};
 use asperity::{Flat, Heights, reduced_modulus};
-use asperity_framework::contact::{Bodies, LawPlan};
+use asperity_framework::contact::Bodies;
 use asperity_framework::input::quantity::Quantity;
 use asperity_framework::input::{InputError, Spanned, SpecFile};
 use asperity_framework::{Memory, Plan, RunContext};
@@ -27,7 +28,7 @@ pub struct CausesPlan {
     /// Names of the two bodies.
     pub bodies: Bodies,
     /// The law.
-    pub law: LawPlan,
+    pub law: LawContact,
     /// Nominal pressures, Pa, ascending.
     pub loads: Vec<f64>,
     /// What they are multiples of: E* times the gradient, Pa.

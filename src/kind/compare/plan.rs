@@ -6,9 +6,10 @@ use std::path::PathBuf;
 
 use asperity::analytical::AnalyticalLine;
 use asperity::compare::{Controls, Kind};
+use asperity::study::LawContact;
 use asperity::{ContactLaw, Flat, Material};
 use asperity_framework::RunContext;
-use asperity_framework::contact::{Bodies, LawPlan};
+use asperity_framework::contact::Bodies;
 use asperity_framework::input::Spanned;
 use asperity_framework::input::accept::AcceptSpec;
 use asperity_framework::input::{InputError, SpecFile};
@@ -31,7 +32,7 @@ pub struct ComparePlan {
     /// The layer on the flat.
     pub layer: Option<Box<LayerPlan>>,
     /// The laws, each under every thickness of the layer.
-    pub laws: Vec<LawPlan>,
+    pub laws: Vec<LawContact>,
     /// The laws alone.
     pub law_specs: Vec<ContactLaw>,
     /// The models to run.
@@ -175,7 +176,7 @@ pub(crate) fn compared(
     let flats = match &layer {
         None => vec![(None, Flat::Bare(flat))],
         Some(layer) => {
-            let on = |&t: &f64| layer.flat(t).map(|flat| (Some(t), flat));
+            let on = |&t: &f64| layer.coating.flat(t).map(|flat| (Some(t), flat));
             let flats: Result<Vec<_>, _> = layer.thicknesses.iter().map(on).collect();
             flats.map_err(|error| InputError::file(&file.source.path, error))?
         }
@@ -186,7 +187,7 @@ pub(crate) fn compared(
     let feels_substrate =
         layer.as_deref().is_none_or(|layer| layer.thicknesses.iter().any(|t| t.is_finite()));
     let substrate = feels_substrate.then_some((flat_name.as_str(), &flat));
-    let coat = coat.map(|layer| (layer.name.as_str(), &layer.material));
+    let coat = coat.map(|layer| (layer.name.as_str(), &layer.coating.material));
     let flat_materials: Vec<_> = substrate.into_iter().chain(coat).collect();
     file.check_laws(&raw.law, (rough_name, &rough), &flat_materials)?;
     let mut implausible = plausibility::of_bodies((rough_name, &rough), &flat_materials);

@@ -5,10 +5,11 @@ use std::time::Instant;
 use asperity::bem::Solver;
 use asperity::compare::{AgainstReference, CaseSampling, Control, ModulusCheck, ModulusFindings, NotReached};
 use asperity::distribution::HeightsError;
+use asperity::study::LawContact;
 use asperity::work::Counter;
 use asperity::{ContactError, Heights, Paper};
 use asperity_framework::RunContext;
-use asperity_framework::contact::{LawPlan, LayerMetadata, contact_metadata, papers_of};
+use asperity_framework::contact::{LayerMetadata, contact_metadata, papers_of};
 use asperity_framework::input::InputError;
 use asperity_framework::metadata::Timing;
 
@@ -115,7 +116,8 @@ impl<'a> Run<'a> {
         let thresholds = compare.layer.as_deref().filter(|layer| layer.thicknesses != [0.0]).map_or_else(
             Vec::new,
             |layer| {
-                let question = LayerQuestion { layer, rough: &compare.pair[0] };
+                let LayerPlan { coating, thicknesses, .. } = layer;
+                let question = LayerQuestion { coating, thicknesses, rough: &compare.pair[0] };
                 thresholds(question, setup, &surface, &models, &first, self.counter)
             },
         );
@@ -141,7 +143,8 @@ impl<'a> Run<'a> {
         }
         self.papers.extend(surface.papers());
         self.papers.extend(compare.statistical.papers());
-        let (realisations, mut cases) = CaseStudy::all(&surface, realisations, compare.accept);
+        let (realisations, mut cases) =
+            CaseStudy::all(&surface, realisations, compare.accept.on(surface.plane.sigma));
         for (case, ranking) in cases.iter_mut().zip(rankings) {
             case.ranking = Some(ranking).filter(|ranking| !ranking.models.is_empty());
         }
@@ -262,7 +265,7 @@ pub(super) fn unreachable_load(
     context: &RunContext,
     compare: &ComparePlan,
     surface: &str,
-    law: &LawPlan,
+    law: &LawContact,
     error: &NotReached,
 ) -> InputError {
     let layer =
@@ -290,6 +293,6 @@ fn rule_check(
     /// a/t, from and to.
     const RANGE: [f64; 2] = [0.1, 10.0];
     let [rough, flat] = &compare.pair;
-    let check = ModulusCheck::new(rough, &layer.material, flat)?;
+    let check = ModulusCheck::new(rough, &layer.coating.material, flat)?;
     Ok((check.findings(RANGE[0], RANGE[1]), check.papers()))
 }

@@ -109,11 +109,11 @@ pub(super) fn plan(file: &SpecFile, table: &Spanned<IndentationSpec>) -> Result<
         return Err(file.source.error_at(raw.indentation.span(), message));
     }
     file.spheres_only(&raw.law, "a ball is a sphere")?;
-    let flat_materials = layers.iter().map(|layer| (layer.name.as_str(), &layer.material));
+    let flat_materials = layers.iter().map(|layer| (layer.name.as_str(), &layer.coating.material));
     let flat_materials: Vec<_> = std::iter::once((flat.0.as_str(), &flat.1)).chain(flat_materials).collect();
     file.check_laws(&raw.law, (&ball.0, &ball.1), &flat_materials)?;
     // Each layer is of finite thickness.
-    let coated = layers[0].flat(layers[0].thicknesses[0]);
+    let coated = layers[0].coating.flat(layers[0].thicknesses[0]);
     let coated = coated.map_err(|error| InputError::file(&file.source.path, error))?;
     for law in &raw.law.get_ref().0 {
         law.interface(&ball.1, &coated).map_err(|error| match error {

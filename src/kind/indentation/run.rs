@@ -197,11 +197,11 @@ impl Alone {
         counter: &Counter,
     ) -> Result<Self, ContactError> {
         let (ball, substrate) = (&plan.ball.1, &plan.flat.1);
-        let all_layer = Flat::AllLayer { substrate: *substrate, layer: layer.material };
+        let all_layer = Flat::AllLayer { substrate: *substrate, layer: layer.coating.material };
         Ok(Self {
             uncoated,
             all_layer: curves(plan, &all_layer, counter)?,
-            check: ModulusCheck::new(ball, &layer.material, substrate)?,
+            check: ModulusCheck::new(ball, &layer.coating.material, substrate)?,
         })
     }
 }
@@ -228,7 +228,7 @@ fn on_layer(
     counter: &Counter,
 ) -> Result<LayerResults, ContactError> {
     let (ball, substrate) = (&plan.ball.1, &plan.flat.1);
-    let coated = layer.flat(thickness)?;
+    let coated = layer.coating.flat(thickness)?;
     let measured: Vec<(f64, f64)> = plan.overlay.iter().flat_map(|overlay| overlay.points.clone()).collect();
     let shape = Shape::sphere(plan.radius);
     let mut laws = Vec::new();
@@ -247,7 +247,7 @@ fn on_layer(
             at_overlay,
         });
     }
-    let sphere = LayeredSphere::new(Some(ball), plan.radius, &layer.material, substrate, thickness);
+    let sphere = LayeredSphere::new(Some(ball), plan.radius, &layer.coating.material, substrate, thickness);
     let exact = |&w: &f64| {
         let found = sphere.at_indentation(w)?;
         Some(ElasticContact { indentation: w, ..found })

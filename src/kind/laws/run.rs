@@ -7,9 +7,9 @@ use crate::kind::compare::run_compare;
 use crate::study::CaseStudy;
 use asperity::compare::{Difference, Dominance, Influence, Measure, UnderLaw};
 use asperity::sphere::{Curve, boundaries};
+use asperity::study::LawContact;
 use asperity::work::{CountedContact, Counter};
 use asperity_framework::RunContext;
-use asperity_framework::contact::LawPlan;
 use asperity_framework::input::InputError;
 
 /// Runs it.
@@ -42,7 +42,7 @@ pub fn run(context: &RunContext, laws_plan: &LawsPlan) -> Result<LawsResults, In
     })
 }
 
-fn on_asperity(plan: &LawsPlan, law: &LawPlan, counter: &Counter) -> LawOnAsperity {
+fn on_asperity(plan: &LawsPlan, law: &LawContact, counter: &Counter) -> LawOnAsperity {
     let contact = CountedContact::new(&*law.contact, counter);
     let shape = plan.shape(&law.spec);
     let indentations: Vec<f64> = plan.ratios.iter().map(|ratio| ratio * plan.critical.indentation).collect();
@@ -58,7 +58,7 @@ fn on_asperity(plan: &LawsPlan, law: &LawPlan, counter: &Counter) -> LawOnAsperi
 
 /// Of one realisation of a surface. Its sampling errors are those of the verdicts, which are of the mean over all
 /// realisations.
-fn influence(laws: &[LawPlan], surface: &SurfaceResults, realisation: usize) -> Influence {
+fn influence(laws: &[LawContact], surface: &SurfaceResults, realisation: usize) -> Influence {
     let of_single = (surface.realisations.len() as f64).sqrt();
     let of_case = |case: &CaseStudy| {
         let mut differences = case.verdicts.differences.clone();

@@ -2,8 +2,9 @@
 
 use std::fmt;
 
+use asperity::study::LawContact;
 use asperity::{Flat, Heights, Population};
-use asperity_framework::contact::{Bodies, LawPlan};
+use asperity_framework::contact::Bodies;
 use asperity_framework::input::{InputError, Spanned, SpecFile};
 
 use super::spec::LimitSpec;
@@ -12,7 +13,7 @@ use super::spec::LimitSpec;
 pub struct LimitPlan {
     /// Names of the two bodies.
     pub bodies: Bodies,
-    pub laws: Vec<LawPlan>,
+    pub laws: Vec<LawContact>,
     /// What the sets are drawn from.
     pub population: Population,
     /// d/sigma.

@@ -4,10 +4,11 @@ use std::time::Instant;
 
 use asperity::compare::{Exact, LimitCase, LimitPoint, convergence};
 use asperity::distribution::gaussian_moment;
+use asperity::study::LawContact;
 use asperity::work::{CountedContact, Counter, Item};
 use asperity::{MicroContact, Model, Population, Statistical, plasticity_index};
 use asperity_framework::RunContext;
-use asperity_framework::contact::{ContactMetadata, LawPlan, contact_metadata, papers_of};
+use asperity_framework::contact::{ContactMetadata, contact_metadata, papers_of};
 use asperity_framework::input::InputError;
 use asperity_framework::metadata::{Metadata, Timing};
 
@@ -91,7 +92,7 @@ pub(super) fn run(context: &RunContext, limit: &LimitPlan) -> Result<LimitResult
     })
 }
 
-fn reference(law: &LawPlan) -> &'static str {
+fn reference(law: &LawContact) -> &'static str {
     if law.spec.is_greenwood_williamson() {
         "the closed form of Greenwood and Williamson"
     } else {
@@ -100,7 +101,7 @@ fn reference(law: &LawPlan) -> &'static str {
 }
 
 /// The limit at d/sigma = `h`: Greenwood and Williamson's closed form for Hertz, else the integral.
-fn exact(law: &LawPlan, contact: &dyn MicroContact, population: &Population, h: f64) -> Exact {
+fn exact(law: &LawContact, contact: &dyn MicroContact, population: &Population, h: f64) -> Exact {
     let &Population { radius, sigma, density, .. } = population;
     let integral = Statistical::new(contact, population.clone()).respond(h);
     let limit = Exact::of_integral(integral, density);

@@ -1,8 +1,9 @@
 //! Results of both models on a surface in tiles.
 
 use asperity::compare::{Comparison, Control, CurvePoint, Kind, Pair, Pairing};
+use asperity::study::LawContact;
 use asperity::{Model, Population, ReferencePlane, Response, Shape, Statistical, Statistics, Total};
-use asperity_framework::contact::{ContactMetadata, LawPlan};
+use asperity_framework::contact::ContactMetadata;
 use asperity_framework::metadata::Metadata;
 
 /// Both models on a surface in tiles.
@@ -60,7 +61,7 @@ pub struct LawResults {
 impl LawResults {
     /// The statistical model beside the sums `totals` at separations d/sigma.
     pub(super) fn new(
-        law: &LawPlan,
+        law: &LawContact,
         separations: &[f64],
         surface: &TiledSurface,
         totals: &[Total],

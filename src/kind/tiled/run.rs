@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use asperity::study::LawContact;
 use asperity::{AsperitySums, Deterministic, MeanRadius, Population, ReferencePlane, Total};
 use asperity_framework::RunContext;
 use asperity_framework::contact;
@@ -168,7 +169,7 @@ impl TiledPlan {
         }
         let Some(plane) = plane else { return Ok(TileSums { asperities, totals: Vec::new() }) };
         let separations: Vec<f64> = self.separations().iter().map(|h| plane.mean + h * plane.sigma).collect();
-        let of_law = |law: &contact::LawPlan| match &found.set {
+        let of_law = |law: &LawContact| match &found.set {
             Some(set) => Deterministic::new(&*law.contact, set.spheres(), plane).totals(&separations),
             None => vec![Total::default(); separations.len()],
         };

@@ -1,7 +1,7 @@
 //! Figures of a surface.
 
-use crate::surface::overview::MapOverview;
-use crate::surface::rough_surface::Surface;
+use asperity::surface::MapOverview;
+use asperity::surface::Surface;
 use asperity::topography::{Autocorrelation, RadialSpectrum};
 use asperity::{HeightMap, Heights, Population};
 use asperity_plot::{Axis, Colour, ColourMap, Dash, Figure, Layer, Marker, Plot, Raster};

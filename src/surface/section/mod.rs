@@ -3,8 +3,8 @@
 mod figures;
 
 use crate::surface::fitness::blocked_by;
-use crate::surface::rough_surface::{MapFacts, Surface};
 use crate::surface::rows::{self, FitnessRow, MapRow, ProcessRow, SurfaceRow, TargetRow, TheoryRow};
+use asperity::surface::{MapFacts, Surface};
 use asperity_framework::report::format::{count, number, percent, quantity};
 use asperity_framework::report::page::Page;
 use asperity_framework::report::table::Tables;

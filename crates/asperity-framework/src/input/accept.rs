@@ -44,12 +44,9 @@ pub enum AcceptedSeparation {
 }
 
 impl AcceptSpec {
-    /// Where the spec says nothing: 10 % in area, 0.1 sigma, 20 % in stiffness.
-    pub const DEFAULT: Accepted = Accepted { separation: 0.1, area: 0.1, stiffness: 0.2 };
-
     /// The accepted separation.
     pub fn separation(&self) -> AcceptedSeparation {
-        self.separation.unwrap_or(AcceptedSeparation::Sigma(Self::DEFAULT.separation))
+        self.separation.unwrap_or(AcceptedSeparation::Sigma(Accepted::DEFAULT.separation))
     }
 
     /// On a surface whose separations are measured in `sigma` (m).
@@ -61,8 +58,8 @@ impl AcceptSpec {
                 AcceptedSeparation::Sigma(accepted) => accepted,
                 AcceptedSeparation::Length(accepted) => accepted / sigma,
             },
-            area: relative(self.area, Self::DEFAULT.area),
-            stiffness: relative(self.stiffness, Self::DEFAULT.stiffness),
+            area: relative(self.area, Accepted::DEFAULT.area),
+            stiffness: relative(self.stiffness, Accepted::DEFAULT.stiffness),
         }
     }
 }
@@ -137,7 +134,7 @@ mod tests {
 
     #[test]
     fn what_is_left_out_has_its_default() {
-        assert_eq!(read("").unwrap().on(1e-8), AcceptSpec::DEFAULT);
+        assert_eq!(read("").unwrap().on(1e-8), Accepted::DEFAULT);
         let given = read("area = \"5 %\"\nseparation = \"2 nm\"").unwrap().on(1e-8);
         assert_eq!(given, Accepted { separation: 0.2, area: 0.05, stiffness: 0.2 });
         assert_eq!(read("separation = 1").unwrap().on(1e-8).separation, 1.0);

@@ -9,8 +9,8 @@ use super::quantity::Pure;
 use super::spanned::Spanned;
 use super::sweep::LogSweep;
 use super::whole::Whole;
-use crate::contact::LawPlan;
 use asperity::law::{Body, Property};
+use asperity::study::LawContact;
 use asperity::{ContactLaw, Flat, Inapplicable, Material};
 
 /// Names of two materials for an error, or of the one used for both bodies.
@@ -103,10 +103,10 @@ impl SpecFile {
         rough: (&str, &Material),
         flats: &[(Option<f64>, Flat)],
         flat: &str,
-    ) -> Result<Vec<LawPlan>, InputError> {
+    ) -> Result<Vec<LawContact>, InputError> {
         let plan = |law: &ContactLaw, (thickness, on): &(Option<f64>, Flat)| {
             let contact = law.interface(rough.1, on);
-            Ok(LawPlan {
+            Ok(LawContact {
                 label: law.label(),
                 thickness: *thickness,
                 contact: contact.map_err(|error| self.inapplicable(laws, &error, rough.0, flat))?,

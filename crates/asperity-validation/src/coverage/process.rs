@@ -1,5 +1,6 @@
 //! Windows of an endless rough surface, treated as measured maps.
 
+use asperity::numeric::stream_seed;
 use asperity::topography::generate::{Process, Seeds, SurfaceGenerator};
 use asperity::topography::spectrum::SpectrumError;
 use asperity::topography::summits::{Detail, Neighbours, find};
@@ -8,7 +9,6 @@ use asperity::{
     AsperitySet, Deterministic, HeightMap, MapError, MicroContact, Model, ReferencePlane, SetError,
     Statistics,
 };
-use asperity_framework::digest::stream_seed;
 
 use super::WINDOWS_PER_MAP;
 

@@ -7,11 +7,13 @@
 //! | `modulus` | nu_eff and E_eff by the paper's model or in series (Eqs. 14, 15) |
 //! | `hardness` | H_eff (Eq. 16) |
 
+mod coating;
 pub mod exact_sphere;
 mod hardness;
 mod modulus;
 mod weights;
 
+pub use coating::Coating;
 pub use modulus::ModulusModel;
 
 use crate::literature::{self, Paper};

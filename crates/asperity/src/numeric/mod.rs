@@ -10,11 +10,13 @@ pub(crate) mod power;
 pub mod quadrature;
 pub(crate) mod root;
 pub(crate) mod stored;
+mod stream;
 pub(crate) mod sum;
 pub(crate) mod table;
 
 pub use interval::Interval;
 pub use order::{decades, extremes, median};
+pub use stream::stream_seed;
 pub use sum::{Sum, in_chunks};
 
 /// The largest magnitude of any input: loads computed from such numbers, their squares and sums neither overflow nor

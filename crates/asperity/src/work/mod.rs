@@ -1,8 +1,10 @@
 //! Counts of work: contacts evaluated, files read, surfaces made.
 
 mod counted;
+mod timing;
 
 pub use counted::CountedContact;
+pub use timing::Timing;
 
 use std::sync::atomic::{AtomicU64, Ordering};
 

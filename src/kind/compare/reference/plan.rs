@@ -7,8 +7,8 @@ use std::time::Duration;
 use asperity::bem::{Boundary, Options, Solver};
 use asperity::compare::Control;
 use asperity::law::Property;
+use asperity::study::LawContact;
 use asperity::{Flat, Material, softer_hardness};
-use asperity_framework::contact::LawPlan;
 use asperity_framework::input::Spanned;
 use asperity_framework::input::{InputError, SpecFile, Whole, materials};
 use asperity_framework::report::format::{number, quantity};
@@ -203,7 +203,7 @@ pub struct Resolved<'a> {
     /// The flats: without a layer, or under each thickness.
     pub flats: &'a [(Option<f64>, Flat)],
     /// Each law on each flat, the flats changing first.
-    pub laws: &'a [LawPlan],
+    pub laws: &'a [LawContact],
     /// The surfaces.
     pub surfaces: &'a [SurfacePlan],
 }
@@ -313,7 +313,7 @@ impl ReferencePlan {
     /// The contact beside `law`; notes where it is elastic although the law yields.
     fn solution(
         &mut self,
-        law: &LawPlan,
+        law: &LawContact,
         rough: &Material,
         thickness: Option<f64>,
         flat: &Flat,

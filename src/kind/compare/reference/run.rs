@@ -116,7 +116,7 @@ impl ReferenceRun<'_> {
         let refuse = |error: &SolverError| self.refuse(context, solution.thickness, error);
         let boundary = self.reference.boundary(self.plan);
         let [rough, flat] = &self.compare.pair;
-        let layer = self.compare.layer.as_ref().map(|layer| &layer.material).zip(solution.thickness);
+        let layer = self.compare.layer.as_ref().map(|layer| &layer.coating.material).zip(solution.thickness);
         let pair = ElasticPair::new(rough, flat, layer);
         let options = Options { boundary, error: self.reference.error, cap: solution.cap };
         let solver = Solver::new(map, &pair, &options).map_err(|error| refuse(&error))?;

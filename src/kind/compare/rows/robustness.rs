@@ -1,13 +1,14 @@
 //! `robustness.csv`: the differences under other treatments of a measured map.
 
+use asperity::MeanRadius;
 use asperity::compare::{ComparedQuantity, Difference, Estimate, Verdict};
 use asperity_framework::columns;
+use asperity_framework::report::format::quantity;
 use asperity_framework::report::table::{Column, Row};
 
 use super::{CaseKey, SurfaceCase, case_columns};
 use crate::kind::compare::results::CompareResults;
-use crate::study::Treated;
-use crate::study::Verdicts;
+use crate::study::{Treated, Treatment, Verdicts};
 
 /// One quantity at one load under one treatment.
 pub(crate) struct RobustnessRow<'a> {
@@ -34,7 +35,7 @@ impl Row for RobustnessRow<'_> {
         let mut columns = case_columns(|row: &Self| row.key);
         columns.extend(columns! { row: Self =>
             choice["text"] = row.treated.treatment.choice().name(), "The choice that is made in another way: `short-wavelength-cut-off`, `summits`, `mean-radius`, `level`, `spikes` or `part`.";
-            treatment["text"] = row.treated.treatment.to_string(), "How it is made.";
+            treatment["text"] = words(row.treated.treatment), "How it is made.";
             quantity["text"] = row.quantity.name(), "What is compared: `separation`, `area` (real contact area) or `stiffness`.";
             at_pa["Pa", prefix("M"), label("at")] = row.at_load.load, "Nominal pressure.";
             valid["true/false"] = row.at_load.exceeded().is_none(), "Whether the load is within the valid range under this treatment.";
@@ -64,4 +65,18 @@ fn with_treatment<'a>(
             Some(RobustnessRow { key: case.key(), treated, at_load, quantity, estimate, verdicts })
         })
     })
+}
+
+/// A treatment in words.
+pub fn words(treatment: Treatment) -> String {
+    match treatment {
+        Treatment::ShortWaves(None) => "no S filter".to_owned(),
+        Treatment::ShortWaves(Some(s)) => format!("S filter {}", quantity(s, "m")),
+        Treatment::Summits(neighbours) => format!("{} summits", neighbours.name()),
+        Treatment::MeanRadius(MeanRadius::InverseMeanCurvature) => "1/(mean curvature)".to_owned(),
+        Treatment::MeanRadius(mean) => format!("{} mean radius", mean.name()),
+        Treatment::Level(level) => format!("level {}", level.name()),
+        Treatment::SpikesRemoved => "spikes removed".to_owned(),
+        Treatment::Half(half) => format!("half {} of the map", half + 1),
+    }
 }

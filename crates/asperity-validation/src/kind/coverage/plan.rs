@@ -4,10 +4,11 @@ use std::fmt;
 
 use super::spec::{CaseSpec, CoverageSpec};
 use crate::coverage::{EndlessProcess, WINDOWS_PER_MAP};
+use asperity::study::LawContact;
 use asperity::topography::generate::{Process, SpectrumOf};
 use asperity::topography::spectrum::{Lay, Spectrum, SpectrumError, SpectrumShape};
 use asperity::{Flat, Heights};
-use asperity_framework::contact::{Bodies, LawPlan};
+use asperity_framework::contact::Bodies;
 use asperity_framework::input::Spanned;
 use asperity_framework::input::quantity::Pure;
 use asperity_framework::input::sweep::LogSweep;
@@ -26,7 +27,7 @@ pub struct CoveragePlan {
     /// Names of the two bodies.
     pub bodies: Bodies,
     /// The law.
-    pub law: LawPlan,
+    pub law: LawContact,
     /// What all cases share.
     pub windows: WindowPlan,
     /// The cases.

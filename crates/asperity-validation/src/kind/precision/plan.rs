@@ -10,8 +10,9 @@ use crate::precision::sum::POINTS;
 use crate::precision::surface::{SurfaceTask, side};
 use crate::stability;
 use asperity::bem::{Boundary, Solver};
+use asperity::study::LawContact;
 use asperity::{ContactLaw, Flat, Heights, Population};
-use asperity_framework::contact::{Bodies, LawPlan};
+use asperity_framework::contact::Bodies;
 use asperity_framework::input::quantity::Pure;
 use asperity_framework::input::sweep::LogSweep;
 use asperity_framework::input::{InputError, Spanned, SpecFile};
@@ -27,7 +28,7 @@ const PIXELS: RangeInclusive<f64> = 4.0..=400.0;
 pub struct PrecisionPlan {
     /// Names of the two bodies.
     pub bodies: Bodies,
-    pub law: LawPlan,
+    pub law: LawContact,
     /// Law and bodies for the reference of the integrals.
     pub exact: stability::Bodies,
     pub cases: Vec<Case>,
@@ -146,7 +147,7 @@ pub(super) fn plan(
     let plan = PrecisionPlan {
         bodies: Bodies { rough: rough.clone(), flat: flat.clone() },
         exact: stability::Bodies { law, rough: pair[0], flat: pair[1], layer: None },
-        law: LawPlan { label: spec.label(), thickness: None, contact, spec },
+        law: LawContact { label: spec.label(), thickness: None, contact, spec },
         cases: raw.case.get_ref().iter().map(case).collect(),
         separations: separations.transpose()?.unwrap_or_default(),
         counts: raw.sum.as_ref().map(|raw| counts(file, raw, full)).transpose()?.unwrap_or_default(),

@@ -1,10 +1,11 @@
-//! A study: both models on a surface under laws and layers, with all that follows from them. It knows no spec, no file and no page;
-//! the kinds that compare are made of it.
+//! A study: both models on a surface under laws and layers, with all that follows from them: differences with their sampling errors,
+//! causes, verdicts, other statistical models, other treatments of a map.
 //!
 //! | module | what lives there |
 //! |---|---|
 //! | `setup` | what the models are run with |
 //! | `statistical`, `models` | the statistical model, and both models on a surface |
+//! | `law` | a law on two bodies |
 //! | `run` | both models on one realisation |
 //! | `case` | a case on one realisation and over all: results, verdicts, ranking, treatments |
 //! | `sampling` | sampling errors, from groups of asperities left out |
@@ -18,6 +19,7 @@ mod attribution;
 mod case;
 mod causes;
 mod dependence;
+mod law;
 mod layer;
 mod models;
 mod ranking;
@@ -34,11 +36,12 @@ pub use attribution::attribute;
 pub use case::{CaseResults, CaseStudy, RealisationFacts, RealisationResults};
 pub use causes::LeadingCause;
 pub use dependence::{Dependence, Treated};
+pub use law::LawContact;
 pub use layer::{DecreaseResults, LawFindings, LayerFindings, Threshold};
 pub use models::SurfaceModels;
 pub use ranking::{Against, Largest, Ranked, Ranking, Standing, is_within, rank};
 pub use reference::ReferenceVerdicts;
-pub use run::{StudyError, decreases, differ, models_of, run_surface, study};
+pub use run::{StudyError, decreases, differ, models_of, run_surface, study, verdicts};
 pub use sampling::sampling;
 pub use setup::Setup;
 pub use statistical::{JointModel, StatisticalModel};

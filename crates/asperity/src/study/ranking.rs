@@ -1,10 +1,10 @@
 //! How far each statistical model of a surface is from the sum and from the reference, and what it costs.
 
-use asperity::compare::{Accepted, ComparedQuantity, Pair, Pairing, ReferenceCurve, of_each_decade};
-use asperity::distribution::HeightsError;
-use asperity::work::{CountedContact, Counter};
-use asperity::{Response, reached_at};
-use asperity_framework::contact::LawPlan;
+use super::law::LawContact;
+use crate::compare::{Accepted, ComparedQuantity, Pair, Pairing, ReferenceCurve, of_each_decade};
+use crate::distribution::HeightsError;
+use crate::work::{CountedContact, Counter};
+use crate::{Response, reached_at};
 
 use super::case::CaseResults;
 use super::models::SurfaceModels;
@@ -142,7 +142,7 @@ pub fn rank(setup: Setup, surface: &Surface, cases: &[CaseResults]) -> Vec<Ranki
     }
     let models = |model: &StatisticalModel| SurfaceModels::new(surface, model, setup.law_specs, false);
     let built: Vec<_> = all.into_iter().map(|model| (models(&model), model)).collect();
-    let of_case = |(law, case): (&LawPlan, &CaseResults)| {
+    let of_case = |(law, case): (&LawContact, &CaseResults)| {
         let ranking = of_case(&built, law, case);
         setup.progress.advance(1.0);
         ranking
@@ -152,7 +152,7 @@ pub fn rank(setup: Setup, surface: &Surface, cases: &[CaseResults]) -> Vec<Ranki
 
 fn of_case(
     built: &[(Result<SurfaceModels, HeightsError>, StatisticalModel)],
-    law: &LawPlan,
+    law: &LawContact,
     case: &CaseResults,
 ) -> Ranking {
     let at_load =

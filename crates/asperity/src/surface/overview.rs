@@ -1,10 +1,10 @@
 //! Overview of a map: spectrum, autocorrelation, image.
 
-use asperity::topography::generate::{SpectrumOf, SurfaceGenerator};
-use asperity::topography::{
+use crate::topography::generate::{SpectrumOf, SurfaceGenerator};
+use crate::topography::{
     Autocorrelation, RadialSpectrum, RoughnessParameters, Rows, Strip, strips, thumbnail,
 };
-use asperity::{HeightMap, Heights};
+use crate::{HeightMap, Heights};
 
 /// Analysis depth of a map, beyond its asperities.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -19,7 +19,7 @@ pub enum AnalysisDepth {
 }
 
 /// Beyond so many points a map is not brought into memory for its spectrum and autocorrelation.
-pub(super) const MOST_ANALYSED_POINTS: usize = 1 << 26;
+pub const MOST_ANALYSED_POINTS: usize = 1 << 26;
 
 /// Overview of a map.
 #[derive(Debug, Clone, Default)]
@@ -111,7 +111,7 @@ fn distribution(map: &dyn Rows, roughness: &RoughnessParameters) -> Vec<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use asperity::topography::Moments;
+    use crate::topography::Moments;
 
     fn map(points: [usize; 2], height: impl Fn(usize) -> f64) -> HeightMap {
         HeightMap::new(points, [1.0, 2.0], (0..points[0] * points[1]).map(height).collect(), 0.0).unwrap()

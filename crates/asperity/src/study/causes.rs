@@ -1,6 +1,6 @@
 //! Why the models differ, and why they differ from the reference.
 
-use asperity::compare::{Cause, ComparedQuantity, Contributions, Estimate, Kind, Stretch, Verdict, leading};
+use crate::compare::{Cause, ComparedQuantity, Contributions, Estimate, Kind, Stretch, Verdict, leading};
 
 use super::verdicts::Verdicts;
 

@@ -1,7 +1,7 @@
 //! What a layer changes on one surface.
 
-use asperity::compare::Kind;
-use asperity::sphere::Decrease;
+use crate::compare::Kind;
+use crate::sphere::Decrease;
 
 use super::case::CaseStudy;
 

@@ -1,36 +1,49 @@
 //! From a height map to asperities: preparation, checks, and the search for summits.
 
-use asperity::topography::fitness::{
+use crate::progress::{Progress, Silent};
+use crate::topography::fitness::{
     AlignedLines, Examined, Finding, LineOffsets, Lines, Measured, Spikes, Without, step_over_drop,
 };
-use asperity::topography::summits::{Detail, Neighbours, Summits, find};
-use asperity::topography::{
+use crate::topography::generate::SigmaOf;
+use crate::topography::summits::{Detail, Neighbours, Summits, find};
+use crate::topography::{
     Autocorrelation, CorrelationLengths, Filter, FilterError, Level, Levelled, Quantisation,
     RoughnessParameters, Rows, Undetermined, Watched, Window, theory, thumbnail,
 };
-use asperity::{AsperitySet, Ellipse, HeightMap, SetError};
-use asperity_framework::progress::Progress;
+use crate::{AsperitySet, Ellipse, HeightMap, ReferencePlane, SetError, Statistics};
 
-use super::independence::Independence;
-use super::overview::{AnalysisDepth, MapOverview};
-use super::rough_surface::{GenerationFacts, MapFacts, PreparedMap, SpikeFacts};
+use super::{
+    AnalysisDepth, GenerationFacts, Independence, MapFacts, MapOverview, PreparedMap, SpikeFacts, Surface,
+};
 
 /// A map on which no asperities are found.
 #[derive(Debug, thiserror::Error)]
-pub(super) enum NoAsperities {
+pub enum NoAsperities {
+    /// A form that the map does not determine.
     #[error(transparent)]
     Level(#[from] Undetermined),
+    /// A filter that the map does not hold.
     #[error(transparent)]
     Filter(#[from] FilterError),
+    /// A map that is flat once it is levelled.
     #[error("has no summit: once levelled it is flat to the rounding of its heights")]
     Flat,
+    /// No tested point is higher than its neighbours.
     #[error("has no summit: none of its {tested} tested points is higher than its neighbours")]
-    NoSummit { tested: usize },
+    NoSummit {
+        /// Number of tested points.
+        tested: usize,
+    },
+    /// Summits whose heights are equal but for rounding.
     #[error(
         "has {summits} summits that are equally high: separations are measured in their standard deviation; allowed: summits of \
              different heights"
     )]
-    EqualHeights { summits: usize },
+    EqualHeights {
+        /// Number of summits.
+        summits: usize,
+    },
+    /// Asperities that cannot be.
     #[error(transparent)]
     Set(#[from] SetError),
 }
@@ -53,7 +66,7 @@ pub struct Preparation {
 }
 
 impl Preparation {
-    /// Of a map that needs none.
+    /// None, of a map that needs none.
     pub fn none(neighbours: Neighbours) -> Self {
         Self {
             removes_spikes: false,
@@ -67,38 +80,85 @@ impl Preparation {
 }
 
 /// How asperities are found on a map.
-pub(super) struct SummitSearch<'a> {
-    pub(super) preparation: Preparation,
+pub struct SummitSearch<'a> {
+    /// What is done to the map first.
+    pub preparation: Preparation,
     /// Whether the ellipses of the asperities are wanted.
-    pub(super) as_ellipses: bool,
+    pub as_ellipses: bool,
     /// What the map was made by, if it was made.
-    pub(super) generation: Option<GenerationFacts>,
-    pub(super) depth: AnalysisDepth,
+    pub generation: Option<GenerationFacts>,
+    /// How closely the map is analysed and checked.
+    pub depth: AnalysisDepth,
     /// Whether the map is divided into blocks for a sampling error.
-    pub(super) divides: bool,
+    pub divides: bool,
     /// Correlation lengths of the heights, where they are known already.
-    pub(super) correlation: Option<CorrelationLengths>,
+    pub correlation: Option<CorrelationLengths>,
     /// Whether the prepared map is kept.
-    pub(super) keeps_map: bool,
-    pub(super) progress: &'a dyn Progress,
+    pub keeps_map: bool,
+    /// Whoever watches.
+    pub progress: &'a dyn Progress,
 }
 
-/// What a map gives.
-pub(super) struct Found {
-    pub(super) set: AsperitySet,
-    pub(super) facts: MapFacts,
-    pub(super) independence: Independence,
+/// What is found on a map.
+struct SearchedMap {
+    set: AsperitySet,
+    facts: MapFacts,
+    independence: Independence,
     /// The prepared map, where it is kept.
-    pub(super) prepared: Option<PreparedMap>,
+    prepared: Option<PreparedMap>,
 }
+
+/// Heights that scatter by less, relative to themselves, are equal but for rounding.
+const ROUNDING: f64 = 1e-12;
 
 /// Spikes of a map beside spikes stand out only once those are gone.
 const PASSES: usize = 3;
 
 impl SummitSearch<'_> {
+    /// Summits of a map that is checked, and divided into blocks for a sampling error.
+    pub fn new(preparation: Preparation) -> Self {
+        Self {
+            preparation,
+            as_ellipses: false,
+            generation: None,
+            depth: AnalysisDepth::Comparison,
+            divides: true,
+            correlation: None,
+            keeps_map: false,
+            progress: &Silent,
+        }
+    }
+
+    /// The surface of the asperities that are found on a map, in the order of its points; without warnings.
+    ///
+    /// # Errors
+    /// A map on which no asperities are found.
+    pub fn surface(&self, name: &str, map: &dyn Rows) -> Result<Surface, NoAsperities> {
+        let SearchedMap { set, facts, independence, prepared } = self.asperities(map)?;
+        let (set, origin) = set.near_zero();
+        let statistics = Statistics::of(&set);
+        let height = (origin + statistics.mean_height).abs() + facts.roughness.moments.sq;
+        if statistics.sigma <= ROUNDING * height {
+            return Err(NoAsperities::EqualHeights { summits: facts.summits });
+        }
+        let mut surface = Surface::new(name, set, statistics);
+        let moments = &facts.roughness.moments;
+        let mean = moments.mean - origin;
+        let plane = ReferencePlane { mean, sigma: moments.sq };
+        surface.origin = origin + facts.offset;
+        surface.mean_plane = Some(mean);
+        surface.map = Some(facts);
+        surface.independence = independence;
+        surface.prepared = prepared;
+        if surface.separations_of() == SigmaOf::Surface {
+            surface.plane = plane;
+        }
+        Ok(surface)
+    }
+
     /// Prepares and checks a map and finds its summits, row by row: only a filter and the closest depth need the map in
     /// memory.
-    pub(super) fn asperities(&self, raw: &dyn Rows) -> Result<Found, NoAsperities> {
+    fn asperities(&self, raw: &dyn Rows) -> Result<SearchedMap, NoAsperities> {
         let progress = self.progress;
         let raw: &dyn Rows = &Watched { map: raw, progress };
         let halves = Window::halves(raw);
@@ -178,10 +238,10 @@ impl SummitSearch<'_> {
         let radii = summits.curvatures.iter().map(|curvature| curvature.recip()).collect();
         let set = AsperitySet::new(summits.heights, radii, dx * dy * summits.tested as f64)?;
         if !self.as_ellipses {
-            return Ok(Found { set, facts, independence, prepared });
+            return Ok(SearchedMap { set, facts, independence, prepared });
         }
         let ellipses = summits.principal.iter().copied().map(Ellipse::of_summit).collect();
-        Ok(Found { set: set.with_ellipses(ellipses)?, facts, independence, prepared })
+        Ok(SearchedMap { set: set.with_ellipses(ellipses)?, facts, independence, prepared })
     }
 
     fn facts(
@@ -260,12 +320,12 @@ fn correlation_of(map: &dyn Rows, mean: f64) -> Option<Autocorrelation> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use asperity::Heights;
-    use asperity::topography::generate::SurfaceGenerator;
-    use asperity::topography::generate::{Plateau, Process, Seeds, SpectrumOf};
-    use asperity::topography::spectrum::Spectrum;
-    use asperity::topography::spectrum::{Lay, SpectrumShape};
-    use asperity_framework::progress::Silent;
+    use crate::Heights;
+    use crate::progress::Silent;
+    use crate::topography::generate::SurfaceGenerator;
+    use crate::topography::generate::{Plateau, Process, Seeds, SpectrumOf};
+    use crate::topography::spectrum::Spectrum;
+    use crate::topography::spectrum::{Lay, SpectrumShape};
 
     fn map(points: [usize; 2], height: impl Fn(usize) -> f64) -> HeightMap {
         HeightMap::new(points, [1.0, 2.0], (0..points[0] * points[1]).map(height).collect(), 0.0).unwrap()

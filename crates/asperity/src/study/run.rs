@@ -2,46 +2,105 @@
 
 use std::time::Instant;
 
-use asperity::compare::{
-    AgainstReference, CaseSampling, ComparedQuantity, Difference, Gaps, Kind, Models, NotReached, compare,
+use super::law::LawContact;
+use crate::compare::{
+    Accepted, AgainstReference, CaseSampling, ComparedQuantity, Controls, Difference, Gaps, Kind, Models,
+    NotReached, Tolerances, compare,
 };
-use asperity::distribution::HeightsError;
-use asperity::sphere::{Curve, boundaries};
-use asperity::work::{CountedContact, Counter};
-use asperity::{Model, plasticity_index};
-use asperity_framework::contact::LawPlan;
-use asperity_framework::metadata::Timing;
+use crate::distribution::HeightsError;
+use crate::progress::Silent;
+use crate::sphere::{Curve, boundaries};
+use crate::work::Timing;
+use crate::work::{CountedContact, Counter};
+use crate::{ContactLaw, Model, plasticity_index};
 
 use super::attribution::attribute;
-use super::case::{CaseResults, RealisationFacts, RealisationResults};
+use super::case::{CaseResults, CaseStudy, RealisationFacts, RealisationResults};
 use super::layer::DecreaseResults;
 use super::models::SurfaceModels;
 use super::sampling::sampling;
 use super::setup::Setup;
+use super::statistical::StatisticalModel;
 use crate::surface::Surface;
 
 /// Why both models cannot be compared on a surface.
-pub enum StudyError<'a> {
+#[derive(Debug, thiserror::Error)]
+pub enum StudyError {
     /// The statistical model does not apply to it.
+    #[error("the statistical model does not apply: {0}")]
     Inapplicable(HeightsError),
     /// A load that a model does not reach under a law.
-    NotReached(&'a LawPlan, NotReached),
+    #[error("law {0}: {1}")]
+    NotReached(String, NotReached),
+}
+
+/// Whether the integral over Gaussian heights and a mean radius may replace the sum on a surface, at nominal pressures (Pa): a case for
+/// each law, with verdicts and causes.
+///
+/// ```
+/// use asperity::compare::Accepted;
+/// use asperity::study::{LawContact, verdicts};
+/// use asperity::surface::{Preparation, SummitSearch};
+/// use asperity::topography::{Level, summits::Neighbours};
+/// # use asperity::{Material, contact_law, topography::read::{ReadOptions, height_map}};
+/// # let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../experiments/surfaces/opd-1.npy").as_ref();
+/// # let steel = Material::new(210e9, 0.3, Some(7.6e9), None)?;
+/// let map = height_map(path, ReadOptions { pixel: Some([0.1967e-6; 2]), unit: None })?;
+/// let preparation = Preparation { level: Level::Plane, ..Preparation::none(Neighbours::Four) };
+/// let surface = SummitSearch::new(preparation).surface("shaft", &map)?;
+/// let laws = [LawContact::bare(contact_law::named("zmc").ok_or("no such law")?, &steel, &steel)?];
+/// let cases = verdicts(&surface, &laws, &[1e6, 1e7], Accepted::DEFAULT).map_err(|error| error.to_string())?;
+/// for stretch in &cases[0].verdicts.stretches {
+///     println!("{}: {} from {:e} to {:e} Pa", stretch.quantity.name(), stretch.verdict.name(), stretch.loads[0], stretch.loads[1]);
+/// }
+/// # assert!(!cases[0].verdicts.stretches.is_empty());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// See [`StudyError`].
+pub fn verdicts(
+    surface: &Surface,
+    laws: &[LawContact],
+    pressures: &[f64],
+    accepted: Accepted,
+) -> Result<Vec<CaseStudy>, StudyError> {
+    let law_specs: Vec<ContactLaw> = laws.iter().map(|law| law.spec.clone()).collect();
+    let controls = Controls {
+        separations: Vec::new(),
+        pressures: pressures.to_vec(),
+        forces: Vec::new(),
+        tolerances: Tolerances::default(),
+    };
+    let setup = Setup {
+        laws,
+        law_specs: &law_specs,
+        models: &[Kind::Statistical, Kind::Deterministic],
+        statistical: &StatisticalModel::default(),
+        is_attributed: true,
+        is_ranked: false,
+        controls: &controls,
+        seed: 0,
+        progress: &Silent,
+    };
+    let (realisation, _) = study(setup, surface, true, &Counter::default())?;
+    Ok(CaseStudy::all(surface, vec![realisation], accepted).1)
 }
 
 /// Both models on a surface with the differences between them, their sampling errors and, where `has_causes`, their causes.
 ///
 /// # Errors
 /// See [`StudyError`].
-pub fn study<'a>(
-    setup: Setup<'a>,
+pub fn study(
+    setup: Setup,
     surface: &Surface,
     has_causes: bool,
     counter: &Counter,
-) -> Result<(RealisationResults, Vec<CaseSampling>), StudyError<'a>> {
+) -> Result<(RealisationResults, Vec<CaseSampling>), StudyError> {
     let timing = &mut Timing::default();
     let models = models_of(setup, surface, timing).map_err(StudyError::Inapplicable)?;
     let mut realisation = run_surface(setup, surface, &models, counter, timing)
-        .map_err(|(law, error)| StudyError::NotReached(law, error))?;
+        .map_err(|(law, error)| StudyError::NotReached(law.label.clone(), error))?;
     let samplings = sampling(setup, surface, &models, &realisation.cases);
     differ(&mut realisation.cases, &samplings, setup.laws, &models);
     if has_causes {
@@ -76,7 +135,7 @@ pub fn run_surface<'a>(
     models: &SurfaceModels,
     counter: &Counter,
     timing: &mut Timing,
-) -> Result<RealisationResults, (&'a LawPlan, NotReached)> {
+) -> Result<RealisationResults, (&'a LawContact, NotReached)> {
     let is_run = |kind| setup.models.contains(&kind);
     let population = models.population();
     let area = surface.set.nominal_area();
@@ -123,7 +182,7 @@ pub fn run_surface<'a>(
 pub fn differ(
     cases: &mut [CaseResults],
     samplings: &[CaseSampling],
-    laws: &[LawPlan],
+    laws: &[LawContact],
     models: &SurfaceModels,
 ) {
     /// Larger jumps of the load make the stiffness of a sum, which leaves them out, another than that of the integral.
@@ -142,7 +201,7 @@ pub fn differ(
 /// Where area or load of the sharpest asperity, of one of the mean radius and of the bluntest falls, as deep as the
 /// highest asperity is pressed.
 pub fn decreases(
-    laws: &[LawPlan],
+    laws: &[LawContact],
     surface: &Surface,
     models: &SurfaceModels,
     realisation: &RealisationResults,

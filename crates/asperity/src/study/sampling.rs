@@ -1,9 +1,9 @@
 //! Both models on a surface with groups of its asperities left out, from which sampling errors follow.
 
-use asperity::Total;
-use asperity::compare::{CaseSampling, Division, LeftOut, OneStep, Pair, Pairing, State};
-use asperity_framework::contact::LawPlan;
-use asperity_framework::digest::stream_seed;
+use super::law::LawContact;
+use crate::Total;
+use crate::compare::{CaseSampling, Division, LeftOut, OneStep, Pair, Pairing, State};
+use crate::numeric::stream_seed;
 
 use super::case::CaseResults;
 use super::models::SurfaceModels;
@@ -75,7 +75,7 @@ fn left_out(
         let of_part = part.as_ref().and_then(|part| {
             SurfaceModels::new(part, &StatisticalModel::default(), setup.law_specs, true).ok()
         });
-        let case = |(law, step): (&LawPlan, &OneStep)| {
+        let case = |(law, step): (&LawContact, &OneStep)| {
             let statistical = of_rest.statistical(&*law.contact, &law.spec);
             let responses = statistical.respond_all(&step.statistical_separations());
             let separations = step.deterministic_separations();

@@ -1,6 +1,6 @@
 //! Verdicts on one surface under one law and thickness.
 
-use asperity::compare::{Accepted, Attribution, Comparison, Difference, Stretch, ValidRange, Verdict};
+use crate::compare::{Accepted, Attribution, Comparison, Difference, Stretch, ValidRange, Verdict};
 
 use super::case::CaseResults;
 use super::reference::ReferenceVerdicts;

@@ -6,11 +6,11 @@ use super::case::RealisationResults;
 use super::layer::Threshold;
 use super::models::SurfaceModels;
 use super::setup::Setup;
-use crate::layer::LayerPlan;
+use crate::compare::{Kind, of_each_decade, threshold};
+use crate::layer::Coating;
 use crate::surface::Surface;
-use asperity::compare::{Kind, of_each_decade, threshold};
-use asperity::work::{CountedContact, Counter};
-use asperity::{ContactLaw, Material, Model, reached_at};
+use crate::work::{CountedContact, Counter};
+use crate::{ContactLaw, Material, Model, reached_at};
 
 /// A layer matters where it changes the real area by more than this part.
 const PART: f64 = 0.05;
@@ -19,7 +19,9 @@ const PART: f64 = 0.05;
 #[derive(Clone, Copy)]
 pub struct LayerQuestion<'a> {
     /// The layer.
-    pub layer: &'a LayerPlan,
+    pub coating: &'a Coating,
+    /// The thicknesses that were run, m, ascending.
+    pub thicknesses: &'a [f64],
     /// The rough body.
     pub rough: &'a Material,
 }
@@ -33,25 +35,25 @@ pub fn thresholds(
     realisation: &RealisationResults,
     counter: &Counter,
 ) -> Vec<Threshold> {
-    let LayerQuestion { layer, rough } = question;
+    let LayerQuestion { coating, thicknesses, rough } = question;
     let area = surface.set.nominal_area();
     let mut pressures: Vec<f64> = setup.controls.pressures.clone();
     pressures.extend(setup.controls.forces.iter().map(|force| force / area));
     let pressures = some_of(pressures);
-    if layer.thicknesses == [0.0] {
+    if thicknesses == [0.0] {
         return Vec::new();
     }
     let mut searches = Vec::new();
     // Only laws under a layer of finite thickness have a threshold.
     let stands =
-        |law: &&ContactLaw| layer.flat(1.0).is_ok_and(|finite| law.interface(rough, &finite).is_ok());
+        |law: &&ContactLaw| coating.flat(1.0).is_ok_and(|finite| law.interface(rough, &finite).is_ok());
     for law in setup.law_specs.iter().filter(stands) {
         for &pressure in &pressures {
             searches.extend(setup.models.iter().map(|&kind| (law, pressure, kind)));
         }
     }
     let one = |&(law, pressure, kind): &(&ContactLaw, f64, Kind)| {
-        let question = Question { rough, layer, models, realisation, counter, law, pressure, kind };
+        let question = Question { layer: question, models, realisation, counter, law, pressure, kind };
         question.threshold()
     };
     searches.par_iter().filter_map(one).collect()
@@ -70,8 +72,7 @@ fn some_of(mut loads: Vec<f64>) -> Vec<f64> {
 
 /// One law, load and model.
 struct Question<'a> {
-    rough: &'a Material,
-    layer: &'a LayerPlan,
+    layer: LayerQuestion<'a>,
     models: &'a SurfaceModels<'a>,
     realisation: &'a RealisationResults,
     counter: &'a Counter,
@@ -109,8 +110,8 @@ impl Question<'_> {
 
     /// The area ratio under a layer of any thickness (m).
     fn area(&self, thickness: f64) -> Option<f64> {
-        let flat = self.layer.flat(thickness).ok()?;
-        let contact = self.law.interface(self.rough, &flat).ok()?;
+        let flat = self.layer.coating.flat(thickness).ok()?;
+        let contact = self.law.interface(self.layer.rough, &flat).ok()?;
         let contact = &CountedContact::new(&*contact, self.counter);
         let press = |model: &dyn Model| reached_at(model, &[self.pressure])[0];
         let reached = match self.kind {

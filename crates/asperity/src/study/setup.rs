@@ -1,9 +1,9 @@
 //! What both models are run with.
 
-use asperity::ContactLaw;
-use asperity::compare::{Controls, Kind};
-use asperity_framework::contact::LawPlan;
-use asperity_framework::progress::Progress;
+use super::law::LawContact;
+use crate::ContactLaw;
+use crate::compare::{Controls, Kind};
+use crate::progress::Progress;
 
 use super::statistical::StatisticalModel;
 
@@ -11,7 +11,7 @@ use super::statistical::StatisticalModel;
 #[derive(Clone, Copy)]
 pub struct Setup<'a> {
     /// The laws, each under every thickness of the layer.
-    pub laws: &'a [LawPlan],
+    pub laws: &'a [LawContact],
     /// The laws alone.
     pub law_specs: &'a [ContactLaw],
     /// The models to run.

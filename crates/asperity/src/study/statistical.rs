@@ -1,16 +1,15 @@
 //! The statistical model of a study: a height density and one radius, independent of each other, or a joint density of both.
 
-use asperity::distribution::{HeightModel, HeightsError};
-use asperity::topography::joint::JointDensity;
-use asperity::{ContactLaw, Heights, MeanRadius, Paper, Population, SummitShape, literature};
-use schemars::JsonSchema;
-use serde::Deserialize;
+use crate::distribution::{HeightModel, HeightsError};
+use crate::topography::joint::JointDensity;
+use crate::{ContactLaw, Heights, MeanRadius, Paper, Population, SummitShape, literature};
 
 use crate::surface::Surface;
 
 /// A joint density of height and curvature over the summits of a Gaussian surface.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "schemars", derive(schemars::JsonSchema))]
 pub enum JointModel {
     /// Summits of a continuous isotropic surface (Nayak 1971; Greenwood 2006).
     NayakGreenwood,

@@ -4,10 +4,10 @@ use super::statistical::StatisticalModel;
 use crate::surface::Surface;
 use std::sync::Arc;
 
-use asperity::compare::Inputs;
-use asperity::distribution::HeightsError;
-use asperity::topography::joint::JointDensity;
-use asperity::{
+use crate::compare::Inputs;
+use crate::distribution::HeightsError;
+use crate::topography::joint::JointDensity;
+use crate::{
     Asperities, ContactLaw, Deterministic, Ellipse, Ellipses, MeanRadius, MicroContact, Model, Population,
     RadiusInContact, ReferencePlane, Shape, Statistical, joint_model,
 };

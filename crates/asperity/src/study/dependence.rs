@@ -1,6 +1,6 @@
 //! Which choices in the analysis of a map decide its verdicts.
 
-use asperity::compare::{Accepted, ComparedQuantity, Difference, Estimate, Verdict};
+use crate::compare::{Accepted, ComparedQuantity, Difference, Estimate, Verdict};
 
 use super::treatment::{Choice, Treatment};
 

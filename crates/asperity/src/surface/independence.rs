@@ -1,8 +1,8 @@
 //! Which parts of a surface may be taken as independent of each other, for the sampling error of a comparison.
 
-use asperity::compare::Division;
-use asperity::topography::summits::Summits;
-use asperity::topography::{Blocks, CorrelationLengths, MIN_BLOCKS, Rows, TooSmall};
+use crate::compare::Division;
+use crate::topography::summits::Summits;
+use crate::topography::{Blocks, CorrelationLengths, MIN_BLOCKS, Rows, TooSmall};
 
 /// What a surface offers for its sampling error.
 #[derive(Debug, Clone)]

@@ -1,12 +1,11 @@
 //! A case: one surface under one law and layer thickness, on one realisation and over all.
 
-use asperity::compare::{
-    AgainstReference, Attribution, Comparison, Difference, Gaps, Pair, Pairing, Realisation, ReferenceCurve,
-    ReferencePoint, Spread, spread,
+use crate::compare::{
+    Accepted, AgainstReference, Attribution, Comparison, Difference, Gaps, Pair, Pairing, Realisation,
+    ReferenceCurve, ReferencePoint, Spread, spread,
 };
-use asperity::topography::Moments;
-use asperity::{Population, Statistics};
-use asperity_framework::input::accept::AcceptSpec;
+use crate::topography::Moments;
+use crate::{Population, Statistics};
 
 use super::dependence::{Dependence, Treated};
 use super::ranking::Ranking;
@@ -97,12 +96,12 @@ pub struct CaseStudy {
 }
 
 impl CaseStudy {
-    /// Every case of a surface, the first realisation of which is `surface`, from the results of its `realisations`; without ranking
-    /// and treatments.
+    /// Every case of a surface, the first realisation of which is `surface`, from the results of its `realisations`, judged by the
+    /// largest differences that are accepted; without ranking and treatments.
     pub fn all(
         surface: &Surface,
         realisations: Vec<RealisationResults>,
-        accept: AcceptSpec,
+        accepted: Accepted,
     ) -> (Vec<RealisationFacts>, Vec<Self>) {
         let mut facts = Vec::new();
         let mut cases: Vec<Vec<CaseResults>> = Vec::new();
@@ -122,7 +121,6 @@ impl CaseStudy {
                 .zip(&sigmas)
                 .map(|(case, &sigma)| (&case.comparison.pairs[..], sigma))
                 .collect();
-            let accepted = accept.on(surface.plane.sigma);
             Self {
                 spread: spread(&pairs),
                 verdicts: Verdicts::new(surface, &realisations, accepted),

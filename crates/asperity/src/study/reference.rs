@@ -1,6 +1,6 @@
 //! Verdicts on both models against the reference, on one surface under one law and thickness.
 
-use asperity::compare::{Accepted, AgainstReference, NearerStretch, Stretch};
+use crate::compare::{Accepted, AgainstReference, NearerStretch, Stretch};
 
 use super::case::CaseResults;
 

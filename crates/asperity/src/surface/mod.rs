@@ -1,20 +1,28 @@
-//! A surface for models and report: its asperities and their properties.
+//! A rough surface: its asperities, where they are from, and what is known of its height map.
+//!
+//! [`SummitSearch`] finds the asperities of a map: it prepares the map (spikes, lines, form, filter), checks its fitness, searches summits
+//! and divides it into blocks for the sampling error. [`crate::study`] compares the models on a surface.
 
-use super::independence::Independence;
-use super::overview::MapOverview;
-use asperity::compare::Division;
-use asperity::distribution::{HeightModel, HeightsError};
-use asperity::topography::fitness::{Finding, LineOffsets, Lines, Spikes};
-use asperity::topography::generate::{SigmaOf, SurfaceGenerator, Target};
-use asperity::topography::spectrum::{Lay, SpectrumShape};
-use asperity::topography::summits::Neighbours;
-use asperity::topography::theory::Expected;
-use asperity::topography::{CorrelationLengths, Filter, Level, Quantisation, RoughnessParameters};
-use asperity::{
+mod independence;
+mod overview;
+mod search;
+
+pub use independence::{Independence, MapBlocks};
+pub use overview::{AnalysisDepth, MOST_ANALYSED_POINTS, MapOverview};
+pub use search::{NoAsperities, Preparation, SummitSearch};
+
+use crate::compare::Division;
+use crate::distribution::{HeightModel, HeightsError};
+use crate::topography::fitness::{Finding, LineOffsets, Lines, Spikes};
+use crate::topography::generate::{SigmaOf, SurfaceGenerator, Target};
+use crate::topography::spectrum::{Lay, SpectrumShape};
+use crate::topography::summits::Neighbours;
+use crate::topography::theory::Expected;
+use crate::topography::{CorrelationLengths, Filter, Level, Quantisation, RoughnessParameters};
+use crate::{
     AsperitySet, Ellipticity, HeightMap, Heights, MeanRadius, Paper, Population, ReferencePlane, Statistics,
     literature,
 };
-use asperity_framework::report::format::{number, percent, quantity};
 
 /// Asperities with their statistics and origin.
 #[derive(Debug)]
@@ -133,39 +141,6 @@ pub struct Specified {
 }
 
 impl MapFacts {
-    /// Caveats that no check states.
-    pub fn warnings(&self) -> Vec<String> {
-        /// Largest plausible point spacing, m.
-        const WIDE: f64 = 1e-3;
-        /// Smallest plausible r.m.s. slope: below that of polished optics.
-        const FLAT: f64 = 1e-4;
-        /// Share of missing points from which it matters which ones are missing.
-        const MANY: f64 = 0.1;
-        let mut warnings = Vec::new();
-        let widest = self.pixel[0].max(self.pixel[1]);
-        let slope = self.roughness.rms_slope();
-        if widest >= WIDE {
-            warnings.push(format!(
-                "its points are {} apart: the unit of its lengths is probably wrong (set unit = \"um\" next to path).",
-                quantity(widest, "m"),
-            ));
-        } else if slope < FLAT && self.generation.is_none() {
-            warnings.push(format!(
-                "the r.m.s. slope is {}, less than that of polished optics: heights and pixel size are probably in different units.",
-                number(slope),
-            ));
-        }
-        let missing = self.roughness.missing as f64 / (self.points[0] * self.points[1]) as f64;
-        if missing > MANY {
-            warnings.push(format!(
-                "{} of its points are missing: where an instrument loses valleys or steep flanks rather than points at random, σ \
-                 and the separation are too small.",
-                percent(missing),
-            ));
-        }
-        warnings
-    }
-
     /// The places of the peaks of spikes on the map, m.
     pub fn spike_places(&self) -> Vec<[f64; 2]> {
         let points = self.spikes.as_ref().map_or(&[][..], |spikes| &spikes.left.peaks);
@@ -207,7 +182,7 @@ pub struct PreparedMap {
 
 impl Surface {
     /// A set that separations are measured in by its own statistics.
-    pub(super) fn new(name: &str, set: AsperitySet, statistics: Statistics) -> Self {
+    pub fn new(name: &str, set: AsperitySet, statistics: Statistics) -> Self {
         let ellipticity = Ellipticity::of(&set);
         Self {
             name: name.to_owned(),

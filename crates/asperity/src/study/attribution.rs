@@ -1,9 +1,9 @@
 //! The gap between both models divided among its causes, at every load of a case.
 
-use asperity::compare::{Division, GroupsLeftOut, Rearranged, StatesAtLoads};
-use asperity::{ContactLaw, MicroContact};
-use asperity_framework::contact::LawPlan;
-use asperity_framework::digest::stream_seed;
+use super::law::LawContact;
+use crate::compare::{Division, GroupsLeftOut, Rearranged, StatesAtLoads};
+use crate::numeric::stream_seed;
+use crate::{ContactLaw, MicroContact};
 
 use super::case::CaseResults;
 use super::models::SurfaceModels;
@@ -87,7 +87,7 @@ fn left_out(
             None => return Vec::new(),
         },
     };
-    let of_case = |(law, states): (&LawPlan, &Option<StatesAtLoads>)| {
+    let of_case = |(law, states): (&LawContact, &Option<StatesAtLoads>)| {
         let slopes = |states: &StatesAtLoads| Some(states.slopes(all.of(&law.spec)?, &*law.contact));
         states.as_ref().and_then(slopes).unwrap_or_default()
     };
@@ -97,7 +97,7 @@ fn left_out(
         let rest = surface.without(division, group)?;
         let models = models.of_part(&rest, setup.law_specs, true).ok()?;
         let rearranged = ForLaws::new(&models, setup.law_specs, Rearranged::coarse);
-        let case = |(index, law): (usize, &LawPlan)| {
+        let case = |(index, law): (usize, &LawContact)| {
             let contact: &dyn MicroContact = &*law.contact;
             let (states, rest) = (states[index].as_ref()?, rearranged.of(&law.spec)?);
             Some(states.without(rest, contact, &slopes[index]))

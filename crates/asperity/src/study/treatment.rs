@@ -1,11 +1,8 @@
 //! Treatments of a measured map that a colleague would question.
 
-use std::fmt;
-
-use asperity::MeanRadius;
-use asperity::topography::summits::Neighbours;
-use asperity::topography::{Filter, Level};
-use asperity_framework::report::format::quantity;
+use crate::MeanRadius;
+use crate::topography::summits::Neighbours;
+use crate::topography::{Filter, Level};
 
 use super::statistical::StatisticalModel;
 use crate::surface::{MapFacts, Preparation};
@@ -108,22 +105,6 @@ impl Treatment {
             Self::Level(level) => Preparation { level, ..own },
             Self::SpikesRemoved => Preparation { removes_spikes: true, ..own },
             Self::Half(half) => Preparation { half: Some(half), ..own },
-        }
-    }
-}
-
-impl fmt::Display for Treatment {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        match self {
-            Self::ShortWaves(None) => f.write_str("no S filter"),
-            Self::ShortWaves(Some(s)) => write!(f, "S filter {}", quantity(*s, "m")),
-            Self::Summits(neighbours) => write!(f, "{} summits", neighbours.name()),
-            Self::MeanRadius(MeanRadius::Arithmetic) => f.write_str("arithmetic mean radius"),
-            Self::MeanRadius(MeanRadius::InverseMeanCurvature) => f.write_str("1/(mean curvature)"),
-            Self::MeanRadius(MeanRadius::InContact) => f.write_str("mean radius in contact"),
-            Self::Level(level) => write!(f, "level {}", level.name()),
-            Self::SpikesRemoved => f.write_str("spikes removed"),
-            Self::Half(half) => write!(f, "half {} of the map", half + 1),
         }
     }
 }
