@@ -1,0 +1,234 @@
+//! Figures of the comparisons.
+
+use super::results::{ErrorRow, SolverResults, convolutions, loads};
+use crate::solver::ensemble::{EnsemblePoint, EnsembleResults, Mean, bush_gibson_thomas, persson};
+use crate::solver::published::{ENSEMBLE, PUBLISHED, PublishedArea, published};
+use crate::solver::work::WorkPoint;
+use crate::solver::{Benchmark, LAYERED_CASES, Problem, Profile, Quantity};
+use asperity::analytical;
+use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
+
+/// Standard errors of a band: 95 % of many surfaces.
+const BAND: f64 = 2.0;
+
+const PUBLISHED_COLOUR: Colour = Colour::Series(6);
+
+fn plot(title: &str, x: Axis, y: Axis) -> Plot {
+    Plot::new(title, x, y).legend(Legend::Below)
+}
+
+fn with_series(plot: Plot, points: Vec<(f64, f64)>, colour: Colour, marker: Marker, name: &str) -> Plot {
+    plot.with(Layer::line(points.clone()).coloured(colour).named(name))
+        .with(Layer::points(points, marker).coloured(colour).named(name))
+}
+
+/// The largest errors of a problem against resolution, with lines of slopes -1 and -2.
+fn convergence(
+    results: &SolverResults,
+    problem: Problem,
+    axis: &str,
+    quantities: &[(Quantity, Marker)],
+) -> Plot {
+    let errors: Vec<ErrorRow> = results.errors().filter(|errors| errors.problem() == problem).collect();
+    let mut plot = plot("Largest errors", Axis::log(axis), Axis::log("error"));
+    for (k, &(quantity, marker)) in quantities.iter().enumerate() {
+        let point = |errors: &ErrorRow| Some((errors.points() as f64, errors.error(quantity)?.abs()));
+        let points: Vec<(f64, f64)> = errors.iter().filter_map(point).collect();
+        let first = points.first().copied();
+        plot = with_series(plot, points, Colour::Series(k), marker, quantity.words());
+        let order = match quantity {
+            Quantity::Indentation | Quantity::MeanGap => 2.0,
+            Quantity::Pressures => 1.0,
+            _ => continue,
+        };
+        if let Some((x, y)) = first {
+            plot = plot.with(Layer::slope((x, 0.6 * y), -order, format!("order {order}")));
+        }
+    }
+    plot
+}
+
+fn pressures(title: &str, x: &str, y: &str, profiles: &[Profile]) -> Plot {
+    let plot = plot(title, Axis::linear(x), Axis::linear(y));
+    profiles.iter().enumerate().fold(plot, |plot, (k, Profile { case, computed, exact })| {
+        let computed = Layer::points(computed.iter().copied(), Marker::Circle);
+        plot.with(Layer::line(exact.iter().copied()).coloured(Colour::Neutral).named("exact"))
+            .with(computed.coloured(Colour::Series(k)).named(case))
+    })
+}
+
+/// Hertz: pressures and convergence.
+pub fn hertz(results: &SolverResults) -> Figure {
+    let profile = results.hertz_profile.as_slice();
+    let pressures =
+        pressures("Pressures on the coarsest grid", "distance from the axis r/a", "p/p₀", profile);
+    let quantities = [
+        (Quantity::Indentation, Marker::Circle),
+        (Quantity::RawArea, Marker::Square),
+        (Quantity::Area, Marker::Triangle),
+        (Quantity::PeakPressure, Marker::Cross),
+        (Quantity::Pressures, Marker::Ring),
+    ];
+    let errors = convergence(results, Problem::Hertz, "pixels per contact radius", &quantities);
+    Figure::row("Hertz", vec![pressures, errors])
+}
+
+/// A wave: pressures, width and convergence.
+pub fn sinusoid(results: &SolverResults) -> Figure {
+    let pressures = pressures("Pressures", "place x/λ", "p/(2 p*)", &results.wave_profiles);
+    let quantities = [
+        (Quantity::MeanGap, Marker::Circle),
+        (Quantity::RawArea, Marker::Square),
+        (Quantity::Area, Marker::Triangle),
+        (Quantity::Pressures, Marker::Ring),
+    ];
+    let errors = convergence(results, Problem::Sinusoid, "points per wavelength", &quantities);
+    Figure::row("Wave", vec![pressures, errors])
+}
+
+/// Spheres on a layer: errors of the indentation, by body and contact radius.
+pub fn layered(results: &SolverResults) -> Figure {
+    let is_it = |benchmark: &&Benchmark| {
+        (benchmark.problem, benchmark.quantity) == (Problem::LayeredSphere, Quantity::Indentation)
+    };
+    let all: Vec<&Benchmark> = results.benchmarks.iter().filter(is_it).collect();
+    let errors =
+        all.iter().flat_map(|benchmark| benchmark.allowed.into_iter().chain([benchmark.error.abs()]));
+    let [least, most] = range(errors);
+    let mut plot = plot(
+        "",
+        Axis::log("contact radius over layer thickness a/t"),
+        Axis::log("relative error of the indentation").range(0.5 * least, 2.0 * most),
+    );
+    let markers = [Marker::Circle, Marker::Square, Marker::Triangle, Marker::Cross];
+    let bodies = LAYERED_CASES.chunk_by(|a, b| a.bodies() == b.bodies());
+    for (k, (cases, marker)) in bodies.zip(markers.into_iter().cycle()).enumerate() {
+        let points = cases.iter().filter_map(|case| {
+            let benchmark = all.iter().find(|benchmark| benchmark.case == case.name())?;
+            Some((case.contact_radius, benchmark.error.abs()))
+        });
+        let name = format!("E = {}", cases[0].bodies());
+        plot = with_series(plot, points.collect(), Colour::Series(k), marker, &name);
+    }
+    let allowed = all.iter().find_map(|benchmark| benchmark.allowed);
+    allowed.into_iter().fold(plot, |plot, allowed| plot.with(Layer::at_y(allowed, "allowed"))).into()
+}
+
+/// The least and the largest of some values.
+fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    values.fold([f64::INFINITY, 0.0], |[least, most], value| [value.min(least), value.max(most)])
+}
+
+/// A curve of means.
+fn mean_line(means: impl Iterator<Item = (f64, Mean)>) -> Layer {
+    Layer::line(means.map(|(x, mean)| (x, mean.mean)))
+}
+
+/// The same with its band of errors.
+fn with_band(plot: Plot, means: Vec<(f64, Mean)>, colour: Colour, name: &str) -> Plot {
+    let band = means.iter().map(|(x, Mean { mean, error })| (*x, mean - BAND * error, mean + BAND * error));
+    plot.with(Layer::band(band).coloured(colour).named(name))
+        .with(mean_line(means.into_iter()).coloured(colour).named(name))
+}
+
+/// An area relative to the published one, in percent.
+fn percent(pressure: f64, area: Mean) -> Option<(f64, Mean)> {
+    let published = published(pressure)?.area;
+    let mean = 100.0 * (area.mean / published - 1.0);
+    Some((pressure, Mean { mean, error: 100.0 * area.error / published }))
+}
+
+/// Published areas at the pressures of the ensemble's range.
+fn published_within(ensemble: &EnsembleResults) -> impl Iterator<Item = &'static PublishedArea> {
+    let [least, most] = range(ensemble.points.iter().map(|point| point.pressure));
+    PUBLISHED.iter().filter(move |published| (least..=most).contains(&published.pressure))
+}
+
+/// Areas of the publication as points.
+fn published_points(points: impl Iterator<Item = (f64, f64)>) -> Layer {
+    Layer::points(points, Marker::Ring).coloured(PUBLISHED_COLOUR).named("published")
+}
+
+/// Those of the earlier file.
+fn earlier_points(points: impl Iterator<Item = (f64, f64)>) -> Layer {
+    Layer::points(points, Marker::Cross).coloured(PUBLISHED_COLOUR).named("earlier published file")
+}
+
+/// Areas of the ensemble, and their differences from the published ones.
+pub fn ensemble(ensemble: &EnsembleResults) -> Figure {
+    let mut areas = plot("", Axis::log("pressure p/E*"), Axis::log("area ratio A/A₀")).height(300.0);
+    if let Some(finest) = ensemble.grids().next_back() {
+        let line = mean_line(finest.iter().map(|point| (point.pressure, point.area)));
+        areas =
+            areas.with(line.coloured(Colour::Reference).named("boundary elements, corrected, finest grid"));
+    }
+    let listed = published_within(ensemble).map(|row| (row.pressure, row.area));
+    areas = areas.with(published_points(listed));
+    let mut differences =
+        plot("", Axis::log("pressure p/E*"), Axis::linear("difference from published area (%)")).with_zero();
+    let of = ensemble.grids().count();
+    for (k, points) in ensemble.grids().enumerate() {
+        let colour = Colour::Ordered { index: of - 1 - k, of: of + 1 };
+        let kinds: [(_, _, fn(&EnsemblePoint) -> Mean); 2] =
+            [("raw", Dash::Dashed, |point| point.raw_area), ("corrected", Dash::Dotted, |point| point.area)];
+        for (kind, dash, area) in kinds {
+            let line = mean_line(points.iter().filter_map(|point| percent(point.pressure, area(point))));
+            let name = format!("{kind}, {} points", points[0].points.unwrap_or_default());
+            differences = differences.with(line.coloured(colour).dashed(dash).named(name));
+        }
+    }
+    if !ensemble.extrapolated.is_empty() {
+        let areas = ensemble.extrapolated.iter().filter_map(|point| percent(point.pressure, point.raw_area));
+        let name = "extrapolated, with two standard errors";
+        differences = with_band(differences, areas.collect(), Colour::Deterministic, name);
+    }
+    let earlier = published_within(ensemble)
+        .filter_map(|row| Some((row.pressure, 100.0 * (row.earlier? / row.area - 1.0))));
+    Figure::column("Published ensemble", vec![areas, differences.with(earlier_points(earlier))])
+}
+
+/// kappa against load, with the theories.
+pub fn kappa(ensemble: &EnsembleResults) -> Figure {
+    /// Points of Persson's curve.
+    const DENSE: usize = 100;
+    let mut plot =
+        plot("", Axis::log("reduced pressure p/(E* g)"), Axis::linear("κ = (A/A₀) E* g/p").range(0.0, 3.2));
+    let [least, most] = range(ensemble.points.iter().map(EnsemblePoint::reduced_pressure));
+    let limits = [
+        (bush_gibson_thomas(), Dash::Dashed, "Bush, Gibson and Thomas, light load: (2π)^½"),
+        (persson(), Dash::Dotted, "Persson, light load: (8/π)^½"),
+    ];
+    for (limit, dash, name) in limits {
+        let line = Layer::line([(least, limit), (most, limit)]);
+        plot = plot.with(line.coloured(Colour::Neutral).dashed(dash).named(name));
+    }
+    let curve = (0..=DENSE).map(|k| {
+        let pressure = least * (most / least).powf(k as f64 / DENSE as f64);
+        (pressure, analytical::persson(pressure, 1.0) / pressure)
+    });
+    let curve = Layer::line(curve).coloured(Colour::Neutral).dashed(Dash::DashDot);
+    let points = ensemble.extrapolated.iter().map(|point| (point.reduced_pressure(), point.kappa()));
+    let name = "boundary elements, extrapolated, with two standard errors";
+    let plot =
+        with_band(plot.with(curve.named("Persson, all loads")), points.collect(), Colour::Reference, name);
+    let point = |row: &PublishedArea, area: f64| {
+        let reduced = row.pressure / ENSEMBLE.gradient;
+        (reduced, area / reduced)
+    };
+    let listed = published_within(ensemble).map(|row| point(row, row.area));
+    let earlier = published_within(ensemble).filter_map(|row| Some(point(row, row.earlier?)));
+    plot.with(published_points(listed)).with(earlier_points(earlier)).into()
+}
+
+/// Convolutions against points.
+pub fn work(work: &[WorkPoint]) -> Figure {
+    let loads = loads(work);
+    let y = Axis::log("convolutions on the finest grid");
+    let plot = plot("", Axis::log("points along a side"), y).height(300.0);
+    let with_load = |plot: Plot, (k, &load): (usize, &f64)| {
+        let colour = Colour::Ordered { index: k, of: loads.len() };
+        let line = convolutions(work, load).collect();
+        with_series(plot, line, colour, Marker::Circle, &format!("p/(E* g) = {load}"))
+    };
+    loads.iter().enumerate().fold(plot, with_load).into()
+}
