@@ -1,6 +1,6 @@
 //! Figures of the comparisons.
 
-use super::results::{ErrorRow, SolverResults, convolutions, loads};
+use super::results::{ErrorRow, SolverResults, convolutions, errors, loads};
 use crate::solver::ensemble::{EnsemblePoint, EnsembleResults, Mean, bush_gibson_thomas, persson};
 use crate::solver::published::{ENSEMBLE, PUBLISHED, PublishedArea, published};
 use crate::solver::work::WorkPoint;
@@ -24,12 +24,12 @@ fn with_series(plot: Plot, points: Vec<(f64, f64)>, colour: Colour, marker: Mark
 
 /// The largest errors of a problem against resolution, with lines of slopes -1 and -2.
 fn convergence(
-    results: &SolverResults,
+    benchmarks: &[Benchmark],
     problem: Problem,
     axis: &str,
     quantities: &[(Quantity, Marker)],
 ) -> Plot {
-    let errors: Vec<ErrorRow> = results.errors().filter(|errors| errors.problem() == problem).collect();
+    let errors: Vec<ErrorRow> = errors(benchmarks).filter(|errors| errors.problem() == problem).collect();
     let mut plot = plot("Largest errors", Axis::log(axis), Axis::log("error"));
     for (k, &(quantity, marker)) in quantities.iter().enumerate() {
         let point = |errors: &ErrorRow| Some((errors.points() as f64, errors.error(quantity)?.abs()));
@@ -69,7 +69,7 @@ pub fn hertz(results: &SolverResults) -> Figure {
         (Quantity::PeakPressure, Marker::Cross),
         (Quantity::Pressures, Marker::Ring),
     ];
-    let errors = convergence(results, Problem::Hertz, "pixels per contact radius", &quantities);
+    let errors = convergence(&results.benchmarks, Problem::Hertz, "pixels per contact radius", &quantities);
     Figure::row("Hertz", vec![pressures, errors])
 }
 
@@ -82,7 +82,7 @@ pub fn sinusoid(results: &SolverResults) -> Figure {
         (Quantity::Area, Marker::Triangle),
         (Quantity::Pressures, Marker::Ring),
     ];
-    let errors = convergence(results, Problem::Sinusoid, "points per wavelength", &quantities);
+    let errors = convergence(&results.benchmarks, Problem::Sinusoid, "points per wavelength", &quantities);
     Figure::row("Wave", vec![pressures, errors])
 }
 
@@ -124,11 +124,9 @@ fn mean_line(means: impl Iterator<Item = (f64, Mean)>) -> Layer {
     Layer::line(means.map(|(x, mean)| (x, mean.mean)))
 }
 
-/// The same with its band of errors.
-fn with_band(plot: Plot, means: Vec<(f64, Mean)>, colour: Colour, name: &str) -> Plot {
-    let band = means.iter().map(|(x, Mean { mean, error })| (*x, mean - BAND * error, mean + BAND * error));
-    plot.with(Layer::band(band).coloured(colour).named(name))
-        .with(mean_line(means.into_iter()).coloured(colour).named(name))
+/// The band of their errors.
+fn error_band(means: impl Iterator<Item = (f64, Mean)>) -> Layer {
+    Layer::band(means.map(|(x, Mean { mean, error })| (x, mean - BAND * error, mean + BAND * error)))
 }
 
 /// An area relative to the published one, in percent.
@@ -169,18 +167,24 @@ pub fn ensemble(ensemble: &EnsembleResults) -> Figure {
     let of = ensemble.grids().count();
     for (k, points) in ensemble.grids().enumerate() {
         let colour = Colour::Ordered { index: of - 1 - k, of: of + 1 };
-        let kinds: [(_, _, fn(&EnsemblePoint) -> Mean); 2] =
-            [("raw", Dash::Dashed, |point| point.raw_area), ("corrected", Dash::Dotted, |point| point.area)];
-        for (kind, dash, area) in kinds {
-            let line = mean_line(points.iter().filter_map(|point| percent(point.pressure, area(point))));
+        let line = |kind: &str, dash: Dash, area: fn(&EnsemblePoint) -> Mean| {
+            let areas = points.iter().filter_map(|point| percent(point.pressure, area(point)));
             let name = format!("{kind}, {} points", points[0].points.unwrap_or_default());
-            differences = differences.with(line.coloured(colour).dashed(dash).named(name));
-        }
+            mean_line(areas).coloured(colour).dashed(dash).named(name)
+        };
+        differences = differences.with(line("raw", Dash::Dashed, |point| point.raw_area)).with(line(
+            "corrected",
+            Dash::Dotted,
+            |point| point.area,
+        ));
     }
     if !ensemble.extrapolated.is_empty() {
-        let areas = ensemble.extrapolated.iter().filter_map(|point| percent(point.pressure, point.raw_area));
-        let name = "extrapolated, with two standard errors";
-        differences = with_band(differences, areas.collect(), Colour::Deterministic, name);
+        let areas = ensemble.extrapolated.iter();
+        let areas = areas.filter_map(|point| percent(point.pressure, point.raw_area));
+        let layers = [error_band(areas.clone()), mean_line(areas).thick()];
+        for layer in layers.map(|layer| layer.coloured(Colour::Deterministic)) {
+            differences = differences.with(layer.named("extrapolated, with two standard errors"));
+        }
     }
     let earlier = published_within(ensemble)
         .filter_map(|row| Some((row.pressure, 100.0 * (row.earlier? / row.area - 1.0))));
@@ -208,9 +212,11 @@ pub fn kappa(ensemble: &EnsembleResults) -> Figure {
     });
     let curve = Layer::line(curve).coloured(Colour::Neutral).dashed(Dash::DashDot);
     let points = ensemble.extrapolated.iter().map(|point| (point.reduced_pressure(), point.kappa()));
-    let name = "boundary elements, extrapolated, with two standard errors";
-    let plot =
-        with_band(plot.with(curve.named("Persson, all loads")), points.collect(), Colour::Reference, name);
+    let layers = [error_band(points.clone()), mean_line(points)];
+    plot = plot.with(curve.named("Persson, all loads"));
+    for layer in layers.map(|layer| layer.coloured(Colour::Reference)) {
+        plot = plot.with(layer.named("boundary elements, extrapolated, with two standard errors"));
+    }
     let point = |row: &PublishedArea, area: f64| {
         let reduced = row.pressure / ENSEMBLE.gradient;
         (reduced, area / reduced)

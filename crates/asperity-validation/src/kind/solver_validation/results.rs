@@ -15,7 +15,7 @@ pub const LOWEST_ORDER: f64 = 1.7;
 pub const PUBLISHED_WITHIN: f64 = 0.05;
 
 /// Standard errors by which a difference from a published area may exceed [`PUBLISHED_WITHIN`].
-const ERRORS: f64 = 2.0;
+pub const ERRORS: f64 = 2.0;
 
 /// Kinds of area are ranked at pressures whose standard error of the area is at most this.
 const MOST_SAMPLING: f64 = 0.015;
@@ -35,54 +35,48 @@ pub struct SolverResults {
     pub work: Vec<WorkPoint>,
 }
 
-impl SolverResults {
-    /// The benchmarks, resolution by resolution.
-    pub fn errors(&self) -> impl DoubleEndedIterator<Item = ErrorRow<'_>> {
-        self.benchmarks.chunk_by(|a, b| (a.problem, a.points) == (b.problem, b.points)).map(ErrorRow)
-    }
+/// The benchmarks, resolution by resolution.
+pub fn errors(benchmarks: &[Benchmark]) -> impl DoubleEndedIterator<Item = ErrorRow<'_>> {
+    benchmarks.chunk_by(|a, b| (a.problem, a.points) == (b.problem, b.points)).map(ErrorRow)
+}
 
-    /// Order of convergence of Hertz's indentation, from the two finest grids.
-    pub fn order(&self) -> Option<f64> {
-        let hertz = self.errors().rev().filter(|errors| errors.problem() == Problem::Hertz);
-        let mut indentation = hertz.filter_map(|errors| errors.largest(Quantity::Indentation));
-        let (fine, coarse) = (indentation.next()?, indentation.next()?);
-        let order = (coarse.error / fine.error).abs().ln() / (fine.points as f64 / coarse.points as f64).ln();
-        order.is_finite().then_some(order)
-    }
+/// Order of convergence of Hertz's indentation, from the two finest grids.
+pub fn order(benchmarks: &[Benchmark]) -> Option<f64> {
+    let hertz = errors(benchmarks).rev().filter(|errors| errors.problem() == Problem::Hertz);
+    let mut indentation = hertz.filter_map(|errors| errors.largest(Quantity::Indentation));
+    let (fine, coarse) = (indentation.next()?, indentation.next()?);
+    let order = (coarse.error / fine.error).abs().ln() / (fine.points as f64 / coarse.points as f64).ln();
+    order.is_finite().then_some(order)
+}
 
-    /// Bounds that are exceeded, a line each.
-    pub fn warnings(&self) -> Vec<String> {
-        let exceeded = self.benchmarks.iter().filter(|benchmark| !benchmark.is_within()).map(|benchmark| {
-            let Benchmark { problem, case, points, quantity, error, allowed, .. } = benchmark;
-            format!(
-                "{}, {case}, {points} points: the error of the {} is {}; allowed: {}",
-                problem.name(),
-                quantity.words(),
-                number(error.abs()),
-                number(allowed.unwrap_or(f64::INFINITY)),
-            )
-        });
-        let order = self.order().filter(|order| *order < LOWEST_ORDER).map(|order| {
-            format!(
-                "hertz: the indentation converges with order {}; allowed: at least {LOWEST_ORDER}",
-                number(order)
-            )
-        });
-        let areas = self.ensemble.iter().flat_map(|ensemble| &ensemble.extrapolated);
-        let differences = areas.filter_map(|point| Some((point.pressure, point.difference()?)));
-        let distant = differences.filter(|(_, difference)| !is_near(*difference));
-        let distant = distant.map(|(pressure, difference)| {
-            format!(
-                "ensemble, p/E* = {}: the extrapolated area is {} ± {} from the published one; allowed: {} and {ERRORS} standard \
-                 errors",
-                input_number(pressure),
-                percent(difference.mean),
-                percent(difference.error),
-                percent(PUBLISHED_WITHIN)
-            )
-        });
-        exceeded.chain(order).chain(distant).collect()
-    }
+/// Bounds that are exceeded, a line each.
+pub fn warnings(benchmarks: &[Benchmark], ensemble: Option<&EnsembleResults>) -> Vec<String> {
+    let exceeded = benchmarks.iter().filter(|benchmark| !benchmark.is_within()).map(|benchmark| {
+        let Benchmark { problem, case, points, quantity, error, allowed, .. } = benchmark;
+        format!(
+            "{}, {case}, {points} points: the error of the {} is {}; allowed: {}",
+            problem.name(),
+            quantity.words(),
+            number(error.abs()),
+            number(allowed.unwrap_or(f64::INFINITY)),
+        )
+    });
+    let order = order(benchmarks).filter(|order| *order < LOWEST_ORDER).map(|order| {
+        let order = number(order);
+        format!("hertz: the indentation converges with order {order}; allowed: at least {LOWEST_ORDER}")
+    });
+    let areas = ensemble.into_iter().flat_map(|ensemble| &ensemble.extrapolated);
+    let distant = areas.filter_map(|point| {
+        let difference = point.difference().filter(|difference| !is_near(*difference))?;
+        Some(format!(
+            "ensemble, p/E* = {}: the extrapolated area is {} ± {} from the published one; allowed: {} and {ERRORS} standard errors",
+            input_number(point.pressure),
+            percent(difference.mean),
+            percent(difference.error),
+            percent(PUBLISHED_WITHIN)
+        ))
+    });
+    exceeded.chain(order).chain(distant).collect()
 }
 
 /// The benchmarks of a problem at one resolution; there is at least one.
@@ -192,4 +186,88 @@ pub fn convolutions(work: &[WorkPoint], load: f64) -> impl Iterator<Item = (f64,
 pub fn growth(work: &[WorkPoint]) -> Option<[f64; 2]> {
     let slopes = loads(work).into_iter().filter_map(|load| SlopeFit::through(convolutions(work, load)));
     slopes.map(|fit| [fit.slope; 2]).reduce(|[low, high], [slope, _]| [low.min(slope), high.max(slope)])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn indentation(points: usize, error: f64, allowed: f64) -> Benchmark {
+        Benchmark {
+            problem: Problem::Hertz,
+            case: "sphere".to_owned(),
+            points,
+            quantity: Quantity::Indentation,
+            exact: Some(1.0),
+            computed: Some(1.0 + error),
+            error,
+            allowed: Some(allowed),
+        }
+    }
+
+    #[test]
+    fn errors_beyond_their_bounds_and_a_low_order_are_warned_of() {
+        let good = [indentation(32, -8e-5, 1e-4), indentation(64, -2e-5, 2.5e-5)];
+        assert!((order(&good).unwrap() - 2.0).abs() < 1e-12);
+        assert!(warnings(&good, None).is_empty());
+        let poor = [indentation(32, 8e-5, 1e-4), indentation(64, -4e-5, 2.5e-5)];
+        let lines = warnings(&poor, None);
+        assert_eq!(lines.len(), 2, "{lines:?}");
+        assert!(
+            lines[0].contains("64 points: the error of the indentation is 4e-5; allowed: 2.5e-5"),
+            "{lines:?}"
+        );
+        assert_eq!(order(&poor[..1]), None);
+    }
+
+    fn ensemble(share: f64, error: f64) -> EnsembleResults {
+        let mean = |mean: f64| Mean { mean, error };
+        let area = 0.077_926_64;
+        let point = |points, share| EnsemblePoint {
+            points,
+            pressure: 0.01,
+            raw_area: mean(share * area),
+            area: mean(0.9 * area),
+            gap: None,
+        };
+        EnsembleResults {
+            realisations: 3,
+            height: mean(6e-6),
+            points: vec![point(Some(512), 1.0)],
+            extrapolated: vec![point(None, share)],
+        }
+    }
+
+    #[test]
+    fn published_areas_are_compared_within_sampling_error() {
+        let near = ensemble(0.96, 1e-5);
+        assert!(warnings(&[], Some(&near)).is_empty());
+        let nearest = deviations(&near)[0];
+        assert_eq!((nearest.area, nearest.points, nearest.published), ("raw", Some(512), 0.0));
+        assert!((near.extrapolated[0].kappa().mean - 0.96 * 0.077_926_64 * 27.66).abs() < 1e-12);
+        assert_eq!(warnings(&[], Some(&ensemble(0.92, 1e-5))).len(), 1);
+        // Two standard errors of 2 %; too much to rank kinds of area by.
+        let scattered = ensemble(0.92, 0.0016);
+        assert!(deviations(&scattered).is_empty() && warnings(&[], Some(&scattered)).is_empty());
+    }
+
+    #[test]
+    fn convolutions_grow_with_a_power_of_the_points() {
+        let contact = |points: usize, pressure: f64| WorkPoint {
+            points,
+            pressure,
+            area: 0.1,
+            steps: 1,
+            convolutions: if pressure < 0.1 { points } else { points * points },
+            error: 1e-8,
+        };
+        let work: Vec<WorkPoint> = [64, 128, 256]
+            .into_iter()
+            .flat_map(|points| [contact(points, 0.2), contact(points, 0.02)])
+            .collect();
+        assert_eq!(loads(&work), [0.02, 0.2]);
+        let [low, high] = growth(&work).unwrap();
+        assert!((low - 1.0).abs() < 1e-12 && (high - 2.0).abs() < 1e-12);
+        assert_eq!(growth(&work[..4]), None);
+    }
 }

@@ -1,6 +1,6 @@
 //! The tables: errors against known solutions, areas of the ensemble, and the work of the solver.
 
-use super::results::{Deviation, ErrorRow, SolverResults, deviations, is_near};
+use super::results::{Deviation, ErrorRow, SolverResults, deviations, errors, is_near};
 use crate::solver::ensemble::EnsemblePoint;
 use crate::solver::published::{ENSEMBLE, published};
 use crate::solver::work::WorkPoint;
@@ -151,7 +151,7 @@ pub(super) fn tables(results: &SolverResults) -> Vec<Table> {
     let extrapolated = || ensemble.iter().flat_map(|ensemble| &ensemble.extrapolated);
     let on_grids = ensemble.iter().flat_map(|ensemble| &ensemble.points);
     vec![
-        Table::new(results.errors()),
+        Table::new(errors(&results.benchmarks)),
         Table::new(&results.benchmarks),
         Table::new(extrapolated().map(AreaRow)),
         Table::new(ensemble.map(deviations).unwrap_or_default()),
