@@ -19,7 +19,7 @@ mod waves;
 pub mod work;
 
 pub use spheres::{LAYERED_CASES, LayeredCase, Profile, hertz, hertz_profile, layered};
-pub use surfaces::{SelfAffine, SurfaceError, rms_gradient};
+pub use surfaces::{SelfAffine, SurfaceError};
 pub use waves::{full_contact, partial_contact, wave_profile};
 
 use asperity::bem::{Boundary, Contact, ElasticPair, Options, Solver, SolverError};
@@ -27,7 +27,7 @@ use asperity::progress::Silent;
 use asperity::{HeightMap, MapError, Material, MaterialError};
 
 /// Relative dual gap of the problems whose solution is known: far below the errors of discretisation.
-pub const DUAL_GAP: f64 = 1e-11;
+const DUAL_GAP: f64 = 1e-11;
 
 /// A problem whose solution is known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

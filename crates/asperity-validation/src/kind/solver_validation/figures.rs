@@ -23,25 +23,24 @@ fn with_series(plot: Plot, points: Vec<(f64, f64)>, colour: Colour, marker: Mark
 }
 
 /// The largest errors of a problem against resolution, with lines of slopes -1 and -2.
-fn convergence(
-    benchmarks: &[Benchmark],
-    problem: Problem,
-    axis: &str,
-    quantities: &[(Quantity, Marker)],
-) -> Plot {
-    let errors: Vec<ErrorRow> = errors(benchmarks).filter(|errors| errors.problem() == problem).collect();
-    let mut plot = plot("Largest errors", Axis::log(axis), Axis::log("error"));
-    for (k, &(quantity, marker)) in quantities.iter().enumerate() {
-        let point = |errors: &ErrorRow| Some((errors.points() as f64, errors.error(quantity)?.abs()));
-        let points: Vec<(f64, f64)> = errors.iter().filter_map(point).collect();
-        let first = points.first().copied();
+fn convergence(results: &SolverResults, problem: Problem, resolution: &str) -> Plot {
+    /// With the order of convergence whose line is drawn.
+    const QUANTITIES: [(Quantity, Marker, Option<f64>); 6] = [
+        (Quantity::Indentation, Marker::Circle, Some(2.0)),
+        (Quantity::RawArea, Marker::Square, None),
+        (Quantity::Area, Marker::Triangle, None),
+        (Quantity::PeakPressure, Marker::Cross, None),
+        (Quantity::Pressures, Marker::Ring, Some(1.0)),
+        (Quantity::MeanGap, Marker::Circle, Some(2.0)),
+    ];
+    let mut plot = plot("Largest errors", Axis::log(resolution), Axis::log("error"));
+    for (k, (quantity, marker, order)) in QUANTITIES.into_iter().enumerate() {
+        let errors = errors(&results.benchmarks).filter(|errors| errors.problem() == problem);
+        let point = |errors: ErrorRow| Some((errors.points() as f64, errors.error(quantity)?.abs()));
+        let points: Vec<(f64, f64)> = errors.filter_map(point).collect();
+        let Some(&(x, y)) = points.first() else { continue };
         plot = with_series(plot, points, Colour::Series(k), marker, quantity.words());
-        let order = match quantity {
-            Quantity::Indentation | Quantity::MeanGap => 2.0,
-            Quantity::Pressures => 1.0,
-            _ => continue,
-        };
-        if let Some((x, y)) = first {
+        if let Some(order) = order {
             plot = plot.with(Layer::slope((x, 0.6 * y), -order, format!("order {order}")));
         }
     }
@@ -59,30 +58,16 @@ fn pressures(title: &str, x: &str, y: &str, profiles: &[Profile]) -> Plot {
 
 /// Hertz: pressures and convergence.
 pub fn hertz(results: &SolverResults) -> Figure {
-    let profile = results.hertz_profile.as_slice();
-    let pressures =
-        pressures("Pressures on the coarsest grid", "distance from the axis r/a", "p/p₀", profile);
-    let quantities = [
-        (Quantity::Indentation, Marker::Circle),
-        (Quantity::RawArea, Marker::Square),
-        (Quantity::Area, Marker::Triangle),
-        (Quantity::PeakPressure, Marker::Cross),
-        (Quantity::Pressures, Marker::Ring),
-    ];
-    let errors = convergence(&results.benchmarks, Problem::Hertz, "pixels per contact radius", &quantities);
+    let (title, x) = ("Pressures on the coarsest grid", "distance from the axis r/a");
+    let pressures = pressures(title, x, "p/p₀", results.hertz_profile.as_slice());
+    let errors = convergence(results, Problem::Hertz, "pixels per contact radius");
     Figure::row("Hertz", vec![pressures, errors])
 }
 
 /// A wave: pressures, width and convergence.
 pub fn sinusoid(results: &SolverResults) -> Figure {
     let pressures = pressures("Pressures", "place x/λ", "p/(2 p*)", &results.wave_profiles);
-    let quantities = [
-        (Quantity::MeanGap, Marker::Circle),
-        (Quantity::RawArea, Marker::Square),
-        (Quantity::Area, Marker::Triangle),
-        (Quantity::Pressures, Marker::Ring),
-    ];
-    let errors = convergence(&results.benchmarks, Problem::Sinusoid, "points per wavelength", &quantities);
+    let errors = convergence(results, Problem::Sinusoid, "points per wavelength");
     Figure::row("Wave", vec![pressures, errors])
 }
 
@@ -172,11 +157,8 @@ pub fn ensemble(ensemble: &EnsembleResults) -> Figure {
             let name = format!("{kind}, {} points", points[0].points.unwrap_or_default());
             mean_line(areas).coloured(colour).dashed(dash).named(name)
         };
-        differences = differences.with(line("raw", Dash::Dashed, |point| point.raw_area)).with(line(
-            "corrected",
-            Dash::Dotted,
-            |point| point.area,
-        ));
+        differences = differences.with(line("raw", Dash::Dashed, |point| point.raw_area));
+        differences = differences.with(line("corrected", Dash::Dotted, |point| point.area));
     }
     if !ensemble.extrapolated.is_empty() {
         let areas = ensemble.extrapolated.iter();

@@ -7,6 +7,7 @@ mod results;
 mod rows;
 mod run;
 mod spec;
+mod words;
 
 use asperity_framework::input::{InputError, Spanned, SpecFile};
 use asperity_framework::report::table::Schema;

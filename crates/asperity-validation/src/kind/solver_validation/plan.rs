@@ -81,32 +81,25 @@ impl Plan for SolverPlan {
 
 impl fmt::Display for SolverPlan {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        if !self.hertz.is_empty() {
-            writeln!(f, "  Hertz at {:?} pixels per contact radius", self.hertz)?;
-        }
-        if let Some(task) = &self.sinusoid {
-            writeln!(
-                f,
-                "  a wave of {:?} points at {:?} p*, and waves in full contact",
-                task.points, task.shares
-            )?;
-        }
-        if let Some(pixels) = self.layered {
-            let count = LAYERED_CASES.len();
-            writeln!(f, "  {count} spheres on a layer at {pixels} pixels per contact radius")?;
-        }
-        if let Some(task) = &self.ensemble {
-            let EnsembleTask { points, realisations, pressures, .. } = task;
-            let loads = pressures.len();
-            writeln!(
-                f,
-                "  {realisations} surfaces of the published ensemble on {points:?} points a side, {loads} loads"
-            )?;
-        }
-        if let Some(task) = &self.work {
-            writeln!(f, "  work on {:?} points a side, {} loads", task.points, task.pressures.len())?;
-        }
-        Ok(())
+        let Self { hertz, sinusoid, layered, ensemble, work } = self;
+        let lines = [
+            (!hertz.is_empty()).then(|| format!("Hertz at {hertz:?} pixels per contact radius")),
+            sinusoid.as_ref().map(|SinusoidTask { points, shares }| {
+                format!("a wave of {points:?} points at {shares:?} p*, and waves in full contact")
+            }),
+            layered.map(|pixels| {
+                let count = LAYERED_CASES.len();
+                format!("{count} spheres on a layer at {pixels} pixels per contact radius")
+            }),
+            ensemble.as_ref().map(|EnsembleTask { points, realisations, pressures, .. }| {
+                let loads = pressures.len();
+                format!("{realisations} surfaces of the published ensemble on {points:?} points a side, {loads} loads")
+            }),
+            work.as_ref().map(|WorkTask { points, pressures, .. }| {
+                format!("work on {points:?} points a side, {} loads", pressures.len())
+            }),
+        ];
+        lines.into_iter().flatten().try_for_each(|line| writeln!(f, "  {line}"))
     }
 }
 

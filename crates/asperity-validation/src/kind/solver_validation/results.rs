@@ -103,11 +103,6 @@ impl<'a> ErrorRow<'a> {
     pub fn error(&self, quantity: Quantity) -> Option<f64> {
         self.largest(quantity).map(|benchmark| benchmark.error)
     }
-
-    /// Errors beyond their bounds.
-    pub fn exceeded(&self) -> usize {
-        self.0.iter().filter(|benchmark| !benchmark.is_within()).count()
-    }
 }
 
 /// Whether a difference from a published area is within [`PUBLISHED_WITHIN`] and the sampling error.

@@ -38,7 +38,7 @@ impl Row for ErrorRow<'_> {
             problem["text"] = row.problem().name(), "Problem, as in `benchmarks.csv`.";
             resolution["count"] = row.points(), "Pixels per contact radius, or points per wavelength.";
             comparisons["count"] = row.0.len(), "Cases times quantities.";
-            within_bounds["true/false"] = row.exceeded() == 0, "Whether all errors that have a bound are within it.";
+            within_bounds["true/false"] = row.0.iter().all(Benchmark::is_within), "Whether all errors that have a bound are within it.";
             indentation_error["1", label("indentation"), scale(1e-3)] = row.error(Quantity::Indentation), "Relative error of the indentation.";
             raw_area_error["1", label("area by counting points"), scale(1e-3)] = row.error(Quantity::RawArea), "Error of the area of the points in contact: relative; of a sinusoid that of the width over the wavelength.";
             area_error["1", label("corrected area"), scale(1e-3)] = row.error(Quantity::Area), "The same of the area corrected for the border of the contact.";
@@ -145,17 +145,18 @@ pub(super) fn schemas() -> Vec<Schema> {
     ]
 }
 
-/// The files of [`schemas`]; those of problems that were not run have no rows.
+/// Those that have rows: of the problems that were run.
 pub(super) fn tables(results: &SolverResults) -> Vec<Table> {
     let ensemble = results.ensemble.as_ref();
     let extrapolated = || ensemble.iter().flat_map(|ensemble| &ensemble.extrapolated);
     let on_grids = ensemble.iter().flat_map(|ensemble| &ensemble.points);
-    vec![
+    let tables = [
         Table::new(errors(&results.benchmarks)),
         Table::new(&results.benchmarks),
         Table::new(extrapolated().map(AreaRow)),
         Table::new(ensemble.map(deviations).unwrap_or_default()),
         Table::new(on_grids.chain(extrapolated())),
         Table::new(&results.work),
-    ]
+    ];
+    tables.into_iter().filter(|table| table.rows() > 0).collect()
 }
