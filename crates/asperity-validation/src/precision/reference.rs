@@ -2,7 +2,7 @@
 
 use super::Cost;
 use super::timing::{Candidate, medians};
-use crate::solver::{Measured, Quantity, Unsolved, hertz};
+use crate::solver::{Benchmark, Quantity, Unsolved, hertz};
 
 /// Hertz's contact on one grid.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,17 +20,15 @@ pub struct ReferencePoint {
 /// # Errors
 /// See [`Unsolved`].
 pub fn contacts(pixels: &[usize]) -> Result<Vec<ReferencePoint>, Unsolved> {
-    let measured: Vec<Vec<Measured>> =
+    let benchmarks: Vec<Vec<Benchmark>> =
         pixels.iter().map(|&pixels| hertz(pixels)).collect::<Result<_, _>>()?;
     let candidate =
         |&pixels: &usize| -> Candidate { Box::new(move || _ = std::hint::black_box(hertz(pixels))) };
     let seconds = medians(&mut pixels.iter().map(candidate).collect::<Vec<_>>());
-    let points = pixels.iter().zip(&measured).zip(seconds).map(|((&pixels, measured), seconds)| {
+    let points = pixels.iter().zip(&benchmarks).zip(seconds).map(|((&pixels, benchmarks), seconds)| {
         let error = |quantity: Quantity| {
-            measured
-                .iter()
-                .find(|measured| measured.quantity == quantity)
-                .map_or(f64::NAN, |measured| measured.error)
+            let benchmark = benchmarks.iter().find(|benchmark| benchmark.quantity == quantity);
+            benchmark.map_or(f64::NAN, |benchmark| benchmark.error)
         };
         ReferencePoint {
             pixels,

@@ -5,7 +5,8 @@ use std::f64::consts::PI;
 use asperity::bem::{Boundary, Options, Solver};
 use asperity::progress::{Progress, Silent};
 
-use super::{SelfAffine, Unsolved, unit_pair};
+use super::published::{ENSEMBLE, published};
+use super::{Unsolved, unit_pair};
 
 /// The input.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,111 +31,116 @@ pub struct Mean {
 }
 
 impl Mean {
-    fn of(values: &[f64]) -> Self {
-        let count = values.len() as f64;
-        let mean = values.iter().sum::<f64>() / count;
-        let square = values.iter().map(|value| (value - mean).powi(2)).sum::<f64>();
+    fn new(values: impl Iterator<Item = f64> + Clone) -> Self {
+        let count = values.clone().count() as f64;
+        let mean = values.clone().sum::<f64>() / count;
+        let square = values.map(|value| (value - mean).powi(2)).sum::<f64>();
         Self { mean, error: (square / (count * (count - 1.0))).sqrt() }
-    }
-
-    /// Times a number.
-    pub fn times(self, factor: f64) -> Self {
-        Self { mean: factor * self.mean, error: factor.abs() * self.error }
     }
 }
 
-/// The ensemble at one pressure on one grid.
+/// The ensemble at one pressure on one grid, or extrapolated from the two finest grids.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EnsemblePoint {
-    /// Points along a side.
-    pub points: usize,
+    /// Points along a side; `None` where extrapolated.
+    pub points: Option<usize>,
     /// p/E*.
     pub pressure: f64,
     /// Points in contact over all.
     pub raw_area: Mean,
     /// The same, corrected for the border.
     pub area: Mean,
-    /// Mean gap over the r.m.s. height of the surface.
-    pub gap: Mean,
+    /// Mean gap over the r.m.s. height of the surface; `None` where extrapolated.
+    pub gap: Option<Mean>,
 }
 
-/// The areas at one pressure, extrapolated to points without end from the two finest grids.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Extrapolated {
-    /// p/E*.
-    pub pressure: f64,
-    /// From the raw areas, whose error falls with the inverse of the points.
-    pub raw_area: Mean,
-    /// From the corrected areas, likewise.
-    pub area: Mean,
+impl EnsemblePoint {
+    fn new(points: Option<usize>, pressure: f64, samples: &[Sample]) -> Self {
+        let mean = |k: usize| Mean::new(samples.iter().map(|sample| sample[k]));
+        Self { points, pressure, raw_area: mean(0), area: mean(1), gap: points.map(|_| mean(2)) }
+    }
+
+    /// p/(E* g).
+    pub fn reduced_pressure(&self) -> f64 {
+        self.pressure / ENSEMBLE.gradient
+    }
+
+    /// Area over the reduced pressure: of the corrected area, of the raw one where extrapolated.
+    pub fn kappa(&self) -> Mean {
+        let Mean { mean, error } = if self.points.is_some() { self.area } else { self.raw_area };
+        let kappa = |area: f64| area * ENSEMBLE.gradient / self.pressure;
+        Mean { mean: kappa(mean), error: kappa(error) }
+    }
+
+    /// Raw over published area, minus 1.
+    pub fn difference(&self) -> Option<Mean> {
+        let published = published(self.pressure)?.area;
+        let Mean { mean, error } = self.raw_area;
+        Some(Mean { mean: mean / published - 1.0, error: error / published })
+    }
 }
 
 /// The ensemble at all pressures.
 #[derive(Debug, Clone, PartialEq)]
-pub struct EnsembleFindings {
+pub struct EnsembleResults {
     /// Surfaces.
     pub realisations: usize,
-    /// r.m.s. gradient of each surface.
-    pub gradient: f64,
     /// r.m.s. height of the surfaces, m.
     pub height: Mean,
     /// Grid by grid, pressure by pressure.
     pub points: Vec<EnsemblePoint>,
-    /// Pressure by pressure; empty of a single grid.
-    pub extrapolated: Vec<Extrapolated>,
+    /// Pressure by pressure: linearly in the pixel, with which the error of raw areas falls; empty of a single grid.
+    pub extrapolated: Vec<EnsemblePoint>,
 }
 
-/// Raw area, corrected area and mean gap over r.m.s. height.
-type Found = [f64; 3];
+impl EnsembleResults {
+    /// The points of each grid.
+    pub fn grids(&self) -> impl DoubleEndedIterator<Item = &[EnsemblePoint]> {
+        self.points.chunk_by(|a, b| a.points == b.points)
+    }
+}
 
-/// Area and gap of random surfaces. One unit of progress for each pressure of each map.
+/// Raw area, corrected area and mean gap over r.m.s. height of one surface.
+type Sample = [f64; 3];
+
+/// Area and gap of surfaces of the published ensemble. One unit of progress for each pressure of each map.
 ///
 /// # Errors
 /// See [`Unsolved`].
 pub fn ensemble(
-    process: &SelfAffine,
     task: &EnsembleTask,
     seed: impl Fn(usize) -> [u8; 32],
     progress: &dyn Progress,
-) -> Result<EnsembleFindings, Unsolved> {
+) -> Result<EnsembleResults, Unsolved> {
     let pair = unit_pair()?;
     let options = Options { boundary: Boundary::Periodic, error: task.error, cap: None };
     let mut heights = Vec::new();
     // By grid, pressure and surface.
-    let mut found: Vec<Vec<Vec<Found>>> = vec![vec![Vec::new(); task.pressures.len()]; task.points.len()];
+    let mut samples: Vec<Vec<Vec<Sample>>> = vec![vec![Vec::new(); task.pressures.len()]; task.points.len()];
     for realisation in 0..task.realisations {
         for (grid, &points) in task.points.iter().enumerate() {
-            let map = process.surface(points, seed(realisation))?;
+            let map = ENSEMBLE.surface(points, seed(realisation))?;
             let height = rms(map.heights());
             if grid == 0 {
                 heights.push(height);
             }
             let solver = Solver::new(&map, &pair, &options)?;
-            for (at, &pressure) in task.pressures.iter().enumerate() {
+            for (samples, &pressure) in samples[grid].iter_mut().zip(&task.pressures) {
                 let contact = solver.at_pressure(pressure, &Silent)?;
-                let gap = contact.mean_gap() / height;
-                found[grid][at].push([contact.raw_area_ratio(), contact.area_ratio(), gap]);
+                samples.push([contact.raw_area_ratio(), contact.area_ratio(), contact.mean_gap() / height]);
                 progress.advance(1.0);
             }
         }
     }
-    let mean =
-        |values: &[Found], of: usize| Mean::of(&values.iter().map(|value| value[of]).collect::<Vec<_>>());
-    let points = task.points.iter().zip(&found).flat_map(|(&points, of_grid)| {
-        task.pressures.iter().zip(of_grid).map(move |(&pressure, values)| EnsemblePoint {
-            points,
-            pressure,
-            raw_area: mean(values, 0),
-            area: mean(values, 1),
-            gap: mean(values, 2),
-        })
+    let points = task.points.iter().zip(&samples).flat_map(|(&points, on_grid)| {
+        let samples = task.pressures.iter().zip(on_grid);
+        samples.map(move |(&pressure, samples)| EnsemblePoint::new(Some(points), pressure, samples))
     });
-    Ok(EnsembleFindings {
+    Ok(EnsembleResults {
         realisations: task.realisations,
-        gradient: process.gradient,
-        height: Mean::of(&heights),
+        height: Mean::new(heights.iter().copied()),
         points: points.collect(),
-        extrapolated: extrapolated(task, &found),
+        extrapolated: extrapolated(task, &samples),
     })
 }
 
@@ -143,21 +149,17 @@ fn rms(heights: &[f64]) -> f64 {
 }
 
 /// Linearly in the pixel, surface by surface.
-fn extrapolated(task: &EnsembleTask, found: &[Vec<Vec<Found>>]) -> Vec<Extrapolated> {
-    let ([.., coarse, fine], [.., few, many]) = (found, task.points.as_slice()) else { return Vec::new() };
+fn extrapolated(task: &EnsembleTask, samples: &[Vec<Vec<Sample>>]) -> Vec<EnsemblePoint> {
+    let ([.., coarse, fine], [.., few, many]) = (samples, task.points.as_slice()) else { return Vec::new() };
     let share = (*many as f64 / *few as f64 - 1.0).recip();
-    let at_zero = |coarse: &[Found], fine: &[Found], of: usize| {
-        let pairs = coarse.iter().zip(fine);
-        Mean::of(&pairs.map(|(coarse, fine)| fine[of] + share * (fine[of] - coarse[of])).collect::<Vec<_>>())
+    let limit = |(coarse, fine): (&Sample, &Sample)| -> Sample {
+        std::array::from_fn(|k| fine[k] + share * (fine[k] - coarse[k]))
     };
-    let of_pressure = task.pressures.iter().zip(coarse.iter().zip(fine));
-    of_pressure
-        .map(|(&pressure, (coarse, fine))| Extrapolated {
-            pressure,
-            raw_area: at_zero(coarse, fine, 0),
-            area: at_zero(coarse, fine, 1),
-        })
-        .collect()
+    let point = |(&pressure, (coarse, fine)): (&f64, (&Vec<Sample>, &Vec<Sample>))| {
+        let limits: Vec<Sample> = coarse.iter().zip(fine).map(limit).collect();
+        EnsemblePoint::new(None, pressure, &limits)
+    };
+    task.pressures.iter().zip(coarse.iter().zip(fine)).map(point).collect()
 }
 
 /// Area over p/(E* g) of Bush, Gibson and Thomas (1975) at vanishing load: (2 pi)^1/2.
@@ -180,14 +182,12 @@ mod tests {
         let task =
             EnsembleTask { points: vec![100, 300], realisations: 2, pressures: vec![1.0], error: 1e-6 };
         let area = |limit: f64, points: f64| [limit * (1.0 + 20.0 / points), limit - 1.0 / points, 0.0];
-        let of = |points: f64| vec![vec![area(0.2, points), area(0.3, points)]];
-        let found = extrapolated(&task, &[of(100.0), of(300.0)]);
-        assert!(
-            (found[0].raw_area.mean - 0.25).abs() < 1e-15 && (found[0].raw_area.error - 0.05).abs() < 1e-15
-        );
-        assert!((found[0].area.mean - 0.25).abs() < 1e-15);
+        let samples = |points: f64| vec![vec![area(0.2, points), area(0.3, points)]];
+        let [point] = &extrapolated(&task, &[samples(100.0), samples(300.0)])[..] else { panic!() };
+        assert!((point.raw_area.mean - 0.25).abs() < 1e-15 && (point.raw_area.error - 0.05).abs() < 1e-15);
+        assert!((point.area.mean - 0.25).abs() < 1e-15);
         let single = EnsembleTask { points: vec![100], ..task };
-        assert!(extrapolated(&single, &[of(100.0)]).is_empty());
+        assert!(extrapolated(&single, &[samples(100.0)]).is_empty());
     }
 
     #[test]

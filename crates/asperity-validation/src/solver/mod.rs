@@ -19,15 +19,15 @@ mod waves;
 pub mod work;
 
 pub use spheres::{LAYERED_CASES, LayeredCase, Profile, hertz, hertz_profile, layered};
-pub use surfaces::{SelfAffine, SurfaceError, rms_gradient};
+pub use surfaces::{SelfAffine, SurfaceError};
 pub use waves::{full_contact, partial_contact, wave_profile};
 
-use asperity::bem::{Contact, ElasticPair, Options, Solver, SolverError};
+use asperity::bem::{Boundary, Contact, ElasticPair, Options, Solver, SolverError};
 use asperity::progress::Silent;
 use asperity::{HeightMap, MapError, Material, MaterialError};
 
 /// Relative dual gap of the problems whose solution is known: far below the errors of discretisation.
-pub const DUAL_GAP: f64 = 1e-11;
+const DUAL_GAP: f64 = 1e-11;
 
 /// A problem whose solution is known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -102,7 +102,7 @@ impl Quantity {
 
 /// One quantity of one problem at one resolution.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Measured {
+pub struct Benchmark {
     /// The problem.
     pub problem: Problem,
     /// Which of its cases.
@@ -113,18 +113,40 @@ pub struct Measured {
     pub quantity: Quantity,
     /// The exact value; `None` of a norm of an error.
     pub exact: Option<f64>,
-    /// The value found; `None` of a norm of an error.
-    pub found: Option<f64>,
+    /// The value of the boundary elements; `None` of a norm of an error.
+    pub computed: Option<f64>,
     /// The error, as [`Quantity`] defines it.
     pub error: f64,
     /// The largest error that is allowed.
     pub allowed: Option<f64>,
 }
 
-impl Measured {
+impl Benchmark {
     /// Whether the error is within its bound.
-    pub fn holds(&self) -> bool {
+    pub fn is_within(&self) -> bool {
         self.allowed.is_none_or(|allowed| self.error.abs() <= allowed)
+    }
+}
+
+/// A case of a problem at one resolution.
+struct Case {
+    problem: Problem,
+    name: String,
+    points: usize,
+}
+
+impl Case {
+    /// A quantity: its exact and computed value (`None` of a norm of an error), its error, and the largest that is allowed.
+    fn benchmark(
+        &self,
+        quantity: Quantity,
+        values: Option<[f64; 2]>,
+        error: f64,
+        allowed: Option<f64>,
+    ) -> Benchmark {
+        let Self { problem, points, .. } = *self;
+        let [exact, computed] = [0, 1].map(|k| values.map(|values| values[k]));
+        Benchmark { problem, case: self.name.clone(), points, quantity, exact, computed, error, allowed }
     }
 }
 
@@ -151,23 +173,25 @@ fn unit_pair() -> Result<ElasticPair, MaterialError> {
     Ok(ElasticPair::new(&body, &body, None))
 }
 
+/// A contact under a mean pressure, to [`DUAL_GAP`].
 fn solved(
     map: &HeightMap,
     pair: &ElasticPair,
-    options: Options,
+    boundary: Boundary,
     pressure: f64,
 ) -> Result<Contact, SolverError> {
+    let options = Options { boundary, error: DUAL_GAP, cap: None };
     Solver::new(map, pair, &options)?.at_pressure(pressure, &Silent)
 }
 
-/// Root mean square of `found - exact` over that of `exact`, and the highest of `found`.
-fn pressure_errors(found: &[f64], exact: impl Fn(usize) -> f64) -> [f64; 2] {
-    let [mut apart, mut norm, mut highest] = [0.0f64; 3];
-    for (k, &p) in found.iter().enumerate() {
+/// Root mean square of `computed - exact` over that of `exact`, and the highest of `computed`.
+fn pressure_errors(computed: &[f64], exact: impl Fn(usize) -> f64) -> [f64; 2] {
+    let [mut difference, mut norm, mut highest] = [0.0f64; 3];
+    for (k, &p) in computed.iter().enumerate() {
         let exact = exact(k);
-        apart += (p - exact).powi(2);
+        difference += (p - exact).powi(2);
         norm += exact * exact;
         highest = highest.max(p);
     }
-    [(apart / norm).sqrt(), highest]
+    [(difference / norm).sqrt(), highest]
 }

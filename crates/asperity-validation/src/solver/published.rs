@@ -48,7 +48,7 @@ pub const PUBLISHED: [PublishedArea; 17] = [
 ];
 
 /// Wave numbers of the ensemble, rad/m: the smallest, which is that of the roll-off, and the largest.
-pub const WAVE_NUMBERS: [f64; 2] = [1e4, 1e6];
+const WAVE_NUMBERS: [f64; 2] = [1e4, 1e6];
 
 /// Standard deviation of the heights, m.
 pub const RMS_HEIGHT: f64 = 6e-6;

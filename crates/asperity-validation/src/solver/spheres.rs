@@ -2,11 +2,11 @@
 
 use std::f64::consts::PI;
 
-use asperity::bem::{Boundary, Contact, ElasticPair, Options};
+use asperity::bem::{Boundary, Contact, ElasticPair};
 use asperity::layer::exact_sphere::LayeredSphere;
-use asperity::{HeightMap, MapError, Material};
+use asperity::{HeightMap, Material};
 
-use super::{DUAL_GAP, Measured, Problem, Quantity, Unsolved, pressure_errors, solved, unit_pair};
+use super::{Benchmark, Case, Problem, Quantity, Unsolved, pressure_errors, solved, unit_pair};
 
 /// Contact radius on the half-space, over R.
 const RADIUS: f64 = 0.1;
@@ -17,7 +17,7 @@ const SIDE: f64 = 2.5;
 /// The place of the tip from the middle of the map, in pixels: off every symmetry of the grid.
 const TIP: [f64; 2] = [0.317, -0.171];
 
-/// Errors allowed at a number of pixels per contact radius, about 1.5 times those found; they fall with its square
+/// Errors allowed at a number of pixels per contact radius, about 1.5 times the present ones; they fall with its square
 /// (indentation) or its inverse.
 struct Allowed {
     pixels: f64,
@@ -76,15 +76,18 @@ impl LayeredCase {
     }
 }
 
-/// A paraboloid with its tip at height 0 and the distance of each point from it.
+/// A paraboloid in contact: a flat pressed on its tip.
 struct Paraboloid {
-    map: HeightMap,
-    distances: Vec<f64>,
+    contact_radius: f64,
     nominal_area: f64,
+    /// Of each point from the tip.
+    distances: Vec<f64>,
+    contact: Contact,
 }
 
 impl Paraboloid {
-    fn new(contact_radius: f64, pixels: usize) -> Result<Self, MapError> {
+    /// Solves it under a load with `pixels` per (expected) contact radius.
+    fn new(contact_radius: f64, pixels: usize, pair: &ElasticPair, load: f64) -> Result<Self, Unsolved> {
         let pixel = contact_radius / pixels as f64;
         let count = (SIDE * pixels as f64).ceil() as usize;
         let middle = TIP.map(|shift| 0.5 * count as f64 + shift);
@@ -93,36 +96,41 @@ impl Paraboloid {
         let distances: Vec<f64> = (0..count * count).map(distance).collect();
         let heights = distances.iter().map(|r| -0.5 * r * r).collect();
         let map = HeightMap::new([count; 2], [pixel; 2], heights, 0.0)?;
-        Ok(Self { map, distances, nominal_area: (count as f64 * pixel).powi(2) })
+        let nominal_area = (count as f64 * pixel).powi(2);
+        let contact = solved(&map, pair, Boundary::Finite, load / nominal_area)?;
+        Ok(Self { contact_radius, nominal_area, distances, contact })
     }
 
-    fn contact(&self, pair: &ElasticPair, load: f64) -> Result<Contact, Unsolved> {
-        let options = Options { boundary: Boundary::Finite, error: DUAL_GAP, cap: None };
-        Ok(solved(&self.map, pair, options, load / self.nominal_area)?)
+    /// Hertz's contact.
+    fn hertz(pixels: usize) -> Result<Self, Unsolved> {
+        Self::new(RADIUS, pixels, &unit_pair()?, 4.0 / 3.0 * RADIUS.powi(3))
+    }
+
+    /// Indentation and both areas.
+    fn benchmarks(&self, case: &Case, indentation: f64, allowed: &Allowed) -> Vec<Benchmark> {
+        let area = PI * self.contact_radius * self.contact_radius;
+        let values = [
+            (Quantity::Indentation, indentation, self.contact.approach()),
+            (Quantity::RawArea, area, self.contact.raw_area_ratio() * self.nominal_area),
+            (Quantity::Area, area, self.contact.area_ratio() * self.nominal_area),
+        ];
+        let benchmark = |(quantity, exact, computed)| {
+            let allowed = allowed.error(quantity, case.points);
+            case.benchmark(quantity, Some([exact, computed]), computed / exact - 1.0, allowed)
+        };
+        values.map(benchmark).to_vec()
     }
 }
 
-/// Indentation and both areas.
-fn approach_and_areas(
-    contact: &Contact,
-    nominal_area: f64,
-    [indentation, contact_radius]: [f64; 2],
-) -> [(Quantity, f64, f64); 3] {
-    let area = PI * contact_radius * contact_radius;
-    [
-        (Quantity::Indentation, indentation, contact.approach()),
-        (Quantity::RawArea, area, contact.raw_area_ratio() * nominal_area),
-        (Quantity::Area, area, contact.area_ratio() * nominal_area),
-    ]
-}
-
-fn allowed(bound: &Allowed, quantity: Quantity, pixels: usize) -> Option<f64> {
-    let coarser = bound.pixels / pixels as f64;
-    match quantity {
-        Quantity::Indentation => Some(bound.indentation * coarser * coarser),
-        Quantity::Area => Some(bound.area * coarser),
-        Quantity::Pressures => Some(bound.pressures * coarser),
-        Quantity::RawArea | Quantity::PeakPressure | Quantity::MeanGap => None,
+impl Allowed {
+    fn error(&self, quantity: Quantity, pixels: usize) -> Option<f64> {
+        let coarser = self.pixels / pixels as f64;
+        match quantity {
+            Quantity::Indentation => Some(self.indentation * coarser * coarser),
+            Quantity::Area => Some(self.area * coarser),
+            Quantity::Pressures => Some(self.pressures * coarser),
+            Quantity::RawArea | Quantity::PeakPressure | Quantity::MeanGap => None,
+        }
     }
 }
 
@@ -130,34 +138,23 @@ fn allowed(bound: &Allowed, quantity: Quantity, pixels: usize) -> Option<f64> {
 ///
 /// # Errors
 /// See [`Unsolved`].
-pub fn hertz(pixels: usize) -> Result<Vec<Measured>, Unsolved> {
-    let (body, contact) = hertz_contact(pixels)?;
-    let peak = 2.0 * RADIUS / PI;
-    let [pressures, highest] = pressure_errors(contact.pressures(), |k| hertz_pressure(body.distances[k]));
-    let measured = |quantity: Quantity, values: Option<[f64; 2]>, error: f64| Measured {
-        problem: Problem::Hertz,
-        case: "sphere".to_owned(),
-        points: pixels,
-        quantity,
-        exact: values.map(|[exact, _]| exact),
-        found: values.map(|[_, found]| found),
-        error,
-        allowed: allowed(&HERTZ_ALLOWED, quantity, pixels),
-    };
-    let known = approach_and_areas(&contact, body.nominal_area, [RADIUS * RADIUS, RADIUS]);
-    let known = known.into_iter().chain([(Quantity::PeakPressure, peak, highest)]);
-    let values = known.map(|(of, exact, found)| measured(of, Some([exact, found]), found / exact - 1.0));
-    Ok(values.chain([measured(Quantity::Pressures, None, pressures)]).collect())
+pub fn hertz(pixels: usize) -> Result<Vec<Benchmark>, Unsolved> {
+    let body = Paraboloid::hertz(pixels)?;
+    let case = Case { problem: Problem::Hertz, name: "sphere".to_owned(), points: pixels };
+    let [error, highest] = pressure_errors(body.contact.pressures(), |k| hertz_pressure(body.distances[k]));
+    let mut benchmarks = body.benchmarks(&case, RADIUS * RADIUS, &HERTZ_ALLOWED);
+    benchmarks.extend([
+        case.benchmark(Quantity::PeakPressure, Some([PEAK, highest]), highest / PEAK - 1.0, None),
+        case.benchmark(Quantity::Pressures, None, error, HERTZ_ALLOWED.error(Quantity::Pressures, pixels)),
+    ]);
+    Ok(benchmarks)
 }
 
-fn hertz_contact(pixels: usize) -> Result<(Paraboloid, Contact), Unsolved> {
-    let body = Paraboloid::new(RADIUS, pixels)?;
-    let contact = body.contact(&unit_pair()?, 4.0 / 3.0 * RADIUS.powi(3))?;
-    Ok((body, contact))
-}
+/// Hertz's highest pressure.
+const PEAK: f64 = 2.0 * RADIUS / PI;
 
 fn hertz_pressure(distance: f64) -> f64 {
-    2.0 * RADIUS / PI * (1.0 - (distance / RADIUS).powi(2)).max(0.0).sqrt()
+    PEAK * (1.0 - (distance / RADIUS).powi(2)).max(0.0).sqrt()
 }
 
 /// Place and pressure over the highest one: of points, and of the solution.
@@ -165,8 +162,8 @@ fn hertz_pressure(distance: f64) -> f64 {
 pub struct Profile {
     /// Which of several.
     pub case: String,
-    /// Points.
-    pub found: Vec<(f64, f64)>,
+    /// Points of the boundary elements.
+    pub computed: Vec<(f64, f64)>,
     /// The solution, densely.
     pub exact: Vec<(f64, f64)>,
 }
@@ -178,43 +175,30 @@ pub struct Profile {
 pub fn hertz_profile(pixels: usize) -> Result<Profile, Unsolved> {
     /// Points of the solution.
     const DENSE: usize = 200;
-    let (body, contact) = hertz_contact(pixels)?;
-    let peak = 2.0 * RADIUS / PI;
-    let near = body.distances.iter().zip(contact.pressures()).filter(|(r, _)| **r <= 1.2 * RADIUS);
-    let mut found: Vec<(f64, f64)> = near.map(|(r, p)| (r / RADIUS, p / peak)).collect();
-    found.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let body = Paraboloid::hertz(pixels)?;
+    let near = body.distances.iter().zip(body.contact.pressures()).filter(|(r, _)| **r <= 1.2 * RADIUS);
+    let mut computed: Vec<(f64, f64)> = near.map(|(r, p)| (r / RADIUS, p / PEAK)).collect();
+    computed.sort_by(|a, b| a.0.total_cmp(&b.0));
     let exact = (0..=DENSE).map(|k| {
         let r = 1.2 * k as f64 / DENSE as f64;
-        (r, hertz_pressure(r * RADIUS) / peak)
+        (r, hertz_pressure(r * RADIUS) / PEAK)
     });
-    Ok(Profile { case: format!("{pixels} pixels per contact radius"), found, exact: exact.collect() })
+    Ok(Profile { case: format!("{pixels} pixels per contact radius"), computed, exact: exact.collect() })
 }
 
 /// A rigid sphere on a layer at `pixels` per contact radius.
 ///
 /// # Errors
 /// See [`Unsolved`].
-pub fn layered(case: &LayeredCase, pixels: usize) -> Result<Vec<Measured>, Unsolved> {
+pub fn layered(case: &LayeredCase, pixels: usize) -> Result<Vec<Benchmark>, Unsolved> {
     /// A modulus beside which all others are small: its compliance is below rounding.
     const RIGID: f64 = 1e30;
     let body = |[young, poisson]: [f64; 2]| Material::new(young, poisson, None, None);
     let (layer, substrate) = (body(case.layer)?, body(case.substrate)?);
     let exact = LayeredSphere::new(None, 1.0, &layer, &substrate, 1.0);
     let Some(exact) = exact.at_contact_radius(case.contact_radius) else { return Ok(Vec::new()) };
-    let paraboloid = Paraboloid::new(case.contact_radius, pixels)?;
     let pair = ElasticPair::new(&body([RIGID, 0.3])?, &substrate, Some((&layer, 1.0)));
-    let contact = paraboloid.contact(&pair, exact.load)?;
-    let known =
-        approach_and_areas(&contact, paraboloid.nominal_area, [exact.indentation, case.contact_radius]);
-    let measured = known.into_iter().map(|(quantity, exact, found)| Measured {
-        problem: Problem::LayeredSphere,
-        case: case.name(),
-        points: pixels,
-        quantity,
-        exact: Some(exact),
-        found: Some(found),
-        error: found / exact - 1.0,
-        allowed: allowed(&LAYERED_ALLOWED, quantity, pixels),
-    });
-    Ok(measured.collect())
+    let body = Paraboloid::new(case.contact_radius, pixels, &pair, exact.load)?;
+    let case = Case { problem: Problem::LayeredSphere, name: case.name(), points: pixels };
+    Ok(body.benchmarks(&case, exact.indentation, &LAYERED_ALLOWED))
 }

@@ -69,7 +69,7 @@ impl SelfAffine {
 }
 
 /// Root mean square of the gradient of a periodic map, by its waves: that of the surface, not of its differences.
-pub fn rms_gradient(map: &HeightMap) -> f64 {
+fn rms_gradient(map: &HeightMap) -> f64 {
     let [nx, ny] = map.points();
     let heights = map.heights();
     let along = |count: usize, pixel: f64, line: &dyn Fn(usize, usize) -> f64, lines: usize| {

@@ -2,10 +2,10 @@
 
 use std::f64::consts::{PI, TAU};
 
-use asperity::bem::{Boundary, Contact, ElasticPair, Options};
+use asperity::bem::{Boundary, Contact, ElasticPair};
 use asperity::{HeightMap, Material};
 
-use super::{DUAL_GAP, Measured, Problem, Profile, Quantity, Unsolved, pressure_errors, solved, unit_pair};
+use super::{Benchmark, Case, Problem, Profile, Quantity, Unsolved, pressure_errors, solved, unit_pair};
 
 /// Height of the wave over its length.
 const HEIGHT: f64 = 0.01;
@@ -34,6 +34,10 @@ struct Wave {
 }
 
 impl Wave {
+    fn name(&self) -> String {
+        format!("p = {} p*", self.share)
+    }
+
     /// Mean pressure; p* = pi E* h/lambda.
     fn pressure(&self) -> f64 {
         self.share * PI * HEIGHT
@@ -64,8 +68,7 @@ fn places(points: usize, shift: f64) -> Vec<f64> {
 fn contact(wave: &Wave, x: &[f64], points: usize) -> Result<Contact, Unsolved> {
     let heights = x.iter().map(|x| HEIGHT * (TAU * x).cos()).collect();
     let map = HeightMap::new([points, ALONG_Y], [(points as f64).recip(); 2], heights, 0.0)?;
-    let options = Options { boundary: Boundary::Periodic, error: DUAL_GAP, cap: None };
-    Ok(solved(&map, &unit_pair()?, options, wave.pressure())?)
+    Ok(solved(&map, &unit_pair()?, Boundary::Periodic, wave.pressure())?)
 }
 
 /// A wave of `points` under `share` of the pressure that closes the gap: of the width the mean over places of the crest between
@@ -73,7 +76,7 @@ fn contact(wave: &Wave, x: &[f64], points: usize) -> Result<Contact, Unsolved> {
 ///
 /// # Errors
 /// See [`Unsolved`].
-pub fn partial_contact(points: usize, share: f64) -> Result<Vec<Measured>, Unsolved> {
+pub fn partial_contact(points: usize, share: f64) -> Result<Vec<Benchmark>, Unsolved> {
     let wave = Wave { share };
     let (mut widths, mut gap, mut pressures) = ([0.0; 2], wave.mean_gap(), 0.0f64);
     for shift in 0..SHIFTS {
@@ -81,33 +84,25 @@ pub fn partial_contact(points: usize, share: f64) -> Result<Vec<Measured>, Unsol
         let contact = contact(&wave, &x, points)?;
         widths[0] += contact.raw_area_ratio() / SHIFTS as f64;
         widths[1] += contact.area_ratio() / SHIFTS as f64;
-        let found = contact.mean_gap() / HEIGHT;
-        if (found - wave.mean_gap()).abs() > (gap - wave.mean_gap()).abs() {
-            gap = found;
+        let computed = contact.mean_gap() / HEIGHT;
+        if (computed - wave.mean_gap()).abs() > (gap - wave.mean_gap()).abs() {
+            gap = computed;
         }
-        let [apart, _] = pressure_errors(contact.pressures(), |k| wave.pressure_at(x[k]));
-        pressures = pressures.max(apart);
+        let [error, _] = pressure_errors(contact.pressures(), |k| wave.pressure_at(x[k]));
+        pressures = pressures.max(error);
     }
+    let case = Case { problem: Problem::Sinusoid, name: wave.name(), points };
+    let difference = |quantity, [exact, computed]: [f64; 2], allowed| {
+        case.benchmark(quantity, Some([exact, computed]), computed - exact, allowed)
+    };
     let finer = (points as f64).recip();
-    let rows = [
-        (Quantity::RawArea, Some([wave.width(), widths[0]]), None),
-        (Quantity::Area, Some([wave.width(), widths[1]]), Some(WIDTH_ALLOWED * finer)),
-        (Quantity::MeanGap, Some([wave.mean_gap(), gap]), Some(GAP_ALLOWED * finer * finer)),
-        (Quantity::Pressures, None, Some(PRESSURES_ALLOWED * finer / (0.5 * wave.width()))),
-    ];
-    Ok(rows
-        .into_iter()
-        .map(|(quantity, values, allowed)| Measured {
-            problem: Problem::Sinusoid,
-            case: format!("p = {share} p*"),
-            points,
-            quantity,
-            exact: values.map(|[exact, _]| exact),
-            found: values.map(|[_, found]| found),
-            error: values.map_or(pressures, |[exact, found]| found - exact),
-            allowed,
-        })
-        .collect())
+    let pressures_allowed = PRESSURES_ALLOWED * finer / (0.5 * wave.width());
+    Ok(vec![
+        difference(Quantity::RawArea, [wave.width(), widths[0]], None),
+        difference(Quantity::Area, [wave.width(), widths[1]], Some(WIDTH_ALLOWED * finer)),
+        difference(Quantity::MeanGap, [wave.mean_gap(), gap], Some(GAP_ALLOWED * finer * finer)),
+        case.benchmark(Quantity::Pressures, None, pressures, Some(pressures_allowed)),
+    ])
 }
 
 /// Pressures of a wave of `points` over the place in wavelengths, both over the highest pressure in full contact, 2 p*.
@@ -126,11 +121,7 @@ pub fn wave_profile(points: usize, share: f64) -> Result<Profile, Unsolved> {
         let x = k as f64 / DENSE as f64 - 0.5;
         (x, wave.pressure_at(x) / highest)
     });
-    Ok(Profile {
-        case: format!("p = {share} p*"),
-        found: (0..points).map(row).collect(),
-        exact: exact.collect(),
-    })
+    Ok(Profile { case: wave.name(), computed: (0..points).map(row).collect(), exact: exact.collect() })
 }
 
 /// Waves along both axes in full contact, without a layer and with soft and stiff ones: the largest error of the pressures,
@@ -138,43 +129,34 @@ pub fn wave_profile(points: usize, share: f64) -> Result<Profile, Unsolved> {
 ///
 /// # Errors
 /// See [`Unsolved`].
-pub fn full_contact() -> Result<Vec<Measured>, Unsolved> {
+pub fn full_contact() -> Result<Vec<Benchmark>, Unsolved> {
     const POINTS: [usize; 2] = [64, 48];
     const PIXEL: f64 = 1.0 / 64.0;
-    let substrate = Material::new(2.0, 0.0, None, None)?;
-    let [soft, stiff] = [0.2, 20.0].map(|young| Material::new(young, 0.3, None, None));
-    let (soft, stiff) = (soft?, stiff?);
+    /// Over the wavelength.
+    const THICKNESS: f64 = 0.1;
     let cases = [
-        ("bare".to_owned(), None),
-        ("soft layer of 0.1 wavelengths".to_owned(), Some((&soft, 0.1))),
-        ("stiff layer of 0.1 wavelengths".to_owned(), Some((&stiff, 0.1))),
+        ("bare", None),
+        ("soft layer of 0.1 wavelengths", Some(0.2)),
+        ("stiff layer of 0.1 wavelengths", Some(20.0)),
     ];
+    let substrate = Material::new(2.0, 0.0, None, None)?;
     let waves = [3.0 * TAU, 2.0 * TAU / 0.75];
     let length = TAU / waves[0].hypot(waves[1]);
-    let one = |(case, layer): (String, Option<(&Material, f64)>)| -> Result<Measured, Unsolved> {
-        let layer = layer.map(|(layer, thickness)| (layer, thickness * length));
-        let pair = ElasticPair::new(&substrate, &substrate, layer);
-        let wave = |k: usize| {
-            (waves[0] * PIXEL * (k / POINTS[1]) as f64).cos()
-                * (waves[1] * PIXEL * (k % POINTS[1]) as f64).cos()
-        };
-        let heights = (0..POINTS[0] * POINTS[1]).map(|k| HEIGHT * wave(k)).collect();
-        let map = HeightMap::new(POINTS, [PIXEL; 2], heights, 0.0)?;
-        let amplitude = HEIGHT / pair.compliance(TAU / length);
-        let options = Options { boundary: Boundary::Periodic, error: DUAL_GAP, cap: None };
-        let contact = solved(&map, &pair, options, 2.0 * amplitude)?;
-        let apart = |(k, p): (usize, &f64)| (p / amplitude - 2.0 - wave(k)).abs();
-        let largest = contact.pressures().iter().enumerate().map(apart).fold(0.0, f64::max);
-        Ok(Measured {
-            problem: Problem::FullContact,
-            case,
-            points: POINTS[0] / 3,
-            quantity: Quantity::Pressures,
-            exact: None,
-            found: None,
-            error: largest,
-            allowed: Some(FULL_ALLOWED),
-        })
+    let wave = |k: usize| {
+        (waves[0] * PIXEL * (k / POINTS[1]) as f64).cos() * (waves[1] * PIXEL * (k % POINTS[1]) as f64).cos()
     };
-    cases.into_iter().map(one).collect()
+    let heights: Vec<f64> = (0..POINTS[0] * POINTS[1]).map(|k| HEIGHT * wave(k)).collect();
+    let map = HeightMap::new(POINTS, [PIXEL; 2], heights, 0.0)?;
+    let benchmark = |(name, young): (&str, Option<f64>)| -> Result<Benchmark, Unsolved> {
+        let layer = young.map(|young| Material::new(young, 0.3, None, None)).transpose()?;
+        let layer = layer.as_ref().map(|layer| (layer, THICKNESS * length));
+        let pair = ElasticPair::new(&substrate, &substrate, layer);
+        let amplitude = HEIGHT / pair.compliance(TAU / length);
+        let contact = solved(&map, &pair, Boundary::Periodic, 2.0 * amplitude)?;
+        let error = |(k, p): (usize, &f64)| (p / amplitude - 2.0 - wave(k)).abs();
+        let largest = contact.pressures().iter().enumerate().map(error).fold(0.0, f64::max);
+        let case = Case { problem: Problem::FullContact, name: name.to_owned(), points: POINTS[0] / 3 };
+        Ok(case.benchmark(Quantity::Pressures, None, largest, Some(FULL_ALLOWED)))
+    };
+    cases.into_iter().map(benchmark).collect()
 }

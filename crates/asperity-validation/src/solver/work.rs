@@ -6,7 +6,7 @@ use asperity::progress::{Progress, Silent};
 use super::{SelfAffine, Unsolved, unit_pair};
 
 /// Points per shortest wave of the maps.
-pub const POINTS_PER_WAVE: f64 = 8.0;
+const POINTS_PER_WAVE: f64 = 8.0;
 
 /// The input.
 #[derive(Debug, Clone, PartialEq)]
@@ -51,13 +51,13 @@ impl WorkTask {
 pub fn work(task: &WorkTask, seed: [u8; 32], progress: &dyn Progress) -> Result<Vec<WorkPoint>, Unsolved> {
     let pair = unit_pair()?;
     let options = Options { boundary: Boundary::Periodic, error: task.error, cap: None };
-    let mut found = Vec::new();
+    let mut contacts = Vec::new();
     for &points in &task.points {
         let map = WorkTask::process(points).surface(points, seed)?;
         let solver = Solver::new(&map, &pair, &options)?;
         for &pressure in &task.pressures {
             let contact = solver.at_pressure(pressure, &Silent)?;
-            found.push(WorkPoint {
+            contacts.push(WorkPoint {
                 points,
                 pressure,
                 area: contact.area_ratio(),
@@ -68,5 +68,5 @@ pub fn work(task: &WorkTask, seed: [u8; 32], progress: &dyn Progress) -> Result<
             progress.advance(1.0);
         }
     }
-    Ok(found)
+    Ok(contacts)
 }

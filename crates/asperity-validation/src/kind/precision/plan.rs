@@ -5,11 +5,12 @@ use std::ops::RangeInclusive;
 
 use super::run::{self, PrecisionResults};
 use super::spec::{self, PrecisionSpec};
+use crate::kind::boundary_elements::{PIXELS, check_range, contact_memory, sphere_points, whole};
 use crate::precision::Case;
 use crate::precision::sum::POINTS;
 use crate::precision::surface::{SurfaceTask, side};
 use crate::stability;
-use asperity::bem::{Boundary, Solver};
+use asperity::bem::Boundary;
 use asperity::study::LawContact;
 use asperity::{ContactLaw, Flat, Heights, Population};
 use asperity_framework::contact::Bodies;
@@ -20,9 +21,6 @@ use asperity_framework::{Memory, Plan, RunContext, set_memory};
 
 /// d/sigma within which rules and reference keep their digits.
 const SEPARATIONS: RangeInclusive<f64> = -10.0..=35.0;
-
-/// Pixels per contact radius: fewer show no circle.
-const PIXELS: RangeInclusive<f64> = 4.0..=400.0;
 
 /// Run time against error of integrals, sums, surfaces and boundary elements.
 pub struct PrecisionPlan {
@@ -51,7 +49,7 @@ impl PrecisionPlan {
 
     /// Points along a side of each map of Hertz's contact, which is 2.5 contact radii.
     fn hertz(&self) -> impl Iterator<Item = usize> {
-        self.pixels.iter().map(|pixels| (5 * pixels).div_ceil(2))
+        self.pixels.iter().map(|&pixels| sphere_points(pixels))
     }
 
     /// Steps of its progress: pieces of work of very different size.
@@ -70,10 +68,7 @@ impl Plan for PrecisionPlan {
         const BYTES_PER_POINT: u128 = 32;
         let asperities = self.counts.iter().max().copied().unwrap_or(0);
         let maps = self.maps().map(|points| points * BYTES_PER_POINT);
-        let contacts = self.hertz().map(|points| {
-            // The map, and its heights before they are scaled.
-            16 * (points as u128).pow(2) + Solver::memory([points; 2], Boundary::Finite)
-        });
+        let contacts = self.hertz().map(|points| contact_memory(points, Boundary::Finite));
         let bytes = maps.chain(contacts).fold(set_memory(asperities as u128), u128::max);
         Memory { bytes, key: None }
     }
@@ -187,14 +182,8 @@ fn single_law(
 
 fn separations(file: &SpecFile, raw: &spec::IntegralSpec) -> Result<Vec<f64>, InputError> {
     let separations = &raw.separation.get_ref().0;
-    let (least, most) = (SEPARATIONS.start(), SEPARATIONS.end());
-    match separations.iter().find(|h| !SEPARATIONS.contains(h)) {
-        Some(h) => {
-            let message = format!("found {h}; allowed: separations of {least} to {most} sigma");
-            Err(file.source.error_at(raw.separation.span(), message))
-        }
-        None => Ok(separations.clone()),
-    }
+    check_range(file, raw.separation.span(), separations, &SEPARATIONS, "separations of {} sigma")?;
+    Ok(separations.clone())
 }
 
 /// Sizes, ascending: the largest only in full.
@@ -209,14 +198,8 @@ fn counts(file: &SpecFile, raw: &spec::SumSpec, full: bool) -> Result<Vec<usize>
 
 fn pixels(file: &SpecFile, raw: &Spanned<LogSweep<Pure>>) -> Result<Vec<usize>, InputError> {
     let values = ascending(raw);
-    if let Some(value) = values.iter().find(|value| !PIXELS.contains(value)) {
-        let (least, most) = (PIXELS.start(), PIXELS.end());
-        let message = format!("found {value}; allowed: {least} to {most} pixels per contact radius");
-        return Err(file.source.error_at(raw.span(), message));
-    }
-    let mut pixels: Vec<usize> = values.into_iter().map(|value| value.round() as usize).collect();
-    pixels.dedup();
-    Ok(pixels)
+    check_range(file, raw.span(), &values, &PIXELS, "{} pixels per contact radius")?;
+    Ok(whole(&values))
 }
 
 fn ascending(raw: &Spanned<LogSweep<Pure>>) -> Vec<f64> {

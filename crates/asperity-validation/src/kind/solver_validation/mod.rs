@@ -1,22 +1,19 @@
 //! `[solver-validation]`: the boundary element solver against closed forms, exact solutions and a published ensemble.
 
-mod findings;
-mod page;
+mod figures;
+mod outline;
 mod plan;
+mod results;
+mod rows;
 mod run;
 mod spec;
-mod summary;
-mod tables;
+mod words;
 
 use asperity_framework::input::{InputError, Spanned, SpecFile};
-use asperity_framework::metadata::Metadata;
-use asperity_framework::report::Page;
-use asperity_framework::report::table::{Schema, Table, Tables};
-use asperity_framework::{Kind, Memory, Outcome, Plan, Reads, RunContext};
-use serde_json::{Map, Value};
+use asperity_framework::report::table::Schema;
+use asperity_framework::{Kind, Reads};
 
 use plan::SolverPlan;
-use run::SolverResults;
 
 /// `[solver-validation]`
 pub struct SolverValidation;
@@ -32,44 +29,6 @@ impl Kind for SolverValidation {
     }
 
     fn tables() -> Vec<Schema> {
-        tables::schemas()
-    }
-}
-
-impl Plan for SolverPlan {
-    type Outcome = SolverResults;
-
-    fn memory(&self) -> Memory {
-        Memory { bytes: self.memory(), key: None }
-    }
-
-    fn work(&self) -> u128 {
-        self.work()
-    }
-
-    fn run(&self, context: &RunContext) -> Result<SolverResults, InputError> {
-        run::run(context, self)
-    }
-}
-
-impl Outcome for SolverResults {
-    fn metadata(&self) -> &Metadata {
-        &self.metadata
-    }
-
-    fn warnings(&self) -> Vec<String> {
-        self.warnings()
-    }
-
-    fn page(&self, _: &Tables) -> Page {
-        page::page(self)
-    }
-
-    fn tables(&self) -> Vec<Table> {
-        tables::tables(self)
-    }
-
-    fn facts(&self) -> serde_json::Result<Map<String, Value>> {
-        summary::summary(self)
+        rows::schemas()
     }
 }

@@ -3,19 +3,22 @@
 use std::fmt;
 use std::ops::RangeInclusive;
 
+use super::results::SolverResults;
+use super::run;
 use super::spec::{EnsembleSpec, SinusoidSpec, SolverSpec, WorkSpec};
+use crate::kind::boundary_elements::{
+    PIXELS, check_range, contact_memory, range_words, sphere_points, whole,
+};
 use crate::solver::LAYERED_CASES;
 use crate::solver::ensemble::EnsembleTask;
 use crate::solver::published::ENSEMBLE;
 use crate::solver::work::WorkTask;
-use asperity::bem::{Boundary, Options, Solver};
-use asperity_framework::input::Spanned;
+use asperity::bem::{Boundary, Options};
 use asperity_framework::input::quantity::{Pure, Quantity};
 use asperity_framework::input::sweep::LogSweep;
-use asperity_framework::input::{InputError, SpecFile};
+use asperity_framework::input::{InputError, Spanned, SpecFile};
+use asperity_framework::{Memory, Plan, RunContext};
 
-/// Pixels per contact radius: fewer show no circle.
-const PIXELS: RangeInclusive<f64> = 4.0..=400.0;
 /// Points per wavelength.
 const WAVE_POINTS: RangeInclusive<f64> = 8.0..=16384.0;
 /// Pressure over that which closes the gap of a wave.
@@ -45,101 +48,79 @@ pub struct SinusoidTask {
     pub shares: Vec<f64>,
 }
 
-impl SolverPlan {
-    /// Bytes of the largest map and its solver.
-    pub fn memory(&self) -> u128 {
-        /// Sides of a map over the contact radius, in halves.
-        const SIDE: (usize, usize) = (5, 2);
-        let spheres = self.hertz.iter().chain(&self.layered).map(|pixels| {
-            let points = (SIDE.0 * pixels).div_ceil(SIDE.1);
-            (points, Boundary::Finite)
-        });
+impl Plan for SolverPlan {
+    type Outcome = SolverResults;
+
+    fn memory(&self) -> Memory {
+        let spheres = self.hertz.iter().chain(&self.layered);
+        let spheres = spheres.map(|&pixels| contact_memory(sphere_points(pixels), Boundary::Finite));
         let of_ensemble = self.ensemble.iter().flat_map(|task| &task.points);
         let of_work = self.work.iter().flat_map(|task| &task.points);
-        let rough = of_ensemble.chain(of_work).map(|&points| (points, Boundary::Periodic));
-        let bytes = spheres.chain(rough).map(|(points, boundary)| {
-            // The map, and its heights before they are scaled.
-            16 * (points * points) as u128 + Solver::memory([points; 2], boundary)
-        });
-        bytes.max().unwrap_or(0)
+        let rough = of_ensemble.chain(of_work).map(|&points| contact_memory(points, Boundary::Periodic));
+        Memory { bytes: spheres.chain(rough).max().unwrap_or(0), key: None }
     }
 
     /// Points of all maps that are solved, times the convolutions of each: about as many micro-contacts would take as long.
-    pub fn work(&self) -> u128 {
+    fn work(&self) -> u128 {
         const CONVOLUTIONS: u128 = 50;
-        let square = |points: &usize| (points * points) as u128;
-        let spheres = self.hertz.iter().map(|pixels| 25 * square(pixels)).sum::<u128>()
-            + self
-                .layered
-                .iter()
-                .map(|pixels| 25 * LAYERED_CASES.len() as u128 * square(pixels))
-                .sum::<u128>();
-        let ensemble = self.ensemble.iter().map(|task| {
-            let contacts = (task.realisations * task.pressures.len()) as u128;
-            contacts * task.points.iter().map(square).sum::<u128>()
-        });
-        let work = self
-            .work
-            .iter()
-            .map(|task| task.pressures.len() as u128 * task.points.iter().map(square).sum::<u128>());
-        CONVOLUTIONS * (spheres + ensemble.sum::<u128>() + work.sum::<u128>())
+        let points = |sides: &[usize], contacts: usize| {
+            contacts as u128 * sides.iter().map(|&side| (side as u128).pow(2)).sum::<u128>()
+        };
+        let layered = self.layered.map_or(0, |pixels| points(&[pixels], LAYERED_CASES.len()));
+        let of_ensemble =
+            |task: &EnsembleTask| points(&task.points, task.realisations * task.pressures.len());
+        let of_work = |task: &WorkTask| points(&task.points, task.pressures.len());
+        let rough = self.ensemble.as_ref().map_or(0, of_ensemble) + self.work.as_ref().map_or(0, of_work);
+        CONVOLUTIONS * (25 * (points(&self.hertz, 1) + layered) + rough)
+    }
+
+    fn run(&self, context: &RunContext) -> Result<SolverResults, InputError> {
+        run::run(context, self)
     }
 }
 
 impl fmt::Display for SolverPlan {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        if !self.hertz.is_empty() {
-            writeln!(f, "  Hertz at {:?} pixels per contact radius", self.hertz)?;
-        }
-        if let Some(task) = &self.sinusoid {
-            writeln!(
-                f,
-                "  a wave of {:?} points at {:?} p*, and waves in full contact",
-                task.points, task.shares
-            )?;
-        }
-        if let Some(pixels) = self.layered {
-            writeln!(
-                f,
-                "  {} spheres on a layer at {pixels} pixels per contact radius",
-                LAYERED_CASES.len()
-            )?;
-        }
-        if let Some(task) = &self.ensemble {
-            let EnsembleTask { points, realisations, pressures, .. } = task;
-            let loads = pressures.len();
-            writeln!(
-                f,
-                "  {realisations} surfaces of the published ensemble on {points:?} points a side, {loads} loads"
-            )?;
-        }
-        if let Some(task) = &self.work {
-            writeln!(f, "  work on {:?} points a side, {} loads", task.points, task.pressures.len())?;
-        }
-        Ok(())
+        let Self { hertz, sinusoid, layered, ensemble, work } = self;
+        let lines = [
+            (!hertz.is_empty()).then(|| format!("Hertz at {hertz:?} pixels per contact radius")),
+            sinusoid.as_ref().map(|SinusoidTask { points, shares }| {
+                format!("a wave of {points:?} points at {shares:?} p*, and waves in full contact")
+            }),
+            layered.map(|pixels| {
+                let count = LAYERED_CASES.len();
+                format!("{count} spheres on a layer at {pixels} pixels per contact radius")
+            }),
+            ensemble.as_ref().map(|EnsembleTask { points, realisations, pressures, .. }| {
+                let loads = pressures.len();
+                format!("{realisations} surfaces of the published ensemble on {points:?} points a side, {loads} loads")
+            }),
+            work.as_ref().map(|WorkTask { points, pressures, .. }| {
+                format!("work on {points:?} points a side, {} loads", pressures.len())
+            }),
+        ];
+        lines.into_iter().flatten().try_for_each(|line| writeln!(f, "  {line}"))
     }
 }
 
 /// Reads `[solver-validation]`.
 pub(super) fn plan(file: &SpecFile, table: &Spanned<SolverSpec>) -> Result<SolverPlan, InputError> {
     let SolverSpec { hertz, sinusoid, layered_sphere, ensemble, work } = table.get_ref();
-    let of_hertz = hertz.as_ref().map(|spec| whole(file, &spec.pixels, PIXELS, "pixels per contact radius"));
-    let layered = layered_sphere.as_ref().map(|spec| {
+    let hertz = hertz.as_ref().map(|spec| counts(file, &spec.pixels, PIXELS, "{} pixels per contact radius"));
+    let layered = layered_sphere.as_ref().map(|spec| -> Result<usize, InputError> {
         let pixels = spec.pixels.get_ref().0;
-        if PIXELS.contains(&(pixels as f64)) {
-            return Ok(pixels as usize);
-        }
-        let message = format!("found {pixels}; allowed: {} pixels per contact radius", range(&PIXELS));
-        Err(file.source.error_at(spec.pixels.span(), message))
+        let allowed = "{} pixels per contact radius";
+        check_range(file, spec.pixels.span(), &[pixels as f64], &PIXELS, allowed)?;
+        Ok(pixels as usize)
     });
+    let is_empty = hertz.is_none() && sinusoid.is_none() && layered.is_none();
     let plan = SolverPlan {
-        hertz: of_hertz.transpose()?.unwrap_or_default(),
+        hertz: hertz.transpose()?.unwrap_or_default(),
         sinusoid: sinusoid.as_ref().map(|spec| sinusoid_task(file, spec)).transpose()?,
         layered: layered.transpose()?,
         ensemble: ensemble.as_ref().map(|spec| ensemble_task(file, spec)).transpose()?,
         work: work.as_ref().map(|spec| work_task(file, spec)).transpose()?,
     };
-    let is_empty = hertz.is_none() && sinusoid.is_none() && layered_sphere.is_none();
     if is_empty && ensemble.is_none() && work.is_none() {
         let message = "found no problem; allowed: at least one of [solver-validation.hertz], [solver-validation.sinusoid], \
                        [solver-validation.layered-sphere], [solver-validation.ensemble] and [solver-validation.work]";
@@ -150,28 +131,28 @@ pub(super) fn plan(file: &SpecFile, table: &Spanned<SolverSpec>) -> Result<Solve
 
 fn sinusoid_task(file: &SpecFile, spec: &SinusoidSpec) -> Result<SinusoidTask, InputError> {
     Ok(SinusoidTask {
-        points: whole(file, &spec.points, WAVE_POINTS, "points per wavelength")?,
-        shares: within(file, &spec.pressure, SHARES, "of the pressure that closes the gap")?,
+        points: counts(file, &spec.points, WAVE_POINTS, "{} points per wavelength")?,
+        shares: ascending(file, &spec.pressure, SHARES, "{} of the pressure that closes the gap")?,
     })
 }
 
 fn ensemble_task(file: &SpecFile, spec: &EnsembleSpec) -> Result<EnsembleTask, InputError> {
-    let points = whole(file, &spec.points, SURFACE_POINTS, "points along a side")?;
+    let points = counts(file, &spec.points, SURFACE_POINTS, "{} points along a side")?;
     if let Some(error) = points.iter().find_map(|&points| ENSEMBLE.check(points).err()) {
         return Err(file.source.error_at(spec.points.span(), error));
     }
     Ok(EnsembleTask {
         points,
         realisations: file.several(&spec.realisations, "surfaces")?,
-        pressures: within(file, &spec.pressure, PRESSURES, "of E*")?,
+        pressures: ascending(file, &spec.pressure, PRESSURES, "{} of E*")?,
         error: error(file, &spec.error)?,
     })
 }
 
 fn work_task(file: &SpecFile, spec: &WorkSpec) -> Result<WorkTask, InputError> {
     Ok(WorkTask {
-        points: whole(file, &spec.points, SURFACE_POINTS, "points along a side")?,
-        pressures: within(file, &spec.pressure, PRESSURES, "of E* times the r.m.s. gradient")?,
+        points: counts(file, &spec.points, SURFACE_POINTS, "{} points along a side")?,
+        pressures: ascending(file, &spec.pressure, PRESSURES, "{} of E* times the r.m.s. gradient")?,
         error: error(file, &spec.error)?,
     })
 }
@@ -181,28 +162,20 @@ fn error(file: &SpecFile, raw: &Spanned<Quantity<Pure>>) -> Result<f64, InputErr
     if Options::ERRORS.contains(&error) {
         return Ok(error);
     }
-    let message = format!("found {error:e}; allowed: a relative dual gap of {}", range(&Options::ERRORS));
+    let message =
+        format!("found {error:e}; allowed: a relative dual gap of {}", range_words(&Options::ERRORS));
     Err(file.source.error_at(raw.span(), message))
 }
 
-/// "4 to 400"
-fn range(allowed: &RangeInclusive<f64>) -> String {
-    let plain = |value: f64| if value < 1e-3 { format!("{value:e}") } else { value.to_string() };
-    format!("{} to {}", plain(*allowed.start()), plain(*allowed.end()))
-}
-
-/// Ascending values of a range.
-fn within(
+/// Values of a range, which ascend.
+fn ascending(
     file: &SpecFile,
     raw: &Spanned<LogSweep<Pure>>,
-    allowed: RangeInclusive<f64>,
-    what: &str,
+    range: RangeInclusive<f64>,
+    allowed: &str,
 ) -> Result<Vec<f64>, InputError> {
     let values = &raw.get_ref().values;
-    if let Some(value) = values.iter().find(|value| !allowed.contains(value)) {
-        let message = format!("found {value}; allowed: {} {what}", range(&allowed));
-        return Err(file.source.error_at(raw.span(), message));
-    }
+    check_range(file, raw.span(), values, &range, allowed)?;
     if values.windows(2).any(|pair| pair[0] >= pair[1]) {
         let message = "found values that do not ascend; allowed: each larger than the one before";
         return Err(file.source.error_at(raw.span(), message));
@@ -211,14 +184,11 @@ fn within(
 }
 
 /// The same, rounded to whole numbers.
-fn whole(
+fn counts(
     file: &SpecFile,
     raw: &Spanned<LogSweep<Pure>>,
-    allowed: RangeInclusive<f64>,
-    what: &str,
+    range: RangeInclusive<f64>,
+    allowed: &str,
 ) -> Result<Vec<usize>, InputError> {
-    let mut whole: Vec<usize> =
-        within(file, raw, allowed, what)?.into_iter().map(|value| value.round() as usize).collect();
-    whole.dedup();
-    Ok(whole)
+    Ok(whole(&ascending(file, raw, range, allowed)?))
 }

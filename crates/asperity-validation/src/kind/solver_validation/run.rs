@@ -2,57 +2,31 @@
 
 use std::time::Instant;
 
-use super::findings::SolverFindings;
 use super::plan::{SinusoidTask, SolverPlan};
-use crate::solver::ensemble::{EnsembleFindings, ensemble};
-use crate::solver::published::ENSEMBLE;
-use crate::solver::work::{WorkPoint, work};
+use super::results::SolverResults;
+use crate::solver::ensemble::ensemble;
+use crate::solver::work::work;
 use crate::solver::{
-    LAYERED_CASES, Measured, Profile, Unsolved, full_contact, hertz, hertz_profile, layered, partial_contact,
-    wave_profile,
+    Benchmark, LAYERED_CASES, Profile, Unsolved, full_contact, hertz, hertz_profile, layered,
+    partial_contact, wave_profile,
 };
 use asperity::literature;
 use asperity_framework::RunContext;
 use asperity_framework::input::InputError;
-use asperity_framework::metadata::{Metadata, Timing};
+use asperity_framework::metadata::Timing;
 
 /// Points per wavelength of the pressures in a figure, if the spec has no fewer.
 const PROFILE_POINTS: usize = 64;
 
-/// Comparisons of the solver.
-#[derive(Debug)]
-pub struct SolverResults {
-    /// What every experiment has.
-    pub metadata: Metadata,
-    /// Problems with a known solution, problem by problem, resolution by resolution.
-    pub measured: Vec<Measured>,
-    /// Hertz's pressures on the coarsest grid.
-    pub hertz_profile: Option<Profile>,
-    /// Pressures of a wave, load by load.
-    pub wave_profiles: Vec<Profile>,
-    pub ensemble: Option<EnsembleFindings>,
-    pub work: Vec<WorkPoint>,
-    /// Dual gap of the contacts whose work is counted.
-    pub work_error: Option<f64>,
-    pub findings: SolverFindings,
-}
-
-impl SolverResults {
-    /// Warnings, a line each.
-    pub fn warnings(&self) -> Vec<String> {
-        self.findings.warnings(&self.measured)
-    }
-}
-
 pub(super) fn run(context: &RunContext, plan: &SolverPlan) -> Result<SolverResults, InputError> {
     let start = Instant::now();
     let refuse = |error: Unsolved| InputError::file(&context.source.path, error);
-    let (measured, hertz_profile, wave_profiles) = known(context, plan).map_err(refuse)?;
+    let (benchmarks, hertz_profile, wave_profiles) = known(context, plan).map_err(refuse)?;
     let ensemble = plan.ensemble.as_ref().map(|task| {
         let contacts = task.points.len() * task.realisations * task.pressures.len();
         context.progress.stage("ensemble", contacts as f64);
         let seed = |realisation: usize| context.stream_seed(&format!("solver ensemble {realisation}"));
-        ensemble(&ENSEMBLE, task, seed, context.progress)
+        ensemble(task, seed, context.progress)
     });
     let ensemble = ensemble.transpose().map_err(refuse)?;
     let contacts = plan.work.as_ref().map(|task| {
@@ -70,50 +44,45 @@ pub(super) fn run(context: &RunContext, plan: &SolverPlan) -> Result<SolverResul
     }
     Ok(SolverResults {
         metadata: context.metadata(papers, timing, None),
-        findings: SolverFindings::of(&measured, ensemble.as_ref(), &work),
-        measured,
+        benchmarks,
         hertz_profile,
         wave_profiles,
         ensemble,
         work,
-        work_error: plan.work.as_ref().map(|task| task.error),
     })
 }
 
-type Known = (Vec<Measured>, Option<Profile>, Vec<Profile>);
+type Known = (Vec<Benchmark>, Option<Profile>, Vec<Profile>);
 
 /// The problems whose solution is known.
 fn known(context: &RunContext, plan: &SolverPlan) -> Result<Known, Unsolved> {
-    let (mut measured, mut waves) = (Vec::new(), Vec::new());
-    let done = || context.progress.advance(1.0);
-    context
-        .progress
-        .stage("spheres", (plan.hertz.len() + plan.layered.map_or(0, |_| LAYERED_CASES.len())) as f64);
+    let mut benchmarks = Vec::new();
+    let mut extend = |more: Vec<Benchmark>| {
+        benchmarks.extend(more);
+        context.progress.advance(1.0);
+    };
+    let layered_cases = plan.layered.map_or(0, |_| LAYERED_CASES.len());
+    context.progress.stage("spheres", (plan.hertz.len() + layered_cases) as f64);
     for &pixels in &plan.hertz {
-        measured.extend(hertz(pixels)?);
-        done();
+        extend(hertz(pixels)?);
+    }
+    for (case, pixels) in LAYERED_CASES.iter().zip(plan.layered.into_iter().cycle()) {
+        extend(layered(case, pixels)?);
     }
     let hertz_profile = plan.hertz.first().map(|&pixels| hertz_profile(pixels)).transpose()?;
-    if let Some(pixels) = plan.layered {
-        for case in &LAYERED_CASES {
-            measured.extend(layered(case, pixels)?);
-            done();
+    let Some(SinusoidTask { points, shares }) = &plan.sinusoid else {
+        return Ok((benchmarks, hertz_profile, Vec::new()));
+    };
+    context.progress.stage("waves", (points.len() * shares.len()) as f64);
+    for &count in points {
+        for &share in shares {
+            extend(partial_contact(count, share)?);
         }
     }
-    if let Some(SinusoidTask { points, shares }) = &plan.sinusoid {
-        context.progress.stage("waves", (points.len() * shares.len()) as f64);
-        for &count in points {
-            for &share in shares {
-                measured.extend(partial_contact(count, share)?);
-                done();
-            }
-        }
-        let of_figure =
-            points.iter().copied().find(|&count| count >= PROFILE_POINTS).or(points.last().copied());
-        for (&share, count) in shares.iter().zip(std::iter::repeat(of_figure)) {
-            waves.extend(count.map(|count| wave_profile(count, share)).transpose()?);
-        }
-        measured.extend(full_contact()?);
-    }
-    Ok((measured, hertz_profile, waves))
+    benchmarks.extend(full_contact()?);
+    let in_figure = points.iter().find(|&&count| count >= PROFILE_POINTS).or(points.last());
+    let profiles = in_figure.into_iter().flat_map(|&count| shares.iter().map(move |&share| (count, share)));
+    let wave_profiles =
+        profiles.map(|(count, share)| wave_profile(count, share)).collect::<Result<_, _>>()?;
+    Ok((benchmarks, hertz_profile, wave_profiles))
 }

@@ -1,0 +1,165 @@
+//! The page: each test with its claim, its figure, and its errors.
+
+use asperity_framework::Outcome;
+use asperity_framework::metadata::Metadata;
+use asperity_framework::report::format::quantity;
+use asperity_framework::report::page::Page;
+use asperity_framework::report::sections;
+use asperity_framework::report::table::{Table, Tables};
+use asperity_framework::report::view::View;
+use asperity_plot::Figure;
+use serde_json::{Map, Value, json};
+
+use super::figures;
+use super::results::{Deviation, ErrorRow, PUBLISHED_WITHIN, SolverResults, order, warnings};
+use super::rows::{AreaRow, tables};
+use super::words::claims;
+use crate::solver::ensemble::{EnsemblePoint, EnsembleResults};
+use crate::solver::published::{ENSEMBLE, RMS_HEIGHT};
+use crate::solver::work::WorkPoint;
+use crate::solver::{Benchmark, Problem, Quantity};
+
+impl Outcome for SolverResults {
+    fn metadata(&self) -> &Metadata {
+        &self.metadata
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        warnings(&self.benchmarks, self.ensemble.as_ref())
+    }
+
+    fn tables(&self) -> Vec<Table> {
+        tables(self)
+    }
+
+    fn page(&self, tables: &Tables) -> Page {
+        let mut page = Page::new(&self.metadata.title);
+        sections::findings(&mut page, claims(self));
+        sections::warnings(&mut page, &self.warnings());
+        known_solutions(&mut page, self, tables);
+        if let Some(ensemble) = &self.ensemble {
+            published_ensemble(&mut page, ensemble, tables);
+        }
+        section(
+            &mut page,
+            "Work",
+            include_str!("notes/work.md"),
+            ("work.svg", || figures::work(&self.work), "Convolutions against points along a side."),
+            &tables.view::<&WorkPoint>(),
+        );
+        page.heading(2, "Method").note(include_str!("notes/method.md"));
+        sections::notes(&mut page, &self.metadata);
+        page.paragraph(&sections::provenance(&self.metadata));
+        sections::run_again(&mut page, &self.metadata, None);
+        sections::sources(&mut page, &self.metadata);
+        page
+    }
+
+    fn facts(&self) -> serde_json::Result<Map<String, Value>> {
+        let ensemble = self.ensemble.as_ref().map(|EnsembleResults { realisations, height, .. }| {
+            json!({
+                "surfaces": realisations,
+                "rms_gradient": ENSEMBLE.gradient,
+                "rms_height_m": height.mean,
+                "rms_height_standard_error_m": height.error,
+                "allowed_difference": PUBLISHED_WITHIN,
+            })
+        });
+        let facts = json!({
+            "order_of_indentation": order(&self.benchmarks),
+            "ensemble": ensemble,
+            "most_convolutions": self.work.iter().map(|point| point.convolutions).max(),
+        });
+        Ok(Map::from_iter([("solver_validation".to_owned(), facts)]))
+    }
+}
+
+/// What a section says of its method, a figure and a table; nothing without rows.
+fn section(
+    page: &mut Page,
+    title: &str,
+    note: &'static str,
+    (file, figure, caption): (&str, impl FnOnce() -> Figure, &str),
+    view: &View,
+) {
+    if !view.is_empty() {
+        page.heading(2, title).note(note).figure(file, figure(), caption).view(view);
+    }
+}
+
+fn known_solutions(page: &mut Page, results: &SolverResults, tables: &Tables) {
+    let largest = |problem: Problem, resolution: &'static str| {
+        let view = tables.view::<ErrorRow>().only("problem", problem.name());
+        view.without(&["comparisons", "within_bounds"]).label("resolution", resolution)
+    };
+    section(
+        page,
+        "Hertz",
+        include_str!("notes/hertz.md"),
+        (
+            "hertz.svg",
+            || figures::hertz(results),
+            "Left: pressure of each pixel over Hertz's peak p₀. Right: errors against resolution, with lines of orders 1 and 2.",
+        ),
+        &largest(Problem::Hertz, "pixels per contact radius"),
+    );
+    section(
+        page,
+        "Wavy surface",
+        include_str!("notes/sinusoid.md"),
+        (
+            "sinusoid.svg",
+            || figures::sinusoid(results),
+            "Left: pressures (points) and the exact ones (lines) over their maximum in full contact. Right: the largest errors over the \
+             loads, with lines of orders 1 and 2.",
+        ),
+        &largest(Problem::Sinusoid, "points per wavelength"),
+    );
+    let layered = tables.view::<&Benchmark>().only("problem", Problem::LayeredSphere.name());
+    let indentation = layered.only("benchmark_quantity", Quantity::Indentation.name());
+    section(
+        page,
+        "Sphere on a bonded layer",
+        include_str!("notes/layered.md"),
+        (
+            "layered-sphere.svg",
+            || figures::layered(results),
+            "Errors of the indentation against contact radius, by Young's modulus of the layer on that of the substrate.",
+        ),
+        &indentation.columns(&["problem_case", "exact_value", "measured_error", "allowed_error"]),
+    );
+}
+
+fn published_ensemble(page: &mut Page, ensemble: &EnsembleResults, tables: &Tables) {
+    page.heading(2, "Published ensemble").note(include_str!("notes/ensemble.md"));
+    page.paragraph(&format!(
+        "The r.m.s. height becomes {} ± {} (standard error over {} surfaces; published: {}).",
+        quantity(ensemble.height.mean, "m"),
+        quantity(ensemble.height.error, "m"),
+        ensemble.realisations,
+        quantity(RMS_HEIGHT, "m"),
+    ));
+    page.figure(
+        "ensemble.svg",
+        figures::ensemble(ensemble),
+        "Above: area against pressure. Below: difference from the published area.",
+    );
+    page.view(&tables.view::<AreaRow>().without(&["reduced_pressure", "kappa", "kappa_standard_error"]));
+    page.details(3, "Areas on each grid", |page| {
+        let areas = tables.view::<&EnsemblePoint>().filter("grid_points", |points| !points.is_empty());
+        page.view(&areas.without(&["points_per_shortest_wave", "reduced_pressure", "kappa"]));
+    });
+    let deviations = tables.view::<Deviation>();
+    if !deviations.is_empty() {
+        page.heading(3, "Effect of the grid").note(include_str!("notes/deviations.md")).view(&deviations);
+    }
+    if !ensemble.extrapolated.is_empty() {
+        page.heading(3, "Proportionality at light loads").figure(
+            "kappa.svg",
+            figures::kappa(ensemble),
+            "κ, the area over the reduced pressure, beside two theories: each gives a constant at vanishing load, Persson's also a curve \
+             for all loads.",
+        );
+        page.view(&tables.view::<AreaRow>().columns(&["reduced_pressure", "kappa", "kappa_standard_error"]));
+    }
+}
