@@ -12,28 +12,26 @@ use crate::coverage::{Coverage, Quantity};
 pub struct CaseRow<'a> {
     case: &'a CaseResults,
     windows: &'a WindowPlan,
+    /// Side of a block, m.
+    block: f64,
+    /// Smallest and largest coverage where nearly all windows have an interval.
+    claimed: Option<[f64; 2]>,
+    /// The same where a part of the windows has one.
+    in_part: Option<[f64; 2]>,
+    /// The same of intervals that take asperities as independent.
+    independent: Option<[f64; 2]>,
 }
 
-impl CaseRow<'_> {
-    fn block(&self) -> f64 {
-        self.windows.side() / (MIN_BLOCKS as f64).sqrt()
-    }
-
-    /// Smallest and largest coverage where nearly all windows have an interval.
-    fn claimed(&self) -> Option<[f64; 2]> {
-        range(self.case.claimed().map(|(_, coverage)| coverage))
-    }
-
-    fn claimed_in_part(&self) -> Option<[f64; 2]> {
-        range(self.case.claimed_in_part().map(|(_, coverage)| coverage))
-    }
-
-    fn independent(&self) -> Option<[f64; 2]> {
-        range(self.case.coverages().filter_map(|(_, coverage)| coverage.independent.coverage()))
-    }
-
-    fn largest_claimed_share(&self) -> f64 {
-        self.case.coverages().map(|(_, coverage)| coverage.claimed_share()).fold(0.0, f64::max)
+impl<'a> CaseRow<'a> {
+    fn new(case: &'a CaseResults, windows: &'a WindowPlan) -> Self {
+        Self {
+            case,
+            windows,
+            block: windows.side() / (MIN_BLOCKS as f64).sqrt(),
+            claimed: range(case.claimed().map(|(_, share)| share)),
+            in_part: range(case.claimed_in_part().map(|(_, share)| share)),
+            independent: range(case.coverages().filter_map(|(_, coverage)| coverage.independent.coverage())),
+        }
     }
 }
 
@@ -47,18 +45,18 @@ impl Row for CaseRow<'_> {
             case["text"] = row.case.name.as_str(), "Case.";
             heights["text"] = row.case.heights.to_string(), "Distribution of the heights.";
             roll_off_m["m", input] = row.case.roll_off, "Longest wavelength of the power law.";
-            waves_per_block["1", label("longest waves per block")] = row.block() / row.case.roll_off, "Side of a block, a sixteenth of a window, over the longest wavelength.";
-            correlation_lengths_per_block["1"] = row.block() / row.case.correlation, "Side of a block over the correlation length, which is the median over the windows.";
+            waves_per_block["1", label("longest waves per block")] = row.block / row.case.roll_off, "Side of a block, a sixteenth of a window, over the longest wavelength.";
+            correlation_lengths_per_block["1"] = row.block / row.case.correlation, "Side of a block over the correlation length, which is the median over the windows.";
             windows["count"] = row.windows.count(), "Windows.";
-            largest_claimed_share["1", label("windows with an interval, at most"), percent] = row.largest_claimed_share(), "Largest share of the windows in which the program claims an interval.";
+            largest_claimed_share["1", label("windows with an interval, at most"), percent] = row.case.coverages().map(|(_, coverage)| coverage.claimed_share()).fold(0.0, f64::max), "Largest share of the windows in which the program claims an interval.";
             combinations["count", label("combinations claimed in 90 % of the windows")] = row.case.claimed().count(), "Combinations of load and quantity in which at least 90 % of the windows have an interval.";
-            lowest_coverage["1", percent] = row.claimed().map(|[low, _]| low), "Smallest coverage in these combinations.";
-            highest_coverage["1", percent] = row.claimed().map(|[_, high]| high), "Largest coverage in these combinations.";
+            lowest_coverage["1", percent] = row.claimed.map(|[low, _]| low), "Smallest coverage in these combinations.";
+            highest_coverage["1", percent] = row.claimed.map(|[_, high]| high), "Largest coverage in these combinations.";
             outside["count", label("outside 93 to 97 %")] = row.case.outside().count(), "Combinations of these whose coverage is outside 93 to 97 %.";
-            lowest_in_part["1", label("lowest coverage where fewer have an interval"), percent] = row.claimed_in_part().map(|[low, _]| low), "Smallest coverage in combinations in which 5 to 90 % of the windows have an interval.";
-            highest_in_part["1", label("highest"), percent] = row.claimed_in_part().map(|[_, high]| high), "Largest coverage in these combinations.";
-            lowest_independent["1", label("lowest coverage of independent asperities"), percent] = row.independent().map(|[low, _]| low), "Smallest coverage of intervals that take asperities as independent, over all combinations.";
-            highest_independent["1", label("highest"), percent] = row.independent().map(|[_, high]| high), "Largest coverage of such intervals.";
+            lowest_in_part["1", label("lowest coverage where fewer have an interval"), percent] = row.in_part.map(|[low, _]| low), "Smallest coverage in combinations in which 5 to 90 % of the windows have an interval.";
+            highest_in_part["1", label("highest"), percent] = row.in_part.map(|[_, high]| high), "Largest coverage in these combinations.";
+            lowest_independent["1", label("lowest coverage of independent asperities"), percent] = row.independent.map(|[low, _]| low), "Smallest coverage of intervals that take asperities as independent, over all combinations.";
+            highest_independent["1", label("highest"), percent] = row.independent.map(|[_, high]| high), "Largest coverage of such intervals.";
         }
     }
 }
@@ -102,7 +100,7 @@ impl Row for CoverageRow<'_> {
 
 /// The tables.
 pub fn tables(results: &CoverageResults) -> Vec<Table> {
-    let cases = results.cases.iter().map(|case| CaseRow { case, windows: &results.windows });
+    let cases = results.cases.iter().map(|case| CaseRow::new(case, &results.windows));
     let loads = results.cases.iter().flat_map(|case| case.loads.iter().map(move |load| (case, load)));
     let rows = loads.flat_map(|(CaseResults { name: case, .. }, load)| {
         let quantities = load.coverages.iter();
