@@ -29,6 +29,11 @@ pub fn input_quantity(value: f64, unit: &str) -> String {
     with_prefix(value, unit, input_digits(value))
 }
 
+/// An error to one digit, of which more would differ between machines: 3.2e-16 gives "3e-16".
+pub fn one_digit(value: f64) -> String {
+    if value == 0.0 { "0".to_owned() } else { format!("{value:.0e}") }
+}
+
 /// A mean with three and its standard deviation with two significant digits: "0.131 ± 0.0035".
 pub fn mean_and_deviation(mean: f64, deviation: f64) -> String {
     format!("{} ± {}", number(mean), plain_number(deviation, 2))

@@ -157,6 +157,8 @@ pub enum Reading {
     Plain,
     /// Inputs, with as many digits as the user gave.
     Input,
+    /// Rounding errors, with one digit.
+    OneDigit,
     /// Numbers with a sign.
     Signed,
     /// Ratios in percent.
@@ -269,6 +271,11 @@ impl<R> Column<R> {
     /// The same, shown with as many digits as the user gave.
     pub fn input(self) -> Self {
         self.read_as(Reading::Input)
+    }
+
+    /// The same, shown with one digit.
+    pub fn one_digit(self) -> Self {
+        self.read_as(Reading::OneDigit)
     }
 
     /// The same, shown with a sign.

@@ -278,6 +278,7 @@ impl Unit {
             Value::Number(number) => match reading {
                 Reading::Thickness => format::thickness(*number),
                 Reading::Input => format::input_number(number / self.size),
+                Reading::OneDigit => format::one_digit(number / self.size),
                 Reading::Signed | Reading::SignedPercent => format::signed(number / self.size),
                 Reading::Plain | Reading::Percent | Reading::Verdict => format::number(number / self.size),
             },

@@ -2,11 +2,11 @@
 
 use asperity::compare::{Estimate, GROUPS, jackknife_quantile};
 
-use super::window::Found;
+use super::window::QuantityEstimate;
 
 /// Intervals of one kind over the windows.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Counted {
+pub struct IntervalCount {
     /// Windows in which there is an interval.
     pub intervals: usize,
     /// Intervals that hold the truth.
@@ -15,8 +15,8 @@ pub struct Counted {
     pub error: f64,
 }
 
-impl Counted {
-    fn of(estimates: impl Iterator<Item = Estimate>, truth: f64) -> Self {
+impl IntervalCount {
+    fn new(estimates: impl Iterator<Item = Estimate>, truth: f64) -> Self {
         let mut counted = Self::default();
         let mut errors = 0.0;
         for estimate in estimates {
@@ -57,35 +57,35 @@ pub struct Coverage {
     /// Mean of the larger area ratio of both models.
     pub area_ratio: f64,
     /// Intervals that the program claims.
-    pub claimed: Counted,
+    pub claimed: IntervalCount,
     /// Intervals from asperities taken as independent.
-    pub independent: Counted,
+    pub independent: IntervalCount,
 }
 
 impl Coverage {
-    /// Over the windows in which a quantity was `found`; `None` for fewer than two.
-    pub fn of(found: &[Found]) -> Option<Self> {
-        if found.len() < 2 {
+    /// From the windows in which a quantity has a value; `None` of fewer than two.
+    pub fn new(windows: &[QuantityEstimate]) -> Option<Self> {
+        if windows.len() < 2 {
             return None;
         }
-        let count = found.len() as f64;
-        let mean = |of: &dyn Fn(&Found) -> f64| found.iter().map(of).sum::<f64>() / count;
-        let truth = mean(&|one| one.estimate.contrast);
-        let squares: f64 = found.iter().map(|one| (one.estimate.contrast - truth).powi(2)).sum();
-        let as_independent = |one: &Found| Estimate {
-            error: one.independent_error,
+        let count = windows.len() as f64;
+        let mean = |value: fn(&QuantityEstimate) -> f64| windows.iter().map(value).sum::<f64>() / count;
+        let truth = mean(|window| window.estimate.contrast);
+        let squares: f64 = windows.iter().map(|window| (window.estimate.contrast - truth).powi(2)).sum();
+        let as_independent = |window: &QuantityEstimate| Estimate {
+            error: window.independent_error,
             quantile: jackknife_quantile(GROUPS),
             bound: 0.0,
-            ..one.estimate
+            ..window.estimate
         };
         Some(Self {
-            windows: found.len(),
+            windows: windows.len(),
             truth,
             scatter: (squares / (count - 1.0)).sqrt(),
-            contacts: mean(&|one| one.contacts),
-            area_ratio: mean(&|one| one.area_ratio),
-            claimed: Counted::of(found.iter().map(|one| one.estimate), truth),
-            independent: Counted::of(found.iter().map(as_independent), truth),
+            contacts: mean(|window| window.contacts),
+            area_ratio: mean(|window| window.area_ratio),
+            claimed: IntervalCount::new(windows.iter().map(|window| window.estimate), truth),
+            independent: IntervalCount::new(windows.iter().map(as_independent), truth),
         })
     }
 
@@ -95,7 +95,7 @@ impl Coverage {
     }
 
     /// The stated standard error of some intervals over the scatter of the windows; `None` without an interval.
-    pub fn error_over_scatter(&self, counted: &Counted) -> Option<f64> {
+    pub fn error_over_scatter(&self, counted: &IntervalCount) -> Option<f64> {
         (counted.intervals > 0).then(|| counted.error / self.scatter)
     }
 }

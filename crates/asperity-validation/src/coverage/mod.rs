@@ -10,16 +10,16 @@ mod count;
 mod process;
 mod window;
 
-pub use count::{Counted, Coverage};
+pub use count::{Coverage, IntervalCount};
 pub use process::{Controls, EndlessProcess, Unusable};
-pub use window::{Found, Quantity, WindowFindings, WindowTask};
+pub use window::{Quantity, QuantityEstimate, WindowResults, WindowTask};
 
 use rayon::prelude::*;
 
 /// Windows of one map.
 pub const WINDOWS_PER_MAP: usize = 4;
 
-/// Findings in all windows of `maps` maps, in their order; `done` is called after each map.
+/// Results of all windows of `maps` maps, in their order; `done` is called after each map.
 ///
 /// # Errors
 /// The first window on which the models cannot be run.
@@ -28,16 +28,16 @@ pub fn windows_of(
     task: &WindowTask,
     maps: usize,
     done: impl Fn() + Sync,
-) -> Result<Vec<WindowFindings>, Unusable> {
-    let of_map = |map: usize| -> Result<Vec<WindowFindings>, Unusable> {
+) -> Result<Vec<WindowResults>, Unusable> {
+    let of_map = |map: usize| -> Result<Vec<WindowResults>, Unusable> {
         let windows = process.windows(&format!("map {map}"))?;
         // The windows of a map are neighbours: asperities are taken as independent in one of them only.
         let seed = |index: usize| (index == 0).then(|| process.seed(&format!("groups of map {map}")));
-        let found = windows.iter().enumerate().map(|(index, window)| task.findings(window, seed(index)));
-        let found = found.collect();
+        let results = windows.iter().enumerate().map(|(index, window)| task.run(window, seed(index)));
+        let results = results.collect();
         done();
-        found
+        results
     };
-    let maps: Result<Vec<Vec<WindowFindings>>, Unusable> = (0..maps).into_par_iter().map(of_map).collect();
+    let maps: Result<Vec<Vec<WindowResults>>, Unusable> = (0..maps).into_par_iter().map(of_map).collect();
     Ok(maps?.into_iter().flatten().collect())
 }

@@ -71,7 +71,7 @@ impl WindowAsperities {
     ///
     /// # Errors
     /// Too few of them.
-    pub fn of(window: &HeightMap) -> Result<Self, Unusable> {
+    pub fn from_summits(window: &HeightMap) -> Result<Self, Unusable> {
         let detail = Detail { positions: true, principal: false, drops: false };
         let summits = find(window, Neighbours::Four, detail);
         if summits.heights.len() < FEWEST {
@@ -141,7 +141,7 @@ impl EndlessProcess {
         let grid: Vec<f64> = (0..=4 * PER_SIGMA).map(|k| 4.0 - k as f64 / PER_SIGMA as f64).collect();
         let mut sums = vec![[0.0; 2]; grid.len()];
         for window in self.windows("pilot")? {
-            let set = WindowAsperities::of(&window)?.set;
+            let set = WindowAsperities::from_summits(&window)?.set;
             let plane = ReferencePlane::from(&Statistics::of(&set));
             let curve = Deterministic::new(contact, set.spheres(), plane).respond_all(&grid);
             for ([contacts, pressure], response) in sums.iter_mut().zip(curve) {

@@ -47,7 +47,7 @@ impl Quantity {
 
 /// A quantity in one window.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Found {
+pub struct QuantityEstimate {
     /// Its value, with the interval if one is claimed.
     pub estimate: Estimate,
     /// Standard error for independent asperities, where there are contacts enough for groups of them.
@@ -58,14 +58,14 @@ pub struct Found {
     pub area_ratio: f64,
 }
 
-/// Findings in one window.
+/// Results of one window.
 #[derive(Debug, Clone, PartialEq)]
-pub struct WindowFindings {
+pub struct WindowResults {
     /// The larger correlation length of x and y over the side of the window; infinite where the autocorrelation does not
     /// decay.
     pub correlation: f64,
     /// For each load the quantities in the order of [`Quantity::ALL`]; `None` where one has no value.
-    pub found: Vec<[Option<Found>; 5]>,
+    pub estimates: Vec<[Option<QuantityEstimate>; 5]>,
 }
 
 /// What is done with each window.
@@ -120,12 +120,12 @@ fn are_enough(contacts: f64, groups: usize) -> bool {
 }
 
 impl WindowTask<'_> {
-    /// Findings in a window; with a seed, also the errors of asperities taken as independent, in random groups.
+    /// Runs both models on a window; with a seed, also the errors of asperities taken as independent, in random groups.
     ///
     /// # Errors
     /// See [`Unusable`].
-    pub fn findings(&self, window: &HeightMap, seed: Option<[u8; 32]>) -> Result<WindowFindings, Unusable> {
-        let WindowAsperities { set, positions } = WindowAsperities::of(window)?;
+    pub fn run(&self, window: &HeightMap, seed: Option<[u8; 32]>) -> Result<WindowResults, Unusable> {
+        let WindowAsperities { set, positions } = WindowAsperities::from_summits(window)?;
         let correlation = Autocorrelation::of(window, 0.0)
             .map_or(CorrelationLengths { lengths: [f64::INFINITY; 2] }, |all| CorrelationLengths::of(&all));
         let blocks = Blocks::new(window.points(), window.pixel(), correlation).ok();
@@ -136,19 +136,19 @@ impl WindowTask<'_> {
         let draws = seed.and_then(|seed| Division::independent(set.count(), seed));
         let independent = draws.map(|draws| self.groups(&set, &draws, &step));
         let side = window.pixel()[0] * window.points()[0] as f64;
-        Ok(WindowFindings {
+        Ok(WindowResults {
             correlation: correlation.lengths[0].max(correlation.lengths[1]) / side,
-            found: self.found(&results, groups, independent, set.nominal_area()),
+            estimates: self.estimates(&results, groups, independent, set.nominal_area()),
         })
     }
 
-    fn found(
+    fn estimates(
         &self,
         results: &Results,
         groups: Option<Groups>,
         independent: Option<Groups>,
         area: f64,
-    ) -> Vec<[Option<Found>; 5]> {
+    ) -> Vec<[Option<QuantityEstimate>; 5]> {
         let pairs: Option<Vec<Pair>> = results.pairs.iter().copied().collect();
         // Differences are numbered by the loads that are reached.
         let Some(pairs) = pairs else { return vec![[None; 5]; self.controls.loads.len()] };
@@ -188,7 +188,7 @@ impl WindowTask<'_> {
                     }
                 };
                 let contacts = sum.sharing.map_or(0.0, |sharing| sharing.effective_contacts);
-                Some(Found {
+                Some(QuantityEstimate {
                     estimate,
                     independent_error: estimate.independent_error.filter(|_| are_enough(contacts, GROUPS)),
                     contacts,

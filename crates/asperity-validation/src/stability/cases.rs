@@ -15,11 +15,11 @@ use asperity::{Heights, Material, ModulusModel, Population, Shape, reduced_modul
 /// One case with all its input numbers.
 #[derive(Debug, Clone)]
 pub struct Case {
-    /// Where it belongs.
+    /// Its group.
     pub group: Group,
     /// Its number there.
     pub index: u64,
-    /// Names of the two bodies.
+    /// The bodies and the law.
     pub bodies: Bodies,
     /// The input.
     pub input: CaseInput,

@@ -2,15 +2,11 @@
 
 use rayon::prelude::*;
 
-use super::bodies::Bodies;
 use super::cases::{Case, CaseInput, SetParameters};
-use super::exact::{Contact, Exact};
+use super::exact::{Contact, Exact, Integral, Shape, Total};
 use super::group::Group;
 use super::quantity::Quantity;
-use crate::stability::exact::Integral;
-use crate::stability::exact::Shape;
-use crate::stability::exact::Total;
-use crate::stability::wide::{Wide, relative_error};
+use super::wide::{Wide, relative_error};
 use asperity::{
     AsperitySet, Deterministic, MicroContact, Model, Population, ReferencePlane, Response, Statistical,
     at_pressure, law,
@@ -19,13 +15,44 @@ use asperity::{
 /// Error of one quantity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Deviation {
-    /// Of what.
+    /// The quantity.
     pub quantity: Quantity,
     /// Relative error against the exact result for the unrounded input.
     pub error: f64,
     /// Relative error against the exact results for all separations within rounding of the input; the same as
     /// `error` where the input is not rounded.
     pub checked: f64,
+}
+
+impl Deviation {
+    /// Of an input that is not rounded.
+    fn unrounded(quantity: Quantity, error: f64) -> Self {
+        Self { quantity, error, checked: error }
+    }
+
+    /// From `exact` results, the first for the unrounded input and any others for the ends of its rounding: all between them is right.
+    fn new(quantity: Quantity, value: f64, exact: &[Wide], measure: fn(f64, Wide) -> f64) -> Self {
+        let wide = Wide::new(value);
+        let is_between = exact.iter().any(|exact| *exact <= wide) && exact.iter().any(|exact| *exact >= wide);
+        let nearest = exact.iter().map(|exact| measure(value, *exact)).fold(f64::INFINITY, f64::min);
+        let checked = if is_between { 0.0 } else { nearest };
+        Self { quantity, error: measure(value, exact[0]), checked }
+    }
+
+    /// The largest absolute error of several numbers; `exact` as of [`Self::new`].
+    fn largest<const N: usize>(quantity: Quantity, values: [f64; N], exact: &[[Wide; N]]) -> Self {
+        let absolute_error = |value: f64, exact: Wide| (exact - value).abs().hi();
+        let of_number = |(k, value): (usize, f64)| {
+            let exact: Vec<Wide> = exact.iter().map(|exact| exact[k]).collect();
+            Self::new(quantity, value, &exact, absolute_error)
+        };
+        let all = values.into_iter().enumerate().map(of_number);
+        all.fold(Self::unrounded(quantity, 0.0), |largest, one| Self {
+            quantity,
+            error: largest.error.max(one.error),
+            checked: largest.checked.max(one.checked),
+        })
+    }
 }
 
 /// What keeps a case from being checked as right.
@@ -45,7 +72,7 @@ pub enum Failure {
     Unsettled,
 }
 
-/// What came of a case.
+/// A case with its result.
 #[derive(Debug, Clone)]
 pub struct CheckedCase {
     /// The case.
@@ -55,68 +82,46 @@ pub struct CheckedCase {
 }
 
 pub(super) fn check(case: Case) -> CheckedCase {
-    let outcome = match case.bodies.contact() {
-        Err(error) => Err(Failure::Refused(error.to_string())),
-        Ok(contact) => of(&case, &*contact),
-    };
+    let contact = case.bodies.contact().map_err(|error| Failure::Refused(error.to_string()));
+    let outcome = contact.and_then(|contact| deviations(&case, &*contact));
     CheckedCase { case, outcome }
 }
 
-fn of(case: &Case, contact: &dyn MicroContact) -> Result<Vec<Deviation>, Failure> {
+fn deviations(case: &Case, contact: &dyn MicroContact) -> Result<Vec<Deviation>, Failure> {
+    let exact = Exact::new(&case.bodies);
     match &case.input {
         CaseInput::Contact { w, radius } if case.group == Group::Denormals => {
-            of_denormal(&case.bodies, contact, *w, *radius)
+            denormal_contact(&exact, contact, *w, *radius)
         }
-        CaseInput::Contact { w, radius } => {
-            let exact = Exact::new(&case.bodies).contacts(*w, &Shape::sphere(*radius));
-            of_contact(&contact.contact(*w, law::Shape::sphere(*radius)), &exact)
+        CaseInput::Contact { w, radius } => nearest_side(
+            &contact.contact(*w, law::Shape::sphere(*radius)),
+            &exact.contacts(*w, &Shape::sphere(*radius)),
+        ),
+        CaseInput::Ellipse { w, mean_curvature, ratio } => nearest_side(
+            &contact.contact(*w, law::Shape::ellipse(*mean_curvature, *ratio)),
+            &exact.contacts(*w, &Shape::ellipse(*mean_curvature, *ratio)),
+        ),
+        CaseInput::Sum(set, h) if case.group.is_large() => large_sum(contact, set, *h),
+        CaseInput::Sum(set, h) => sum(&exact, contact, set, *h),
+        CaseInput::Integral(population, h) if case.group == Group::Vanishing => {
+            vanishing_integral(&exact, contact, population, *h)
         }
-        CaseInput::Ellipse { w, mean_curvature, ratio } => {
-            let exact = Exact::new(&case.bodies).contacts(*w, &Shape::ellipse(*mean_curvature, *ratio));
-            of_contact(&contact.contact(*w, law::Shape::ellipse(*mean_curvature, *ratio)), &exact)
-        }
-        CaseInput::Sum(set, h) if case.group.is_large() => of_terms(contact, set, *h),
-        CaseInput::Sum(set, h) => of_sum(&case.bodies, contact, set, *h),
-        CaseInput::Integral(population, h) => of_integral(case, contact, population, *h),
+        CaseInput::Integral(population, h) => integral(&exact, contact, population, *h),
         CaseInput::LoadOfIntegral(population, h) => {
-            let exact = Exact::new(&case.bodies);
-            let shape = Shape::sphere(population.radius);
-            let pressure = |h: f64| Some(exact.integral(&Integral::of(population, h)?, &shape)?.total_load());
-            of_load(&Statistical::new(contact, population.clone()), *h, 0.0, &pressure)
+            let pressure = |h: f64| Some(exact_integral(&exact, population, h).ok()?.total_load());
+            load_control(&Statistical::new(contact, population.clone()), *h, 0.0, &pressure)
         }
         CaseInput::LoadOfSum(set, h) => {
-            let exact = Exact::new(&case.bodies);
             let asperities = set.asperities(*h);
             let pressure = |h: f64| {
                 let separation = Wide::new(h) * set.sigma + set.mean;
                 Some(exact.total(&asperities, separation, false).total_load())
             };
-            with_sum(contact, set, &asperities, |model, origin| {
-                of_load(model, *h, (set.mean - origin).abs() / set.sigma, &pressure)
-            })
+            let (near_zero, origin) = near_zero(&asperities)?;
+            let model = Deterministic::new(contact, near_zero.spheres(), reference_plane(set, origin));
+            load_control(&model, *h, (set.mean - origin).abs() / set.sigma, &pressure)
         }
     }
-}
-
-/// Within the rounding of a boundary whichever side is nearer.
-fn of_contact(found: &asperity::Contact, exact: &[Contact]) -> Result<Vec<Deviation>, Failure> {
-    let values =
-        [(Quantity::Area, found.area), (Quantity::Load, found.load), (Quantity::Stiffness, found.stiffness)];
-    finite(&values)?;
-    let sides = exact.iter().filter(|side| side.regime == found.regime).map(|side| {
-        let of = [side.area, side.load, side.stiffness];
-        values
-            .iter()
-            .zip(of)
-            .map(|((quantity, value), of)| plain(*quantity, relative_error(*value, of)))
-            .collect()
-    });
-    let worst = |side: &Vec<Deviation>| side.iter().map(|d| d.checked).fold(0.0, f64::max);
-    sides.min_by(|a, b| worst(a).total_cmp(&worst(b))).ok_or(Failure::WrongRegime)
-}
-
-fn plain(quantity: Quantity, error: f64) -> Deviation {
-    Deviation { quantity, error, checked: error }
 }
 
 fn finite(values: &[(Quantity, f64)]) -> Result<(), Failure> {
@@ -126,196 +131,184 @@ fn finite(values: &[(Quantity, f64)]) -> Result<(), Failure> {
     }
 }
 
-/// m^2, N, N/m: values far below it count as zero.
-const NOTHING: f64 = 1e-130;
+fn relative(values: &[(Quantity, f64)], exact: &[Wide]) -> Vec<Deviation> {
+    let pairs = values.iter().zip(exact);
+    pairs
+        .map(|((quantity, value), of)| Deviation::unrounded(*quantity, relative_error(*value, *of)))
+        .collect()
+}
+
+fn contact_values(contact: &asperity::Contact) -> Result<[(Quantity, f64); 3], Failure> {
+    let asperity::Contact { area, load, stiffness, .. } = *contact;
+    let values = [(Quantity::Area, area), (Quantity::Load, load), (Quantity::Stiffness, stiffness)];
+    finite(&values).map(|()| values)
+}
+
+/// Within the rounding of a boundary whichever side is nearer.
+fn nearest_side(contact: &asperity::Contact, exact: &[Contact]) -> Result<Vec<Deviation>, Failure> {
+    let values = contact_values(contact)?;
+    let sides = exact.iter().filter(|side| side.regime == contact.regime);
+    let sides = sides.map(|side| relative(&values, &[side.area, side.load, side.stiffness]));
+    let worst = |side: &Vec<Deviation>| side.iter().map(|d| d.checked).fold(0.0, f64::max);
+    sides.min_by(|a, b| worst(a).total_cmp(&worst(b))).ok_or(Failure::WrongRegime)
+}
 
 /// Lengths go in, areas and loads come out 2^600 and 2^1200 times as large: every law scales so.
-fn of_denormal(
-    bodies: &Bodies,
+fn denormal_contact(
+    exact: &Exact,
     contact: &dyn MicroContact,
     w: f64,
     radius: f64,
 ) -> Result<Vec<Deviation>, Failure> {
     const SCALE: i32 = 600;
+    /// m^2, N, N/m: values far below it count as zero.
+    const NOTHING: f64 = 1e-130;
     let grown = 2f64.powi(SCALE);
-    let found = contact.contact(w, law::Shape::sphere(radius));
-    let values = [
-        (Quantity::Area, found.area, 2),
-        (Quantity::Load, found.load, 2),
-        (Quantity::Stiffness, found.stiffness, 1),
-    ];
-    finite(&values.map(|(quantity, value, _)| (quantity, value)))?;
-    let exact = Exact::new(bodies).contacts(w * grown, &Shape::sphere(radius * grown));
-    let side = exact.iter().find(|side| side.regime == found.regime).ok_or(Failure::WrongRegime)?;
-    let back = |value: Wide, times: i32| (0..times).fold(value.hi(), |value, _| value / grown);
-    let of = [side.area, side.load, side.stiffness];
-    Ok(values
-        .iter()
-        .zip(of)
-        .map(|((quantity, value, times), of)| {
-            let of = back(of, *times);
-            plain(*quantity, (value - of).abs() / (of + NOTHING))
-        })
-        .collect())
+    let contact = contact.contact(w, law::Shape::sphere(radius));
+    let values = contact_values(&contact)?;
+    let sides = exact.contacts(w * grown, &Shape::sphere(radius * grown));
+    let side = sides.iter().find(|side| side.regime == contact.regime).ok_or(Failure::WrongRegime)?;
+    let scaled = [(side.area, 2), (side.load, 2), (side.stiffness, 1)];
+    let of_value = |((quantity, value), (exact, times)): ((Quantity, f64), (Wide, usize))| {
+        let exact = (0..times).fold(exact.hi(), |value, _| value / grown);
+        Deviation::unrounded(quantity, (value - exact).abs() / (exact + NOTHING))
+    };
+    Ok(values.into_iter().zip(scaled).map(of_value).collect())
 }
 
-/// The quantities of a response but for its sampling errors.
-fn values(response: &Response) -> [(Quantity, f64); 4] {
-    [
+/// The quantities of a response but for regime shares and sampling errors; all that reports make of it must be finite.
+fn response_values(response: &Response, sigma: f64) -> Result<[(Quantity, f64); 4], Failure> {
+    let values = [
         (Quantity::Area, response.area_ratio.total()),
         (Quantity::Load, response.pressure.total()),
         (Quantity::Stiffness, response.stiffness),
         (Quantity::Density, response.contact_density),
-    ]
-}
-
-/// What reports make of a response in which something touches.
-fn derived(response: &Response, sigma: f64) -> Vec<(Quantity, f64)> {
-    let shares = [response.area_ratio, response.pressure].into_iter().filter_map(|of| of.shares()).flatten();
-    let mut found: Vec<(Quantity, f64)> = shares.map(|share| (Quantity::Shares, share)).collect();
-    found.extend(response.mean_real_pressure().map(|pressure| (Quantity::Load, pressure)));
+    ];
+    finite(&values)?;
+    finite(&shares(response).map(|share| (Quantity::Shares, share)))?;
+    let real_pressure = response.mean_real_pressure().map(|pressure| (Quantity::Load, pressure));
     let error = response.separation_error(sigma).filter(|_| response.contact_density > 0.0);
-    found.extend(error.map(|error| (Quantity::Sampling, error)));
-    found
+    let errors = error.into_iter().chain(sampling_errors(response)).map(|error| (Quantity::Sampling, error));
+    finite(&real_pressure.into_iter().chain(errors).collect::<Vec<_>>())?;
+    Ok(values)
 }
 
 fn exact_values(total: &Total) -> [Wide; 4] {
     [total.total_area(), total.total_load(), total.stiffness, total.contacts]
 }
 
-/// The parts that each regime has of area and load.
-fn shares(area: [Wide; 3], load: [Wide; 3]) -> [Wide; 6] {
-    let part = |of: [Wide; 3], k: usize| {
-        let whole = of[0] + of[1] + of[2];
-        if whole > Wide::ZERO { of[k] / whole } else { Wide::ZERO }
-    };
-    std::array::from_fn(|k| if k < 3 { part(area, k) } else { part(load, k - 3) })
+/// The parts that each regime has of the area and of the load.
+fn shares(response: &Response) -> [f64; 6] {
+    let parts = [response.area_ratio, response.pressure].map(|of| of.shares().unwrap_or_default());
+    std::array::from_fn(|k| parts[k / 3][k % 3])
 }
 
-fn found_shares(response: &Response) -> [f64; 6] {
-    let [area, load] = [response.area_ratio, response.pressure].map(|of| of.shares().unwrap_or_default());
-    std::array::from_fn(|k| if k < 3 { area[k] } else { load[k - 3] })
+fn exact_shares(total: &Total) -> [Wide; 6] {
+    let parts = [(total.area, total.total_area()), (total.load, total.total_load())];
+    std::array::from_fn(|k| {
+        let (part, whole) = parts[k / 3];
+        if whole > Wide::ZERO { part[k % 3] / whole } else { Wide::ZERO }
+    })
 }
 
-/// The largest absolute error of several numbers, and the same with all between the exact ones right.
-fn absolute<const N: usize>(quantity: Quantity, found: [f64; N], exact: &[[Wide; N]]) -> Deviation {
-    let (mut error, mut checked) = (0.0f64, 0.0f64);
-    for (k, found) in found.into_iter().enumerate() {
-        let off = || exact.iter().map(|of| (of[k] - found).abs().hi());
-        let found = Wide::new(found);
-        let is_between = exact.iter().any(|of| of[k] <= found) && exact.iter().any(|of| of[k] >= found);
-        error = error.max(off().next().unwrap_or(0.0));
-        checked = checked.max(if is_between { 0.0 } else { off().fold(f64::INFINITY, f64::min) });
-    }
-    Deviation { quantity, error, checked }
+/// Of area and load.
+fn sampling_errors(response: &Response) -> [f64; 2] {
+    response.sampling.map_or([0.0; 2], |sampling| [sampling.area_ratio, sampling.pressure])
 }
 
-fn of_integral(
-    case: &Case,
+fn exact_integral(exact: &Exact, population: &Population, separation: f64) -> Result<Total, Failure> {
+    let integral = Integral::of(population, separation);
+    let total = integral.and_then(|integral| exact.integral(&integral, &Shape::sphere(population.radius)));
+    total.ok_or(Failure::Unsettled)
+}
+
+fn integral(
+    exact: &Exact,
     contact: &dyn MicroContact,
     population: &Population,
     h: f64,
 ) -> Result<Vec<Deviation>, Failure> {
     let response = Statistical::new(contact, population.clone()).respond(h);
-    let values = values(&response);
-    finite(&values)?;
-    finite(&derived(&response, population.sigma))?;
-    let exact = Exact::new(&case.bodies);
-    let shape = Shape::sphere(population.radius);
-    let at = |separation: f64| exact.integral(&Integral::of(population, separation)?, &shape);
-    let total = at(h).ok_or(Failure::Unsettled)?;
-    let of = exact_values(&total);
-    if case.group == Group::Vanishing {
-        // Absolute, over the result at the last separation that is checked relatively.
-        let whole = exact_values(&at(37.0).ok_or(Failure::Unsettled)?);
-        let error = |value: f64, of: Wide, whole: Wide| ((of - value) / whole).abs().hi();
-        let each = values.iter().zip(of.iter().zip(whole));
-        return Ok(each
-            .map(|((quantity, value), (of, whole))| plain(*quantity, error(*value, *of, whole)))
-            .collect());
-    }
-    let each = values.iter().zip(of);
-    let mut found: Vec<Deviation> =
-        each.map(|((quantity, value), of)| plain(*quantity, relative_error(*value, of))).collect();
-    found.push(absolute(Quantity::Shares, found_shares(&response), &[shares(total.area, total.load)]));
-    Ok(found)
+    let values = response_values(&response, population.sigma)?;
+    let total = exact_integral(exact, population, h)?;
+    let mut deviations = relative(&values, &exact_values(&total));
+    deviations.push(Deviation::largest(Quantity::Shares, shares(&response), &[exact_shares(&total)]));
+    Ok(deviations)
 }
 
-/// Does something with the model of a sum on the nominal area 1 m^2 and the origin of its heights.
-fn with_sum<T>(
+/// Errors over the result at the last separation that is checked relatively.
+fn vanishing_integral(
+    exact: &Exact,
     contact: &dyn MicroContact,
-    set: &SetParameters,
-    asperities: &[(f64, f64)],
-    act: impl FnOnce(&dyn Model, f64) -> Result<T, Failure>,
-) -> Result<T, Failure> {
-    let (heights, radii) = asperities.iter().copied().unzip();
-    let given = AsperitySet::new(heights, radii, 1.0).map_err(|error| Failure::Refused(error.to_string()))?;
-    let (given, origin) = given.near_zero();
-    let plane = ReferencePlane { mean: set.mean - origin, sigma: set.sigma };
-    act(&Deterministic::new(contact, given.spheres(), plane), origin)
+    population: &Population,
+    h: f64,
+) -> Result<Vec<Deviation>, Failure> {
+    let response = Statistical::new(contact, population.clone()).respond(h);
+    let values = response_values(&response, population.sigma)?;
+    let [totals, last] = [h, 37.0].map(|h| exact_integral(exact, population, h));
+    let pairs = exact_values(&totals?).into_iter().zip(exact_values(&last?));
+    let of_value = |((quantity, value), (exact, last)): ((Quantity, f64), (Wide, Wide))| {
+        Deviation::unrounded(quantity, ((exact - value) / last).abs().hi())
+    };
+    Ok(values.into_iter().zip(pairs).map(of_value).collect())
 }
 
-/// Half an ulp of a separation and of each of the terms that it is made of, over what they add up to.
-const ROUNDING: f64 = f64::EPSILON;
+/// The set on the nominal area 1 m^2 and the origin of its heights.
+fn near_zero(asperities: &[(f64, f64)]) -> Result<(AsperitySet, f64), Failure> {
+    let (heights, radii) = asperities.iter().copied().unzip();
+    let set = AsperitySet::new(heights, radii, 1.0).map_err(|error| Failure::Refused(error.to_string()))?;
+    Ok(set.near_zero())
+}
 
-fn of_sum(
-    bodies: &Bodies,
+fn reference_plane(set: &SetParameters, origin: f64) -> ReferencePlane {
+    ReferencePlane { mean: set.mean - origin, sigma: set.sigma }
+}
+
+fn sum(
+    exact: &Exact,
     contact: &dyn MicroContact,
     set: &SetParameters,
     h: f64,
 ) -> Result<Vec<Deviation>, Failure> {
+    /// Half an ulp of a separation and of each of the terms that it is made of, over what they add up to.
+    const ROUNDING: f64 = f64::EPSILON;
     let asperities = set.asperities(h);
-    let (response, origin) =
-        with_sum(contact, set, &asperities, |model, origin| Ok((model.respond(h), origin)))?;
-    let values = values(&response);
-    finite(&values)?;
-    finite(&derived(&response, set.sigma))?;
-    let sampling = response.sampling.map_or([0.0; 2], |sampling| [sampling.area_ratio, sampling.pressure]);
-    finite(&sampling.map(|value| (Quantity::Sampling, value)))?;
-    let exact = Exact::new(bodies);
+    let (near_zero, origin) = near_zero(&asperities)?;
+    let plane = reference_plane(set, origin);
+    let response = Deterministic::new(contact, near_zero.spheres(), plane).respond(h);
+    let values = response_values(&response, set.sigma)?;
     let separation = Wide::new(h) * set.sigma + set.mean;
-    let rounding = ROUNDING * ((set.mean - origin).abs() + (h * set.sigma).abs());
+    let rounding = ROUNDING * (plane.mean.abs() + (h * set.sigma).abs());
     let totals = [0.0, -rounding, rounding].map(|step| exact.total(&asperities, separation + step, true));
-    let of = totals.map(|total| exact_values(&total));
-    let mut found: Vec<Deviation> = values
-        .iter()
-        .enumerate()
-        .map(|(k, (quantity, value))| Deviation {
-            quantity: *quantity,
-            error: relative_error(*value, of[0][k]),
-            checked: outside(*value, of.map(|of| of[k])),
-        })
-        .collect();
-    let exact_shares = totals.map(|total| shares(total.area, total.load));
-    found.push(absolute(Quantity::Shares, found_shares(&response), &exact_shares));
+    let exact = totals.map(|total| exact_values(&total));
+    let of_value = |(k, &(quantity, value)): (usize, &(Quantity, f64))| {
+        Deviation::new(quantity, value, &exact.map(|exact| exact[k]), relative_error)
+    };
+    let mut deviations: Vec<Deviation> = values.iter().enumerate().map(of_value).collect();
+    let exact_shares = totals.map(|total| exact_shares(&total));
+    deviations.push(Deviation::largest(Quantity::Shares, shares(&response), &exact_shares));
     // Variances over the mean square.
     let squares = totals[0].squares.map(|squares| if squares > Wide::ZERO { squares } else { Wide::ONE });
     let variances = totals.map(|total| {
-        let totals = [total.total_area(), total.total_load()];
-        [0, 1].map(|k| (total.squares[k] - totals[k] * totals[k] / set.count as f64) / squares[k])
+        let sums = [total.total_area(), total.total_load()];
+        [0, 1].map(|k| (total.squares[k] - sums[k] * sums[k] / set.count as f64) / squares[k])
     });
-    let sampled = [0, 1].map(|k| (Wide::new(sampling[k]) * sampling[k] / squares[k]).hi());
-    found.push(absolute(Quantity::Sampling, sampled, &variances));
-    Ok(found)
+    let errors = sampling_errors(&response);
+    let sampled = [0, 1].map(|k| (Wide::new(errors[k]) * errors[k] / squares[k]).hi());
+    deviations.push(Deviation::largest(Quantity::Sampling, sampled, &variances));
+    Ok(deviations)
 }
 
-/// Distance of `value` from the interval of the `exact` ones, relative to the nearest.
-fn outside(value: f64, exact: [Wide; 3]) -> f64 {
-    let wide = Wide::new(value);
-    let is_between = exact.iter().any(|of| *of <= wide) && exact.iter().any(|of| *of >= wide);
-    let nearest = exact.iter().map(|of| relative_error(value, *of)).fold(f64::INFINITY, f64::min);
-    if is_between { 0.0 } else { nearest }
-}
-
-/// A large sum against the exact sum of the very terms that it is of.
-fn of_terms(contact: &dyn MicroContact, set: &SetParameters, h: f64) -> Result<Vec<Deviation>, Failure> {
+/// A large sum against the exact sum of its terms.
+fn large_sum(contact: &dyn MicroContact, set: &SetParameters, h: f64) -> Result<Vec<Deviation>, Failure> {
     const CHUNK: usize = 1 << 14;
     let asperities = set.asperities(h);
-    let (response, origin) =
-        with_sum(contact, set, &asperities, |model, origin| Ok((model.respond(h), origin)))?;
-    let found = [(Quantity::Area, response.area_ratio.total()), (Quantity::Load, response.pressure.total())];
-    finite(&found)?;
-    let separation = (set.mean - origin) + h * set.sigma;
+    let (near_zero, origin) = near_zero(&asperities)?;
+    let plane = reference_plane(set, origin);
+    let response = Deterministic::new(contact, near_zero.spheres(), plane).respond(h);
+    let values = [(Quantity::Area, response.area_ratio.total()), (Quantity::Load, response.pressure.total())];
+    finite(&values)?;
+    let separation = plane.mean + h * set.sigma;
     let parts: Vec<[Wide; 2]> = asperities
         .par_chunks(CHUNK)
         .map(|chunk| {
@@ -327,13 +320,12 @@ fn of_terms(contact: &dyn MicroContact, set: &SetParameters, h: f64) -> Result<V
         })
         .collect();
     let exact = parts.iter().fold([Wide::ZERO; 2], |sum, part| [sum[0] + part[0], sum[1] + part[1]]);
-    let each = found.iter().zip(exact);
-    Ok(each.map(|((quantity, value), of)| plain(*quantity, relative_error(*value, of))).collect())
+    Ok(relative(&values, &exact))
 }
 
 /// The pressure at `h` is asked for again: the exact pressure at the separation that is found must be it, or lie on
 /// both sides of it within the rounding of that separation.
-fn of_load(
+fn load_control(
     model: &dyn Model,
     h: f64,
     offset: f64,
@@ -347,15 +339,14 @@ fn of_load(
         return Ok(Vec::new());
     }
     let reached = at_pressure(model, wanted).map_err(|error| Failure::Refused(error.to_string()))?;
-    let found = reached.response.separation_over_sigma;
-    finite(&[(Quantity::Reached, found), (Quantity::Reached, reached.response.pressure.total())])?;
-    let step = ULP * f64::EPSILON * (found.abs() + offset).max(1.0);
+    let separation = reached.response.separation_over_sigma;
+    finite(&[(Quantity::Reached, separation), (Quantity::Reached, reached.response.pressure.total())])?;
+    let step = ULP * f64::EPSILON * (separation.abs() + offset).max(1.0);
     let mut exact = [Wide::ZERO; 3];
     for (exact, step) in exact.iter_mut().zip([0.0, -step, step]) {
-        *exact = pressure(found + step).ok_or(Failure::Unsettled)?;
+        *exact = pressure(separation + step).ok_or(Failure::Unsettled)?;
     }
-    let error = relative_error(wanted, exact[0]);
     // A law that jumps over the pressure carries more than was asked.
-    let checked = if reached.in_jump { outside(wanted, exact) } else { error };
-    Ok(vec![Deviation { quantity: Quantity::Reached, error, checked }])
+    let exact = if reached.in_jump { &exact[..] } else { &exact[..1] };
+    Ok(vec![Deviation::new(Quantity::Reached, wanted, exact, relative_error)])
 }

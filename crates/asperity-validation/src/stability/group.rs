@@ -1,216 +1,83 @@
-//! The groups of cases, with the quantities compared in each and their error bounds.
+//! The groups of cases, with their error bounds.
 
 use super::laws::CoveredLaw;
 use super::quantity::Quantity;
+use asperity::named_enum;
 
-/// What a case evaluates.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Kind {
-    /// Single contacts.
-    Contact,
-    /// Sums over asperities.
-    Sum,
-    /// Integrals over a height density.
-    Integral,
-    /// Load control.
-    Load,
-}
-
-impl Kind {
-    /// All kinds.
-    pub const ALL: [Self; 4] = [Self::Contact, Self::Sum, Self::Integral, Self::Load];
-
-    /// The name in sentences.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Contact => "single contact",
-            Self::Sum => "sum",
-            Self::Integral => "integral",
-            Self::Load => "load control",
-        }
+named_enum! {
+    /// What a case evaluates.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    pub enum Kind {
+        /// Single contacts.
+        Contact = "single contact",
+        /// Sums over asperities.
+        Sum = "sum",
+        /// Integrals over a height density.
+        Integral = "integral",
+        /// Load control.
+        Load = "load control",
     }
 }
 
-/// Largest relative error allowed for a stiffness that is computed from a table.
-const SLOPE_OF_A_TABLE: f64 = 1e-11;
+/// The groups, a line each: name, kind, largest relative error allowed under laws in closed form (`docs/stability.md` gives the reason),
+/// and description.
+macro_rules! groups {
+    ($($group:ident = $name:literal, $kind:ident, $bound:expr, $about:literal;)+) => {
+        named_enum! {
+            /// A group of cases.
+            #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+            pub enum Group {
+                $(#[doc = $about] $group = $name,)+
+            }
+        }
 
-/// A group of cases.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Group {
-    /// Any law and material pair, uncoated.
-    Contacts,
-    /// Any law and material pair, under a layer.
-    LayeredContacts,
-    /// Within 1e-15 of a boundary between two formulas.
-    Boundaries,
-    /// The same under a layer.
-    LayeredBoundaries,
-    /// Contact radii or indentations equal to the layer thickness, and layers 1e15 times thinner and thicker.
-    Scales,
-    /// Elliptic asperities.
-    Ellipses,
-    /// Indentations down to the smallest denormal `f64`.
-    Denormals,
-    /// Sets of up to 300 asperities, uncoated.
-    Sums,
-    /// The same under a layer.
-    LayeredSums,
-    /// One asperity.
-    OneAsperity,
-    /// Heights with a mean of up to 1e8 sigma.
-    Offset,
-    /// Evenly spaced heights.
-    Line,
-    /// All asperities but one within a few ulp of the flat.
-    Touching,
-    /// Asperities of equal height and radius.
-    Equal,
-    /// A million equal asperities.
-    MillionEqual,
-    /// A million evenly spaced heights.
-    MillionLine,
-    /// Gaussian heights, separations from -10 to 20 sigma, uncoated.
-    Integrals,
-    /// The same under a layer.
-    LayeredIntegrals,
-    /// Heights of other distributions.
-    OtherHeights,
-    /// Separations from -20 to -10 sigma.
-    Deep,
-    /// Separations from 20 to 35 sigma.
-    Tail,
-    /// Separations from 35 to 37 sigma.
-    Last,
-    /// Separations from 37 to 40 sigma, where results become denormal.
-    Vanishing,
-    /// Load control of integrals.
-    LoadsOfIntegrals,
-    /// Load control of sums.
-    LoadsOfSums,
+        impl Group {
+            /// Description of its cases.
+            pub const fn about(self) -> &'static str {
+                match self { $(Self::$group => $about,)+ }
+            }
+
+            /// The kind of evaluation of its cases.
+            pub const fn kind(self) -> Kind {
+                match self { $(Self::$group => Kind::$kind,)+ }
+            }
+
+            const fn bound_in_closed_form(self) -> f64 {
+                match self { $(Self::$group => $bound,)+ }
+            }
+        }
+    };
+}
+
+groups! {
+    Contacts = "any contact", Contact, 1e-14, "all laws, random material pairs, w from 1e-15 to 10 radii";
+    LayeredContacts = "any contact, layer", Contact, 1e-12, "the same under a layer";
+    Boundaries = "beside a boundary", Contact, 1e-14, "w within 1e-15 of a boundary between two formulas";
+    LayeredBoundaries = "beside a boundary, layer", Contact, 1e-12, "the same under a layer, at every crossing of a boundary";
+    Scales = "scales of the layer", Contact, 1e-12, "a/t within a few ulp of 1, layers 1e15 times thinner or thicker, w close to t";
+    Ellipses = "ellipses", Contact, 1e-14, "curvature ratios from 1 + 1e-15 to 1e12";
+    Denormals = "denormal indentation", Contact, 1e-14, "w from 5e-324 to 2e-293 m; errors relative to the result plus 1e-130 (SI)";
+    Sums = "any sum", Sum, 1e-14, "1 to 300 Gaussian heights, radii within a factor of 4";
+    LayeredSums = "any sum, layer", Sum, 1e-12, "the same under a layer";
+    OneAsperity = "one asperity", Sum, 1e-14, "indentations of 1e-12 to 20 sigma";
+    Offset = "offset heights", Sum, 1e-14, "mean height of 1 to 1e8 sigma above or below zero";
+    Line = "on a line", Sum, 1e-14, "evenly spaced heights";
+    Touching = "just touching", Sum, 1e-14, "all but one within 4 ulp of the flat";
+    Equal = "equal", Sum, 1e-14, "1 to 300 asperities of equal height and radius";
+    MillionEqual = "a million equal", Sum, 4.0 * f64::EPSILON, "compared with the exact sum of the terms";
+    MillionLine = "a million on a line", Sum, 4.0 * f64::EPSILON, "compared with the exact sum of the terms";
+    Integrals = "any integral", Integral, 1e-13, "Gaussian heights, d from -10 to 20 sigma";
+    LayeredIntegrals = "any integral, layer", Integral, 1e-12, "the same under a layer";
+    OtherHeights = "other heights", Integral, 1e-13, "other distributions that are covered, d from -10 to 20 sigma";
+    Deep = "deep", Integral, 1e-13, "d from -20 to -10 sigma";
+    Tail = "far tail", Integral, 2e-13, "d from 20 to 35 sigma";
+    Last = "end of the tail", Integral, 3e-13, "d from 35 to 37 sigma";
+    Vanishing = "denormal density", Integral, 1e-15, "d from 37 to 40 sigma; error relative to the value at 37 sigma";
+    LoadsOfIntegrals = "pressure of an integral", Load, 1e-12, "load control at the pressures of d from -8 to 20 sigma";
+    LoadsOfSums = "pressure of a sum", Load, 1e-12, "load control at the pressures of d from -4 to 2 sigma";
 }
 
 impl Group {
-    /// All groups.
-    pub const ALL: [Self; 25] = [
-        Self::Contacts,
-        Self::LayeredContacts,
-        Self::Boundaries,
-        Self::LayeredBoundaries,
-        Self::Scales,
-        Self::Ellipses,
-        Self::Denormals,
-        Self::Sums,
-        Self::LayeredSums,
-        Self::OneAsperity,
-        Self::Offset,
-        Self::Line,
-        Self::Touching,
-        Self::Equal,
-        Self::MillionEqual,
-        Self::MillionLine,
-        Self::Integrals,
-        Self::LayeredIntegrals,
-        Self::OtherHeights,
-        Self::Deep,
-        Self::Tail,
-        Self::Last,
-        Self::Vanishing,
-        Self::LoadsOfIntegrals,
-        Self::LoadsOfSums,
-    ];
-
-    /// The name in tables.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Contacts => "any contact",
-            Self::LayeredContacts => "any contact, layer",
-            Self::Boundaries => "beside a boundary",
-            Self::LayeredBoundaries => "beside a boundary, layer",
-            Self::Scales => "scales of the layer",
-            Self::Ellipses => "ellipses",
-            Self::Denormals => "denormal indentation",
-            Self::Sums => "any sum",
-            Self::LayeredSums => "any sum, layer",
-            Self::OneAsperity => "one asperity",
-            Self::Offset => "offset heights",
-            Self::Line => "on a line",
-            Self::Touching => "just touching",
-            Self::Equal => "equal",
-            Self::MillionEqual => "a million equal",
-            Self::MillionLine => "a million on a line",
-            Self::Integrals => "any integral",
-            Self::LayeredIntegrals => "any integral, layer",
-            Self::OtherHeights => "other heights",
-            Self::Deep => "deep",
-            Self::Tail => "far tail",
-            Self::Last => "end of the tail",
-            Self::Vanishing => "denormal density",
-            Self::LoadsOfIntegrals => "pressure of an integral",
-            Self::LoadsOfSums => "pressure of a sum",
-        }
-    }
-
-    /// Description of its cases.
-    pub const fn about(self) -> &'static str {
-        match self {
-            Self::Contacts => "all laws, random material pairs, w from 1e-15 to 10 radii",
-            Self::LayeredContacts => "the same under a layer",
-            Self::Boundaries => "w within 1e-15 of a boundary between two formulas",
-            Self::LayeredBoundaries => "the same under a layer, at every crossing of a boundary",
-            Self::Scales => "a/t within a few ulp of 1, layers 1e15 times thinner or thicker, w close to t",
-            Self::Ellipses => "curvature ratios from 1 + 1e-15 to 1e12",
-            Self::Denormals => "w from 5e-324 to 2e-293 m; errors relative to the result plus 1e-130 (SI)",
-            Self::Sums => "1 to 300 Gaussian heights, radii within a factor of 4",
-            Self::LayeredSums => "the same under a layer",
-            Self::OneAsperity => "indentations of 1e-12 to 20 sigma",
-            Self::Offset => "mean height of 1 to 1e8 sigma above or below zero",
-            Self::Line => "evenly spaced heights",
-            Self::Touching => "all but one within 4 ulp of the flat",
-            Self::Equal => "1 to 300 asperities of equal height and radius",
-            Self::MillionEqual => "compared with the exact sum of the terms",
-            Self::MillionLine => "compared with the exact sum of the terms",
-            Self::Integrals => "Gaussian heights, d from -10 to 20 sigma",
-            Self::LayeredIntegrals => "the same under a layer",
-            Self::OtherHeights => "other distributions that are covered, d from -10 to 20 sigma",
-            Self::Deep => "d from -20 to -10 sigma",
-            Self::Tail => "d from 20 to 35 sigma",
-            Self::Last => "d from 35 to 37 sigma",
-            Self::Vanishing => "d from 37 to 40 sigma; error relative to the value at 37 sigma",
-            Self::LoadsOfIntegrals => "load control at the pressures of d from -8 to 20 sigma",
-            Self::LoadsOfSums => "load control at the pressures of d from -4 to 2 sigma",
-        }
-    }
-
-    /// The kind of evaluation of its cases.
-    pub const fn kind(self) -> Kind {
-        match self {
-            Self::Contacts
-            | Self::LayeredContacts
-            | Self::Boundaries
-            | Self::LayeredBoundaries
-            | Self::Scales
-            | Self::Ellipses
-            | Self::Denormals => Kind::Contact,
-            Self::Sums
-            | Self::LayeredSums
-            | Self::OneAsperity
-            | Self::Offset
-            | Self::Line
-            | Self::Touching
-            | Self::Equal
-            | Self::MillionEqual
-            | Self::MillionLine => Kind::Sum,
-            Self::Integrals
-            | Self::LayeredIntegrals
-            | Self::OtherHeights
-            | Self::Deep
-            | Self::Tail
-            | Self::Last
-            | Self::Vanishing => Kind::Integral,
-            Self::LoadsOfIntegrals | Self::LoadsOfSums => Kind::Load,
-        }
-    }
-
     /// Whether a layer lies on the flat.
     pub const fn is_layered(self) -> bool {
         matches!(
@@ -228,29 +95,22 @@ impl Group {
         matches!(self, Self::MillionEqual | Self::MillionLine)
     }
 
-    /// Largest relative error allowed for a quantity under a law.
-    pub fn bound_of(self, quantity: Quantity, law: &CoveredLaw) -> f64 {
-        let is_slope = quantity == Quantity::Stiffness && law.twin.has_tables;
-        let bound = if is_slope { SLOPE_OF_A_TABLE } else { self.bound(quantity) };
-        bound * (law.twin.steepness)(law.chosen())
+    /// Largest relative error allowed for a quantity under most laws; under those without tables where no layer is.
+    pub fn bound(self, quantity: Quantity) -> f64 {
+        self.bound_of_slope(quantity, self.is_layered())
     }
 
-    /// The same for laws in closed form; `docs/stability.md` gives the reason for each bound.
-    pub fn bound(self, quantity: Quantity) -> f64 {
-        match self {
-            _ if quantity == Quantity::Stiffness && self.is_layered() => SLOPE_OF_A_TABLE,
-            Self::Contacts | Self::Boundaries | Self::Ellipses | Self::Denormals => 1e-14,
-            Self::Sums | Self::OneAsperity | Self::Offset | Self::Line | Self::Touching | Self::Equal => {
-                1e-14
-            }
-            Self::LayeredContacts | Self::LayeredBoundaries | Self::Scales | Self::LayeredSums => 1e-12,
-            Self::MillionEqual | Self::MillionLine => 4.0 * f64::EPSILON,
-            Self::Integrals | Self::OtherHeights | Self::Deep => 1e-13,
-            Self::LayeredIntegrals => 1e-12,
-            Self::Tail => 2e-13,
-            Self::Last => 3e-13,
-            Self::Vanishing => 1e-15,
-            Self::LoadsOfIntegrals | Self::LoadsOfSums => 1e-12,
+    /// The same under a law.
+    pub fn bound_under(self, quantity: Quantity, law: &CoveredLaw) -> f64 {
+        let has_tables = self.is_layered() || law.twin.has_tables;
+        self.bound_of_slope(quantity, has_tables) * (law.twin.steepness)(law.chosen())
+    }
+
+    /// A stiffness that is the slope of a table has fewer digits.
+    const fn bound_of_slope(self, quantity: Quantity, has_tables: bool) -> f64 {
+        match quantity {
+            Quantity::Stiffness if has_tables => 1e-11,
+            _ => self.bound_in_closed_form(),
         }
     }
 }

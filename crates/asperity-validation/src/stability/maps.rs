@@ -4,11 +4,9 @@ use rayon::prelude::*;
 
 use super::Ranges;
 use super::bodies::{Bodies, Layer};
-use super::exact::Exact;
+use super::exact::{Exact, Integral, Shape};
 use super::laws::CoveredLaw;
-use crate::stability::exact::Integral;
-use crate::stability::exact::Shape;
-use crate::stability::wide::relative_error;
+use super::wide::relative_error;
 use asperity::progress::Progress;
 use asperity::{
     Heights, LayeredFlat, LayeredInterface, Material, MicroContact, Model, ModulusModel, Population,
@@ -18,10 +16,10 @@ use asperity::{
 /// Errors on a regular grid.
 #[derive(Debug, Clone)]
 pub struct Map {
-    /// Of its file and in its table.
+    /// Name of its file and in its table.
     pub name: &'static str,
-    /// What the error is of.
-    pub of: &'static str,
+    /// The quantity whose error it shows.
+    pub quantity: &'static str,
     /// What stands along x and y; logarithms to the base of ten where they say so.
     pub axes: [&'static str; 2],
     /// Middles of the first and the last column, of the first and the last row.
@@ -33,28 +31,48 @@ pub struct Map {
 }
 
 impl Map {
-    /// Row by row, `row_done` being called after each: `row` makes of y what all its cells share, `error` of that and x the error.
-    fn of<R: Sync>(
-        [name, of]: [&'static str; 2],
+    /// Without errors.
+    fn new(
+        [name, quantity]: [&'static str; 2],
         axes: [&'static str; 2],
         ends: [[f64; 2]; 2],
         cells: [usize; 2],
+    ) -> Self {
+        Self { name, quantity, axes, ends, cells, errors: Vec::new() }
+    }
+
+    /// The middle of the column (axis 0) or row (axis 1) `k`.
+    fn position(&self, k: usize, axis: usize) -> f64 {
+        let [from, to] = self.ends[axis];
+        from + (to - from) * k as f64 / (self.cells[axis] - 1) as f64
+    }
+
+    /// Position and error of each cell.
+    pub fn points(&self) -> impl Iterator<Item = ([f64; 2], f64)> {
+        let columns = self.cells[0];
+        let point = move |(k, &error): (usize, &f64)| {
+            ([self.position(k % columns, 0), self.position(k / columns, 1)], error)
+        };
+        self.errors.iter().enumerate().map(point)
+    }
+
+    /// The same with its errors, `row_done` being called after each row: `row` makes of y what all its cells share, `error` of that
+    /// and x the error.
+    fn computed<R>(
+        self,
         row_done: &(dyn Fn() + Sync),
         row: impl Fn(f64) -> R + Sync,
         error: impl Fn(&R, f64) -> f64 + Sync,
     ) -> Self {
-        let place = |k: usize, axis: usize| {
-            let [from, to] = ends[axis];
-            from + (to - from) * k as f64 / (cells[axis] - 1) as f64
-        };
         let line = |k: usize| {
-            let row = row(place(k, 1));
-            let errors = (0..cells[0]).map(|column| error(&row, place(column, 0))).collect::<Vec<f64>>();
+            let row = row(self.position(k, 1));
+            let errors = (0..self.cells[0]).map(|column| error(&row, self.position(column, 0)));
+            let errors = errors.collect::<Vec<f64>>();
             row_done();
             errors
         };
-        let rows: Vec<Vec<f64>> = (0..cells[1]).into_par_iter().map(line).collect();
-        Self { name, of, axes, ends, cells, errors: rows.concat() }
+        let rows: Vec<Vec<f64>> = (0..self.cells[1]).into_par_iter().map(line).collect();
+        Self { errors: rows.concat(), ..self }
     }
 }
 
@@ -70,8 +88,8 @@ const YOUNG: f64 = 210e9;
 const HARDNESS: f64 = 7.6e9;
 const RADIUS: f64 = 2e-5;
 
-/// All maps, with `cells` cells along the longer side.
-pub(super) fn maps(ranges: &Ranges, cells: usize, progress: &dyn Progress) -> Vec<Map> {
+/// Errors over the planes of the report, with `cells` cells along the longer side: one unit of work for `progress`.
+pub fn maps(ranges: &Ranges, cells: usize, progress: &dyn Progress) -> Vec<Map> {
     // Rows: half as many of the first map.
     let part = (2.5 * cells as f64).recip();
     let row_done = || progress.advance(part);
@@ -88,11 +106,13 @@ fn separations(ranges: &Ranges, cells: usize, row_done: &(dyn Fn() + Sync)) -> M
     let steel = body(YOUNG, HARDNESS);
     let bodies = Bodies { law: CoveredLaw::zmc(), rough: steel, flat: steel, layer: None };
     let (exact, contact) = (Exact::new(&bodies), bodies.contact());
-    Map::of(
+    let map = Map::new(
         ["separation", "nominal pressure of the integral"],
         ["d/σ", "log₁₀ R/σ"],
         [ranges.separation, ranges.radius_over_sigma.map(f64::log10)],
         [cells, cells / 2],
+    );
+    map.computed(
         row_done,
         |ratio| {
             let radius = SIGMA * 10f64.powf(ratio);
@@ -113,11 +133,13 @@ fn transitions(cells: usize, row_done: &(dyn Fn() + Sync)) -> Map {
     let steel = body(YOUNG, HARDNESS);
     let strain = HARDNESS / reduced_modulus(&steel, &steel);
     let onset = Zmc::ONSET * RADIUS * strain * strain;
-    Map::of(
+    let map = Map::new(
         ["transition", "load of a contact under ZMC"],
         ["ln(w/w₁) / ln c", "log₁₀ (c − 1)"],
         [[-0.5, 1.5], [-8.0, 6.0]],
         [cells, cells],
+    );
+    map.computed(
         row_done,
         |width| {
             let ratio = 1.0 + 10f64.powf(width);
@@ -138,11 +160,13 @@ fn layers(ranges: &Ranges, cells: usize, row_done: &(dyn Fn() + Sync)) -> Map {
     const DEPTH: f64 = 2e-8;
     let wide = (RADIUS * DEPTH).sqrt();
     let modulus = reduced_modulus(&body(YOUNG, 1.0), &body(YOUNG, 1.0));
-    Map::of(
+    let map = Map::new(
         ["layer", "load of a contact under a layer"],
         ["log₁₀ t/a", "log₁₀ H/E*"],
         [ranges.thickness.map(|t| (t / wide).log10()), ranges.hardness_over_modulus.map(f64::log10)],
         [cells, cells],
+    );
+    map.computed(
         row_done,
         |strain| {
             let hardness = modulus * 10f64.powf(strain);

@@ -27,7 +27,7 @@ pub use cases::{Case, CaseInput, Layout, SetParameters};
 pub use check::{CheckedCase, Deviation, Failure};
 pub use group::{Group, Kind};
 pub use laws::CoveredLaw;
-pub use maps::Map;
+pub use maps::{Map, maps};
 pub use quantity::Quantity;
 
 use asperity::distribution::{Entry, REGISTRY};
@@ -88,8 +88,8 @@ impl Default for Counts {
 }
 
 impl Counts {
-    /// Scenes of a group.
-    pub fn of(&self, group: Group) -> u64 {
+    /// Cases of a group.
+    pub fn in_group(&self, group: Group) -> u64 {
         match group.kind() {
             _ if group.is_large() => self.millions,
             // The tables of a layer cost as much as hundreds of contacts.
@@ -101,98 +101,120 @@ impl Counts {
         }
     }
 
-    /// Scenes of all groups.
+    /// Cases of all groups.
     pub fn total(&self) -> u64 {
-        Group::ALL.into_iter().map(|group| self.of(group)).sum()
+        Group::ALL.into_iter().map(|group| self.in_group(group)).sum()
     }
 }
 
-/// What came of the cases of a group.
+/// The errors of the cases of a group.
 #[derive(Debug, Clone)]
-pub struct GroupFindings {
-    /// Which.
+pub struct GroupResults {
+    /// The group.
     pub group: Group,
-    /// How many cases were checked.
+    /// Number of cases.
     pub cases: u64,
     /// Quantity by quantity.
-    pub quantities: Vec<Worst>,
-    /// Scenes that could not be checked as right, and why.
+    pub worst: Vec<WorstCase>,
+    /// Cases that failed or could not be checked, and why.
     pub failures: Vec<(Case, Failure)>,
 }
 
-impl GroupFindings {
-    /// Whether every quantity of every case is within its bound.
-    pub fn holds(&self) -> bool {
-        self.failures.is_empty()
-            && self.quantities.iter().all(|worst| worst.checked <= worst.bound(self.group))
+impl GroupResults {
+    /// The largest error of a quantity, as checked; `None` of a quantity that the group does not have.
+    pub fn largest_error(&self, quantity: Quantity) -> Option<f64> {
+        self.worst.iter().find(|worst| worst.quantity == quantity).map(|worst| worst.checked)
     }
-}
 
-impl Worst {
-    /// How far the quantity may be off in its case.
-    pub fn bound(&self, group: Group) -> f64 {
-        group.bound_of(self.quantity, &self.case.bodies.law)
+    /// Whether every quantity of every case is within its bound.
+    pub fn is_within_bounds(&self) -> bool {
+        self.failures.is_empty() && self.worst.iter().all(WorstCase::is_within_bound)
+    }
+
+    /// Cases that failed, then quantities beyond their bounds, each with the case.
+    pub fn violations(&self) -> impl Iterator<Item = (String, &Case)> {
+        let failures = self.failures.iter().map(|(case, failure)| (failure.to_string(), case));
+        let beyond = self.worst.iter().filter(|worst| !worst.is_within_bound());
+        failures.chain(beyond.map(|worst| {
+            let WorstCase { quantity, checked, .. } = worst;
+            let name = quantity.name();
+            (
+                format!("error of {checked:.1e} in {name}, beyond the bound of {:.1e}", worst.bound()),
+                &worst.case,
+            )
+        }))
     }
 }
 
 /// Worst case of one quantity.
 #[derive(Debug, Clone)]
-pub struct Worst {
-    /// Which.
+pub struct WorstCase {
+    /// The quantity.
     pub quantity: Quantity,
-    /// Half of the cases are not further off than this, as checked.
+    /// Median of the errors of all cases, as checked.
     pub median: f64,
-    /// The worst, as checked.
+    /// The error closest to its bound, as checked.
     pub checked: f64,
-    /// The case of that.
+    /// The case of that error.
     pub case: Case,
     /// The largest plain error, separations within their rounding not counted as right.
     pub error: f64,
 }
 
+impl WorstCase {
+    /// Largest error allowed in the case.
+    pub fn bound(&self) -> f64 {
+        self.case.group.bound_under(self.quantity, &self.case.bodies.law)
+    }
+
+    /// Whether the error is a number within its bound.
+    pub fn is_within_bound(&self) -> bool {
+        self.checked <= self.bound()
+    }
+
+    /// Of one quantity over the cases of a group; `None` where no case has it.
+    fn among(cases: &[CheckedCase], quantity: Quantity) -> Option<Self> {
+        let deviations = cases.iter().flat_map(|CheckedCase { case, outcome }| {
+            outcome.iter().flatten().map(move |deviation| (deviation, case))
+        });
+        let mut all: Vec<(&Deviation, &Case)> =
+            deviations.filter(|(deviation, _)| deviation.quantity == quantity).collect();
+        all.sort_by(|(a, _), (b, _)| a.checked.total_cmp(&b.checked));
+        // Bounds are those of a case's law.
+        let share = |(deviation, case): &(&Deviation, &Case)| {
+            deviation.checked / case.group.bound_under(quantity, &case.bodies.law)
+        };
+        let (worst, case) = all.iter().max_by(|a, b| share(a).total_cmp(&share(b)))?;
+        Some(Self {
+            quantity,
+            median: all[all.len() / 2].0.checked,
+            checked: worst.checked,
+            case: (*case).clone(),
+            error: all.iter().map(|(deviation, _)| deviation.error).fold(0.0, f64::max),
+        })
+    }
+}
+
 /// Checks `count` cases of one group, each a unit of work for `progress`.
-pub fn group(
+pub fn check_group(
     group: Group,
     count: u64,
     seed: [u8; 32],
     ranges: &Ranges,
     progress: &dyn Progress,
-) -> GroupFindings {
-    let maker = cases::CaseFactory { seed, ranges };
-    let checked: Vec<CheckedCase> = (0..count)
-        .into_par_iter()
-        .map(|index| {
-            let checked = check::check(maker.case(group, index));
-            progress.advance(1.0);
-            checked
-        })
-        .collect();
-    let mut findings = GroupFindings { group, cases: count, quantities: Vec::new(), failures: Vec::new() };
-    for quantity in Quantity::ALL {
-        let mut all: Vec<(f64, &Case)> = Vec::new();
-        let mut error = 0.0f64;
-        for CheckedCase { case, outcome } in &checked {
-            let of = outcome.iter().flatten().filter(|deviation| deviation.quantity == quantity);
-            for deviation in of {
-                all.push((deviation.checked, case));
-                error = error.max(deviation.error);
-            }
-        }
-        all.sort_by(|a, b| a.0.total_cmp(&b.0));
-        // Bounds are those of a case's law.
-        let share = |(checked, case): &(f64, &Case)| checked / group.bound_of(quantity, &case.bodies.law);
-        if let Some((checked, case)) = all.iter().max_by(|a, b| share(a).total_cmp(&share(b))) {
-            let median = all[all.len() / 2].0;
-            let (checked, case) = (*checked, (*case).clone());
-            findings.quantities.push(Worst { quantity, median, checked, case, error });
-        }
+) -> GroupResults {
+    let factory = cases::CaseFactory { seed, ranges };
+    let check = |index| {
+        let checked = check::check(factory.case(group, index));
+        progress.advance(1.0);
+        checked
+    };
+    let checked: Vec<CheckedCase> = (0..count).into_par_iter().map(check).collect();
+    let worst = Quantity::ALL.into_iter().filter_map(|quantity| WorstCase::among(&checked, quantity));
+    GroupResults {
+        group,
+        cases: count,
+        worst: worst.collect(),
+        failures: checked.into_iter().filter_map(|case| Some((case.case, case.outcome.err()?))).collect(),
     }
-    let failures = checked.into_iter().filter_map(|checked| Some((checked.case, checked.outcome.err()?)));
-    findings.failures.extend(failures);
-    findings
-}
-
-/// Errors over the planes of the report, with so many cells along each: one unit of work for `progress`.
-pub fn maps(ranges: &Ranges, resolution: usize, progress: &dyn Progress) -> Vec<Map> {
-    maps::maps(ranges, resolution, progress)
 }

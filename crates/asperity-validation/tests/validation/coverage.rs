@@ -6,26 +6,27 @@ use asperity::topography::generate::{Process, SpectrumOf};
 use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
 use asperity::{Flat, Heights, Material, MicroContact};
 use asperity_validation::coverage::{
-    Controls, Coverage, EndlessProcess, Found, Quantity, Unusable, WindowFindings, WindowTask, windows_of,
+    Controls, Coverage, EndlessProcess, Quantity, QuantityEstimate, Unusable, WindowResults, WindowTask,
+    windows_of,
 };
 
 const PIXEL: f64 = 1e-6;
 
-fn found(contrast: f64, error: Option<f64>, independent_error: Option<f64>) -> Found {
+fn estimate(contrast: f64, error: Option<f64>, independent_error: Option<f64>) -> QuantityEstimate {
     let estimate = Estimate { contrast, error, quantile: 2.0, bound: 0.0, independent_error };
-    Found { estimate, independent_error, contacts: 100.0, area_ratio: 0.01 }
+    QuantityEstimate { estimate, independent_error, contacts: 100.0, area_ratio: 0.01 }
 }
 
 #[test]
 fn intervals_that_hold_the_mean_are_counted() {
     // The mean is 2. Intervals: 1 to 3, 0 to 2 (which ends at the mean), 3.5 to 4.5, and none.
     let windows = [
-        found(2.0, Some(0.5), Some(0.01)),
-        found(1.0, Some(0.5), None),
-        found(4.0, Some(0.25), Some(0.01)),
-        found(1.0, None, Some(1.0)),
+        estimate(2.0, Some(0.5), Some(0.01)),
+        estimate(1.0, Some(0.5), None),
+        estimate(4.0, Some(0.25), Some(0.01)),
+        estimate(1.0, None, Some(1.0)),
     ];
-    let coverage = Coverage::of(&windows).unwrap();
+    let coverage = Coverage::new(&windows).unwrap();
     assert_eq!((coverage.windows, coverage.truth, coverage.scatter), (4, 2.0, 2f64.sqrt()));
     assert_eq!((coverage.claimed.intervals, coverage.claimed.covered), (3, 2));
     assert_eq!(coverage.claimed.coverage(), Some(2.0 / 3.0));
@@ -35,8 +36,8 @@ fn intervals_that_hold_the_mean_are_counted() {
     assert!((stated - 1.25 / 3.0 / 2f64.sqrt()).abs() < 1e-15);
     // Errors of independent asperities: 0.01 holds at the mean only.
     assert_eq!((coverage.independent.intervals, coverage.independent.covered), (3, 2));
-    assert_eq!(Coverage::of(&windows[..1]), None);
-    let none = Coverage::of(&[found(1.0, None, None), found(2.0, None, None)]).unwrap();
+    assert_eq!(Coverage::new(&windows[..1]), None);
+    let none = Coverage::new(&[estimate(1.0, None, None), estimate(2.0, None, None)]).unwrap();
     assert_eq!((none.claimed.coverage(), none.claimed.coverage_error()), (None, None));
     assert_eq!(none.error_over_scatter(&none.independent), None);
 }
@@ -55,7 +56,7 @@ fn process(name: &str, points: usize, roll_off: f64, cut_off: f64) -> EndlessPro
 }
 
 /// Two maps of a process at loads of `contacts`.
-fn findings(process: &EndlessProcess, contacts: &[f64]) -> (Controls, Vec<WindowFindings>) {
+fn results(process: &EndlessProcess, contacts: &[f64]) -> (Controls, Vec<WindowResults>) {
     let contact = steel();
     let controls = process.controls(&*contact, contacts).unwrap();
     let task = WindowTask { contact: &*contact, controls: controls.clone() };
@@ -65,36 +66,36 @@ fn findings(process: &EndlessProcess, contacts: &[f64]) -> (Controls, Vec<Window
 #[test]
 fn windows_of_short_waves_have_intervals_where_contacts_are_many() {
     let short = process("short", 256, 10.0, 3.0);
-    let (controls, windows) = findings(&short, &[20.0, 200.0]);
+    let (controls, windows) = results(&short, &[20.0, 200.0]);
     assert_eq!(windows.len(), 8);
     assert!(controls.loads[0] < controls.loads[1] && controls.separations[0] > controls.separations[1]);
     let least = CONTACTS_PER_GROUP * GROUPS as f64;
     for (index, window) in windows.iter().enumerate() {
         assert!(window.correlation > 0.005 && window.correlation < 0.03, "{}", window.correlation);
         for (load, claims) in [false, true].into_iter().enumerate() {
-            for (quantity, found) in Quantity::ALL.iter().zip(&window.found[load]) {
-                let found = found.unwrap();
-                assert_eq!(found.contacts >= least, claims, "{}: {}", quantity.name(), found.contacts);
-                assert_eq!(found.estimate.interval().is_some(), claims, "{}", quantity.name());
+            for (quantity, estimate) in Quantity::ALL.iter().zip(&window.estimates[load]) {
+                let estimate = estimate.unwrap();
+                assert_eq!(estimate.contacts >= least, claims, "{}: {}", quantity.name(), estimate.contacts);
+                assert_eq!(estimate.estimate.interval().is_some(), claims, "{}", quantity.name());
                 // Asperities are taken as independent in one window of each map.
-                assert_eq!(found.independent_error.is_some(), claims && index % 4 == 0);
+                assert_eq!(estimate.independent_error.is_some(), claims && index % 4 == 0);
             }
         }
     }
     // The same to the bit, whatever the threads.
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
-    assert_eq!(pool.install(|| findings(&short, &[20.0, 200.0])).1, windows);
+    assert_eq!(pool.install(|| results(&short, &[20.0, 200.0])).1, windows);
 }
 
 #[test]
 fn long_waves_have_no_interval() {
-    let (_, windows) = findings(&process("long", 256, 100.0, 3.0), &[200.0]);
-    for found in windows.iter().flat_map(|window| &window.found).flatten() {
-        assert_eq!(found.unwrap().estimate.error, None);
+    let (_, windows) = results(&process("long", 256, 100.0, 3.0), &[200.0]);
+    for estimate in windows.iter().flat_map(|window| &window.estimates).flatten() {
+        assert_eq!(estimate.unwrap().estimate.error, None);
     }
     // Random groups of asperities would give one.
-    let is_some = |found: &Option<Found>| found.unwrap().independent_error.is_some();
-    assert!(windows.iter().step_by(4).flat_map(|window| &window.found[0]).any(is_some));
+    let is_some = |estimate: &Option<QuantityEstimate>| estimate.unwrap().independent_error.is_some();
+    assert!(windows.iter().step_by(4).flat_map(|window| &window.estimates[0]).any(is_some));
 }
 
 #[test]

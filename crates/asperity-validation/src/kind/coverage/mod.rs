@@ -1,22 +1,18 @@
 //! `[coverage]`: how often 95 % intervals hold the mean over many windows of one endless surface.
 
-mod findings;
-mod page;
+mod figures;
+mod outline;
 mod plan;
+mod results;
+mod rows;
 mod run;
 mod spec;
-mod summary;
-mod tables;
 
 use asperity_framework::input::{InputError, Spanned, SpecFile};
-use asperity_framework::metadata::Metadata;
-use asperity_framework::report::Page;
-use asperity_framework::report::table::{Schema, Table, Tables};
-use asperity_framework::{Kind, Memory, Outcome, Plan, Reads, RunContext};
-use serde_json::{Map, Value};
+use asperity_framework::report::table::Schema;
+use asperity_framework::{Kind, Reads};
 
 use plan::CoveragePlan;
-use run::CoverageResults;
 
 /// `[coverage]`
 pub struct IntervalCoverage;
@@ -32,44 +28,6 @@ impl Kind for IntervalCoverage {
     }
 
     fn tables() -> Vec<Schema> {
-        tables::schemas()
-    }
-}
-
-impl Plan for CoveragePlan {
-    type Outcome = CoverageResults;
-
-    fn memory(&self) -> Memory {
-        Memory { bytes: self.memory(), key: None }
-    }
-
-    fn work(&self) -> u128 {
-        self.work()
-    }
-
-    fn run(&self, context: &RunContext) -> Result<CoverageResults, InputError> {
-        run::run(context, self)
-    }
-}
-
-impl Outcome for CoverageResults {
-    fn metadata(&self) -> &Metadata {
-        &self.metadata
-    }
-
-    fn warnings(&self) -> Vec<String> {
-        self.warnings()
-    }
-
-    fn page(&self, _: &Tables) -> Page {
-        page::page(self)
-    }
-
-    fn tables(&self) -> Vec<Table> {
-        tables::tables(self)
-    }
-
-    fn facts(&self) -> serde_json::Result<Map<String, Value>> {
-        summary::summary(self)
+        vec![Schema::of::<rows::CaseRow>(), Schema::of::<rows::CoverageRow>()]
     }
 }

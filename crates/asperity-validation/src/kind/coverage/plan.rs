@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use super::results::CoverageResults;
+use super::run;
 use super::spec::{CaseSpec, CoverageSpec};
 use crate::coverage::{EndlessProcess, WINDOWS_PER_MAP};
 use asperity::study::LawContact;
@@ -9,10 +11,11 @@ use asperity::topography::generate::{Process, SpectrumOf};
 use asperity::topography::spectrum::{Lay, Spectrum, SpectrumError, SpectrumShape};
 use asperity::{Flat, Heights};
 use asperity_framework::contact::Bodies;
-use asperity_framework::input::Spanned;
+
 use asperity_framework::input::quantity::Pure;
 use asperity_framework::input::sweep::LogSweep;
-use asperity_framework::input::{InputError, SpecFile};
+use asperity_framework::input::{InputError, Spanned, SpecFile};
+use asperity_framework::{Memory, Plan, RunContext};
 
 /// Points along a side: fewer hold no 16 blocks with summits, and of more the program examines every other one for the
 /// correlation length.
@@ -26,11 +29,8 @@ const CONTACTS: [f64; 2] = [1.0, 1e6];
 pub struct CoveragePlan {
     /// Names of the two bodies.
     pub bodies: Bodies,
-    /// The law.
     pub law: LawContact,
-    /// What all cases share.
     pub windows: WindowPlan,
-    /// The cases.
     pub cases: Vec<CasePlan>,
 }
 
@@ -77,27 +77,30 @@ pub struct CasePlan {
     pub process: EndlessProcess,
 }
 
-impl CoveragePlan {
-    /// Bytes at the peak.
-    pub fn memory(&self) -> u128 {
+impl Plan for CoveragePlan {
+    type Outcome = CoverageResults;
+
+    fn memory(&self) -> Memory {
         /// The map, its windows, and what the autocorrelation of one takes.
         const BYTES_PER_POINT: u128 = 40;
         let map = (2 * self.windows.points as u128).pow(2);
-        map * BYTES_PER_POINT * rayon::current_num_threads() as u128
+        Memory { bytes: map * BYTES_PER_POINT * rayon::current_num_threads() as u128, key: None }
     }
 
-    /// Micro-contacts evaluated, estimated.
-    pub fn work(&self) -> u128 {
+    fn work(&self) -> u128 {
         /// Areas of a square of the shortest wavelength per summit.
         const SQUARES_PER_SUMMIT: f64 = 4.0;
         /// Without each of 16 blocks, and with all.
         const EVALUATIONS: f64 = 17.0;
         /// Separations per load, most of them in its search.
         const SEPARATIONS: f64 = 10.0;
-        let WindowPlan { cut_off, .. } = self.windows;
-        let summits = (self.windows.side() / cut_off).powi(2) / SQUARES_PER_SUMMIT;
+        let summits = (self.windows.side() / self.windows.cut_off).powi(2) / SQUARES_PER_SUMMIT;
         let loads: usize = self.cases.iter().map(|case| case.contacts.len()).sum();
         ((self.windows.count() * loads) as f64 * summits * EVALUATIONS * SEPARATIONS) as u128
+    }
+
+    fn run(&self, context: &RunContext) -> Result<CoverageResults, InputError> {
+        run::run(context, self)
     }
 }
 
@@ -139,7 +142,7 @@ pub(super) fn plan(file: &SpecFile, table: &Spanned<CoverageSpec>) -> Result<Cov
         maps: (file.whole_within(&raw.windows, WINDOWS, "windows")? as usize).div_ceil(WINDOWS_PER_MAP),
     };
     let cases = raw.case.get_ref().iter();
-    let cases = cases.map(|(name, case)| of_case(file, raw, &windows, name.get_ref(), case));
+    let cases = cases.map(|(name, case)| case_plan(file, raw, &windows, name.get_ref(), case));
     Ok(CoveragePlan {
         bodies: Bodies { rough: rough.clone(), flat: flat.clone() },
         law,
@@ -148,7 +151,7 @@ pub(super) fn plan(file: &SpecFile, table: &Spanned<CoverageSpec>) -> Result<Cov
     })
 }
 
-fn of_case(
+fn case_plan(
     file: &SpecFile,
     raw: &CoverageSpec,
     windows: &WindowPlan,

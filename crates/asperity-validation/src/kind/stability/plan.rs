@@ -2,19 +2,18 @@
 
 use std::fmt;
 
-use crate::kind::stability::spec::{SpanSpec, StabilitySpec};
-use crate::stability::Group;
-use crate::stability::{Counts, Ranges};
-use asperity_framework::input::InputError;
-use asperity_framework::input::Spanned;
-use asperity_framework::input::SpecFile;
-use asperity_framework::input::Whole;
+use super::results::StabilityResults;
+use super::run;
+use super::spec::{SpanSpec, StabilitySpec};
+use crate::stability::{Counts, Group, Ranges};
 use asperity_framework::input::quantity::{Dimension, Range};
+use asperity_framework::input::{InputError, Spanned, SpecFile, Whole};
+use asperity_framework::{Memory, Plan, RunContext};
 
-/// Scenes to be checked.
+/// Cases to be checked.
 #[derive(Debug, Clone, Copy)]
 pub struct StabilityPlan {
-    /// Scenes of each group.
+    /// Cases of each group.
     pub counts: Counts,
     /// What they are drawn from.
     pub ranges: Ranges,
@@ -22,23 +21,24 @@ pub struct StabilityPlan {
     pub cells: usize,
 }
 
-impl StabilityPlan {
-    /// An estimate of the micro-contacts that are evaluated, wide ones counted a hundredfold.
-    pub fn work(&self) -> u128 {
-        const OF_AN_INTEGRAL: u64 = 100_000;
-        const OF_A_SUM: u64 = 30_000;
+impl Plan for StabilityPlan {
+    type Outcome = StabilityResults;
+
+    /// The largest set and its ordered copy, on each thread.
+    fn memory(&self) -> Memory {
+        let largest: u128 = if self.counts.millions > 0 { 1_000_000 } else { 1000 };
+        Memory { bytes: 100 * largest * rayon::current_num_threads() as u128, key: None }
+    }
+
+    /// A micro-contact in 32 digits counts a hundredfold.
+    fn work(&self) -> u128 {
         let Counts { contacts, sums, integrals, loads, millions } = self.counts;
-        let work = 100 * contacts
-            + OF_A_SUM * sums
-            + OF_AN_INTEGRAL * (integrals + 3 * loads)
-            + 1_000_000 * millions;
+        let work = 100 * contacts + 30_000 * sums + 100_000 * (integrals + 3 * loads) + 1_000_000 * millions;
         u128::from(work)
     }
 
-    /// Bytes of the largest set and its ordered copy.
-    pub fn memory(&self) -> u128 {
-        let largest: u128 = if self.counts.millions > 0 { 1_000_000 } else { 1000 };
-        100 * largest * rayon::current_num_threads() as u128
+    fn run(&self, context: &RunContext) -> Result<StabilityResults, InputError> {
+        Ok(run::run(context, self))
     }
 }
 
@@ -52,51 +52,41 @@ impl fmt::Display for StabilityPlan {
 pub(super) fn plan(file: &SpecFile, table: &Spanned<StabilitySpec>) -> Result<StabilityPlan, InputError> {
     let raw = table.get_ref();
     let (counts, ranges) = (Counts::default(), Ranges::default());
+    let count = |raw: &Option<Spanned<Whole>>, default: u64, range: [u64; 2]| {
+        raw.as_ref().map_or(Ok(default), |raw| file.whole_within(raw, range, "cases"))
+    };
+    let cells = raw.cells.as_ref().map_or(Ok(48), |cells| file.whole_within(cells, [8, 400], "cells"));
     Ok(StabilityPlan {
         counts: Counts {
-            contacts: within(file, raw.contacts.as_ref(), counts.contacts, [1, 100_000], "cases")?,
-            sums: within(file, raw.sums.as_ref(), counts.sums, [1, 100_000], "cases")?,
-            integrals: within(file, raw.integrals.as_ref(), counts.integrals, [1, 100_000], "cases")?,
-            loads: within(file, raw.loads.as_ref(), counts.loads, [1, 100_000], "cases")?,
-            millions: within(file, raw.millions.as_ref(), counts.millions, [1, 1000], "cases")?,
+            contacts: count(&raw.contacts, counts.contacts, [1, 100_000])?,
+            sums: count(&raw.sums, counts.sums, [1, 100_000])?,
+            integrals: count(&raw.integrals, counts.integrals, [1, 100_000])?,
+            loads: count(&raw.loads, counts.loads, [1, 100_000])?,
+            millions: count(&raw.millions, counts.millions, [1, 1000])?,
         },
         ranges: Ranges {
-            separation: span(file, raw.separation.as_ref(), ranges.separation)?,
-            radius_over_sigma: span(file, raw.radius_over_sigma.as_ref(), ranges.radius_over_sigma)?,
-            hardness_over_modulus: span(
-                file,
-                raw.hardness_over_modulus.as_ref(),
-                ranges.hardness_over_modulus,
-            )?,
-            thickness: span(file, raw.thickness.as_ref(), ranges.thickness)?,
+            separation: span(file, &raw.separation, ranges.separation)?,
+            radius_over_sigma: span(file, &raw.radius_over_sigma, ranges.radius_over_sigma)?,
+            hardness_over_modulus: span(file, &raw.hardness_over_modulus, ranges.hardness_over_modulus)?,
+            thickness: span(file, &raw.thickness, ranges.thickness)?,
         },
-        cells: within(file, raw.cells.as_ref(), 48, [8, 400], "cells")? as usize,
+        cells: cells? as usize,
     })
 }
 
-fn within(
-    file: &SpecFile,
-    found: Option<&Spanned<Whole>>,
-    usual: u64,
-    range: [u64; 2],
-    what: &str,
-) -> Result<u64, InputError> {
-    found.map_or(Ok(usual), |found| file.whole_within(found, range, what))
-}
-
-/// A part of what is checked at most.
+/// A part of the widest range, which is the default.
 fn span<D: Dimension, R: Range>(
     file: &SpecFile,
-    found: Option<&Spanned<SpanSpec<D, R>>>,
+    raw: &Option<Spanned<SpanSpec<D, R>>>,
     [least, most]: [f64; 2],
 ) -> Result<[f64; 2], InputError> {
-    let Some(found) = found else { return Ok([least, most]) };
-    let [from, to] = found.get_ref().ends();
+    let Some(raw) = raw else { return Ok([least, most]) };
+    let [from, to] = raw.get_ref().ends();
     if least <= from && from < to && to <= most {
         return Ok([from, to]);
     }
     let message = format!(
         "found {from:e} to {to:e}; allowed: from a lower to a higher value within {least:e} to {most:e}"
     );
-    Err(file.source.error_at(found.span(), message))
+    Err(file.source.error_at(raw.span(), message))
 }

@@ -4,9 +4,7 @@
 //! a law is.
 
 use super::density::{Density, Window, density_of};
-use super::{Branch, Exact, Flat};
-use crate::stability::exact::Shape;
-use crate::stability::exact::Total;
+use super::{Branch, Exact, Flat, Shape, Total};
 use crate::stability::wide::{Wide, integral};
 use asperity::Population;
 

@@ -2,8 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::Exact;
-use crate::stability::exact::Shape;
+use super::{Exact, Shape};
 use crate::stability::wide::Wide;
 
 /// What asperities add up to.

@@ -1,0 +1,56 @@
+//! Coverage against effective contacts.
+
+use super::results::{BAND, CaseResults, CoverageResults, range};
+use crate::coverage::Coverage;
+use asperity_plot::{Axis, Colour, Figure, Layer, Legend, Marker, Plot};
+
+pub const CAPTION: &str = "Intervals from blocks of a window cover the truth about as often as stated, those that take \
+                           asperities as independent less often. A point is a quantity at a load. Of intervals that are claimed: filled \
+                           where nearly all windows have an interval, else a cross. Band: 93 to 97 %.";
+
+/// Effective contacts and coverage in percent.
+type Points = Vec<(f64, f64)>;
+
+pub fn coverage(results: &CoverageResults) -> Figure {
+    let claimed = |case: &CaseResults| -> Points {
+        case.claimed().map(|((_, coverage), share)| (coverage.contacts, 100.0 * share)).collect()
+    };
+    let in_part = |case: &CaseResults| -> Points {
+        case.claimed_in_part().map(|((_, coverage), share)| (coverage.contacts, 100.0 * share)).collect()
+    };
+    let independent = |case: &CaseResults| -> Points {
+        let share = |coverage: &Coverage| Some((coverage.contacts, 100.0 * coverage.independent.coverage()?));
+        case.coverages().filter_map(|(_, coverage)| share(coverage)).collect()
+    };
+    let plots = vec![
+        plot(results, "Intervals that are claimed", &[(&claimed, Marker::Circle), (&in_part, Marker::Cross)]),
+        plot(results, "Asperities taken as independent", &[(&independent, Marker::Cross)]),
+    ];
+    Figure::column("Coverage of 95 % intervals", plots)
+}
+
+fn plot(results: &CoverageResults, title: &str, kinds: &[(&dyn Fn(&CaseResults) -> Points, Marker)]) -> Plot {
+    let contacts =
+        results.cases.iter().flat_map(CaseResults::coverages).map(|(_, coverage)| coverage.contacts);
+    let [least, most] = range(contacts).unwrap_or([1.0, 1e3]);
+    let [low, high] = BAND.map(|share| 100.0 * share);
+    let series = results
+        .cases
+        .iter()
+        .enumerate()
+        .flat_map(|(k, case)| kinds.iter().map(move |(points, marker)| (k, case, points(case), *marker)));
+    let series: Vec<_> = series.filter(|(.., points, _)| !points.is_empty()).collect();
+    let shares = series.iter().flat_map(|(.., points, _)| points).map(|(_, share)| *share);
+    let lowest = shares.fold(low, f64::min);
+    let plot = Plot::new(
+        title,
+        Axis::log("effective contacts").range(0.9 * least, 1.1 * most),
+        Axis::linear("coverage (%)").range(lowest - 1.0, 100.0),
+    )
+    .height(260.0)
+    .legend(Legend::Below)
+    .with(Layer::region_y(low, high, "93 to 97 %"));
+    series.into_iter().fold(plot, |plot, (k, case, points, marker)| {
+        plot.with(Layer::points(points, marker).coloured(Colour::Series(k)).named(&case.name))
+    })
+}

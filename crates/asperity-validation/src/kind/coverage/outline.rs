@@ -1,0 +1,195 @@
+//! The page of `[coverage]`: how often claimed intervals hold the truth, by process and by quantity.
+
+use asperity::INTERACTION;
+use asperity_framework::contact::ContactSummary;
+use asperity_framework::metadata::Metadata;
+use asperity_framework::report::format::{capitalised, count, input_number, input_quantity, number, percent};
+use asperity_framework::report::page::{Page, escape};
+use asperity_framework::report::sections;
+use asperity_framework::report::table::{Table, Tables};
+use asperity_framework::{Outcome, fields};
+use serde_json::{Map, Value};
+
+use super::figures::{CAPTION, coverage};
+use super::results::{CaseResults, CoverageResults, range};
+use super::rows::{CaseRow, CoverageRow, tables};
+use crate::coverage::{Coverage, Quantity};
+
+impl Outcome for CoverageResults {
+    fn metadata(&self) -> &Metadata {
+        &self.metadata
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        warnings(&self.cases)
+    }
+
+    fn tables(&self) -> Vec<Table> {
+        tables(self)
+    }
+
+    fn page(&self, tables: &Tables) -> Page {
+        let mut page = Page::new(&self.metadata.title);
+        page.lead(&answer(&self.cases, self.windows.count()));
+        page.figure("coverage.svg", coverage(self), CAPTION);
+        sections::warnings(&mut page, &self.warnings());
+        page.heading(2, "Coverage by process");
+        page.view(&tables.view::<CaseRow>().without(&SETUP[1..]));
+        sections::notes(&mut page, &self.metadata);
+        for quantity in Quantity::ALL {
+            let title = format!("Coverage: {}", capitalised(&quantity.name().replace('-', " ")));
+            page.details(2, &title, |page| {
+                let rows = tables.view::<CoverageRow>().only("quantity", quantity.name());
+                page.view(&rows.columns(COVERAGE));
+            });
+        }
+        sections::what_was_run(&mut page, &self.metadata, &self.contact);
+        let windows = &self.windows;
+        page.paragraph(&format!(
+            "Law {}. Self-affine surfaces of standard deviation {}, Hurst exponent {} and cut-off {}, seen in windows of {} x {} points \
+             at a distance of {}.",
+            escape(&self.law),
+            input_quantity(windows.sigma, "m"),
+            input_number(windows.hurst),
+            input_quantity(windows.cut_off, "m"),
+            windows.points,
+            windows.points,
+            input_quantity(windows.pixel, "m"),
+        ));
+        page.view(&tables.view::<CaseRow>().columns(SETUP));
+        page.heading(2, "Method").note(include_str!("notes/method.md"));
+        sections::run_again(&mut page, &self.metadata, None);
+        sections::sources(&mut page, &self.metadata);
+        page
+    }
+
+    fn facts(&self) -> serde_json::Result<Map<String, Value>> {
+        fields(&ContactSummary::of(&self.contact))
+    }
+}
+
+const SETUP: &[&str] = &["case", "heights", "roll_off_m", "waves_per_block", "correlation_lengths_per_block"];
+
+const COVERAGE: &[&str] = &[
+    "case",
+    "load_pa",
+    "effective_contacts",
+    "area_ratio",
+    "intervals",
+    "coverage",
+    "coverage_standard_error",
+    "stated_over_scatter",
+    "independent_coverage",
+];
+
+/// How often claimed intervals hold the truth, where nearly all of `windows` have one.
+fn answer(cases: &[CaseResults], windows: usize) -> String {
+    let claimed = || cases.iter().flat_map(CaseResults::claimed);
+    let Some([low, high]) = range(claimed().map(|(_, coverage)| coverage)) else {
+        return "**No interval is claimed** in 90 % of the windows or more.".to_owned();
+    };
+    let verdict = match cases.iter().flat_map(CaseResults::outside).count() {
+        0 => "all are within 93 to 97 %".to_owned(),
+        outside => format!("{outside} are outside 93 to 97 %"),
+    };
+    let errors = claimed().filter_map(|((_, coverage), _)| coverage.claimed.coverage_error());
+    format!(
+        "**95 % intervals cover the truth in {:.1} to {:.1} % of the windows** where nearly all of {} have one, in {} combinations of process, \
+         load and quantity (standard error at most {}): {verdict}.",
+        100.0 * low,
+        100.0 * high,
+        count(windows),
+        claimed().count(),
+        percent(errors.fold(0.0, f64::max)),
+    )
+}
+
+/// Coverages outside the band, then cases beyond the valid range.
+fn warnings(cases: &[CaseResults]) -> Vec<String> {
+    let outside = cases.iter().flat_map(|case| {
+        case.outside().map(|((quantity, Coverage { contacts, claimed, .. }), coverage)| {
+            format!(
+                "{}, {} at {} effective contacts: {} of {} intervals hold the truth (standard error {})",
+                case.name,
+                quantity.name(),
+                number(*contacts),
+                percent(coverage),
+                count(claimed.intervals),
+                percent(claimed.coverage_error().unwrap_or(0.0)),
+            )
+        })
+    });
+    let beyond = cases.iter().filter_map(|case| {
+        let area = case.coverages().map(|(_, coverage)| coverage.area_ratio).fold(0.0, f64::max);
+        let [area, limit] = [area, INTERACTION].map(|ratio| (ratio, percent(ratio)));
+        (area.0 > limit.0)
+            .then(|| format!("{}: a mean area ratio of {} is beyond {}", case.name, area.1, limit.1))
+    });
+    outside.chain(beyond).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::results::LoadCoverage;
+    use super::*;
+    use crate::coverage::{IntervalCount, WINDOWS_PER_MAP};
+    use asperity::Heights;
+    use asperity::compare::{CONTACTS_PER_GROUP, GROUPS};
+    use asperity::topography::{BLOCK_LENGTHS, MIN_BLOCKS};
+
+    /// A case whose only quantity has intervals in `intervals` of 1000 windows, of which `covered` hold the truth.
+    fn case(name: &str, intervals: usize, covered: usize, area_ratio: f64) -> CaseResults {
+        let coverage = Coverage {
+            windows: 1000,
+            truth: 0.0,
+            scatter: 1.0,
+            contacts: 100.0,
+            area_ratio,
+            claimed: IntervalCount { intervals, covered, error: 1.0 },
+            independent: IntervalCount::default(),
+        };
+        let load =
+            LoadCoverage { load: 1e6, separation: 2.0, coverages: vec![(Quantity::AreaOfSum, coverage)] };
+        let (roll_off, correlation, heights) = (1e-5, 1e-6, Heights::GAUSSIAN);
+        CaseResults { name: name.to_owned(), roll_off, heights, correlation, loads: vec![load] }
+    }
+
+    #[test]
+    fn coverage_outside_the_band_is_named() {
+        let cases =
+            [case("good", 1000, 950, 0.01), case("poor", 1000, 920, 0.01), case("wide", 950, 945, 0.2)];
+        let lead = answer(&cases, 1000);
+        assert!(
+            lead.contains("92.0 to 99.5 % of the windows** where nearly all of 1,000 have one, in 3 "),
+            "{lead}"
+        );
+        assert!(lead.ends_with(": 2 are outside 93 to 97 %."), "{lead}");
+        assert!(answer(&cases[..1], 1000).ends_with(": all are within 93 to 97 %."));
+        assert_eq!(warnings(&cases[..1]), [""; 0]);
+        let warnings = warnings(&cases);
+        assert_eq!(warnings.len(), 3);
+        assert!(
+            warnings[0].starts_with("poor, area-of-sum at 100 effective contacts: 92 % of 1,000 intervals")
+        );
+        assert_eq!(warnings[2], "wide: a mean area ratio of 20 % is beyond 5 %");
+    }
+
+    #[test]
+    fn intervals_in_a_part_of_the_windows_are_kept_apart() {
+        let cases = [case("part", 500, 400, 0.01), case("few", 40, 10, 0.01), case("none", 0, 0, 0.01)];
+        assert!(answer(&cases, 1000).starts_with("**No interval is claimed**"));
+        let in_part = cases.iter().flat_map(CaseResults::claimed_in_part);
+        assert!(in_part.map(|(_, coverage)| coverage).eq([0.8]));
+    }
+
+    #[test]
+    fn the_method_states_the_constants() {
+        let method = include_str!("notes/method.md");
+        assert_eq!((WINDOWS_PER_MAP, MIN_BLOCKS), (4, 16));
+        assert!(method.contains(&format!("of {BLOCK_LENGTHS} correlation lengths")));
+        assert!(
+            method.contains(&format!("and {} effective contacts", CONTACTS_PER_GROUP * MIN_BLOCKS as f64))
+        );
+        assert!(method.contains(&format!("{GROUPS} random groups")));
+    }
+}

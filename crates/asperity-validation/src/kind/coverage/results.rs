@@ -1,0 +1,96 @@
+//! Coverage of intervals in every case: everything that the report contains.
+
+use std::ops::Range;
+
+use super::plan::WindowPlan;
+use crate::coverage::{Coverage, Quantity};
+use asperity::Heights;
+use asperity_framework::contact::ContactMetadata;
+use asperity_framework::metadata::Metadata;
+
+/// The coverage that intervals of 95 % may have.
+pub const BAND: [f64; 2] = [0.93, 0.97];
+
+/// Where intervals are claimed in a smaller share of the windows, these are not typical of all.
+const NEARLY_ALL: f64 = 0.9;
+
+/// Where intervals are claimed in a smaller share of the windows, their coverage is not known.
+const RARELY: f64 = 0.05;
+
+/// Coverage of intervals in every case.
+#[derive(Debug)]
+pub struct CoverageResults {
+    /// What every experiment has.
+    pub metadata: Metadata,
+    pub contact: ContactMetadata,
+    /// The law, as tables name it.
+    pub law: String,
+    /// What all cases share.
+    pub windows: WindowPlan,
+    pub cases: Vec<CaseResults>,
+}
+
+/// Coverage in the windows of one random process.
+#[derive(Debug, Clone)]
+pub struct CaseResults {
+    /// Its name in the spec.
+    pub name: String,
+    /// Longest wavelength of the power law, m.
+    pub roll_off: f64,
+    pub heights: Heights,
+    /// Median over the windows of the larger correlation length of x and y, m; infinite where that of most does not decay.
+    pub correlation: f64,
+    pub loads: Vec<LoadCoverage>,
+}
+
+/// Coverage at one load.
+#[derive(Debug, Clone)]
+pub struct LoadCoverage {
+    /// The load, Pa.
+    pub load: f64,
+    /// The d/sigma at which loads are compared.
+    pub separation: f64,
+    /// Quantities that have values in at least two windows.
+    pub coverages: Vec<(Quantity, Coverage)>,
+}
+
+/// Smallest and largest; `None` without values.
+pub fn range(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
+    values.fold(None, |range, value| {
+        let [low, high] = range.unwrap_or([value; 2]);
+        Some([low.min(value), high.max(value)])
+    })
+}
+
+/// Whether a coverage is within [`BAND`].
+pub fn is_in_band(coverage: f64) -> bool {
+    (BAND[0]..=BAND[1]).contains(&coverage)
+}
+
+impl CaseResults {
+    /// Over all loads and quantities.
+    pub fn coverages(&self) -> impl Iterator<Item = &(Quantity, Coverage)> {
+        self.loads.iter().flat_map(|load| &load.coverages)
+    }
+
+    fn claimed_in(&self, shares: Range<f64>) -> impl Iterator<Item = (&(Quantity, Coverage), f64)> {
+        let claimed =
+            self.coverages().filter(move |(_, coverage)| shares.contains(&coverage.claimed_share()));
+        claimed.filter_map(|pair| Some((pair, pair.1.claimed.coverage()?)))
+    }
+
+    /// Those in which nearly all windows have an interval, each with the coverage of these.
+    pub fn claimed(&self) -> impl Iterator<Item = (&(Quantity, Coverage), f64)> {
+        self.claimed_in(NEARLY_ALL..f64::INFINITY)
+    }
+
+    /// The same of those in which a part of the windows has an interval.
+    pub fn claimed_in_part(&self) -> impl Iterator<Item = (&(Quantity, Coverage), f64)> {
+        self.claimed_in(RARELY..NEARLY_ALL)
+    }
+
+    /// Those of [`Self::claimed`] whose coverage is not within the band.
+    pub fn outside(&self) -> impl Iterator<Item = (&(Quantity, Coverage), f64)> {
+        self.claimed().filter(|(_, coverage)| !is_in_band(*coverage))
+    }
+}

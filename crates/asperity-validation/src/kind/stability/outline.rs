@@ -1,0 +1,127 @@
+//! The page of `[stability]`: the largest errors, error maps, and the errors of every group and quantity.
+
+use asperity_framework::Outcome;
+use asperity_framework::metadata::Metadata;
+use asperity_framework::report::format::{capitalised, count, listed, one_digit};
+use asperity_framework::report::page::Page;
+use asperity_framework::report::sections;
+use asperity_framework::report::table::{Table, Tables};
+
+use super::figures::{caption, error_map};
+use super::results::StabilityResults;
+use super::rows::{WorstRow, tables};
+use crate::stability::{CoveredLaw, GroupResults, Kind, uncovered_heights};
+
+impl Outcome for StabilityResults {
+    fn metadata(&self) -> &Metadata {
+        &self.metadata
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        self.groups.iter().filter_map(warning).collect()
+    }
+
+    fn tables(&self) -> Vec<Table> {
+        tables(self)
+    }
+
+    fn page(&self, tables: &Tables) -> Page {
+        let mut page = Page::new(&self.metadata.title);
+        page.lead(&answer(&self.groups));
+        sections::warnings(&mut page, &self.warnings());
+        for map in &self.maps {
+            page.figure(&format!("{}-errors.svg", map.name), error_map(map), caption(map));
+        }
+        sections::notes(&mut page, &self.metadata);
+        for kind in Kind::ALL.map(Kind::name) {
+            page.heading(2, &format!("{}: largest errors", capitalised(kind)));
+            let groups = tables.view::<&GroupResults>().only("kind", kind);
+            page.view(&groups.without(&["description", "not_finite", "within_bounds"]));
+        }
+        page.details(2, "Groups of cases", |page| {
+            page.view(&tables.view::<&GroupResults>().columns(&["kind", "group", "description"]));
+        });
+        page.details(2, "Sum: errors including the rounding of the separation", |page| {
+            let sums = tables.view::<WorstRow>().only("kind", Kind::Sum.name());
+            page.view(&sums.columns(&["group", "quantity", "worst_error", "plain_error"]));
+        });
+        let [_, laws] = CoveredLaw::coverage();
+        page.heading(2, "Method").note(include_str!("notes/method.md"));
+        let provenance = sections::provenance(&self.metadata);
+        not_covered(laws, &uncovered_heights()).into_iter().chain([provenance]).for_each(|sentence| {
+            page.paragraph(&sentence);
+        });
+        sections::run_again(&mut page, &self.metadata, None);
+        sections::sources(&mut page, &self.metadata);
+        page
+    }
+}
+
+/// The number of cases, whether all are within their bounds, and the largest error of each kind.
+fn answer(groups: &[GroupResults]) -> String {
+    let cases: u64 = groups.iter().map(|group| group.cases).sum();
+    let verdict = match groups.iter().filter(|group| !group.is_within_bounds()).count() {
+        0 => "all within their bounds".to_owned(),
+        beyond => format!("{beyond} of {} groups are not within their bounds", groups.len()),
+    };
+    let largest = Kind::ALL.into_iter().filter_map(|kind| {
+        let of_kind = groups.iter().filter(|group| group.group.kind() == kind);
+        let errors = of_kind.flat_map(|group| group.worst.iter().map(|worst| worst.checked));
+        Some(format!("{} {}", kind.name(), one_digit(errors.max_by(f64::total_cmp)?)))
+    });
+    format!(
+        "**{} checks at extreme inputs: {verdict}.** Largest relative errors: {}.",
+        count(cases as usize),
+        largest.collect::<Vec<_>>().join(", ")
+    )
+}
+
+/// What is wrong first in a group.
+fn warning(group: &GroupResults) -> Option<String> {
+    let violations: Vec<_> = group.violations().collect();
+    let (violation, case) = violations.first()?;
+    let others = match violations.len() - 1 {
+        0 => String::new(),
+        others => format!(", and {others} more"),
+    };
+    Some(format!("{}, case {}: {violation}{others}", group.group.name(), case.index))
+}
+
+/// Laws and heights without an evaluation in 32 digits; `None` if there are none.
+fn not_covered(laws: Vec<String>, heights: &[&str]) -> Option<String> {
+    let heights = heights.iter().map(|name| format!("integrals over {name} heights"));
+    let names: Vec<String> = laws.into_iter().map(|law| format!("law {law}")).chain(heights).collect();
+    (!names.is_empty())
+        .then(|| format!("Not covered, because there is no evaluation in 32 digits: {}.", listed(&names)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::stability::{Group, Ranges, check_group};
+    use asperity::progress::Silent;
+
+    #[test]
+    fn errors_beyond_a_bound_are_reported() {
+        let group = |group| check_group(group, 3, [1; 32], &Ranges::default(), &Silent);
+        let mut groups = [group(Group::Contacts), group(Group::Integrals)];
+        assert!(
+            answer(&groups).starts_with("**6 checks at extreme inputs: all within their bounds.** Largest")
+        );
+        assert_eq!(groups.iter().find_map(warning), None);
+        groups[1].worst[0].checked = 0.02;
+        let lead = answer(&groups);
+        assert!(lead.contains("1 of 2 groups are not within their bounds.**"), "{lead}");
+        assert!(lead.contains("integral 2e-2"), "{lead}");
+        let warning = warning(&groups[1]).unwrap();
+        assert!(warning.starts_with("any integral, case "), "{warning}");
+        assert!(warning.ends_with(": error of 2.0e-2 in area, beyond the bound of 1.0e-13"), "{warning}");
+    }
+
+    #[test]
+    fn what_has_no_reference_is_named() {
+        assert_eq!(not_covered(Vec::new(), &[]), None);
+        let names = not_covered(vec!["x".into()], &["weibull"]).unwrap();
+        assert!(names.ends_with("32 digits: law x and integrals over weibull heights."), "{names}");
+    }
+}
