@@ -4,59 +4,75 @@ use std::fmt;
 
 use asperity::{Flat, Heights, Population};
 use asperity_framework::contact::{Bodies, LawPlan};
-use asperity_framework::input::{InputError, Spanned, SpecFile};
+use asperity_framework::input::{InputError, SpecFile};
+use asperity_framework::{Memory, Plan, RunContext, set_memory};
 
+use super::run::{LimitResults, run};
 use super::spec::LimitSpec;
 
 /// Sets of growing size against their limit.
 pub struct LimitPlan {
-    /// Names of the two bodies.
     pub bodies: Bodies,
     pub laws: Vec<LawPlan>,
-    /// What the sets are drawn from.
+    pub sets: SetsPlan,
+}
+
+/// The sets of asperities.
+#[derive(Debug, Clone)]
+pub struct SetsPlan {
+    /// What they are drawn from.
     pub population: Population,
     /// d/sigma.
     pub separations: Vec<f64>,
-    /// Sizes of the sets.
     pub counts: Vec<usize>,
     /// Random sets of each size.
     pub draws: usize,
 }
 
-impl fmt::Display for LimitPlan {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let laws: Vec<&str> = self.laws.iter().map(|law| law.label.as_str()).collect();
-        writeln!(f, "  {} on {}, law {}", self.bodies.rough, self.bodies.flat, laws.join(", "))?;
-        writeln!(
-            f,
-            "  {} random sets and one set at the quantiles for each size, {:?} asperities",
-            self.draws, self.counts
-        )
-    }
-}
-
-/// Reads `[limit]`.
-pub(super) fn plan(file: &SpecFile, table: &Spanned<LimitSpec>) -> Result<LimitPlan, InputError> {
-    let raw = table.get_ref();
-    let rough = file.body(raw.rough.get_ref(), raw.rough.span())?;
-    let flat = file.body(raw.flat.get_ref(), raw.flat.span())?;
-    let counts = file.counts(&raw.count)?;
-    let draws = file.several(&raw.draws, "random sets of each size")?;
-    file.spheres_only(&raw.law, "the asperities of [limit] are spheres of equal radius")?;
-    let (rough_name, flat_name) = (raw.rough.get_ref(), raw.flat.get_ref());
-    file.check_laws(&raw.law, (rough_name, &rough), &[(flat_name, &flat)])?;
-    let laws = file.law_plans(&raw.law, (rough_name, &rough), &[(None, Flat::Bare(flat))], flat_name)?;
-    Ok(LimitPlan {
-        bodies: Bodies { rough: raw.rough.get_ref().clone(), flat: raw.flat.get_ref().clone() },
-        laws,
-        population: Population {
+impl LimitPlan {
+    pub(super) fn new(file: &SpecFile, raw: &LimitSpec) -> Result<Self, InputError> {
+        let (rough, flat) = (raw.rough.get_ref(), raw.flat.get_ref());
+        let pair = [file.body(rough, raw.rough.span())?, file.body(flat, raw.flat.span())?];
+        let counts = file.counts(&raw.count)?;
+        let draws = file.several(&raw.draws, "random sets of each size")?;
+        file.spheres_only(&raw.law, "the asperities of [limit] are spheres of equal radius")?;
+        file.check_laws(&raw.law, (rough, &pair[0]), &[(flat, &pair[1])])?;
+        let laws = file.law_plans(&raw.law, (rough, &pair[0]), &[(None, Flat::Bare(pair[1]))], flat)?;
+        let population = Population {
             radius: raw.radius.value(),
             sigma: raw.sigma.value(),
             density: raw.density.value(),
             heights: Heights::GAUSSIAN,
-        },
-        separations: raw.separation.0.clone(),
-        counts,
-        draws,
-    })
+        };
+        let sets = SetsPlan { population, separations: raw.separation.0.clone(), counts, draws };
+        Ok(Self { bodies: Bodies { rough: rough.clone(), flat: flat.clone() }, laws, sets })
+    }
+}
+
+impl Plan for LimitPlan {
+    type Outcome = LimitResults;
+
+    fn memory(&self) -> Memory {
+        let largest = self.sets.counts.iter().copied().max().unwrap_or(0);
+        Memory { bytes: set_memory(largest as u128), key: None }
+    }
+
+    fn work(&self) -> u128 {
+        let SetsPlan { separations, counts, draws, .. } = &self.sets;
+        let asperities: u128 = counts.iter().map(|&count| count as u128).sum();
+        asperities * ((draws + 1) * self.laws.len() * separations.len()) as u128
+    }
+
+    fn run(&self, context: &RunContext) -> Result<LimitResults, InputError> {
+        run(context, self)
+    }
+}
+
+impl fmt::Display for LimitPlan {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let Self { bodies, laws, sets: SetsPlan { counts, draws, .. } } = self;
+        let laws: Vec<&str> = laws.iter().map(|law| law.label.as_str()).collect();
+        writeln!(f, "  {} on {}, law {}", bodies.rough, bodies.flat, laws.join(", "))?;
+        writeln!(f, "  {draws} random sets and one set at the quantiles for each size, {counts:?} asperities")
+    }
 }

@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 
 use crate::asperity::{AsperitySet, Draw, Population, SetError};
 use crate::contact::Contact;
+use crate::distribution::gaussian_moment;
 use crate::interface::MicroContact;
 use crate::model::{Deterministic, Model, ReferencePlane, Response};
 use crate::named_enum;
@@ -45,6 +46,18 @@ impl Exact {
             pressure: statistical.pressure.total(),
         }
     }
+
+    /// Greenwood and Williamson's closed form as the limit: Hertz's law on Gaussian heights of `population`, with the reduced
+    /// `modulus` (Pa).
+    pub fn greenwood_williamson(statistical: Response, population: &Population, modulus: f64) -> Self {
+        let &Population { radius, sigma, density, .. } = population;
+        let moment = |n| gaussian_moment(n, statistical.separation_over_sigma);
+        Self {
+            area_ratio: PI * density * radius * sigma * moment(1.0),
+            pressure: 4.0 / 3.0 * density * modulus * radius.sqrt() * sigma.powf(1.5) * moment(1.5),
+            ..Self::of_integral(statistical, density)
+        }
+    }
 }
 
 /// Sets of one size at one separation under one law.
@@ -75,7 +88,23 @@ named_enum! {
     }
 }
 
+named_enum! {
+    /// How the heights of a set are taken from their density.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Sampling {
+        /// Independent draws.
+        Random = "random",
+        /// At the quantiles.
+        Quantiles = "quantiles",
+    }
+}
+
 impl LimitPoint {
+    /// d/sigma.
+    pub fn separation(&self) -> f64 {
+        self.exact.statistical.separation_over_sigma
+    }
+
     /// Expected number of contacts.
     pub fn expected_contacts(&self) -> f64 {
         self.exact.contact_fraction * self.count as f64
@@ -104,6 +133,14 @@ impl LimitPoint {
     /// Magnitude of the relative error of the set with heights at the quantiles.
     pub fn quantile_error(&self, quantity: Quantity) -> f64 {
         self.error(&self.quantiles, quantity).abs()
+    }
+
+    /// Relative error of the sets: root mean square of the random ones, or magnitude of that at the quantiles.
+    pub fn error_of_sets(&self, sampling: Sampling, quantity: Quantity) -> f64 {
+        match sampling {
+            Sampling::Random => self.scatter(quantity).1,
+            Sampling::Quantiles => self.quantile_error(quantity),
+        }
     }
 
     /// Leading term of [`Self::quantile_error`] for many asperities.
@@ -146,6 +183,55 @@ impl SlopeFit {
         let residual: f64 = logs.iter().map(|p| (p.1 - y0 - slope * (p.0 - x0)).powi(2)).sum();
         let standard_error = (residual / (n - 2.0) / xx).sqrt();
         slope.is_finite().then_some(Self { slope, standard_error, points: logs.len() })
+    }
+}
+
+/// How the error of sets decreases with the number of asperities, under one law at one separation.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ErrorSlope {
+    /// The law, as tables name it.
+    pub law: String,
+    /// d/sigma.
+    pub separation: f64,
+    /// Area or load.
+    pub quantity: Quantity,
+    /// How the heights were taken.
+    pub sampling: Sampling,
+    /// Through the points with [enough contacts](LimitPoint::is_fitted).
+    pub fit: SlopeFit,
+    /// The slope that theory expects there: -1/2 of random sets, and that of the leading term of sets at the quantiles.
+    pub expected: f64,
+}
+
+impl ErrorSlope {
+    /// Those of all laws and separations of `points`, as far as these suffice for a fit.
+    pub fn all(points: &[LimitPoint]) -> Vec<Self> {
+        // All sets of one size follow each other.
+        let series = points.iter().take_while(|point| point.count == points[0].count);
+        let kinds = Quantity::ALL.map(|quantity| Sampling::ALL.map(|sampling| (quantity, sampling)));
+        let kinds = kinds.as_flattened();
+        series.flat_map(|first| kinds.iter().filter_map(|kind| Self::through(points, first, *kind))).collect()
+    }
+
+    /// That of the points with the law and separation of `first`.
+    fn through(
+        points: &[LimitPoint],
+        first: &LimitPoint,
+        (quantity, sampling): (Quantity, Sampling),
+    ) -> Option<Self> {
+        let (law, separation) = (first.law.clone(), first.separation());
+        let slope = |error: &dyn Fn(&LimitPoint) -> f64| {
+            let fitted = points
+                .iter()
+                .filter(|point| point.law == law && point.separation() == separation && point.is_fitted());
+            SlopeFit::through(fitted.map(|point| (point.count as f64, error(point))))
+        };
+        let expected = match sampling {
+            Sampling::Random => -0.5,
+            Sampling::Quantiles => slope(&|point| point.expected_quantile_error(quantity))?.slope,
+        };
+        let fit = slope(&|point| point.error_of_sets(sampling, quantity))?;
+        Some(Self { law, separation, quantity, sampling, fit, expected })
     }
 }
 

@@ -1,0 +1,89 @@
+//! The tables of a limit.
+
+use asperity::compare::{ErrorSlope, Kind, LimitPoint, Pair, Quantity};
+use asperity_framework::columns;
+use asperity_framework::report::table::{Column, Row, Table};
+
+use super::run::LimitResults;
+use crate::kind::compare::tables::{Case, CurveRow, PairRow, comparison_of_models};
+
+/// The errors of sets of one size at one separation.
+pub struct ConvergenceRow<'a>(&'a LimitPoint, Quantity);
+
+impl Row for ConvergenceRow<'_> {
+    const FILE: &'static str = "convergence.csv";
+    const ROWS: &'static str = "One row for each quantity, law, number of asperities and separation: errors of the sum relative to the integral.";
+
+    fn columns() -> Vec<Column<Self>> {
+        columns! { row: Self =>
+            law["text"] = row.0.law.as_str(), "Contact law of an asperity.";
+            quantity["text"] = row.1.name(), "Quantity whose error is given: `area` or `load`.";
+            separation_over_sigma["1", label("d/σ"), input] = row.0.separation(), "Separation over sigma, the standard deviation of the asperity heights.";
+            asperities["count"] = row.0.count, "Asperities in a set.";
+            expected_contacts["1"] = row.0.expected_contacts(), "Expected number of contacts.";
+            random_mean_error["1", scale(1e-3)] = row.0.scatter(row.1).0, "Mean relative error of the random sets.";
+            random_rms_error["1", scale(1e-3)] = row.0.scatter(row.1).1, "Root mean square of the relative errors of the random sets.";
+            quantile_error["1", scale(1e-3)] = row.0.quantile_error(row.1), "Relative error, without sign, of the set with heights at the quantiles.";
+            expected_quantile_error["1", scale(1e-3)] = row.0.expected_quantile_error(row.1), "Leading term of that error, of the midpoint rule in probability at the tail of the heights.";
+            fitted["true/false"] = row.0.is_fitted(), "Whether more than 30 contacts are expected, so that the row takes part in the fit of the slopes.";
+        }
+    }
+}
+
+/// A slope fitted to the errors.
+pub struct SlopeRow<'a>(&'a ErrorSlope);
+
+impl Row for SlopeRow<'_> {
+    const FILE: &'static str = "slopes.csv";
+    const ROWS: &'static str = "One row for each law, separation, quantity and way to take the heights: the slope of the logarithm of the error over that of the number of asperities.";
+    const RECORDS: Option<&'static str> = Some("slopes");
+
+    fn columns() -> Vec<Column<Self>> {
+        columns! { row: Self =>
+            law["text"] = row.0.law.as_str(), "Contact law of an asperity.";
+            quantity["text"] = row.0.quantity.name(), "Quantity whose error is fitted: `area` or `load`.";
+            heights["text"] = row.0.sampling.name(), "How the heights are taken: `random` or at the `quantiles`.";
+            separation_over_sigma["1", label("d/σ"), input] = row.0.separation, "Separation over sigma.";
+            slope["1"] = row.0.fit.slope, "Slope of the root mean square error of the random sets, or of the error of the set at the quantiles.";
+            standard_error["1", label("± s.e."), scale(1.0)] = row.0.fit.standard_error, "Its standard error.";
+            expected_slope["1"] = row.0.expected, "Slope that theory expects over the fitted numbers of asperities.";
+            points["count"] = row.0.fit.points, "Numbers of asperities fitted.";
+        }
+    }
+}
+
+/// The tables. In `curves.csv` and `comparison.csv` a set is a surface, a random draw a realisation, and the integral the surface
+/// `population`.
+pub fn tables(results: &LimitResults) -> Vec<Table> {
+    let LimitResults { points, contact, plasticity_index, sets, slopes, .. } = results;
+    let pairs = || points.iter().flat_map(|point| pairs(point).map(move |(case, pair)| (point, case, pair)));
+    let modulus = contact.reduced_modulus;
+    let integrals = points.iter().take_while(|point| point.count == points[0].count).map(|point| {
+        let case = Case::bare("population", 1, &point.law);
+        CurveRow::at_separation(case, Kind::Statistical, point.exact.statistical, modulus)
+    });
+    let sums = pairs().map(|(_, case, pair)| {
+        CurveRow::at_separation(case, Kind::Deterministic, pair.deterministic, modulus)
+    });
+    let compared = pairs().map(|(point, case, pair)| {
+        let area = point.count as f64 / sets.population.density;
+        PairRow::of_models(case, pair, area, *plasticity_index)
+    });
+    let errors =
+        Quantity::ALL.map(|quantity| points.iter().map(move |point| ConvergenceRow(point, quantity)));
+    vec![
+        Table::new(integrals.chain(sums)),
+        comparison_of_models(compared),
+        Table::new(errors.into_iter().flatten()),
+        Table::new(slopes.iter().map(SlopeRow)),
+    ]
+}
+
+/// The integral with each random set, then with that at the quantiles.
+fn pairs(point: &LimitPoint) -> impl Iterator<Item = (Case, Pair)> {
+    let random = (1..).zip(&point.random).map(|(draw, sum)| ("random", draw, sum));
+    random.chain([("quantiles", 1, &point.quantiles)]).map(move |(heights, draw, sum)| {
+        let case = Case::bare(&format!("{heights}-{}", point.count), draw, &point.law);
+        (case, Pair::at_separation(point.exact.statistical, *sum))
+    })
+}
