@@ -1,17 +1,20 @@
 //! `[limit]`: sets of growing size against the statistical integral.
 
 mod outline;
-mod plan;
 mod rows;
 mod run;
 mod spec;
 
+use asperity::compare::LimitSets;
+use asperity::{Flat, Heights, Population};
+use asperity_framework::contact::Bodies;
 use asperity_framework::input::{InputError, Spanned, SpecFile};
 use asperity_framework::report::table::Schema;
 use asperity_framework::{Kind, Reads};
 
 use super::compare::tables::{CurveRow, PairRow};
-use plan::LimitPlan;
+use rows::{ConvergenceRow, SlopeRow};
+use run::LimitPlan;
 
 /// `[limit]`
 pub struct Limit;
@@ -23,15 +26,25 @@ impl Kind for Limit {
     type Plan = LimitPlan;
 
     fn plan(file: &SpecFile, table: &Spanned<Self::Spec>, _: bool) -> Result<LimitPlan, InputError> {
-        LimitPlan::new(file, table.get_ref())
+        let raw = table.get_ref();
+        let (rough, flat) = (raw.rough.get_ref(), raw.flat.get_ref());
+        let pair = [file.body(rough, raw.rough.span())?, file.body(flat, raw.flat.span())?];
+        let counts = file.counts(&raw.count)?;
+        let draws = file.several(&raw.draws, "random sets of each size")?;
+        file.spheres_only(&raw.law, "the asperities of [limit] are spheres of equal radius")?;
+        let laws = file.law_plans(&raw.law, (rough, &pair[0]), &[(None, Flat::Bare(pair[1]))], flat)?;
+        let (radius, sigma, density) = (raw.radius.value(), raw.sigma.value(), raw.density.value());
+        let population = Population { radius, sigma, density, heights: Heights::GAUSSIAN };
+        let sets = LimitSets { population, separations: raw.separation.0.clone(), counts, draws };
+        Ok(LimitPlan { bodies: Bodies { rough: rough.clone(), flat: flat.clone() }, laws, sets })
     }
 
     fn tables() -> Vec<Schema> {
         vec![
             Schema::of::<CurveRow>(),
             Schema::of::<PairRow>(),
-            Schema::of::<rows::ConvergenceRow>(),
-            Schema::of::<rows::SlopeRow>(),
+            Schema::of::<ConvergenceRow>(),
+            Schema::of::<SlopeRow>(),
         ]
     }
 }

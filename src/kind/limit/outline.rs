@@ -1,6 +1,6 @@
 //! The page of a convergence study: does the sum converge to the integral, and at which rate?
 
-use asperity::compare::{ErrorSlope, LimitPoint, Quantity, Sampling};
+use asperity::compare::{ErrorSlope, Quantity, Sampling};
 use asperity_framework::contact::ContactSummary;
 use asperity_framework::metadata::Metadata;
 use asperity_framework::report::format::{input_number, input_quantity, number};
@@ -8,7 +8,7 @@ use asperity_framework::report::page::Page;
 use asperity_framework::report::sections;
 use asperity_framework::report::table::{Table, Tables};
 use asperity_framework::{Outcome, fields};
-use asperity_plot::{Axis, Colour, Figure, Layer, Marker, Plot};
+use asperity_plot::{Axis, Colour, Figure, Layer, Plot};
 use serde_json::{Map, Value};
 
 use super::rows::{ConvergenceRow, SlopeRow, tables};
@@ -30,14 +30,11 @@ impl Outcome for LimitResults {
     fn page(&self, tables: &Tables) -> Page {
         let mut page = Page::new(&self.metadata.title);
         page.lead(&answer(&self.slopes));
-        for law in &self.laws {
+        for slopes in self.slopes.chunk_by(|a, b| a.law == b.law) {
             for quantity in Quantity::ALL {
-                page.figure(
-                    &format!("{law}-{}.svg", quantity.name()).replace(['(', ')', ' ', '='], "-"),
-                    figure(self, law, quantity),
-                    "Relative error against the number of asperities. Crosses: single random sets; line on the left: their root mean square; \
-                     circles: more than 30 expected contacts, fitted.",
-                );
+                let file = format!("{}-{}.svg", slopes[0].law, quantity.name());
+                let file = file.replace(['(', ')', ' ', '='], "-");
+                page.figure(&file, figure(slopes, quantity), CAPTION);
             }
         }
         page.heading(2, "Slopes of the error").view(&tables.view::<SlopeRow>());
@@ -64,58 +61,75 @@ impl Outcome for LimitResults {
     }
 }
 
-/// The range of the slopes, and how far they are from the expected ones.
+const CAPTION: &str = "Relative error against the number of asperities, where more than 30 contacts are expected. Left: root mean \
+                       square of the random sets; right: the set with heights at the quantiles.";
+
+/// How far the slopes of the error are from the expected ones.
 fn answer(slopes: &[ErrorSlope]) -> String {
-    let range = |sampling: Sampling| {
-        let slopes = slopes.iter().filter(|slope| slope.sampling == sampling);
-        let fits: Vec<f64> = slopes.clone().map(|slope| slope.fit.slope).collect();
-        let deviation = slopes.map(|slope| (slope.fit.slope - slope.expected).abs()).fold(0.0, f64::max);
-        format!(
-            "{:.3} to {:.3} with {} heights ({} fits, each within {} of the expected slope)",
-            fits.iter().copied().fold(f64::MAX, f64::min),
-            fits.iter().copied().fold(f64::MIN, f64::max),
-            sampling.name(),
-            fits.len(),
-            number(deviation),
-        )
+    let deviation = |sampling: Sampling| {
+        let of_sampling = slopes.iter().filter(|slope| slope.sampling == sampling);
+        number(of_sampling.map(ErrorSlope::deviation).fold(0.0, f64::max))
     };
-    match slopes {
-        [] => "Too few contacts are expected for a slope of the error.".to_owned(),
-        _ => format!(
-            "The sum converges to the integral: the error decreases with the slopes {}.",
-            Sampling::ALL.map(range).join(" and ")
-        ),
+    if slopes.is_empty() {
+        return "Too few contacts are expected for a fit to the error.".to_owned();
     }
+    format!(
+        "The slope of the error over the number of asperities is within {} of −½ with random heights, and within {} of the \
+         expected slope with heights at the quantiles.",
+        deviation(Sampling::Random),
+        deviation(Sampling::Quantiles),
+    )
 }
 
-fn figure(results: &LimitResults, law: &str, quantity: Quantity) -> Figure {
-    let separations = &results.sets.separations;
-    let panel = |(sampling, slope, label): (Sampling, f64, &str)| {
-        let error = |point: &LimitPoint| (point.count as f64, point.error_of_sets(sampling, quantity));
+/// The errors under one law.
+fn figure(slopes: &[ErrorSlope], quantity: Quantity) -> Figure {
+    let panel = |(sampling, slope): (Sampling, f64)| {
         let axis = Axis::log(format!("relative error of the {}", quantity.name()));
         let title = format!("Heights: {}", sampling.name());
         let mut plot = Plot::new(title, Axis::log("number of asperities n"), axis);
-        for (index, &separation) in separations.iter().enumerate() {
-            let colour = Colour::Ordered { index, of: separations.len() };
-            let is_shown = |point: &&LimitPoint| point.law == law && point.separation() == separation;
-            let points = || results.points.iter().filter(is_shown);
-            let fitted = || points().filter(|point| point.is_fitted());
-            if sampling == Sampling::Random {
-                let errors = points().flat_map(|point| {
-                    point.random.iter().map(|set| (point.count as f64, point.error(set, quantity).abs()))
-                });
-                plot = plot.with(Layer::points(errors, Marker::Cross).coloured(colour));
+        let series = slopes.iter().filter(|slope| (slope.quantity, slope.sampling) == (quantity, sampling));
+        let of = series.clone().count();
+        for (index, ErrorSlope { separation, errors, .. }) in series.enumerate() {
+            if index == 0 {
+                plot = plot.with(Layer::slope(
+                    (errors[0].0, 0.2 * errors[0].1),
+                    slope,
+                    format!("slope {slope}"),
+                ));
             }
-            let name = format!("d/σ = {}", input_number(separation));
-            plot = plot
-                .with(Layer::line(points().map(error)).coloured(colour).named(name))
-                .with(Layer::points(fitted().map(error), Marker::Circle).coloured(colour));
-            if let (0, Some((count, error))) = (index, fitted().map(error).next()) {
-                plot = plot.with(Layer::slope((count, 0.2 * error), slope, label));
-            }
+            let line = Layer::line(errors.iter().copied()).coloured(Colour::Ordered { index, of });
+            plot = plot.with(line.named(format!("d/σ = {}", input_number(*separation))));
         }
         plot
     };
-    let panels = [(Sampling::Random, -0.5, "slope −1/2"), (Sampling::Quantiles, -1.0, "slope −1")];
-    Figure::row(format!("Convergence of the {} under {law}", quantity.name()), panels.map(panel).into())
+    let title = format!("Convergence of the {} under {}", quantity.name(), slopes[0].law);
+    Figure::row(title, [(Sampling::Random, -0.5), (Sampling::Quantiles, -1.0)].map(panel).into())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use asperity::compare::SlopeFit;
+
+    #[test]
+    fn the_answer_is_the_largest_deviation_of_each_sampling() {
+        let slope = |sampling, slope, expected| ErrorSlope {
+            law: "hertz".to_owned(),
+            separation: 0.0,
+            quantity: Quantity::Load,
+            sampling,
+            errors: Vec::new(),
+            fit: SlopeFit { slope, standard_error: 0.0, points: 3 },
+            expected,
+        };
+        let random = [-0.49, -0.52].map(|fitted| slope(Sampling::Random, fitted, -0.5));
+        let all = [random.to_vec(), vec![slope(Sampling::Quantiles, -1.04, -1.045)]].concat();
+        let answer = answer(&all);
+        assert!(answer.contains("within 0.02 of −½") && answer.contains("within 0.005 of"), "{answer}");
+    }
+
+    #[test]
+    fn without_fits_there_is_no_slope() {
+        assert!(answer(&[]).starts_with("Too few contacts"));
+    }
 }

@@ -1,6 +1,6 @@
 //! The tables of a limit.
 
-use asperity::compare::{ErrorSlope, Kind, LimitPoint, Pair, Quantity};
+use asperity::compare::{ErrorSlope, Kind, LimitPoint, Quantity};
 use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row, Table};
 
@@ -8,7 +8,10 @@ use super::run::LimitResults;
 use crate::kind::compare::tables::{Case, CurveRow, PairRow, comparison_of_models};
 
 /// The errors of sets of one size at one separation.
-pub struct ConvergenceRow<'a>(&'a LimitPoint, Quantity);
+pub struct ConvergenceRow<'a> {
+    point: &'a LimitPoint,
+    quantity: Quantity,
+}
 
 impl Row for ConvergenceRow<'_> {
     const FILE: &'static str = "convergence.csv";
@@ -16,16 +19,16 @@ impl Row for ConvergenceRow<'_> {
 
     fn columns() -> Vec<Column<Self>> {
         columns! { row: Self =>
-            law["text"] = row.0.law.as_str(), "Contact law of an asperity.";
-            quantity["text"] = row.1.name(), "Quantity whose error is given: `area` or `load`.";
-            separation_over_sigma["1", label("d/σ"), input] = row.0.separation(), "Separation over sigma, the standard deviation of the asperity heights.";
-            asperities["count"] = row.0.count, "Asperities in a set.";
-            expected_contacts["1"] = row.0.expected_contacts(), "Expected number of contacts.";
-            random_mean_error["1", scale(1e-3)] = row.0.scatter(row.1).0, "Mean relative error of the random sets.";
-            random_rms_error["1", scale(1e-3)] = row.0.scatter(row.1).1, "Root mean square of the relative errors of the random sets.";
-            quantile_error["1", scale(1e-3)] = row.0.quantile_error(row.1), "Relative error, without sign, of the set with heights at the quantiles.";
-            expected_quantile_error["1", scale(1e-3)] = row.0.expected_quantile_error(row.1), "Leading term of that error, of the midpoint rule in probability at the tail of the heights.";
-            fitted["true/false"] = row.0.is_fitted(), "Whether more than 30 contacts are expected, so that the row takes part in the fit of the slopes.";
+            law["text"] = row.point.law.as_str(), "Contact law of an asperity.";
+            quantity["text"] = row.quantity.name(), "Quantity whose error is given: `area` or `load`.";
+            separation_over_sigma["1", label("d/σ"), input] = row.point.separation(), "Separation over sigma, the standard deviation of the asperity heights.";
+            asperities["count"] = row.point.count, "Asperities in a set.";
+            expected_contacts["1"] = row.point.expected_contacts(), "Expected number of contacts.";
+            random_mean_error["1", scale(1e-3)] = row.point.scatter(row.quantity).0, "Mean relative error of the random sets.";
+            random_rms_error["1", scale(1e-3)] = row.point.scatter(row.quantity).1, "Root mean square of the relative errors of the random sets.";
+            quantile_error["1", scale(1e-3)] = row.point.quantile_error(row.quantity), "Relative error, without sign, of the set with heights at the quantiles.";
+            expected_quantile_error["1", scale(1e-3)] = row.point.expected_quantile_error(row.quantity), "Leading term of that error, of the midpoint rule in probability at the tail of the heights.";
+            fitted["true/false"] = row.point.is_fitted(), "Whether more than 30 contacts are expected, so that the row takes part in the fit of the slopes.";
         }
     }
 }
@@ -52,38 +55,34 @@ impl Row for SlopeRow<'_> {
     }
 }
 
-/// The tables. In `curves.csv` and `comparison.csv` a set is a surface, a random draw a realisation, and the integral the surface
-/// `population`.
+/// In `curves.csv` and `comparison.csv` a set is a surface, a random draw a realisation, and the integral the surface `population`.
 pub fn tables(results: &LimitResults) -> Vec<Table> {
-    let LimitResults { points, contact, plasticity_index, sets, slopes, .. } = results;
-    let pairs = || points.iter().flat_map(|point| pairs(point).map(move |(case, pair)| (point, case, pair)));
-    let modulus = contact.reduced_modulus;
-    let integrals = points.iter().take_while(|point| point.count == points[0].count).map(|point| {
-        let case = Case::bare("population", 1, &point.law);
-        CurveRow::at_separation(case, Kind::Statistical, point.exact.statistical, modulus)
+    let LimitResults { points, contact, slopes, .. } = results;
+    let integrals = points.iter().take_while(|point| point.count == points[0].count);
+    let integrals = integrals.map(|LimitPoint { law, exact, .. }| {
+        (Case::bare("population", 1, law), Kind::Statistical, exact.statistical)
     });
-    let sums = pairs().map(|(_, case, pair)| {
-        CurveRow::at_separation(case, Kind::Deterministic, pair.deterministic, modulus)
-    });
-    let compared = pairs().map(|(point, case, pair)| {
-        let area = point.count as f64 / sets.population.density;
-        PairRow::of_models(case, pair, area, *plasticity_index)
-    });
+    let sums = pairs(results).map(|row| (row.case, Kind::Deterministic, row.pair.deterministic));
+    let curves = integrals
+        .chain(sums)
+        .map(|(case, kind, response)| CurveRow::at_separation(case, kind, response, contact.reduced_modulus));
     let errors =
-        Quantity::ALL.map(|quantity| points.iter().map(move |point| ConvergenceRow(point, quantity)));
+        Quantity::ALL.map(|quantity| points.iter().map(move |point| ConvergenceRow { point, quantity }));
     vec![
-        Table::new(integrals.chain(sums)),
-        comparison_of_models(compared),
+        Table::new(curves),
+        comparison_of_models(pairs(results)),
         Table::new(errors.into_iter().flatten()),
         Table::new(slopes.iter().map(SlopeRow)),
     ]
 }
 
-/// The integral with each random set, then with that at the quantiles.
-fn pairs(point: &LimitPoint) -> impl Iterator<Item = (Case, Pair)> {
-    let random = (1..).zip(&point.random).map(|(draw, sum)| ("random", draw, sum));
-    random.chain([("quantiles", 1, &point.quantiles)]).map(move |(heights, draw, sum)| {
-        let case = Case::bare(&format!("{heights}-{}", point.count), draw, &point.law);
-        (case, Pair::at_separation(point.exact.statistical, *sum))
+/// Every set with the integral.
+fn pairs(results: &LimitResults) -> impl Iterator<Item = PairRow> {
+    results.points.iter().flat_map(move |point| {
+        let area = point.count as f64 / results.sets.population.density;
+        point.pairs().map(move |(sampling, draw, pair)| {
+            let case = Case::bare(&format!("{}-{}", sampling.name(), point.count), draw, &point.law);
+            PairRow::of_models(case, pair, area, results.plasticity_index)
+        })
     })
 }

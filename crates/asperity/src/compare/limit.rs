@@ -3,15 +3,37 @@
 
 use std::f64::consts::PI;
 
+use super::Pair;
 use crate::asperity::{AsperitySet, Draw, Population, SetError};
 use crate::contact::Contact;
+use crate::contact_law::ContactLaw;
 use crate::distribution::gaussian_moment;
 use crate::interface::MicroContact;
-use crate::model::{Deterministic, Model, ReferencePlane, Response};
+use crate::model::{Deterministic, Model, ReferencePlane, Response, Statistical};
 use crate::named_enum;
 use crate::shape::Shape;
 
 use crate::model::MIN_CONTACTS;
+
+/// Sets of asperities of growing size.
+#[derive(Debug, Clone)]
+pub struct LimitSets {
+    /// What they are drawn from.
+    pub population: Population,
+    /// d/sigma.
+    pub separations: Vec<f64>,
+    /// Asperities in a set.
+    pub counts: Vec<usize>,
+    /// Random sets of each size; one more has its heights at the quantiles.
+    pub draws: usize,
+}
+
+impl LimitSets {
+    /// Asperities in all sets.
+    pub fn asperities(&self) -> usize {
+        self.counts.iter().sum::<usize>() * (self.draws + 1)
+    }
+}
 
 /// One law with its exact responses.
 pub struct LimitCase<'a> {
@@ -21,6 +43,18 @@ pub struct LimitCase<'a> {
     pub contact: &'a dyn MicroContact,
     /// The limit of the sum at each separation.
     pub exact: Vec<Exact>,
+}
+
+impl<'a> LimitCase<'a> {
+    /// The limit of sets with Gaussian heights: Greenwood and Williamson's closed form for Hertz's law, else the integral.
+    pub fn new(law: &ContactLaw, contact: &'a dyn MicroContact, sets: &LimitSets) -> Self {
+        let limit = |integral| match law.is_greenwood_williamson() {
+            true => Exact::greenwood_williamson(integral, &sets.population, contact.reference_modulus()),
+            false => Exact::of_integral(integral, sets.population.density),
+        };
+        let integrals = Statistical::new(contact, sets.population.clone()).respond_all(&sets.separations);
+        Self { law: law.label(), contact, exact: integrals.into_iter().map(limit).collect() }
+    }
 }
 
 /// The limit at one separation.
@@ -143,6 +177,14 @@ impl LimitPoint {
         }
     }
 
+    /// The integral with each set: way to take the heights, number of the set from 1, and both responses.
+    pub fn pairs(&self) -> impl Iterator<Item = (Sampling, usize, Pair)> {
+        let random = (1..).zip(&self.random).map(|(draw, sum)| (Sampling::Random, draw, sum));
+        let sets = random.chain([(Sampling::Quantiles, 1, &self.quantiles)]);
+        let integral = self.exact.statistical;
+        sets.map(move |(sampling, draw, sum)| (sampling, draw, Pair::at_separation(integral, *sum)))
+    }
+
     /// Leading term of [`Self::quantile_error`] for many asperities.
     ///
     /// Heights at the middles of n equally probable strata are a midpoint rule in the probability u of a greater height,
@@ -155,100 +197,18 @@ impl LimitPoint {
     }
 }
 
-/// A power law fitted to errors: ln(error) = constant + slope ln(count).
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SlopeFit {
-    /// The exponent.
-    pub slope: f64,
-    /// Its standard error.
-    pub standard_error: f64,
-    /// Points fitted.
-    pub points: usize,
-}
-
-impl SlopeFit {
-    /// Least squares through (count, error); `None` with fewer than three positive errors.
-    pub fn through(points: impl Iterator<Item = (f64, f64)>) -> Option<Self> {
-        let logs: Vec<(f64, f64)> =
-            points.filter(|(_, error)| *error > 0.0).map(|(count, error)| (count.ln(), error.ln())).collect();
-        let n = logs.len() as f64;
-        if logs.len() < 3 {
-            return None;
-        }
-        let mean = |f: fn(&(f64, f64)) -> f64| logs.iter().map(f).sum::<f64>() / n;
-        let (x0, y0) = (mean(|p| p.0), mean(|p| p.1));
-        let xx: f64 = logs.iter().map(|p| (p.0 - x0).powi(2)).sum();
-        let xy: f64 = logs.iter().map(|p| (p.0 - x0) * (p.1 - y0)).sum();
-        let slope = xy / xx;
-        let residual: f64 = logs.iter().map(|p| (p.1 - y0 - slope * (p.0 - x0)).powi(2)).sum();
-        let standard_error = (residual / (n - 2.0) / xx).sqrt();
-        slope.is_finite().then_some(Self { slope, standard_error, points: logs.len() })
-    }
-}
-
-/// How the error of sets decreases with the number of asperities, under one law at one separation.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ErrorSlope {
-    /// The law, as tables name it.
-    pub law: String,
-    /// d/sigma.
-    pub separation: f64,
-    /// Area or load.
-    pub quantity: Quantity,
-    /// How the heights were taken.
-    pub sampling: Sampling,
-    /// Through the points with [enough contacts](LimitPoint::is_fitted).
-    pub fit: SlopeFit,
-    /// The slope that theory expects there: -1/2 of random sets, and that of the leading term of sets at the quantiles.
-    pub expected: f64,
-}
-
-impl ErrorSlope {
-    /// Those of all laws and separations of `points`, as far as these suffice for a fit.
-    pub fn all(points: &[LimitPoint]) -> Vec<Self> {
-        // All sets of one size follow each other.
-        let series = points.iter().take_while(|point| point.count == points[0].count);
-        let kinds = Quantity::ALL.map(|quantity| Sampling::ALL.map(|sampling| (quantity, sampling)));
-        let kinds = kinds.as_flattened();
-        series.flat_map(|first| kinds.iter().filter_map(|kind| Self::through(points, first, *kind))).collect()
-    }
-
-    /// That of the points with the law and separation of `first`.
-    fn through(
-        points: &[LimitPoint],
-        first: &LimitPoint,
-        (quantity, sampling): (Quantity, Sampling),
-    ) -> Option<Self> {
-        let (law, separation) = (first.law.clone(), first.separation());
-        let slope = |error: &dyn Fn(&LimitPoint) -> f64| {
-            let fitted = points
-                .iter()
-                .filter(|point| point.law == law && point.separation() == separation && point.is_fitted());
-            SlopeFit::through(fitted.map(|point| (point.count as f64, error(point))))
-        };
-        let expected = match sampling {
-            Sampling::Random => -0.5,
-            Sampling::Quantiles => slope(&|point| point.expected_quantile_error(quantity))?.slope,
-        };
-        let fit = slope(&|point| point.error_of_sets(sampling, quantity))?;
-        Some(Self { law, separation, quantity, sampling, fit, expected })
-    }
-}
-
-/// Responses of sets of `counts` asperities of `population` under every law at every separation: `draws` random sets of
-/// each size and one at the quantiles. `seed(count, draw)` is the seed of a random set; `done` is called after each
-/// set.
+/// Responses of all sets under every law at every separation. `seed(count, draw)` is the seed of a random set; `done` is called
+/// after each set.
 ///
 /// # Errors
 /// See [`Population::set`].
 pub fn convergence(
     cases: &[LimitCase],
-    population: &Population,
-    counts: &[usize],
-    draws: usize,
+    sets: &LimitSets,
     seed: impl Fn(usize, usize) -> [u8; 32],
     done: impl Fn(usize),
 ) -> Result<Vec<LimitPoint>, SetError> {
+    let &LimitSets { ref population, ref counts, draws, .. } = sets;
     let plane = ReferencePlane { mean: 0.0, sigma: population.sigma };
     let mut points = Vec::new();
     for &count in counts {
@@ -309,11 +269,11 @@ fn respond_to_set(case: &LimitCase, set: &AsperitySet, plane: ReferencePlane) ->
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::compare::SlopeFit;
     use crate::distribution::Heights;
     use crate::interface::Interface;
     use crate::law::Hertz;
     use crate::material::Material;
-    use crate::model::Statistical;
 
     const COUNTS: [usize; 6] = [100, 1_000, 10_000, 100_000, 300_000, 1_000_000];
 
@@ -326,7 +286,9 @@ mod tests {
         let exact =
             responses.into_iter().map(|response| Exact::of_integral(response, population.density)).collect();
         let case = LimitCase { law: String::new(), contact: &contact, exact };
-        convergence(&[case], &population, &COUNTS, 0, |_, _| [0; 32], |_| ()).unwrap()
+        let separations = separations.to_vec();
+        let sets = LimitSets { population, separations, counts: COUNTS.to_vec(), draws: 0 };
+        convergence(&[case], &sets, |_, _| [0; 32], |_| ()).unwrap()
     }
 
     #[test]
