@@ -21,7 +21,12 @@ fn run(separation: f64, largest: f64) -> Box<dyn Outcome> {
 #[test]
 fn slopes_at_the_quantiles_are_those_of_the_leading_error() {
     let outcome = run(0.0, 1e5);
-    assert!(outcome.outline().markdown().contains("The slope of the error over the number of asperities is within"));
+    assert!(
+        outcome
+            .outline()
+            .markdown()
+            .contains("The slope of the error over the number of asperities is within")
+    );
     let summary = outcome.records();
     let slopes = summary["slopes"].as_array().unwrap();
     assert_eq!(slopes.len(), 8, "two laws, two quantities, random and at the quantiles");
