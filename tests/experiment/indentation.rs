@@ -156,8 +156,14 @@ fn a_decreasing_area_is_reported() {
         layer.laws[1].coated.decreases.iter().map(|decrease| decrease.of).collect::<Vec<_>>(),
         [DecreasingQuantity::Area]
     );
-    let page = written(results, "report.md");
-    assert!(page.contains("The area decreases with increasing indentation from w ="), "{page}");
+    let table = written(results, "decreases.csv");
+    let mut lines = table.lines();
+    assert_eq!(
+        lines.next(),
+        Some("layer,layer_thickness_m,rule,law,of,from_indentation_m,to_indentation_m,from,to")
+    );
+    assert!(lines.next().is_some_and(|line| line.starts_with("lead,1e-7,gao,zmc,area,")), "{table}");
+    assert_eq!(lines.next(), None);
 }
 
 #[test]
@@ -165,8 +171,7 @@ fn measured_points_are_compared_with_the_curve() {
     let words = "radius = \"12.75 mm\"\nlayer = { material = \"lead\", thickness = \"1.2 um\" }\n\
                  indentation = { from = \"10 nm\", to = \"5 um\", points = 11 }\noverlay = \"points.csv\"\n";
     let (_folder, results) = run_words(words, "# mine\nlot, load, indentation\na, 2.5, 1e-7\nb, 20, 1e-6\n");
-    let (_, points) = results.overlay.as_ref().unwrap();
-    assert_eq!(points[..], [(1e-7, 2.5), (1e-6, 20.0)]);
+    assert_eq!(results.overlay[..], [(1e-7, 2.5), (1e-6, 20.0)]);
     for law in &results.layers[0].laws {
         assert_eq!(law.at_overlay.len(), 2);
     }

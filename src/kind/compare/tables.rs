@@ -116,6 +116,12 @@ impl CurveRow {
         of_models(comparison).map(row).collect()
     }
 
+    /// A response of a model at its own separation.
+    pub(crate) fn at_separation(case: Case, kind: Kind, response: Response, reduced_modulus: f64) -> Self {
+        let point = AnyPoint::Model(CurvePoint::at_separation(kind, response), response.exceeded());
+        Self { case, point, reduced_modulus }
+    }
+
     fn either<T>(&self, of_model: fn(&CurvePoint) -> T, of_reference: fn(&ReferencePoint) -> T) -> T {
         match &self.point {
             AnyPoint::Model(point, _) => of_model(point),
@@ -210,6 +216,16 @@ impl Answer {
 }
 
 impl PairRow {
+    /// Of both models, without causes and reference.
+    pub(crate) fn of_models(
+        case: Case,
+        pair: Pair,
+        nominal_area: f64,
+        plasticity_index: Option<f64>,
+    ) -> Self {
+        Self { case, pair, nominal_area, plasticity_index, attribution: None, reference: None }
+    }
+
     fn reference(&self, of: fn(&ReferencePoint) -> Option<f64>) -> Option<f64> {
         self.reference.as_ref().and_then(of)
     }

@@ -1,24 +1,20 @@
 //! `[limit]`: sets of growing size against the statistical integral.
 
-mod findings;
-mod page;
-mod plan;
+mod outline;
+mod rows;
 mod run;
 mod spec;
-mod summary;
-mod tables;
 
+use asperity::compare::LimitSets;
+use asperity::{Flat, Heights, Population};
+use asperity_framework::contact::Bodies;
 use asperity_framework::input::{InputError, Spanned, SpecFile};
-use asperity_framework::metadata::Metadata;
-use asperity_framework::report::Page;
-use asperity_framework::report::table::{Schema, Table, Tables};
-use asperity_framework::{Kind, Memory, Outcome, Plan, Reads, RunContext};
-use serde_json::{Map, Value};
+use asperity_framework::report::table::Schema;
+use asperity_framework::{Kind, Reads};
 
-use plan::LimitPlan;
-pub use run::LimitResults;
-
-use asperity_framework::set_memory;
+use super::compare::tables::{CurveRow, PairRow};
+use rows::{ConvergenceRow, SlopeRow};
+use run::LimitPlan;
 
 /// `[limit]`
 pub struct Limit;
@@ -30,50 +26,25 @@ impl Kind for Limit {
     type Plan = LimitPlan;
 
     fn plan(file: &SpecFile, table: &Spanned<Self::Spec>, _: bool) -> Result<LimitPlan, InputError> {
-        plan::plan(file, table)
+        let raw = table.get_ref();
+        let (rough, flat) = (raw.rough.get_ref(), raw.flat.get_ref());
+        let pair = [file.body(rough, raw.rough.span())?, file.body(flat, raw.flat.span())?];
+        let counts = file.counts(&raw.count)?;
+        let draws = file.several(&raw.draws, "random sets of each size")?;
+        file.spheres_only(&raw.law, "the asperities of [limit] are spheres of equal radius")?;
+        let laws = file.law_plans(&raw.law, (rough, &pair[0]), &[(None, Flat::Bare(pair[1]))], flat)?;
+        let (radius, sigma, density) = (raw.radius.value(), raw.sigma.value(), raw.density.value());
+        let population = Population { radius, sigma, density, heights: Heights::GAUSSIAN };
+        let sets = LimitSets { population, separations: raw.separation.0.clone(), counts, draws };
+        Ok(LimitPlan { bodies: Bodies { rough: rough.clone(), flat: flat.clone() }, laws, sets })
     }
 
     fn tables() -> Vec<Schema> {
-        tables::schemas()
-    }
-}
-
-impl Plan for LimitPlan {
-    type Outcome = LimitResults;
-
-    fn memory(&self) -> Memory {
-        let largest = self.counts.iter().copied().max().unwrap_or(0);
-        Memory { bytes: set_memory(largest as u128), key: None }
-    }
-
-    fn work(&self) -> u128 {
-        let asperities: u128 = self.counts.iter().map(|&count| count as u128).sum();
-        asperities * ((self.draws + 1) * self.laws.len() * self.separations.len()) as u128
-    }
-
-    fn run(&self, context: &RunContext) -> Result<LimitResults, InputError> {
-        run::run(context, self)
-    }
-}
-
-impl Outcome for LimitResults {
-    fn metadata(&self) -> &Metadata {
-        &self.metadata
-    }
-
-    fn warnings(&self) -> Vec<String> {
-        self.contact.caveats.clone()
-    }
-
-    fn page(&self, _: &Tables) -> Page {
-        page::page(self)
-    }
-
-    fn tables(&self) -> Vec<Table> {
-        tables::tables(self)
-    }
-
-    fn facts(&self) -> serde_json::Result<Map<String, Value>> {
-        summary::summary(self)
+        vec![
+            Schema::of::<CurveRow>(),
+            Schema::of::<PairRow>(),
+            Schema::of::<ConvergenceRow>(),
+            Schema::of::<SlopeRow>(),
+        ]
     }
 }

@@ -1,14 +1,12 @@
-//! `[limit]`: the deterministic model against the statistical one, to which it converges as the
-//! number of asperities grows.
+//! `[limit]`: convergence of the deterministic to the statistical model as the number of asperities grows.
 
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use asperity_framework::input::Spanned;
-use asperity_framework::input::Whole;
 use asperity_framework::input::law::Laws;
 use asperity_framework::input::quantity::{ArealNumberDensity, Length, Pure, Quantity};
 use asperity_framework::input::sweep::{LinearSweep, LogSweep};
+use asperity_framework::input::{Spanned, Whole};
 
 /// Convergence of the sum to the integral: sets of equal radii and Gaussian heights, of growing size.
 #[derive(Debug, Deserialize, JsonSchema)]

@@ -1,6 +1,6 @@
 //! Results of both models on a surface in tiles.
 
-use asperity::compare::{Comparison, Control, CurvePoint, Kind, Pair, Pairing};
+use asperity::compare::{Comparison, CurvePoint, Kind, Pair, Pairing};
 use asperity::study::LawContact;
 use asperity::{Model, Population, ReferencePlane, Response, Shape, Statistical, Statistics, Total};
 use asperity_framework::contact::ContactMetadata;
@@ -76,36 +76,23 @@ impl LawResults {
         let sums: Vec<Response> = separations.iter().zip(totals).map(of_sum).collect();
         let integrals = integral.respond_all(separations);
         let mut comparison = Comparison::default();
-        let point = |kind| {
-            move |response: &Response| CurvePoint {
-                kind,
-                control: Control::Separation,
-                target: response.separation_over_sigma,
-                prescribed_pressure: None,
-                response: *response,
-                in_jump: false,
-            }
-        };
-        comparison.curves.extend(integrals.iter().map(point(Kind::Statistical)));
-        comparison.curves.extend(sums.iter().map(point(Kind::Deterministic)));
-        let pair = |pairing, target| {
-            move |(statistical, deterministic): (&Response, &Response)| Pair {
-                pairing,
-                target,
-                statistical: *statistical,
-                deterministic: *deterministic,
-            }
-        };
-        for both in integrals.iter().zip(&sums) {
-            comparison.pairs.push(pair(Pairing::Separation, both.1.separation_over_sigma)(both));
-        }
+        let curve = |kind| move |response: &Response| CurvePoint::at_separation(kind, *response);
+        comparison.curves.extend(integrals.iter().map(curve(Kind::Statistical)));
+        comparison.curves.extend(sums.iter().map(curve(Kind::Deterministic)));
+        let pair = |(statistical, sum): (&Response, &Response)| Pair::at_separation(*statistical, *sum);
+        comparison.pairs.extend(integrals.iter().zip(&sums).map(pair));
         let loaded: Vec<&Response> = sums.iter().filter(|sum| sum.pressure.total() > 0.0).collect();
         let pressures: Vec<f64> = loaded.iter().map(|sum| sum.pressure.total()).collect();
         for ((sum, &pressure), found) in
             loaded.iter().zip(&pressures).zip(integral.separations_at(&pressures))
         {
             match found {
-                Some(h) => comparison.pairs.push(pair(Pairing::Load, pressure)((&integral.respond(h), sum))),
+                Some(h) => comparison.pairs.push(Pair {
+                    pairing: Pairing::Load,
+                    target: pressure,
+                    statistical: integral.respond(h),
+                    deterministic: **sum,
+                }),
                 None => comparison.unpaired.push(pressure),
             }
         }

@@ -95,14 +95,8 @@ pub fn tables(results: &TiledResults) -> Vec<Table> {
     let curves = results.laws.iter().flat_map(|law| CurveRow::of_case(&case(law), &law.comparison, modulus));
     let pairs = results.laws.iter().flat_map(|law| {
         let case = case(law);
-        law.comparison.pairs.iter().map(move |&pair| PairRow {
-            case: case.clone(),
-            pair,
-            nominal_area: results.surface.nominal_area,
-            plasticity_index: None,
-            attribution: None,
-            reference: None,
-        })
+        let area = results.surface.nominal_area;
+        law.comparison.pairs.iter().map(move |&pair| PairRow::of_models(case.clone(), pair, area, None))
     });
     vec![
         Table::new(curves),

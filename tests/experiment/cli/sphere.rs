@@ -62,7 +62,7 @@ fn a_sphere_has_its_tables_and_a_warning() {
     let (header, rows) = table("rule.csv");
     assert_eq!(
         header,
-        "layer,layer_thickness_m,rule,indentation_m,contact_radius_over_thickness,load_over_exact"
+        "layer,layer_thickness_m,rule,indentation_m,contact_radius_over_thickness,load_over_exact,area_over_exact"
     );
     assert_eq!(rows.len(), 2 * 5);
     let (header, rows) = table("overlay.csv");

@@ -3,14 +3,37 @@
 
 use std::f64::consts::PI;
 
+use super::Pair;
 use crate::asperity::{AsperitySet, Draw, Population, SetError};
 use crate::contact::Contact;
+use crate::contact_law::ContactLaw;
+use crate::distribution::gaussian_moment;
 use crate::interface::MicroContact;
-use crate::model::{Deterministic, Model, ReferencePlane, Response};
+use crate::model::{Deterministic, Model, ReferencePlane, Response, Statistical};
 use crate::named_enum;
 use crate::shape::Shape;
 
 use crate::model::MIN_CONTACTS;
+
+/// Sets of asperities of growing size.
+#[derive(Debug, Clone)]
+pub struct LimitSets {
+    /// What they are drawn from.
+    pub population: Population,
+    /// d/sigma.
+    pub separations: Vec<f64>,
+    /// Asperities in a set.
+    pub counts: Vec<usize>,
+    /// Random sets of each size; one more has its heights at the quantiles.
+    pub draws: usize,
+}
+
+impl LimitSets {
+    /// Asperities in all sets.
+    pub fn asperities(&self) -> usize {
+        self.counts.iter().sum::<usize>() * (self.draws + 1)
+    }
+}
 
 /// One law with its exact responses.
 pub struct LimitCase<'a> {
@@ -20,6 +43,18 @@ pub struct LimitCase<'a> {
     pub contact: &'a dyn MicroContact,
     /// The limit of the sum at each separation.
     pub exact: Vec<Exact>,
+}
+
+impl<'a> LimitCase<'a> {
+    /// The limit of sets with Gaussian heights: Greenwood and Williamson's closed form for Hertz's law, else the integral.
+    pub fn new(law: &ContactLaw, contact: &'a dyn MicroContact, sets: &LimitSets) -> Self {
+        let limit = |integral| match law.is_greenwood_williamson() {
+            true => Exact::greenwood_williamson(integral, &sets.population, contact.reference_modulus()),
+            false => Exact::of_integral(integral, sets.population.density),
+        };
+        let integrals = Statistical::new(contact, sets.population.clone()).respond_all(&sets.separations);
+        Self { law: law.label(), contact, exact: integrals.into_iter().map(limit).collect() }
+    }
 }
 
 /// The limit at one separation.
@@ -43,6 +78,18 @@ impl Exact {
             contact_fraction: statistical.contact_density / density,
             area_ratio: statistical.area_ratio.total(),
             pressure: statistical.pressure.total(),
+        }
+    }
+
+    /// Greenwood and Williamson's closed form as the limit: Hertz's law on Gaussian heights of `population`, with the reduced
+    /// `modulus` (Pa).
+    pub fn greenwood_williamson(statistical: Response, population: &Population, modulus: f64) -> Self {
+        let &Population { radius, sigma, density, .. } = population;
+        let moment = |n| gaussian_moment(n, statistical.separation_over_sigma);
+        Self {
+            area_ratio: PI * density * radius * sigma * moment(1.0),
+            pressure: 4.0 / 3.0 * density * modulus * radius.sqrt() * sigma.powf(1.5) * moment(1.5),
+            ..Self::of_integral(statistical, density)
         }
     }
 }
@@ -75,7 +122,23 @@ named_enum! {
     }
 }
 
+named_enum! {
+    /// How the heights of a set are taken from their density.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Sampling {
+        /// Independent draws.
+        Random = "random",
+        /// At the quantiles.
+        Quantiles = "quantiles",
+    }
+}
+
 impl LimitPoint {
+    /// d/sigma.
+    pub fn separation(&self) -> f64 {
+        self.exact.statistical.separation_over_sigma
+    }
+
     /// Expected number of contacts.
     pub fn expected_contacts(&self) -> f64 {
         self.exact.contact_fraction * self.count as f64
@@ -106,6 +169,22 @@ impl LimitPoint {
         self.error(&self.quantiles, quantity).abs()
     }
 
+    /// Relative error of the sets: root mean square of the random ones, or magnitude of that at the quantiles.
+    pub fn error_of_sets(&self, sampling: Sampling, quantity: Quantity) -> f64 {
+        match sampling {
+            Sampling::Random => self.scatter(quantity).1,
+            Sampling::Quantiles => self.quantile_error(quantity),
+        }
+    }
+
+    /// The integral with each set: way to take the heights, number of the set from 1, and both responses.
+    pub fn pairs(&self) -> impl Iterator<Item = (Sampling, usize, Pair)> {
+        let random = (1..).zip(&self.random).map(|(draw, sum)| (Sampling::Random, draw, sum));
+        let sets = random.chain([(Sampling::Quantiles, 1, &self.quantiles)]);
+        let integral = self.exact.statistical;
+        sets.map(move |(sampling, draw, sum)| (sampling, draw, Pair::at_separation(integral, *sum)))
+    }
+
     /// Leading term of [`Self::quantile_error`] for many asperities.
     ///
     /// Heights at the middles of n equally probable strata are a midpoint rule in the probability u of a greater height,
@@ -118,51 +197,18 @@ impl LimitPoint {
     }
 }
 
-/// A power law fitted to errors: ln(error) = constant + slope ln(count).
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SlopeFit {
-    /// The exponent.
-    pub slope: f64,
-    /// Its standard error.
-    pub standard_error: f64,
-    /// Points fitted.
-    pub points: usize,
-}
-
-impl SlopeFit {
-    /// Least squares through (count, error); `None` with fewer than three positive errors.
-    pub fn through(points: impl Iterator<Item = (f64, f64)>) -> Option<Self> {
-        let logs: Vec<(f64, f64)> =
-            points.filter(|(_, error)| *error > 0.0).map(|(count, error)| (count.ln(), error.ln())).collect();
-        let n = logs.len() as f64;
-        if logs.len() < 3 {
-            return None;
-        }
-        let mean = |f: fn(&(f64, f64)) -> f64| logs.iter().map(f).sum::<f64>() / n;
-        let (x0, y0) = (mean(|p| p.0), mean(|p| p.1));
-        let xx: f64 = logs.iter().map(|p| (p.0 - x0).powi(2)).sum();
-        let xy: f64 = logs.iter().map(|p| (p.0 - x0) * (p.1 - y0)).sum();
-        let slope = xy / xx;
-        let residual: f64 = logs.iter().map(|p| (p.1 - y0 - slope * (p.0 - x0)).powi(2)).sum();
-        let standard_error = (residual / (n - 2.0) / xx).sqrt();
-        slope.is_finite().then_some(Self { slope, standard_error, points: logs.len() })
-    }
-}
-
-/// Responses of sets of `counts` asperities of `population` under every law at every separation: `draws` random sets of
-/// each size and one at the quantiles. `seed(count, draw)` is the seed of a random set; `done` is called after each
-/// set.
+/// Responses of all sets under every law at every separation. `seed(count, draw)` is the seed of a random set; `done` is called
+/// after each set.
 ///
 /// # Errors
 /// See [`Population::set`].
 pub fn convergence(
     cases: &[LimitCase],
-    population: &Population,
-    counts: &[usize],
-    draws: usize,
+    sets: &LimitSets,
     seed: impl Fn(usize, usize) -> [u8; 32],
     done: impl Fn(usize),
 ) -> Result<Vec<LimitPoint>, SetError> {
+    let &LimitSets { ref population, ref counts, draws, .. } = sets;
     let plane = ReferencePlane { mean: 0.0, sigma: population.sigma };
     let mut points = Vec::new();
     for &count in counts {
@@ -223,11 +269,11 @@ fn respond_to_set(case: &LimitCase, set: &AsperitySet, plane: ReferencePlane) ->
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::compare::SlopeFit;
     use crate::distribution::Heights;
     use crate::interface::Interface;
     use crate::law::Hertz;
     use crate::material::Material;
-    use crate::model::Statistical;
 
     const COUNTS: [usize; 6] = [100, 1_000, 10_000, 100_000, 300_000, 1_000_000];
 
@@ -240,7 +286,9 @@ mod tests {
         let exact =
             responses.into_iter().map(|response| Exact::of_integral(response, population.density)).collect();
         let case = LimitCase { law: String::new(), contact: &contact, exact };
-        convergence(&[case], &population, &COUNTS, 0, |_, _| [0; 32], |_| ()).unwrap()
+        let separations = separations.to_vec();
+        let sets = LimitSets { population, separations, counts: COUNTS.to_vec(), draws: 0 };
+        convergence(&[case], &sets, |_, _| [0; 32], |_| ()).unwrap()
     }
 
     #[test]

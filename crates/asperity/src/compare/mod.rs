@@ -11,6 +11,7 @@ mod modulus_check;
 mod nearness;
 mod reference;
 mod sampling;
+mod slope;
 mod spread;
 mod threshold;
 mod validity;
@@ -25,11 +26,12 @@ pub use difference::{
 pub use dominance::{Dominance, Dominant};
 pub use gap::{Gap, GapQuantity, Gaps};
 pub use influence::{AtLoad, DETECTABLE, Effect, Group, Influence, Measure, UnderLaw};
-pub use limit::{Exact, LimitCase, LimitPoint, Quantity, SlopeFit, convergence};
+pub use limit::{Exact, LimitCase, LimitPoint, LimitSets, Quantity, Sampling, convergence};
 pub use modulus_check::{GOOD_RATIO, ModulusCheck, ModulusError, ModulusFindings, apart};
 pub use nearness::{AgainstReference, NEARER, NearerStretch};
 pub use reference::{BlockShare, LARGEST_LOAD_RATIO, ReferenceCurve, ReferencePoint, Stiffness, stiffnesses};
 pub use sampling::{Division, GROUPS, OneStep, jackknife_error, jackknife_quantile, student_quantile};
+pub use slope::{ErrorSlope, SlopeFit};
 pub use spread::{Realisation, Scatter, Spread, spread};
 pub use threshold::threshold;
 pub use validity::{PointCounts, ValidRange};
@@ -125,6 +127,14 @@ pub struct CurvePoint {
     pub in_jump: bool,
 }
 
+impl CurvePoint {
+    /// A response at its own separation.
+    pub fn at_separation(kind: Kind, response: Response) -> Self {
+        let (control, target) = (Control::Separation, response.separation_over_sigma);
+        Self { kind, control, target, prescribed_pressure: None, response, in_jump: false }
+    }
+}
+
 named_enum! {
     /// The quantity that is equal in a pair.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -150,6 +160,12 @@ pub struct Pair {
 }
 
 impl Pair {
+    /// Responses at equal separation.
+    pub fn at_separation(statistical: Response, deterministic: Response) -> Self {
+        let target = deterministic.separation_over_sigma;
+        Self { pairing: Pairing::Separation, target, statistical, deterministic }
+    }
+
     /// The limits of the valid range that either model exceeds.
     pub fn exceeded(&self) -> Exceeded {
         self.statistical.exceeded().union(self.deterministic.exceeded())

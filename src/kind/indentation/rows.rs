@@ -1,0 +1,315 @@
+//! The tables of a sphere on layers.
+
+use std::f64::consts::PI;
+
+use asperity::compare::ModulusError;
+use asperity::layer::exact_sphere::ElasticContact;
+use asperity::sphere::{Curve, Decrease, Point, RegimeChange};
+use asperity::{Contact, ModulusModel, Regime};
+use asperity_framework::columns;
+use asperity_framework::report::table::{Column, Row, Schema, Table};
+
+use super::run::{IndentationResults, LawCurves, LayerResults};
+
+/// A layer under a law; without one for the exact elastic contact.
+#[derive(Clone, Copy)]
+struct Case<'a> {
+    layer: &'a LayerResults,
+    law: Option<&'a LawCurves>,
+}
+
+/// The columns of the layer that a row belongs to.
+fn layer_columns<R>(layer: impl Fn(&R) -> &LayerResults + Copy + 'static) -> Vec<Column<R>> {
+    columns! { row: R =>
+        layer["text"] = layer(row).name.as_str(), "Material of the layer.";
+        layer_thickness_m["m", label("thickness"), thickness] = layer(row).thickness, "Thickness of the layer.";
+        rule["text"] = layer(row).rule.name(), "Effective-modulus model of the layered flat: `gao` (Eqs. 14 and 15) or `series` (compliances in series).";
+    }
+}
+
+/// The same and the law.
+fn case_columns<R>(case: impl for<'r> Fn(&'r R) -> &'r Case<'r> + Copy + 'static) -> Vec<Column<R>> {
+    let mut columns = layer_columns(move |row| case(row).layer);
+    columns.extend(columns! { row: R => law["text"] = case(row).law.map_or("", |law| law.law.as_str()), "Contact law; empty for the exact elastic contact."; });
+    columns
+}
+
+/// A point of a curve.
+struct CurveRow<'a> {
+    case: Case<'a>,
+    curve: &'static str,
+    indentation: f64,
+    contact: Contact,
+}
+
+impl Row for CurveRow<'_> {
+    const FILE: &'static str = "indentation.csv";
+    const ROWS: &'static str = "One row for each layer, law, curve and indentation.";
+    const IS_LONG: bool = true;
+
+    fn columns() -> Vec<Column<Self>> {
+        let mut columns = case_columns(|row: &Self| &row.case);
+        columns.extend(columns! { row: Self =>
+            curve["text"] = row.curve, "Curve: `coated`, `uncoated`, `all-layer` (a flat of the layer's material) or `exact-elastic`.";
+            indentation_m["m"] = row.indentation, "Indentation w (Eq. 1).";
+            load_n["N"] = row.contact.load, "Load P on the sphere.";
+            area_m2["m²"] = row.contact.area, "Real contact area A.";
+            contact_radius_m["m"] = (row.contact.area / PI).sqrt(), "Contact radius (A/pi)^0.5.";
+            mean_pressure_pa["Pa"] = row.contact.load / row.contact.area, "Mean contact pressure P/A.";
+            stiffness_n_per_m["N/m"] = row.contact.stiffness, "Contact stiffness dP/dw.";
+            regime["text"] = row.case.law.map(|_| row.contact.regime.name()), "Regime: `elastic`, `elastic-plastic` or `plastic`; empty for the exact elastic contact.";
+        });
+        columns
+    }
+}
+
+/// A change of the regime along a curve.
+pub struct ChangeRow<'a> {
+    case: Case<'a>,
+    name: &'static str,
+    curve: &'a Curve,
+    change: &'a RegimeChange,
+}
+
+impl Row for ChangeRow<'_> {
+    const FILE: &'static str = "regimes.csv";
+    const ROWS: &'static str = "One row for each change of the regime along a curve, also beyond the sweep.";
+    const RECORDS: Option<&'static str> = Some("changes");
+
+    fn columns() -> Vec<Column<Self>> {
+        let mut columns = case_columns(|row: &Self| &row.case);
+        columns.extend(columns! { row: Self =>
+            curve["text"] = row.name, "Curve: `coated`, `uncoated` or `all-layer` (a flat of the layer's material).";
+            indentation_m["m"] = row.change.indentation, "Indentation w at which the regime changes (coated: Eqs. 2 and 4 with the effective properties at w).";
+            load_n["N"] = row.change.load, "Load just below that indentation.";
+            from["text"] = row.change.from.name(), "Regime below it.";
+            to["text"] = row.change.to.name(), "Regime above it.";
+            within_sweep["true/false"] = row.curve.is_within(row.change), "Whether it lies within the specified indentations.";
+        });
+        columns
+    }
+}
+
+/// A range in which the coated area or load decreases.
+pub struct DecreaseRow<'a> {
+    case: Case<'a>,
+    decrease: &'a Decrease,
+}
+
+impl Row for DecreaseRow<'_> {
+    const FILE: &'static str = "decreases.csv";
+    const ROWS: &'static str = "One row for each range in which the area or load of a coated curve decreases with increasing indentation.";
+    const RECORDS: Option<&'static str> = Some("falls");
+
+    fn columns() -> Vec<Column<Self>> {
+        let mut columns = case_columns(|row: &Self| &row.case);
+        columns.extend(columns! { row: Self =>
+            of["text", label("decreasing quantity")] = row.decrease.of.name(), "What decreases: `area` or `load`.";
+            from_indentation_m["m"] = row.decrease.from.indentation, "First indentation of the range.";
+            to_indentation_m["m"] = row.decrease.to.indentation, "Last indentation of the range.";
+            from["SI"] = row.decrease.of.of(&row.decrease.from.contact), "Area in m² or load in N at the first indentation.";
+            to["SI"] = row.decrease.of.of(&row.decrease.to.contact), "The same at the last.";
+        });
+        columns
+    }
+}
+
+/// The end of the sweep under a law.
+pub struct LawRow<'a> {
+    case: Case<'a>,
+    law: &'a LawCurves,
+    overlay: &'a [(f64, f64)],
+}
+
+impl LawRow<'_> {
+    /// Logarithms of the measured over the coated loads.
+    fn logs(&self) -> impl Iterator<Item = f64> {
+        let pairs = self.overlay.iter().zip(&self.law.at_overlay);
+        pairs.map(|((_, measured), coated)| (measured / coated).ln())
+    }
+}
+
+impl Row for LawRow<'_> {
+    const FILE: &'static str = "laws.csv";
+    const ROWS: &'static str =
+        "One row for each layer and law: regimes, loads at the largest indentation, and measured loads.";
+    const RECORDS: Option<&'static str> = Some("laws");
+
+    fn columns() -> Vec<Column<Self>> {
+        let mut columns = case_columns(|row: &Self| &row.case);
+        columns.extend(columns! { row: Self =>
+            regimes["text"] = row.law.coated.sequence().into_iter().map(|regime| regime.name().to_owned()).collect::<Vec<_>>(), "Regimes of the coated curve with increasing indentation, also beyond the sweep.";
+            indentation_m["m", label("largest indentation"), input] = row.law.coated.points.last().map(|point| point.indentation), "Largest indentation of the sweep.";
+            coated_load_n["N"] = last_load(&row.law.coated), "Load there.";
+            uncoated_load_n["N"] = last_load(&row.law.uncoated), "The same without the layer.";
+            all_layer_load_n["N"] = last_load(&row.law.all_layer), "The same on a flat of the layer's material.";
+            measured_over_coated["1"] = (!row.overlay.is_empty()).then(|| (row.logs().sum::<f64>() / row.overlay.len() as f64).exp()), "Geometric mean of measured over coated load; empty without measured points.";
+            largest_measured_factor["1"] = row.logs().map(f64::abs).reduce(f64::max).map(f64::exp), "Largest factor, at least 1, between a measured and a coated load.";
+        });
+        columns
+    }
+}
+
+/// An effective-modulus model and the exact elastic contact.
+pub struct RuleRow<'a> {
+    layer: &'a LayerResults,
+    rule: ModulusModel,
+    indentation: f64,
+    error: &'a ModulusError,
+}
+
+impl Row for RuleRow<'_> {
+    const FILE: &'static str = "rule.csv";
+    const ROWS: &'static str = "One row for each layer, effective-modulus model and indentation at which the exact elastic contact is solved.";
+
+    fn columns() -> Vec<Column<Self>> {
+        columns! { row: Self =>
+            layer["text"] = row.layer.name.as_str(), "Material of the layer.";
+            layer_thickness_m["m"] = row.layer.thickness, "Thickness of the layer.";
+            rule["text"] = row.rule.name(), "Effective-modulus model: `gao` (Eqs. 14 and 15) or `series` (compliances in series).";
+            indentation_m["m"] = row.indentation, "Indentation w (Eq. 1).";
+            contact_radius_over_thickness["1", label("a/t")] = row.error.contact_ratio, "Contact radius of the exact contact over the thickness of the layer.";
+            load_over_exact["1"] = row.error.ratio, "Elastic load by the model over the exact one.";
+            area_over_exact["1"] = row.error.indentation_ratio / row.error.contact_ratio.powi(2), "Area pi R w of both models over the exact one.";
+        }
+    }
+}
+
+/// A layer and the largest errors of both models.
+pub struct LayerRow<'a> {
+    layer: &'a LayerResults,
+    radius: f64,
+}
+
+impl LayerRow<'_> {
+    fn worst(&self, model: ModulusModel) -> Option<ModulusError> {
+        self.layer.check.worst_of(model).copied()
+    }
+}
+
+impl Row for LayerRow<'_> {
+    const FILE: &'static str = "layers.csv";
+    const ROWS: &'static str = "One row for each layer: the largest error of both effective-modulus models without yielding, at equal indentation.";
+    const RECORDS: Option<&'static str> = Some("layers");
+
+    fn columns() -> Vec<Column<Self>> {
+        let mut columns = layer_columns(|row: &Self| row.layer);
+        columns.extend(columns! { row: Self =>
+            modulus_ratio["1", label("E_l/E_s")] = row.layer.check.modulus_ratio, "Young's modulus of the layer over that of the substrate.";
+            is_modulus_ratio_good["true/false", label("accurate for gao")] = row.layer.check.is_good(), "Whether it is in the range 0.5 to 2 in which `gao` is accurate (Perriot and Barthel 2004).";
+            gao_load_over_exact["1", label("gao / exact, worst")] = row.worst(ModulusModel::Gao).map(|error| error.ratio), "Load by `gao` over the exact one where its error is largest; empty where no contact is small enough for the exact solution.";
+            gao_contact_radius_over_thickness["1", label("at a/t")] = row.worst(ModulusModel::Gao).map(|error| error.contact_ratio), "Contact radius over thickness there.";
+            gao_indentation_ratio["1", label("w R/t²")] = row.worst(ModulusModel::Gao).map(|error| error.indentation_ratio), "Indentation times radius over the square of the thickness there.";
+            series_load_over_exact["1", label("series / exact, worst")] = row.worst(ModulusModel::Series).map(|error| error.ratio), "Load by `series` over the exact one where its error is largest; empty where no contact is small enough for the exact solution.";
+            series_contact_radius_over_thickness["1", label("at a/t")] = row.worst(ModulusModel::Series).map(|error| error.contact_ratio), "Contact radius over thickness there.";
+            series_indentation_ratio["1", label("w R/t²")] = row.worst(ModulusModel::Series).map(|error| error.indentation_ratio), "Indentation times radius over the square of the thickness there.";
+            largest_contact_radius_over_radius["1", label("largest a/R")] = row.layer.largest_slope(row.radius), "Largest contact radius over that of the ball; beyond 0.3 the ball is no paraboloid and strains are not small.";
+            exact_points_left_out["count"] = row.layer.exact.iter().filter(|exact| exact.is_none()).count(), "Indentations whose exact contact is too wide for the layer to be solved.";
+        });
+        columns
+    }
+}
+
+/// A measured point and the coated curve.
+pub struct OverlayRow<'a> {
+    case: Case<'a>,
+    indentation: f64,
+    measured_load: f64,
+    coated_load: f64,
+}
+
+impl Row for OverlayRow<'_> {
+    const FILE: &'static str = "overlay.csv";
+    const ROWS: &'static str =
+        "One row for each layer, law and measured point; written where `overlay` names a file of points.";
+
+    fn columns() -> Vec<Column<Self>> {
+        let mut columns = case_columns(|row: &Self| &row.case);
+        columns.extend(columns! { row: Self =>
+            indentation_m["m", input] = row.indentation, "Measured indentation.";
+            measured_load_n["N"] = row.measured_load, "Measured load.";
+            coated_load_n["N"] = row.coated_load, "Load of the coated curve at that indentation.";
+            measured_over_coated["1"] = row.measured_load / row.coated_load, "Measured over computed load.";
+        });
+        columns
+    }
+}
+
+fn last_load(curve: &Curve) -> Option<f64> {
+    Some(curve.points.last()?.contact.load)
+}
+
+/// The tables in file order.
+pub(super) fn schemas() -> Vec<Schema> {
+    vec![
+        Schema::of::<CurveRow>(),
+        Schema::of::<ChangeRow>(),
+        Schema::of::<RuleRow>(),
+        Schema::of::<OverlayRow>(),
+        Schema::of::<LawRow>(),
+        Schema::of::<DecreaseRow>(),
+        Schema::of::<LayerRow>(),
+    ]
+}
+
+/// Those of [`schemas`]; the measured points only where there are some.
+pub(super) fn tables(results: &IndentationResults) -> Vec<Table> {
+    let IndentationResults { layers, overlay, radius, .. } = results;
+    let laws = || layers.iter().flat_map(|layer| layer.laws.iter().map(move |law| (layer, law)));
+    let case = |layer, law| Case { layer, law: Some(law) };
+    let changes = laws().flat_map(|(layer, law)| {
+        law.curves().into_iter().flat_map(move |(name, curve)| {
+            curve.changes.iter().map(move |change| ChangeRow { case: case(layer, law), name, curve, change })
+        })
+    });
+    let measured = laws().flat_map(|(layer, law)| {
+        overlay.iter().zip(&law.at_overlay).map(move |(&(indentation, measured_load), &coated_load)| {
+            OverlayRow { case: case(layer, law), indentation, measured_load, coated_load }
+        })
+    });
+    let decreases = laws().flat_map(|(layer, law)| {
+        law.coated.decreases.iter().map(move |decrease| DecreaseRow { case: case(layer, law), decrease })
+    });
+    let tables = [
+        Table::new(layers.iter().flat_map(curves)),
+        Table::new(changes),
+        Table::new(rules(results)),
+        Table::new(measured),
+        Table::new(laws().map(|(layer, law)| LawRow { case: case(layer, law), law, overlay })),
+        Table::new(decreases),
+        Table::new(layers.iter().map(|layer| LayerRow { layer, radius: *radius })),
+    ];
+    let is_written = |table: &Table| table.schema.file != OverlayRow::FILE || !overlay.is_empty();
+    tables.into_iter().filter(is_written).collect()
+}
+
+/// Each law's curves; then the exact one, without a law.
+fn curves(layer: &LayerResults) -> impl Iterator<Item = CurveRow<'_>> {
+    let of_laws = layer.laws.iter().flat_map(move |law| {
+        law.curves().into_iter().flat_map(move |(curve, Curve { points, .. })| {
+            let case = Case { layer, law: Some(law) };
+            points.iter().map(move |&Point { indentation, contact }| CurveRow {
+                case,
+                curve,
+                indentation,
+                contact,
+            })
+        })
+    });
+    of_laws.chain(layer.exact.iter().flatten().map(move |exact| {
+        let &ElasticContact { indentation, contact_radius, load, stiffness, .. } = exact;
+        let area = PI * contact_radius.powi(2);
+        let contact = Contact { area, load, stiffness, regime: Regime::Elastic };
+        CurveRow { case: Case { layer, law: None }, curve: "exact-elastic", indentation, contact }
+    }))
+}
+
+/// The exact contact is solved up to some indentation only.
+fn rules(results: &IndentationResults) -> impl Iterator<Item = RuleRow<'_>> {
+    results.layers.iter().flat_map(move |layer| {
+        ModulusModel::ALL.into_iter().zip(&layer.errors).flat_map(move |(rule, errors)| {
+            let solved = results.indentations.iter().zip(errors);
+            solved.map(move |(&indentation, error)| RuleRow { layer, rule, indentation, error })
+        })
+    })
+}

@@ -1,0 +1,135 @@
+//! The page of a convergence study: does the sum converge to the integral, and at which rate?
+
+use asperity::compare::{ErrorSlope, Quantity, Sampling};
+use asperity_framework::contact::ContactSummary;
+use asperity_framework::metadata::Metadata;
+use asperity_framework::report::format::{input_number, input_quantity, number};
+use asperity_framework::report::page::Page;
+use asperity_framework::report::sections;
+use asperity_framework::report::table::{Table, Tables};
+use asperity_framework::{Outcome, fields};
+use asperity_plot::{Axis, Colour, Figure, Layer, Plot};
+use serde_json::{Map, Value};
+
+use super::rows::{ConvergenceRow, SlopeRow, tables};
+use super::run::LimitResults;
+
+impl Outcome for LimitResults {
+    fn metadata(&self) -> &Metadata {
+        &self.metadata
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        self.contact.caveats.clone()
+    }
+
+    fn tables(&self) -> Vec<Table> {
+        tables(self)
+    }
+
+    fn page(&self, tables: &Tables) -> Page {
+        let mut page = Page::new(&self.metadata.title);
+        page.lead(&answer(&self.slopes));
+        for slopes in self.slopes.chunk_by(|a, b| a.law == b.law) {
+            for quantity in Quantity::ALL {
+                let file = format!("{}-{}.svg", slopes[0].law, quantity.name());
+                let file = file.replace(['(', ')', ' ', '='], "-");
+                page.figure(&file, figure(slopes, quantity), CAPTION);
+            }
+        }
+        page.heading(2, "Slopes of the error").view(&tables.view::<SlopeRow>());
+        page.details(2, "Errors of the load by number of asperities", |page| {
+            page.view(&tables.view::<ConvergenceRow>().only("quantity", "load").without(&["fitted"]));
+        });
+        sections::notes(&mut page, &self.metadata);
+        page.heading(2, "Method").note(include_str!("notes/method.md"));
+        sections::what_was_run(&mut page, &self.metadata, &self.contact);
+        page.paragraph(&format!(
+            "Radius {}, σ = {}, η = {} /m²; {} random sets of each size, each with its own seed.",
+            input_quantity(self.sets.population.radius, "m"),
+            input_quantity(self.sets.population.sigma, "m"),
+            input_number(self.sets.population.density),
+            self.sets.draws,
+        ));
+        sections::run_again(&mut page, &self.metadata, None);
+        sections::sources(&mut page, &self.metadata);
+        page
+    }
+
+    fn facts(&self) -> serde_json::Result<Map<String, Value>> {
+        fields(&ContactSummary::of(&self.contact))
+    }
+}
+
+const CAPTION: &str = "Relative error against the number of asperities, where more than 30 contacts are expected. Left: root mean \
+                       square of the random sets; right: the set with heights at the quantiles.";
+
+/// How far the slopes of the error are from the expected ones.
+fn answer(slopes: &[ErrorSlope]) -> String {
+    let deviation = |sampling: Sampling| {
+        let of_sampling = slopes.iter().filter(|slope| slope.sampling == sampling);
+        number(of_sampling.map(ErrorSlope::deviation).fold(0.0, f64::max))
+    };
+    if slopes.is_empty() {
+        return "Too few contacts are expected for a fit to the error.".to_owned();
+    }
+    format!(
+        "The slope of the error over the number of asperities is within {} of −½ with random heights, and within {} of the \
+         expected slope with heights at the quantiles.",
+        deviation(Sampling::Random),
+        deviation(Sampling::Quantiles),
+    )
+}
+
+/// The errors under one law.
+fn figure(slopes: &[ErrorSlope], quantity: Quantity) -> Figure {
+    let panel = |(sampling, slope): (Sampling, f64)| {
+        let axis = Axis::log(format!("relative error of the {}", quantity.name()));
+        let title = format!("Heights: {}", sampling.name());
+        let mut plot = Plot::new(title, Axis::log("number of asperities n"), axis);
+        let series = slopes.iter().filter(|slope| (slope.quantity, slope.sampling) == (quantity, sampling));
+        let of = series.clone().count();
+        for (index, ErrorSlope { separation, errors, .. }) in series.enumerate() {
+            if index == 0 {
+                plot = plot.with(Layer::slope(
+                    (errors[0].0, 0.2 * errors[0].1),
+                    slope,
+                    format!("slope {slope}"),
+                ));
+            }
+            let line = Layer::line(errors.iter().copied()).coloured(Colour::Ordered { index, of });
+            plot = plot.with(line.named(format!("d/σ = {}", input_number(*separation))));
+        }
+        plot
+    };
+    let title = format!("Convergence of the {} under {}", quantity.name(), slopes[0].law);
+    Figure::row(title, [(Sampling::Random, -0.5), (Sampling::Quantiles, -1.0)].map(panel).into())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use asperity::compare::SlopeFit;
+
+    #[test]
+    fn the_answer_is_the_largest_deviation_of_each_sampling() {
+        let slope = |sampling, slope, expected| ErrorSlope {
+            law: "hertz".to_owned(),
+            separation: 0.0,
+            quantity: Quantity::Load,
+            sampling,
+            errors: Vec::new(),
+            fit: SlopeFit { slope, standard_error: 0.0, points: 3 },
+            expected,
+        };
+        let random = [-0.49, -0.52].map(|fitted| slope(Sampling::Random, fitted, -0.5));
+        let all = [random.to_vec(), vec![slope(Sampling::Quantiles, -1.04, -1.045)]].concat();
+        let answer = answer(&all);
+        assert!(answer.contains("within 0.02 of −½") && answer.contains("within 0.005 of"), "{answer}");
+    }
+
+    #[test]
+    fn without_fits_there_is_no_slope() {
+        assert!(answer(&[]).starts_with("Too few contacts"));
+    }
+}
