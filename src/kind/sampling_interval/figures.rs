@@ -1,11 +1,14 @@
 //! Density and radii, and the gap with its parts, against the length that is varied.
 
-use asperity::compare::{Cause, ComparedQuantity, Contributions, Estimate};
+use asperity::compare::{Cause, ComparedQuantity};
+use asperity_framework::report::format::capitalised;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
 
+use super::findings::{Gap, gaps};
 use super::quantity::Asperities;
-use super::results::{Series, SurfaceResults, Variation};
+use super::results::{QUANTITIES, Series, SurfaceResults, Variation};
 use crate::kind::compare::figures::causes::colour;
+use crate::kind::compare::outline::name;
 
 const MICRO: f64 = 1e6;
 const HEIGHT: f64 = 360.0;
@@ -55,45 +58,44 @@ pub fn asperities(surface: &SurfaceResults) -> Figure {
 
 /// The gap in separation and area and its parts; `None` where fewer than two lengths are within the valid range.
 pub fn gap(series: &Series, load: usize) -> Option<Figure> {
-    let panels = [
-        panel(series, load, ComparedQuantity::Separation, ("Separation", "separation (σ)")),
-        panel(series, load, ComparedQuantity::Area, ("Real contact area", "ln(area ratio of the models)")),
-    ];
-    let panels: Vec<Plot> = panels.into_iter().flatten().collect();
+    let panels: Vec<Plot> =
+        QUANTITIES.into_iter().filter_map(|quantity| panel(series, load, quantity)).collect();
     (!panels.is_empty()).then(|| Figure::row("Gap between the models and its parts", panels))
 }
 
-fn panel(series: &Series, load: usize, quantity: ComparedQuantity, (title, y): (&str, &str)) -> Option<Plot> {
+fn panel(series: &Series, load: usize, quantity: ComparedQuantity) -> Option<Plot> {
     const GAP: &str = "statistical − deterministic";
-    let gaps = series.results().filter_map(|(scale, results)| {
-        let parts = results.parts(load, quantity);
-        Some((MICRO * scale.length, results.difference(load, quantity)?, parts))
-    });
-    let gaps: Vec<(f64, Estimate, Option<&Contributions>)> = gaps.collect();
+    let gaps = gaps(series, load, quantity);
     if gaps.len() < 2 {
         return None;
     }
-    let lengths: Vec<f64> = gaps.iter().map(|(length, ..)| *length).collect();
+    let over_length = |y: &dyn Fn(&Gap) -> Option<f64>| {
+        gaps.iter().filter_map(|gap| Some((MICRO * gap.length, y(gap)?))).collect::<Vec<(f64, f64)>>()
+    };
+    let lengths: Vec<f64> = gaps.iter().map(|gap| MICRO * gap.length).collect();
     let parts = Cause::ALL.map(|cause| {
-        gaps.iter().map(|(.., parts)| parts.map_or(f64::NAN, |parts| parts.of(cause))).collect::<Vec<f64>>()
+        gaps.iter().map(|gap| gap.parts.map_or(f64::NAN, |parts| parts.of(cause))).collect::<Vec<f64>>()
     });
     let stacked = Cause::ALL.into_iter().zip(&parts);
     let stacked = stacked.map(|(cause, part)| (cause.label(), colour(cause), &part[..]));
     let x = axis([series], &format!("{} (µm)", series.variation.label()));
-    let mut plot = Plot::new(title, x, Axis::linear(y))
+    let y = match quantity {
+        ComparedQuantity::Separation => "separation (σ)",
+        _ => "ln(area ratio of the models)",
+    };
+    let mut plot = Plot::new(capitalised(name(quantity)), x, Axis::linear(y))
         .height(HEIGHT)
         .legend(Legend::Below)
         .with_contributions(&lengths, stacked)
         .with_zero();
     for end in [0, 1] {
-        let ends = gaps.iter().filter_map(|(length, gap, _)| Some((*length, gap.interval()?[end])));
-        let ends: Vec<(f64, f64)> = ends.collect();
+        let ends = over_length(&|gap| Some(gap.difference.interval()?[end]));
         if !ends.is_empty() {
             let line = Layer::line(ends).coloured(Colour::Sum).dashed(Dash::Dashed).thin();
             plot = plot.with(line.named("95 % interval"));
         }
     }
-    let line: Vec<(f64, f64)> = gaps.iter().map(|(length, gap, _)| (*length, gap.contrast)).collect();
+    let line = over_length(&|gap| Some(gap.difference.contrast));
     Some(
         plot.with(Layer::line(line.clone()).coloured(Colour::Sum).thick().named(GAP))
             .with(Layer::points(line, Marker::Circle).coloured(Colour::Sum).named(GAP)),

@@ -67,28 +67,32 @@ impl Outcome for IntervalResults {
 
 /// Which of the main quantities have a limit on a surface that is varied so; for a map that is not fit, why, once.
 fn answer(results: &IntervalResults, surface: &SurfaceResults, variation: Variation) -> Option<String> {
-    let name = escape(&surface.surface.name);
     if let Some(faults) = blocked_by(&surface.surface) {
-        return (variation == Variation::Interval)
-            .then(|| format!("**{name}**: no conclusion is drawn, because its map is not fit: {faults}."));
+        return (variation == Variation::Interval).then(|| {
+            format!(
+                "**{}**: no conclusion is drawn, because its map is not fit: {faults}.",
+                escape(&surface.surface.name)
+            )
+        });
     }
     let series = surface.series.iter().find(|series| series.variation == variation)?;
-    Some(outcomes(&name, series, main_load(surface).map(|load| results.loads[load])))
+    Some(outcomes(series, main_load(surface, &results.loads).map(|load| results.loads[load])))
 }
 
-/// "**ground, sampling interval from 2 µm to 1 µm**: density +24 % (approaching); mean radius -41.3 % (no limit)."
-fn outcomes(name: &str, series: &Series, load: Option<f64>) -> String {
+/// "**ground, sampling interval from 2 µm to 1 µm**: density +24 % (approaching); mean radius -41 % (no limit)."
+fn outcomes(series: &Series, load: Option<f64>) -> String {
     const MAIN: [Quantity; 3] = [Quantity::Density, Quantity::MeanRadius, Quantity::DeterministicArea];
     let item = |trend: &Trend| {
-        let change = signed(100.0 * trend.quantity.relative(trend.change).unwrap_or(trend.change));
+        let change = signed((100.0 * trend.quantity.relative(trend.change).unwrap_or(trend.change)).round());
         let at = trend.load.map_or_else(String::new, |load| format!(" at {}", input_quantity(load, "Pa")));
         let [quantity, outcome] =
             [trend.quantity.name(), trend.outcome.name()].map(|name| name.replace('-', " "));
         format!("{quantity}{at} {change} % ({outcome})")
     };
-    let items: Vec<String> =
-        MAIN.into_iter().filter_map(|quantity| series.trend(quantity, load)).map(item).collect();
-    let variation = series.variation.label();
+    let is_main =
+        |trend: &&Trend| MAIN.contains(&trend.quantity) && (trend.load.is_none() || trend.load == load);
+    let items: Vec<String> = series.trends.iter().filter(is_main).map(item).collect();
+    let (name, variation) = (escape(&series.surface), series.variation.label());
     match &series.scales[..] {
         [finest, second, ..] if !items.is_empty() => {
             let [from, to] = [second, finest].map(|scale| quantity(scale.length, "m"));
@@ -100,7 +104,7 @@ fn outcomes(name: &str, series: &Series, load: Option<f64>) -> String {
 
 fn surface_section(page: &mut Page, tables: &Tables, results: &IntervalResults, surface: &SurfaceResults) {
     let name = surface.surface.name.as_str();
-    let load = main_load(surface);
+    let load = main_load(surface, &results.loads);
     let pressure = load.map(|load| results.loads[load]);
     page.heading(2, &format!("Surface {name}"));
     page.figure(
@@ -174,14 +178,19 @@ mod tests {
             trend(Quantity::MeanRadius, None, 0.0),
             trend(Quantity::DeterministicArea, Some(1e6), 0.0),
         ];
-        let series = Series { variation: Variation::Interval, scales: scales(), trends };
+        let series = Series { surface: "a".into(), variation: Variation::Interval, scales: scales(), trends };
         let line =
             "**a, sampling interval from 2 µm to 1 µm**: density +100 % (no limit); mean radius 0 % (limit)";
-        assert_eq!(outcomes("a", &series, None), format!("{line}."));
+        assert_eq!(outcomes(&series, None), format!("{line}."));
         let at_load = format!("{line}; deterministic area at 1 MPa 0 % (limit).");
-        assert_eq!(outcomes("a", &series, Some(1e6)), at_load);
-        let none = Series { variation: Variation::Filter, scales: scales(), trends: Vec::new() };
+        assert_eq!(outcomes(&series, Some(1e6)), at_load);
+        let none = Series {
+            surface: "a".into(),
+            variation: Variation::Filter,
+            scales: scales(),
+            trends: Vec::new(),
+        };
         let line = "**a, S nesting index**: no asperities at one of the three finest lengths.";
-        assert_eq!(outcomes("a", &none, None), line);
+        assert_eq!(outcomes(&none, None), line);
     }
 }

@@ -16,11 +16,11 @@ use crate::kind::compare::plan::{ComparePlan, compared};
 use crate::surface::{AnalysisDepth, SurfacePlan, inputs, memory};
 
 /// The intervals and multiples of a spec that gives none.
-const DEFAULT: [u32; 4] = [1, 2, 4, 8];
+const DEFAULT: [f64; 4] = [1.0, 2.0, 4.0, 8.0];
 
 /// The smallest nesting index in pixels of a spec that gives none: it leaves 0.5^(5/2)^2 = 1.3 % of the amplitude of waves of two
 /// pixels, so that the filter and not the pixel ends the spectrum.
-pub const PIXELS: f64 = 5.0;
+const PIXELS: f64 = 5.0;
 
 /// The criterion for a limit compares two changes.
 const FEWEST: usize = 3;
@@ -105,9 +105,22 @@ fn texts(values: &[impl fmt::Display]) -> Vec<String> {
     values.iter().map(ToString::to_string).collect()
 }
 
-/// Whether values ascend, and are as many as a criterion needs and a table shows.
-fn is_series<T: PartialOrd>(values: &[T]) -> bool {
-    (FEWEST..=MOST).contains(&values.len()) && values.windows(2).all(|pair| pair[0] < pair[1])
+/// The values of a list, ascending from `least`, or the default.
+fn ascending<T>(
+    file: &SpecFile,
+    list: Option<&Spanned<Vec<T>>>,
+    value: impl Fn(&T) -> f64,
+    least: f64,
+    allowed: &str,
+) -> Result<Vec<f64>, InputError> {
+    let Some(list) = list else { return Ok(DEFAULT.to_vec()) };
+    let values: Vec<f64> = list.get_ref().iter().map(value).collect();
+    let is_ascending = values.windows(2).all(|pair| pair[0] < pair[1]) && values.first() >= Some(&least);
+    if (FEWEST..=MOST).contains(&values.len()) && is_ascending {
+        return Ok(values);
+    }
+    let message = format!("found [{}]; allowed: {FEWEST} to {MOST} {allowed}", texts(&values).join(", "));
+    Err(file.source.error_at(list.span(), message))
 }
 
 /// Reads `[sampling-interval]`.
@@ -125,7 +138,9 @@ pub(super) fn plan(
     let pressures = &mut compare.controls.pressures;
     pressures.sort_by(f64::total_cmp);
     pressures.dedup();
-    let intervals = intervals(file, raw)?;
+    const INTERVALS: &str = "whole numbers of pixels, ascending, from 1, such as [1, 2, 4, 8]";
+    let intervals = ascending(file, raw.intervals.as_ref(), |&Whole(value)| value as f64, 1.0, INTERVALS)?;
+    let intervals: Vec<usize> = intervals.into_iter().map(|interval| interval as usize).collect();
     let filters = filters(file, raw, &span)?;
     let intervals_key = raw.intervals.as_ref().map(Spanned::span);
     for surface in &compare.surfaces {
@@ -160,31 +175,15 @@ fn check_map(
         return Err((key.clone(), message));
     }
     let shorter = points[0].min(points[1]);
-    match intervals.iter().find(|&&interval| shorter.div_ceil(interval) < LEAST) {
-        None => Ok(()),
-        Some(interval) => {
-            let message = format!(
-                "found an interval of {interval} pixels, which leaves {} points along an axis of surface {name}; allowed: at most {} pixels \
-                 there",
-                shorter.div_ceil(*interval),
-                shorter / LEAST
-            );
-            Err((intervals_key.unwrap_or(key).clone(), message))
-        }
-    }
-}
-
-fn intervals(file: &SpecFile, raw: &SamplingIntervalSpec) -> Result<Vec<usize>, InputError> {
-    let Some(given) = &raw.intervals else { return Ok(DEFAULT.map(|interval| interval as usize).to_vec()) };
-    let values: Vec<usize> = given.get_ref().iter().map(|&Whole(value)| value as usize).collect();
-    if !is_series(&values) || values[0] == 0 {
-        let message = format!(
-            "found [{}]; allowed: {FEWEST} to {MOST} whole numbers of pixels, ascending, from 1, such as [1, 2, 4, 8]",
-            texts(&values).join(", ")
-        );
-        return Err(file.source.error_at(given.span(), message));
-    }
-    Ok(values)
+    let Some(interval) = intervals.iter().find(|&&interval| shorter.div_ceil(interval) < LEAST) else {
+        return Ok(());
+    };
+    let message = format!(
+        "found an interval of {interval} pixels, which leaves {} points along an axis of surface {name}; allowed: at most {} pixels there",
+        shorter.div_ceil(*interval),
+        shorter / LEAST
+    );
+    Err((intervals_key.unwrap_or(key).clone(), message))
 }
 
 fn filters(
@@ -192,28 +191,18 @@ fn filters(
     raw: &SamplingIntervalSpec,
     span: &Range<usize>,
 ) -> Result<FilterPlan, InputError> {
-    let multiples = match &raw.s_filter {
-        None => DEFAULT.map(f64::from).to_vec(),
-        Some(given) => {
-            let values: Vec<f64> = given.get_ref().iter().map(Quantity::<Pure>::value).collect();
-            if !values.is_empty() && !is_series(&values) {
-                let message = format!(
-                    "found [{}]; allowed: {FEWEST} to {MOST} multiples of the nesting index, ascending, such as [1, 2, 4, 8], or [] for \
-                     no filters",
-                    texts(&values).join(", ")
-                );
-                return Err(file.source.error_at(given.span(), message));
-            }
-            values
-        }
-    };
-    if let Some(index) = raw.nesting_index.as_ref().filter(|_| multiples.is_empty()) {
+    const ALLOWED: &str =
+        "multiples of the nesting index, ascending, such as [1, 2, 4, 8], or [] for no filters";
+    let (list, index) = (raw.s_filter.as_ref(), raw.nesting_index.as_ref());
+    let base = index.map(|index| index.get_ref().value());
+    let key = index.map(Spanned::span).or_else(|| list.map(Spanned::span)).unwrap_or_else(|| span.clone());
+    let has_none = list.is_some_and(|list| list.get_ref().is_empty());
+    if let Some(index) = index.filter(|_| has_none) {
         let message =
             "found a nesting index, and no filters (s-filter = []); allowed: both, or neither of them";
         return Err(file.source.error_at(index.span(), message));
     }
-    let key = raw.nesting_index.as_ref().map(Spanned::span);
-    let key = key.or_else(|| raw.s_filter.as_ref().map(Spanned::span)).unwrap_or_else(|| span.clone());
-    let base = raw.nesting_index.as_ref().map(|index| index.get_ref().value());
+    let value = Quantity::<Pure>::value;
+    let multiples = if has_none { Vec::new() } else { ascending(file, list, value, 0.0, ALLOWED)? };
     Ok(FilterPlan { multiples, base, key })
 }

@@ -2,34 +2,37 @@
 
 use asperity::Statistics;
 use asperity::compare::{Accepted, ComparedQuantity, State};
+use asperity::named_enum;
 
-/// A quantity of the asperities, or of both models at a load.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Quantity {
-    /// Asperities per nominal area.
-    Density,
-    /// Arithmetic mean of the radii.
-    MeanRadius,
-    /// 1/(mean curvature).
-    RadiusOfMeanCurvature,
-    /// Standard deviation of the heights of the asperities.
-    Sigma,
-    /// Nayak's bandwidth parameter of the map.
-    Alpha,
-    /// Standard deviation of the radii over their mean.
-    RadiusSpread,
-    /// Correlation of heights and radii.
-    Correlation,
-    /// Greenwood and Williamson's.
-    PlasticityIndex,
-    /// Real area over nominal area by the sum.
-    DeterministicArea,
-    /// Real area over nominal area by the integral.
-    StatisticalArea,
-    /// d/sigma by the integral less that by the sum.
-    SeparationGap,
-    /// Logarithm of the area by the integral over that by the sum.
-    AreaGap,
+named_enum! {
+    /// A quantity of the asperities, or of both models at a load.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Quantity {
+        /// Asperities per nominal area.
+        Density = "density",
+        /// Arithmetic mean of the radii.
+        MeanRadius = "mean-radius",
+        /// 1/(mean curvature).
+        RadiusOfMeanCurvature = "radius-of-mean-curvature",
+        /// Standard deviation of the heights of the asperities.
+        Sigma = "sigma",
+        /// Nayak's bandwidth parameter of the map.
+        Alpha = "nayak-alpha",
+        /// Standard deviation of the radii over their mean.
+        RadiusSpread = "radius-cv",
+        /// Correlation of heights and radii.
+        Correlation = "height-radius-correlation",
+        /// Greenwood and Williamson's.
+        PlasticityIndex = "plasticity-index",
+        /// Real area over nominal area by the sum.
+        DeterministicArea = "deterministic-area",
+        /// Real area over nominal area by the integral.
+        StatisticalArea = "statistical-area",
+        /// d/sigma by the integral less that by the sum.
+        SeparationGap = "separation-gap",
+        /// Logarithm of the area by the integral over that by the sum.
+        AreaGap = "area-gap",
+    }
 }
 
 /// The asperities of a map, or of a part of it.
@@ -46,40 +49,6 @@ pub struct Asperities {
 }
 
 impl Quantity {
-    /// All quantities.
-    pub const ALL: [Self; 12] = [
-        Self::Density,
-        Self::MeanRadius,
-        Self::RadiusOfMeanCurvature,
-        Self::Sigma,
-        Self::Alpha,
-        Self::RadiusSpread,
-        Self::Correlation,
-        Self::PlasticityIndex,
-        Self::DeterministicArea,
-        Self::StatisticalArea,
-        Self::SeparationGap,
-        Self::AreaGap,
-    ];
-
-    /// The name in tables.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Density => "density",
-            Self::MeanRadius => "mean-radius",
-            Self::RadiusOfMeanCurvature => "radius-of-mean-curvature",
-            Self::Sigma => "sigma",
-            Self::Alpha => "nayak-alpha",
-            Self::RadiusSpread => "radius-cv",
-            Self::Correlation => "height-radius-correlation",
-            Self::PlasticityIndex => "plasticity-index",
-            Self::DeterministicArea => "deterministic-area",
-            Self::StatisticalArea => "statistical-area",
-            Self::SeparationGap => "separation-gap",
-            Self::AreaGap => "area-gap",
-        }
-    }
-
     /// Whether it is of both models at a load.
     pub const fn is_at_load(self) -> bool {
         matches!(self, Self::DeterministicArea | Self::StatisticalArea | Self::SeparationGap | Self::AreaGap)
@@ -108,21 +77,19 @@ impl Quantity {
 
     /// Its value, or the logarithm of what is positive; `None` at a load, and of what is not defined.
     pub fn of_asperities(self, asperities: &Asperities) -> Option<f64> {
-        let Asperities { density, statistics, alpha, plasticity_index } = asperities;
+        let statistics = &asperities.statistics;
         let value = match self {
+            Self::Density => Some(asperities.density),
+            Self::MeanRadius => Some(statistics.mean_radius),
+            Self::RadiusOfMeanCurvature => Some(statistics.radius_of_mean_curvature),
+            Self::Sigma => Some(statistics.sigma),
+            Self::Alpha => asperities.alpha,
+            Self::RadiusSpread => Some(statistics.radius_cv),
             Self::Correlation => return statistics.height_radius_correlation,
-            Self::Density => *density,
-            Self::MeanRadius => statistics.mean_radius,
-            Self::RadiusOfMeanCurvature => statistics.radius_of_mean_curvature,
-            Self::Sigma => statistics.sigma,
-            Self::Alpha => (*alpha)?,
-            Self::RadiusSpread => statistics.radius_cv,
-            Self::PlasticityIndex => (*plasticity_index)?,
-            Self::DeterministicArea | Self::StatisticalArea | Self::SeparationGap | Self::AreaGap => {
-                return None;
-            }
+            Self::PlasticityIndex => asperities.plasticity_index,
+            Self::DeterministicArea | Self::StatisticalArea | Self::SeparationGap | Self::AreaGap => None,
         };
-        (value > 0.0).then(|| value.ln())
+        value.filter(|value| *value > 0.0).map(f64::ln)
     }
 
     /// The same of both models at a load; `None` of a quantity of the asperities.

@@ -1,6 +1,7 @@
 //! Results at all sampling intervals and under all S filters: everything that the report contains.
 
 use asperity::compare::{Accepted, ComparedQuantity, Contributions, Estimate, LeftOut};
+use asperity::named_enum;
 use asperity_framework::contact::ContactMetadata;
 use asperity_framework::metadata::Metadata;
 
@@ -38,24 +39,18 @@ pub struct SurfaceResults {
     pub series: Vec<Series>,
 }
 
-/// How a surface is varied.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Variation {
-    /// Every so many points of the map.
-    Interval,
-    /// An S filter on the map.
-    Filter,
+named_enum! {
+    /// How a surface is varied.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Variation {
+        /// Every so many points of the map.
+        Interval = "interval",
+        /// An S filter on the map.
+        Filter = "s-filter",
+    }
 }
 
 impl Variation {
-    /// The name in tables.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Interval => "interval",
-            Self::Filter => "s-filter",
-        }
-    }
-
     /// The length that is varied, for sentences and figures.
     pub const fn label(self) -> &'static str {
         match self {
@@ -68,6 +63,8 @@ impl Variation {
 /// One surface varied in one way.
 #[derive(Debug)]
 pub struct Series {
+    /// Name of the surface.
+    pub surface: String,
     /// What is varied.
     pub variation: Variation,
     /// From the finest.
@@ -150,20 +147,19 @@ impl ScaleResults {
 }
 
 impl Series {
-    /// The trends of all quantities over `scales`, at each of the `loads` (Pa).
-    pub fn new(variation: Variation, scales: Vec<Scale>, loads: &[f64], accepted: &Accepted) -> Self {
-        let mut series = Self { variation, scales, trends: Vec::new() };
+    /// The same with the trends of all quantities, at each of the `loads` (Pa).
+    pub fn with_trends(mut self, loads: &[f64], accepted: &Accepted) -> Self {
         for quantity in Quantity::ALL {
             let loads = if quantity.is_at_load() { loads } else { &loads[..1] };
             let trend = |(index, &load)| {
-                let (points, shares) = series.points(quantity, index);
+                let (points, shares) = self.points(quantity, index);
                 let load = quantity.is_at_load().then_some(load);
                 Trend::new(quantity, load, &points, shares, quantity.tolerance(accepted))
             };
             let trends: Vec<Trend> = loads.iter().enumerate().filter_map(trend).collect();
-            series.trends.extend(trends);
+            self.trends.extend(trends);
         }
-        series
+        self
     }
 
     /// A quantity from the finest scale to the coarsest at which it is known without a gap, with the shares of the blocks at the
@@ -176,12 +172,6 @@ impl Series {
         };
         let blocks = self.results().next().and_then(|(_, finest)| finest.blocks.as_ref());
         (self.scales.iter().map_while(point).collect(), blocks.map_or(&[], |blocks| &blocks.models.shares))
-    }
-
-    /// The trend of a quantity, at a load (Pa) where it depends on one.
-    pub fn trend(&self, quantity: Quantity, load: Option<f64>) -> Option<&Trend> {
-        let load = load.filter(|_| quantity.is_at_load());
-        self.trends.iter().find(|trend| trend.quantity == quantity && trend.load == load)
     }
 
     /// The scales at which there are asperities, from the finest.

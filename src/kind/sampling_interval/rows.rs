@@ -1,42 +1,26 @@
 //! `sampling_interval.csv`, `sampling_interval_gaps.csv`, `sampling_interval_limits.csv` and `sampling_interval_leads.csv`.
 
 use asperity::Response;
-use asperity::compare::{Cause, ComparedQuantity, Estimate};
+use asperity::compare::{Cause, ComparedQuantity, Contributions, Difference, Estimate, Pair};
 use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row, Table};
 
-use super::findings::GapFindings;
-use super::results::{IntervalResults, QUANTITIES, Scale, ScaleResults, Series, SurfaceResults};
+use super::findings::{Gap, gaps, sign};
+use super::results::{IntervalResults, QUANTITIES, Scale, ScaleResults, Series};
 use super::trend::Trend;
 use crate::kind::compare::tables::limits;
 
-/// What a row belongs to.
-#[derive(Clone, Copy)]
-struct Place<'a> {
-    surface: &'a SurfaceResults,
-    series: &'a Series,
-}
-
-impl<'a> Place<'a> {
-    /// The surfaces, varied in each way.
-    fn all(results: &'a IntervalResults) -> impl Iterator<Item = Self> {
-        results
-            .surfaces
-            .iter()
-            .flat_map(|surface| surface.series.iter().map(move |series| Self { surface, series }))
-    }
-
-    fn columns<R>(place: impl for<'b> Fn(&'b R) -> Place<'b> + Copy + 'static) -> Vec<Column<R>> {
-        columns! { row: R =>
-            surface["text"] = place(row).surface.surface.name.as_str(), "Name of the surface.";
-            variation["text"] = place(row).series.variation.name(), "What is varied: `interval` (every so many points of the map) or `s-filter` (Gaussian S filter on the map, ISO 16610-61).";
-        }
+/// The columns of what a row belongs to.
+fn series_columns<R>(series: impl Fn(&R) -> &Series + Copy + 'static) -> Vec<Column<R>> {
+    columns! { row: R =>
+        surface["text"] = series(row).surface.as_str(), "Name of the surface.";
+        variation["text"] = series(row).variation.name(), "What is varied: `interval` (every so many points of the map) or `s-filter` (Gaussian S filter on the map, ISO 16610-61).";
     }
 }
 
 /// A surface at one scale.
 pub struct ScaleRow<'a> {
-    place: Place<'a>,
+    series: &'a Series,
     scale: &'a Scale,
 }
 
@@ -52,7 +36,7 @@ impl Row for ScaleRow<'_> {
         "One row for each surface and each of its sampling intervals and S filters: its asperities.";
 
     fn columns() -> Vec<Column<Self>> {
-        let mut columns = Place::columns(|row: &Self| row.place);
+        let mut columns = series_columns(|row: &Self| row.series);
         columns.extend(columns! { row: Self =>
             multiple["1"] = row.scale.multiple, "Sampling interval in pixels of the map; nesting index in units of the smallest one asked for.";
             length_m["m"] = row.scale.length, "Sampling interval, the longer one of x and y, or nesting index of the S filter.";
@@ -73,7 +57,7 @@ impl Row for ScaleRow<'_> {
 
 /// Both models on a surface at one scale and load, in one quantity.
 pub struct GapRow<'a> {
-    place: Place<'a>,
+    series: &'a Series,
     scale: &'a Scale,
     results: &'a ScaleResults,
     load: usize,
@@ -81,6 +65,14 @@ pub struct GapRow<'a> {
 }
 
 impl GapRow<'_> {
+    fn at_load(&self) -> &Difference {
+        &self.results.case.differences[self.load]
+    }
+
+    fn pair(&self) -> &Pair {
+        &self.results.case.comparison.pairs[self.load]
+    }
+
     fn difference(&self) -> Option<Estimate> {
         self.results.difference(self.load, self.quantity)
     }
@@ -89,12 +81,12 @@ impl GapRow<'_> {
         Some(self.quantity.reported(self.difference()?.interval()?[index]))
     }
 
-    fn part(&self, cause: Cause) -> Option<Estimate> {
-        Some(self.results.parts(self.load, self.quantity)?.estimates[cause as usize])
+    fn parts(&self) -> Option<&Contributions> {
+        self.results.parts(self.load, self.quantity)
     }
 
     fn half_width(&self, cause: Cause) -> Option<f64> {
-        self.part(cause)?.half_width()
+        self.parts()?.estimates[cause as usize].half_width()
     }
 
     fn value(&self, response: &Response) -> f64 {
@@ -104,11 +96,6 @@ impl GapRow<'_> {
             response.area_ratio.total()
         }
     }
-
-    fn leading_cause(&self) -> Option<&'static str> {
-        let parts = self.results.parts(self.load, self.quantity)?;
-        Some(parts.leading().map_or("none", Cause::name))
-    }
 }
 
 impl Row for GapRow<'_> {
@@ -116,27 +103,26 @@ impl Row for GapRow<'_> {
     const ROWS: &'static str = "One row for each surface, sampling interval or S filter, load and quantity: both models at equal load, their difference and its parts.";
 
     fn columns() -> Vec<Column<Self>> {
-        let mut columns = Place::columns(|row: &Self| row.place);
+        let mut columns = series_columns(|row: &Self| row.series);
         columns.extend(columns! { row: Self =>
             multiple["1"] = row.scale.multiple, "Sampling interval or nesting index, as in `sampling_interval.csv`.";
             length_m["m"] = row.scale.length, "The same as a length.";
-            pressure_pa["Pa", input] = row.results.case.differences[row.load].load, "Nominal pressure.";
+            pressure_pa["Pa", input] = row.at_load().load, "Nominal pressure.";
             quantity["text"] = row.quantity.name(), "What is compared: `separation` or `area` (real contact area).";
-            statistical["1"] = row.value(&row.results.case.comparison.pairs[row.load].statistical), "Statistical model: separation over sigma, or real contact area over nominal area.";
-            deterministic["1"] = row.value(&row.results.case.comparison.pairs[row.load].deterministic), "Deterministic model: the same.";
+            statistical["1"] = row.value(&row.pair().statistical), "Statistical model: separation over sigma, or real contact area over nominal area.";
+            deterministic["1"] = row.value(&row.pair().deterministic), "Deterministic model: the same.";
             difference["1", signed] = row.difference().map(|difference| row.quantity.reported(difference.contrast)), "Statistical minus deterministic: of the separation in sigma, of the area relative to the deterministic one; empty beyond the valid range.";
             low["1", signed] = row.end(0), "Lower end of the pointwise 95 % interval of the difference; empty where none is claimed.";
             high["1", signed] = row.end(1), "Upper end of the interval.";
             difference_m["m", signed] = row.difference().filter(|_| row.quantity == ComparedQuantity::Separation).map(|difference| difference.contrast * row.results.sigma), "Difference in separation as a length; empty for areas.";
-            from_heights["1", signed] = row.part(Cause::Heights).map(|part| part.contrast), "Part of the difference from the height distribution, mean over the orders of replacement; of the area of the logarithm of the ratio. The parts add up to the difference; empty where too few contacts carry the load.";
-            from_radii["1", signed] = row.part(Cause::Radii).map(|part| part.contrast), "Part from the spread of radii.";
-            from_correlation["1", signed] = row.part(Cause::Correlation).map(|part| part.contrast), "Part from the correlation of heights and radii.";
+            from_heights["1", signed] = row.parts().map(|parts| parts.of(Cause::Heights)), "Part of the difference from the height distribution, mean over the orders of replacement; of the area of the logarithm of the ratio. The parts add up to the difference; empty where too few contacts carry the load.";
+            from_radii["1", signed] = row.parts().map(|parts| parts.of(Cause::Radii)), "Part from the spread of radii.";
+            from_correlation["1", signed] = row.parts().map(|parts| parts.of(Cause::Correlation)), "Part from the correlation of heights and radii.";
             from_heights_half_width["1", label("± heights")] = row.half_width(Cause::Heights), "Half-width of the 95 % interval of the part from the height distribution; empty where none is claimed.";
             from_radii_half_width["1", label("± radii")] = row.half_width(Cause::Radii), "The same of the spread of radii.";
             from_correlation_half_width["1", label("± correlation")] = row.half_width(Cause::Correlation), "The same of the correlation.";
-            leading_cause["text"] = row.leading_cause(), "The leading cause: `heights`, `radii`, `correlation`, or `none`; empty where the difference is not divided.";
-            effective_contacts["1"] = row.results.case.differences[row.load].sharing.map(|sharing| sharing.effective_contacts), "Effective contacts of the deterministic model.";
-            limits["text"] = limits(row.results.case.differences[row.load].exceeded()), "Limits of the valid range that are exceeded, as in `curves.csv`.";
+            effective_contacts["1"] = row.at_load().sharing.map(|sharing| sharing.effective_contacts), "Effective contacts of the deterministic model.";
+            limits["text"] = limits(row.at_load().exceeded()), "Limits of the valid range that are exceeded, as in `curves.csv`.";
         });
         columns
     }
@@ -144,7 +130,7 @@ impl Row for GapRow<'_> {
 
 /// A quantity towards the finest scale.
 pub struct LimitRow<'a> {
-    place: Place<'a>,
+    series: &'a Series,
     trend: &'a Trend,
 }
 
@@ -154,7 +140,7 @@ impl Row for LimitRow<'_> {
     const RECORDS: Option<&'static str> = Some("sampling_interval_limits");
 
     fn columns() -> Vec<Column<Self>> {
-        let mut columns = Place::columns(|row: &Self| row.place);
+        let mut columns = series_columns(|row: &Self| row.series);
         columns.extend(columns! { row: Self =>
             quantity["text"] = row.trend.quantity.name(), "The quantity: `density`, `mean-radius`, `radius-of-mean-curvature`, `sigma`, `nayak-alpha`, `radius-cv`, `height-radius-correlation`, `plasticity-index` of the asperities; `deterministic-area`, `statistical-area`, `separation-gap`, `area-gap` at a load.";
             pressure_pa["Pa", input] = row.trend.load, "Nominal pressure; empty for quantities of the asperities.";
@@ -174,10 +160,21 @@ impl Row for LimitRow<'_> {
 
 /// The gap between the models in one quantity and at one load over the scales.
 pub struct LeadRow<'a> {
-    place: Place<'a>,
+    series: &'a Series,
     pressure: f64,
     quantity: ComparedQuantity,
-    findings: GapFindings,
+    gaps: Vec<Gap<'a>>,
+}
+
+impl LeadRow<'_> {
+    fn differences(&self) -> impl Iterator<Item = f64> {
+        self.gaps.iter().map(|gap| self.quantity.reported(gap.difference.contrast))
+    }
+
+    fn leading_causes(&self) -> Vec<String> {
+        let leading = |gap: &Gap| gap.parts.and_then(Contributions::leading).map_or("none", Cause::name);
+        self.gaps.iter().map(|gap| leading(gap).to_owned()).collect()
+    }
 }
 
 impl Row for LeadRow<'_> {
@@ -186,16 +183,15 @@ impl Row for LeadRow<'_> {
     const RECORDS: Option<&'static str> = Some("sampling_interval_leads");
 
     fn columns() -> Vec<Column<Self>> {
-        let mut columns = Place::columns(|row: &Self| row.place);
+        let mut columns = series_columns(|row: &Self| row.series);
         columns.extend(columns! { row: Self =>
             pressure_pa["Pa", input] = row.pressure, "Nominal pressure.";
             quantity["text", label("gap in")] = row.quantity.name(), "What is compared: `separation` or `area` (real contact area).";
-            lengths["count"] = row.findings.scales, "Sampling intervals or nesting indices within the valid range.";
-            smallest_difference["1", label("from"), signed, scale(1.0)] = row.findings.range[0], "Smallest difference over the lengths, as in `sampling_interval_gaps.csv`.";
-            largest_difference["1", label("to"), signed, scale(1.0)] = row.findings.range[1], "Largest such difference.";
-            sign["text", verdict] = row.findings.sign, "Whether the difference is of the same sign at all lengths: `kept`, `changes` (two intervals lie on either side of zero) or `cannot-tell` (an interval holds zero); empty of a single length.";
-            leading_causes["text"] = row.findings.causes.iter().map(|cause| cause.name().to_owned()).collect::<Vec<_>>(), "The causes that lead at a length, from the finest: `heights`, `radii`, `correlation`.";
-            lengths_with_leading_cause["count", label("lengths with a leading cause")] = row.findings.scales_with_cause, "Lengths at which a cause leads.";
+            lengths["count"] = row.gaps.len(), "Sampling intervals or nesting indices within the valid range.";
+            smallest_difference["1", label("from"), signed, scale(1.0)] = row.differences().fold(f64::INFINITY, f64::min), "Smallest difference over the lengths, as in `sampling_interval_gaps.csv`.";
+            largest_difference["1", label("to"), signed, scale(1.0)] = row.differences().fold(f64::NEG_INFINITY, f64::max), "Largest such difference.";
+            sign["text", verdict] = sign(&row.gaps), "Whether the difference is of the same sign at all lengths: `kept`, `changes` (two intervals lie on either side of zero) or `cannot-tell` (an interval holds zero); empty of a single length.";
+            leading_causes["text"] = row.leading_causes(), "The leading cause at each of the lengths, from the finest: `heights`, `radii`, `correlation`, or `none`.";
         });
         columns
     }
@@ -203,24 +199,19 @@ impl Row for LeadRow<'_> {
 
 /// The tables.
 pub fn tables(results: &IntervalResults) -> Vec<Table> {
-    let scales = Place::all(results)
-        .flat_map(|place| place.series.scales.iter().map(move |scale| ScaleRow { place, scale }));
-    let gaps = Place::all(results).flat_map(|place| {
-        place.series.results().flat_map(move |(scale, results)| {
-            (0..results.case.differences.len()).flat_map(move |load| {
-                QUANTITIES.map(|quantity| GapRow { place, scale, results, load, quantity })
-            })
-        })
-    });
-    let limits = Place::all(results)
-        .flat_map(|place| place.series.trends.iter().map(move |trend| LimitRow { place, trend }));
-    let leads = Place::all(results).flat_map(|place| {
-        results.loads.iter().enumerate().flat_map(move |(load, &pressure)| {
-            QUANTITIES.into_iter().filter_map(move |quantity| {
-                let findings = GapFindings::new(place.series, load, quantity)?;
-                Some(LeadRow { place, pressure, quantity, findings })
-            })
-        })
-    });
-    vec![Table::new(scales), Table::new(gaps), Table::new(limits), Table::new(leads)]
+    let (mut scale_rows, mut gap_rows, mut limit_rows, mut lead_rows) = (vec![], vec![], vec![], vec![]);
+    for series in results.surfaces.iter().flat_map(|surface| &surface.series) {
+        scale_rows.extend(series.scales.iter().map(|scale| ScaleRow { series, scale }));
+        limit_rows.extend(series.trends.iter().map(|trend| LimitRow { series, trend }));
+        for (scale, results) in series.results() {
+            for load in 0..results.case.differences.len() {
+                gap_rows.extend(QUANTITIES.map(|quantity| GapRow { series, scale, results, load, quantity }));
+            }
+        }
+        for (load, &pressure) in results.loads.iter().enumerate() {
+            let row = |quantity| LeadRow { series, pressure, quantity, gaps: gaps(series, load, quantity) };
+            lead_rows.extend(QUANTITIES.map(row).into_iter().filter(|row| !row.gaps.is_empty()));
+        }
+    }
+    vec![Table::new(scale_rows), Table::new(gap_rows), Table::new(limit_rows), Table::new(lead_rows)]
 }

@@ -45,8 +45,8 @@ pub(super) fn run(context: &RunContext, plan: &IntervalPlan) -> Result<IntervalR
         // Planned surfaces have a map, which is kept.
         if let Some((prepared, facts)) = prepared.as_ref().zip(made.map.as_ref()) {
             let setup = Setup { progress: &Silent, ..compare.setup(context) };
-            let (factory, counter) = (&factory, &counter);
-            let variants = Variants { context, plan, setup, factory, counter, map: &prepared.map, facts };
+            let (factory, counter, name, map) = (&factory, &counter, &surface.name, &prepared.map);
+            let variants = Variants { context, plan, setup, factory, counter, name, map, facts };
             series = variants.series(&compare.accept.on(made.plane.sigma)).map_err(|error| {
                 let message = format!("surface {}: {error}", surface.name);
                 context.source.error_at(plan.filters.key.clone(), message)
@@ -78,6 +78,7 @@ struct Variants<'a> {
     setup: Setup<'a>,
     factory: &'a SurfaceFactory<'a>,
     counter: &'a Counter,
+    name: &'a str,
     map: &'a HeightMap,
     facts: &'a MapFacts,
 }
@@ -85,7 +86,10 @@ struct Variants<'a> {
 impl Variants<'_> {
     fn series(&self, accepted: &Accepted) -> Result<Vec<Series>, FilterError> {
         let (filters, loads) = (&self.plan.filters, &self.setup.controls.pressures);
-        let series = |variation, scales| Series::new(variation, scales, loads, accepted);
+        let series = |variation, scales| {
+            let surface = self.name.to_owned();
+            Series { surface, variation, scales, trends: Vec::new() }.with_trends(loads, accepted)
+        };
         let intervals = self.plan.intervals.iter().map(|&every| self.sampled(every)).collect();
         let mut all = vec![series(Variation::Interval, intervals)];
         if !filters.multiples.is_empty() {
@@ -100,33 +104,31 @@ impl Variants<'_> {
     fn sampled(&self, every: usize) -> Scale {
         let pixel = self.map.pixel();
         let length = every as f64 * pixel[0].max(pixel[1]);
-        Scale { multiple: every as f64, length, results: self.results(&Sampled { map: self.map, every }) }
+        self.scale(every as f64, length, &Sampled { map: self.map, every })
     }
 
     /// The map under an S filter of `multiple` times `base` (m).
     fn filtered(&self, multiple: f64, base: f64) -> Result<Scale, FilterError> {
         let length = multiple * base;
         let filtered = Filter::new(Some(length), None)?.apply(self.map)?;
-        Ok(Scale { multiple, length, results: self.results(&filtered) })
+        Ok(self.scale(multiple, length, &filtered))
+    }
+
+    fn scale(&self, multiple: f64, length: f64, map: &dyn Rows) -> Scale {
+        let results = self.results(map);
+        self.context.progress.advance(1.0);
+        Scale { multiple, length, results }
     }
 
     /// Both models on a variant of the map.
     fn results(&self, map: &dyn Rows) -> Result<ScaleResults, String> {
-        let surface = self.factory.derived(map, self.facts);
-        let results = surface
-            .ok_or_else(|| "no summit is left, or all are equally high".to_owned())
-            .and_then(|surface| {
-                self.compared(&surface).map_err(|error| match error {
-                    StudyError::Inapplicable(error) => error.to_string(),
-                    StudyError::NotReached(_, error) => error.to_string(),
-                })
-            });
-        self.context.progress.advance(1.0);
-        results
-    }
-
-    fn compared(&self, surface: &Surface) -> Result<ScaleResults, StudyError<'_>> {
-        let (mut realisation, samplings) = study(self.setup, surface, true, self.counter)?;
+        let surface =
+            &self.factory.derived(map, self.facts).ok_or("no summit is left, or all are equally high")?;
+        let results = study(self.setup, surface, true, self.counter).map_err(|error| match error {
+            StudyError::Inapplicable(error) => error.to_string(),
+            StudyError::NotReached(_, error) => error.to_string(),
+        });
+        let (mut realisation, samplings) = results?;
         let case = realisation.cases.swap_remove(0);
         let blocks = match (&surface.independence, samplings.into_iter().next()) {
             (Independence::Blocks(blocks), Some(CaseSampling { groups: Some(models), .. })) => {

@@ -1,6 +1,7 @@
 //! Whether a quantity has a limit as the sampling interval or the nesting index shrinks.
 
 use asperity::compare::{SlopeFit, jackknife_error, jackknife_quantile};
+use asperity::named_enum;
 
 use super::quantity::Quantity;
 
@@ -25,30 +26,20 @@ pub struct Point {
     pub without: Option<Vec<f64>>,
 }
 
-/// What the finest scales tell of a limit.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Convergence {
-    /// The last change is within the tolerance, its interval included, and so is what is left of a smooth surface after the change
-    /// before; and it cannot be told from none, or it shrinks and what is left is within the tolerance too, or it is small over
-    /// [`HALVINGS`].
-    Limit,
-    /// The last change shrinks, its interval included, but it or what is left exceeds the tolerance.
-    Approaching,
-    /// The last change exceeds the tolerance, its interval included, and does not shrink.
-    NoLimit,
-    /// Anything else.
-    CannotTell,
-}
-
-impl Convergence {
-    /// The name in tables.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Limit => "limit",
-            Self::Approaching => "approaching",
-            Self::NoLimit => "no-limit",
-            Self::CannotTell => "cannot-tell",
-        }
+named_enum! {
+    /// What the finest scales tell of a limit.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Convergence {
+        /// The last change is within the tolerance, its interval included, and so is what is left of a smooth surface after the change
+        /// before; and it cannot be told from none, or it shrinks and what is left is within the tolerance too, or it is small over
+        /// [`HALVINGS`].
+        Limit = "limit",
+        /// The last change shrinks, its interval included, but it or what is left exceeds the tolerance.
+        Approaching = "approaching",
+        /// The last change exceeds the tolerance, its interval included, and does not shrink.
+        NoLimit = "no-limit",
+        /// Anything else.
+        CannotTell = "cannot-tell",
     }
 }
 
