@@ -2,20 +2,25 @@
 
 use std::fmt;
 use std::ops::Range;
+use std::path::PathBuf;
 
-use asperity_framework::input::Spanned;
 use asperity_framework::input::quantity::{Pure, Quantity};
-use asperity_framework::input::{InputError, SpecFile, Whole};
+use asperity_framework::input::{InputError, Spanned, SpecFile, Whole};
+use asperity_framework::report::format::listed;
+use asperity_framework::{Memory, Plan, RunContext};
 
+use super::results::IntervalResults;
+use super::run::run;
 use super::spec::SamplingIntervalSpec;
 use crate::kind::compare::plan::{ComparePlan, compared};
+use crate::surface::{AnalysisDepth, SurfacePlan, inputs, memory};
 
 /// The intervals and multiples of a spec that gives none.
-const DEFAULT: [u32; 4] = [1, 2, 4, 8];
+const DEFAULT: [f64; 4] = [1.0, 2.0, 4.0, 8.0];
 
 /// The smallest nesting index in pixels of a spec that gives none: it leaves 0.5^(5/2)^2 = 1.3 % of the amplitude of waves of two
 /// pixels, so that the filter and not the pixel ends the spectrum.
-pub const PIXELS: f64 = 5.0;
+const PIXELS: f64 = 5.0;
 
 /// The criterion for a limit compares two changes.
 const FEWEST: usize = 3;
@@ -25,18 +30,18 @@ const MOST: usize = 32;
 
 /// The same surfaces at several sampling intervals and under several S filters.
 pub struct IntervalPlan {
-    /// Both models on the surfaces as they are, under one law.
+    /// Both models on the surfaces as they are, under one law, at ascending pressures.
     pub compare: ComparePlan,
     /// Sampling intervals in pixels, ascending.
     pub intervals: Vec<usize>,
-    /// S filters; `None` where none are asked for.
-    pub filters: Option<FilterPlan>,
+    /// S filters.
+    pub filters: FilterPlan,
 }
 
 /// S filters of growing nesting indices.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FilterPlan {
-    /// Nesting indices, ascending, in units of `base`.
+    /// Nesting indices, ascending, in units of `base`; empty where no filters are asked for.
     pub multiples: Vec<f64>,
     /// m; `None` for [`PIXELS`] pixels of each map.
     pub base: Option<f64>,
@@ -54,24 +59,68 @@ impl FilterPlan {
 impl IntervalPlan {
     /// Number of variants of each surface.
     pub fn scales(&self) -> usize {
-        self.intervals.len() + self.filters.as_ref().map_or(0, |filters| filters.multiples.len())
+        self.intervals.len() + self.filters.multiples.len()
+    }
+}
+
+impl Plan for IntervalPlan {
+    type Outcome = IntervalResults;
+
+    fn inputs(&self) -> Vec<PathBuf> {
+        inputs(&self.compare.surfaces)
+    }
+
+    fn memory(&self) -> Memory {
+        /// The prepared map and a filtered one.
+        const BYTES_PER_POINT: u128 = 16;
+        let of_models = memory(&self.compare.surfaces, AnalysisDepth::Comparison, true);
+        let points = |surface: &SurfacePlan| surface.map_points().map(|[nx, ny]| nx as u128 * ny as u128);
+        let maps = self.compare.surfaces.iter().filter_map(points).max().unwrap_or(0) * BYTES_PER_POINT;
+        Memory { bytes: of_models.bytes + maps, ..of_models }
+    }
+
+    fn work(&self) -> u128 {
+        self.compare.work() * self.scales() as u128
+    }
+
+    fn run(&self, context: &RunContext) -> Result<IntervalResults, InputError> {
+        run(context, self)
     }
 }
 
 impl fmt::Display for IntervalPlan {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         write!(f, "{}", self.compare)?;
-        writeln!(f, "  each surface at sampling intervals of {} pixels", listed(&self.intervals))?;
-        let Some(filters) = &self.filters else { return Ok(()) };
-        let base = filters.base.map_or_else(|| format!("{PIXELS} pixels"), |base| format!("{base:e} m"));
-        writeln!(f, "  and under S filters of {} times {base}", listed(&filters.multiples))
+        writeln!(f, "  each surface at sampling intervals of {} pixels", listed(&texts(&self.intervals)))?;
+        let FilterPlan { multiples, base, .. } = &self.filters;
+        if multiples.is_empty() {
+            return Ok(());
+        }
+        let base = base.map_or_else(|| format!("{PIXELS} pixels"), |base| format!("{base:e} m"));
+        writeln!(f, "  and under S filters of {} times {base}", listed(&texts(multiples)))
     }
 }
 
-/// "1, 2, 4 and 8".
-fn listed(values: &[impl fmt::Display]) -> String {
-    let names: Vec<String> = values.iter().map(ToString::to_string).collect();
-    asperity_framework::report::format::listed(&names)
+fn texts(values: &[impl fmt::Display]) -> Vec<String> {
+    values.iter().map(ToString::to_string).collect()
+}
+
+/// The values of a list, ascending from `least`, or the default.
+fn ascending<T>(
+    file: &SpecFile,
+    list: Option<&Spanned<Vec<T>>>,
+    value: impl Fn(&T) -> f64,
+    least: f64,
+    allowed: &str,
+) -> Result<Vec<f64>, InputError> {
+    let Some(list) = list else { return Ok(DEFAULT.to_vec()) };
+    let values: Vec<f64> = list.get_ref().iter().map(value).collect();
+    let is_ascending = values.windows(2).all(|pair| pair[0] < pair[1]) && values.first() >= Some(&least);
+    if (FEWEST..=MOST).contains(&values.len()) && is_ascending {
+        return Ok(values);
+    }
+    let message = format!("found [{}]; allowed: {FEWEST} to {MOST} {allowed}", texts(&values).join(", "));
+    Err(file.source.error_at(list.span(), message))
 }
 
 /// Reads `[sampling-interval]`.
@@ -85,96 +134,75 @@ pub(super) fn plan(
         let message = format!("found {} laws; allowed: one", laws.len());
         return Err(file.source.error_at(raw.law.span(), message));
     }
-    let compare = compared(file, &raw.compared(), span.clone())?;
-    let intervals = intervals(file, raw)?;
+    let mut compare = compared(file, &raw.compared(), span.clone())?;
+    let pressures = &mut compare.controls.pressures;
+    pressures.sort_by(f64::total_cmp);
+    pressures.dedup();
+    const INTERVALS: &str = "whole numbers of pixels, ascending, from 1, such as [1, 2, 4, 8]";
+    let intervals = ascending(file, raw.intervals.as_ref(), |&Whole(value)| value as f64, 1.0, INTERVALS)?;
+    let intervals: Vec<usize> = intervals.into_iter().map(|interval| interval as usize).collect();
     let filters = filters(file, raw, &span)?;
+    let intervals_key = raw.intervals.as_ref().map(Spanned::span);
     for surface in &compare.surfaces {
-        let refuse = |at: Range<usize>, message: String| Err(file.source.error_at(at, message));
-        let Some(points) = surface.map_points() else {
-            let message = format!(
-                "found surface {} ({}), which has no height map to sample; allowed: surfaces made by [surface.NAME.generate] or read by \
-                 [surface.NAME.file], chosen by `surfaces = [...]`",
-                surface.name,
-                surface.describe()
-            );
-            return refuse(surface.size_key.clone(), message);
-        };
-        if surface.realisations > 1 {
-            let message = format!(
-                "found {} realisations of surface {}; allowed: one, whose blocks give the uncertainty: more points make it smaller",
-                surface.realisations, surface.name
-            );
-            return refuse(surface.size_key.clone(), message);
-        }
-        /// Points that a five-point summit needs, three times over.
-        const LEAST: usize = 9;
-        let shorter = points[0].min(points[1]);
-        if let Some(interval) = intervals.iter().find(|&&interval| shorter.div_ceil(interval) < LEAST) {
-            let message = format!(
-                "found an interval of {interval} pixels, which leaves {} points along an axis of surface {}; allowed: at most {} pixels \
-                 there",
-                shorter.div_ceil(*interval),
-                surface.name,
-                shorter / LEAST
-            );
-            return refuse(raw.intervals.as_ref().map_or(surface.size_key.clone(), Spanned::span), message);
-        }
+        check_map(surface, &intervals, intervals_key.as_ref())
+            .map_err(|(key, message)| file.source.error_at(key, message))?;
     }
     Ok(IntervalPlan { compare, intervals, filters })
 }
 
-fn intervals(file: &SpecFile, raw: &SamplingIntervalSpec) -> Result<Vec<usize>, InputError> {
-    let Some(given) = &raw.intervals else { return Ok(DEFAULT.map(|interval| interval as usize).to_vec()) };
-    let values: Vec<usize> = given.get_ref().iter().map(|&Whole(value)| value as usize).collect();
-    let is_growing = values.windows(2).all(|pair| pair[0] < pair[1]);
-    if !(FEWEST..=MOST).contains(&values.len()) || !is_growing || values[0] == 0 {
+/// Refuses a surface without a map, of several realisations, or with too few points at an interval; with the position of the key.
+fn check_map(
+    surface: &SurfacePlan,
+    intervals: &[usize],
+    intervals_key: Option<&Range<usize>>,
+) -> Result<(), (Range<usize>, String)> {
+    /// Points that a five-point summit needs, three times over.
+    const LEAST: usize = 9;
+    let (name, key) = (&surface.name, &surface.size_key);
+    let Some(points) = surface.map_points() else {
         let message = format!(
-            "found {}; allowed: {FEWEST} to {MOST} whole numbers of pixels, ascending, from 1, such as [1, 2, 4, 8]",
-            bracketed(&values)
+            "found surface {name} ({}), which has no height map to sample; allowed: surfaces made by [surface.NAME.generate] or read by \
+             [surface.NAME.file], chosen by `surfaces = [...]`",
+            surface.describe()
         );
-        return Err(file.source.error_at(given.span(), message));
+        return Err((key.clone(), message));
+    };
+    if surface.realisations > 1 {
+        let message = format!(
+            "found {} realisations of surface {name}; allowed: one, whose blocks give the uncertainty: more points make it smaller",
+            surface.realisations
+        );
+        return Err((key.clone(), message));
     }
-    Ok(values)
+    let shorter = points[0].min(points[1]);
+    let Some(interval) = intervals.iter().find(|&&interval| shorter.div_ceil(interval) < LEAST) else {
+        return Ok(());
+    };
+    let message = format!(
+        "found an interval of {interval} pixels, which leaves {} points along an axis of surface {name}; allowed: at most {} pixels there",
+        shorter.div_ceil(*interval),
+        shorter / LEAST
+    );
+    Err((intervals_key.unwrap_or(key).clone(), message))
 }
 
 fn filters(
     file: &SpecFile,
     raw: &SamplingIntervalSpec,
     span: &Range<usize>,
-) -> Result<Option<FilterPlan>, InputError> {
-    let multiples = match &raw.s_filter {
-        None => DEFAULT.map(f64::from).to_vec(),
-        Some(given) => {
-            let values: Vec<f64> = given.get_ref().iter().map(Quantity::<Pure>::value).collect();
-            let is_growing = values.windows(2).all(|pair| pair[0] < pair[1]);
-            if !(values.is_empty() || (FEWEST..=MOST).contains(&values.len())) || !is_growing {
-                let message = format!(
-                    "found {}; allowed: {FEWEST} to {MOST} multiples of the nesting index, ascending, such as [1, 2, 4, 8], or [] for \
-                     no filters",
-                    bracketed(&values)
-                );
-                return Err(file.source.error_at(given.span(), message));
-            }
-            values
-        }
-    };
-    if multiples.is_empty() {
-        return match &raw.nesting_index {
-            None => Ok(None),
-            Some(index) => {
-                let message = "found a nesting index, and no filters (s-filter = []); allowed: both, or neither of them";
-                Err(file.source.error_at(index.span(), message))
-            }
-        };
+) -> Result<FilterPlan, InputError> {
+    const ALLOWED: &str =
+        "multiples of the nesting index, ascending, such as [1, 2, 4, 8], or [] for no filters";
+    let (list, index) = (raw.s_filter.as_ref(), raw.nesting_index.as_ref());
+    let base = index.map(|index| index.get_ref().value());
+    let key = index.map(Spanned::span).or_else(|| list.map(Spanned::span)).unwrap_or_else(|| span.clone());
+    let has_none = list.is_some_and(|list| list.get_ref().is_empty());
+    if let Some(index) = index.filter(|_| has_none) {
+        let message =
+            "found a nesting index, and no filters (s-filter = []); allowed: both, or neither of them";
+        return Err(file.source.error_at(index.span(), message));
     }
-    let key = raw.nesting_index.as_ref().map(Spanned::span);
-    let key = key.or_else(|| raw.s_filter.as_ref().map(Spanned::span)).unwrap_or_else(|| span.clone());
-    let base = raw.nesting_index.as_ref().map(|index| index.get_ref().value());
-    Ok(Some(FilterPlan { multiples, base, key }))
-}
-
-/// "\[1, 2, 4\]".
-fn bracketed(values: &[impl fmt::Display]) -> String {
-    let names: Vec<String> = values.iter().map(ToString::to_string).collect();
-    format!("[{}]", names.join(", "))
+    let value = Quantity::<Pure>::value;
+    let multiples = if has_none { Vec::new() } else { ascending(file, list, value, 0.0, ALLOWED)? };
+    Ok(FilterPlan { multiples, base, key })
 }

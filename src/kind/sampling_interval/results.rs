@@ -1,13 +1,17 @@
 //! Results at all sampling intervals and under all S filters: everything that the report contains.
 
-use asperity::compare::{Accepted, Attribution, ComparedQuantity, Contributions, Difference, Pair, State};
-use asperity::{Exceeded, Statistics};
+use asperity::compare::{Accepted, ComparedQuantity, Contributions, Estimate, LeftOut};
+use asperity::named_enum;
 use asperity_framework::contact::ContactMetadata;
 use asperity_framework::metadata::Metadata;
 
-use super::quantity::Quantity;
-use super::trend::Trend;
+use super::quantity::{Asperities, Quantity};
+use super::trend::{Point, Trend};
+use crate::study::CaseResults;
 use crate::surface::Surface;
+
+/// The quantities whose differences between the models are shown.
+pub const QUANTITIES: [ComparedQuantity; 2] = [ComparedQuantity::Separation, ComparedQuantity::Area];
 
 /// The same surfaces at several sampling intervals and under several S filters.
 #[derive(Debug)]
@@ -20,6 +24,8 @@ pub struct IntervalResults {
     pub implausible: Vec<String>,
     /// The law, as tables name it.
     pub law: String,
+    /// Nominal pressures, Pa, ascending.
+    pub loads: Vec<f64>,
     /// Surface by surface, in file order.
     pub surfaces: Vec<SurfaceResults>,
 }
@@ -29,29 +35,27 @@ pub struct IntervalResults {
 pub struct SurfaceResults {
     /// As it is: at one pixel, with its own filter only.
     pub surface: Surface,
-    /// Nominal pressures, Pa, ascending.
-    pub loads: Vec<f64>,
-    /// The largest differences that do not matter.
-    pub accepted: Accepted,
     /// At its sampling intervals, and under its S filters, where there are any.
     pub series: Vec<Series>,
 }
 
-/// How a surface is varied.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Variation {
-    /// Every so many points of the map.
-    Interval,
-    /// An S filter on the map.
-    Filter,
+named_enum! {
+    /// How a surface is varied.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Variation {
+        /// Every so many points of the map.
+        Interval = "interval",
+        /// An S filter on the map.
+        Filter = "s-filter",
+    }
 }
 
 impl Variation {
-    /// The name in tables.
-    pub const fn name(self) -> &'static str {
+    /// The length that is varied, for sentences and figures.
+    pub const fn label(self) -> &'static str {
         match self {
-            Self::Interval => "interval",
-            Self::Filter => "s-filter",
+            Self::Interval => "sampling interval",
+            Self::Filter => "S nesting index",
         }
     }
 }
@@ -59,6 +63,8 @@ impl Variation {
 /// One surface varied in one way.
 #[derive(Debug)]
 pub struct Series {
+    /// Name of the surface.
+    pub surface: String,
     /// What is varied.
     pub variation: Variation,
     /// From the finest.
@@ -75,30 +81,20 @@ pub struct Scale {
     /// Sampling interval (the longer of x and y) or nesting index, m.
     pub length: f64,
     /// Its asperities and both models on them, or why there are none.
-    pub found: Result<Found, String>,
+    pub results: Result<ScaleResults, String>,
 }
 
-/// Asperities at one scale, and both models on them.
+/// Asperities at one scale, and both models on them at every load.
 #[derive(Debug)]
-pub struct Found {
+pub struct ScaleResults {
     /// Number of asperities.
-    pub asperities: usize,
-    /// 1/m^2.
-    pub density: f64,
-    /// Of the asperities.
-    pub statistics: Statistics,
+    pub count: usize,
+    /// The asperities.
+    pub asperities: Asperities,
     /// What separations are measured in, m.
     pub sigma: f64,
-    /// Nayak's bandwidth parameter of the map, by differences at its interval; `None` for a flat one.
-    pub alpha: Option<f64>,
-    /// Greenwood and Williamson's; `None` where nothing yields.
-    pub plasticity_index: Option<f64>,
-    /// Both models at equal load, load by load.
-    pub pairs: Vec<Pair>,
-    /// Their differences, load by load.
-    pub differences: Vec<Difference>,
-    /// The differences divided among their causes.
-    pub attributions: Vec<Attribution>,
+    /// Both models.
+    pub case: CaseResults,
     /// All with each block of the map left out; `None` of a map that is too small for blocks.
     pub blocks: Option<BlocksLeftOut>,
 }
@@ -106,76 +102,80 @@ pub struct Found {
 /// What remains of a surface without each of its blocks.
 #[derive(Debug)]
 pub struct BlocksLeftOut {
-    /// The shares of the blocks in the nominal area.
-    pub shares: Vec<f64>,
-    /// The quantities of the asperities without each block, in the order of [`Quantity::ALL`], as contrasts are formed; `None` where
-    /// nothing is left.
-    pub quantities: Vec<[Option<f64>; Quantity::COUNT]>,
-    /// Both models without each block, load by load.
-    pub states: Vec<Vec<Option<[State; 2]>>>,
+    /// The asperities; `None` where none is left.
+    pub asperities: Vec<Option<Asperities>>,
+    /// Both models, load by load.
+    pub models: LeftOut,
 }
 
-impl Found {
-    /// The limits of the valid range that are exceeded at the load of index `load`.
-    pub fn exceeded(&self, load: usize) -> Exceeded {
-        self.differences[load].exceeded()
+impl ScaleResults {
+    /// The difference between the models in a quantity at the load of index `load`, within the valid range.
+    pub fn difference(&self, load: usize, quantity: ComparedQuantity) -> Option<Estimate> {
+        let difference = self.case.differences.get(load).filter(|at| at.exceeded().is_none())?;
+        difference.estimates[quantity as usize]
     }
 
-    /// The difference in a quantity at the load of index `load`, divided among its causes; `None` where too few contacts carry it.
+    /// The same divided among its causes; `None` where too few contacts carry the load.
     pub fn parts(&self, load: usize, quantity: ComparedQuantity) -> Option<&Contributions> {
-        self.attributions.get(load)?.of(quantity)
+        self.difference(load, quantity)?;
+        self.case.attribution.get(load)?.of(quantity)
     }
 
-    /// A quantity, at the load of index `load` where it depends on one, on the scale on which changes are formed: the logarithm of
-    /// what is positive. `None` beyond the valid range.
-    pub fn value(&self, quantity: Quantity, load: usize) -> Option<f64> {
-        if !quantity.is_at_load() {
-            return quantity.of_asperities(self.density, &self.statistics, self.alpha, self.plasticity_index);
-        }
-        let at = self.differences.get(load).filter(|at| at.exceeded().is_none())?;
-        let pair = self.pairs.get(load)?;
-        let compared = |compared: ComparedQuantity| Some(at.estimates[compared as usize]?.contrast);
+    /// A quantity, at the load of index `load` where it depends on one, or its logarithm; `None` beyond the valid range.
+    fn value(&self, quantity: Quantity, load: usize) -> Option<f64> {
+        let difference = |compared| self.difference(load, compared);
+        let pair = || difference(ComparedQuantity::Area).and_then(|_| self.case.comparison.pairs.get(load));
         match quantity {
-            Quantity::AreaOfSum => Some(pair.deterministic.area_ratio.total().ln()),
-            Quantity::AreaOfIntegral => Some(pair.statistical.area_ratio.total().ln()),
-            Quantity::SeparationGap => compared(ComparedQuantity::Separation),
-            Quantity::AreaGap => compared(ComparedQuantity::Area),
-            _ => None,
+            Quantity::SeparationGap => Some(difference(ComparedQuantity::Separation)?.contrast),
+            Quantity::AreaGap => Some(difference(ComparedQuantity::Area)?.contrast),
+            Quantity::DeterministicArea => Some(pair()?.deterministic.area_ratio.total().ln()),
+            Quantity::StatisticalArea => Some(pair()?.statistical.area_ratio.total().ln()),
+            _ => quantity.of_asperities(&self.asperities),
         }
     }
 
     /// The same without each block; `None` where it is not known without each of them, and at a load of which no interval is
     /// claimed.
-    pub fn without(&self, quantity: Quantity, load: usize) -> Option<Vec<f64>> {
-        let blocks = self.blocks.as_ref()?;
+    fn without_blocks(&self, quantity: Quantity, load: usize) -> Option<Vec<f64>> {
+        let BlocksLeftOut { asperities, models } = self.blocks.as_ref()?;
         if !quantity.is_at_load() {
-            return blocks.quantities.iter().map(|all| all[quantity as usize]).collect();
+            return asperities.iter().map(|rest| quantity.of_asperities(rest.as_ref()?)).collect();
         }
-        self.differences[load].estimates[ComparedQuantity::Area as usize]?.error?;
-        let of = |states: &Vec<Option<[State; 2]>>| {
-            let [integral, sum] = states[load]?;
-            let [separation, area] =
-                [ComparedQuantity::Separation, ComparedQuantity::Area].map(|k| k as usize);
-            match quantity {
-                Quantity::AreaOfSum => Some(sum[area]),
-                Quantity::AreaOfIntegral => Some(integral[area]),
-                Quantity::SeparationGap => Some(integral[separation] - sum[separation]),
-                Quantity::AreaGap => Some(integral[area] - sum[area]),
-                _ => None,
-            }
-        };
-        blocks.states.iter().map(of).collect()
+        self.difference(load, ComparedQuantity::Area)?.error?;
+        models.states.iter().map(|states| quantity.of_models(states[load]?)).collect()
     }
 }
 
 impl Series {
-    /// The trend of a quantity, at the load of index `load` where it depends on one.
-    pub fn trend(&self, quantity: Quantity, load: usize) -> Option<&Trend> {
-        self.trends.iter().find(|trend| trend.quantity == quantity && trend.load.is_none_or(|at| at == load))
+    /// The same with the trends of all quantities, at each of the `loads` (Pa).
+    pub fn with_trends(mut self, loads: &[f64], accepted: &Accepted) -> Self {
+        for quantity in Quantity::ALL {
+            let loads = if quantity.is_at_load() { loads } else { &loads[..1] };
+            let trend = |(index, &load)| {
+                let (points, shares) = self.points(quantity, index);
+                let load = quantity.is_at_load().then_some(load);
+                Trend::new(quantity, load, &points, shares, quantity.tolerance(accepted))
+            };
+            let trends: Vec<Trend> = loads.iter().enumerate().filter_map(trend).collect();
+            self.trends.extend(trends);
+        }
+        self
+    }
+
+    /// A quantity from the finest scale to the coarsest at which it is known without a gap, with the shares of the blocks at the
+    /// finest.
+    fn points(&self, quantity: Quantity, load: usize) -> (Vec<Point>, &[f64]) {
+        let point = |scale: &Scale| {
+            let results = scale.results.as_ref().ok()?;
+            let (value, without) = (results.value(quantity, load)?, results.without_blocks(quantity, load));
+            Some(Point { length: scale.length, value, without })
+        };
+        let blocks = self.results().next().and_then(|(_, finest)| finest.blocks.as_ref());
+        (self.scales.iter().map_while(point).collect(), blocks.map_or(&[], |blocks| &blocks.models.shares))
     }
 
     /// The scales at which there are asperities, from the finest.
-    pub fn found(&self) -> impl Iterator<Item = (&Scale, &Found)> {
-        self.scales.iter().filter_map(|scale| Some((scale, scale.found.as_ref().ok()?)))
+    pub fn results(&self) -> impl Iterator<Item = (&Scale, &ScaleResults)> {
+        self.scales.iter().filter_map(|scale| Some((scale, scale.results.as_ref().ok()?)))
     }
 }

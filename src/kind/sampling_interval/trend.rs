@@ -1,18 +1,19 @@
 //! Whether a quantity has a limit as the sampling interval or the nesting index shrinks.
 
 use asperity::compare::{SlopeFit, jackknife_error, jackknife_quantile};
+use asperity::named_enum;
 
 use super::quantity::Quantity;
 
 /// A change has shrunk if it is at most this many times the one before, over equal ratios of lengths: a quantity that approaches
 /// its limit as length^p does so with 2^-p per halving, p = 1/2 here; a power law without a limit has 1.
-pub const SHRINKS: f64 = std::f64::consts::FRAC_1_SQRT_2;
+const SHRINKS: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
 /// The ratio of successive changes of a smooth surface, p = 2: a smaller one is an accident.
-pub const FASTEST: f64 = 0.25;
+const FASTEST: f64 = 0.25;
 
 /// Halvings over which changes that do not shrink must add up to no more than the tolerance: a factor of 16 in length.
-pub const HALVINGS: f64 = 4.0;
+const HALVINGS: f64 = 4.0;
 
 /// A quantity at one scale, on the scale on which changes are formed.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,30 +26,20 @@ pub struct Point {
     pub without: Option<Vec<f64>>,
 }
 
-/// What the finest scales tell of a limit.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Outcome {
-    /// The last change is within the tolerance, its interval included, and so is what is left of a smooth surface after the change
-    /// before; and it cannot be told from none, or it shrinks and what is left is within the tolerance too, or it is small over
-    /// [`HALVINGS`].
-    Limit,
-    /// The last change shrinks, its interval included, but it or what is left exceeds the tolerance.
-    Approaching,
-    /// The last change exceeds the tolerance, its interval included, and does not shrink.
-    NoLimit,
-    /// Anything else.
-    CannotTell,
-}
-
-impl Outcome {
-    /// The name in tables.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Limit => "limit",
-            Self::Approaching => "approaching",
-            Self::NoLimit => "no-limit",
-            Self::CannotTell => "cannot-tell",
-        }
+named_enum! {
+    /// What the finest scales tell of a limit.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Convergence {
+        /// The last change is within the tolerance, its interval included, and so is what is left of a smooth surface after the change
+        /// before; and it cannot be told from none, or it shrinks and what is left is within the tolerance too, or it is small over
+        /// [`HALVINGS`].
+        Limit = "limit",
+        /// The last change shrinks, its interval included, but it or what is left exceeds the tolerance.
+        Approaching = "approaching",
+        /// The last change exceeds the tolerance, its interval included, and does not shrink.
+        NoLimit = "no-limit",
+        /// Anything else.
+        CannotTell = "cannot-tell",
     }
 }
 
@@ -57,8 +48,8 @@ impl Outcome {
 pub struct Trend {
     /// The quantity.
     pub quantity: Quantity,
-    /// Index of the load, of a quantity at a load.
-    pub load: Option<usize>,
+    /// Nominal pressure, Pa, of a quantity at a load.
+    pub load: Option<f64>,
     /// The change from the second finest scale to the finest.
     pub change: f64,
     /// Half-width of the 95 % interval of the change, from the same blocks at both scales; `None` where none is claimed.
@@ -70,15 +61,15 @@ pub struct Trend {
     /// The largest change that does not matter.
     pub tolerance: f64,
     /// What that tells of a limit.
-    pub outcome: Outcome,
+    pub outcome: Convergence,
 }
 
 impl Trend {
     /// Of a quantity at its scales, from the finest; `shares` are those of the blocks in the area at the finest. `None` of fewer
     /// than three scales.
-    pub fn of(
+    pub fn new(
         quantity: Quantity,
-        load: Option<usize>,
+        load: Option<f64>,
         points: &[Point],
         shares: &[f64],
         tolerance: f64,
@@ -112,11 +103,6 @@ impl Trend {
     pub fn remainder(&self) -> Option<f64> {
         remainder(self.change, self.previous).map(|left| left.copysign(self.change))
     }
-
-    /// Whether the change can be told from none.
-    pub fn is_seen(&self) -> bool {
-        self.half_width.is_none_or(|half| self.change.abs() > half)
-    }
 }
 
 /// The size of all further changes if they shrink as the last one did, as a geometric series whose ratio is at least [`FASTEST`].
@@ -127,7 +113,7 @@ fn remainder(change: f64, previous: f64) -> Option<f64> {
 }
 
 /// `octaves` is the ratio of the lengths of the last change, as a power of two.
-fn outcome(change: f64, half_width: Option<f64>, previous: f64, octaves: f64, tolerance: f64) -> Outcome {
+fn outcome(change: f64, half_width: Option<f64>, previous: f64, octaves: f64, tolerance: f64) -> Convergence {
     let half = half_width.unwrap_or(0.0);
     let (largest, smallest) = (change.abs() + half, change.abs() - half);
     let is_seen = half_width.is_none() || smallest > 0.0;
@@ -136,13 +122,13 @@ fn outcome(change: f64, half_width: Option<f64>, previous: f64, octaves: f64, to
     // At least as much is left as of a smooth surface, whatever the last change.
     let may_be_near = largest <= tolerance && (previous == 0.0 || is_left(0.0));
     if may_be_near && (!is_seen || is_small || is_left(change)) {
-        Outcome::Limit
+        Convergence::Limit
     } else if remainder(largest, previous).is_some() {
-        Outcome::Approaching
+        Convergence::Approaching
     } else if smallest > tolerance && remainder(smallest, previous).is_none() {
-        Outcome::NoLimit
+        Convergence::NoLimit
     } else {
-        Outcome::CannotTell
+        Convergence::CannotTell
     }
 }
 
@@ -155,57 +141,57 @@ mod tests {
     fn trend(value: impl Fn(f64) -> f64, lengths: &[f64]) -> Trend {
         let point = |&length: &f64| Point { length, value: value(length).ln(), without: None };
         let points: Vec<Point> = lengths.iter().map(point).collect();
-        Trend::of(Quantity::Density, None, &points, &[], TOLERANCE).unwrap()
+        Trend::new(Quantity::Density, None, &points, &[], TOLERANCE).unwrap()
     }
 
     /// 1 + c h^2, as of a smooth surface: the change from 2 to 1 is 3 c, what is left c.
     #[test]
     fn what_converges_has_a_limit_once_little_is_left() {
         let of = |c: f64| trend(|h| 1.0 + c * h * h, &[1.0, 2.0, 4.0, 8.0]);
-        assert_eq!(of(0.015).outcome, Outcome::Limit);
+        assert_eq!(of(0.015).outcome, Convergence::Limit);
         let close = of(1e-3);
-        assert!((close.change + 3e-3).abs() < 1e-4 && close.outcome == Outcome::Limit);
+        assert!((close.change + 3e-3).abs() < 1e-4 && close.outcome == Convergence::Limit);
         assert!((close.remainder().unwrap() / -1e-3 - 1.0).abs() < 0.02);
         // Of a change of 28 % another 23 % is left.
         let far = of(0.15);
-        assert_eq!(far.outcome, Outcome::Approaching);
+        assert_eq!(far.outcome, Convergence::Approaching);
         assert!(far.remainder().unwrap() < -TOLERANCE);
     }
 
     #[test]
     fn a_power_law_has_no_limit() {
         let steep = trend(|h| 3.0 * h.powf(-1.6), &[1.0, 2.0, 4.0, 8.0]);
-        assert_eq!((steep.outcome, steep.remainder()), (Outcome::NoLimit, None));
+        assert_eq!((steep.outcome, steep.remainder()), (Convergence::NoLimit, None));
         let exponent = steep.exponent.unwrap();
         assert!((exponent.slope + 1.6).abs() < 1e-12 && exponent.points == 4);
         assert!((steep.change - 1.6 * 2f64.ln()).abs() < 1e-12);
         // The same whatever the ratios of the lengths.
         let uneven = trend(|h| 3.0 * h.powf(-1.6), &[1.0, 3.0, 4.0]);
-        assert!((uneven.change - uneven.previous).abs() < 1e-12 && uneven.outcome == Outcome::NoLimit);
+        assert!((uneven.change - uneven.previous).abs() < 1e-12 && uneven.outcome == Convergence::NoLimit);
         // 2 % for each halving: neither seen to diverge nor to converge.
-        assert_eq!(trend(|h| h.powf(-0.03), &[1.0, 2.0, 4.0]).outcome, Outcome::CannotTell);
+        assert_eq!(trend(|h| h.powf(-0.03), &[1.0, 2.0, 4.0]).outcome, Convergence::CannotTell);
         // 0.7 % for each halving is within 5 % over more of them.
-        assert_eq!(trend(|h| h.powf(-0.01), &[1.0, 2.0, 4.0]).outcome, Outcome::Limit);
+        assert_eq!(trend(|h| h.powf(-0.01), &[1.0, 2.0, 4.0]).outcome, Convergence::Limit);
     }
 
     #[test]
     fn an_interval_leaves_open_what_it_covers() {
         let at = |half: f64| outcome(0.1, Some(half), 0.11, 1.0, TOLERANCE);
-        assert_eq!((at(0.01), at(0.06)), (Outcome::NoLimit, Outcome::CannotTell));
+        assert_eq!((at(0.01), at(0.06)), (Convergence::NoLimit, Convergence::CannotTell));
         // Shrinks, unless the change is at the upper end of its interval.
         let shrunk = |half: f64| outcome(0.03, Some(half), 0.1, 1.0, TOLERANCE);
-        let found = [0.01, 0.025, 0.05].map(shrunk);
-        assert_eq!(found, [Outcome::Limit, Outcome::Approaching, Outcome::CannotTell]);
+        let outcomes = [0.01, 0.025, 0.05].map(shrunk);
+        assert_eq!(outcomes, [Convergence::Limit, Convergence::Approaching, Convergence::CannotTell]);
         // Nothing is seen to change.
         let still = |half: f64| outcome(0.01, Some(half), 0.0, 1.0, TOLERANCE);
-        assert_eq!((still(0.02), still(0.045)), (Outcome::Limit, Outcome::CannotTell));
+        assert_eq!((still(0.02), still(0.045)), (Convergence::Limit, Convergence::CannotTell));
     }
 
     /// A change of nearly nothing after a large one is no sign of a limit at hand.
     #[test]
     fn an_accident_is_no_limit() {
         let after = |previous: f64| outcome(1e-4, None, previous, 1.0, TOLERANCE);
-        assert_eq!((after(0.3), after(0.9)), (Outcome::Limit, Outcome::Approaching));
+        assert_eq!((after(0.3), after(0.9)), (Convergence::Limit, Convergence::Approaching));
         assert!((remainder(1e-4, 0.9).unwrap() - 0.9 / 12.0).abs() < 1e-12);
     }
 
@@ -220,15 +206,15 @@ mod tests {
             point(2.0, 0.7, without([0.8, 0.6, 0.9, 0.5])),
             point(4.0, 0.4, None),
         ];
-        let found = Trend::of(Quantity::Density, None, &alike, &shares, TOLERANCE).unwrap();
+        let found = Trend::new(Quantity::Density, None, &alike, &shares, TOLERANCE).unwrap();
         assert!(found.half_width.unwrap() < 1e-12);
         let mut apart = alike.clone();
         apart[1].without = without([0.6, 0.8, 0.5, 0.9]);
-        let found = Trend::of(Quantity::Density, None, &apart, &shares, TOLERANCE).unwrap();
-        assert!(found.half_width.unwrap() > 0.5 && found.outcome == Outcome::CannotTell);
+        let found = Trend::new(Quantity::Density, None, &apart, &shares, TOLERANCE).unwrap();
+        assert!(found.half_width.unwrap() > 0.5 && found.outcome == Convergence::CannotTell);
         apart[1].without = without([0.6; 4]).map(|all| all[..3].to_vec());
-        let found = Trend::of(Quantity::Density, None, &apart, &shares, TOLERANCE).unwrap();
+        let found = Trend::new(Quantity::Density, None, &apart, &shares, TOLERANCE).unwrap();
         assert_eq!(found.half_width, None, "other blocks");
-        assert_eq!(Trend::of(Quantity::Density, None, &alike[..2], &shares, TOLERANCE), None);
+        assert_eq!(Trend::new(Quantity::Density, None, &alike[..2], &shares, TOLERANCE), None);
     }
 }

@@ -1,0 +1,196 @@
+//! The page: which results have a limit, then surface by surface figures and views of the tables, then the criterion.
+
+use asperity_framework::contact::ContactSummary;
+use asperity_framework::metadata::Metadata;
+use asperity_framework::report::format::{input_quantity, quantity, signed};
+use asperity_framework::report::page::{Page, escape};
+use asperity_framework::report::sections;
+use asperity_framework::report::table::{Reading, Table, Tables};
+use asperity_framework::{Outcome, fields};
+use serde_json::{Map, Value, json};
+
+use super::figures;
+use super::findings::main_load;
+use super::quantity::Quantity;
+use super::results::{IntervalResults, QUANTITIES, Series, SurfaceResults, Variation};
+use super::rows::{GapRow, LeadRow, LimitRow, ScaleRow, tables};
+use super::trend::Trend;
+use crate::kind::compare::outline::{limits_note, name as gap_in};
+use crate::surface::fitness::{blocked_by, fitness_summary};
+use crate::surface::{section, warnings};
+
+impl Outcome for IntervalResults {
+    fn metadata(&self) -> &Metadata {
+        &self.metadata
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        let mut lines = warnings(self.surfaces.iter().map(|surface| &surface.surface));
+        lines.extend(self.implausible.iter().chain(&self.contact.caveats).cloned());
+        lines
+    }
+
+    fn tables(&self) -> Vec<Table> {
+        tables(self)
+    }
+
+    fn page(&self, tables: &Tables) -> Page {
+        let mut page = Page::new(&self.metadata.title);
+        let answers =
+            |variation| self.surfaces.iter().filter_map(move |surface| answer(self, surface, variation));
+        answers(Variation::Interval).for_each(|line| {
+            page.lead(&line);
+        });
+        page.bullets(answers(Variation::Filter));
+        sections::warnings(&mut page, &self.warnings());
+        for surface in &self.surfaces {
+            surface_section(&mut page, tables, self, surface);
+        }
+        page.heading(2, "What is called a limit").note(include_str!("notes/criterion.md"));
+        sections::notes(&mut page, &self.metadata);
+        sections::what_was_run(&mut page, &self.metadata, &self.contact);
+        page.paragraph(&format!("Law {}.", escape(&self.law)));
+        limits_note(&mut page);
+        sections::run_again(&mut page, &self.metadata, None);
+        sections::sources(&mut page, &self.metadata);
+        page
+    }
+
+    fn facts(&self) -> serde_json::Result<Map<String, Value>> {
+        let mut facts = fields(&ContactSummary::of(&self.contact))?;
+        let fitness = fitness_summary(self.surfaces.iter().map(|surface| &surface.surface));
+        facts.insert("law".to_owned(), json!(self.law));
+        facts.insert("fitness".to_owned(), json!(fitness));
+        Ok(facts)
+    }
+}
+
+/// Which of the main quantities have a limit on a surface that is varied so; for a map that is not fit, why, once.
+fn answer(results: &IntervalResults, surface: &SurfaceResults, variation: Variation) -> Option<String> {
+    if let Some(faults) = blocked_by(&surface.surface) {
+        return (variation == Variation::Interval).then(|| {
+            format!(
+                "**{}**: no conclusion is drawn, because its map is not fit: {faults}.",
+                escape(&surface.surface.name)
+            )
+        });
+    }
+    let series = surface.series.iter().find(|series| series.variation == variation)?;
+    Some(outcomes(series, main_load(surface, &results.loads).map(|load| results.loads[load])))
+}
+
+/// "**ground, sampling interval from 2 µm to 1 µm**: density +24 % (approaching); mean radius -41 % (no limit)."
+fn outcomes(series: &Series, load: Option<f64>) -> String {
+    const MAIN: [Quantity; 3] = [Quantity::Density, Quantity::MeanRadius, Quantity::DeterministicArea];
+    let item = |trend: &Trend| {
+        let change = signed((100.0 * trend.quantity.relative(trend.change).unwrap_or(trend.change)).round());
+        let at = trend.load.map_or_else(String::new, |load| format!(" at {}", input_quantity(load, "Pa")));
+        let [quantity, outcome] =
+            [trend.quantity.name(), trend.outcome.name()].map(|name| name.replace('-', " "));
+        format!("{quantity}{at} {change} % ({outcome})")
+    };
+    let is_main =
+        |trend: &&Trend| MAIN.contains(&trend.quantity) && (trend.load.is_none() || trend.load == load);
+    let items: Vec<String> = series.trends.iter().filter(is_main).map(item).collect();
+    let (name, variation) = (escape(&series.surface), series.variation.label());
+    match &series.scales[..] {
+        [finest, second, ..] if !items.is_empty() => {
+            let [from, to] = [second, finest].map(|scale| quantity(scale.length, "m"));
+            format!("**{name}, {variation} from {from} to {to}**: {}.", items.join("; "))
+        }
+        _ => format!("**{name}, {variation}**: no asperities at one of the three finest lengths."),
+    }
+}
+
+fn surface_section(page: &mut Page, tables: &Tables, results: &IntervalResults, surface: &SurfaceResults) {
+    let name = surface.surface.name.as_str();
+    let load = main_load(surface, &results.loads);
+    let pressure = load.map(|load| results.loads[load]);
+    page.heading(2, &format!("Surface {name}"));
+    page.figure(
+        &format!("{name}-over-length.svg"),
+        figures::asperities(surface),
+        "Asperity density and radii against the sampling interval (solid) and the nesting index of the S filter (dashed). A straight \
+         line is a power law without a limit, a level end towards the left a limit.",
+    );
+    let limits = tables.view::<LimitRow>().only("surface", name);
+    let limits = limits.filter("pressure_pa", |cell| cell.is_empty() || cell.number() == pressure);
+    page.heading(3, "Towards the finest length").view(&limits.without(&["remainder", "tolerance"]));
+    if let Some((load, pressure)) = load.zip(pressure) {
+        gap_section(page, tables, surface, (load, pressure));
+    }
+    page.details(3, &format!("{name}: asperities by length"), |page| {
+        page.view(&tables.view::<ScaleRow>().only("surface", name));
+    });
+    page.details(3, &format!("{name}: the surface"), |page| section::section(page, &surface.surface, None));
+}
+
+/// The gap between the models at the load of an index and its pressure (Pa).
+fn gap_section(page: &mut Page, tables: &Tables, surface: &SurfaceResults, (load, pressure): (usize, f64)) {
+    let (name, at) = (surface.surface.name.as_str(), input_quantity(pressure, "Pa"));
+    page.heading(3, &format!("Gap between the models at {at}"));
+    page.view(&tables.view::<LeadRow>().only("surface", name).only("pressure_pa", pressure));
+    for series in &surface.series {
+        let variation = series.variation.label();
+        let file = if series.variation == Variation::Interval { "interval" } else { "filter" };
+        if let Some(figure) = figures::gap(series, load) {
+            page.figure(
+                &format!("{name}-gap-{file}.svg"),
+                figure,
+                &format!(
+                    "The gap between the models (black, with its 95 % interval) and its parts, stacked, against the {variation}, at {at}."
+                ),
+            );
+        }
+    }
+    for quantity in QUANTITIES {
+        page.details(3, &format!("{name}: gap in {} at {at} by length", gap_in(quantity)), |page| {
+            let gaps = tables.view::<GapRow>().only("surface", name).only("pressure_pa", pressure);
+            let mut gaps = gaps.only("quantity", quantity.name()).without(&["multiple"]);
+            if quantity == asperity::compare::ComparedQuantity::Area {
+                for column in ["difference", "low", "high"] {
+                    gaps = gaps.read_as(column, Reading::SignedPercent);
+                }
+            }
+            page.view(&gaps);
+        });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::results::Scale;
+    use super::super::trend::Point;
+    use super::*;
+
+    #[test]
+    fn a_line_has_the_outcome_of_every_quantity_that_is_known() {
+        let lengths = [1e-6, 2e-6, 4e-6];
+        let scale = |&length: &f64| Scale { multiple: 1.0, length, results: Err(String::new()) };
+        let scales = || lengths.iter().map(scale).collect();
+        let trend = |quantity, load, exponent: f64| {
+            let point = |&length: &f64| Point { length, value: exponent * length.ln(), without: None };
+            let points: Vec<Point> = lengths.iter().map(point).collect();
+            Trend::new(quantity, load, &points, &[], 0.05).unwrap()
+        };
+        let trends = vec![
+            trend(Quantity::Density, None, -1.0),
+            trend(Quantity::MeanRadius, None, 0.0),
+            trend(Quantity::DeterministicArea, Some(1e6), 0.0),
+        ];
+        let series = Series { surface: "a".into(), variation: Variation::Interval, scales: scales(), trends };
+        let line =
+            "**a, sampling interval from 2 µm to 1 µm**: density +100 % (no limit); mean radius 0 % (limit)";
+        assert_eq!(outcomes(&series, None), format!("{line}."));
+        let at_load = format!("{line}; deterministic area at 1 MPa 0 % (limit).");
+        assert_eq!(outcomes(&series, Some(1e6)), at_load);
+        let none = Series {
+            surface: "a".into(),
+            variation: Variation::Filter,
+            scales: scales(),
+            trends: Vec::new(),
+        };
+        let line = "**a, S nesting index**: no asperities at one of the three finest lengths.";
+        assert_eq!(outcomes(&none, None), line);
+    }
+}
