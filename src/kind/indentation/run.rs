@@ -180,7 +180,8 @@ fn layer_results(
     check: &ModulusCheck,
 ) -> LayerResults {
     let LayerPlan { name, rule, coating, .. } = layer;
-    let sphere = LayeredSphere::new(Some(&plan.ball.1), plan.radius, &coating.material, &plan.flat.1, thickness);
+    let sphere =
+        LayeredSphere::new(Some(&plan.ball.1), plan.radius, &coating.material, &plan.flat.1, thickness);
     let exact = |&w: &f64| Some(ElasticContact { indentation: w, ..sphere.at_indentation(w)? });
     let exact: Vec<Option<ElasticContact>> = plan.indentations.par_iter().map(exact).collect();
     let errors = exact.iter().flatten().map(|contact| check.beside(contact, plan.radius, thickness));

@@ -5,9 +5,9 @@ use std::time::Instant;
 
 use asperity::compare::{ErrorSlope, LimitCase, LimitPoint, LimitSets, convergence};
 use asperity::plasticity_index;
+use asperity::study::LawContact;
 use asperity::work::{CountedContact, Counter, Item};
 use asperity_framework::contact::{Bodies, ContactMetadata, contact_metadata, papers_of};
-use asperity::study::LawContact;
 use asperity_framework::input::InputError;
 use asperity_framework::metadata::{Metadata, Timing};
 use asperity_framework::{Memory, Plan, RunContext, set_memory};

@@ -16,7 +16,6 @@ use asperity_framework::input::{InputError, Spanned, SpecFile};
 use asperity_framework::report::table::Schema;
 
 use plan::IntervalPlan;
-use rows::{GapRow, LeadRow, LimitRow, ScaleRow};
 
 /// `[sampling-interval]`
 pub struct SamplingInterval;
@@ -31,11 +30,6 @@ impl Kind for SamplingInterval {
     }
 
     fn tables() -> Vec<Schema> {
-        vec![
-            Schema::of::<ScaleRow>(),
-            Schema::of::<GapRow>(),
-            Schema::of::<LimitRow>(),
-            Schema::of::<LeadRow>(),
-        ]
+        rows::schemas()
     }
 }

@@ -16,7 +16,7 @@ use super::results::{IntervalResults, QUANTITIES, Series, SurfaceResults, Variat
 use super::rows::{GapRow, LeadRow, LimitRow, ScaleRow, tables};
 use super::trend::Trend;
 use crate::kind::compare::outline::{limits_note, name as gap_in};
-use crate::surface::fitness::{blocked_by, fitness_summary};
+use crate::surface::fitness::blocked_by;
 use crate::surface::{section, warnings};
 
 impl Outcome for IntervalResults {
@@ -58,9 +58,7 @@ impl Outcome for IntervalResults {
 
     fn facts(&self) -> serde_json::Result<Map<String, Value>> {
         let mut facts = fields(&ContactSummary::of(&self.contact))?;
-        let fitness = fitness_summary(self.surfaces.iter().map(|surface| &surface.surface));
         facts.insert("law".to_owned(), json!(self.law));
-        facts.insert("fitness".to_owned(), json!(fitness));
         Ok(facts)
     }
 }
@@ -122,7 +120,9 @@ fn surface_section(page: &mut Page, tables: &Tables, results: &IntervalResults, 
     page.details(3, &format!("{name}: asperities by length"), |page| {
         page.view(&tables.view::<ScaleRow>().only("surface", name));
     });
-    page.details(3, &format!("{name}: the surface"), |page| section::section(page, &surface.surface, None));
+    page.details(3, &format!("{name}: the surface"), |page| {
+        section::section(page, tables, &surface.surface, None);
+    });
 }
 
 /// The gap between the models at the load of an index and its pressure (Pa).

@@ -3,12 +3,13 @@
 use asperity::Response;
 use asperity::compare::{Cause, ComparedQuantity, Contributions, Difference, Estimate, Pair};
 use asperity_framework::columns;
-use asperity_framework::report::table::{Column, Row, Table};
+use asperity_framework::report::table::{Column, Row, Schema, Table};
 
 use super::findings::{Gap, gaps, sign};
 use super::results::{IntervalResults, QUANTITIES, Scale, ScaleResults, Series};
 use super::trend::Trend;
 use crate::kind::compare::tables::limits;
+use crate::surface::rows::{self as surface, SurfaceRow};
 
 /// The columns of what a row belongs to.
 fn series_columns<R>(series: impl Fn(&R) -> &Series + Copy + 'static) -> Vec<Column<R>> {
@@ -197,6 +198,18 @@ impl Row for LeadRow<'_> {
     }
 }
 
+/// Those of the variation, and those of the surfaces.
+pub fn schemas() -> Vec<Schema> {
+    let mut schemas = vec![
+        Schema::of::<ScaleRow>(),
+        Schema::of::<GapRow>(),
+        Schema::of::<LimitRow>(),
+        Schema::of::<LeadRow>(),
+    ];
+    schemas.extend(surface::schemas());
+    schemas
+}
+
 /// The tables.
 pub fn tables(results: &IntervalResults) -> Vec<Table> {
     let (mut scale_rows, mut gap_rows, mut limit_rows, mut lead_rows) = (vec![], vec![], vec![], vec![]);
@@ -213,5 +226,8 @@ pub fn tables(results: &IntervalResults) -> Vec<Table> {
             lead_rows.extend(QUANTITIES.map(row).into_iter().filter(|row| !row.gaps.is_empty()));
         }
     }
-    vec![Table::new(scale_rows), Table::new(gap_rows), Table::new(limit_rows), Table::new(lead_rows)]
+    let mut tables =
+        vec![Table::new(scale_rows), Table::new(gap_rows), Table::new(limit_rows), Table::new(lead_rows)];
+    tables.extend(surface::tables(results.surfaces.iter().map(|results| SurfaceRow::new(&results.surface))));
+    tables
 }
