@@ -11,8 +11,11 @@ pub mod keys;
 pub mod kind;
 mod layer;
 pub mod materials;
+pub mod model_tables;
 mod parts;
 mod plausibility;
+mod presentation;
+pub mod study_plan;
 pub mod surface;
 #[cfg(feature = "cli")]
 pub mod terminal;

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use asperity::compare::{Comparison, Controls, Models, NotReached, Tolerances, compare};
 use asperity::{Deterministic, Ellipses, MicroContact, Model, ReferencePlane, SetError, Statistical};
-use asperity_experiment::kind::compare::CurveRow;
+use asperity_experiment::model_tables::CurveRow;
 use pyo3::prelude::*;
 
 use crate::array::Array;

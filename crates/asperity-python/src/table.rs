@@ -1,6 +1,6 @@
 //! Tables as mappings of column names to NumPy arrays, which are made when they are asked for.
 
-use asperity_experiment::kind::compare::CurveRow;
+use asperity_experiment::model_tables::CurveRow;
 use asperity_framework::report::table::{Column, Heading, Row, Table as Cells, Value};
 use numpy::PyArray1;
 use pyo3::exceptions::PyKeyError;

@@ -5,8 +5,8 @@ use asperity_framework::report::format::{capitalised, number, signed};
 use asperity_plot::{Axis, Colour, Figure, Layer, Legend, Marker, Plot};
 
 use super::results::{CausesResults, GridPoint, QUANTITIES};
-use crate::kind::compare::figures::causes::colour;
-use crate::kind::compare::outline::name;
+use crate::presentation::cause_colour;
+use crate::presentation::quantity_name;
 
 /// The points of equal wavelengths.
 fn rows(results: &CausesResults) -> Vec<&[GridPoint]> {
@@ -39,13 +39,13 @@ fn map_of(results: &CausesResults, quantity: ComparedQuantity, load: usize) -> P
     let axes = (Axis::linear("skewness of the heights"), Axis::log("Nayak's α"));
     let range = |axis: Axis, edges: &[f64]| axis.range(edges[0], edges[edges.len() - 1]);
     let (unit, size) = if quantity == ComparedQuantity::Separation { ("σ", 1.0) } else { ("%", 100.0) };
-    let title = format!("{}, difference in {unit}", capitalised(name(quantity)));
+    let title = format!("{}, difference in {unit}", capitalised(quantity_name(quantity)));
     let mut plot = Plot::new(title, range(axes.0, &x), range(axes.1, &y)).height(300.0).legend(Legend::Below);
     for (row, points) in rows.iter().enumerate() {
         for (column, point) in points.iter().enumerate() {
             let Some(parts) = point.parts(load, quantity) else { continue };
             let (colour, label) = match parts.leading() {
-                Some(cause) => (colour(cause), cause.label()),
+                Some(cause) => (cause_colour(cause), cause.label()),
                 None => (Colour::Neutral, "none leads"),
             };
             let (from, to) = ((x[column], y[row]), (x[column + 1], y[row + 1]));
@@ -83,7 +83,7 @@ fn lines(row: &[GridPoint], quantity: ComparedQuantity, load: usize) -> Plot {
             let half = parts.estimates[cause as usize].half_width().unwrap_or(0.0);
             (x, parts.of(cause) - half, parts.of(cause) + half)
         });
-        let colour = colour(cause);
+        let colour = cause_colour(cause);
         plot = plot
             .with(Layer::band(band).coloured(colour).named(cause.label()))
             .with(Layer::line(points.iter().copied()).coloured(colour).named(cause.label()))

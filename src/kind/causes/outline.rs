@@ -13,7 +13,7 @@ use super::figures::{contributions, map};
 use super::findings::Findings;
 use super::results::{CausesResults, QUANTITIES};
 use super::rows::{CauseRow, LeadRow, tables};
-use crate::kind::compare::outline::name;
+use crate::presentation::quantity_name;
 
 impl Outcome for CausesResults {
     fn metadata(&self) -> &Metadata {
@@ -53,10 +53,14 @@ impl Outcome for CausesResults {
             page.view(&first);
         });
         for quantity in QUANTITIES {
-            page.details(2, &format!("Contributions to the difference in {}", name(quantity)), |page| {
-                let view = tables.view::<CauseRow>().only("quantity", quantity.name());
-                page.view(&view.columns(CONTRIBUTIONS));
-            });
+            page.details(
+                2,
+                &format!("Contributions to the difference in {}", quantity_name(quantity)),
+                |page| {
+                    let view = tables.view::<CauseRow>().only("quantity", quantity.name());
+                    page.view(&view.columns(CONTRIBUTIONS));
+                },
+            );
         }
         sections::notes(&mut page, &self.metadata);
         sections::what_was_run(&mut page, &self.metadata, &self.contact);
@@ -126,7 +130,12 @@ fn answer(results: &CausesResults) -> String {
         };
         let causes =
             asperity::compare::Cause::ALL.map(|cause| format!("{} {}", cause.label(), count(Some(cause))));
-        format!("in {} of {divided} cases: {}, none {}", name(quantity), causes.join(", "), count(None))
+        format!(
+            "in {} of {divided} cases: {}, none {}",
+            quantity_name(quantity),
+            causes.join(", "),
+            count(None)
+        )
     };
     format!("How often each cause leads, {}.", QUANTITIES.map(of_quantity).join("; "))
 }
@@ -140,7 +149,7 @@ fn over_skewness(page: &mut Page, results: &CausesResults) {
                 contributions(results, quantity, load),
                 &format!(
                     "Contributions to the difference in {} at {}, means over the surfaces with 95 % intervals; one panel for each bandwidth.",
-                    name(quantity),
+                    quantity_name(quantity),
                     input_quantity(*pressure, "Pa"),
                 ),
             );

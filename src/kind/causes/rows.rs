@@ -7,7 +7,7 @@ use asperity_framework::report::table::{Column, Row, Table};
 
 use super::findings::{Findings, Lead};
 use super::results::{CausesResults, GridPoint, QUANTITIES};
-use crate::kind::compare::tables::limits;
+use crate::model_tables::limits;
 
 /// One point of the grid, load and quantity.
 pub struct CauseRow<'a> {

@@ -1,7 +1,6 @@
 //! `[compare]`: both models on given surfaces.
 
 pub mod figures;
-mod implausible;
 mod lines;
 pub mod outline;
 pub mod plan;
@@ -13,12 +12,8 @@ mod robustness;
 pub(crate) mod rows;
 mod run;
 pub mod spec;
-pub mod statistical;
-pub(crate) mod tables;
 
-pub(crate) use run::layer_metadata;
 pub use run::run as run_compare;
-pub use tables::CurveRow;
 
 use std::path::PathBuf;
 
@@ -53,19 +48,19 @@ impl Plan for ComparePlan {
     type Outcome = CompareResults;
 
     fn inputs(&self) -> Vec<PathBuf> {
-        inputs(&self.surfaces)
+        inputs(&self.study.surfaces)
     }
 
     fn memory(&self) -> Memory {
         let of_models =
-            memory(&self.surfaces, self.depth(), self.is_robustness_examined && self.models.len() > 1);
+            memory(&self.study.surfaces, self.depth(), self.is_robustness_examined && self.models.len() > 1);
         let Some(reference) = &self.reference else { return of_models };
-        let of_reference = self.surfaces.iter().map(|surface| reference.memory(surface)).max();
+        let of_reference = self.study.surfaces.iter().map(|surface| reference.memory(surface)).max();
         Memory { bytes: of_models.bytes + of_reference.unwrap_or(0), ..of_models }
     }
 
     fn work(&self) -> u128 {
-        self.work()
+        self.study.work()
     }
 
     fn check(&self, context: &RunContext) -> Result<(), InputError> {

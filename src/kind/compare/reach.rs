@@ -8,8 +8,8 @@ use asperity_framework::input::InputError;
 use asperity_framework::metadata::Timing;
 
 use super::plan::ComparePlan;
-use super::run::{inapplicable, unreachable_load};
 use crate::study::models_of;
+use crate::study_plan::{inapplicable, unreachable_load};
 use crate::surface::{AnalysisDepth, SurfaceFactory, files_of};
 
 /// Refuses a load that a population or a list does not reach, as a run would; of several realisations the first is tried.
@@ -17,18 +17,18 @@ use crate::surface::{AnalysisDepth, SurfaceFactory, files_of};
 /// # Errors
 /// A list that cannot be used; a load that a model does not reach.
 pub(super) fn check(context: &RunContext, plan: &ComparePlan) -> Result<(), InputError> {
-    if plan.controls.pressures.is_empty() && plan.controls.forces.is_empty() {
+    if plan.study.controls.pressures.is_empty() && plan.study.controls.forces.is_empty() {
         return Ok(());
     }
     let (counter, mut timing) = (Counter::default(), Timing::default());
-    let mut files = files_of(&plan.surfaces, &counter);
-    for surface in plan.surfaces.iter().filter(|surface| surface.has_given_asperities()) {
+    let mut files = files_of(&plan.study.surfaces, &counter);
+    for surface in plan.study.surfaces.iter().filter(|surface| surface.has_given_asperities()) {
         let mut factory = SurfaceFactory::new(surface, context, &counter);
         let surface = factory.make(1, AnalysisDepth::Asperities, &mut files, &mut timing)?;
         let models = models_of(plan.setup(context), &surface, &mut timing)
-            .map_err(|error| inapplicable(context, plan, &surface.name, &error))?;
+            .map_err(|error| inapplicable(context, &plan.study, &surface.name, &error))?;
         let area = surface.set.nominal_area();
-        for law in &plan.laws {
+        for law in &plan.study.laws {
             let statistical = plan
                 .models
                 .contains(&Kind::Statistical)
@@ -41,8 +41,8 @@ pub(super) fn check(context: &RunContext, plan: &ComparePlan) -> Result<(), Inpu
                 (deterministic, Models { statistical: None, deterministic }),
             ] {
                 let Some(model) = model else { continue };
-                compare(alone, &doubtful(&plan.controls, model, area), area)
-                    .map_err(|error| unreachable_load(context, plan, &surface.name, law, &error))?;
+                compare(alone, &doubtful(&plan.study.controls, model, area), area)
+                    .map_err(|error| unreachable_load(context, &plan.study, &surface.name, law, &error))?;
             }
         }
     }

@@ -45,14 +45,14 @@ pub fn treatments(
         forces: Vec::new(),
         tolerances: Tolerances::default(),
     };
-    let treatments = Treatment::all(&own, &plan.statistical, map);
+    let treatments = Treatment::all(&own, &plan.study.statistical, map);
     context.progress.stage("robustness", treatments.len() as f64);
     let treated = treatments.into_iter().map(|treatment| {
         let statistical = match treatment {
             Treatment::MeanRadius(mean_radius) => {
-                &StatisticalModel { mean_radius, ..plan.statistical.clone() }
+                &StatisticalModel { mean_radius, ..plan.study.statistical.clone() }
             }
-            _ => &plan.statistical,
+            _ => &plan.study.statistical,
         };
         let setup = Setup { controls: &controls, statistical, progress: &Silent, ..plan.setup(context) };
         let treat = || {

@@ -3,28 +3,26 @@
 use std::time::Instant;
 
 use asperity::bem::Solver;
-use asperity::compare::{AgainstReference, CaseSampling, Control, ModulusCheck, ModulusFindings, NotReached};
-use asperity::distribution::HeightsError;
-use asperity::study::LawContact;
+use asperity::compare::{AgainstReference, CaseSampling};
 use asperity::work::Counter;
-use asperity::{ContactError, Heights, Paper};
+use asperity::{Heights, Paper};
 use asperity_framework::RunContext;
-use asperity_framework::contact::{LayerMetadata, contact_metadata, papers_of};
+use asperity_framework::contact::{contact_metadata, papers_of};
 use asperity_framework::input::InputError;
 use asperity_framework::metadata::Timing;
 
-use super::implausible;
 use super::plan::ComparePlan;
 use super::readings::Readings;
 use super::reference::{ContactView, ReferenceRun};
 use super::results::{CompareResults, Described, ReferenceMetadata, SurfaceResults};
 use super::robustness;
-use crate::layer::{LayerPlan, thickness_words};
+use crate::layer::LayerPlan;
 use crate::plausibility;
 use crate::study::{
     CaseResults, CaseStudy, LawFindings, LayerQuestion, RealisationResults, Setup, SurfaceModels, attribute,
     decreases, differ, models_of, rank, run_surface, sampling, thresholds,
 };
+use crate::study_plan::{inapplicable, layer_metadata, unreachable_load};
 use crate::surface::{AnalysisDepth, Files, PreparedMap, Surface, SurfaceFactory, SurfacePlan, files_of};
 
 /// Runs a comparison and counts its work.
@@ -37,19 +35,19 @@ pub fn run(
     counter: &Counter,
 ) -> Result<CompareResults, InputError> {
     let start = Instant::now();
-    let realisations = compare.surfaces.iter().map(|surface| surface.realisations as u64);
+    let realisations = compare.study.surfaces.iter().map(|surface| surface.realisations as u64);
     context.progress.steps(realisations.sum());
     let mut run = Run {
         context,
         compare,
         setup: compare.setup(context),
         counter,
-        files: files_of(&compare.surfaces, counter),
+        files: files_of(&compare.study.surfaces, counter),
         timing: Timing::default(),
-        papers: papers_of(&compare.laws),
+        papers: papers_of(&compare.study.laws),
     };
     let surfaces: Result<Vec<SurfaceResults>, InputError> =
-        compare.surfaces.iter().map(|surface| run.surface(surface)).collect();
+        compare.study.surfaces.iter().map(|surface| run.surface(surface)).collect();
     let surfaces = surfaces?;
     let Run { mut timing, mut papers, .. } = run;
     if let Some(reference) = compare.reference.as_deref() {
@@ -57,9 +55,10 @@ pub fn run(
     }
     papers.extend(compare.lines.iter().map(|line| line.paper()));
     timing.total = start.elapsed();
-    let layer_metadata = layer_metadata(context, compare, &mut papers)?;
-    let contact = contact_metadata(context.materials, &compare.laws, &compare.bodies, layer_metadata);
-    let mut implausible = compare.implausible.clone();
+    let layer_metadata = layer_metadata(context, &compare.study, &mut papers)?;
+    let contact =
+        contact_metadata(context.materials, &compare.study.laws, &compare.study.bodies, layer_metadata);
+    let mut implausible = compare.study.implausible.clone();
     implausible.extend(surfaces.iter().flat_map(|results| {
         let Surface { name, statistics, set, .. } = &results.surface;
         plausibility::of_surface(name, statistics.mean_radius, statistics.sigma, set.nominal_area())
@@ -69,7 +68,7 @@ pub fn run(
         metadata: context.metadata(papers, timing, Some(counter.work())),
         contact,
         implausible,
-        tolerances: compare.controls.tolerances,
+        tolerances: compare.study.controls.tolerances,
         readings: Readings::of(&surfaces),
         surfaces,
         lines: compare.lines.clone(),
@@ -113,14 +112,15 @@ impl<'a> Run<'a> {
         differ(&mut first.cases, &samplings, setup.laws, &models);
         attribute(setup, &surface, &models, &mut first.cases, plan.realisations == 1);
         self.timing.sampling += start.elapsed();
-        let thresholds = compare.layer.as_deref().filter(|layer| layer.thicknesses != [0.0]).map_or_else(
-            Vec::new,
-            |layer| {
-                let LayerPlan { coating, thicknesses, .. } = layer;
-                let question = LayerQuestion { coating, thicknesses, rough: &compare.pair[0] };
-                thresholds(question, setup, &surface, &models, &first, self.counter)
-            },
-        );
+        let thresholds =
+            compare.study.layer.as_deref().filter(|layer| layer.thicknesses != [0.0]).map_or_else(
+                Vec::new,
+                |layer| {
+                    let LayerPlan { coating, thicknesses, .. } = layer;
+                    let question = LayerQuestion { coating, thicknesses, rough: &compare.study.pair[0] };
+                    thresholds(question, setup, &surface, &models, &first, self.counter)
+                },
+            );
         let decreases = decreases(setup.laws, &surface, &models, &first, self.counter);
         let heights = &models.population().heights;
         if *heights != Heights::GAUSSIAN {
@@ -142,13 +142,14 @@ impl<'a> Run<'a> {
             context.progress.step();
         }
         self.papers.extend(surface.papers());
-        self.papers.extend(compare.statistical.papers());
+        self.papers.extend(compare.study.statistical.papers());
         let (realisations, mut cases) =
-            CaseStudy::all(&surface, realisations, compare.accept.on(surface.plane.sigma));
+            CaseStudy::all(&surface, realisations, compare.study.accept.on(surface.plane.sigma));
         for (case, ranking) in cases.iter_mut().zip(rankings) {
             case.ranking = Some(ranking).filter(|ranking| !ranking.models.is_empty());
         }
-        let own_cut_off = treatments.map(|treatments| treatments.judge(&mut cases, &surface, compare.accept));
+        let own_cut_off =
+            treatments.map(|treatments| treatments.judge(&mut cases, &surface, compare.study.accept));
         let laws = LawFindings::all(&cases, &thresholds);
         Ok(SurfaceResults {
             surface,
@@ -186,7 +187,7 @@ impl<'a> Run<'a> {
 
     fn models<'s>(&mut self, surface: &'s Surface) -> Result<SurfaceModels<'s>, InputError> {
         models_of(self.setup, surface, &mut self.timing)
-            .map_err(|error| inapplicable(self.context, self.compare, &surface.name, &error))
+            .map_err(|error| inapplicable(self.context, &self.compare.study, &surface.name, &error))
     }
 
     fn both_models(
@@ -194,8 +195,9 @@ impl<'a> Run<'a> {
         surface: &Surface,
         models: &SurfaceModels,
     ) -> Result<RealisationResults, InputError> {
-        run_surface(self.setup, surface, models, self.counter, &mut self.timing)
-            .map_err(|(law, error)| unreachable_load(self.context, self.compare, &surface.name, law, &error))
+        run_surface(self.setup, surface, models, self.counter, &mut self.timing).map_err(|(law, error)| {
+            unreachable_load(self.context, &self.compare.study, &surface.name, law, &error)
+        })
     }
 
     /// Adds the reference to the cases of a surface with its prepared map, and how far both models are from it. Gives a view of each
@@ -223,76 +225,4 @@ impl<'a> Run<'a> {
         }
         Ok(views)
     }
-}
-
-/// The layer, and the check of its rule where some contact is under it, whose sources are added to `papers`.
-///
-/// # Errors
-/// A layer that the exact solution does not apply to.
-pub(crate) fn layer_metadata(
-    context: &RunContext,
-    compare: &ComparePlan,
-    papers: &mut Vec<Paper>,
-) -> Result<Option<LayerMetadata>, InputError> {
-    let Some(layer) = &compare.layer else { return Ok(None) };
-    let mut check = None;
-    if compare.uses_rule(layer) {
-        let (findings, rules) =
-            rule_check(compare, layer).map_err(|error| InputError::file(&context.source.path, error))?;
-        papers.extend(rules);
-        check = Some(findings);
-    }
-    let thicknesses = layer.thicknesses.clone();
-    Ok(Some(LayerMetadata { name: layer.name.clone(), rule: layer.rule, thicknesses, check }))
-}
-
-/// Points at the statistical model that does not apply to a surface.
-pub(crate) fn inapplicable(
-    context: &RunContext,
-    compare: &ComparePlan,
-    surface: &str,
-    error: &HeightsError,
-) -> InputError {
-    let message = format!("the statistical model does not apply to surface {surface}: {error}");
-    match &compare.statistical_key {
-        Some(span) => context.source.error_at(span.clone(), message),
-        None => InputError::file(&context.source.path, message),
-    }
-}
-
-/// Points at the sweep with a load out of reach.
-pub(super) fn unreachable_load(
-    context: &RunContext,
-    compare: &ComparePlan,
-    surface: &str,
-    law: &LawContact,
-    error: &NotReached,
-) -> InputError {
-    let layer =
-        law.thickness.map_or_else(String::new, |t| format!(", layer of thickness {}", thickness_words(t)));
-    let message = format!("surface {surface}, law {}{layer}: {error}", law.label);
-    if let Some(error) = implausible::error(context, compare, &message) {
-        return error;
-    }
-    let span = match error.control {
-        Control::Pressure => compare.load_keys[0].clone(),
-        Control::Force => compare.load_keys[1].clone(),
-        Control::Separation => None,
-    };
-    match span {
-        Some(span) => context.source.error_at(span, message),
-        None => InputError::file(&context.source.path, message),
-    }
-}
-
-/// How good both rules are between the materials of a comparison.
-fn rule_check(
-    compare: &ComparePlan,
-    layer: &LayerPlan,
-) -> Result<(ModulusFindings, Vec<Paper>), ContactError> {
-    /// a/t, from and to.
-    const RANGE: [f64; 2] = [0.1, 10.0];
-    let [rough, flat] = &compare.pair;
-    let check = ModulusCheck::new(rough, &layer.coating.material, flat)?;
-    Ok((check.findings(RANGE[0], RANGE[1]), check.papers()))
 }

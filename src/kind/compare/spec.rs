@@ -1,22 +1,20 @@
 //! `[compare]`: both models on the same surfaces, and the reference beside them.
 
 use schemars::JsonSchema;
-use serde::de::IgnoredAny;
-use serde::{Deserialize, Deserializer};
+use serde::Deserialize;
 use serde_json::json;
 
 use super::reference::ReferenceSpec;
-use super::statistical::StatisticalSpec;
 use crate::layer::LayerSpec;
+use crate::study_plan::{RoughBody, StatisticalSpec};
 use asperity::analytical::AnalyticalLine;
 use asperity::compare::Kind;
+use asperity_framework::input::Spanned;
 use asperity_framework::input::accept::AcceptSpec;
 use asperity_framework::input::law::Laws;
 use asperity_framework::input::quantity::{Force, Pressure};
-use asperity_framework::input::schema::TYPE;
 use asperity_framework::input::sweep::{LinearSweep, LogSweep};
 use asperity_framework::input::tolerance::ToleranceSpec;
-use asperity_framework::input::{Forms, Spanned};
 use asperity_framework::written_schema;
 
 /// Both models on the same surfaces, and the reference beside them: may the integral replace the sum?
@@ -81,26 +79,6 @@ pub struct CompareSpec {
 
 fn yes() -> bool {
     true
-}
-
-/// The name of one material: a second rough body is not modelled.
-#[derive(Debug, Clone)]
-pub struct RoughBody(pub String);
-
-written_schema!(RoughBody, |_| json!({ "type": "string", TYPE: "name of a material" }));
-
-impl<'de> Deserialize<'de> for RoughBody {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        Forms::new("the name of one material")
-            .text(|name| Ok(Self(name.to_owned())))
-            .list(|_: Vec<IgnoredAny>| {
-                Err("found a list; allowed: one rough body against a smooth flat. For two rough bodies enter \
-                     the composite surface: the sum of both height maps, or a population with the composite \
-                     sigma and curvature"
-                    .to_owned())
-            })
-            .read(deserializer)
-    }
 }
 
 /// A list of models and the reference, none twice, at least one.

@@ -10,7 +10,7 @@ use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
 
 use super::run::{IndentationResults, LawCurves, LayerResults};
 use super::spec::Show;
-use crate::kind::compare::figures::curves::regime_colour;
+use crate::presentation::regime_colour;
 
 /// Micrometres in a metre: what indentations are drawn in.
 const MICRO: f64 = 1e6;

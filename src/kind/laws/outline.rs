@@ -15,6 +15,7 @@ use super::results::LawsResults;
 use super::rows::{BoundaryRow, ChoiceRow, DominanceRow, InfluenceRow, LawRow, tables};
 use crate::kind::compare::outline;
 use crate::kind::compare::results::SurfaceResults;
+use crate::presentation::limits_note;
 use crate::surface::section;
 
 impl Outcome for LawsResults {
@@ -59,7 +60,7 @@ impl Outcome for LawsResults {
         }
         sections::notes(&mut page, &compared.metadata);
         sections::what_was_run(&mut page, &compared.metadata, &compared.contact);
-        outline::limits_note(&mut page);
+        limits_note(&mut page);
         sections::run_again(&mut page, &compared.metadata, None);
         sections::sources(&mut page, &compared.metadata);
         page

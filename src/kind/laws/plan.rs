@@ -6,8 +6,10 @@ use std::path::PathBuf;
 use super::results::LawsResults;
 use super::run::run;
 use super::spec::LawsSpec;
-use crate::kind::compare::plan::{ComparePlan, compared};
+use crate::kind::compare::plan::ComparePlan;
+use crate::study_plan::{StudyKeys, StudyPlan};
 use crate::surface::{AnalysisDepth, curvature_ratio, inputs, memory};
+use asperity::compare::Controls;
 use asperity::{ContactLaw, Hertz, Law, Pair, Shape, Zmc};
 use asperity_framework::input::materials;
 use asperity_framework::input::{InputError, Spanned, SpecFile};
@@ -59,15 +61,15 @@ impl Plan for LawsPlan {
     type Outcome = LawsResults;
 
     fn inputs(&self) -> Vec<PathBuf> {
-        inputs(&self.compare.surfaces)
+        inputs(&self.compare.study.surfaces)
     }
 
     fn memory(&self) -> Memory {
-        memory(&self.compare.surfaces, AnalysisDepth::Comparison, self.compare.is_robustness_examined)
+        memory(&self.compare.study.surfaces, AnalysisDepth::Comparison, self.compare.is_robustness_examined)
     }
 
     fn work(&self) -> u128 {
-        self.compare.work() + (self.ratios.len() * self.compare.laws.len()) as u128
+        self.compare.study.work() + (self.ratios.len() * self.compare.study.laws.len()) as u128
     }
 
     fn check(&self, context: &RunContext) -> Result<(), InputError> {
@@ -105,17 +107,31 @@ pub(super) fn plan(file: &SpecFile, table: &Spanned<LawsSpec>) -> Result<LawsPla
         );
         return Err(file.source.error_at(raw.law.span(), message));
     }
-    let compare = compared(file, &raw.compared(), span)?;
-    let [rough, flat] = &compare.pair;
+    let study = StudyPlan::new(
+        file,
+        StudyKeys {
+            table: span,
+            rough: &raw.rough,
+            flat: &raw.flat,
+            law: &raw.law,
+            layer: None,
+            statistical: raw.statistical.as_ref(),
+            accept: raw.accept,
+            surfaces: raw.surfaces.as_deref(),
+            controls: Controls::at_pressures(raw.pressure.get_ref().values.clone()),
+            load_keys: [Some(raw.pressure.span()), None],
+        },
+    )?;
+    let [rough, flat] = &study.pair;
     let zmc = Zmc::default();
     let pair = Pair::between(&zmc, rough, flat).ok().filter(|pair| pair.yield_limits.onset.is_finite());
     let Some(pair) = pair else {
         let message = format!(
             "found no `hardness` in {}, which [laws] needs for at least one body to normalise indentations by the onset of \
              yield; allowed: hardness = \"...\" with a unit of pressure",
-            materials(&compare.bodies.rough, &compare.bodies.flat)
+            materials(&study.bodies.rough, &study.bodies.flat)
         );
-        let at = file.material_at(&compare.bodies.rough).unwrap_or_else(|| raw.rough.span());
+        let at = file.material_at(&study.bodies.rough).unwrap_or_else(|| raw.rough.span());
         return Err(file.source.error_at(at, message));
     };
     let asperity = raw.asperity.get_ref();
@@ -128,6 +144,6 @@ pub(super) fn plan(file: &SpecFile, table: &Spanned<LawsSpec>) -> Result<LawsPla
         radius,
         curvature_ratio: ratio.filter(|_| is_elliptic).unwrap_or(1.0),
         ratios: file.growing(&raw.indentation)?,
-        compare,
+        compare: ComparePlan::of_models(study),
     })
 }

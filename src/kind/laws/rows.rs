@@ -2,7 +2,7 @@
 
 use super::results::{LawOnAsperity, LawsResults, SurfaceInfluence};
 use crate::kind::compare::rows;
-use crate::kind::compare::tables::limits;
+use crate::model_tables::limits;
 use asperity::compare::{AtLoad, Dominance, Effect, Group, Kind, Measure};
 use asperity::sphere::{Boundary, Point};
 use asperity_framework::columns;

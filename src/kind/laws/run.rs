@@ -23,14 +23,14 @@ pub fn run(context: &RunContext, laws_plan: &LawsPlan) -> Result<LawsResults, In
     for surface in &compare.surfaces {
         influences.extend((0..surface.realisations.len()).map(|index| {
             let realisation = index + 1;
-            let influence = influence(&laws_plan.compare.laws, surface, index);
+            let influence = influence(&laws_plan.compare.study.laws, surface, index);
             let by = |measure| Dominance::of(&influence, measure);
             let dominances = Measure::ALL.into_iter().filter_map(by).collect();
             SurfaceInfluence { surface: surface.surface.name.clone(), realisation, influence, dominances }
         }));
     }
     let laws: Vec<LawOnAsperity> =
-        laws_plan.compare.laws.iter().map(|law| on_asperity(laws_plan, law, &counter)).collect();
+        laws_plan.compare.study.laws.iter().map(|law| on_asperity(laws_plan, law, &counter)).collect();
     compare.metadata.work = Some(counter.work());
     Ok(LawsResults {
         compare,

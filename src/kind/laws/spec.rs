@@ -3,14 +3,12 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::kind::compare::spec::{CompareSpec, RoughBody};
-use crate::kind::compare::statistical::StatisticalSpec;
+use crate::study_plan::{RoughBody, StatisticalSpec};
 use asperity_framework::input::Spanned;
 use asperity_framework::input::accept::AcceptSpec;
 use asperity_framework::input::law::Laws;
 use asperity_framework::input::quantity::{Length, Pressure, Pure, Quantity};
 use asperity_framework::input::sweep::LogSweep;
-use asperity_framework::input::tolerance::ToleranceSpec;
 
 /// Several laws on one asperity, and on surfaces under both models: does the law matter more than the summation?
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -60,29 +58,4 @@ pub struct AsperitySpec {
     /// The larger principal curvature over the smaller one; needed by elliptic laws.
     #[schemars(extend("x-range" = "1 to 1e6", "examples" = [2]))]
     pub curvature_ratio: Option<Spanned<Quantity<Pure>>>,
-}
-
-impl LawsSpec {
-    /// The part on surfaces, as a `[compare]` table.
-    pub fn compared(&self) -> CompareSpec {
-        CompareSpec {
-            rough: self.rough.clone(),
-            flat: self.flat.clone(),
-            law: self.law.clone(),
-            layer: None,
-            models: None,
-            reference: None,
-            lines: None,
-            statistical: self.statistical.clone(),
-            accept: self.accept,
-            robustness: false,
-            attribution: false,
-            rank_models: false,
-            surfaces: self.surfaces.clone(),
-            separation: None,
-            tolerance: ToleranceSpec::default(),
-            pressure: Some(self.pressure.clone()),
-            force: None,
-        }
-    }
 }

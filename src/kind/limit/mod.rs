@@ -12,7 +12,7 @@ use asperity_framework::input::{InputError, Spanned, SpecFile};
 use asperity_framework::report::table::Schema;
 use asperity_framework::{Kind, Reads};
 
-use super::compare::tables::{CurveRow, PairRow};
+use crate::model_tables::{CurveRow, PairRow};
 use rows::{ConvergenceRow, SlopeRow};
 use run::LimitPlan;
 

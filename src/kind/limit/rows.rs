@@ -5,7 +5,7 @@ use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row, Table};
 
 use super::run::LimitResults;
-use crate::kind::compare::tables::{Case, CurveRow, PairRow, comparison_of_models};
+use crate::model_tables::{Case, CurveRow, PairRow, comparison_of_models};
 
 /// The errors of sets of one size at one separation.
 pub struct ConvergenceRow<'a> {
@@ -21,7 +21,7 @@ impl Row for ConvergenceRow<'_> {
         columns! { row: Self =>
             law["text"] = row.point.law.as_str(), "Contact law of an asperity.";
             quantity["text"] = row.quantity.name(), "Quantity whose error is given: `area` or `load`.";
-            separation_over_sigma["1", label("d/σ"), input] = row.point.separation(), "Separation over sigma, the standard deviation of the asperity heights.";
+            separation_over_sigma["1", label("d/σ"), input] = row.point.separation_over_sigma(), "Separation over sigma, the standard deviation of the asperity heights.";
             asperities["count"] = row.point.count, "Asperities in a set.";
             expected_contacts["1"] = row.point.expected_contacts(), "Expected number of contacts.";
             random_mean_error["1", scale(1e-3)] = row.point.scatter(row.quantity).0, "Mean relative error of the random sets.";

@@ -7,8 +7,8 @@ use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
 use super::findings::{Gap, gaps};
 use super::quantity::Asperities;
 use super::results::{QUANTITIES, Series, SurfaceResults, Variation};
-use crate::kind::compare::figures::causes::colour;
-use crate::kind::compare::outline::name;
+use crate::presentation::cause_colour;
+use crate::presentation::quantity_name;
 
 const MICRO: f64 = 1e6;
 const HEIGHT: f64 = 360.0;
@@ -77,13 +77,13 @@ fn panel(series: &Series, load: usize, quantity: ComparedQuantity) -> Option<Plo
         gaps.iter().map(|gap| gap.parts.map_or(f64::NAN, |parts| parts.of(cause))).collect::<Vec<f64>>()
     });
     let stacked = Cause::ALL.into_iter().zip(&parts);
-    let stacked = stacked.map(|(cause, part)| (cause.label(), colour(cause), &part[..]));
+    let stacked = stacked.map(|(cause, part)| (cause.label(), cause_colour(cause), &part[..]));
     let x = axis([series], &format!("{} (µm)", series.variation.label()));
     let y = match quantity {
         ComparedQuantity::Separation => "separation (σ)",
         _ => "ln(area ratio of the models)",
     };
-    let mut plot = Plot::new(capitalised(name(quantity)), x, Axis::linear(y))
+    let mut plot = Plot::new(capitalised(quantity_name(quantity)), x, Axis::linear(y))
         .height(HEIGHT)
         .legend(Legend::Below)
         .with_contributions(&lengths, stacked)

@@ -15,7 +15,7 @@ use super::quantity::Quantity;
 use super::results::{IntervalResults, QUANTITIES, Series, SurfaceResults, Variation};
 use super::rows::{GapRow, LeadRow, LimitRow, ScaleRow, tables};
 use super::trend::Trend;
-use crate::kind::compare::outline::{limits_note, name as gap_in};
+use crate::presentation::{limits_note, quantity_name};
 use crate::surface::fitness::blocked_by;
 use crate::surface::{section, warnings};
 
@@ -144,7 +144,7 @@ fn gap_section(page: &mut Page, tables: &Tables, surface: &SurfaceResults, (load
         }
     }
     for quantity in QUANTITIES {
-        page.details(3, &format!("{name}: gap in {} at {at} by length", gap_in(quantity)), |page| {
+        page.details(3, &format!("{name}: gap in {} at {at} by length", quantity_name(quantity)), |page| {
             let gaps = tables.view::<GapRow>().only("surface", name).only("pressure_pa", pressure);
             let mut gaps = gaps.only("quantity", quantity.name()).without(&["multiple"]);
             if quantity == asperity::compare::ComparedQuantity::Area {

@@ -4,6 +4,7 @@ use std::fmt;
 use std::ops::Range;
 use std::path::PathBuf;
 
+use asperity::compare::Controls;
 use asperity_framework::input::quantity::{Pure, Quantity};
 use asperity_framework::input::{InputError, Spanned, SpecFile, Whole};
 use asperity_framework::report::format::listed;
@@ -12,7 +13,7 @@ use asperity_framework::{Memory, Plan, RunContext};
 use super::results::IntervalResults;
 use super::run::run;
 use super::spec::SamplingIntervalSpec;
-use crate::kind::compare::plan::{ComparePlan, compared};
+use crate::study_plan::{StudyKeys, StudyPlan};
 use crate::surface::{AnalysisDepth, SurfacePlan, inputs, memory};
 
 /// The intervals and multiples of a spec that gives none.
@@ -31,7 +32,7 @@ const MOST: usize = 32;
 /// The same surfaces at several sampling intervals and under several S filters.
 pub struct IntervalPlan {
     /// Both models on the surfaces as they are, under one law, at ascending pressures.
-    pub compare: ComparePlan,
+    pub study: StudyPlan,
     /// Sampling intervals in pixels, ascending.
     pub intervals: Vec<usize>,
     /// S filters.
@@ -67,20 +68,20 @@ impl Plan for IntervalPlan {
     type Outcome = IntervalResults;
 
     fn inputs(&self) -> Vec<PathBuf> {
-        inputs(&self.compare.surfaces)
+        inputs(&self.study.surfaces)
     }
 
     fn memory(&self) -> Memory {
         /// The prepared map and a filtered one.
         const BYTES_PER_POINT: u128 = 16;
-        let of_models = memory(&self.compare.surfaces, AnalysisDepth::Comparison, true);
+        let of_models = memory(&self.study.surfaces, AnalysisDepth::Comparison, true);
         let points = |surface: &SurfacePlan| surface.map_points().map(|[nx, ny]| nx as u128 * ny as u128);
-        let maps = self.compare.surfaces.iter().filter_map(points).max().unwrap_or(0) * BYTES_PER_POINT;
+        let maps = self.study.surfaces.iter().filter_map(points).max().unwrap_or(0) * BYTES_PER_POINT;
         Memory { bytes: of_models.bytes + maps, ..of_models }
     }
 
     fn work(&self) -> u128 {
-        self.compare.work() * self.scales() as u128
+        self.study.work() * self.scales() as u128
     }
 
     fn run(&self, context: &RunContext) -> Result<IntervalResults, InputError> {
@@ -90,7 +91,7 @@ impl Plan for IntervalPlan {
 
 impl fmt::Display for IntervalPlan {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        write!(f, "{}", self.compare)?;
+        write!(f, "{}", self.study)?;
         writeln!(f, "  each surface at sampling intervals of {} pixels", listed(&texts(&self.intervals)))?;
         let FilterPlan { multiples, base, .. } = &self.filters;
         if multiples.is_empty() {
@@ -134,20 +135,34 @@ pub(super) fn plan(
         let message = format!("found {} laws; allowed: one", laws.len());
         return Err(file.source.error_at(raw.law.span(), message));
     }
-    let mut compare = compared(file, &raw.compared(), span.clone())?;
-    let pressures = &mut compare.controls.pressures;
+    let mut pressures = raw.pressure.get_ref().values.clone();
     pressures.sort_by(f64::total_cmp);
     pressures.dedup();
+    let study = StudyPlan::new(
+        file,
+        StudyKeys {
+            table: span.clone(),
+            rough: &raw.rough,
+            flat: &raw.flat,
+            law: &raw.law,
+            layer: None,
+            statistical: raw.statistical.as_ref(),
+            accept: raw.accept,
+            surfaces: raw.surfaces.as_deref(),
+            controls: Controls::at_pressures(pressures),
+            load_keys: [Some(raw.pressure.span()), None],
+        },
+    )?;
     const INTERVALS: &str = "whole numbers of pixels, ascending, from 1, such as [1, 2, 4, 8]";
     let intervals = ascending(file, raw.intervals.as_ref(), |&Whole(value)| value as f64, 1.0, INTERVALS)?;
     let intervals: Vec<usize> = intervals.into_iter().map(|interval| interval as usize).collect();
     let filters = filters(file, raw, &span)?;
     let intervals_key = raw.intervals.as_ref().map(Spanned::span);
-    for surface in &compare.surfaces {
+    for surface in &study.surfaces {
         check_map(surface, &intervals, intervals_key.as_ref())
             .map_err(|(key, message)| file.source.error_at(key, message))?;
     }
-    Ok(IntervalPlan { compare, intervals, filters })
+    Ok(IntervalPlan { study, intervals, filters })
 }
 
 /// Refuses a surface without a map, of several realisations, or with too few points at an interval; with the position of the key.

@@ -8,7 +8,7 @@ use asperity_framework::report::table::{Column, Row, Schema, Table};
 use super::findings::{Gap, gaps, sign};
 use super::results::{IntervalResults, QUANTITIES, Scale, ScaleResults, Series};
 use super::trend::Trend;
-use crate::kind::compare::tables::limits;
+use crate::model_tables::limits;
 use crate::surface::rows::{self as surface, SurfaceRow};
 
 /// The columns of what a row belongs to.

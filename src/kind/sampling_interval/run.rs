@@ -29,13 +29,13 @@ use crate::surface::{AnalysisDepth, Independence, MapFacts, Surface, SurfaceFact
 pub(super) fn run(context: &RunContext, plan: &IntervalPlan) -> Result<IntervalResults, InputError> {
     let start = Instant::now();
     let (mut timing, counter) = (Timing::default(), Counter::default());
-    let compare = &plan.compare;
-    let mut papers = papers_of(&compare.laws);
+    let study = &plan.study;
+    let mut papers = papers_of(&study.laws);
     papers.extend((!plan.filters.multiples.is_empty()).then_some(literature::ISO_16610_61));
-    context.progress.steps(compare.surfaces.len() as u64);
-    let mut files = files_of(&compare.surfaces, &counter);
+    context.progress.steps(study.surfaces.len() as u64);
+    let mut files = files_of(&study.surfaces, &counter);
     let mut surfaces = Vec::new();
-    for surface in &compare.surfaces {
+    for surface in &study.surfaces {
         let mut factory = SurfaceFactory::new(surface, context, &counter).keeping_map(true);
         let mut made = factory.make(1, AnalysisDepth::Comparison, &mut files, &mut timing)?;
         papers.extend(made.papers());
@@ -44,10 +44,10 @@ pub(super) fn run(context: &RunContext, plan: &IntervalPlan) -> Result<IntervalR
         let mut series = Vec::new();
         // Planned surfaces have a map, which is kept.
         if let Some((prepared, facts)) = prepared.as_ref().zip(made.map.as_ref()) {
-            let setup = Setup { progress: &Silent, ..compare.setup(context) };
+            let setup = Setup { progress: &Silent, ..study.setup(context) };
             let (factory, counter, name, map) = (&factory, &counter, &surface.name, &prepared.map);
             let variants = Variants { context, plan, setup, factory, counter, name, map, facts };
-            series = variants.series(&compare.accept.on(made.plane.sigma)).map_err(|error| {
+            series = variants.series(&study.accept.on(made.plane.sigma)).map_err(|error| {
                 let message = format!("surface {}: {error}", surface.name);
                 context.source.error_at(plan.filters.key.clone(), message)
             })?;
@@ -56,17 +56,17 @@ pub(super) fn run(context: &RunContext, plan: &IntervalPlan) -> Result<IntervalR
         surfaces.push(SurfaceResults { surface: made, series });
     }
     timing.total = start.elapsed();
-    let mut implausible = compare.implausible.clone();
+    let mut implausible = study.implausible.clone();
     implausible.extend(surfaces.iter().flat_map(|SurfaceResults { surface, .. }| {
         let Surface { name, statistics, set, .. } = surface;
         plausibility::of_surface(name, statistics.mean_radius, statistics.sigma, set.nominal_area())
     }));
     Ok(IntervalResults {
         metadata: context.metadata(papers, timing, Some(counter.work())),
-        contact: contact_metadata(context.materials, &compare.laws, &compare.bodies, None),
+        contact: contact_metadata(context.materials, &study.laws, &study.bodies, None),
         implausible,
-        law: compare.laws[0].label.clone(),
-        loads: compare.controls.pressures.clone(),
+        law: study.laws[0].label.clone(),
+        loads: study.controls.pressures.clone(),
         surfaces,
     })
 }

@@ -9,10 +9,8 @@ use asperity_framework::input::accept::AcceptSpec;
 use asperity_framework::input::law::Laws;
 use asperity_framework::input::quantity::{Length, Pressure, Pure, Quantity};
 use asperity_framework::input::sweep::LogSweep;
-use asperity_framework::input::tolerance::ToleranceSpec;
 
-use crate::kind::compare::spec::{CompareSpec, RoughBody};
-use crate::kind::compare::statistical::StatisticalSpec;
+use crate::study_plan::{RoughBody, StatisticalSpec};
 
 /// The same surfaces at growing sampling intervals and under growing S filters: which results have a limit?
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -49,29 +47,4 @@ pub struct SamplingIntervalSpec {
     /// The surfaces to run on, by name.
     #[schemars(extend("x-default" = "all of the file", "examples" = [["ground"]]))]
     pub surfaces: Option<Vec<Spanned<String>>>,
-}
-
-impl SamplingIntervalSpec {
-    /// Both models at the loads, as a `[compare]` table.
-    pub fn compared(&self) -> CompareSpec {
-        CompareSpec {
-            rough: self.rough.clone(),
-            flat: self.flat.clone(),
-            law: self.law.clone(),
-            layer: None,
-            models: None,
-            reference: None,
-            lines: None,
-            statistical: self.statistical.clone(),
-            accept: self.accept,
-            robustness: false,
-            attribution: true,
-            rank_models: false,
-            surfaces: self.surfaces.clone(),
-            separation: None,
-            tolerance: ToleranceSpec::default(),
-            pressure: Some(self.pressure.clone()),
-            force: None,
-        }
-    }
 }

@@ -11,7 +11,7 @@ use asperity_framework::input::{InputError, Spanned, SpecFile};
 use asperity_framework::report::table::Schema;
 use asperity_framework::{Kind, Planned};
 
-use super::compare::tables::{CurveRow, PairRow};
+use crate::model_tables::{CurveRow, PairRow};
 use crate::surface::rows::SurfaceRow;
 use plan::TiledPlan;
 pub use results::{LawResults, TiledResults, TiledSurface};

@@ -13,7 +13,7 @@ use serde_json::{Map, Value, json};
 
 use super::results::{LawResults, TiledResults, TiledSurface};
 use super::rows::{INTERVAL, SeparationRow, surface_row, tables};
-use crate::kind::compare::outline::limits_note;
+use crate::presentation::limits_note;
 use crate::surface::rows::{SurfaceRow, records};
 
 impl Outcome for TiledResults {

@@ -4,19 +4,21 @@ use std::fmt;
 use std::path::PathBuf;
 
 use asperity::Total;
+use asperity::compare::Controls;
 use asperity_framework::divided::run_undivided;
+use asperity_framework::input::accept::AcceptSpec;
 use asperity_framework::input::{InputError, Spanned, SpecFile};
 use asperity_framework::{Memory, Plan, RunContext};
 
 use super::results::TiledResults;
 use super::spec::TiledSpec;
-use crate::kind::compare::plan::{ComparePlan, compared};
+use crate::study_plan::{StudyKeys, StudyPlan};
 use crate::surface::{SurfacePlan, SurfaceTiles, inputs};
 
 /// Both models on a surface in tiles.
 pub struct TiledPlan {
     /// Bodies, laws and separations.
-    pub compare: ComparePlan,
+    pub study: StudyPlan,
     /// The tiles of its one surface.
     pub tiles: SurfaceTiles,
 }
@@ -24,12 +26,12 @@ pub struct TiledPlan {
 impl TiledPlan {
     /// The surface.
     pub fn surface(&self) -> &SurfacePlan {
-        &self.compare.surfaces[0]
+        &self.study.surfaces[0]
     }
 
     /// d/sigma.
     pub fn separations(&self) -> &[f64] {
-        &self.compare.controls.separations
+        &self.study.controls.separations
     }
 }
 
@@ -37,14 +39,14 @@ impl Plan for TiledPlan {
     type Outcome = TiledResults;
 
     fn inputs(&self) -> Vec<PathBuf> {
-        inputs(&self.compare.surfaces)
+        inputs(&self.study.surfaces)
     }
 
     /// Of any part: tiles are done one after the other.
     fn memory(&self) -> Memory {
         /// The sums over a tile at a separation, as a file holds them and as read.
         const BYTES_PER_TOTAL: u128 = 1000;
-        let totals = self.separations().len() * self.compare.laws.len();
+        let totals = self.separations().len() * self.study.laws.len();
         let of_blocks = self.tiles.most_blocks() * totals * size_of::<Total>();
         let of_tiles = (self.tiles.count * totals) as u128 * BYTES_PER_TOTAL;
         let bytes = self.tiles.memory(self.surface()) + of_blocks as u128 + of_tiles;
@@ -52,7 +54,7 @@ impl Plan for TiledPlan {
     }
 
     fn work(&self) -> u128 {
-        self.compare.work()
+        self.study.work()
     }
 
     fn run(&self, context: &RunContext) -> Result<TiledResults, InputError> {
@@ -62,7 +64,7 @@ impl Plan for TiledPlan {
 
 impl fmt::Display for TiledPlan {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        write!(f, "{}", self.compare)?;
+        write!(f, "{}", self.study)?;
         let count = self.tiles.count;
         let passes = if self.surface().nominal().is_some() { "one pass" } else { "two passes" };
         writeln!(
@@ -82,9 +84,24 @@ pub(super) fn plan(file: &SpecFile, table: &Spanned<TiledSpec>) -> Result<TiledP
             format!("found {}, a law of ellipses; allowed in [tiled]: laws of spheres", law.label());
         return Err(file.source.error_at(raw.law.span(), message));
     }
-    let compare = compared(file, &raw.compared(), span.clone())?;
-    let [surface] = &compare.surfaces[..] else {
-        let names: Vec<&str> = compare.surfaces.iter().map(|surface| surface.name.as_str()).collect();
+    let surfaces = raw.surface.clone().map(|surface| vec![surface]);
+    let study = StudyPlan::new(
+        file,
+        StudyKeys {
+            table: span.clone(),
+            rough: &raw.rough,
+            flat: &raw.flat,
+            law: &raw.law,
+            layer: raw.layer.as_ref(),
+            statistical: None,
+            accept: AcceptSpec::default(),
+            surfaces: surfaces.as_deref(),
+            controls: Controls { separations: raw.separation.get_ref().0.clone(), ..Controls::default() },
+            load_keys: [None, None],
+        },
+    )?;
+    let [surface] = &study.surfaces[..] else {
+        let names: Vec<&str> = study.surfaces.iter().map(|surface| surface.name.as_str()).collect();
         let message = format!(
             "found {} surfaces ({}); allowed: surface = \"NAME\" of one of them",
             names.len(),
@@ -93,5 +110,5 @@ pub(super) fn plan(file: &SpecFile, table: &Spanned<TiledSpec>) -> Result<TiledP
         return Err(file.source.error_at(span, message));
     };
     let tiles = SurfaceTiles::new(surface, &file.source)?;
-    Ok(TiledPlan { compare, tiles })
+    Ok(TiledPlan { study, tiles })
 }

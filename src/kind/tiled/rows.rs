@@ -6,7 +6,7 @@ use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row, Table};
 
 use super::results::{LawResults, TiledResults, TiledSurface};
-use crate::kind::compare::tables::{Case, CurveRow, PairRow, comparison_of_models, limits};
+use crate::model_tables::{Case, CurveRow, PairRow, comparison_of_models, limits};
 use crate::surface::rows::SurfaceRow;
 
 /// Half-width of a 95 % interval in standard errors.

@@ -13,8 +13,8 @@ use serde::{Deserialize, Serialize};
 
 use super::plan::TiledPlan;
 use super::results::{LawResults, TiledResults, TiledSurface, error_of_ratio};
-use crate::kind::compare::layer_metadata;
 use crate::plausibility;
+use crate::study_plan::layer_metadata;
 use crate::surface::{OpenTiles, SurfacePlan};
 
 /// What is found in a tile.
@@ -81,9 +81,9 @@ impl Divided for TiledPlan {
         let last = passes.next().transpose()?;
         let surface = self.whole(context, &first)?;
         let points = self.separations().len();
-        let totals = vec![vec![Total::default(); points]; self.compare.laws.len()];
+        let totals = vec![vec![Total::default(); points]; self.study.laws.len()];
         let mut all = TileSums { asperities: None, totals };
-        let mut loads = vec![Vec::new(); points * self.compare.laws.len()];
+        let mut loads = vec![Vec::new(); points * self.study.laws.len()];
         for tile in last.as_ref().unwrap_or(&first) {
             let totals = tile.totals.iter().flatten();
             loads.iter_mut().zip(totals).for_each(|(loads, total)| loads.push(total.load().total()));
@@ -95,15 +95,15 @@ impl Divided for TiledPlan {
         let is_sample = !self.surface().is_at_quantiles();
         let error = |loads: &Vec<f64>| error_of_ratio(loads, &areas).filter(|_| is_sample);
         let errors: Vec<Option<f64>> = loads.iter().map(error).collect();
-        let laws = self.compare.laws.iter().zip(all.totals.iter().zip(errors.chunks(points)));
+        let laws = self.study.laws.iter().zip(all.totals.iter().zip(errors.chunks(points)));
         let laws = laws.map(|(law, (totals, errors))| {
             LawResults::new(law, self.separations(), &surface, totals, errors.to_vec())
         });
-        let mut papers = contact::papers_of(&self.compare.laws);
+        let mut papers = contact::papers_of(&self.study.laws);
         papers
             .extend(self.surface().nominal().iter().flat_map(|(population, _)| population.heights.papers()));
-        let layer = layer_metadata(context, &self.compare, &mut papers)?;
-        let mut implausible = self.compare.implausible.clone();
+        let layer = layer_metadata(context, &self.study, &mut papers)?;
+        let mut implausible = self.study.implausible.clone();
         let TiledSurface { name, statistics, nominal_area, .. } = &surface;
         implausible.extend(plausibility::of_surface(
             name,
@@ -116,8 +116,8 @@ impl Divided for TiledPlan {
             implausible,
             contact: contact::contact_metadata(
                 context.materials,
-                &self.compare.laws,
-                &self.compare.bodies,
+                &self.study.laws,
+                &self.study.bodies,
                 layer,
             ),
             metadata: context.metadata(papers, Default::default(), None),
@@ -173,7 +173,7 @@ impl TiledPlan {
             Some(set) => Deterministic::new(&*law.contact, set.spheres(), plane).totals(&separations),
             None => vec![Total::default(); separations.len()],
         };
-        Ok(TileSums { asperities, totals: self.compare.laws.iter().map(of_law).collect() })
+        Ok(TileSums { asperities, totals: self.study.laws.iter().map(of_law).collect() })
     }
 
     /// The whole surface, from the first pass.

@@ -4,13 +4,11 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use asperity_framework::input::Spanned;
-use asperity_framework::input::accept::AcceptSpec;
 use asperity_framework::input::law::Laws;
 use asperity_framework::input::sweep::LinearSweep;
-use asperity_framework::input::tolerance::ToleranceSpec;
 
-use crate::kind::compare::spec::{CompareSpec, RoughBody};
 use crate::layer::LayerSpec;
+use crate::study_plan::RoughBody;
 
 /// Both models on one surface that may be larger than memory: it is summed tile by tile, in one process or in parts on many machines (docs/clusters.md).
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -32,29 +30,4 @@ pub struct TiledSpec {
     /// The surface, by name.
     #[schemars(extend("x-default" = "the only one of the file", "examples" = ["ground"]))]
     pub surface: Option<Spanned<String>>,
-}
-
-impl TiledSpec {
-    /// Both models at the separations, as a `[compare]` table.
-    pub fn compared(&self) -> CompareSpec {
-        CompareSpec {
-            rough: self.rough.clone(),
-            flat: self.flat.clone(),
-            law: self.law.clone(),
-            layer: self.layer.clone(),
-            models: None,
-            reference: None,
-            lines: None,
-            statistical: None,
-            accept: AcceptSpec::default(),
-            robustness: false,
-            attribution: false,
-            rank_models: false,
-            surfaces: self.surface.clone().map(|surface| vec![surface]),
-            separation: Some(self.separation.get_ref().clone()),
-            tolerance: ToleranceSpec::default(),
-            pressure: None,
-            force: None,
-        }
-    }
 }

@@ -104,6 +104,11 @@ pub struct Controls {
 }
 
 impl Controls {
+    /// Nominal pressures (Pa) alone.
+    pub fn at_pressures(pressures: Vec<f64>) -> Self {
+        Self { pressures, ..Self::default() }
+    }
+
     /// Number of points per model.
     pub fn points(&self) -> usize {
         self.separations.len() + self.pressures.len() + self.forces.len()

@@ -6,7 +6,7 @@ use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
 use super::axes::Units;
 use super::differences::{MARGIN, invalid, megapascals};
-use crate::kind::compare::outline::name;
+use crate::presentation::{cause_colour, quantity_name};
 use crate::study::Verdicts;
 
 /// The quantities that are divided on the page.
@@ -16,15 +16,6 @@ const QUANTITIES: [ComparedQuantity; 2] = [ComparedQuantity::Separation, Compare
 pub fn figure(verdicts: &Verdicts, units: &Units, finding: &str) -> Figure {
     let panels = QUANTITIES.into_iter().map(|quantity| panel(verdicts, units, quantity));
     Figure::row(finding, panels.collect())
-}
-
-/// The colour of a cause.
-pub fn colour(cause: Cause) -> Colour {
-    match cause {
-        Cause::Heights => Colour::Heights,
-        Cause::Radii => Colour::Radii,
-        Cause::Correlation => Colour::Correlation,
-    }
 }
 
 fn panel(verdicts: &Verdicts, units: &Units, quantity: ComparedQuantity) -> Plot {
@@ -39,13 +30,15 @@ fn panel(verdicts: &Verdicts, units: &Units, quantity: ComparedQuantity) -> Plot
         divided().map(|(_, parts)| parts.map_or(f64::NAN, |parts| parts.of(cause))).collect::<Vec<f64>>()
     });
     let axis = units.pressure().range(ends[0] / MARGIN, ends[1] * MARGIN);
-    let mut plot = Plot::new(capitalised(name(quantity)), axis, y).height(240.0);
+    let mut plot = Plot::new(capitalised(quantity_name(quantity)), axis, y).height(240.0);
     for region in invalid(&verdicts.valid, 1e-6) {
         plot = plot.with(region);
     }
     let stacked = Cause::ALL.into_iter().zip(&parts);
-    plot = plot
-        .with_contributions(&load, stacked.map(|(cause, part)| (cause.label(), colour(cause), &part[..])));
+    plot = plot.with_contributions(
+        &load,
+        stacked.map(|(cause, part)| (cause.label(), cause_colour(cause), &part[..])),
+    );
     let gap = divided().map(|(load, parts)| (load, parts.map_or(f64::NAN, Contributions::gap)));
     plot = plot
         .with_zero()

@@ -2,6 +2,7 @@
 
 use super::axes::Units;
 use super::differences::invalid;
+use crate::presentation::regime_colour;
 use crate::study::CaseResults;
 use asperity::compare::{Comparison, CurvePoint, Kind, Pair, Pairing, ReferencePoint, ValidRange};
 use asperity::{INTERACTION, Limit, Regime};
@@ -185,15 +186,6 @@ pub fn area(setting: &Setting, lines: Vec<Layer>) -> Figure {
     let plot = lines.into_iter().fold(plot, Plot::with);
     let plot = with_reference(plot, setting.case, setting.units.modulus, |point| Some(point.area_ratio));
     setting.figure(what, plot)
-}
-
-/// The colour of a regime.
-pub fn regime_colour(regime: Regime) -> Colour {
-    match regime {
-        Regime::Elastic => Colour::Elastic,
-        Regime::ElasticPlastic => Colour::ElasticPlastic,
-        Regime::Plastic => Colour::Plastic,
-    }
 }
 
 /// Each regime's share of the load against something.

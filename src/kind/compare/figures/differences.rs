@@ -6,7 +6,7 @@ use asperity_framework::report::format::capitalised;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
 use super::axes::Units;
-use crate::kind::compare::outline::name;
+use crate::presentation::quantity_name;
 use crate::study::Verdicts;
 
 /// The quantities in the order of their panels.
@@ -89,9 +89,10 @@ pub fn of_cases(cases: &[(String, &Verdicts)], finding: &str) -> Option<Figure> 
             ComparedQuantity::Separation => "difference (σ)",
             ComparedQuantity::Area | ComparedQuantity::Stiffness => "difference (%)",
         });
-        let mut plot = Plot::new(capitalised(name(compared)), Axis::log("nominal pressure (MPa)"), axis)
-            .height(210.0)
-            .with_zero();
+        let mut plot =
+            Plot::new(capitalised(quantity_name(compared)), Axis::log("nominal pressure (MPa)"), axis)
+                .height(210.0)
+                .with_zero();
         // Accepted separations differ between surfaces in nm, not in sigma; shares not at all.
         let accepted: Vec<f64> =
             cases.iter().map(|(_, verdicts)| unit(compared) * verdicts.accepted.of(compared)).collect();
@@ -147,7 +148,7 @@ fn panel(verdicts: &Verdicts, units: &Units, curves: &[Curve], compared: Compare
     let room = 0.05 * (high - low);
     let [from, to] = shown_loads(&verdicts.valid, tested);
     let mut plot = Plot::new(
-        capitalised(name(compared)),
+        capitalised(quantity_name(compared)),
         units.pressure().range(from, to),
         axis(compared, units).range(low - room, high + room),
     )

@@ -4,8 +4,8 @@ use asperity::compare::{ComparedQuantity, Difference};
 use asperity_framework::report::format::{capitalised, input_quantity};
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
-use crate::kind::compare::outline::name;
 use crate::kind::compare::results::SurfaceResults;
+use crate::presentation::quantity_name;
 use crate::study::{CaseStudy, Treatment};
 
 /// How much of the axis is shown at least, in accepted differences.
@@ -60,11 +60,14 @@ pub fn against_filter(case: &CaseStudy, surface: &SurfaceResults) -> Option<Figu
             [low.min(value), high.max(value)]
         });
         let room = 0.05 * (high - low);
-        let mut plot =
-            Plot::new(capitalised(name(compared)), axis, Axis::linear(label).range(low - room, high + room))
-                .height(210.0)
-                .with(Layer::region_y(-accepted, accepted, "accepted").coloured(Colour::Series(2)))
-                .with_zero();
+        let mut plot = Plot::new(
+            capitalised(quantity_name(compared)),
+            axis,
+            Axis::linear(label).range(low - room, high + room),
+        )
+        .height(210.0)
+        .with(Layer::region_y(-accepted, accepted, "accepted").coloured(Colour::Series(2)))
+        .with_zero();
         if has_none {
             plot = plot.with(Layer::at_x(pixel, "no filter"));
         }

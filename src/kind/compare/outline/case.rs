@@ -14,7 +14,7 @@ use crate::kind::compare::figures::curves::{self, Setting};
 use crate::kind::compare::figures::{causes, contact, differences as figure, filter, lines};
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
 use crate::kind::compare::rows::{LineRow, RobustnessRow, SpreadRow, SurfaceCase, is_single};
-use crate::kind::compare::tables::PairRow;
+use crate::model_tables::PairRow;
 use crate::study::RealisationFacts;
 
 /// Loads per decade in tables.

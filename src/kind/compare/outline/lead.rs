@@ -6,7 +6,7 @@ use asperity_framework::report::format::{
     alternatives, input_quantity, listed, number, percent, quantity, signed,
 };
 
-use super::name;
+use crate::presentation::quantity_name;
 use crate::study::{Basis, Verdicts};
 use crate::surface::{Surface, fitness};
 
@@ -55,7 +55,7 @@ fn difference(stretch: &Stretch) -> String {
         if low == high { format!(" {low} {unit}") } else { format!(" {low} to {high} {unit}") }
     });
     let accepted = number(size * stretch.accepted);
-    format!("{}{ends} (accepted {accepted} {unit}) {}", name(stretch.quantity), over(stretch.loads))
+    format!("{}{ends} (accepted {accepted} {unit}) {}", quantity_name(stretch.quantity), over(stretch.loads))
 }
 
 /// "stiffness from 1 MPa to 40 MPa (needs about 2.5 mm² of surface, now 1 mm²)".
@@ -72,7 +72,7 @@ fn open(stretch: &Stretch, verdicts: &Verdicts) -> String {
         }
         _ => String::new(),
     };
-    format!("{} {}{need}", name(stretch.quantity), over(stretch.loads))
+    format!("{} {}{need}", quantity_name(stretch.quantity), over(stretch.loads))
 }
 
 /// A nominal area (m²) with two digits: in mm² from a tenth on.
@@ -134,7 +134,11 @@ pub fn count(all: &[&Verdicts]) -> String {
     };
     let counted = |holds: &dyn Fn(&Verdicts, ComparedQuantity) -> bool| {
         let part = |compared: ComparedQuantity| {
-            format!("{} {}", name(compared), all.iter().filter(|verdicts| holds(verdicts, compared)).count())
+            format!(
+                "{} {}",
+                quantity_name(compared),
+                all.iter().filter(|verdicts| holds(verdicts, compared)).count()
+            )
         };
         listed(&ORDER.map(part))
     };

@@ -16,8 +16,7 @@ mod series;
 
 pub use case::inputs;
 pub use lead::limit_words;
-pub use names::{name, stem, subject, under};
-pub use sections::limits_note;
+pub use names::{stem, subject, under};
 pub(crate) use sections::verdicts;
 pub(crate) use series::{Series, is_valid_at};
 
@@ -33,6 +32,7 @@ use serde_json::{Map, Value, json};
 use super::figures::differences;
 use super::results::{CompareResults, SurfaceResults};
 use super::rows::{RuleRow, SurfaceCase, tables};
+use crate::presentation::limits_note;
 use crate::study::Verdicts;
 use crate::surface::{rows as surface_rows, section};
 
@@ -78,7 +78,7 @@ impl Outcome for CompareResults {
         sections::readings(&mut page, tables);
         common::notes(&mut page, &self.metadata);
         common::what_was_run(&mut page, &self.metadata, &self.contact);
-        sections::limits_note(&mut page);
+        limits_note(&mut page);
         sections::tolerance(&mut page, self.tolerances);
         let spec = self.described.as_ref().map(|described| described.spec.as_str());
         common::run_again(&mut page, &self.metadata, spec);

@@ -1,19 +1,9 @@
-//! Names of quantities, surfaces, laws and thicknesses on a page.
+//! Names of surfaces, laws and thicknesses on a page.
 
-use asperity::compare::ComparedQuantity;
 use asperity_framework::contact::LayerMetadata;
 use asperity_framework::report::format::input_quantity;
 
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
-
-/// A quantity in words.
-pub fn name(compared: ComparedQuantity) -> &'static str {
-    match compared {
-        ComparedQuantity::Separation => "separation",
-        ComparedQuantity::Area => "real contact area",
-        ComparedQuantity::Stiffness => "stiffness",
-    }
-}
 
 /// The surface, and the law where there are several.
 pub fn subject(results: &CompareResults, surface: &SurfaceResults, law: &str) -> String {

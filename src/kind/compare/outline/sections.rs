@@ -7,13 +7,13 @@ use asperity_framework::report::table::{Reading, Tables};
 use asperity_framework::report::view::View;
 
 use super::lead::ORDER;
-use super::name;
 use crate::kind::compare::results::CompareResults;
 use crate::kind::compare::rows::{
     CaseRow, DecreaseRow, NearerRow, ReadingRow, ReferenceCurveRow, ResultRow, RuleRow, StandingRow,
     ThresholdRow, VerdictRow,
 };
-use crate::kind::compare::tables::REFERENCE;
+use crate::model_tables::REFERENCE;
+use crate::presentation::quantity_name;
 
 /// Columns that name a case, which are left out where there is one.
 const CASE: [&str; 3] = ["surface", "law", "layer_thickness_m"];
@@ -56,7 +56,7 @@ fn by_quantity(page: &mut Page, view: &View) {
             _ => view.read_as("accepted", Reading::Percent),
         };
         if !view.is_empty() {
-            let title = capitalised(name(quantity));
+            let title = capitalised(quantity_name(quantity));
             if view.len() > MOST_OPEN {
                 page.details(3, &title, |page| {
                     page.view(&view);
@@ -110,7 +110,7 @@ fn by_quantity_of_models(page: &mut Page, view: &View) {
                 .read_as("accepted", Reading::Percent),
         };
         if !view.is_empty() {
-            page.heading(3, &capitalised(name(quantity))).view(&view);
+            page.heading(3, &capitalised(quantity_name(quantity))).view(&view);
         }
     }
 }
@@ -153,11 +153,6 @@ pub fn readings(page: &mut Page, tables: &Tables) {
     if !view.is_empty() {
         page.heading(2, "Two readings of σ and d").view(&view).note(include_str!("notes/readings.md"));
     }
-}
-
-/// The limits within which results are admissible.
-pub fn limits_note(page: &mut Page) {
-    page.heading(2, "Limits of validity").note(include_str!("notes/limits.md"));
 }
 
 /// Error of interpolated curves; nothing where they are exact.

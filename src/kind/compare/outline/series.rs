@@ -12,7 +12,7 @@ use crate::kind::compare::figures::layers;
 use crate::study::{CaseResults, CaseStudy, LawFindings, LayerFindings, Verdicts};
 
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
-use crate::kind::compare::tables::CurveRow;
+use crate::model_tables::CurveRow;
 
 /// One surface under one law: a case for each thickness.
 pub struct Series<'a> {

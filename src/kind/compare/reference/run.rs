@@ -115,8 +115,9 @@ impl ReferenceRun<'_> {
     ) -> Result<(Solved, Option<ContactView>), InputError> {
         let refuse = |error: &SolverError| self.refuse(context, solution.thickness, error);
         let boundary = self.reference.boundary(self.plan);
-        let [rough, flat] = &self.compare.pair;
-        let layer = self.compare.layer.as_ref().map(|layer| &layer.coating.material).zip(solution.thickness);
+        let [rough, flat] = &self.compare.study.pair;
+        let layer =
+            self.compare.study.layer.as_ref().map(|layer| &layer.coating.material).zip(solution.thickness);
         let pair = ElasticPair::new(rough, flat, layer);
         let options = Options { boundary, error: self.reference.error, cap: solution.cap };
         let solver = Solver::new(map, &pair, &options).map_err(|error| refuse(&error))?;
@@ -179,7 +180,7 @@ impl Load {
         let models = &run.compare.models;
         let kind =
             if models.contains(&Kind::Deterministic) { Kind::Deterministic } else { Kind::Statistical };
-        let least = LEAST_CARRIED * run.compare.laws[0].contact.reference_modulus();
+        let least = LEAST_CARRIED * run.compare.study.laws[0].contact.reference_modulus();
         let points = comparison.curves.iter().filter(|point| point.kind == kind);
         let carried: Vec<f64> = points
             .filter(|point| point.control == Control::Separation)

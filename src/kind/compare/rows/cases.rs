@@ -7,7 +7,7 @@ use asperity_framework::report::table::{Column, Row};
 
 use super::{CaseKey, SurfaceCase, case_columns};
 use crate::kind::compare::results::CompareResults;
-use crate::kind::compare::tables::limits;
+use crate::model_tables::limits;
 use crate::study::{Basis, Verdicts};
 
 /// One surface under one law and thickness.

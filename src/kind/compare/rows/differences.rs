@@ -6,7 +6,7 @@ use asperity_framework::report::table::{Column, Row};
 
 use super::{CaseKey, SurfaceCase, case_columns};
 use crate::kind::compare::results::CompareResults;
-use crate::kind::compare::tables::{REFERENCE, limits};
+use crate::model_tables::{REFERENCE, limits};
 use crate::study::Verdicts;
 
 /// One quantity at one load of one surface under one law and thickness.

@@ -9,7 +9,7 @@ use super::{CaseKey, SurfaceCase, case_columns};
 use crate::kind::compare::figures::curves::curve;
 use crate::kind::compare::figures::lines::{KINDS, Rough, loads};
 use crate::kind::compare::results::CompareResults;
-use crate::kind::compare::tables::REFERENCE;
+use crate::model_tables::REFERENCE;
 
 /// One line at one load.
 pub(crate) struct LineRow<'a> {

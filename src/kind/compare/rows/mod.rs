@@ -2,6 +2,7 @@
 
 mod attribution;
 mod cases;
+mod curves;
 pub(crate) mod differences;
 mod layer;
 mod lines;
@@ -30,7 +31,7 @@ use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Schema, Table};
 
 use super::results::{CompareResults, SurfaceResults};
-use super::tables::{CAUSES, CurveRow, PairRow, REFERENCE};
+use crate::model_tables::{CAUSES, CurveRow, PairRow, REFERENCE};
 use crate::study::{CaseResults, CaseStudy, Verdicts};
 use crate::surface::rows as surface_rows;
 use attribution::AttributionRow;
@@ -122,7 +123,7 @@ pub(crate) fn schemas() -> Vec<Schema> {
 
 /// The tables of one comparison: curves, pairs, verdicts, differences and gaps always, all others where they have rows.
 pub(crate) fn tables(results: &CompareResults) -> Vec<Table> {
-    let mut pairs = Table::new(super::tables::comparison(results));
+    let mut pairs = Table::new(curves::pairs(results));
     if !results.is_attributed() {
         pairs = pairs.without_part(CAUSES);
     }
@@ -132,7 +133,7 @@ pub(crate) fn tables(results: &CompareResults) -> Vec<Table> {
     let mut tables = vec![
         Table::new(verdicts::rows(results)),
         Table::new(cases::rows(results)),
-        Table::new(super::tables::curves(results)),
+        Table::new(curves::curves(results)),
         pairs,
         Table::new(results::gaps(results)),
         Table::new(differences::rows(results)),

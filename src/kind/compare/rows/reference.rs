@@ -4,8 +4,9 @@ use asperity::compare::ReferencePoint;
 use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row};
 
+use super::curves::cases;
 use crate::kind::compare::results::CompareResults;
-use crate::kind::compare::tables::{Case, cases};
+use crate::model_tables::Case;
 
 /// One load of the reference.
 pub(crate) struct ReferenceRow {

@@ -6,7 +6,7 @@ use asperity_framework::report::table::{Column, Row};
 
 use super::{CaseKey, SurfaceCase, case_columns};
 use crate::kind::compare::results::CompareResults;
-use crate::kind::compare::tables::REFERENCE;
+use crate::model_tables::REFERENCE;
 use crate::study::LeadingCause;
 
 /// A stretch of load with one verdict.

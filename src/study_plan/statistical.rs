@@ -1,11 +1,11 @@
-//! `statistical` in `[compare]`: which statistical model runs.
+//! `statistical` in a spec: which statistical model runs.
 
 use asperity::MeanRadius;
 use asperity::distribution::HeightModel;
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer};
 
-use crate::study::{JointModel, StatisticalModel};
+use asperity::study::{JointModel, StatisticalModel};
 use asperity_framework::input::heights;
 
 /// `statistical` as a spec writes it: a height density and one radius, independent of each other, or a joint density of both.

@@ -1,10 +1,9 @@
-//! `curves.csv` and `comparison.csv`: pure writers, results to bytes.
+//! The tables of both models that several kinds have: `curves.csv` and `comparison.csv`.
 
 use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Heading, Row, Table, Value};
 
-use crate::kind::compare::results::CompareResults;
-use crate::study::{CaseResults, RealisationFacts};
+use crate::study::CaseResults;
 
 use asperity::compare::{
     Attribution, Cause, ComparedQuantity, Comparison, CurvePoint, Kind, Pair, ReferencePoint,
@@ -30,7 +29,8 @@ impl Case {
         Self { thickness, ..Self::bare(surface, 1, law) }
     }
 
-    fn of(surface: &str, realisation: usize, case: &CaseResults) -> Self {
+    /// That of results on a realisation.
+    pub(crate) fn from_results(surface: &str, realisation: usize, case: &CaseResults) -> Self {
         Self { thickness: case.thickness, ..Self::bare(surface, realisation, &case.law) }
     }
 
@@ -314,52 +314,13 @@ impl Row for PairRow {
 /// The columns about causes, and those about the reference, which a table holds where these were run.
 pub(crate) const CAUSES: &str = "causes";
 
-/// The rows of `curves.csv`.
-pub fn curves(results: &CompareResults) -> impl Iterator<Item = CurveRow> {
-    let reduced_modulus = results.contact.reduced_modulus;
-    cases(results).flat_map(move |(case, _, found)| {
-        let reference = found.reference.iter().flat_map(|curve| curve.points.iter().copied());
-        let all = of_models(&found.comparison).chain(reference.map(AnyPoint::Reference));
-        all.map(move |point| CurveRow { case: case.clone(), point, reduced_modulus })
-    })
-}
-
 /// The points of both models' curves.
-fn of_models(comparison: &Comparison) -> impl Iterator<Item = AnyPoint> {
+pub(crate) fn of_models(comparison: &Comparison) -> impl Iterator<Item = AnyPoint> {
     let points = comparison.curves.iter().copied().zip(comparison.exceeded());
     points.map(|(point, exceeded)| AnyPoint::Model(point, exceeded))
-}
-
-/// The rows of `comparison.csv`.
-pub fn comparison(results: &CompareResults) -> impl Iterator<Item = PairRow> {
-    cases(results).flat_map(|(case, realisation, found)| {
-        let (nominal_area, plasticity_index) = (realisation.nominal_area, found.plasticity_index);
-        found.comparison.pairs.iter().map(move |&pair| PairRow {
-            case: case.clone(),
-            pair,
-            nominal_area,
-            plasticity_index,
-            attribution: found.attribution_of(&pair).cloned(),
-            reference: found.reference_of(&pair).copied(),
-        })
-    })
 }
 
 /// `comparison.csv` of both models, without causes and reference.
 pub(crate) fn comparison_of_models(rows: impl IntoIterator<Item = PairRow>) -> Table {
     Table::new(rows).without_part(CAUSES).without_part(REFERENCE)
-}
-
-/// Every case of every realisation of every surface, in file order.
-pub(crate) fn cases(
-    results: &CompareResults,
-) -> impl Iterator<Item = (Case, &RealisationFacts, &CaseResults)> {
-    results.surfaces.iter().flat_map(|surface| {
-        surface.realisations.iter().enumerate().flat_map(move |(index, realisation)| {
-            surface.cases.iter().map(move |case| {
-                let results = &case.realisations[index];
-                (Case::of(&surface.surface.name, index + 1, results), realisation, results)
-            })
-        })
-    })
 }

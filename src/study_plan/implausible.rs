@@ -3,7 +3,7 @@
 use asperity_framework::RunContext;
 use asperity_framework::input::InputError;
 
-use super::plan::ComparePlan;
+use super::StudyPlan;
 
 /// Young's moduli below that of any solid body that is modelled as rough, Pa.
 const SOFTEST: f64 = 1e6;
@@ -13,9 +13,9 @@ const LEAST_HARDNESS: f64 = 1e3;
 
 /// The error at the property that explains why a load is not reached, `message`; `None` if the properties are those of
 /// solids.
-pub fn error(context: &RunContext, compare: &ComparePlan, message: &str) -> Option<InputError> {
-    let layer = compare.layer.as_ref().map(|layer| layer.name.as_str());
-    let names = [Some(compare.bodies.rough.as_str()), Some(compare.bodies.flat.as_str()), layer];
+pub fn error(context: &RunContext, plan: &StudyPlan, message: &str) -> Option<InputError> {
+    let layer = plan.layer.as_ref().map(|layer| layer.name.as_str());
+    let names = [Some(plan.bodies.rough.as_str()), Some(plan.bodies.flat.as_str()), layer];
     let properties =
         names.into_iter().flatten().filter_map(|name| Some((name, context.materials.get(name)?)));
     let mut implausible = properties.flat_map(|(name, material)| {

@@ -1,0 +1,38 @@
+//! Words, colours and notes that pages of several kinds share.
+
+use asperity::Regime;
+use asperity::compare::{Cause, ComparedQuantity};
+use asperity_framework::report::page::Page;
+use asperity_plot::Colour;
+
+/// A quantity in words.
+pub fn quantity_name(compared: ComparedQuantity) -> &'static str {
+    match compared {
+        ComparedQuantity::Separation => "separation",
+        ComparedQuantity::Area => "real contact area",
+        ComparedQuantity::Stiffness => "stiffness",
+    }
+}
+
+/// The colour of a cause.
+pub fn cause_colour(cause: Cause) -> Colour {
+    match cause {
+        Cause::Heights => Colour::Heights,
+        Cause::Radii => Colour::Radii,
+        Cause::Correlation => Colour::Correlation,
+    }
+}
+
+/// The colour of a regime.
+pub fn regime_colour(regime: Regime) -> Colour {
+    match regime {
+        Regime::Elastic => Colour::Elastic,
+        Regime::ElasticPlastic => Colour::ElasticPlastic,
+        Regime::Plastic => Colour::Plastic,
+    }
+}
+
+/// The limits within which results are admissible.
+pub fn limits_note(page: &mut Page) {
+    page.heading(2, "Limits of validity").note(include_str!("notes/limits.md"));
+}

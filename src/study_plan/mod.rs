@@ -1,0 +1,226 @@
+//! What the kinds that study surfaces have in common in their specs: bodies under laws and layers, loads, and surfaces, resolved.
+
+mod errors;
+mod implausible;
+mod layer_check;
+mod rough_body;
+mod statistical;
+
+pub use errors::{inapplicable, unreachable_load};
+pub use layer_check::layer_metadata;
+pub use rough_body::RoughBody;
+pub use statistical::StatisticalSpec;
+
+use std::fmt;
+use std::ops::Range;
+
+use asperity::compare::{Controls, Kind};
+use asperity::study::{LawContact, Setup, StatisticalModel};
+use asperity::{ContactLaw, Flat, Material};
+use asperity_framework::RunContext;
+use asperity_framework::contact::Bodies;
+use asperity_framework::input::accept::AcceptSpec;
+use asperity_framework::input::law::Laws;
+use asperity_framework::input::{InputError, Spanned, SpecFile};
+
+use crate::layer::{LayerPlan, LayerSpec, layer};
+use crate::plausibility;
+use crate::surface::{SurfacePlan, describe, surfaces};
+
+/// The tables and keys of a spec that a study needs.
+pub struct StudyKeys<'a> {
+    /// Position of the table of the kind.
+    pub table: Range<usize>,
+    /// The rough body.
+    pub rough: &'a Spanned<RoughBody>,
+    /// The flat.
+    pub flat: &'a Spanned<String>,
+    /// The laws.
+    pub law: &'a Spanned<Laws>,
+    /// A layer on the flat.
+    pub layer: Option<&'a LayerSpec>,
+    /// The statistical model.
+    pub statistical: Option<&'a Spanned<StatisticalSpec>>,
+    /// The largest differences between the models that are accepted.
+    pub accept: AcceptSpec,
+    /// Names of the surfaces; all of the file where there are none.
+    pub surfaces: Option<&'a [Spanned<String>]>,
+    /// What the surfaces are pressed to.
+    pub controls: Controls,
+    /// Positions of pressures and forces, for errors about loads out of reach.
+    pub load_keys: [Option<Range<usize>>; 2],
+}
+
+/// Both models on given surfaces.
+pub struct StudyPlan {
+    /// Names of the two bodies.
+    pub bodies: Bodies,
+    /// The rough body and the flat.
+    pub pair: [Material; 2],
+    /// The layer on the flat.
+    pub layer: Option<Box<LayerPlan>>,
+    /// The laws, each under every thickness of the layer.
+    pub laws: Vec<LawContact>,
+    /// The laws alone.
+    pub law_specs: Vec<ContactLaw>,
+    /// The flat, bare or with each thickness of the layer.
+    pub flats: Vec<(Option<f64>, Flat)>,
+    /// The statistical model.
+    pub statistical: StatisticalModel,
+    /// Its position in the spec, for surfaces that it does not apply to.
+    pub statistical_key: Option<Range<usize>>,
+    /// The largest differences between the models that are accepted.
+    pub accept: AcceptSpec,
+    /// What the surfaces are pressed to.
+    pub controls: Controls,
+    /// Positions of pressures and forces in the spec, for errors about loads out of reach.
+    pub load_keys: [Option<Range<usize>>; 2],
+    /// The surfaces.
+    pub surfaces: Vec<SurfacePlan>,
+    /// Warnings about materials and separations that are hardly meant.
+    pub implausible: Vec<String>,
+}
+
+impl StudyPlan {
+    /// Resolves the keys of a spec.
+    ///
+    /// # Errors
+    /// No load and no separation; a body, layer, law, surface or statistical model that cannot be used.
+    pub fn new(file: &SpecFile, keys: StudyKeys) -> Result<Self, InputError> {
+        let rough_name = &keys.rough.get_ref().0;
+        let rough = file.body(rough_name, keys.rough.span())?;
+        let flat_name = keys.flat.get_ref();
+        let flat = file.body(flat_name, keys.flat.span())?;
+        if keys.controls.points() == 0 {
+            return Err(file.source.error_at(
+                keys.table,
+                "found no separation, pressure or force; allowed: at least one of separation, pressure, force",
+            ));
+        }
+        let mut layer = keys.layer.map(|spec| layer(file, spec, &flat).map(Box::new)).transpose()?;
+        if keys.layer.is_some_and(|spec| spec.thickness.stands_alone) {
+            // One thickness is compared with none.
+            layer.iter_mut().for_each(|layer| layer.add_uncoated());
+        }
+        let flats = match &layer {
+            None => vec![(None, Flat::Bare(flat))],
+            Some(layer) => {
+                let on = |&t: &f64| layer.coating.flat(t).map(|flat| (Some(t), flat));
+                let flats: Result<Vec<_>, _> = layer.thicknesses.iter().map(on).collect();
+                flats.map_err(|error| InputError::file(&file.source.path, error))?
+            }
+        };
+        let materials = flat_materials(layer.as_deref(), (flat_name, &flat));
+        file.check_laws(keys.law, (rough_name, &rough), &materials)?;
+        let mut implausible = plausibility::of_bodies((rough_name, &rough), &materials);
+        implausible.extend(plausibility::of_separations(&keys.controls.separations));
+        let law_specs = keys.law.get_ref().0.clone();
+        let as_ellipses = law_specs.iter().any(ContactLaw::is_elliptic);
+        let surfaces = surfaces(file, keys.surfaces, keys.table, as_ellipses)?;
+        let laws = file.law_plans(keys.law, (rough_name, &rough), &flats, flat_name)?;
+        Ok(Self {
+            bodies: Bodies { rough: rough_name.clone(), flat: flat_name.clone() },
+            pair: [rough, flat],
+            law_specs,
+            laws,
+            flats,
+            layer,
+            statistical: statistical_model(file, keys.statistical)?,
+            statistical_key: keys.statistical.map(Spanned::span),
+            accept: keys.accept,
+            controls: keys.controls,
+            load_keys: keys.load_keys,
+            surfaces,
+            implausible,
+        })
+    }
+
+    /// What both models are run with.
+    pub fn setup<'a>(&'a self, context: &RunContext<'a>) -> Setup<'a> {
+        Setup {
+            laws: &self.laws,
+            law_specs: &self.law_specs,
+            models: &[Kind::Statistical, Kind::Deterministic],
+            statistical: &self.statistical,
+            is_attributed: true,
+            is_ranked: false,
+            controls: &self.controls,
+            seed: context.seed,
+            progress: context.progress,
+        }
+    }
+
+    /// Whether some contact is under a layer of finite thickness: of a listed one, or of one at which the layer begins to
+    /// matter, which is looked for at given loads.
+    pub fn uses_rule(&self, layer: &LayerPlan) -> bool {
+        let has_loads = !(self.controls.pressures.is_empty() && self.controls.forces.is_empty());
+        layer.thicknesses.iter().any(|&t| t > 0.0 && (t.is_finite() || has_loads))
+    }
+
+    /// An estimate of the asperities and nodes that are evaluated.
+    pub fn work(&self) -> u128 {
+        let all = |surface: &SurfacePlan| surface.most_asperities() * surface.realisations as u128;
+        let asperities: u128 = self.surfaces.iter().map(all).sum();
+        asperities * (self.controls.points() * self.laws.len()) as u128
+    }
+
+    /// The bodies with laws and layer, the points of `models`, the surfaces; a line each.
+    ///
+    /// # Errors
+    /// Those of the writer.
+    pub fn describe(&self, models: &[Kind], f: &mut fmt::Formatter) -> fmt::Result {
+        let laws: Vec<String> = self.law_specs.iter().map(ContactLaw::label).collect();
+        writeln!(f, "  {} on {}, law {}", self.bodies.rough, self.bodies.flat, laws.join(", "))?;
+        let each = match &self.layer {
+            Some(layer) => {
+                writeln!(f, "  under {layer}")?;
+                "law, thickness and surface"
+            }
+            None => "law and surface",
+        };
+        let points = self.controls.points();
+        let unit = if points == 1 { "point" } else { "points" };
+        if !models.is_empty() {
+            let models: Vec<&str> = models.iter().map(|model| model.name()).collect();
+            writeln!(f, "  {} at {points} {unit} a {each}", models.join(" and "))?;
+        }
+        describe(&self.surfaces, f)
+    }
+
+    /// The warnings about bodies, separations and surfaces; a line each.
+    ///
+    /// # Errors
+    /// Those of the writer.
+    pub fn warn(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let surfaces = self.surfaces.iter().flat_map(SurfacePlan::implausible);
+        let mut warnings = self.implausible.iter().cloned().chain(surfaces);
+        warnings.try_for_each(|warning| writeln!(f, "  warning: {warning}"))
+    }
+}
+
+impl fmt::Display for StudyPlan {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        self.describe(&[Kind::Statistical, Kind::Deterministic], f)?;
+        self.warn(f)
+    }
+}
+
+/// The materials of a flat whose properties some law needs: zero thickness needs none of the layer, infinite thickness none of the
+/// substrate.
+fn flat_materials<'a>(
+    layer: Option<&'a LayerPlan>,
+    substrate: (&'a str, &'a Material),
+) -> Vec<(&'a str, &'a Material)> {
+    let coat = layer.filter(|layer| layer.thicknesses.iter().any(|&t| t > 0.0));
+    let is_substrate_felt = layer.is_none_or(|layer| layer.thicknesses.iter().any(|t| t.is_finite()));
+    let coat = coat.map(|layer| (layer.name.as_str(), &layer.coating.material));
+    is_substrate_felt.then_some(substrate).into_iter().chain(coat).collect()
+}
+
+fn statistical_model(
+    file: &SpecFile,
+    spec: Option<&Spanned<StatisticalSpec>>,
+) -> Result<StatisticalModel, InputError> {
+    let Some(spec) = spec else { return Ok(StatisticalModel::default()) };
+    spec.get_ref().model().map_err(|message| file.source.error_at(spec.span(), message))
+}

@@ -1,0 +1,28 @@
+//! `rough` in a spec.
+
+use asperity_framework::input::Forms;
+use asperity_framework::input::schema::TYPE;
+use asperity_framework::written_schema;
+use serde::de::IgnoredAny;
+use serde::{Deserialize, Deserializer};
+use serde_json::json;
+
+/// The name of one material: a second rough body is not modelled.
+#[derive(Debug, Clone)]
+pub struct RoughBody(pub String);
+
+written_schema!(RoughBody, |_| json!({ "type": "string", TYPE: "name of a material" }));
+
+impl<'de> Deserialize<'de> for RoughBody {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        Forms::new("the name of one material")
+            .text(|name| Ok(Self(name.to_owned())))
+            .list(|_: Vec<IgnoredAny>| {
+                Err("found a list; allowed: one rough body against a smooth flat. For two rough bodies enter \
+                     the composite surface: the sum of both height maps, or a population with the composite \
+                     sigma and curvature"
+                    .to_owned())
+            })
+            .read(deserializer)
+    }
+}
