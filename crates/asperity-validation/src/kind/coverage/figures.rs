@@ -8,28 +8,32 @@ pub const CAPTION: &str = "Intervals from blocks of a window cover the truth abo
                            asperities as independent less often. A point is a quantity at a load. Of intervals that are claimed: filled \
                            where nearly all windows have an interval, else a cross. Band: 93 to 97 %.";
 
-/// Effective contacts and coverage in percent.
-type Points = Vec<(f64, f64)>;
+/// Effective contacts and coverage (%) of the points of a case, and their marker.
+type Series = (fn(&CaseResults) -> Vec<(f64, f64)>, Marker);
+
+fn claimed(case: &CaseResults) -> Vec<(f64, f64)> {
+    case.claimed().map(|((_, coverage), share)| (coverage.contacts, 100.0 * share)).collect()
+}
+
+fn claimed_in_part(case: &CaseResults) -> Vec<(f64, f64)> {
+    case.claimed_in_part().map(|((_, coverage), share)| (coverage.contacts, 100.0 * share)).collect()
+}
+
+fn independent(case: &CaseResults) -> Vec<(f64, f64)> {
+    let point = |coverage: &Coverage| Some((coverage.contacts, 100.0 * coverage.independent.coverage()?));
+    case.coverages().filter_map(|(_, coverage)| point(coverage)).collect()
+}
 
 pub fn coverage(results: &CoverageResults) -> Figure {
-    let claimed = |case: &CaseResults| -> Points {
-        case.claimed().map(|((_, coverage), share)| (coverage.contacts, 100.0 * share)).collect()
-    };
-    let in_part = |case: &CaseResults| -> Points {
-        case.claimed_in_part().map(|((_, coverage), share)| (coverage.contacts, 100.0 * share)).collect()
-    };
-    let independent = |case: &CaseResults| -> Points {
-        let share = |coverage: &Coverage| Some((coverage.contacts, 100.0 * coverage.independent.coverage()?));
-        case.coverages().filter_map(|(_, coverage)| share(coverage)).collect()
-    };
+    let blocks: [Series; 2] = [(claimed, Marker::Circle), (claimed_in_part, Marker::Cross)];
     let plots = vec![
-        plot(results, "Intervals that are claimed", &[(&claimed, Marker::Circle), (&in_part, Marker::Cross)]),
-        plot(results, "Asperities taken as independent", &[(&independent, Marker::Cross)]),
+        plot(results, "Intervals that are claimed", &blocks),
+        plot(results, "Asperities taken as independent", &[(independent, Marker::Cross)]),
     ];
     Figure::column("Coverage of 95 % intervals", plots)
 }
 
-fn plot(results: &CoverageResults, title: &str, kinds: &[(&dyn Fn(&CaseResults) -> Points, Marker)]) -> Plot {
+fn plot(results: &CoverageResults, title: &str, kinds: &[Series]) -> Plot {
     let contacts =
         results.cases.iter().flat_map(CaseResults::coverages).map(|(_, coverage)| coverage.contacts);
     let [least, most] = range(contacts).unwrap_or([1.0, 1e3]);
