@@ -33,7 +33,7 @@ fn main() {
         let ellipses = (0..set.count()).map(ellipse).collect();
         let set = set.clone().with_ellipses(ellipses).expect("one ellipse per asperity");
         let start = Instant::now();
-        let ellipses = Ellipses::of(&set).expect("a set of ellipses");
+        let ellipses = Ellipses::new(&set).expect("a set of ellipses");
         println!(
             "{case}: equivalent spheres of a million ellipses {:.1} ms",
             1e3 * start.elapsed().as_secs_f64()

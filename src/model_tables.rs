@@ -106,7 +106,7 @@ pub(crate) const REFERENCE: &str = "reference";
 
 impl CurveRow {
     /// The points of both models' curves in a comparison under a law, with E* of the pair without a layer (Pa).
-    pub fn of(law: &str, comparison: &Comparison, reduced_modulus: f64) -> Vec<Self> {
+    pub fn from_comparison(law: &str, comparison: &Comparison, reduced_modulus: f64) -> Vec<Self> {
         Self::of_case(&Case::bare("", 1, law), comparison, reduced_modulus)
     }
 
@@ -232,7 +232,7 @@ impl PairRow {
 
     /// The contribution of a cause to the difference in a quantity.
     fn contribution(&self, quantity: ComparedQuantity, cause: Cause) -> Option<f64> {
-        Some(self.attribution.as_ref()?.of(quantity)?.of(cause))
+        Some(self.attribution.as_ref()?.contributions(quantity)?.part(cause))
     }
 
     /// A contrast of the deterministic model over the reference.

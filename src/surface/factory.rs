@@ -148,7 +148,7 @@ impl<'a> SurfaceFactory<'a> {
                 timing.read += start.elapsed();
                 let (contradictions, count) = (list.contradictions(), list.count());
                 let (set, origin) = list.set(*nominal_area).map_err(|error| refuse(&error))?.near_zero();
-                let statistics = Statistics::of(&set);
+                let statistics = Statistics::new(&set);
                 if statistics.sigma == 0.0 {
                     return Err(refuse(&format!(
                         "{}: all heights are equal: both models search and report separations, under load control too, in \
@@ -182,7 +182,7 @@ impl<'a> SurfaceFactory<'a> {
                     set = set.with_ellipses(vec![ellipse; *count]).map_err(|error| refuse(&error))?;
                 }
                 timing.generate += start.elapsed();
-                let statistics = Statistics::of(&set);
+                let statistics = Statistics::new(&set);
                 let mut surface = Surface::new(name, set, statistics);
                 surface.ellipticity =
                     ratio.map(|ratio| Ellipticity { mean_curvature, mean_ratio: ratio.recip() });

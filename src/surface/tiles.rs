@@ -318,7 +318,7 @@ impl OpenTiles<'_> {
         if let Some(Held::List(list)) = self.source.held(path) {
             let mut columns = list.columns().map(|column| column[rows.clone()].to_vec());
             let mut next = || columns.next().unwrap_or_default();
-            return Ok(AsperityList::of(next(), next(), None));
+            return Ok(AsperityList::new(next(), next(), None));
         }
         AsperityList::read_rows(path, rows, given).map_err(|error| self.refuse(list_message(path, &error)))
     }
@@ -343,7 +343,7 @@ impl OpenTiles<'_> {
             Err(ReadError::Map(MapError::AllMissing)) => return Ok(nothing),
             Err(error) => return Err(refuse(&error)),
         }
-        let mut heights = HeightMap::of(&window).into_heights();
+        let mut heights = HeightMap::from_rows(&window).into_heights();
         heights.iter_mut().for_each(|z| *z -= self.origin);
         let mut window = HeightMap::new(points, map.pixel(), heights, map.precision())
             .map_err(|error| refuse(&error.into()))?;

@@ -73,7 +73,7 @@ fn verdicts(found: &SurfaceResults) -> Vec<Option<Verdict>> {
     let at_each = verdicts.differences.iter().flat_map(|at| {
         ComparedQuantity::ALL.map(|quantity| {
             let estimate = at.estimates[quantity as usize].filter(|_| at.exceeded().is_none())?;
-            Some(Verdict::of(&estimate, verdicts.accepted.band(quantity)))
+            Some(Verdict::from_estimate(&estimate, verdicts.accepted.band(quantity)))
         })
     });
     at_each.collect()

@@ -59,7 +59,7 @@ fn surfaces_in_memory_are_those_of_files() {
     let (heights, radii) = list();
     let rows = heights.iter().zip(&radii).flat_map(|(z, r)| [*z, *r]);
     asperity::npy::write(file("list.npy"), [heights.len(), 2], rows).unwrap();
-    let held = Held::List(Arc::new(AsperityList::of(heights, radii, None)));
+    let held = Held::List(Arc::new(AsperityList::new(heights, radii, None)));
     let with_pixel = format!("{MAP}pixel = \"1 um\"\n");
     for (in_files, in_memory, held) in
         [(LIST, LIST, ("list.npy", held)), (&*with_pixel, MAP, ("map.npy", map(0)))]
@@ -76,7 +76,7 @@ fn a_map_in_memory_is_no_list() {
     let refused = |surface: &str, held| run(folder.path(), surface, vec![held]).err().unwrap().to_string();
     assert!(refused(LIST, ("list.npy", map(0))).contains("is a height map; allowed: a list of asperities"));
     let (heights, radii) = list();
-    let list = Held::List(Arc::new(AsperityList::of(heights, radii, None)));
+    let list = Held::List(Arc::new(AsperityList::new(heights, radii, None)));
     let message = refused(MAP, ("map.npy", list));
     assert!(
         message.contains("is a list of asperities; allowed: a height map") && message.contains("dictionary")
@@ -107,7 +107,7 @@ fn a_periodic_map_has_the_same_asperities_wherever_it_begins() {
 fn the_page_of_a_spec_without_a_file_holds_the_spec() {
     let folder = tempfile::tempdir().unwrap();
     let (heights, radii) = list();
-    let list = Held::List(Arc::new(AsperityList::of(heights, radii, None)));
+    let list = Held::List(Arc::new(AsperityList::new(heights, radii, None)));
     let outcome = run(folder.path(), LIST, vec![("list.npy", list)]).unwrap();
     let page = outcome.outline().files(None);
     let text = page.markdown;

@@ -57,7 +57,7 @@ pub struct ContactSummary {
 
 impl ContactSummary {
     /// Of the bodies of an experiment.
-    pub fn of(contact: &ContactMetadata) -> Self {
+    pub fn new(contact: &ContactMetadata) -> Self {
         Self { reduced_modulus_pa: contact.reduced_modulus, hardness_pa: contact.hardness }
     }
 }

@@ -117,7 +117,7 @@ impl TileResult {
     ///
     /// # Errors
     /// A value that JSON cannot hold.
-    pub fn of(value: &impl Serialize) -> serde_json::Result<Self> {
+    pub fn from_value(value: &impl Serialize) -> serde_json::Result<Self> {
         to_raw_value(value).map(Self)
     }
 
@@ -192,7 +192,7 @@ mod tests {
     #[test]
     fn results_keep_every_bit() {
         for value in [0.1 + 0.2, -0.0, f64::MIN_POSITIVE / 3.0, f64::MAX, 1.0 / 3.0] {
-            let kept: f64 = TileResult::of(&value).unwrap().value().unwrap();
+            let kept: f64 = TileResult::from_value(&value).unwrap().value().unwrap();
             assert_eq!(kept.to_bits(), value.to_bits());
         }
     }

@@ -297,7 +297,7 @@ mod tests {
     use super::*;
 
     fn results(tiles: Range<usize>) -> Vec<TileResult> {
-        tiles.map(|tile| TileResult::of(&tile).unwrap()).collect()
+        tiles.map(|tile| TileResult::from_value(&tile).unwrap()).collect()
     }
 
     fn parts(folder: &Path, key: &str) -> Parts {

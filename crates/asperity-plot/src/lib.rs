@@ -264,7 +264,7 @@ pub struct Figure {
 }
 
 impl Figure {
-    fn of(title: String, plots: Vec<Plot>, arrangement: Arrangement) -> Self {
+    fn arranged(title: String, plots: Vec<Plot>, arrangement: Arrangement) -> Self {
         Self { title, heading: String::new(), plots, arrangement }
     }
 
@@ -277,13 +277,13 @@ impl Figure {
     /// Plots below each other with their left and right edges in line, e.g. a difference below its
     /// curves. The title is for readers that cannot see the picture; the plots show their own.
     pub fn column(title: impl Into<String>, plots: Vec<Plot>) -> Self {
-        Self::of(title.into(), plots, Arrangement::Column)
+        Self::arranged(title.into(), plots, Arrangement::Column)
     }
 
     /// Plots side by side, each narrower; in several rows where they would be too narrow. Plots that name the same layers share
     /// their legend.
     pub fn row(title: impl Into<String>, plots: Vec<Plot>) -> Self {
-        Self::of(title.into(), plots, Arrangement::Row)
+        Self::arranged(title.into(), plots, Arrangement::Row)
     }
 
     /// A main plot with a low one above it that shares its x axis exactly, and a narrow one at its right
@@ -292,7 +292,7 @@ impl Figure {
     /// They hold bars and lines, bands and references; fields belong in the main plot.
     pub fn joint(title: impl Into<String>, main: Plot, top: Plot, right: Plot) -> Self {
         let plots = vec![main, top.without_fields(), right.without_fields().sideways()];
-        Self::of(title.into(), plots, Arrangement::Joint)
+        Self::arranged(title.into(), plots, Arrangement::Joint)
     }
 
     /// Draws the figure as the text of an SVG file, as wide as a page (720 CSS pixels) or sized for print. In a dark environment
@@ -324,7 +324,7 @@ impl Figure {
 
 impl From<Plot> for Figure {
     fn from(plot: Plot) -> Self {
-        Self::of(plot.title.clone(), vec![plot], Arrangement::Column)
+        Self::arranged(plot.title.clone(), vec![plot], Arrangement::Column)
     }
 }
 

@@ -60,7 +60,7 @@ impl Asperities {
             let (kx, ky) = both.values().split_at(self.heights.values().len());
             [kx.to_vec(), ky.to_vec()]
         });
-        AsperityList::of(self.heights.values().to_vec(), self.radii.values().to_vec(), curvatures)
+        AsperityList::new(self.heights.values().to_vec(), self.radii.values().to_vec(), curvatures)
     }
 
     /// A copy in the frame of its lowest height where all are far from zero; with ellipses where they are known.
@@ -138,7 +138,7 @@ impl Asperities {
     ///     ``mean_height_m``, ``sigma_m``, ``skewness``, ``kurtosis`` (3 if Gaussian), ``mean_radius_m``,
     ///     ``radius_of_mean_curvature_m``, ``radius_cv`` and ``height_radius_correlation``; None where it is undefined.
     fn statistics<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let found = py.detach(|| self.set().map(|set| Statistics::of(&set))).map_err(refuse)?;
+        let found = py.detach(|| self.set().map(|set| Statistics::new(&set))).map_err(refuse)?;
         let mean_height = asperity::ReferencePlane::from(self.spheres().map_err(refuse)?).mean;
         let statistics = Statistics { mean_height, ..found };
         let dict = PyDict::new(py);
@@ -164,7 +164,7 @@ impl Asperities {
             let names = named.map(|(name, _)| format!("\"{name}\"")).join(", ");
             return Err(refuse(format!("mean_radius: found \"{mean_radius}\"; allowed: {names}")));
         };
-        let found = py.detach(|| self.set().map(|set| Statistics::of(&set))).map_err(refuse)?;
+        let found = py.detach(|| self.set().map(|set| Statistics::new(&set))).map_err(refuse)?;
         let radius = match mean {
             MeanRadius::InverseMeanCurvature => found.radius_of_mean_curvature,
             MeanRadius::Arithmetic | MeanRadius::InContact => found.mean_radius,

@@ -44,7 +44,7 @@ fn controls(
 
 fn rows(interface: &Interface, comparison: Result<Comparison, NotReached>) -> PyResult<Vec<CurveRow>> {
     let comparison = comparison.map_err(refuse)?;
-    Ok(CurveRow::of(&interface.law.0.label(), &comparison, interface.contact.reference_modulus()))
+    Ok(CurveRow::from_comparison(&interface.law.0.label(), &comparison, interface.contact.reference_modulus()))
 }
 
 /// The statistical model: the integral of a law over the heights of a population (Greenwood and Williamson 1966; Zhao, Maietta
@@ -139,14 +139,14 @@ struct Sum {
 }
 
 impl Sum {
-    fn of(&self, asperities: &Asperities) -> Result<Comparison, NoSum> {
+    fn compared(&self, asperities: &Asperities) -> Result<Comparison, NoSum> {
         let spheres = asperities.spheres().map_err(NoSum::Set)?;
         if !self.is_elliptic && !spheres.is_far_from_zero() {
             return self.over(spheres);
         }
         let set = asperities.set().map_err(NoSum::Set)?;
         if self.is_elliptic {
-            let ellipses = Ellipses::of(&set).ok_or(NoSum::NoCurvatures)?;
+            let ellipses = Ellipses::new(&set).ok_or(NoSum::NoCurvatures)?;
             self.over(ellipses.asperities())
         } else {
             self.over(set.spheres())
@@ -229,10 +229,10 @@ pub fn deterministic(
     };
     let own = asperities.get();
     let found = if own.heights.values().len().saturating_mul(points) <= SHORT {
-        guarded(py, || sum.of(own))?
+        guarded(py, || sum.compared(own))?
     } else {
         let kept = asperities.clone().unbind();
-        interruptible(py, move |_| sum.of(kept.get()))?
+        interruptible(py, move |_| sum.compared(kept.get()))?
     };
     let comparison = found.map_err(refuse)?;
     Ok(Table::of_curves(py, rows(interface, Ok(comparison))?))

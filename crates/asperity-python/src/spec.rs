@@ -155,7 +155,7 @@ type Parts<'py> = (String, Bound<'py, PyDict>, String, Vec<String>, Option<PathB
 impl Run {
     /// A run from its parts, as [`Self::__reduce__`] gives them: from another process or a file.
     #[staticmethod]
-    fn of(
+    fn new(
         kind: &str,
         csv: &Bound<PyDict>,
         summary: String,

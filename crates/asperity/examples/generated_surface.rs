@@ -49,7 +49,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let summits = five_point(map);
         let radii = summits.curvatures.iter().map(|curvature| curvature.recip()).collect();
         let set = AsperitySet::new(summits.heights, radii, pixel[0] * pixel[1] * summits.tested as f64)?;
-        let found = Statistics::of(&set);
+        let found = Statistics::new(&set);
         println!(
             "{borders:>9} {:8} {:11.2} {:17.3} {:14.3e}",
             set.count(),

@@ -30,7 +30,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let summits = five_point(&Level::Plane.apply(&map)?);
     let radii = summits.curvatures.iter().map(|curvature| curvature.recip()).collect();
     let set = AsperitySet::new(summits.heights, radii, pixel * pixel * summits.tested as f64)?;
-    let found = Statistics::of(&set);
+    let found = Statistics::new(&set);
     println!(
         "{} summits: sigma {:.2} nm, mean radius {:.2} um, density {:.3e} /m^2, radii vary by {:.0} %\n",
         set.count(),

@@ -41,7 +41,7 @@ const OCTAVES: Range<i32> = 0..24;
 
 /// b km and n as functions of kmax/kmin.
 static TABLES: LazyLock<[Table; 2]> = LazyLock::new(|| {
-    let of = |value: fn(Shape) -> f64| Table::of(OCTAVES, |ratio| value(Shape::solved(1.0, ratio)));
+    let of = |value: fn(Shape) -> f64| Table::new(OCTAVES, |ratio| value(Shape::solved(1.0, ratio)));
     [of(|shape| shape.radius), of(|shape| shape.spheres)]
 });
 

@@ -110,7 +110,7 @@ named_enum! {
 
 impl DecreasingQuantity {
     /// Its value, m^2 or N.
-    pub fn of(self, contact: &Contact) -> f64 {
+    pub fn value(self, contact: &Contact) -> f64 {
         match self {
             Self::Area => contact.area,
             Self::Load => contact.load,
@@ -133,7 +133,7 @@ pub struct Curve {
 
 impl Curve {
     /// The curve of an asperity at `indentations` (m), which must be ascending.
-    pub fn of(contact: &dyn MicroContact, shape: Shape, indentations: &[f64]) -> Self {
+    pub fn new(contact: &dyn MicroContact, shape: Shape, indentations: &[f64]) -> Self {
         let at = |w: f64| Point { indentation: w, contact: contact.contact(w, shape) };
         let trace: Vec<Point> = match indentations {
             [] => Vec::new(),
@@ -222,7 +222,7 @@ fn changes(contact: &dyn MicroContact, shape: Shape) -> Vec<RegimeChange> {
 }
 
 fn decreases(trace: &[Point], of: DecreasingQuantity) -> Vec<Decrease> {
-    let value = |point: &Point| of.of(&point.contact);
+    let value = |point: &Point| of.value(&point.contact);
     let mut decreases: Vec<Decrease> = Vec::new();
     for pair in trace.windows(2) {
         let [from, to] = [pair[0], pair[1]];
@@ -240,7 +240,7 @@ fn decreases(trace: &[Point], of: DecreasingQuantity) -> Vec<Decrease> {
 impl Decrease {
     /// The relative decrease of area or load.
     pub fn loss(&self) -> f64 {
-        1.0 - self.of.of(&self.to.contact) / self.of.of(&self.from.contact)
+        1.0 - self.of.value(&self.to.contact) / self.of.value(&self.from.contact)
     }
 
     /// Whether the decrease is a jump of the law: at one indentation, to rounding.
@@ -271,7 +271,7 @@ mod tests {
 
     #[test]
     fn a_stretch_begins_where_another_ends_and_has_one_regime() {
-        let curve = Curve::of(&*under_lead(100e-9), Shape::sphere(20e-6), &[1e-10, 1e-8, 1e-6]);
+        let curve = Curve::new(&*under_lead(100e-9), Shape::sphere(20e-6), &[1e-10, 1e-8, 1e-6]);
         let names: String = curve.sequence().iter().map(|regime| (*regime as u8).to_string()).collect();
         assert_eq!(names, "01212");
         let stretches = curve.stretches();
@@ -287,7 +287,7 @@ mod tests {
 
     #[test]
     fn area_falls_where_the_contact_turns_from_plastic_to_elastic_plastic() {
-        let curve = Curve::of(&*under_lead(100e-9), Shape::sphere(20e-6), &[1e-10, 1e-6]);
+        let curve = Curve::new(&*under_lead(100e-9), Shape::sphere(20e-6), &[1e-10, 1e-6]);
         let [fall] = curve.decreases[..] else { panic!("{:?}", curve.decreases) };
         assert_eq!(fall.of, DecreasingQuantity::Area);
         assert!(
@@ -302,7 +302,7 @@ mod tests {
         for thickness in [0.0, 1e-9, f64::INFINITY] {
             let flat = Flat::with_layer(&lead, &steel(), thickness, ModulusModel::Gao).unwrap();
             let contact = flat.under(Zmc::new(0.89, 54.0).unwrap(), &steel()).unwrap();
-            let curve = Curve::of(&*contact, Shape::sphere(20e-6), &[1e-12, 1e-6]);
+            let curve = Curve::new(&*contact, Shape::sphere(20e-6), &[1e-12, 1e-6]);
             let of_load = |fall: &&Decrease| {
                 fall.of == DecreasingQuantity::Load && (fall.loss() - 9.76e-4).abs() < 1e-6
             };
@@ -331,9 +331,9 @@ mod tests {
     #[test]
     fn a_curve_of_one_regime() {
         let contact = Flat::Bare(steel()).under(Hertz, &steel()).unwrap();
-        let curve = Curve::of(&*contact, Shape::sphere(1e-5), &[1e-9, 1e-8]);
+        let curve = Curve::new(&*contact, Shape::sphere(1e-5), &[1e-9, 1e-8]);
         assert!(curve.changes.is_empty() && curve.decreases.is_empty());
         assert_eq!((curve.sequence(), curve.stretches().len()), (vec![Regime::Elastic], 1));
-        assert_eq!(Curve::of(&*contact, Shape::sphere(1e-5), &[1e-9]).stretches().len(), 0);
+        assert_eq!(Curve::new(&*contact, Shape::sphere(1e-5), &[1e-9]).stretches().len(), 0);
     }
 }

@@ -338,7 +338,7 @@ fn check_same_file(experiment: &Experiment, folder: &Path) -> Result<(), Failure
 
 /// Writes the index of all reports, if it has changed.
 fn write_index(store: &mut Store, out: &Path) -> Result<(), Failure> {
-    let index = Index::of(out);
+    let index = Index::read(out);
     if index.is_empty() {
         return Ok(());
     }

@@ -78,10 +78,10 @@ fn lines(row: &[GridPoint], quantity: ComparedQuantity, load: usize) -> Plot {
     let divided = || row.iter().filter_map(|point| Some((point.skewness, point.parts(load, quantity)?)));
     let markers = [Marker::Circle, Marker::Square, Marker::Triangle];
     for (cause, marker) in Cause::ALL.into_iter().zip(markers) {
-        let points: Vec<(f64, f64)> = divided().map(|(x, parts)| (x, parts.of(cause))).collect();
+        let points: Vec<(f64, f64)> = divided().map(|(x, parts)| (x, parts.part(cause))).collect();
         let band = divided().map(|(x, parts)| {
             let half = parts.estimates[cause as usize].half_width().unwrap_or(0.0);
-            (x, parts.of(cause) - half, parts.of(cause) + half)
+            (x, parts.part(cause) - half, parts.part(cause) + half)
         });
         let colour = cause_colour(cause);
         plot = plot

@@ -80,7 +80,7 @@ impl Outcome for CausesResults {
     }
 
     fn facts(&self) -> serde_json::Result<Map<String, Value>> {
-        let mut facts = fields(&ContactSummary::of(&self.contact))?;
+        let mut facts = fields(&ContactSummary::new(&self.contact))?;
         facts.insert("law".to_owned(), json!(self.law));
         facts.insert("surfaces".to_owned(), json!(self.points.len() * self.realisations));
         Ok(facts)

@@ -226,7 +226,7 @@ mod tests {
                 Process { spectrum, of: SpectrumOf::Heights, sigma: 1e-7, heights: Heights::GAUSSIAN };
             let generator = SurfaceGenerator { points: [1024; 2], pixel: [1e-6; 2], process, plateau: None };
             let map = generator.surface(Seeds { process: [7; 32], plateau: [0; 32] }).unwrap().0;
-            let found = RoughnessParameters::of(&map);
+            let found = RoughnessParameters::new(&map);
             let expected = gradient(hurst, wavelengths, cut_off) * found.moments.sq;
             assert!((found.rms_slope() / expected - 1.0).abs() < 0.03, "{hurst} {wavelengths}");
         }

@@ -89,6 +89,6 @@ pub struct AtLoad {
 impl GridPoint {
     /// The parts of the difference in a quantity at the load of index `load`.
     pub fn parts(&self, load: usize, quantity: ComparedQuantity) -> Option<&Contributions> {
-        self.at[load].attribution.as_ref()?.of(quantity)
+        self.at[load].attribution.as_ref()?.contributions(quantity)
     }
 }

@@ -100,12 +100,12 @@ fn of_point(context: &RunContext, plan: &CausesPlan, point: &PointPlan) -> Resul
 fn of_surface(plan: &CausesPlan, point: &PointPlan, seed: [u8; 32]) -> Result<One, String> {
     let seeds = Seeds { process: seed, plateau: seed };
     let (map, _) = point.generator.surface(seeds).map_err(|error: MapError| error.to_string())?;
-    let roughness = RoughnessParameters::of(&map);
+    let roughness = RoughnessParameters::new(&map);
     let summits = find(&map, Neighbours::Four, Detail::default());
     let radii = summits.curvatures.iter().map(|curvature| curvature.recip()).collect();
     let [width, length] = [0, 1].map(|axis| map.pixel()[axis] * map.points()[axis] as f64);
     let set = AsperitySet::new(summits.heights, radii, width * length).map_err(|error| error.to_string())?;
-    let statistics = Statistics::of(&set);
+    let statistics = Statistics::new(&set);
     let population = Population {
         radius: statistics.mean_radius,
         sigma: statistics.sigma,

@@ -58,7 +58,7 @@ impl ReadLoads {
 impl Readings {
     /// Of the surfaces of a comparison; `None` where no two have the same numbers in both readings, or none of
     /// d/sigma = 1, 2 and 3 is in the sweep.
-    pub fn of(surfaces: &[SurfaceResults]) -> Option<Self> {
+    pub fn new(surfaces: &[SurfaceResults]) -> Option<Self> {
         let of_reading = |wanted| {
             surfaces.iter().filter_map(move |found| {
                 let numbers = found.surface.specified()?;

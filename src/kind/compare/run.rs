@@ -69,7 +69,7 @@ pub fn run(
         contact,
         implausible,
         tolerances: compare.study.controls.tolerances,
-        readings: Readings::of(&surfaces),
+        readings: Readings::new(&surfaces),
         surfaces,
         lines: compare.lines.clone(),
         reference: compare.reference.as_deref().map(|reference| ReferenceMetadata {
@@ -221,7 +221,8 @@ impl<'a> Run<'a> {
             let Some(curve) = &case.reference else { continue };
             let sampling = sampled.samplings.get(index).unwrap_or(&none);
             let (pairs, differences) = (&case.comparison.pairs, &case.differences);
-            case.against_reference = AgainstReference::of(pairs, differences, curve, sampling, surface.plane);
+            case.against_reference =
+                AgainstReference::new(pairs, differences, curve, sampling, surface.plane);
         }
         Ok(views)
     }

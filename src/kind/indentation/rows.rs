@@ -107,8 +107,8 @@ impl Row for DecreaseRow<'_> {
             of["text", label("decreasing quantity")] = row.decrease.of.name(), "What decreases: `area` or `load`.";
             from_indentation_m["m"] = row.decrease.from.indentation, "First indentation of the range.";
             to_indentation_m["m"] = row.decrease.to.indentation, "Last indentation of the range.";
-            from["SI"] = row.decrease.of.of(&row.decrease.from.contact), "Area in m² or load in N at the first indentation.";
-            to["SI"] = row.decrease.of.of(&row.decrease.to.contact), "The same at the last.";
+            from["SI"] = row.decrease.of.value(&row.decrease.from.contact), "Area in m² or load in N at the first indentation.";
+            to["SI"] = row.decrease.of.value(&row.decrease.to.contact), "The same at the last.";
         });
         columns
     }

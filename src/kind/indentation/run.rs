@@ -148,7 +148,7 @@ fn contacts(plan: &IndentationPlan, flat: &Flat) -> Result<Vec<Box<dyn MicroCont
 
 fn curves(plan: &IndentationPlan, contacts: &[Box<dyn MicroContact>], counter: &Counter) -> Vec<Curve> {
     let counted = contacts.iter().map(|contact| CountedContact::new(&**contact, counter));
-    counted.map(|contact| Curve::of(&contact, Shape::sphere(plan.radius), &plan.indentations)).collect()
+    counted.map(|contact| Curve::new(&contact, Shape::sphere(plan.radius), &plan.indentations)).collect()
 }
 
 fn laws(

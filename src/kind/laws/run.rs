@@ -24,7 +24,7 @@ pub fn run(context: &RunContext, laws_plan: &LawsPlan) -> Result<LawsResults, In
         influences.extend((0..surface.realisations.len()).map(|index| {
             let realisation = index + 1;
             let influence = influence(&laws_plan.compare.study.laws, surface, index);
-            let by = |measure| Dominance::of(&influence, measure);
+            let by = |measure| Dominance::new(&influence, measure);
             let dominances = Measure::ALL.into_iter().filter_map(by).collect();
             SurfaceInfluence { surface: surface.surface.name.clone(), realisation, influence, dominances }
         }));
@@ -51,7 +51,7 @@ fn on_asperity(plan: &LawsPlan, law: &LawContact, counter: &Counter) -> LawOnAsp
         about: law.spec.about(),
         papers: law.spec.papers(),
         is_elastic_plastic: law.spec.has_ranges(),
-        curve: Curve::of(&contact, shape, &indentations),
+        curve: Curve::new(&contact, shape, &indentations),
         boundaries: boundaries(&contact, shape),
     }
 }
@@ -75,5 +75,5 @@ fn influence(laws: &[LawContact], surface: &SurfaceResults, realisation: usize) 
         pairs: &case.comparison.pairs,
         differences,
     });
-    Influence::of(&under.collect::<Vec<_>>())
+    Influence::new(&under.collect::<Vec<_>>())
 }

@@ -57,7 +57,7 @@ impl Outcome for LimitResults {
     }
 
     fn facts(&self) -> serde_json::Result<Map<String, Value>> {
-        fields(&ContactSummary::of(&self.contact))
+        fields(&ContactSummary::new(&self.contact))
     }
 }
 

@@ -74,7 +74,7 @@ fn panel(series: &Series, load: usize, quantity: ComparedQuantity) -> Option<Plo
     };
     let lengths: Vec<f64> = gaps.iter().map(|gap| MICRO * gap.length).collect();
     let parts = Cause::ALL.map(|cause| {
-        gaps.iter().map(|gap| gap.parts.map_or(f64::NAN, |parts| parts.of(cause))).collect::<Vec<f64>>()
+        gaps.iter().map(|gap| gap.parts.map_or(f64::NAN, |parts| parts.part(cause))).collect::<Vec<f64>>()
     });
     let stacked = Cause::ALL.into_iter().zip(&parts);
     let stacked = stacked.map(|(cause, part)| (cause.label(), cause_colour(cause), &part[..]));

@@ -57,7 +57,7 @@ impl Outcome for IntervalResults {
     }
 
     fn facts(&self) -> serde_json::Result<Map<String, Value>> {
-        let mut facts = fields(&ContactSummary::of(&self.contact))?;
+        let mut facts = fields(&ContactSummary::new(&self.contact))?;
         facts.insert("law".to_owned(), json!(self.law));
         Ok(facts)
     }

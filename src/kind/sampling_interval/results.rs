@@ -118,7 +118,7 @@ impl ScaleResults {
     /// The same divided among its causes; `None` where too few contacts carry the load.
     pub fn parts(&self, load: usize, quantity: ComparedQuantity) -> Option<&Contributions> {
         self.difference(load, quantity)?;
-        self.case.attribution.get(load)?.of(quantity)
+        self.case.attribution.get(load)?.contributions(quantity)
     }
 
     /// A quantity, at the load of index `load` where it depends on one, or its logarithm; `None` beyond the valid range.

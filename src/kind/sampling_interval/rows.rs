@@ -116,9 +116,9 @@ impl Row for GapRow<'_> {
             low["1", signed] = row.end(0), "Lower end of the pointwise 95 % interval of the difference; empty where none is claimed.";
             high["1", signed] = row.end(1), "Upper end of the interval.";
             difference_m["m", signed] = row.difference().filter(|_| row.quantity == ComparedQuantity::Separation).map(|difference| difference.contrast * row.results.sigma), "Difference in separation as a length; empty for areas.";
-            from_heights["1", signed] = row.parts().map(|parts| parts.of(Cause::Heights)), "Part of the difference from the height distribution, mean over the orders of replacement; of the area of the logarithm of the ratio. The parts add up to the difference; empty where too few contacts carry the load.";
-            from_radii["1", signed] = row.parts().map(|parts| parts.of(Cause::Radii)), "Part from the spread of radii.";
-            from_correlation["1", signed] = row.parts().map(|parts| parts.of(Cause::Correlation)), "Part from the correlation of heights and radii.";
+            from_heights["1", signed] = row.parts().map(|parts| parts.part(Cause::Heights)), "Part of the difference from the height distribution, mean over the orders of replacement; of the area of the logarithm of the ratio. The parts add up to the difference; empty where too few contacts carry the load.";
+            from_radii["1", signed] = row.parts().map(|parts| parts.part(Cause::Radii)), "Part from the spread of radii.";
+            from_correlation["1", signed] = row.parts().map(|parts| parts.part(Cause::Correlation)), "Part from the correlation of heights and radii.";
             from_heights_half_width["1", label("± heights")] = row.half_width(Cause::Heights), "Half-width of the 95 % interval of the part from the height distribution; empty where none is claimed.";
             from_radii_half_width["1", label("± radii")] = row.half_width(Cause::Radii), "The same of the spread of radii.";
             from_correlation_half_width["1", label("± correlation")] = row.half_width(Cause::Correlation), "The same of the correlation.";

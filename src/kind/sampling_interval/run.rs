@@ -148,8 +148,9 @@ impl Variants<'_> {
     fn without_blocks(&self, surface: &Surface, division: &Division, models: LeftOut) -> BlocksLeftOut {
         let (contact, mean_radius) = (&*self.setup.laws[0].contact, self.setup.statistical.mean_radius);
         let asperities = |set: &AsperitySet| {
-            let statistics = Statistics::of(set);
-            let plasticity_index = plasticity_index(contact, statistics.sigma, mean_radius.of(&statistics));
+            let statistics = Statistics::new(set);
+            let plasticity_index =
+                plasticity_index(contact, statistics.sigma, mean_radius.radius(&statistics));
             // The moments of the map are not known without a block.
             Asperities { density: set.density(), statistics, alpha: None, plasticity_index }
         };

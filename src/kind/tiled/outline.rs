@@ -66,7 +66,7 @@ impl Outcome for TiledResults {
     }
 
     fn facts(&self) -> serde_json::Result<Map<String, Value>> {
-        let mut facts = fields(&ContactSummary::of(&self.contact))?;
+        let mut facts = fields(&ContactSummary::new(&self.contact))?;
         facts.insert("surfaces".to_owned(), records([surface_row(&self.surface)]));
         facts.insert("tiles".to_owned(), json!(self.surface.tiles));
         Ok(facts)

@@ -68,7 +68,7 @@ impl Divided for TiledPlan {
             let some = first..tiles.end.min(first + self.tiles.at_once());
             let progress = some.len() as f64;
             for found in self.some_tiles(&open, some, earlier.is_empty(), plane)? {
-                results.push(TileResult::of(&found).map_err(|error| unreadable(context, error))?);
+                results.push(TileResult::from_value(&found).map_err(|error| unreadable(context, error))?);
             }
             context.progress.advance(progress);
         }
@@ -193,7 +193,7 @@ impl TiledPlan {
             ));
         }
         let own = Population {
-            radius: MeanRadius::Arithmetic.of(&statistics),
+            radius: MeanRadius::Arithmetic.radius(&statistics),
             sigma: statistics.sigma,
             density: sums.count() as f64 / sums.nominal_area(),
             heights: asperity::Heights::GAUSSIAN,

@@ -33,9 +33,9 @@ impl<'de, D: Dimension, R: Range> Deserialize<'de> for Written<D, R> {
     fn deserialize<T: Deserializer<'de>>(deserializer: T) -> Result<Self, T::Error> {
         let example = D::UNITS.map_or_else(|| "2.5".to_owned(), |units| format!("\"{}\"", units.example()));
         Forms::new(&format!("one value such as {example}, a list of values, {TABLES}"))
-            .text(|text| Quantity::parse(text).map(|value| Self::of(vec![value])))
-            .number(|value, found| Quantity::checked(value, &found).map(|value| Self::of(vec![value])))
-            .list(|values| Ok(Self::of(values)))
+            .text(|text| Quantity::parse(text).map(|value| Self::new(vec![value])))
+            .number(|value, found| Quantity::checked(value, &found).map(|value| Self::new(vec![value])))
+            .list(|values| Ok(Self::new(values)))
             .table(|keys| Ok(Self(keys)))
             .read(deserializer)
     }
@@ -94,7 +94,7 @@ impl<D: Dimension> JsonSchema for LogSweep<D> {
 }
 
 impl<D, R> Written<D, R> {
-    fn of(values: Vec<Quantity<D, R>>) -> Self {
+    fn new(values: Vec<Quantity<D, R>>) -> Self {
         Self(Keys { from: None, to: None, points: None, values: Some(values) })
     }
 }

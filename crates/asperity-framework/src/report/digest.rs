@@ -55,7 +55,7 @@ pub fn digest<'a>(tables: impl IntoIterator<Item = &'a Table>) -> Option<Table> 
                 column: heading.name.clone(),
                 rows: cells.len(),
                 empty,
-                sums: Sums::of(cells),
+                sums: Sums::new(cells),
             });
         }
     }
@@ -63,7 +63,7 @@ pub fn digest<'a>(tables: impl IntoIterator<Item = &'a Table>) -> Option<Table> 
 }
 
 impl Sums {
-    fn of(cells: &[Value]) -> Self {
+    fn new(cells: &[Value]) -> Self {
         let mut sums = Self::default();
         let last = cells.len().saturating_sub(1).max(1) as f64;
         for (position, value) in cells.iter().enumerate() {
@@ -125,7 +125,7 @@ mod tests {
             column: name.into(),
             rows: cells.len(),
             empty,
-            sums: Sums::of(cells),
+            sums: Sums::new(cells),
         }
     }
 

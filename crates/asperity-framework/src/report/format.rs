@@ -161,7 +161,7 @@ pub struct Prefix {
 
 impl Prefix {
     /// The prefix that suits a value in an SI unit; compound units take none, since their numbers take powers of ten.
-    pub fn of(value: f64, unit: &str) -> Self {
+    pub fn for_value(value: f64, unit: &str) -> Self {
         let none = || Self { name: unit.to_owned(), size: 1.0 };
         let letters = unit.trim_end_matches('²');
         if letters.is_empty() || !letters.chars().all(char::is_alphabetic) {
@@ -284,7 +284,7 @@ mod tests {
 
     #[test]
     fn prefixes_and_signs() {
-        let prefix = |value, unit| (Prefix::of(value, unit).name, Prefix::of(value, unit).size);
+        let prefix = |value, unit| (Prefix::for_value(value, unit).name, Prefix::for_value(value, unit).size);
         assert_eq!(prefix(4.8e-8, "m"), ("nm".to_owned(), 1e-9));
         assert_eq!(prefix(2.5e-7, "m²"), ("µm²".to_owned(), 1e-12));
         assert_eq!(prefix(6e10, "1/m²"), ("1/m²".to_owned(), 1.0));

@@ -161,7 +161,7 @@ impl<'a> View<'a> {
     pub fn properties(&self) -> ViewText {
         let property = |Shown { place, heading }: &Shown| {
             let cell = &self.cells(*place)[*self.rows.first()?];
-            let unit = Unit::of(heading, &[cell]);
+            let unit = Unit::new(heading, &[cell]);
             let value = unit.cell(cell, heading.reading);
             let value = match &unit.name {
                 Some(name) => format!("{value} {}", name.strip_prefix('1').unwrap_or(name)),
@@ -184,7 +184,7 @@ impl<'a> View<'a> {
             if cells.iter().all(|cell| cell.is_empty()) {
                 continue;
             }
-            let unit = Unit::of(heading, &cells);
+            let unit = Unit::new(heading, &cells);
             if heading.reading == Reading::Verdict {
                 text.verdicts.push(text.header.len());
             }
@@ -248,7 +248,7 @@ struct Unit {
 }
 
 impl Unit {
-    fn of(heading: &Heading, cells: &[&Value]) -> Self {
+    fn new(heading: &Heading, cells: &[&Value]) -> Self {
         let none = Self { name: None, size: 1.0 };
         match (heading.reading, heading.unit) {
             (Reading::Percent | Reading::SignedPercent, _) => Self { name: Some("%".to_owned()), size: 0.01 },
@@ -267,7 +267,7 @@ impl Unit {
                     .collect();
                 sizes.sort_by(f64::total_cmp);
                 let middle = sizes.get(sizes.len() / 2).copied().unwrap_or(1.0);
-                let Prefix { name, size } = Prefix::of(middle, unit);
+                let Prefix { name, size } = Prefix::for_value(middle, unit);
                 Self { name: Some(name), size }
             }
         }

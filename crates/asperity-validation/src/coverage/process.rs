@@ -142,7 +142,7 @@ impl EndlessProcess {
         let mut sums = vec![[0.0; 2]; grid.len()];
         for window in self.windows("pilot")? {
             let set = WindowAsperities::from_summits(&window)?.set;
-            let plane = ReferencePlane::from(&Statistics::of(&set));
+            let plane = ReferencePlane::from(&Statistics::new(&set));
             let curve = Deterministic::new(contact, set.spheres(), plane).respond_all(&grid);
             for ([contacts, pressure], response) in sums.iter_mut().zip(curve) {
                 *contacts += response.sharing.map_or(0.0, |sharing| sharing.effective_contacts);

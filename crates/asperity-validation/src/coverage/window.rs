@@ -126,8 +126,10 @@ impl WindowTask<'_> {
     /// See [`Unusable`].
     pub fn run(&self, window: &HeightMap, seed: Option<[u8; 32]>) -> Result<WindowResults, Unusable> {
         let WindowAsperities { set, positions } = WindowAsperities::from_summits(window)?;
-        let correlation = Autocorrelation::of(window, 0.0)
-            .map_or(CorrelationLengths { lengths: [f64::INFINITY; 2] }, |all| CorrelationLengths::of(&all));
+        let correlation = Autocorrelation::from_map(window, 0.0)
+            .map_or(CorrelationLengths { lengths: [f64::INFINITY; 2] }, |all| {
+                CorrelationLengths::from_autocorrelation(&all)
+            });
         let blocks = Blocks::new(window.points(), window.pixel(), correlation).ok();
         let of_blocks = |blocks: &Blocks| Division::of_blocks(blocks, &positions, blocks.shares(window));
         let results = self.results(&set);
@@ -196,7 +198,7 @@ impl WindowTask<'_> {
                 })
             })
         };
-        Difference::of(&pairs, &sampling).into_iter().enumerate().map(at_load).collect()
+        Difference::at_loads(&pairs, &sampling).into_iter().enumerate().map(at_load).collect()
     }
 
     /// The state from which groups are left out, at those loads that both models reach.
@@ -233,7 +235,7 @@ impl WindowTask<'_> {
     /// Both models of a set, whose own statistics are the inputs of the statistical one: mean radius, sigma, density, and
     /// Gaussian heights.
     fn models<'b>(&'b self, set: &'b AsperitySet) -> (Statistical<'b>, Deterministic<'b>) {
-        let statistics = Statistics::of(set);
+        let statistics = Statistics::new(set);
         let population = Population {
             radius: statistics.mean_radius,
             sigma: statistics.sigma,

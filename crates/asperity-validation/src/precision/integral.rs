@@ -203,7 +203,7 @@ pub fn integrals(
         return None;
     }
     let reference = |&separation: &f64| {
-        let integral = Integral::of(population, separation)?;
+        let integral = Integral::new(population, separation)?;
         let total = exact.integral(&integral, &exact::Shape::sphere(population.radius))?;
         Some([total.total_area(), total.total_load()])
     };

@@ -93,7 +93,7 @@ pub fn side([per_length, lengths]: [f64; 2]) -> usize {
 /// What theory expects of each [`Statistic`] on a grid.
 fn expected(per_length: f64) -> [f64; 3] {
     let pixel = per_length.recip();
-    let drops = Drops::of(|i, j| (-(i * i + j * j) * pixel * pixel).exp());
+    let drops = Drops::from_correlation(|i, j| (-(i * i + j * j) * pixel * pixel).exp());
     five_point(&drops, 1.0, [pixel; 2]).map_or(
         [f64::NAN; 3],
         |Expected { density, curvature, height_variance, .. }| {

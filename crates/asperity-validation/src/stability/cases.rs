@@ -311,7 +311,7 @@ fn law(rng: &mut CaseRng, layered: bool) -> CoveredLaw {
 
 /// Any law for ellipses.
 fn law_of_ellipses(rng: &mut CaseRng) -> CoveredLaw {
-    let elliptic = registry().iter().filter(|law| law.is_elliptic()).filter_map(CoveredLaw::of);
+    let elliptic = registry().iter().filter(|law| law.is_elliptic()).filter_map(CoveredLaw::new);
     let mut laws: Vec<CoveredLaw> = elliptic.map(|law| with_options(rng, law)).collect();
     laws.swap_remove(rng.below(laws.len()))
 }

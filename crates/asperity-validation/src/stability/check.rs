@@ -217,7 +217,7 @@ fn sampling_errors(response: &Response) -> [f64; 2] {
 }
 
 fn exact_integral(exact: &Exact, population: &Population, separation: f64) -> Result<Total, Failure> {
-    let integral = Integral::of(population, separation);
+    let integral = Integral::new(population, separation);
     let total = integral.and_then(|integral| exact.integral(&integral, &Shape::sphere(population.radius)));
     total.ok_or(Failure::Unsettled)
 }

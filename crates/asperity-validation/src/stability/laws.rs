@@ -17,14 +17,14 @@ pub struct CoveredLaw {
 
 impl CoveredLaw {
     /// `None` of a law without such equations.
-    pub fn of(law: &ContactLaw) -> Option<Self> {
+    pub fn new(law: &ContactLaw) -> Option<Self> {
         let twin = TWINS.iter().find(|twin| twin.name == law.law().name())?;
         Some(Self { chosen: law.clone(), twin })
     }
 
     /// The law of a name with its default options, if it is covered.
     pub fn named(name: &str) -> Option<Self> {
-        Self::of(&named(name)?)
+        Self::new(&named(name)?)
     }
 
     /// Zhao, Maietta and Chang.
@@ -47,7 +47,7 @@ impl CoveredLaw {
 
     /// Names of the laws of the registry that are covered, and of those that are not.
     pub fn coverage() -> [Vec<String>; 2] {
-        let (covered, others): (Vec<_>, Vec<_>) = registry().iter().partition(|law| Self::of(law).is_some());
+        let (covered, others): (Vec<_>, Vec<_>) = registry().iter().partition(|law| Self::new(law).is_some());
         [covered, others].map(|laws| laws.into_iter().map(ContactLaw::name).collect())
     }
 

@@ -121,7 +121,7 @@ fn separations(ranges: &Ranges, cells: usize, row_done: &(dyn Fn() + Sync)) -> M
         |population, h| {
             let Ok(contact) = &contact else { return f64::NAN };
             let found = Statistical::new(&**contact, population.clone()).respond(h).pressure.total();
-            let of = Integral::of(population, h);
+            let of = Integral::new(population, h);
             let of = of.and_then(|of| exact.integral(&of, &Shape::sphere(population.radius)));
             of.map_or(f64::NAN, |of| relative_error(found, of.total_load()))
         },

@@ -71,17 +71,17 @@ impl<'a> Asperities<'a> {
 
     /// Height of the highest asperity, m.
     pub fn highest(&self) -> f64 {
-        Interval::of(self.heights).high
+        Interval::new(self.heights).high
     }
 
     /// The range of the radii, m.
     pub fn radius_range(&self) -> Interval {
-        Interval::of(self.radii)
+        Interval::new(self.radii)
     }
 
     /// The range of the numbers of spheres.
     pub fn sphere_range(&self) -> Interval {
-        self.spheres.map_or(Interval::point(1.0), Interval::of)
+        self.spheres.map_or(Interval::point(1.0), Interval::new)
     }
 
     /// The shape of asperity `index`.

@@ -16,7 +16,7 @@ pub struct Ellipses<'a> {
 
 impl<'a> Ellipses<'a> {
     /// The equivalent spheres of a set; `None` if its principal curvatures are unknown.
-    pub fn of(set: &'a AsperitySet) -> Option<Self> {
+    pub fn new(set: &'a AsperitySet) -> Option<Self> {
         let (radii, spheres) = set
             .ellipses()?
             .par_iter()
@@ -42,7 +42,7 @@ pub struct Ellipticity {
 
 impl Ellipticity {
     /// The mean shape of a set; `None` if it has no ellipses.
-    pub fn of(set: &AsperitySet) -> Option<Self> {
+    pub fn new(set: &AsperitySet) -> Option<Self> {
         let ellipses = set.ellipses()?;
         let mean = |term: fn(&Ellipse) -> f64| {
             sum_of(ellipses.len(), |i| term(&ellipses[i])) / ellipses.len() as f64
@@ -67,9 +67,9 @@ mod tests {
     fn the_mean_of_ellipses() {
         let ellipse = |ratio| Ellipse { mean_curvature: 2.0 + ratio, curvature_ratio: ratio };
         let set = AsperitySet::new(vec![0.0, 1.0], vec![1.0; 2], 1.0).unwrap();
-        assert_eq!(Ellipticity::of(&set), None);
+        assert_eq!(Ellipticity::new(&set), None);
         let set = set.with_ellipses(vec![ellipse(1.0), ellipse(4.0)]).unwrap();
-        let found = Ellipticity::of(&set).unwrap();
+        let found = Ellipticity::new(&set).unwrap();
         assert_eq!(found, Ellipticity { mean_curvature: 4.5, mean_ratio: 0.625 });
         assert_eq!(found.shape(), Shape::ellipse(4.5, 1.6));
         assert!(set.clone().with_ellipses(vec![ellipse(1.0)]).is_err());

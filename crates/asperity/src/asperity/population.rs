@@ -110,7 +110,7 @@ mod tests {
         for heights in REGISTRY.iter().map(|entry| entry.example().unwrap()) {
             let population = Population { heights: heights.clone(), ..UNIT };
             let set = population.set(200_000, Draw::Random([3; 32])).unwrap();
-            let found = crate::asperity::Statistics::of(&set);
+            let found = crate::asperity::Statistics::new(&set);
             assert!(found.mean_height.abs() < 0.02, "{heights:?}: {}", found.mean_height);
             assert!((found.sigma - 2.0).abs() < 0.03, "{heights:?}: {}", found.sigma);
             assert!((found.skewness.unwrap() - heights.skewness()).abs() < 0.1, "{heights:?}");

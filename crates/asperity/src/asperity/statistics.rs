@@ -27,12 +27,12 @@ pub struct Statistics {
 
 impl Statistics {
     /// Statistics of `set`, the same to the bit on any number of threads.
-    pub fn of(set: &AsperitySet) -> Self {
+    pub fn new(set: &AsperitySet) -> Self {
         let (heights, radii) = (set.heights(), set.radii());
         let count = set.count();
         let mean_of = |term: &(dyn Fn(usize) -> f64 + Sync)| sum_of(count, term) / count as f64;
 
-        let (height, radius) = (Mean::of(heights), Mean::of(radii));
+        let (height, radius) = (Mean::new(heights), Mean::new(radii));
         let mean_radius = radius.value();
         let sigma = height.sigma(heights);
         let standardised = |power: i32| {
@@ -56,7 +56,7 @@ impl Statistics {
 
 /// Mean height and standard deviation of the heights (m), as in [`Statistics`], of at least one height.
 pub(crate) fn mean_and_sigma(heights: &[f64]) -> (f64, f64) {
-    let mean = Mean::of(heights);
+    let mean = Mean::new(heights);
     (mean.value(), mean.sigma(heights))
 }
 
@@ -69,7 +69,7 @@ struct Mean {
 
 impl Mean {
     /// Exact for equal values.
-    fn of(values: &[f64]) -> Self {
+    fn new(values: &[f64]) -> Self {
         let origin = values[0];
         let relative = sum_over(values, Relative(origin)) / values.len() as f64;
         Self { origin, relative }
@@ -117,7 +117,7 @@ mod tests {
     use super::*;
 
     fn statistics(heights: &[f64], radii: &[f64]) -> Statistics {
-        Statistics::of(&AsperitySet::new(heights.to_vec(), radii.to_vec(), 1.0).unwrap())
+        Statistics::new(&AsperitySet::new(heights.to_vec(), radii.to_vec(), 1.0).unwrap())
     }
 
     #[test]
@@ -147,12 +147,12 @@ mod tests {
         let far: Vec<f64> = near.iter().map(|z| 1.0 + z).collect();
         let radii: Vec<f64> = (0..1000).map(|i| 1e-5 * f64::from(1 + i % 7)).collect();
         let set = |heights: &[f64]| AsperitySet::new(heights.to_vec(), radii.clone(), 1.0).unwrap();
-        let wanted = Statistics::of(&set(&near));
+        let wanted = Statistics::new(&set(&near));
         let (relative, origin) = set(&far).near_zero();
         assert_eq!(origin, 1.0);
         assert_eq!(relative, set(&near));
         assert_eq!(set(&near).near_zero(), (set(&near), 0.0));
-        let found = Statistics::of(&set(&far));
+        let found = Statistics::new(&set(&far));
         let close = |found: f64, wanted: f64| assert!((found - wanted).abs() <= 2e-15 * wanted.abs());
         close(found.sigma, wanted.sigma);
         close(found.kurtosis.unwrap(), wanted.kurtosis.unwrap());

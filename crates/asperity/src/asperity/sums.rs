@@ -116,7 +116,7 @@ mod tests {
             sums.merge(&of_part);
         }
         assert_eq!((sums.count(), sums.nominal_area()), (10_007, 2.0));
-        let (found, wanted) = (sums.statistics().unwrap(), Statistics::of(&set));
+        let (found, wanted) = (sums.statistics().unwrap(), Statistics::new(&set));
         let pairs = [
             (found.mean_height, wanted.mean_height),
             (found.sigma, wanted.sigma),

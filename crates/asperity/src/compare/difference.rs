@@ -177,11 +177,11 @@ pub struct CaseSampling {
 impl Difference {
     /// The limits of the valid range that are exceeded.
     pub fn exceeded(&self) -> Exceeded {
-        Exceeded::of(self.sharing.as_ref(), self.area_ratio)
+        Exceeded::new(self.sharing.as_ref(), self.area_ratio)
     }
 
     /// The differences at the loads of the `pairs` at equal load, in their order, which is that of the loads in `sampling`.
-    pub fn of(pairs: &[Pair], sampling: &CaseSampling) -> Vec<Self> {
+    pub fn at_loads(pairs: &[Pair], sampling: &CaseSampling) -> Vec<Self> {
         let at_load = pairs.iter().filter(|pair| pair.pairing == Pairing::Load);
         at_load.enumerate().map(|(index, pair)| Self::at(index, pair, sampling)).collect()
     }
@@ -300,7 +300,7 @@ mod tests {
 
     #[test]
     fn the_interval_is_the_jackknife_of_both_models() {
-        let found = Difference::of(&[pair(1.0, 0.2, 64.0)], &sampling(Some(left_out(0.02, false))));
+        let found = Difference::at_loads(&[pair(1.0, 0.2, 64.0)], &sampling(Some(left_out(0.02, false))));
         let estimate = found[0].estimates[ComparedQuantity::Separation as usize].unwrap();
         // The jackknife of 16 values of one magnitude: 15 times their scatter over 16 times 15, in the root.
         let error = (15.0f64 * 15.0 * 16.0 * 0.02 * 0.02 / 15.0 / 16.0).sqrt();
@@ -322,7 +322,7 @@ mod tests {
     #[test]
     fn no_interval_is_claimed_of_few_contacts_without_groups_or_where_a_load_is_not_reached() {
         let estimate = |contacts, groups| {
-            let found = Difference::of(&[pair(1.0, 0.2, contacts)], &sampling(groups)).remove(0);
+            let found = Difference::at_loads(&[pair(1.0, 0.2, contacts)], &sampling(groups)).remove(0);
             (found.estimates[0].unwrap().interval(), found.area_needed)
         };
         assert_eq!(estimate(32.0, Some(left_out(0.02, false))), (None, Some(4.0)));
@@ -334,7 +334,10 @@ mod tests {
     #[test]
     fn realisations_give_the_interval_of_their_mean() {
         let each = [0.1, 0.2, 0.6].map(|difference| {
-            Difference::of(&[pair(1.0, difference, 20.0), pair(2.0, 0.1, 20.0)], &CaseSampling::default())
+            Difference::at_loads(
+                &[pair(1.0, difference, 20.0), pair(2.0, 0.1, 20.0)],
+                &CaseSampling::default(),
+            )
         });
         let mut lacking = each.clone();
         lacking[2].remove(1);

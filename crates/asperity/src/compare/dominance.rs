@@ -41,7 +41,7 @@ const EQUAL: f64 = 1.05;
 
 impl Dominance {
     /// The effects on one measure; `None` if no load is valid or fewer than two laws are compared.
-    pub fn of(influence: &Influence, measure: Measure) -> Option<Self> {
+    pub fn new(influence: &Influence, measure: Measure) -> Option<Self> {
         let group = influence.group();
         Some(Self {
             measure,
@@ -105,7 +105,7 @@ mod tests {
         };
         let (statistical, deterministic) = (response(statistical), response(deterministic));
         let pairs = vec![Pair { pairing: Pairing::Load, target: 1.0, statistical, deterministic }];
-        let mut differences = Difference::of(&pairs, &CaseSampling::default());
+        let mut differences = Difference::at_loads(&pairs, &CaseSampling::default());
         for estimate in differences[0].estimates.iter_mut().flatten() {
             estimate.error = Some(error);
         }
@@ -117,7 +117,7 @@ mod tests {
             .iter()
             .map(|(pairs, differences)| UnderLaw { law: "law", is_elastic_plastic: true, pairs, differences })
             .collect();
-        Dominance::of(&Influence::of(&laws), Measure::Separation)
+        Dominance::new(&Influence::new(&laws), Measure::Separation)
     }
 
     #[test]

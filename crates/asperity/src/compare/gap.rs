@@ -59,7 +59,7 @@ impl Gaps {
     }
 
     /// The largest gaps of `pairs`.
-    pub fn of(pairs: &[Pair]) -> Self {
+    pub fn largest(pairs: &[Pair]) -> Self {
         /// In sigma, or relative to the quantity: above the tolerance of load control.
         const ROUNDING: f64 = 1e-10;
         let counted: Vec<&Pair> = pairs.iter().filter(|pair| pair.is_valid()).collect();
@@ -141,7 +141,7 @@ mod tests {
             pair(Pairing::Load, response(9.0, 0.051, 100.0, 50.0), response(0.0, 1e-3, 100.0, 50.0)),
             pair(Pairing::Load, response(9.0, 1e-3, 100.0, 50.0), response(0.0, 1e-3, 100.0, 29.0)),
         ];
-        let gaps = Gaps::of(&pairs);
+        let gaps = Gaps::largest(&pairs);
         assert_eq!(gaps.pairs, 3);
         let [separation, area, pressure] = &gaps.largest[..] else { panic!("three quantities") };
         assert_eq!((separation.difference(), separation.quantity), (0.5, GapQuantity::Separation));
@@ -159,7 +159,7 @@ mod tests {
             statistical: one,
             deterministic: other,
         });
-        let gaps = Gaps::of(&pairs);
+        let gaps = Gaps::largest(&pairs);
         assert_eq!(gaps.pairs, 2);
         let quantities: Vec<GapQuantity> = gaps.largest.iter().map(|gap| gap.quantity).collect();
         assert_eq!(quantities, [GapQuantity::Pressure]);

@@ -169,7 +169,7 @@ pub struct Effect {
 
 impl Influence {
     /// Compares at least one law on a surface.
-    pub fn of(laws: &[UnderLaw]) -> Self {
+    pub fn new(laws: &[UnderLaw]) -> Self {
         let at_load = |pairs: &'_ [Pair], target: f64| {
             pairs.iter().find(|pair| pair.pairing == Pairing::Load && pair.target == target).copied()
         };
@@ -316,7 +316,7 @@ mod tests {
         let second = pairs([(1.0, [3.1, 1e-3], [2.7, 1.5e-3])]);
         let limit = pairs([(1.0, [2.0, 4e-3], [2.4, 9e-3])]);
         let laws = [under("a", true, &first), under("b", true, &second), under("c", false, &limit)];
-        let found = Influence::of(&laws);
+        let found = Influence::new(&laws);
         let [at] = &found.loads[..] else { panic!("one load") };
         assert!(at.exceeded.is_none() && at.fewest_contacts == 50.0 && at.area_ratio == 1e-3);
         let (close, ln2) = (|a: f64, b: f64| (a - b).abs() < 1e-12, 2f64.ln());
@@ -349,7 +349,7 @@ mod tests {
             (2.0, [3.0, 1e-3], [4.25, 1e-3]),
             (4.0, [3.0, 0.06], [2.0, 1e-2]),
         ]);
-        let found = Influence::of(&[under("a", true, &first), under("b", false, &second)]);
+        let found = Influence::new(&[under("a", true, &first), under("b", false, &second)]);
         let loads: Vec<(f64, bool)> =
             found.loads.iter().map(|at| (at.pressure, at.exceeded.is_none())).collect();
         assert_eq!(loads, [(1.0, true), (2.0, true), (4.0, false)]);
@@ -367,20 +367,20 @@ mod tests {
         let mut few = pairs([(1.0, [3.0, 1e-3], [2.0, 1e-3])]);
         let many = few.clone();
         few[0].deterministic.sharing.as_mut().unwrap().effective_contacts = 29.0;
-        let found = Influence::of(&[under("a", true, &many), under("b", true, &few)]);
+        let found = Influence::new(&[under("a", true, &many), under("b", true, &few)]);
         assert!(!found.loads[0].exceeded.is_none() && found.loads[0].fewest_contacts == 29.0);
     }
 
     #[test]
     fn the_error_of_the_gap_is_that_of_the_interval() {
         let one = pairs([(1.0, [3.0, 2e-3], [2.5, 1e-3])]);
-        let mut differences = Difference::of(&one, &CaseSampling::default());
+        let mut differences = Difference::at_loads(&one, &CaseSampling::default());
         let estimates = &mut differences[0].estimates;
         estimates[ComparedQuantity::Separation as usize].as_mut().unwrap().error = Some(0.2);
         estimates[ComparedQuantity::Separation as usize].as_mut().unwrap().independent_error = Some(0.1);
         estimates[ComparedQuantity::Area as usize].as_mut().unwrap().independent_error = Some(0.3);
         let law = UnderLaw { differences: &differences, ..under("a", true, &one) };
-        let at = &Influence::of(&[law]).loads[0];
+        let at = &Influence::new(&[law]).loads[0];
         assert_eq!(at.sampling_error(Measure::Separation, 0), Some(0.2));
         assert_eq!(at.sampling_error(Measure::Area, 0), None, "independent draws are no basis");
     }

@@ -82,7 +82,7 @@ pub struct Tolerances {
 
 impl Tolerances {
     /// The tolerance of one model.
-    pub fn of(&self, kind: Kind) -> Option<f64> {
+    pub fn for_model(&self, kind: Kind) -> Option<f64> {
         match kind {
             Kind::Statistical => self.statistical,
             Kind::Deterministic => self.deterministic,
@@ -301,7 +301,7 @@ fn run(
     let Some(model) = model else { return Ok(Vec::new()) };
     let start = Instant::now();
     let mut curve = Vec::with_capacity(controls.points());
-    let answers = match controls.tolerances.of(kind) {
+    let answers = match controls.tolerances.for_model(kind) {
         Some(tolerance) => respond_within(model, &controls.separations, tolerance).responses,
         None => model.respond_all(&controls.separations),
     };

@@ -36,7 +36,7 @@ fn of_model(response: &Response) -> [Option<f64>; 3] {
 impl AgainstReference {
     /// From the `pairs` of both models, their `differences` in the same order, the reference on the same surface, the
     /// models without each group, and the plane from which separations are measured.
-    pub fn of(
+    pub fn new(
         pairs: &[Pair],
         differences: &[Difference],
         curve: &ReferenceCurve,
@@ -243,8 +243,8 @@ impl NearerStretch {
                     loads: [at.load; 2],
                     nearer: nearness.interval().and_then(side),
                     nearer_here: side([contrast - bound, contrast + bound]),
-                    verdicts: estimates.map(|estimate| Verdict::of(&estimate, band)),
-                    verdicts_here: estimates.map(|estimate| Verdict::of(&estimate.here(), band)),
+                    verdicts: estimates.map(|estimate| Verdict::from_estimate(&estimate, band)),
+                    verdicts_here: estimates.map(|estimate| Verdict::from_estimate(&estimate.here(), band)),
                     largest: estimates.map(|estimate| (at.load, estimate)),
                 })
             })
@@ -353,8 +353,8 @@ mod tests {
             shares: vec![0.25; 4],
         };
         let sampling = CaseSampling { groups: Some(groups), area: 1e-6, ..CaseSampling::default() };
-        let differences = Difference::of(&pairs, &sampling);
-        AgainstReference::of(&pairs, &differences, &curve, &sampling, PLANE).sorted()
+        let differences = Difference::at_loads(&pairs, &sampling);
+        AgainstReference::new(&pairs, &differences, &curve, &sampling, PLANE).sorted()
     }
 
     fn nearer(against: &AgainstReference, quantity: ComparedQuantity) -> Vec<(Option<Kind>, [Verdict; 2])> {

@@ -69,9 +69,9 @@ impl ErrorSlope {
         (quantity, sampling): (Quantity, Sampling),
     ) -> Option<Self> {
         let (law, separation) = (first.law.clone(), first.separation_over_sigma());
-        let fitted = points
-            .iter()
-            .filter(|point| point.law == law && point.separation_over_sigma() == separation && point.is_fitted());
+        let fitted = points.iter().filter(|point| {
+            point.law == law && point.separation_over_sigma() == separation && point.is_fitted()
+        });
         let error = |point: &LimitPoint| (point.count as f64, point.error_of_sets(sampling, quantity));
         let errors: Vec<(f64, f64)> = fitted.clone().map(error).collect();
         let leading = fitted.map(|point| (point.count as f64, point.expected_quantile_error(quantity)));

@@ -12,7 +12,7 @@ pub struct Scatter {
 }
 
 impl Scatter {
-    fn of(values: &[f64]) -> Self {
+    fn new(values: &[f64]) -> Self {
         let count = values.len() as f64;
         let mean = values.iter().sum::<f64>() / count;
         let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
@@ -65,7 +65,7 @@ fn at(target: f64, realisations: &[Realisation]) -> Option<Spread> {
         .collect();
     let found = found?;
     let scatter = |value: &dyn Fn(&Pair) -> f64| {
-        Scatter::of(&found.iter().map(|(pair, _)| value(pair)).collect::<Vec<_>>())
+        Scatter::new(&found.iter().map(|(pair, _)| value(pair)).collect::<Vec<_>>())
     };
     let errors = found.iter().filter_map(|(pair, sigma)| pair.deterministic.separation_error(*sigma));
     Some(Spread {

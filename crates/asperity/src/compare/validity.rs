@@ -18,7 +18,7 @@ pub struct ValidRange {
 
 impl ValidRange {
     /// Of loads (Pa), in any order, and the limits exceeded at each.
-    pub fn of(loads: impl IntoIterator<Item = (f64, Exceeded)>) -> Self {
+    pub fn new(loads: impl IntoIterator<Item = (f64, Exceeded)>) -> Self {
         let mut loads: Vec<(f64, Exceeded)> = loads.into_iter().collect();
         loads.sort_by(|a, b| a.0.total_cmp(&b.0));
         let is_valid = |at: &(f64, Exceeded)| at.1.is_none();
@@ -56,7 +56,7 @@ pub struct PointCounts {
 
 impl PointCounts {
     /// Counts the points of one comparison.
-    pub fn of(comparison: &Comparison) -> Self {
+    pub fn new(comparison: &Comparison) -> Self {
         let mut counts = Self { unpaired: comparison.unpaired.len(), ..Self::default() };
         for (point, exceeded) in comparison.curves.iter().zip(comparison.exceeded()) {
             counts.points += 1;
@@ -108,9 +108,9 @@ mod tests {
     fn loads_between_stretches_are_not_valid() {
         let range = |loads: &[(f64, f64, f64)]| {
             let at = |&(load, contacts, area_ratio): &(f64, f64, f64)| {
-                (load, Exceeded::of(sharing(contacts).as_ref(), area_ratio))
+                (load, Exceeded::new(sharing(contacts).as_ref(), area_ratio))
             };
-            ValidRange::of(loads.iter().map(at))
+            ValidRange::new(loads.iter().map(at))
         };
         let found = range(&[
             (5.0, 90.0, 0.01),
@@ -154,7 +154,7 @@ mod tests {
             point(Kind::Deterministic, Control::Force, Some(31.0), 0.02, true),
         ];
         let comparison = Comparison { curves, unpaired: vec![1.0], ..Comparison::default() };
-        let counts = PointCounts::of(&comparison);
+        let counts = PointCounts::new(&comparison);
         // Both models at one control share its limits.
         let expected =
             PointCounts { points: 4, exceeded: [2, 0, 2, 0], load_points: 2, in_jump: 1, unpaired: 1 };

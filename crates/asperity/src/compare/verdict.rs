@@ -28,7 +28,7 @@ impl Accepted {
     pub const DEFAULT: Self = Self { separation: 0.1, area: 0.1, stiffness: 0.2 };
 
     /// That of one quantity.
-    pub fn of(&self, quantity: ComparedQuantity) -> f64 {
+    pub fn limit(&self, quantity: ComparedQuantity) -> f64 {
         match quantity {
             ComparedQuantity::Separation => self.separation,
             ComparedQuantity::Area => self.area,
@@ -38,7 +38,7 @@ impl Accepted {
 
     /// The accepted band of the contrast of a quantity; a relative difference of -100 % or less is none.
     pub fn band(&self, quantity: ComparedQuantity) -> [f64; 2] {
-        let accepted = self.of(quantity);
+        let accepted = self.limit(quantity);
         let low = if quantity != ComparedQuantity::Separation && accepted >= 1.0 {
             f64::NEG_INFINITY
         } else {
@@ -63,7 +63,7 @@ named_enum! {
 
 impl Verdict {
     /// Of an estimate against the band `[low, high]` of contrasts.
-    pub fn of(estimate: &Estimate, [low, high]: [f64; 2]) -> Self {
+    pub fn from_estimate(estimate: &Estimate, [low, high]: [f64; 2]) -> Self {
         match estimate.interval() {
             Some([from, to]) if low <= from && to <= high => Self::Within,
             Some([from, to]) if to < low || high < from => Self::Beyond,
@@ -111,7 +111,7 @@ impl Stretch {
         let band = accepted.band(quantity);
         let verdict = |at: &&Difference| {
             let estimate = at.estimates[quantity as usize].as_ref().filter(|_| at.exceeded().is_none());
-            estimate.map(|estimate| Verdict::of(estimate, band))
+            estimate.map(|estimate| Verdict::from_estimate(estimate, band))
         };
         let is_compared = sorted.iter().any(|at| at.estimates[quantity as usize].is_some());
         // A difference beyond on one side is another answer than one beyond on the other.
@@ -137,7 +137,7 @@ impl Stretch {
                     quantity,
                     verdict: Verdict::CannotTell,
                     loads: [first.load, last.load],
-                    accepted: accepted.of(quantity),
+                    accepted: accepted.limit(quantity),
                     largest: None,
                     range: None,
                     bounds: None,
@@ -170,7 +170,7 @@ impl Stretch {
             quantity,
             verdict,
             loads: [stretch[0].load, stretch[stretch.len() - 1].load],
-            accepted: accepted.of(quantity),
+            accepted: accepted.limit(quantity),
             largest,
             range: hull(&|estimate| Some([estimate.contrast; 2])),
             bounds: hull(&Estimate::interval),
@@ -225,7 +225,7 @@ mod tests {
     #[test]
     fn an_interval_is_inside_outside_or_across_the_edge() {
         let band = ACCEPTED.band(ComparedQuantity::Separation);
-        let verdict = |contrast, error| Verdict::of(&estimate(contrast, error).unwrap(), band);
+        let verdict = |contrast, error| Verdict::from_estimate(&estimate(contrast, error).unwrap(), band);
         assert_eq!(verdict(0.05, Some(0.02)), Verdict::Within);
         assert_eq!(verdict(0.05, Some(0.03)), Verdict::CannotTell);
         assert_eq!(verdict(-0.2, Some(0.03)), Verdict::Beyond);

@@ -35,7 +35,7 @@ impl HeightModel {
     ///
     /// # Errors
     /// Moments that the family does not have; heights that are all equal.
-    pub fn of(&self, heights: &[f64], moments: Option<[f64; 2]>) -> Result<Heights, HeightsError> {
+    pub fn fit(&self, heights: &[f64], moments: Option<[f64; 2]>) -> Result<Heights, HeightsError> {
         let equal = || HeightsError::from("heights that are all equal have no shape");
         match self {
             Self::Given(given) => Ok(given.clone()),
@@ -47,7 +47,7 @@ impl HeightModel {
                 let [skewness, kurtosis] = moments.ok_or_else(equal)?;
                 Ok(Heights::new(Johnson::from_moments(skewness, kurtosis)?))
             }
-            Self::Own => Ok(Heights::new(Smoothed::of(heights)?)),
+            Self::Own => Ok(Heights::new(Smoothed::new(heights)?)),
         }
     }
 }
@@ -65,7 +65,7 @@ mod tests {
     #[test]
     fn fitted_distributions_have_the_moments_of_the_set() {
         let heights: Vec<f64> = (0..2000).map(|k| (f64::from(k) / 300.0).exp()).collect();
-        let of = |model: &HeightModel, moments| model.of(&heights, moments);
+        let of = |model: &HeightModel, moments| model.fit(&heights, moments);
         let johnson = of(&HeightModel::FittedJohnson, Some([-1.0, 4.5])).unwrap();
         assert!((johnson.skewness() + 1.0).abs() < 1e-9 && (johnson.kurtosis() - 4.5).abs() < 1e-9);
         let weibull = of(&HeightModel::FittedWeibull, Some([0.631, 3.0])).unwrap();

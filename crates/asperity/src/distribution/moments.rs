@@ -19,7 +19,7 @@ pub struct Moments {
 
 impl Moments {
     /// Moments of `map(g)` for standard normal g, by the trapezoidal rule with this step.
-    pub(super) fn of(step: f64, map: impl Fn(f64) -> f64) -> Self {
+    pub(super) fn integrate(step: f64, map: impl Fn(f64) -> f64) -> Self {
         let values: Vec<[f64; 2]> = normal_nodes(step).map(|[g, weight]| [map(g), weight]).collect();
         let mean_of = |term: &dyn Fn(f64) -> f64| {
             values.iter().map(|&[value, weight]| weight * term(value)).collect::<Sum>().value()

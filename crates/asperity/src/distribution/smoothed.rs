@@ -78,7 +78,7 @@ impl Smoothed {
     ///
     /// # Errors
     /// Heights that are all equal.
-    pub fn of(heights: &[f64]) -> Result<Self, EqualHeights> {
+    pub fn new(heights: &[f64]) -> Result<Self, EqualHeights> {
         let mut sorted = heights.to_vec();
         sorted.par_sort_by(f64::total_cmp);
         let count = sorted.len();
@@ -118,7 +118,7 @@ impl Smoothed {
             normals: Vec::new(),
             kernels,
         };
-        smoothed.table = LogDensity::of(&smoothed);
+        smoothed.table = LogDensity::new(&smoothed);
         smoothed.normals = smoothed.tabulated_normals();
         Ok(smoothed)
     }
@@ -204,7 +204,7 @@ impl Smoothed {
 }
 
 impl LogDensity {
-    fn of(smoothed: &Smoothed) -> Self {
+    fn new(smoothed: &Smoothed) -> Self {
         let [low, high] = smoothed.ends();
         let step = smoothed.width / STEPS;
         let start = low - MARGIN * smoothed.width;
@@ -354,7 +354,7 @@ mod tests {
             let g = Gaussian.quantile((k as f64 + 0.5) / count as f64);
             1e-7 * (3.0 + g - 0.15 * g * g)
         });
-        Smoothed::of(&heights.chain([1.4e-6]).collect::<Vec<_>>()).unwrap()
+        Smoothed::new(&heights.chain([1.4e-6]).collect::<Vec<_>>()).unwrap()
     }
 
     #[test]
@@ -408,10 +408,10 @@ mod tests {
 
     #[test]
     fn equal_heights_have_none() {
-        assert_eq!(Smoothed::of(&[0.3; 9]).unwrap_err(), EqualHeights);
+        assert_eq!(Smoothed::new(&[0.3; 9]).unwrap_err(), EqualHeights);
         // More than half of them equal.
         let mut heights = vec![0.0; 90];
         heights.extend([1.0, 2.0, 3.0]);
-        assert!(Smoothed::of(&heights).unwrap().density(0.0).is_finite());
+        assert!(Smoothed::new(&heights).unwrap().density(0.0).is_finite());
     }
 }

@@ -64,7 +64,7 @@ impl<'a> AveragedContact<'a> {
         // Without their own steps the nodes have a smooth mean.
         let own_steps = Step::all(contact, nodes.iter().copied());
         let direct = Self::exact(contact, nodes);
-        let table = Table::of(deepest, step, |w| {
+        let table = Table::new(deepest, step, |w| {
             let [load, area, stiffness] = direct.direct(w);
             let steps = at_steps(&own_steps, w);
             [load - steps[0], area - steps[1], stiffness]
@@ -92,7 +92,7 @@ impl<'a> AveragedContact<'a> {
     }
 
     fn radius_range(&self) -> Interval {
-        Interval::of(&self.nodes[1])
+        Interval::new(&self.nodes[1])
     }
 
     fn sums(&self, w: f64) -> Sums {
@@ -118,7 +118,7 @@ impl MicroContact for AveragedContact<'_> {
         let radii = self.radius_range();
         let of = |radius: f64| self.contact.breakpoints(Shape::sphere(radius));
         let all = [of(radii.low), of(radii.high)].concat();
-        let ends = Interval::of(&all);
+        let ends = Interval::new(&all);
         let next = |w: &f64| Some(2.0 * w).filter(|w| *w < 2.0 * ends.high);
         if all.is_empty() { Vec::new() } else { std::iter::successors(Some(ends.low), next).collect() }
     }
@@ -222,7 +222,7 @@ struct Table {
 }
 
 impl Table {
-    fn of(deepest: f64, step: f64, sums: impl Fn(f64) -> Sums + Sync) -> Self {
+    fn new(deepest: f64, step: f64, sums: impl Fn(f64) -> Sums + Sync) -> Self {
         let start = (SMALLEST * deepest).ln();
         // Cubics need a row beyond each end.
         let count = (-SMALLEST.ln() / step).ceil() as usize + 3;

@@ -40,7 +40,7 @@ impl<L: Law + Clone> Interface<L> {
         layer: &Material,
     ) -> Result<Self, Inapplicable> {
         let pair = Pair::between(&law, rough, layer)?;
-        Ok(Self { law: law.tuned(&pair), pair, reference: Reference::of(rough, flat) })
+        Ok(Self { law: law.tuned(&pair), pair, reference: Reference::new(rough, flat) })
     }
 }
 

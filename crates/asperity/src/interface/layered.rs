@@ -85,7 +85,7 @@ impl<L: ScalableLaw> LayeredInterface<L> {
         let factors = law.jumps(&low).into_iter().zip(law.jumps(&high)).map(|(a, b)| Interval::between(a, b));
         let jumps = law.critical_ratios(&low).into_iter().zip(factors);
         let jumps = jumps.map(|(place, factor)| Jump { place, factor });
-        let reference = Reference::of(rough, substrate);
+        let reference = Reference::new(rough, substrate);
         let is_jump = |jump: &Jump| jump.factor.low < 1.0 - JUMP || jump.factor.high > 1.0 + JUMP;
         Ok(Self {
             rough_compliance: rough.plane_compliance(),

@@ -31,7 +31,7 @@ struct Reference {
 }
 
 impl Reference {
-    fn of(rough: &Material, flat: &Material) -> Self {
+    fn new(rough: &Material, flat: &Material) -> Self {
         Self { modulus: reduced_modulus(rough, flat), hardness: softer_hardness(rough, flat) }
     }
 }

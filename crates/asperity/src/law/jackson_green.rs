@@ -74,8 +74,8 @@ impl Tuned {
         let normalised = |v: f64| normalised(ELASTIC * v, pair);
         Self {
             pair: *pair,
-            load: Table::of(Self::OCTAVES, |v| normalised(v).load),
-            growth: Table::of(Self::OCTAVES, |v| normalised(v).growth),
+            load: Table::new(Self::OCTAVES, |v| normalised(v).load),
+            growth: Table::new(Self::OCTAVES, |v| normalised(v).growth),
         }
     }
 

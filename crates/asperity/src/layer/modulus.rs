@@ -61,7 +61,7 @@ struct Sides {
 impl EffectiveModulus {
     pub(super) fn new(model: ModulusModel, layer: &Material, substrate: &Material) -> Self {
         let sides = Sides::new(model, layer, substrate);
-        let table = Table::of(OCTAVES, |inverse| sides.at(inverse).0);
+        let table = Table::new(OCTAVES, |inverse| sides.at(inverse).0);
         Self { sides, table: Arc::new(table), poisson: Arc::default() }
     }
 
@@ -96,7 +96,7 @@ impl EffectiveModulus {
     #[inline(always)]
     pub(super) fn poisson_and_slope<N: Real>(&self, inverse: N) -> (N, N) {
         let sides = &self.sides;
-        let table = self.poisson.get_or_init(|| Table::of(OCTAVES, |x| sides.poisson(&Weights::at(x))));
+        let table = self.poisson.get_or_init(|| Table::new(OCTAVES, |x| sides.poisson(&Weights::at(x))));
         let [value, slope] = match table.at(inverse) {
             Some(found) => found.into(),
             None => inverse.each(|inverse| {

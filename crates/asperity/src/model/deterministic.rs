@@ -43,7 +43,7 @@ struct DecreasingLoads {
 
 impl DecreasingLoads {
     /// `None` where no load ever decreases.
-    fn of(contact: &dyn MicroContact, asperities: Asperities) -> Option<Self> {
+    fn new(contact: &dyn MicroContact, asperities: Asperities) -> Option<Self> {
         /// The largest number of classes of radii, so that one sharp asperity does not affect all others.
         const CLASSES: u8 = 32;
         let Shapes { radii, spheres } = shapes_of(&asperities);
@@ -173,7 +173,7 @@ impl<'a> Deterministic<'a> {
     }
 
     fn decreasing_loads(&self) -> Option<&DecreasingLoads> {
-        self.decreasing.get_or_init(|| DecreasingLoads::of(self.contact, self.asperities)).as_ref()
+        self.decreasing.get_or_init(|| DecreasingLoads::new(self.contact, self.asperities)).as_ref()
     }
 
     /// A separation in the frame of the heights, m.

@@ -19,7 +19,7 @@ pub enum SummitShape {
 }
 
 impl SummitShape {
-    fn of(self, class: &SummitClass) -> Shape {
+    fn shape(self, class: &SummitClass) -> Shape {
         let [larger, smaller] = class.curvatures;
         let mean = 0.5 * (larger + smaller);
         match self {
@@ -39,7 +39,7 @@ pub fn joint_model<'a>(
     plane: ReferencePlane,
 ) -> impl Model + 'a {
     let class = |class: &SummitClass| {
-        let shape = shape.of(class);
+        let shape = shape.shape(class);
         let population = Population {
             radius: shape.radius,
             sigma: class.sd,

@@ -62,7 +62,7 @@ impl Response {
             pressure: total.load_error(count) * per_area,
             area_ratio: total.area_error(count) * per_area,
         };
-        let sharing = LoadSharing::of(total);
+        let sharing = LoadSharing::new(total);
         Self { sampling: Some(sampling), sharing, ..Self::new(h, plane, total, per_area) }
     }
 

@@ -46,7 +46,7 @@ impl MeanRadius {
     }
 
     /// The mean radius of a set with these statistics, m; of those that touch, the limit where all do.
-    pub fn of(self, statistics: &Statistics) -> f64 {
+    pub fn radius(self, statistics: &Statistics) -> f64 {
         match self {
             Self::Arithmetic | Self::InContact => statistics.mean_radius,
             Self::InverseMeanCurvature => statistics.radius_of_mean_curvature,

@@ -30,7 +30,7 @@ pub struct LoadSharing {
 
 impl LoadSharing {
     /// `None` without a load.
-    pub(super) fn of(total: &Total) -> Option<Self> {
+    pub(super) fn new(total: &Total) -> Option<Self> {
         let load = total.load().total();
         (load > 0.0).then(|| Self {
             // Squares of tiny loads round to zero.
@@ -92,7 +92,7 @@ impl Exceeded {
     }
 
     /// Those of the given sharing of the load and area ratio.
-    pub fn of(sharing: Option<&LoadSharing>, area_ratio: f64) -> Self {
+    pub fn new(sharing: Option<&LoadSharing>, area_ratio: f64) -> Self {
         let beyond = |limit: fn(&LoadSharing) -> bool| sharing.is_some_and(limit);
         Self([
             // Equal loads give a whole number but for rounding.
@@ -107,7 +107,7 @@ impl Exceeded {
 impl Response {
     /// The limits that the response exceeds; of an integral, which has no single contacts, only the area ratio is known.
     pub fn exceeded(&self) -> Exceeded {
-        Exceeded::of(self.sharing.as_ref(), self.area_ratio.total())
+        Exceeded::new(self.sharing.as_ref(), self.area_ratio.total())
     }
 }
 
@@ -124,7 +124,7 @@ mod tests {
             let contact = Contact { area: 1e-20, load, stiffness: 1.0, regime: Regime::Elastic };
             accumulator.add(&contact, Shape::sphere(1.0));
         }
-        LoadSharing::of(&accumulator.total())
+        LoadSharing::new(&accumulator.total())
     }
 
     fn names(exceeded: Exceeded) -> Vec<&'static str> {
@@ -136,10 +136,10 @@ mod tests {
         let equal = sharing(&[3.0; 30]).unwrap();
         assert!((equal.effective_contacts - 30.0).abs() < 1e-12);
         assert!((equal.largest_share - 1.0 / 30.0).abs() < 1e-15);
-        assert!(Exceeded::of(Some(&equal), 0.05).is_none());
-        assert_eq!(names(Exceeded::of(sharing(&[3.0; 29]).as_ref(), 0.05)), ["few-contacts"]);
+        assert!(Exceeded::new(Some(&equal), 0.05).is_none());
+        assert_eq!(names(Exceeded::new(sharing(&[3.0; 29]).as_ref(), 0.05)), ["few-contacts"]);
         assert_eq!(sharing(&[]), None);
-        assert!(Exceeded::of(None, 0.01).is_none());
+        assert!(Exceeded::new(None, 0.01).is_none());
         // The square of such a load is zero.
         assert!((sharing(&[1e-170; 40]).unwrap().effective_contacts - 40.0).abs() < 1e-9);
     }
@@ -151,16 +151,16 @@ mod tests {
         loads.push(230.0);
         let spiked = sharing(&loads).unwrap();
         assert!(spiked.effective_contacts < 2.3 && (spiked.largest_share - 2.0 / 3.0).abs() < 1e-15);
-        assert_eq!(names(Exceeded::of(Some(&spiked), 0.01)), ["few-contacts", "dominant-contact"]);
+        assert_eq!(names(Exceeded::new(Some(&spiked), 0.01)), ["few-contacts", "dominant-contact"]);
     }
 
     #[test]
     fn limits_are_those_of_either_model() {
         let strained =
             LoadSharing { effective_contacts: 100.0, largest_share: 0.02, large_strain_share: 0.11 };
-        let both = Exceeded::of(Some(&strained), 0.05).union(Exceeded::of(None, 0.051));
+        let both = Exceeded::new(Some(&strained), 0.05).union(Exceeded::new(None, 0.051));
         assert_eq!(names(both), ["interaction", "large-strain"]);
         let small = LoadSharing { large_strain_share: 0.1, ..strained };
-        assert!(Exceeded::of(Some(&small), 0.05).is_none());
+        assert!(Exceeded::new(Some(&small), 0.05).is_none());
     }
 }

@@ -19,7 +19,7 @@ impl Interval {
     }
 
     /// The smallest interval that contains all `values`, of which there must be at least one.
-    pub fn of(values: &[f64]) -> Self {
+    pub fn new(values: &[f64]) -> Self {
         values.iter().map(|&x| Self::point(x)).reduce(Self::hull).unwrap_or_default()
     }
 

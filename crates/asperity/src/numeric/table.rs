@@ -31,7 +31,7 @@ fn place(x: f64) -> u64 {
 
 impl Table {
     /// A table of `value` from 2^start (included) to 2^end, which must be normal numbers.
-    pub fn of(octaves: Range<i32>, value: impl Fn(f64) -> f64) -> Self {
+    pub fn new(octaves: Range<i32>, value: impl Fn(f64) -> f64) -> Self {
         let octave = |power: i32| (0..INTERVALS).map(move |k| (power, k));
         let piece = |(power, k): (i32, usize)| {
             let width = 2f64.powi(power) / INTERVALS as f64;
@@ -102,7 +102,7 @@ mod tests {
 
     #[test]
     fn a_power_and_its_slope() {
-        let table = Table::of(-24..24, |x| x.powf(-0.7));
+        let table = Table::new(-24..24, |x| x.powf(-0.7));
         for k in -100_000..100_000 {
             let x = (f64::from(k) * 1.66e-4).exp();
             let (value, slope) = table.at(x).unwrap();
@@ -115,7 +115,7 @@ mod tests {
     }
     #[test]
     fn the_ends() {
-        let table = Table::of(0..3, |x| 1.0 + x);
+        let table = Table::new(0..3, |x| 1.0 + x);
         let value = |x: f64| table.at(x).map(|(value, _)| value);
         assert!((value(1.0).unwrap() - 2.0).abs() < 1e-15);
         assert!((value(8f64.next_down()).unwrap() - 9.0).abs() < 4e-15);

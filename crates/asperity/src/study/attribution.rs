@@ -21,7 +21,7 @@ impl<'a> ForLaws<'a> {
         }))
     }
 
-    fn of(&self, law: &ContactLaw) -> Option<&Rearranged<'a>> {
+    fn for_law(&self, law: &ContactLaw) -> Option<&Rearranged<'a>> {
         self.0[usize::from(law.is_elliptic())].as_ref()
     }
 }
@@ -45,7 +45,7 @@ pub fn attribute(
         .iter()
         .zip(&*cases)
         .map(|(law, case)| {
-            let found = all.of(&law.spec)?.at_loads(&*law.contact, &case.comparison.pairs);
+            let found = all.for_law(&law.spec)?.at_loads(&*law.contact, &case.comparison.pairs);
             setup.progress.advance(1.0);
             Some(found)
         })
@@ -88,7 +88,7 @@ fn left_out(
         },
     };
     let of_case = |(law, states): (&LawContact, &Option<StatesAtLoads>)| {
-        let slopes = |states: &StatesAtLoads| Some(states.slopes(all.of(&law.spec)?, &*law.contact));
+        let slopes = |states: &StatesAtLoads| Some(states.slopes(all.for_law(&law.spec)?, &*law.contact));
         states.as_ref().and_then(slopes).unwrap_or_default()
     };
     let slopes: Vec<_> = setup.laws.iter().zip(states).map(of_case).collect();
@@ -99,7 +99,7 @@ fn left_out(
         let rearranged = ForLaws::new(&models, setup.law_specs, Rearranged::coarse);
         let case = |(index, law): (usize, &LawContact)| {
             let contact: &dyn MicroContact = &*law.contact;
-            let (states, rest) = (states[index].as_ref()?, rearranged.of(&law.spec)?);
+            let (states, rest) = (states[index].as_ref()?, rearranged.for_law(&law.spec)?);
             Some(states.without(rest, contact, &slopes[index]))
         };
         let all: Vec<_> = setup.laws.iter().enumerate().map(case).collect();

@@ -34,14 +34,15 @@ impl LeadingCause {
 impl Verdicts {
     /// The contributions to the difference between the models in a quantity at a load (Pa).
     pub fn contributions(&self, quantity: ComparedQuantity, load: f64) -> Option<&Contributions> {
-        self.attribution.iter().find(|at| at.load == load)?.of(quantity)
+        self.attribution.iter().find(|at| at.load == load)?.contributions(quantity)
     }
 
     /// The loads of the valid range at which a quantity is divided, by growing load, with the contributions.
     pub fn divided(&self, quantity: ComparedQuantity) -> impl Iterator<Item = (f64, &Contributions)> {
         let is_valid =
             |load: f64| self.differences.iter().any(|at| at.load == load && at.exceeded().is_none());
-        let divided = self.attribution.iter().filter_map(move |at| Some((at.load, at.of(quantity)?)));
+        let divided =
+            self.attribution.iter().filter_map(move |at| Some((at.load, at.contributions(quantity)?)));
         divided.filter(move |(load, _)| is_valid(*load))
     }
 

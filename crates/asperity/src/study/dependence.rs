@@ -48,8 +48,9 @@ enum Side {
 
 impl Side {
     /// By the interval where there is one, else by the difference itself.
-    fn of(estimate: &Estimate, band: [f64; 2]) -> Self {
-        let is_known = estimate.interval().is_none() || Verdict::of(estimate, band) != Verdict::CannotTell;
+    fn from_estimate(estimate: &Estimate, band: [f64; 2]) -> Self {
+        let is_known =
+            estimate.interval().is_none() || Verdict::from_estimate(estimate, band) != Verdict::CannotTell;
         match estimate.contrast {
             _ if !is_known => Self::Open,
             below if below < band[0] => Self::Below,
@@ -65,11 +66,11 @@ impl Dependence {
         let each = Choice::ALL
             .into_iter()
             .flat_map(|choice| ComparedQuantity::ALL.map(|quantity| (choice, quantity)));
-        each.filter_map(|(choice, quantity)| Self::of(choice, quantity, differences, treated, accepted))
+        each.filter_map(|(choice, quantity)| Self::new(choice, quantity, differences, treated, accepted))
             .collect()
     }
 
-    fn of(
+    fn new(
         choice: Choice,
         quantity: ComparedQuantity,
         differences: &[Difference],
@@ -79,7 +80,7 @@ impl Dependence {
         let band = accepted.band(quantity);
         let answer = |treatment: Option<usize>, at: &Difference| {
             let estimate = at.estimates[quantity as usize].filter(|_| at.exceeded().is_none())?;
-            Some(Answer { treatment, estimate, side: Side::of(&estimate, band) })
+            Some(Answer { treatment, estimate, side: Side::from_estimate(&estimate, band) })
         };
         let treated = || treated.iter().enumerate().filter(|(_, one)| one.treatment.choice() == choice);
         let at_load = |own: &Difference| {

@@ -33,7 +33,7 @@ impl<'a> SurfaceModels<'a> {
         laws: &[ContactLaw],
         is_summed: bool,
     ) -> Result<Self, HeightsError> {
-        let joint = statistical.joint.map(|joint| joint.of(surface)).transpose()?;
+        let joint = statistical.joint.map(|joint| joint.density(surface)).transpose()?;
         Self::with(joint.map(Arc::new), surface, statistical, laws, is_summed)
     }
 
@@ -58,7 +58,7 @@ impl<'a> SurfaceModels<'a> {
         is_summed: bool,
     ) -> Result<Self, HeightsError> {
         let is_elliptic = is_summed && laws.iter().any(ContactLaw::is_elliptic);
-        let ellipses = if is_elliptic { Ellipses::of(&surface.set) } else { None };
+        let ellipses = if is_elliptic { Ellipses::new(&surface.set) } else { None };
         let population = surface.population(statistical.heights.as_ref(), statistical.mean_radius)?;
         Ok(Self { surface, population, statistical: statistical.clone(), joint, is_summed, ellipses })
     }

@@ -126,7 +126,7 @@ impl Ranking {
 
 /// Whether a difference is within what is accepted.
 pub fn is_within(accepted: &Accepted, quantity: ComparedQuantity, contrast: f64) -> bool {
-    quantity.reported(contrast).abs() <= accepted.of(quantity)
+    quantity.reported(contrast).abs() <= accepted.limit(quantity)
 }
 
 /// The ranking of each case of a surface; nothing where only one model was run, or no ranking is asked for.

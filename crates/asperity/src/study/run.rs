@@ -157,7 +157,7 @@ pub fn run_surface<'a>(
             yields: law.spec.law().yields_by().is_some(),
             thickness: law.thickness,
             plasticity_index: plasticity_index(contact, population.sigma, population.radius),
-            gaps: Gaps::of(&comparison.pairs),
+            gaps: Gaps::largest(&comparison.pairs),
             differences: Vec::new(),
             attribution: Vec::new(),
             reference: None,
@@ -188,7 +188,7 @@ pub fn differ(
     /// Larger jumps of the load make the stiffness of a sum, which leaves them out, another than that of the integral.
     const JUMP: f64 = 0.01;
     for ((case, law), sampling) in cases.iter_mut().zip(laws).zip(samplings) {
-        case.differences = Difference::of(&case.comparison.pairs, sampling);
+        case.differences = Difference::at_loads(&case.comparison.pairs, sampling);
         let shape = models.mean_shape(&law.spec);
         if boundaries(&*law.contact, shape).iter().any(|at| at.load_jump().abs() > JUMP) {
             let stiffnesses =
@@ -230,7 +230,7 @@ pub fn decreases(
             }
             let contact = CountedContact::new(&*law.contact, counter);
             for &shape in &shapes {
-                let decreases = Curve::of(&contact, shape, &[SHALLOWEST * deepest, deepest]).decreases;
+                let decreases = Curve::new(&contact, shape, &[SHALLOWEST * deepest, deepest]).decreases;
                 all.extend(decreases.into_iter().map(|decrease| DecreaseResults {
                     law: case.law.clone(),
                     thickness: case.thickness,

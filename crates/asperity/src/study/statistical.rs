@@ -42,7 +42,7 @@ impl JointModel {
     ///
     /// # Errors
     /// A surface without a map, or moments that no such surface has.
-    pub fn of(self, surface: &Surface) -> Result<JointDensity, HeightsError> {
+    pub fn density(self, surface: &Surface) -> Result<JointDensity, HeightsError> {
         let map = surface.map.as_ref().ok_or("the joint density follows from a map, and it has none")?;
         let found = match self {
             Self::NayakGreenwood => JointDensity::nayak(map.roughness.spectral_moments()),

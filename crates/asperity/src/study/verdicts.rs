@@ -67,7 +67,7 @@ impl Basis {
         }
     }
 
-    fn of(surface: &Surface, realisations: usize) -> Self {
+    fn new(surface: &Surface, realisations: usize) -> Self {
         if realisations > 1 {
             return Self::Realisations(realisations);
         }
@@ -102,10 +102,10 @@ impl Verdicts {
             valid: if differences.is_empty() {
                 of_one_model(&realisations[0].comparison)
             } else {
-                ValidRange::of(differences.iter().map(|at| (at.load, at.exceeded())))
+                ValidRange::new(differences.iter().map(|at| (at.load, at.exceeded())))
             },
             stretches: Stretch::all(&differences, &accepted),
-            basis: Basis::of(surface, realisations.len()),
+            basis: Basis::new(surface, realisations.len()),
             over_independent: over_independent(&differences),
             area: surface.set.nominal_area(),
             is_blocked: surface.is_blocked(),
@@ -119,7 +119,7 @@ impl Verdicts {
 fn of_one_model(comparison: &Comparison) -> ValidRange {
     let points = comparison.curves.iter().zip(comparison.exceeded());
     let loads = points.map(|(point, exceeded)| (point.response.pressure.total(), exceeded));
-    ValidRange::of(loads.filter(|(load, _)| *load > 0.0))
+    ValidRange::new(loads.filter(|(load, _)| *load > 0.0))
 }
 
 impl Verdicts {

@@ -183,7 +183,7 @@ pub struct PreparedMap {
 impl Surface {
     /// A set that separations are measured in by its own statistics.
     pub fn new(name: &str, set: AsperitySet, statistics: Statistics) -> Self {
-        let ellipticity = Ellipticity::of(&set);
+        let ellipticity = Ellipticity::new(&set);
         Self {
             name: name.to_owned(),
             set,
@@ -210,7 +210,7 @@ impl Surface {
     /// measured from the mean of the rest, in its sigma, if they are measured so on the surface.
     pub fn without(&self, division: &Division, group: usize) -> Option<Self> {
         let set = division.without(&self.set, group)?;
-        let statistics = Statistics::of(&set);
+        let statistics = Statistics::new(&set);
         let is_own = self.plane == ReferencePlane::from(&self.statistics);
         let mut rest = Self::new(&self.name, set, statistics);
         if !is_own {
@@ -225,7 +225,7 @@ impl Surface {
     /// One group of its asperities on their area, in the plane of all; `None` where it has none.
     pub fn only(&self, division: &Division, group: usize) -> Option<Self> {
         let set = division.only(&self.set, group)?;
-        let statistics = Statistics::of(&set);
+        let statistics = Statistics::new(&set);
         Some(Self { plane: self.plane, ..Self::new(&self.name, set, statistics) })
     }
 
@@ -240,7 +240,7 @@ impl Surface {
         mean_radius: MeanRadius,
     ) -> Result<Population, HeightsError> {
         let own = Population {
-            radius: mean_radius.of(&self.statistics),
+            radius: mean_radius.radius(&self.statistics),
             sigma: self.statistics.sigma,
             density: self.set.density(),
             heights: Heights::GAUSSIAN,
@@ -248,7 +248,7 @@ impl Surface {
         let population = self.nominal.clone().unwrap_or(own);
         let Some(heights) = heights else { return Ok(population) };
         let moments = self.statistics.skewness.zip(self.statistics.kurtosis).map(|(s, k)| [s, k]);
-        Ok(Population { heights: heights.of(self.set.heights(), moments)?, ..population })
+        Ok(Population { heights: heights.fit(self.set.heights(), moments)?, ..population })
     }
 
     /// Mean height of the statistical model's population in the frame of the set's heights, m.

@@ -40,7 +40,7 @@ pub struct MapOverview {
 
 impl MapOverview {
     /// Analyses a map to the given `depth`; `generator` is set for a generated one.
-    pub(super) fn of(
+    pub(super) fn new(
         map: &dyn Rows,
         roughness: &RoughnessParameters,
         generator: Option<&SurfaceGenerator>,
@@ -83,7 +83,7 @@ impl MapOverview {
         });
         // One for the copy, one for the spectrum, two for the autocorrelation.
         progress.stage("spectrum and autocorrelation", if is_close { 4.0 } else { 2.0 });
-        let (map, mean) = (HeightMap::of(map), roughness.moments.mean);
+        let (map, mean) = (HeightMap::from_rows(map), roughness.moments.mean);
         whole.autocorrelation = if is_close { Autocorrelation::watched(&map, mean, progress) } else { None };
         whole.spectrum = Some(RadialSpectrum::watched(map, mean, progress));
         whole
@@ -122,7 +122,7 @@ mod tests {
         // A tenth of Sq is an interval, the first at -5.
         let map = map([4, 4], |k| [-1.05, 1.05, 0.05, f64::NAN][k % 4]);
         let moments = Moments { mean: 0.0, sa: 1.0, sq: 1.0, ssk: None, sku: None };
-        let counts = distribution(&map, &RoughnessParameters { moments, ..RoughnessParameters::of(&map) });
+        let counts = distribution(&map, &RoughnessParameters { moments, ..RoughnessParameters::new(&map) });
         let held: Vec<(usize, usize)> =
             counts.iter().copied().enumerate().filter(|(_, count)| *count > 0).collect();
         assert_eq!((counts.len(), held), (100, vec![(39, 4), (50, 4), (60, 4)]));

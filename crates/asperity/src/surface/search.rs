@@ -136,7 +136,7 @@ impl SummitSearch<'_> {
     pub fn surface(&self, name: &str, map: &dyn Rows) -> Result<Surface, NoAsperities> {
         let SearchedMap { set, facts, independence, prepared } = self.asperities(map)?;
         let (set, origin) = set.near_zero();
-        let statistics = Statistics::of(&set);
+        let statistics = Statistics::new(&set);
         let height = (origin + statistics.mean_height).abs() + facts.roughness.moments.sq;
         if statistics.sigma <= ROUNDING * height {
             return Err(NoAsperities::EqualHeights { summits: facts.summits });
@@ -170,7 +170,7 @@ impl SummitSearch<'_> {
             progress.stage("spikes", 2.0);
             let passes = if self.preparation.removes_spikes { PASSES } else { 0 };
             for pass in 0..=passes {
-                let found = Spikes::of(&Without { map: raw, points: &removed });
+                let found = Spikes::find(&Without { map: raw, points: &removed });
                 if pass == passes || found.count() == 0 {
                     left = Some(found);
                     break;
@@ -194,7 +194,7 @@ impl SummitSearch<'_> {
         let map: &dyn Rows = filtered.as_ref().map_or(&levelled as &dyn Rows, |map| map);
         let map: &dyn Rows = &Watched { map, progress };
         progress.stage("roughness parameters", 2.0);
-        let roughness = RoughnessParameters::of(map);
+        let roughness = RoughnessParameters::new(map);
         if roughness.moments.sq <= levelled.form.magnitude() * raw.precision().max(f64::EPSILON) {
             return Err(NoAsperities::Flat);
         }
@@ -215,7 +215,9 @@ impl SummitSearch<'_> {
             progress.stage("correlation", 1.0);
             let points = left.as_ref().map_or(&[][..], |left| &left.points);
             let found = correlation_of(&Without { map, points }, roughness.moments.mean);
-            correlation = Some(found.as_ref().map_or(CorrelationLengths::NONE, CorrelationLengths::of));
+            correlation = Some(
+                found.as_ref().map_or(CorrelationLengths::NONE, CorrelationLengths::from_autocorrelation),
+            );
             aspect = found.and_then(|found| found.aspect);
         }
         let independence = match correlation.filter(|_| self.divides) {
@@ -227,12 +229,12 @@ impl SummitSearch<'_> {
         facts.correlation = correlation;
         if is_checked {
             progress.stage("fitness checks", 4.0);
-            facts.offsets = facts.spikes.is_some().then(|| LineOffsets::of(map));
+            facts.offsets = facts.spikes.is_some().then(|| LineOffsets::new(map));
             facts.fitness = fitness(map, &facts, &summits, aspect);
         }
         let prepared = self.keeps_map.then(|| {
             progress.stage("copying the map", 1.0);
-            PreparedMap { map: HeightMap::of(map), positions: summits.positions.clone() }
+            PreparedMap { map: HeightMap::from_rows(map), positions: summits.positions.clone() }
         });
         let [dx, dy] = map.pixel();
         let radii = summits.curvatures.iter().map(|curvature| curvature.recip()).collect();
@@ -271,13 +273,13 @@ impl SummitSearch<'_> {
             saddles: summits.principal.iter().filter(|principal| principal[1] <= 0.0).count(),
             expected: is_five_point.then(|| theory::five_point(&roughness.drops, sq, map.pixel())).flatten(),
             nayak: theory::nayak(roughness.spectral_moments()),
-            quantisation: is_checked.then(|| Quantisation::of(raw, summits, filter.is_some())),
+            quantisation: is_checked.then(|| Quantisation::new(raw, summits, filter.is_some())),
             spikes,
             fitness: Vec::new(),
             offsets: None,
             correlation: None,
             generation: self.generation.clone(),
-            whole: MapOverview::of(
+            whole: MapOverview::new(
                 map,
                 &roughness,
                 self.generation.as_ref().map(|made| &made.generator),
@@ -314,7 +316,7 @@ fn fitness(map: &dyn Rows, facts: &MapFacts, summits: &Summits, aspect: Option<f
 fn correlation_of(map: &dyn Rows, mean: f64) -> Option<Autocorrelation> {
     /// Points along an axis of the coarse map.
     const MOST: usize = 1024;
-    Autocorrelation::of(&thumbnail(map, MOST), mean)
+    Autocorrelation::from_map(&thumbnail(map, MOST), mean)
 }
 
 #[cfg(test)]

@@ -24,7 +24,7 @@ impl CorrelationLengths {
     pub const NONE: Self = Self { lengths: [f64::INFINITY; 2] };
 
     /// The lags at which `autocorrelation` has decayed to 0.2 along x and y.
-    pub fn of(autocorrelation: &Autocorrelation) -> Self {
+    pub fn from_autocorrelation(autocorrelation: &Autocorrelation) -> Self {
         let decay = |points: &[(f64, f64)]| {
             let first = points.iter().position(|&(_, value)| value < DECAY)?;
             let [before, after] = [first.checked_sub(1)?, first].map(|k| points[k]);
@@ -143,7 +143,12 @@ mod tests {
     fn the_correlation_length_is_where_the_autocorrelation_is_a_fifth() {
         let along_x = vec![(0.0, 1.0), (1.0, 0.6), (2.0, 0.1), (3.0, 0.4)];
         let along_y = vec![(0.0, 1.0), (1.0, 0.9)];
-        let found = CorrelationLengths::of(&Autocorrelation { along_x, along_y, length: None, aspect: None });
+        let found = CorrelationLengths::from_autocorrelation(&Autocorrelation {
+            along_x,
+            along_y,
+            length: None,
+            aspect: None,
+        });
         assert!((found.lengths[0] - 1.8).abs() < 1e-15 && found.lengths[1] == f64::INFINITY);
     }
 

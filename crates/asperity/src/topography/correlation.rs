@@ -74,11 +74,11 @@ impl Rings {
 impl RadialSpectrum {
     /// The spectrum of a map about its `mean` (m). A Hann window is applied to an open map; missing points are replaced
     /// by the mean.
-    pub fn of(map: HeightMap, mean: f64) -> Self {
+    pub fn from_map(map: HeightMap, mean: f64) -> Self {
         Self::watched(map, mean, &Silent)
     }
 
-    /// [`Self::of`] with progress: one unit of work.
+    /// [`Self::from_map`] with progress: one unit of work.
     pub fn watched(map: HeightMap, mean: f64, progress: &dyn Progress) -> Self {
         let points = map.points();
         let rings = Rings::new(points, map.pixel());
@@ -154,11 +154,11 @@ pub struct Autocorrelation {
 impl Autocorrelation {
     /// The autocorrelation of the present points, about their `mean` (m). On an open map only pairs of points within
     /// the map are included. `None` for a flat map.
-    pub fn of(map: &HeightMap, mean: f64) -> Option<Self> {
+    pub fn from_map(map: &HeightMap, mean: f64) -> Option<Self> {
         Self::watched(map, mean, &Silent)
     }
 
-    /// [`Self::of`] with progress: two units of work, four on a map with missing points.
+    /// [`Self::from_map`] with progress: two units of work, four on a map with missing points.
     pub fn watched(map: &HeightMap, mean: f64, progress: &dyn Progress) -> Option<Self> {
         let points = map.points();
         let boundary = map.boundary();
@@ -274,7 +274,7 @@ mod tests {
         let mut reached = vec![0.0; asked.rings.len()];
         for seed in 0..20 {
             let map = surface(shape, Lay::default(), seed).0;
-            for (sum, ring) in reached.iter_mut().zip(RadialSpectrum::of(map, 0.0).rings) {
+            for (sum, ring) in reached.iter_mut().zip(RadialSpectrum::from_map(map, 0.0).rings) {
                 *sum += ring.1 / 20.0;
             }
         }
@@ -300,7 +300,7 @@ mod tests {
         ] {
             let mut mean = [0.0; 12];
             for seed in 0..30 {
-                let found = Autocorrelation::of(&surface(shape, Lay::default(), seed).0, 0.0).unwrap();
+                let found = Autocorrelation::from_map(&surface(shape, Lay::default(), seed).0, 0.0).unwrap();
                 for (sum, (_, rho)) in mean.iter_mut().zip(&found.along_x) {
                     *sum += rho / 30.0;
                 }
@@ -316,7 +316,8 @@ mod tests {
         let lay = Lay { elongation: 4.0, angle: 0.5 };
         let mut found = [0.0; 2];
         for seed in 0..20 {
-            let of = Autocorrelation::of(&surface(SpectrumShape::Gaussian(3.0), lay, seed).0, 0.0).unwrap();
+            let of =
+                Autocorrelation::from_map(&surface(SpectrumShape::Gaussian(3.0), lay, seed).0, 0.0).unwrap();
             found[0] += of.length.unwrap() / 20.0;
             found[1] += of.aspect.unwrap() / 20.0;
         }
@@ -332,7 +333,7 @@ mod tests {
         let mut heights = map.into_heights();
         heights.iter_mut().step_by(17).for_each(|z| *z = f64::NAN);
         let map = HeightMap::new(POINTS, PIXEL, heights, 0.0).unwrap();
-        let mean = Moments::of(&map).mean;
+        let mean = Moments::from_rows(&map).mean;
         let z = |i: usize, j: usize| map.heights()[i * POINTS[1] + j] - mean;
         let covariance = |lag: usize| {
             let (mut sum, mut count) = (0.0, 0.0);
@@ -347,7 +348,7 @@ mod tests {
             }
             sum / count
         };
-        let found = Autocorrelation::of(&map, mean).unwrap();
+        let found = Autocorrelation::from_map(&map, mean).unwrap();
         for lag in [1, 5, 40, 128] {
             let exact = covariance(lag) / covariance(0);
             assert!((found.along_x[lag].1 - exact).abs() < 1e-12, "{lag}");
@@ -362,8 +363,8 @@ mod tests {
             let map = surface(SpectrumShape::Gaussian(0.05), Lay::default(), seed).0;
             let open = HeightMap::new(POINTS, PIXEL, map.heights().to_vec(), 0.0).unwrap();
             for (found, map) in found.iter_mut().zip([map, open]) {
-                let mean = Moments::of(&map).mean;
-                let rings = RadialSpectrum::of(map, mean).rings;
+                let mean = Moments::from_rows(&map).mean;
+                let rings = RadialSpectrum::from_map(map, mean).rings;
                 *found += rings[rings.len() - 10..].iter().map(|ring| ring.1 / 80.0).sum::<f64>();
             }
         }

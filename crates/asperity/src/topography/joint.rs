@@ -249,8 +249,9 @@ mod tests {
 
     #[test]
     fn five_point_summits_have_the_expected_moments() {
-        let isotropic = |scale: f64| Drops::of(move |i: f64, j: f64| (-(i * i + j * j) / scale).exp());
-        let oblique = Drops::of(|i, j| (-0.3 * i * i - 0.1 * j * j - 0.15 * i * j).exp());
+        let isotropic =
+            |scale: f64| Drops::from_correlation(move |i: f64, j: f64| (-(i * i + j * j) / scale).exp());
+        let oblique = Drops::from_correlation(|i, j| (-0.3 * i * i - 0.1 * j * j - 0.15 * i * j).exp());
         for (drops, pixel) in
             [(isotropic(1.0), [1.0, 1.0]), (isotropic(25.0), [1.0, 1.0]), (oblique, [0.5, 0.8])]
         {

@@ -109,7 +109,7 @@ impl Level {
     /// # Errors
     /// Points that do not determine the form.
     pub fn apply(self, map: &HeightMap) -> Result<HeightMap, Undetermined> {
-        Ok(HeightMap::of(&Levelled { map, form: self.form(map)? }))
+        Ok(HeightMap::from_rows(&Levelled { map, form: self.form(map)? }))
     }
 }
 
@@ -273,7 +273,7 @@ mod tests {
     fn missing_points_stay_missing_and_do_not_count() {
         let holed = map(|x, y| if x > 20.0 && y < 9.0 { f64::NAN } else { 1e6 + 0.3 * x - 0.7 * y });
         let levelled = Level::Plane.apply(&holed).unwrap();
-        assert_eq!(RoughnessParameters::of(&levelled).missing, RoughnessParameters::of(&holed).missing);
+        assert_eq!(RoughnessParameters::new(&levelled).missing, RoughnessParameters::new(&holed).missing);
         assert!(largest(&levelled) < 1e-9);
     }
 
@@ -286,7 +286,7 @@ mod tests {
             assert_eq!(level.apply(&far).unwrap(), level.apply(&near).unwrap());
         }
         assert_eq!(Level::None.apply(&far).unwrap().offset(), 1.0);
-        assert_eq!(RoughnessParameters::of(&far), RoughnessParameters::of(&near));
+        assert_eq!(RoughnessParameters::new(&far), RoughnessParameters::new(&near));
     }
 
     #[test]

@@ -127,7 +127,7 @@ impl HeightMap {
     }
 
     /// Reads all rows of `map` into memory.
-    pub fn of(map: &dyn Rows) -> Self {
+    pub fn from_rows(map: &dyn Rows) -> Self {
         let points = map.points();
         let mut heights = zeros(points[0] * points[1]);
         for_each_row(&mut heights, points[1], &|ix, row| {

@@ -5,7 +5,7 @@ use super::{Boundary, HeightMap, Rows};
 
 /// A map of at most `most` points along each axis: each the mean of a block of points that are there.
 pub fn thumbnail(map: &dyn Rows, most: usize) -> HeightMap {
-    HeightMap::of(&Means { map, block: map.points().map(|count| count.div_ceil(most)) })
+    HeightMap::from_rows(&Means { map, block: map.points().map(|count| count.div_ceil(most)) })
 }
 
 /// Means over blocks of points.
@@ -165,7 +165,7 @@ mod tests {
     fn every_second_and_third_point_of_a_map() {
         let map = map([6, 8], |k| k as f64).periodic();
         let sampled = |every| Sampled { map: &map, every };
-        let heights = |every| HeightMap::of(&sampled(every)).into_heights();
+        let heights = |every| HeightMap::from_rows(&sampled(every)).into_heights();
         assert_eq!((sampled(2).points(), sampled(2).pixel()), ([3, 4], [2.0, 4.0]));
         assert_eq!(heights(2), [0.0, 2.0, 4.0, 6.0, 16.0, 18.0, 20.0, 22.0, 32.0, 34.0, 36.0, 38.0]);
         assert_eq!(heights(3), [0.0, 3.0, 6.0, 24.0, 27.0, 30.0]);
@@ -175,14 +175,14 @@ mod tests {
         assert_eq!(boundaries, [Boundary::Periodic, Boundary::Periodic, Boundary::Open]);
         // Rows that are not in memory.
         let part = Window { map: &map, first: [1, 1], points: [5, 7] };
-        let of_part = HeightMap::of(&Sampled { map: &part, every: 3 }).into_heights();
+        let of_part = HeightMap::from_rows(&Sampled { map: &part, every: 3 }).into_heights();
         assert_eq!(of_part, [9.0, 12.0, 15.0, 33.0, 36.0, 39.0]);
     }
 
     #[test]
     fn the_middle_and_the_halves_of_a_map() {
         let map = map([7, 9], |k| k as f64);
-        let heights = |window: &Window| HeightMap::of(window).into_heights();
+        let heights = |window: &Window| HeightMap::from_rows(window).into_heights();
         let middle = Window::centre(&map, 4);
         assert_eq!((middle.points, heights(&middle)[0], heights(&middle)[15]), ([4, 4], 11.0, 41.0));
         assert_eq!(heights(&Window::centre(&map, 9)), map.heights());

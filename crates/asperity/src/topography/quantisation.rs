@@ -23,7 +23,7 @@ pub struct Quantisation {
 
 impl Quantisation {
     /// Analyses the raw heights of `map` and the summits found on it after levelling and, if it `is_filtered`, filtering.
-    pub fn of(map: &dyn Rows, summits: &Summits, is_filtered: bool) -> Self {
+    pub fn new(map: &dyn Rows, summits: &Summits, is_filtered: bool) -> Self {
         let mut heights = sample(map);
         heights.par_sort_unstable_by(f64::total_cmp);
         let points = heights.len();
@@ -117,7 +117,7 @@ mod tests {
             })
             .collect();
         let map = HeightMap::new(points, [1e-6; 2], heights, precision).unwrap();
-        Quantisation::of(&map, &five_point(&map), false)
+        Quantisation::new(&map, &five_point(&map), false)
     }
 
     #[test]

@@ -52,7 +52,7 @@ pub struct Drops {
 
 impl Drops {
     /// The drops on a surface of unit variance, from its autocorrelation at a lag of (i, j) points.
-    pub fn of(correlation: impl Fn(f64, f64) -> f64) -> Self {
+    pub fn from_correlation(correlation: impl Fn(f64, f64) -> f64) -> Self {
         let rho = correlation;
         let structure = |i: f64, j: f64| 2.0 * (1.0 - rho(i, j));
         let first = [structure(1.0, 0.0), structure(0.0, 1.0)];
@@ -84,14 +84,14 @@ impl Drops {
 
 impl Moments {
     /// Moments of the present points, bit-identical for any number of threads.
-    pub fn of(map: &dyn Rows) -> Self {
-        RoughnessParameters::of(map).moments
+    pub fn from_rows(map: &dyn Rows) -> Self {
+        RoughnessParameters::new(map).moments
     }
 }
 
 impl RoughnessParameters {
     /// The parameters of a map, bit-identical for any number of threads.
-    pub fn of(map: &dyn Rows) -> Self {
+    pub fn new(map: &dyn Rows) -> Self {
         let points = map.points();
         // Relative to a height of the map, so that a large offset costs no accuracy.
         let origin = first_present(map);
@@ -105,7 +105,7 @@ impl RoughnessParameters {
         let mean = total.value() / count;
 
         let mut sums = Sums::default();
-        for part in strips(map, 2, |strip| Sums::of(&strip, [origin, mean], points)) {
+        for part in strips(map, 2, |strip| Sums::new(&strip, [origin, mean], points)) {
             sums.merge(&part);
         }
         let [sa, square, cube, fourth] = sums.powers.map(|sum| sum.value() / count);
@@ -192,7 +192,7 @@ struct Sums {
 }
 
 impl Sums {
-    fn of(strip: &Strip, [origin, mean]: [f64; 2], points: [usize; 2]) -> Self {
+    fn new(strip: &Strip, [origin, mean]: [f64; 2], points: [usize; 2]) -> Self {
         let mut sums = Self::default();
         for k in 0..strip.count as isize {
             let Some(row) = strip.row(k) else { continue };
@@ -296,7 +296,7 @@ mod tests {
             let close = |found: f64, exact: f64| {
                 assert!((found - exact).abs() < 1e-12 * exact.abs(), "{is_periodic}: {found} for {exact}");
             };
-            let found = RoughnessParameters::of(&map);
+            let found = RoughnessParameters::new(&map);
             for axis in 0..2 {
                 let pixel: f64 = map.pixel()[axis];
                 close(found.drops.first[axis], first[axis]);
@@ -315,7 +315,7 @@ mod tests {
         let near = |k: usize| f64::EPSILON * ((k * k * 7) % 1009 * 4096) as f64;
         let of = |offset: f64| {
             let heights = (0..70 * 9).map(|k| offset + near(k)).collect();
-            RoughnessParameters::of(&HeightMap::new([70, 9], [0.5, 2.0], heights, 0.0).unwrap()).moments
+            RoughnessParameters::new(&HeightMap::new([70, 9], [0.5, 2.0], heights, 0.0).unwrap()).moments
         };
         let (wanted, found) = (of(0.0), of(1.0));
         for (found, wanted) in [
@@ -330,7 +330,7 @@ mod tests {
 
     #[test]
     fn spectral_moments_are_means_over_both_axes() {
-        let found = RoughnessParameters::of(&map());
+        let found = RoughnessParameters::new(&map());
         let [m0, m2, m4] = found.spectral_moments();
         assert_eq!(m0, found.moments.sq.powi(2));
         assert_eq!([2.0 * m2, 2.0 * m4], [found.m2, found.m4].map(|m| m[0] + m[1]));

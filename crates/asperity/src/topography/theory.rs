@@ -249,7 +249,7 @@ mod tests {
     use super::*;
 
     fn isotropic(rho: impl Fn(f64) -> f64) -> Drops {
-        Drops::of(|i, j| rho(i.hypot(j)))
+        Drops::from_correlation(|i, j| rho(i.hypot(j)))
     }
 
     /// The table of five-point summits in PHYSICS part B, of which all digits are right.
@@ -280,7 +280,7 @@ mod tests {
     #[test]
     fn units_and_rectangular_pixels() {
         let rho = |x: f64, y: f64| (-(x * x + 4.0 * y * y)).exp();
-        let drops = |dx: f64, dy: f64| Drops::of(|i, j| rho(i * dx, j * dy));
+        let drops = |dx: f64, dy: f64| Drops::from_correlation(|i, j| rho(i * dx, j * dy));
         let one = five_point(&drops(0.5, 0.2), 1.0, [0.5, 0.2]).unwrap();
         let three = |mut drops: Drops| {
             drops.first = drops.first.map(|square| 9.0 * square);
@@ -305,14 +305,15 @@ mod tests {
     fn lays() {
         let gaussian = |elongation: f64, angle: f64| {
             let (sin, cos) = angle.sin_cos();
-            let drops = Drops::of(|i, j| {
+            let drops = Drops::from_correlation(|i, j| {
                 let (along, across) = ((i * cos + j * sin) / elongation, j * cos - i * sin);
                 (-0.02 * (along * along + across * across)).exp()
             });
             five_point(&drops, 1.0, [1.0; 2]).unwrap()
         };
         let rho = |x: f64, y: f64| (-(x * x + 0.04 * y * y)).exp();
-        let found = five_point(&Drops::of(|i, j| rho(0.4 * i, 2.0 * j)), 1.0, [0.4, 2.0]).unwrap();
+        let found =
+            five_point(&Drops::from_correlation(|i, j| rho(0.4 * i, 2.0 * j)), 1.0, [0.4, 2.0]).unwrap();
         let round = five_point(&isotropic(|r| (-0.16 * r * r).exp()), 1.0, [1.0; 2]).unwrap();
         assert!((found.density * 0.8 / round.density - 1.0).abs() < 1e-12);
         let near = |a: Expected, b: Expected, most: f64| {

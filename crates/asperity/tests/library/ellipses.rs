@@ -61,7 +61,7 @@ fn set() -> AsperitySet {
 fn a_sum_over_ellipses_is_that_of_hertz() {
     let contact = bare_contact("hertz", &[], &body(STEEL));
     let (set, modulus) = (set(), contact.reference_modulus());
-    let ellipses = Ellipses::of(&set).unwrap();
+    let ellipses = Ellipses::new(&set).unwrap();
     let sum = Deterministic::new(&*contact, ellipses.asperities(), ReferencePlane { mean: 0.0, sigma: 1e-7 });
     let mut worst = Worst::default();
     for h in [0.0, 3.3, 11.0] {
@@ -108,7 +108,7 @@ fn under_a_layer_an_ellipse_feels_the_circle_of_its_area() {
     let flat = Flat::Layered { substrate: steel, layered: layered.clone() };
     let contact = contact("zmc", &[], &steel, &flat);
     let set = set();
-    let all = Ordered::new(Ellipses::of(&set).unwrap().asperities());
+    let all = Ordered::new(Ellipses::new(&set).unwrap().asperities());
     let touching = all.above(5e-7);
     let (mut block, mut single) = (Accumulator::default(), Accumulator::default());
     contact.accumulate(touching, 5e-7, &mut block);
@@ -150,7 +150,7 @@ fn ellipses_of_ratio_one_are_spheres_to_the_bit() {
     let radii = radii.iter().map(|b| b.recip().recip()).collect();
     let set = AsperitySet::new(heights, radii, 1e-8).unwrap().with_ellipses(ellipses).unwrap();
     let contact = bare_contact("zmc", &[], &body(STEEL));
-    let ellipses = Ellipses::of(&set).unwrap();
+    let ellipses = Ellipses::new(&set).unwrap();
     let plane = ReferencePlane { mean: 0.0, sigma: 1e-7 };
     let [one, other] = [set.spheres(), ellipses.asperities()]
         .map(|set| Deterministic::new(&*contact, set, plane).respond(0.5));

@@ -130,7 +130,10 @@ fn a_map_has_its_pixel_and_its_missing_points() {
     let (_folder, path) = file("map.npy", &array("<f4", false, "(3, 4)", &data));
     assert_eq!(metadata(&path).unwrap().points, [3, 4]);
     let map = height_map(&path, ReadOptions { pixel: Some([1e-6, 2e-6]), unit: None }).unwrap();
-    assert_eq!((map.points(), map.pixel(), RoughnessParameters::of(&map).missing), ([3, 4], [1e-6, 2e-6], 2));
+    assert_eq!(
+        (map.points(), map.pixel(), RoughnessParameters::new(&map).missing),
+        ([3, 4], [1e-6, 2e-6], 2)
+    );
 }
 
 #[test]

@@ -297,7 +297,7 @@ fn an_offset_of_the_heights_makes_no_jumps() {
     let drawn = CASE_1.set(5000, Draw::Random([9; 32])).unwrap();
     let shifted = drawn.heights().iter().map(|z| z + 1e-3).collect();
     let set = AsperitySet::new(shifted, drawn.radii().to_vec(), drawn.nominal_area()).unwrap();
-    let plane = ReferencePlane::from(&Statistics::of(&set));
+    let plane = ReferencePlane::from(&Statistics::new(&set));
     let model = Deterministic::new(&*law, set.spheres(), plane);
     for pressure in [1e-2, 1.0, 1e3, 1e6] {
         assert!(!at_pressure(&model, pressure).unwrap().in_jump, "{pressure}");

@@ -49,7 +49,7 @@ fn distances(sets: &[AsperitySet], joint: &JointDensity) -> [f64; 2] {
     let plane = ReferencePlane { mean: 0.0, sigma: SIGMA };
     let sums: Vec<_> =
         sets.iter().map(|set| results(&Deterministic::new(&*contact, set.spheres(), plane))).collect();
-    let statistics: Vec<Statistics> = sets.iter().map(Statistics::of).collect();
+    let statistics: Vec<Statistics> = sets.iter().map(Statistics::new).collect();
     let mean = |of: fn(&Statistics) -> f64| statistics.iter().map(of).sum::<f64>() / statistics.len() as f64;
     let population = Population {
         radius: mean(|one| one.mean_radius),
@@ -80,7 +80,7 @@ fn distances(sets: &[AsperitySet], joint: &JointDensity) -> [f64; 2] {
 /// The five-point density is that of the summits the sum is fed with: exact on any grid.
 #[test]
 fn the_five_point_density_agrees_with_the_sum_and_one_mean_radius_does_not() {
-    let of_unit_variance = Drops::of(|i, j| (-(i * i + j * j) / (LENGTH * LENGTH)).exp());
+    let of_unit_variance = Drops::from_correlation(|i, j| (-(i * i + j * j) / (LENGTH * LENGTH)).exp());
     let scaled = |value: f64| value * SIGMA * SIGMA;
     let drops = Drops {
         first: of_unit_variance.first.map(scaled),

@@ -63,12 +63,12 @@ fn statistics_to_every_digit_known() {
     for known in &SURFACES {
         let (raw, levelled, summits) = read_and_level(known);
         assert_eq!(
-            (raw.points(), RoughnessParameters::of(&raw).missing),
+            (raw.points(), RoughnessParameters::new(&raw).missing),
             (known.points, known.missing),
             "{}",
             known.name
         );
-        let moments = Moments::of(&levelled);
+        let moments = Moments::from_rows(&levelled);
         let found = [moments.sq * 1e9, moments.ssk.unwrap(), moments.sku.unwrap()];
         for (found, (exact, digit)) in found.into_iter().zip(known.moments) {
             assert!((found - exact).abs() <= digit, "{}: {found} for {exact}", known.name);
@@ -82,7 +82,7 @@ fn statistics_to_every_digit_known() {
 fn the_maps_on_steps_are_found_and_the_sound_one_is_not() {
     let look = |known: &Known| {
         let (raw, _, summits) = read_and_level(known);
-        Quantisation::of(&raw, &summits, false)
+        Quantisation::new(&raw, &summits, false)
     };
     let [opd, plu, al3d] = [&SURFACES[0], &SURFACES[1], &SURFACES[2]].map(look);
     println!("{opd:?}\n{plu:?}\n{al3d:?}");

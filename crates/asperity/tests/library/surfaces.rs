@@ -97,7 +97,7 @@ fn summits_are_those_of_the_five_point_theory() {
     for (name, shape, lay, pixel) in cases {
         let spectrum = Spectrum::new(shape, lay).unwrap();
         let rho = |i: f64, j: f64| spectrum.autocorrelation([i * pixel[0], j * pixel[1]]).unwrap();
-        let mut drops = Drops::of(rho);
+        let mut drops = Drops::from_correlation(rho);
         for square in
             drops.first.iter_mut().chain(&mut drops.second).chain([&mut drops.mixed, &mut drops.skew])
         {
@@ -191,7 +191,7 @@ fn both_cases_of_table_1_are_met() {
             let radii: Vec<f64> = summits.curvatures.iter().map(|k| 1.0 / k).collect();
             let [dx, dy] = reached.map.pixel();
             let set = AsperitySet::new(summits.heights, radii, dx * dy * summits.tested as f64).unwrap();
-            let statistics = Statistics::of(&set);
+            let statistics = Statistics::new(&set);
             for (found, asked) in [
                 (statistics.mean_radius, target.radius),
                 (statistics.sigma, target.sigma),
@@ -216,7 +216,7 @@ fn sigma_of_the_surface_is_that_of_the_map() {
         neighbours: Neighbours::Four,
     };
     let reached = generator.surface(&target, [1; 32], None).unwrap();
-    assert!((Moments::of(&reached.map).sq / target.sigma - 1.0).abs() < 1e-12);
+    assert!((Moments::from_rows(&reached.map).sq / target.sigma - 1.0).abs() < 1e-12);
     let summits = five_point(&reached.map);
     let radii = summits.curvatures.iter().map(|k| 1.0 / k).sum::<f64>() / summits.curvatures.len() as f64;
     assert!((radii / target.radius - 1.0).abs() < 1e-3, "{radii}");
@@ -268,7 +268,7 @@ fn heights_have_the_moments_that_were_asked_for() {
         let shape = SpectrumShape::Exponential(2e-6);
         let all: Vec<Moments> = (1..=20)
             .map(|seed| {
-                Moments::of(&surface(
+                Moments::from_rows(&surface(
                     [256; 2],
                     [1e-6; 2],
                     process(shape, Lay::default(), heights.clone()),
@@ -305,7 +305,7 @@ fn a_plateau_is_cut_and_nothing_else() {
     };
     let (honed, cut) = generator.surface(seeds(5)).unwrap();
     let uncut = SurfaceGenerator { plateau: None, ..generator }.surface(seeds(5)).unwrap().0;
-    let moments = Moments::of(&honed);
+    let moments = Moments::from_rows(&honed);
     assert!(moments.mean.abs() < 1e-12 * SIGMA);
     assert!(moments.ssk.unwrap() < -0.5, "plateaus with valleys: {:?}", moments.ssk);
     // Where it was not cut, it is only moved with the mean; where it was, it is lower.
@@ -331,7 +331,7 @@ fn a_surface_of_other_heights_has_the_autocorrelation_that_was_asked_for() {
             let mut mean = [0.0; 20];
             for seed in 1..=24 {
                 let map = surface([512; 2], [pixel; 2], process.clone(), seed);
-                let found = Autocorrelation::of(&map, 0.0).unwrap();
+                let found = Autocorrelation::from_map(&map, 0.0).unwrap();
                 for (k, sum) in mean.iter_mut().enumerate() {
                     *sum += (found.along_x[k].1 + found.along_y[k].1) / 48.0;
                 }
@@ -377,11 +377,11 @@ fn the_same_bits_on_any_number_of_threads() {
         let levelled = Level::Quadratic.apply(&open).unwrap();
         let spectrum = rough.spectrum.on_grid(map.points(), map.pixel());
         (
-            format!("{:?} {:?}", RoughnessParameters::of(&map), RoughnessParameters::of(&levelled)),
+            format!("{:?} {:?}", RoughnessParameters::new(&map), RoughnessParameters::new(&levelled)),
             five_point(&map),
             five_point(&levelled),
-            Autocorrelation::of(&levelled, 0.0),
-            RadialSpectrum::of(map.clone(), 0.0),
+            Autocorrelation::from_map(&levelled, 0.0),
+            RadialSpectrum::from_map(map.clone(), 0.0),
             RadialSpectrum::prescribed(&spectrum, map.pixel(), SIGMA),
             map,
             gaussian(&spectrum, 1.0, [3; 32]),
@@ -406,8 +406,8 @@ fn a_mapped_file_gives_the_same_summits_as_the_map_in_memory() {
     assert_eq!(summits, five_point(&map));
     assert_eq!(summits, five_point(&Level::Plane.apply(&whole).unwrap()));
     assert_eq!(
-        format!("{:?}", RoughnessParameters::of(&rows)),
-        format!("{:?}", RoughnessParameters::of(&map))
+        format!("{:?}", RoughnessParameters::new(&rows)),
+        format!("{:?}", RoughnessParameters::new(&map))
     );
 }
 

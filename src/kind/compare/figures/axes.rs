@@ -17,7 +17,7 @@ pub struct Units {
 
 impl Units {
     /// Those of one surface.
-    pub fn of(results: &CompareResults, found: &SurfaceResults) -> Self {
+    pub fn new(results: &CompareResults, found: &SurfaceResults) -> Self {
         Self {
             modulus: results.contact.reduced_modulus,
             area: found.surface.set.nominal_area(),

@@ -19,7 +19,7 @@ pub fn figure(verdicts: &Verdicts, units: &Units, finding: &str) -> Figure {
 }
 
 fn panel(verdicts: &Verdicts, units: &Units, quantity: ComparedQuantity) -> Plot {
-    let divided = || verdicts.attribution.iter().map(|at| (megapascals(at.load), at.of(quantity)));
+    let divided = || verdicts.attribution.iter().map(|at| (megapascals(at.load), at.contributions(quantity)));
     let load: Vec<f64> = divided().map(|(load, _)| load).collect();
     let ends = [load.iter().copied().fold(f64::INFINITY, f64::min), load.iter().copied().fold(0.0, f64::max)];
     let y = match quantity {
@@ -27,7 +27,7 @@ fn panel(verdicts: &Verdicts, units: &Units, quantity: ComparedQuantity) -> Plot
         _ => Axis::linear("ln(area ratio of the models)"),
     };
     let parts = Cause::ALL.map(|cause| {
-        divided().map(|(_, parts)| parts.map_or(f64::NAN, |parts| parts.of(cause))).collect::<Vec<f64>>()
+        divided().map(|(_, parts)| parts.map_or(f64::NAN, |parts| parts.part(cause))).collect::<Vec<f64>>()
     });
     let axis = units.pressure().range(ends[0] / MARGIN, ends[1] * MARGIN);
     let mut plot = Plot::new(capitalised(quantity_name(quantity)), axis, y).height(240.0);

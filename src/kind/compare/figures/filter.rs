@@ -50,7 +50,7 @@ pub fn against_filter(case: &CaseStudy, surface: &SurfaceResults) -> Option<Figu
     };
     let panels = panels.into_iter().filter(|(compared, ..)| is_compared(*compared));
     let plots = panels.map(|(compared, label, unit)| {
-        let accepted = unit * verdicts.accepted.of(compared);
+        let accepted = unit * verdicts.accepted.limit(compared);
         let axis = Axis::log("S filter (µm)").range(ends[0], ends[1]);
         let values = filtered.iter().flat_map(|(_, differences)| differences.iter());
         let values = values.filter(|at| shown.contains(&at.load));

@@ -80,7 +80,7 @@ fn with_styles(plot: Plot, series: &Series) -> Plot {
 pub fn against_reference(series: &Series) -> Option<Figure> {
     let panel = |quantity: ComparedQuantity, title: &str, label: &str, unit: f64| {
         let axis = series.units.pressure();
-        let accepted = series.verdicts().next().map(|(_, verdicts)| unit * verdicts.accepted.of(quantity));
+        let accepted = series.verdicts().next().map(|(_, verdicts)| unit * verdicts.accepted.limit(quantity));
         let mut plot = Plot::new(title, axis, Axis::linear(label)).with_zero();
         plot = accepted.into_iter().fold(plot, |plot, accepted| {
             plot.with(Layer::region_y(-accepted, accepted, "accepted").coloured(Colour::Series(2)))

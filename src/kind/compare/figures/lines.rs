@@ -23,7 +23,7 @@ pub(crate) struct Rough {
 }
 
 impl Rough {
-    pub(crate) fn of(results: &CompareResults, found: &SurfaceResults) -> Option<Self> {
+    pub(crate) fn new(results: &CompareResults, found: &SurfaceResults) -> Option<Self> {
         let map = found.surface.map.as_ref()?;
         Some(Self {
             gradient: map.roughness.rms_slope(),
@@ -58,7 +58,7 @@ pub(crate) fn name(line: AnalyticalLine) -> &'static str {
 
 /// The lines in the figures of d/sigma and of the area against load.
 pub fn layers(results: &CompareResults, found: &SurfaceResults, case: &CaseResults) -> [Vec<Layer>; 2] {
-    let Some(rough) = Rough::of(results, found) else { return [Vec::new(), Vec::new()] };
+    let Some(rough) = Rough::new(results, found) else { return [Vec::new(), Vec::new()] };
     let loads = dense(&loads(case));
     let area = |&line: &AnalyticalLine| {
         let at = |&load: &f64| {

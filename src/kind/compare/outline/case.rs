@@ -29,7 +29,7 @@ impl SurfaceCase<'_> {
     }
 
     /// The rows of a table that belong to it.
-    fn of<'t>(&self, view: View<'t>) -> View<'t> {
+    fn rows<'t>(&self, view: View<'t>) -> View<'t> {
         let key = self.key();
         view.only("surface", key.surface).only("law", key.law).only("layer_thickness_m", key.thickness)
     }
@@ -85,7 +85,7 @@ pub fn differences(page: &mut Page, results: &CompareResults, case: SurfaceCase)
         return;
     }
     let name = case.name(results);
-    let units = Units::of(results, case.surface);
+    let units = Units::new(results, case.surface);
     page.figure(
         &format!("{}-differences.svg", stem(case.surface, &case.first().law)),
         figure::differences(&name, verdicts, &units),
@@ -100,7 +100,7 @@ pub fn differences(page: &mut Page, results: &CompareResults, case: SurfaceCase)
 pub fn section(page: &mut Page, results: &CompareResults, tables: &Tables, case: SurfaceCase) {
     let name = case.name(results);
     let stem = stem(case.surface, &case.first().law);
-    let units = Units::of(results, case.surface);
+    let units = Units::new(results, case.surface);
     page.details(2, &format!("{name}: why do the models differ?"), |page| {
         why(page, tables, case, &stem, &units);
     });
@@ -113,8 +113,8 @@ pub fn section(page: &mut Page, results: &CompareResults, tables: &Tables, case:
             differences(page, results, case);
         }
         curves(page, results, case, &name, &stem);
-        page.view(&case.of(tables.view::<LineRow>()));
-        page.view(&case.of(tables.view::<SpreadRow>()).each_decade("pressure_pa", PER_DECADE));
+        page.view(&case.rows(tables.view::<LineRow>()));
+        page.view(&case.rows(tables.view::<SpreadRow>()).each_decade("pressure_pa", PER_DECADE));
         page.view(&by_load(tables, case).columns(&[
             "target",
             "statistical_separation_over_sigma",
@@ -147,7 +147,7 @@ fn against_reference(page: &mut Page, case: SurfaceCase, name: &str, stem: &str,
 
 /// Pairs at equal load of the first realisation.
 fn by_load<'t>(tables: &'t Tables, case: SurfaceCase) -> View<'t> {
-    let pairs = case.of(tables.view::<PairRow>()).only("realisation", 1usize).only("pairing", "load");
+    let pairs = case.rows(tables.view::<PairRow>()).only("realisation", 1usize).only("pairing", "load");
     pairs.each_decade("target", PER_DECADE).label("target", "nominal pressure").unit("target", "Pa", "M")
 }
 
@@ -195,7 +195,7 @@ fn robustness(page: &mut Page, tables: &Tables, case: SurfaceCase, stem: &str) {
         "Differences under other treatments of the map, at {}:",
         input_quantity(load, "Pa")
     ));
-    let view = case.of(tables.view::<RobustnessRow>()).only("at_pa", load).without(&["choice"]);
+    let view = case.rows(tables.view::<RobustnessRow>()).only("at_pa", load).without(&["choice"]);
     page.view(
         &view
             .clone()
@@ -219,7 +219,7 @@ fn curves(page: &mut Page, results: &CompareResults, case: SurfaceCase, name: &s
     let others: Vec<&Comparison> =
         case.case.realisations.iter().skip(1).map(|other| &other.comparison).collect();
     let verdicts = case.verdicts();
-    let units = Units::of(results, surface);
+    let units = Units::new(results, surface);
     let setting = Setting { name, case: case.first(), valid: &verdicts.valid, units, finding: "" };
     let [beside_separation, beside_area] = lines::layers(results, surface, case.first());
     let file = |figure: &str| format!("{stem}-{figure}.svg");

@@ -185,7 +185,7 @@ mod tests {
         let differences: Vec<Difference> = [1e6, 1e7].into_iter().zip(contrasts).map(at_load).collect();
         Verdicts {
             stretches: Stretch::all(&differences, &accepted),
-            valid: ValidRange::of(differences.iter().map(|at| (at.load, at.exceeded()))),
+            valid: ValidRange::new(differences.iter().map(|at| (at.load, at.exceeded()))),
             differences,
             attribution: Vec::new(),
             accepted,

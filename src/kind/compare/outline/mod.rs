@@ -87,7 +87,7 @@ impl Outcome for CompareResults {
     }
 
     fn facts(&self) -> serde_json::Result<Map<String, Value>> {
-        let mut facts = asperity_framework::fields(&ContactSummary::of(&self.contact))?;
+        let mut facts = asperity_framework::fields(&ContactSummary::new(&self.contact))?;
         let mut add = |key: &str, value: Value| facts.insert(key.to_owned(), value);
         if let Some(described) = &self.described {
             add("looked_at", json!(described.file));

@@ -157,7 +157,8 @@ pub fn readings(page: &mut Page, tables: &Tables) {
 
 /// Error of interpolated curves; nothing where they are exact.
 pub fn tolerance(page: &mut Page, tolerances: Tolerances) {
-    let part = |kind: Kind| Some(format!("to {:e} for the {} model", tolerances.of(kind)?, kind.name()));
+    let part =
+        |kind: Kind| Some(format!("to {:e} for the {} model", tolerances.for_model(kind)?, kind.name()));
     let parts: Vec<String> = [Kind::Statistical, Kind::Deterministic].into_iter().filter_map(part).collect();
     if !parts.is_empty() {
         page.paragraph(&format!(

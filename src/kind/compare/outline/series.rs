@@ -45,7 +45,7 @@ impl<'a> Series<'a> {
             stem: stem(surface, &law.law),
             cases: cases().map(CaseStudy::first).collect(),
             modulus: results.contact.reduced_modulus,
-            units: Units::of(results, surface),
+            units: Units::new(results, surface),
             verdicts: cases().map(|case| &case.verdicts).collect(),
         })
     }

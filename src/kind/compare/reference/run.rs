@@ -71,7 +71,7 @@ impl ReferenceRun<'_> {
             let served: Vec<usize> =
                 (0..cases.len()).filter(|&case| reference.serves[case] == index).collect();
             let sum_at =
-                |pressure: f64| served.iter().find_map(|&case| SumAtLoad::of(&cases[case], pressure));
+                |pressure: f64| served.iter().find_map(|&case| SumAtLoad::new(&cases[case], pressure));
             let (solved, view) = self.solve(context, &map, solution, pressures, &sum_at)?;
             views.extend(view);
             for case in served {

@@ -70,7 +70,7 @@ pub(super) struct SumAtLoad {
 
 impl SumAtLoad {
     /// The sum of a case at the nominal pressure `pressure` (Pa), where it was run there.
-    pub(super) fn of(case: &CaseResults, pressure: f64) -> Option<Self> {
+    pub(super) fn new(case: &CaseResults, pressure: f64) -> Option<Self> {
         let mut curves = case.comparison.curves.iter().filter(|point| point.kind == Kind::Deterministic);
         let point = curves.find(|point| {
             point.prescribed_pressure == Some(pressure) || point.response.pressure.total() == pressure
@@ -114,10 +114,10 @@ impl ContactView {
             let places = sum.iter().flat_map(|sum| &sum.places);
             places.filter(|(place, _)| part.holds(*place)).count()
         };
-        let mut part = Part::of(pressures, grid, pixel, SIDES[0]);
+        let mut part = Part::new(pressures, grid, pixel, SIDES[0]);
         for side in &SIDES[1..] {
             if marks(&part) > MOST_MARKS {
-                part = Part::of(pressures, grid, pixel, *side);
+                part = Part::new(pressures, grid, pixel, *side);
             }
         }
         if let Some(sum) = &mut sum {
@@ -154,7 +154,7 @@ fn distribution(pressures: &[f64], mean: f64, count: usize) -> (f64, Vec<f64>) {
 
 impl Part {
     /// The whole map, or of a large one the part whose share of points in contact is nearest to that of the map.
-    fn of(pressures: &[f64], grid: [usize; 2], pixel: [f64; 2], side: usize) -> Self {
+    fn new(pressures: &[f64], grid: [usize; 2], pixel: [f64; 2], side: usize) -> Self {
         let points = grid.map(|count| count.min(side));
         let blocks = [0, 1].map(|axis| grid[axis] / points[axis]);
         let first = |block: usize| [block / blocks[1] * points[0], block % blocks[1] * points[1]];

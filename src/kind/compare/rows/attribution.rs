@@ -37,7 +37,7 @@ impl Row for AttributionRow<'_> {
             pressure_pa["Pa"] = row.at_load.load, "Nominal pressure.";
             quantity["text"] = row.quantity.name(), "What is compared: `separation`, `area` (real contact area) or `stiffness`.";
             cause["text"] = row.cause.name(), "The cause: `heights` (the heights do not follow the density of the statistical model), `radii` (the radii are not all equal to the mean radius) or `correlation` (heights and radii are correlated; with equal radii, what replacing a sum by its integral leaves).";
-            contribution["1", signed, scale(1.0)] = row.parts.of(row.cause), "Mean contribution over the three orders: of the separation in sigma, of area and stiffness to ln(statistical/deterministic).";
+            contribution["1", signed, scale(1.0)] = row.parts.part(row.cause), "Mean contribution over the three orders: of the separation in sigma, of area and stiffness to ln(statistical/deterministic).";
             low["1", signed, scale(1.0)] = row.end(0), "Lower end of the pointwise 95 % interval of the contribution; empty where none is claimed.";
             high["1", signed, scale(1.0)] = row.end(1), "Upper end of the interval.";
             standard_error["1"] = row.parts.estimates[row.cause as usize].error, "Standard error of the contribution, from blocks of a map, groups of independent asperities or realisations; empty where no interval is claimed.";
@@ -54,7 +54,8 @@ pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = Attribution
     SurfaceCase::all(results).flat_map(|case| {
         case.verdicts().attribution.iter().flat_map(move |at_load| {
             let quantities = ComparedQuantity::ALL.into_iter();
-            let divided = quantities.filter_map(|quantity| Some((quantity, at_load.of(quantity)?)));
+            let divided =
+                quantities.filter_map(|quantity| Some((quantity, at_load.contributions(quantity)?)));
             divided.flat_map(move |(quantity, parts)| {
                 Cause::ALL.map(|cause| AttributionRow { key: case.key(), at_load, quantity, cause, parts })
             })

@@ -75,6 +75,6 @@ pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = CaseRow<'_>
         key: case.key(),
         verdicts: case.verdicts(),
         plasticity_index: case.first().plasticity_index,
-        counts: PointCounts::of(&case.first().comparison),
+        counts: PointCounts::new(&case.first().comparison),
     })
 }

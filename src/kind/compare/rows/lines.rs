@@ -49,7 +49,7 @@ fn of_case<'a>(results: &'a CompareResults, case: SurfaceCase<'a>) -> Vec<LineRo
     const PER_DECADE: f64 = 2.0;
     /// A load is met to rounding.
     const ROUNDING: f64 = 1e-9;
-    let Some(rough) = Rough::of(results, case.surface).filter(|_| !results.lines.is_empty()) else {
+    let Some(rough) = Rough::new(results, case.surface).filter(|_| !results.lines.is_empty()) else {
         return Vec::new();
     };
     let loads: Vec<f64> = match &case.first().reference {

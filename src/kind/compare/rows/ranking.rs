@@ -64,7 +64,7 @@ pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = RankingRow<
                 alpha,
                 ranked,
                 quantity,
-                accepted: accepted.of(quantity),
+                accepted: accepted.limit(quantity),
             })
         })
     })

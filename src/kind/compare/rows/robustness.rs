@@ -42,7 +42,7 @@ impl Row for RobustnessRow<'_> {
             difference["1", signed, scale(1.0)] = row.quantity.reported(row.estimate.contrast), "The difference: of the separation in sigma, of area and stiffness relative to the deterministic model.";
             low["1", label("95 % interval from"), signed, scale(1.0)] = row.end(0), "Lower end of its 95 % interval; empty where none is claimed.";
             high["1", label("to"), signed, scale(1.0)] = row.end(1), "Upper end of the interval.";
-            verdict["text", verdict] = Verdict::of(&row.estimate, row.verdicts.accepted.band(row.quantity)).name(), "The verdict by the interval: `within`, `beyond` or `cannot-tell`.";
+            verdict["text", verdict] = Verdict::from_estimate(&row.estimate, row.verdicts.accepted.band(row.quantity)).name(), "The verdict by the interval: `within`, `beyond` or `cannot-tell`.";
         });
         columns
     }

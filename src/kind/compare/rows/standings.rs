@@ -60,7 +60,7 @@ pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = StandingRow
                 key: case.key(),
                 alpha,
                 against,
-                accepted: accepted.of(quantity),
+                accepted: accepted.limit(quantity),
                 standing: ranking.standing(against, quantity, accepted),
                 inapplicable: &ranking.inapplicable,
             })

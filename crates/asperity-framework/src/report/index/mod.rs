@@ -79,7 +79,7 @@ impl Index {
     }
 
     /// The index of all reports in `directory`.
-    pub fn of(directory: &Path) -> Self {
+    pub fn read(directory: &Path) -> Self {
         let read = |entry: fs::DirEntry| {
             let summary = fs::read(entry.path().join("summary.json")).ok()?;
             let found: Entry = serde_json::from_slice(&summary).ok()?;

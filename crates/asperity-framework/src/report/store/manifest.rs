@@ -22,7 +22,7 @@ pub(super) struct Manifest {
 }
 
 impl Manifest {
-    pub(super) fn of(key: &str, files: &[(String, Vec<u8>)]) -> Self {
+    pub(super) fn new(key: &str, files: &[(String, Vec<u8>)]) -> Self {
         let files = files.iter().map(|(name, content)| (name.clone(), hash(content))).collect();
         Self { program: PROGRAM.into(), key: key.into(), files }
     }
@@ -67,7 +67,7 @@ pub(super) struct Kept {
 
 impl Kept {
     /// Looks for them. Without a manifest of this report nothing is known to be edited.
-    pub(super) fn of(folder: &Path) -> Result<Self, StoreError> {
+    pub(super) fn read(folder: &Path) -> Result<Self, StoreError> {
         let mut kept = Self::default();
         if !folder.is_dir() {
             return Ok(kept);
@@ -196,7 +196,7 @@ mod tests {
 
     #[test]
     fn the_text_reads_back() {
-        let manifest = Manifest::of("k\"1", &[("a.csv".into(), b"1".to_vec())]);
+        let manifest = Manifest::new("k\"1", &[("a.csv".into(), b"1".to_vec())]);
         assert_eq!(serde_json::from_str::<Manifest>(&manifest.text()).unwrap(), manifest);
     }
 }

@@ -133,7 +133,7 @@ impl Store {
         // Clearing up may have brought back what an interrupted run had moved aside.
         self.check(&folder.stem)?;
         let places = Places::new(&self.directory, &folder.stem);
-        let kept = Kept::of(&self.directory.join(&folder.stem))?;
+        let kept = Kept::read(&self.directory.join(&folder.stem))?;
         let done = write_all(&places.new, folder, &kept).and_then(|()| swap::replace(&places));
         if done.is_err() {
             // The first error is more informative than one during cleanup.
@@ -214,7 +214,7 @@ fn write_all(path: &Path, folder: &Folder, kept: &Kept) -> Result<(), StoreError
     for (name, content) in folder.files.iter().chain(&kept.earlier).chain(&kept.edited) {
         write_file(&path.join(name), content)?;
     }
-    write_file(&path.join(MANIFEST), Manifest::of(&folder.key, &folder.files).text().as_bytes())?;
+    write_file(&path.join(MANIFEST), Manifest::new(&folder.key, &folder.files).text().as_bytes())?;
     sync_folder(path)
 }
 

@@ -64,7 +64,7 @@ impl Outcome for CoverageResults {
     }
 
     fn facts(&self) -> serde_json::Result<Map<String, Value>> {
-        fields(&ContactSummary::of(&self.contact))
+        fields(&ContactSummary::new(&self.contact))
     }
 }
 

@@ -59,6 +59,6 @@ impl Outcome for PrecisionResults {
     }
 
     fn facts(&self) -> serde_json::Result<Map<String, Value>> {
-        fields(&ContactSummary::of(&self.contact))
+        fields(&ContactSummary::new(&self.contact))
     }
 }

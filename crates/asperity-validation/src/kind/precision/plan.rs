@@ -168,7 +168,7 @@ fn single_law(
         return Err(file.source.error_at(raw.law.span(), message));
     };
     file.spheres_only(&raw.law, "the asperities of [precision] are spheres of equal radius")?;
-    let covered = stability::CoveredLaw::of(law).ok_or_else(|| {
+    let covered = stability::CoveredLaw::new(law).ok_or_else(|| {
         let [covered, _] = stability::CoveredLaw::coverage();
         let message = format!(
             "found \"{}\", whose equations are not known in extended precision, which the reference needs; allowed: {}",

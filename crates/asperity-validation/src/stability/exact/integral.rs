@@ -30,7 +30,7 @@ const TOLERANCE: f64 = 1e-12;
 
 impl Integral {
     /// The integral over a population at a separation d/sigma; `None` for heights that are not covered.
-    pub fn of(population: &Population, separation: f64) -> Option<Self> {
+    pub fn new(population: &Population, separation: f64) -> Option<Self> {
         let &Population { sigma, density, ref heights, .. } = population;
         Some(Self { sigma, density, heights: density_of(heights)?, separation })
     }

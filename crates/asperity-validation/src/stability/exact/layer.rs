@@ -32,7 +32,7 @@ pub(super) struct EffectiveFlat {
 }
 
 impl Body {
-    fn of(body: &Material) -> Self {
+    fn new(body: &Material) -> Self {
         let hardness = body.hardness().map(Wide::new);
         let third = hardness.map(|hardness| hardness / 3.0);
         Self {
@@ -54,8 +54,8 @@ impl Layer {
         Self {
             thickness: Wide::new(layer.thickness),
             rule: layer.rule,
-            layer: Body::of(&layer.material),
-            substrate: Body::of(substrate),
+            layer: Body::new(&layer.material),
+            substrate: Body::new(substrate),
         }
     }
 

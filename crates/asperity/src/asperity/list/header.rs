@@ -13,7 +13,7 @@ pub(super) enum Separator {
 
 impl Separator {
     /// The first of semicolon, tab and comma that a header contains, else blanks.
-    fn of(header: &str) -> Self {
+    fn detect(header: &str) -> Self {
         let found = [';', '\t', ','].into_iter().find(|&character| header.contains(character));
         found.map_or(Self::Blanks, Self::Character)
     }
@@ -75,7 +75,7 @@ impl Header {
         needed: &'static [ListColumn],
         options: ListOptions,
     ) -> Result<Self, ListError> {
-        let separator = Separator::of(text);
+        let separator = Separator::detect(text);
         let mut named = names(text, separator);
         while named.last().is_some_and(|(name, unit)| name.is_empty() && unit.is_none()) {
             named.pop();

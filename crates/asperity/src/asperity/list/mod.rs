@@ -228,7 +228,7 @@ impl AsperityList {
 
     /// The list with these columns, in m and 1/m: heights, radii, and the principal curvatures kx and ky of ellipses.
     /// [`Self::set`] checks them.
-    pub fn of(heights: Vec<f64>, radii: Vec<f64>, curvatures: Option<[Vec<f64>; 2]>) -> Self {
+    pub fn new(heights: Vec<f64>, radii: Vec<f64>, curvatures: Option<[Vec<f64>; 2]>) -> Self {
         Self { heights, radii, curvatures }
     }
 

@@ -91,7 +91,7 @@ pub struct Contributions {
 
 impl Contributions {
     /// The mean contribution of a cause over the orders.
-    pub fn of(&self, cause: Cause) -> f64 {
+    pub fn part(&self, cause: Cause) -> f64 {
         self.estimates[cause as usize].contrast
     }
 
@@ -108,8 +108,8 @@ impl Contributions {
 
     /// The share of a cause in the contributions, taken by magnitude; 0 where all are zero.
     pub fn share(&self, cause: Cause) -> f64 {
-        let all: f64 = Cause::ALL.into_iter().map(|cause| self.of(cause).abs()).sum();
-        if all > 0.0 { self.of(cause).abs() / all } else { 0.0 }
+        let all: f64 = Cause::ALL.into_iter().map(|cause| self.part(cause).abs()).sum();
+        if all > 0.0 { self.part(cause).abs() / all } else { 0.0 }
     }
 
     /// The difference that the contributions add up to.
@@ -144,7 +144,7 @@ pub struct Attribution {
 
 impl Attribution {
     /// The contributions to the difference in a quantity.
-    pub fn of(&self, quantity: ComparedQuantity) -> Option<&Contributions> {
+    pub fn contributions(&self, quantity: ComparedQuantity) -> Option<&Contributions> {
         self.quantities[quantity as usize].as_ref()
     }
 
@@ -156,7 +156,8 @@ impl Attribution {
 
     fn mean(all: &[Self]) -> Self {
         let quantity = |quantity: ComparedQuantity| {
-            let each: Option<Vec<Contributions>> = all.iter().map(|one| one.of(quantity).copied()).collect();
+            let each: Option<Vec<Contributions>> =
+                all.iter().map(|one| one.contributions(quantity).copied()).collect();
             let each = each?;
             let mean = |order: usize, cause: usize| {
                 each.iter().map(|one| one.by_order[order][cause]).sum::<f64>() / each.len() as f64

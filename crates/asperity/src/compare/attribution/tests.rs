@@ -34,7 +34,7 @@ fn set(count: usize, correlation: f64, spread: f64) -> AsperitySet {
 }
 
 fn inputs(set: &AsperitySet) -> Inputs<'_> {
-    let statistics = Statistics::of(set);
+    let statistics = Statistics::new(set);
     let plane = ReferencePlane::from(&statistics);
     Inputs {
         asperities: set.spheres(),
@@ -155,17 +155,17 @@ fn the_parts_add_up_to_the_gap_in_every_order() {
         for (pair, found) in pairs.iter().zip(&found) {
             for quantity in ComparedQuantity::ALL {
                 let gap = quantity.contrast(pair).unwrap();
-                let parts = found.of(quantity).unwrap();
+                let parts = found.contributions(quantity).unwrap();
                 assert!((parts.gap() - gap).abs() < 1e-10, "{law} {}", quantity.name());
                 for order in parts.by_order {
                     assert!((order.iter().sum::<f64>() - gap).abs() < 1e-10, "{law} {}", quantity.name());
                 }
             }
             // The heights are skewed, the sharp asperities high.
-            let parts = found.of(ComparedQuantity::Separation).unwrap();
-            assert!(Cause::ALL.into_iter().all(|cause| parts.of(cause).abs() > 1e-3), "{law}: {parts:?}");
+            let parts = found.contributions(ComparedQuantity::Separation).unwrap();
+            assert!(Cause::ALL.into_iter().all(|cause| parts.part(cause).abs() > 1e-3), "{law}: {parts:?}");
             let [low, high] = parts.range(Cause::Heights);
-            assert!(low <= parts.of(Cause::Heights) && parts.of(Cause::Heights) <= high && low < high);
+            assert!(low <= parts.part(Cause::Heights) && parts.part(Cause::Heights) <= high && low < high);
         }
     }
 }
@@ -177,7 +177,7 @@ fn equal_radii() {
     let contact = interface("zmc");
     let skewed = set(5000, 0.0, 0.0);
     let found = attributions(&*contact, &skewed, &[2e7]);
-    let parts = found[0].of(ComparedQuantity::Separation).unwrap();
+    let parts = found[0].contributions(ComparedQuantity::Separation).unwrap();
     for order in Order::ALL {
         let [heights, radii, correlation] = parts.by_order[order as usize];
         assert_eq!(radii, 0.0);
@@ -187,7 +187,7 @@ fn equal_radii() {
     let population = inputs(&skewed).population;
     let quantiles = population.set(5000, Draw::Quantiles).unwrap();
     let found = attributions(&*contact, &quantiles, &[2e7]);
-    let parts = found[0].of(ComparedQuantity::Separation).unwrap();
+    let parts = found[0].contributions(ComparedQuantity::Separation).unwrap();
     assert!(parts.gap().abs() < 5e-3 && parts.by_order[0][Cause::Radii as usize] == 0.0);
 }
 
@@ -208,7 +208,7 @@ fn shuffled_radii_have_no_correlation() {
         let states_left = (0..division.shares().len()).map(without).collect();
         let groups = GroupsLeftOut { states: states_left, shares: division.shares().to_vec() };
         let found = states.attributions(Some(&groups));
-        let estimate = found[0].of(ComparedQuantity::Separation).unwrap().estimates[2];
+        let estimate = found[0].contributions(ComparedQuantity::Separation).unwrap().estimates[2];
         estimate.contrast / estimate.error.unwrap()
     };
     let of_shuffled = |seed: u64| {

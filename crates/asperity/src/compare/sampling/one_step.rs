@@ -127,7 +127,7 @@ mod tests {
         contact: &'a dyn MicroContact,
         set: &'a AsperitySet,
     ) -> (Statistical<'a>, Deterministic<'a>) {
-        let statistics = Statistics::of(set);
+        let statistics = Statistics::new(set);
         let population = Population {
             radius: statistics.mean_radius,
             sigma: statistics.sigma,

@@ -65,7 +65,7 @@ pub(super) fn fit_bounded(skewness: f64, kurtosis: f64, flattest: f64) -> Result
             sd: 1.0,
             requested: [skewness, kurtosis],
         };
-        Moments::of(step(rate), |g| unit.map(g))
+        Moments::integrate(step(rate), |g| unit.map(g))
     };
     let offset = |rate: f64| {
         // The far end is the lognormal to rounding.

@@ -187,7 +187,7 @@ impl Johnson {
                 ((p - q) * (0.5 * rate * rate).exp_m1(), (0.5 * excess * spread).sqrt())
             }
             Curve::Bounded => {
-                let shape = Moments::of(step(rate), |g| unit.map(g));
+                let shape = Moments::integrate(step(rate), |g| unit.map(g));
                 (shape.mean, shape.sd)
             }
         };
@@ -197,7 +197,7 @@ impl Johnson {
     /// Rejects the map if its moments are not the requested ones.
     fn checked(self) -> Result<Self, MomentsError> {
         // Half the step of the fit: an error of the quadrature shows as well.
-        let found = Moments::of(0.5 * step(self.rate), |g| self.map(g));
+        let found = Moments::integrate(0.5 * step(self.rate), |g| self.map(g));
         let close = |found: f64, requested: f64| {
             (found - requested).abs() <= 2.0 * TOLERANCE * requested.abs().max(1.0)
         };

@@ -115,7 +115,7 @@ impl Filter {
         self.check(map.points(), map.pixel())?;
         let progress = map.progress();
         let short = self.s.map(|s| low_pass(map, s));
-        let Some(l) = self.l else { return Ok(short.unwrap_or_else(|| HeightMap::of(map))) };
+        let Some(l) = self.l else { return Ok(short.unwrap_or_else(|| HeightMap::from_rows(map))) };
         let map = short.as_ref().map_or(map, |short| short);
         let watched = Watched { map, progress };
         let mut rest = low_pass(&watched, l);
@@ -230,7 +230,7 @@ mod tests {
     fn a_flat_map_stays_flat_to_its_borders_and_around_holes() {
         let holed = map(|x, y| if (x - 30.0).abs() + (y - 20.0).abs() < 5.0 { f64::NAN } else { 7.0 });
         let flat = filtered(&holed, Some(8.0), None);
-        assert_eq!(RoughnessParameters::of(&flat).missing, RoughnessParameters::of(&holed).missing);
+        assert_eq!(RoughnessParameters::new(&flat).missing, RoughnessParameters::new(&holed).missing);
         assert!(flat.heights().iter().all(|z| z.is_nan() || (z - 7.0).abs() < 1e-13));
         let nothing = filtered(&holed, Some(2.0), Some(8.0));
         assert!(nothing.heights().iter().all(|z| z.is_nan() || z.abs() < 1e-13));
@@ -283,7 +283,7 @@ mod tests {
         };
         let one = on(1);
         assert_eq!(one, on(3));
-        assert_eq!(one, bits(filter.apply(&HeightMap::of(&levelled)).unwrap()));
+        assert_eq!(one, bits(filter.apply(&HeightMap::from_rows(&levelled)).unwrap()));
     }
 
     /// The definition, point by point.

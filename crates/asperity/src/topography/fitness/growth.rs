@@ -18,13 +18,13 @@ pub struct CurvatureGrowth {
 
 impl CurvatureGrowth {
     /// Of a map; `None` for one of fewer than 16 points along an axis.
-    pub fn of(map: &dyn Rows) -> Option<Self> {
-        let window = HeightMap::of(&Window::centre(map, WINDOW));
+    pub fn new(map: &dyn Rows) -> Option<Self> {
+        let window = HeightMap::from_rows(&Window::centre(map, WINDOW));
         let shorter = window.points()[0].min(window.points()[1]);
         let pixel = map.pixel()[0].max(map.pixel()[1]);
         let curvature = |pixels: f64| {
             let filtered = Filter::new(Some(pixels * pixel), None).ok()?.apply(&window).ok()?;
-            let [_, _, m4] = RoughnessParameters::of(&filtered).spectral_moments();
+            let [_, _, m4] = RoughnessParameters::new(&filtered).spectral_moments();
             (m4 > 0.0).then(|| m4.sqrt())
         };
         if shorter < 16 {
@@ -52,7 +52,7 @@ mod tests {
     }
 
     fn of(heights: Vec<f64>) -> CurvatureGrowth {
-        CurvatureGrowth::of(&HeightMap::new([256; 2], [1.0; 2], heights, 0.0).unwrap()).unwrap()
+        CurvatureGrowth::new(&HeightMap::new([256; 2], [1.0; 2], heights, 0.0).unwrap()).unwrap()
     }
 
     fn growth(shape: SpectrumShape) -> f64 {
@@ -75,6 +75,6 @@ mod tests {
         let noisy = of(good.iter().zip(&noise).map(|(z, noise)| z + 0.03 * noise).collect());
         assert!(noisy.at_pixel < 1.5 && noisy.rise().unwrap() > 0.1, "{noisy:?}");
         let small = HeightMap::new([20, 40], [1.0; 2], good[..800].to_vec(), 0.0).unwrap();
-        assert_eq!(CurvatureGrowth::of(&small).unwrap().beyond, None);
+        assert_eq!(CurvatureGrowth::new(&small).unwrap().beyond, None);
     }
 }

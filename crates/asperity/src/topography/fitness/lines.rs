@@ -27,7 +27,7 @@ pub struct LineOffsets {
 
 impl LineOffsets {
     /// Of lines along x and along y.
-    pub fn of(map: &dyn Rows) -> Self {
+    pub fn new(map: &dyn Rows) -> Self {
         let [nx, ny] = map.points();
         // Lines along y are rows in memory.
         let strides = [nx, ny].map(|count| count.div_ceil(SAMPLED));
@@ -260,7 +260,7 @@ mod tests {
     }
 
     fn shares(heights: Vec<f64>) -> [f64; 2] {
-        LineOffsets::of(&HeightMap::new(POINTS, [1.0; 2], heights, 0.0).unwrap()).shares
+        LineOffsets::new(&HeightMap::new(POINTS, [1.0; 2], heights, 0.0).unwrap()).shares
     }
 
     fn with(heights: &[f64], offset: impl Fn(usize, usize) -> f64) -> Vec<f64> {
@@ -304,10 +304,10 @@ mod tests {
                 if lines == Lines::X { ((j * j) % 7) as f64 } else { ((i * i) % 7) as f64 }
             };
             let map = HeightMap::new(POINTS, [1.0; 2], with(&base, offset), 0.0).unwrap();
-            let found = LineOffsets::of(&map);
+            let found = LineOffsets::new(&map);
             assert_eq!(found.lines(), lines);
-            let aligned = HeightMap::of(&AlignedLines::new(&map, lines));
-            assert!(LineOffsets::of(&aligned).largest() < PASSED);
+            let aligned = HeightMap::from_rows(&AlignedLines::new(&map, lines));
+            assert!(LineOffsets::new(&aligned).largest() < PASSED);
             // The surface itself stays, but for the means of its lines.
             let off = aligned.heights().iter().zip(&base).map(|(a, b)| (a - b).powi(2)).sum::<f64>();
             assert!((off / 48_000.0).sqrt() < 0.4, "{off}");

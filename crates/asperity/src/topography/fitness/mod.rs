@@ -250,7 +250,7 @@ pub struct Measured {
 impl Examined<'_> {
     /// All checks of a map; those of an instrument's faults only where it was `measured`.
     pub fn findings(&self, measured: Option<&Measured>) -> Vec<Finding> {
-        let growth = CurvatureGrowth::of(&Without { map: self.map, points: self.spikes });
+        let growth = CurvatureGrowth::new(&Without { map: self.map, points: self.spikes });
         let at_pixel = growth.map(|growth| growth.at_pixel);
         let worst =
             |check, measures: &[(Measure, Option<f64>)]| Finding::worst(check, measures.iter().copied());
@@ -303,8 +303,8 @@ impl Examined<'_> {
         // A mean explains no variance about it.
         let next = if self.level == Level::None { Level::Plane } else { self.level.next()? };
         let map = &Without { map: self.map, points: self.spikes };
-        let rest = Moments::of(&Levelled { map, form: next.form(map).ok()? });
-        Some(1.0 - (rest.sq / Moments::of(map).sq).powi(2))
+        let rest = Moments::from_rows(&Levelled { map, form: next.form(map).ok()? });
+        Some(1.0 - (rest.sq / Moments::from_rows(map).sq).powi(2))
     }
 
     /// Correlation length over side; a correlation that does not decay counts as the side.

@@ -44,7 +44,7 @@ pub struct Spikes {
 
 impl Spikes {
     /// The spikes of `map` as measured; bit-identical for any number of threads.
-    pub fn of(map: &dyn Rows) -> Self {
+    pub fn find(map: &dyn Rows) -> Self {
         let scale = scale(map);
         let mut all = Self::default();
         if scale <= 0.0 {
@@ -295,7 +295,7 @@ mod tests {
     fn planted_spikes_are_found_point_by_point() {
         for cut_off in [2.0, 4.0, 8.0] {
             let mut heights = surface(cut_off, 1);
-            assert!(Spikes::of(&map(heights.clone())).points.is_empty());
+            assert!(Spikes::find(&map(heights.clone())).points.is_empty());
             // Single points, two beside each other, a square of five, one at the border, one across a strip.
             let square = (0..25).map(|k| (100 + k / 5) * 150 + 70 + k % 5);
             let mut planted: Vec<usize> = vec![20 * 150 + 30, 0, 50 * 150 + 149, 60 * 150 + 9, 60 * 150 + 10];
@@ -304,7 +304,7 @@ mod tests {
             for (k, &point) in planted.iter().enumerate() {
                 heights[point] += if k == 2 { -12.0 } else { 12.0 };
             }
-            let found = Spikes::of(&map(heights));
+            let found = Spikes::find(&map(heights));
             planted.sort_unstable();
             assert_eq!(found.points, planted, "{cut_off}");
             assert!(found.largest > 9.0 && found.largest < 18.0, "{}", found.largest);
@@ -316,21 +316,21 @@ mod tests {
     fn sharp_but_real_summits_are_no_spikes() {
         for (cut_off, seed) in [(4.0, 1), (4.0, 2), (8.0, 3), (16.0, 4)] {
             let tailed: Vec<f64> = surface(cut_off, seed).into_iter().map(|z| (0.8 * z).exp()).collect();
-            assert_eq!(Spikes::of(&map(tailed)).count(), 0, "{cut_off}");
+            assert_eq!(Spikes::find(&map(tailed)).count(), 0, "{cut_off}");
         }
         let mut heights = surface(8.0, 5);
         for (i, j) in (0..200).flat_map(|i| (0..150).map(move |j| (i, j))) {
             let square = (f64::from(i) - 90.0).powi(2) + (f64::from(j) - 80.0).powi(2);
             heights[(i * 150 + j) as usize] += 20.0 * (-0.5 * square / 1.5f64.powi(2)).exp();
         }
-        assert_eq!(Spikes::of(&map(heights)).count(), 0);
+        assert_eq!(Spikes::find(&map(heights)).count(), 0);
     }
 
     #[test]
     fn removed_points_are_missing_and_nothing_else_changes() {
         let map = map(surface(8.0, 6));
         let points = [3, 150, 151, 29_999];
-        let without = HeightMap::of(&Without { map: &map, points: &points });
+        let without = HeightMap::from_rows(&Without { map: &map, points: &points });
         for (k, (now, before)) in without.heights().iter().zip(map.heights()).enumerate() {
             assert!(if points.contains(&k) { now.is_nan() } else { now == before }, "{k}");
         }
@@ -340,6 +340,6 @@ mod tests {
 
     #[test]
     fn a_flat_map_has_none() {
-        assert_eq!(Spikes::of(&map(vec![1.0; 200 * 150])), Spikes::default());
+        assert_eq!(Spikes::find(&map(vec![1.0; 200 * 150])), Spikes::default());
     }
 }

@@ -12,11 +12,11 @@ const WINDOW: usize = 512;
 pub fn step_over_drop(map: &dyn Rows, quantisation: &Quantisation, filter: Option<&Filter>) -> Option<f64> {
     let step = quantisation.step?;
     let left = filter.and_then(|filter| {
-        let window = HeightMap::of(&Window::centre(map, WINDOW));
+        let window = HeightMap::from_rows(&Window::centre(map, WINDOW));
         let error = |z: &f64| (z / step).round() * step - z;
         let errors = window.heights().iter().map(error).collect();
         let errors = HeightMap::new(window.points(), window.pixel(), errors, 0.0).ok()?;
-        let [x, y] = RoughnessParameters::of(&filter.apply(&errors).ok()?).drops.first;
+        let [x, y] = RoughnessParameters::new(&filter.apply(&errors).ok()?).drops.first;
         Some((6.0 * 0.5 * (x + y)).sqrt())
     });
     Some(left.unwrap_or(step) / quantisation.median_drop)
@@ -40,7 +40,7 @@ mod tests {
             let raw = HeightMap::new([256; 2], [1.0; 2], stepped, 0.0).unwrap();
             let filter = filter.map(|s| Filter::new(Some(s), None).unwrap());
             let map = filter.map_or(raw.clone(), |filter| filter.apply(&raw).unwrap());
-            let quantisation = Quantisation::of(&raw, &five_point(&map), filter.is_some());
+            let quantisation = Quantisation::new(&raw, &five_point(&map), filter.is_some());
             assert!(filter.is_none() || quantisation.distinct_curvatures > 100);
             step_over_drop(&map, &quantisation, filter.as_ref()).unwrap()
         };

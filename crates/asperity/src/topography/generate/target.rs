@@ -198,10 +198,10 @@ impl TargetGenerator {
         let summits = find(&Watched { map: &map, progress }, self.neighbours, Detail::default());
         let radii = summits.curvatures.iter().map(|curvature| curvature.recip()).collect();
         let set = AsperitySet::new(summits.heights, radii, summits.tested as f64)?;
-        let statistics = Statistics::of(&set);
+        let statistics = Statistics::new(&set);
         let sigma = match sigma_of {
             SigmaOf::Summits => statistics.sigma,
-            SigmaOf::Surface => Moments::of(&map).sq,
+            SigmaOf::Surface => Moments::from_rows(&map).sq,
         };
         Ok(Trial { log_bandwidth, map, mean_radius: statistics.mean_radius, sigma, density: set.density() })
     }

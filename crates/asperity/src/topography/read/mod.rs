@@ -44,7 +44,7 @@ enum Format {
 }
 
 impl Format {
-    fn of(path: &Path) -> Result<Self, ReadError> {
+    fn detect(path: &Path) -> Result<Self, ReadError> {
         existing(path)?;
         let mut begin = Vec::new();
         File::open(path)?.take(BEGIN).read_to_end(&mut begin)?;
@@ -80,7 +80,7 @@ const BEGIN: u64 = 4096;
 /// # Errors
 /// Those of [`height_map`] that follow from the header and the length of the file.
 pub fn metadata(path: &Path) -> Result<Metadata, ReadError> {
-    match Format::of(path)? {
+    match Format::detect(path)? {
         Format::Npy => npy::metadata(path),
         Format::Sdf => sdf::metadata(path),
         Format::Text => Ok(text::measured(path)?.metadata),
@@ -93,7 +93,7 @@ pub fn metadata(path: &Path) -> Result<Metadata, ReadError> {
 /// # Errors
 /// See [`ReadError`].
 pub fn measured(path: &Path) -> Result<Measured, ReadError> {
-    match Format::of(path)? {
+    match Format::detect(path)? {
         Format::Npy => npy::measured(path),
         Format::Sdf => sdf::measured(path),
         Format::Text => text::measured(path),
@@ -121,7 +121,7 @@ pub fn height_map(path: &Path, options: ReadOptions) -> Result<HeightMap, ReadEr
 /// # Errors
 /// As [`metadata`].
 pub fn stays_on_disk(path: &Path) -> Result<bool, ReadError> {
-    Ok(Format::of(path)? == Format::Npy && !array::Header::read(path)?.is_fortran())
+    Ok(Format::detect(path)? == Format::Npy && !array::Header::read(path)?.is_fortran())
 }
 
 /// Opens a map for reading by rows. One that stays on disk ([`stays_on_disk`]) may be larger than memory; its heights are

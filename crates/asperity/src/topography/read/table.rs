@@ -56,7 +56,7 @@ impl Table {
                 return Err(no_number(0, number, 1, word));
             }
         }
-        let separation = Separation::of(&lines)?;
+        let separation = Separation::new(&lines)?;
         let mut table = Self { rows: lines.len(), columns: 0, values: Vec::new(), precision: 0.0 };
         let mut digits = 0;
         for (row, &(number, line)) in lines.iter().enumerate() {
@@ -138,7 +138,7 @@ fn significant_digits(word: &str) -> usize {
 }
 
 impl Separation {
-    fn of(lines: &[(usize, &str)]) -> Result<Self, ReadError> {
+    fn new(lines: &[(usize, &str)]) -> Result<Self, ReadError> {
         let (mut semicolon, mut blank_gap, mut tab_gap, mut point) = (false, false, false, false);
         let (mut commas, mut commas_in_digits, mut leading_zero) = (0u64, 0u64, false);
         for (_, line) in lines {

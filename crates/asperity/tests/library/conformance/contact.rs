@@ -120,7 +120,7 @@ fn many_answer_as_one_does() {
             heights.iter().map(|_| Ellipse::new(case.shape.radius.recip(), random.log(1e-3, 1e9))).collect();
         let spheres = AsperitySet::new(heights, radii, 1.0).unwrap();
         let ellipses = spheres.clone().with_ellipses(ellipses).unwrap();
-        let ellipses = Ellipses::of(&ellipses).unwrap();
+        let ellipses = Ellipses::new(&ellipses).unwrap();
         for set in [spheres.spheres(), ellipses.asperities()] {
             let separation = 0.3 * scale;
             let ordered = Ordered::new(set);

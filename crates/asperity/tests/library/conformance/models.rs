@@ -114,7 +114,7 @@ fn the_first_reach_counts() {
             .collect();
         let set = AsperitySet::new(drawn.heights().to_vec(), radii, drawn.nominal_area()).unwrap();
         let ellipses = set.clone().with_ellipses(ellipses).unwrap();
-        let ellipses = Ellipses::of(&ellipses).unwrap();
+        let ellipses = Ellipses::new(&ellipses).unwrap();
         let sets = [set.spheres(), ellipses.asperities()];
         let plane = ReferencePlane { mean: 0.0, sigma };
         let sums = sets.map(|set| Deterministic::new(contact, set, plane));

@@ -95,15 +95,15 @@ fn assert_opd(bytes: impl AsRef<[u8]>, given: ReadOptions, precision: f64) {
     let (_folder, path) = file(bytes);
     let (opd, map) = (opd(), height_map(&path, given).unwrap());
     assert_eq!(
-        (opd.points(), RoughnessParameters::of(&opd).missing),
-        (map.points(), RoughnessParameters::of(&map).missing)
+        (opd.points(), RoughnessParameters::new(&opd).missing),
+        (map.points(), RoughnessParameters::new(&map).missing)
     );
     assert!(map.pixel().iter().all(|size| (size / opd.pixel()[0] - 1.0).abs() < 1e-9), "{:?}", map.pixel());
     let largest = opd.heights().iter().fold(0.0f64, |largest, z| largest.max(z.abs()));
     let far = |(a, b): (&f64, &f64)| (a - b).abs() > precision * largest;
     assert_eq!(opd.heights().iter().zip(map.heights()).filter(|&pair| far(pair)).count(), 0);
     let levelled = Level::Plane.apply(&map).unwrap();
-    let moments = Moments::of(&levelled);
+    let moments = Moments::from_rows(&levelled);
     let found = [moments.sq * 1e9, moments.ssk.unwrap(), moments.sku.unwrap()];
     for (found, exact) in found.into_iter().zip([6.711, -0.367, 4.538]) {
         assert!((found - exact).abs() <= 5e-4, "{found} for {exact}");

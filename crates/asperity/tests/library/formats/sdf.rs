@@ -106,7 +106,7 @@ fn sdf_text_and_what_is_given_beside_it() {
     assert_map(commented.replace("Type = 0", "Type = NULL"), ReadOptions::default(), 1e-9, PIXEL);
     let ones = Sdf::of("ISO-1.0", 1).text(&"1 65535 ".repeat(NX * NY / 2));
     let (_folder, path) = file(ones);
-    assert_eq!(RoughnessParameters::of(&height_map(&path, ReadOptions::default()).unwrap()).missing, 10);
+    assert_eq!(RoughnessParameters::new(&height_map(&path, ReadOptions::default()).unwrap()).missing, 10);
     let given = height_map(&path, ReadOptions { pixel: Some(PIXEL), unit: None }).unwrap_err();
     assert!(given.to_string().contains("holds its own pixel of 2e-6 x 3e-6 m; allowed: leave pixel out"));
     let given = height_map(&path, ReadOptions { pixel: None, unit: Some(1e-6) }).unwrap_err();
@@ -138,7 +138,7 @@ fn sdf_samples_hold_the_heights_they_were_made_of() {
         let path = super::sample(&format!("{name}.sdf"));
         assert_eq!(metadata(&path).unwrap().pixel, Some([2e-6, 3e-6]));
         let map = height_map(&path, ReadOptions::default()).unwrap();
-        assert_eq!((map.points(), RoughnessParameters::of(&map).missing), ([nx, ny], 40), "{name}");
+        assert_eq!((map.points(), RoughnessParameters::new(&map).missing), ([nx, ny], 40), "{name}");
         // The first profile of the BCR files is that of the greatest y.
         let row = |iy: usize| if name.starts_with("bcr1") { ny - 1 - iy } else { iy };
         let exact: Vec<f64> =

@@ -64,7 +64,7 @@ fn a_header_gives_the_size_and_the_unit() {
     // A mark of a missing point, where the unit is held.
     let marked = "# Width: 3 um\n# Height: 3 um\n# Value units: m\n1e-9 2e-9 1e10\n0 0 0\n0 0 3.4e38\n";
     let (_folder, path) = file(marked);
-    assert_eq!(RoughnessParameters::of(&height_map(&path, ReadOptions::default()).unwrap()).missing, 2);
+    assert_eq!(RoughnessParameters::new(&height_map(&path, ReadOptions::default()).unwrap()).missing, 2);
 }
 
 #[test]
@@ -123,7 +123,7 @@ fn points_of_a_grid_in_any_order() {
     let rounded = points([0.337, 0.25], |x| (x * 30.0).round() / 30.0);
     let (_folder, path) = file(&rounded);
     let map = height_map(&path, in_um).unwrap();
-    assert_eq!((map.points(), RoughnessParameters::of(&map).missing), ([NX, NY], 1));
+    assert_eq!((map.points(), RoughnessParameters::new(&map).missing), ([NX, NY], 1));
     assert!((map.pixel()[0] / 0.337e-6 - 1.0).abs() < 0.02);
     // Noise far below a pixel does not make lines of its own.
     let mut noise = 0.0;

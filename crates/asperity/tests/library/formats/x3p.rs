@@ -11,11 +11,11 @@ fn x3p_of_an_instrument_has_its_known_statistics() {
     let path = measured("x3p-2.x3p");
     assert_eq!(metadata(&path).unwrap().points, [650, 650]);
     let map = height_map(&path, ReadOptions::default()).unwrap();
-    assert_eq!((map.points(), RoughnessParameters::of(&map).missing), ([650, 650], 0));
+    assert_eq!((map.points(), RoughnessParameters::new(&map).missing), ([650, 650], 0));
     let pixel = map.pixel().map(|size| (size * 1e10).round() / 10.0);
     assert_eq!(pixel, [127.7, 314.6]);
     let levelled = Level::Plane.apply(&map).unwrap();
-    let moments = Moments::of(&levelled);
+    let moments = Moments::from_rows(&levelled);
     let found = [moments.sq * 1e9, moments.ssk.unwrap(), moments.sku.unwrap()];
     for (found, (exact, digit)) in found.into_iter().zip([(77.19, 5e-3), (-0.379, 5e-4), (2.985, 5e-4)]) {
         assert!((found - exact).abs() <= digit, "{found} for {exact}");
@@ -43,7 +43,7 @@ fn x3p_samples_hold_the_heights_they_were_made_of() {
         assert_eq!(metadata(&path).unwrap().points, points);
         let map = height_map(&path, ReadOptions::default()).unwrap();
         assert_eq!((map.points(), map.pixel(), map.offset()), (points, [1e-6; 2], offset));
-        assert_eq!(RoughnessParameters::of(&map).missing, missing.0.len() * missing.1.len(), "{name}");
+        assert_eq!(RoughnessParameters::new(&map).missing, missing.0.len() * missing.1.len(), "{name}");
         for (k, found) in map.heights().iter().enumerate() {
             let (ix, iy) = (k / points[1], k % points[1]);
             if missing.0.contains(&ix) && missing.1.contains(&iy) {
@@ -120,7 +120,7 @@ fn x3p_of_every_data_type_scaled_and_moved() {
             x3p.files.push(("bindata/valid.bin", vec![0xff, 0xfe, 0x0f]));
             let (_folder, path) = file(x3p.bytes());
             let map = height_map(&path, ReadOptions::default()).unwrap();
-            assert_eq!((map.points(), map.pixel(), RoughnessParameters::of(&map).missing), ([NX, NY], PIXEL, 1));
+            assert_eq!((map.points(), map.pixel(), RoughnessParameters::new(&map).missing), ([NX, NY], PIXEL, 1));
             assert_eq!(map.offset(), -2e-6);
             for (k, found) in map.heights().iter().enumerate() {
                 let wanted = z(k / NY, k % NY);
