@@ -198,8 +198,8 @@ impl Experiment {
         hash.update(sha256(self.source.text.as_bytes()));
         hash.update(self.planned.variant);
         for path in self.planned.plan.inputs() {
-            let content = match self.source.held(&path) {
-                Some(held) => held.sha256(),
+            let content = match self.source.in_memory(&path) {
+                Some(content) => content.sha256(),
                 None => of_file(&path)
                     .map_err(|error| InputError::file(&path, format!("cannot be read: {error}")))?,
             };

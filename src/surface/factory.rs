@@ -8,7 +8,7 @@ use asperity::topography::{Continued, CorrelationLengths, Rows};
 use asperity::work::{Counter, Item};
 use asperity::{AsperityList, Draw, Ellipse, Ellipticity, Statistics};
 use asperity_framework::RunContext;
-use asperity_framework::input::{Held, InputError, Source};
+use asperity_framework::input::{InMemory, InputError, Source};
 use asperity_framework::metadata::Timing;
 use asperity_framework::progress::{Progress, Silent};
 
@@ -141,8 +141,8 @@ impl<'a> SurfaceFactory<'a> {
         match &self.plan.origin {
             Origin::List { path, given, nominal_area, .. } => {
                 self.progress.stage("reading", 1.0);
-                let list = match source.held(path) {
-                    Some(Held::List(list)) => AsperityList::clone(list),
+                let list = match source.in_memory(path) {
+                    Some(InMemory::List(list)) => AsperityList::clone(list),
                     _ => files.list(path, *given).map_err(|error| refuse(&list_message(path, &error)))?,
                 };
                 timing.read += start.elapsed();
@@ -213,8 +213,8 @@ impl<'a> SurfaceFactory<'a> {
                 let refuse =
                     |error: &dyn std::fmt::Display| refuse(&format!("{} {error}", map.path.display()));
                 self.progress.stage("reading", 1.0);
-                let mut rows = match source.held(&map.path) {
-                    Some(Held::Map(rows)) => Arc::clone(rows),
+                let mut rows = match source.in_memory(&map.path) {
+                    Some(InMemory::Map(rows)) => Arc::clone(rows),
                     _ => files
                         .map(&map.path, map.given, self.progress)
                         .map_err(|error| refuse(&spec_message(&error)))?,

@@ -21,7 +21,7 @@ use asperity::{
 };
 use asperity_framework::input::Spanned;
 use asperity_framework::input::quantity::{Length, Pure, Quantity};
-use asperity_framework::input::{Held, InputError, Source, SpecFile, Whole};
+use asperity_framework::input::{InMemory, InputError, Source, SpecFile, Whole};
 use asperity_framework::{Memory, set_memory};
 
 /// A surface that can be made.
@@ -126,14 +126,14 @@ impl SurfacePlan {
         let given = ListOptions { as_ellipses, unit };
         let refuse =
             |message: &str| source.error_at(raw.file.span(), format!("{} {message}", path.display()));
-        let rows = match source.held(&path) {
-            Some(Held::Map(_)) => return Err(refuse("is a height map; allowed: a list of asperities")),
-            Some(Held::List(list)) if as_ellipses && !list.has_curvatures() => {
+        let rows = match source.in_memory(&path) {
+            Some(InMemory::Map(_)) => return Err(refuse("is a height map; allowed: a list of asperities")),
+            Some(InMemory::List(list)) if as_ellipses && !list.has_curvatures() => {
                 return Err(refuse(
                     "has no principal curvatures, which a law for ellipses needs; allowed: kx and ky beside the radii",
                 ));
             }
-            Some(Held::List(list)) => list.count(),
+            Some(InMemory::List(list)) => list.count(),
             None => AsperityList::check(&path, given).map_err(|error| {
                 let key = raw.unit.as_ref().filter(|_| matches!(error, ListError::UnitHeld { .. }));
                 let key = key.map_or_else(|| raw.file.span(), Spanned::span);
@@ -173,12 +173,12 @@ impl SurfacePlan {
         let refuse = |error: &dyn std::fmt::Display| {
             source.error_at(raw.path.span(), format!("{} {error}", path.display()))
         };
-        let held = match source.held(&path) {
-            Some(Held::Map(map)) => Some(map),
-            Some(Held::List(_)) => return Err(refuse(&"is a list of asperities; allowed: a height map")),
+        let in_memory = match source.in_memory(&path) {
+            Some(InMemory::Map(map)) => Some(map),
+            Some(InMemory::List(_)) => return Err(refuse(&"is a list of asperities; allowed: a height map")),
             None => None,
         };
-        let metadata = match held {
+        let metadata = match in_memory {
             Some(map) => Metadata::in_memory(&**map),
             None => read::metadata(&path).map_err(|error| refuse(&spec_message(&error)))?,
         };
@@ -211,7 +211,7 @@ impl SurfacePlan {
                 Some(made.map_err(|error| source.error_at(filter.span(), error))?)
             }
         };
-        let is_periodic = raw.periodic || held.is_some_and(|map| map.boundary() == Boundary::Periodic);
+        let is_periodic = raw.periodic || in_memory.is_some_and(|map| map.boundary() == Boundary::Periodic);
         let preparation = Preparation {
             removes_spikes: raw.outliers == Outliers::Remove,
             aligned: raw.align_lines,
@@ -221,7 +221,7 @@ impl SurfacePlan {
             half: None,
         };
         // What is in memory takes no more of it.
-        let is_on_disk = match held {
+        let is_on_disk = match in_memory {
             Some(_) => true,
             None => read::stays_on_disk(&path).map_err(|error| refuse(&spec_message(&error)))?,
         };
@@ -508,7 +508,7 @@ fn area([nx, ny]: [usize; 2]) -> u128 {
 
 /// A file named relative to the spec, there and not empty; or the name of what is in memory.
 pub fn beside(source: &Source, raw: &Spanned<PathBuf>) -> Result<PathBuf, InputError> {
-    if source.held(raw.get_ref()).is_some() {
+    if source.in_memory(raw.get_ref()).is_some() {
         return Ok(raw.get_ref().clone());
     }
     let folder = source.path.parent().unwrap_or_else(|| std::path::Path::new(""));

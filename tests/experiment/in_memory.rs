@@ -7,7 +7,7 @@ use std::sync::Arc;
 use asperity::{AsperityList, HeightMap};
 use asperity_experiment::Experiment;
 use asperity_framework::Outcome;
-use asperity_framework::input::{Held, InputError, Source};
+use asperity_framework::input::{InMemory, InputError, Source};
 use asperity_framework::progress::Silent;
 use indexmap::IndexMap;
 
@@ -21,9 +21,10 @@ const LIST: &str = "[surface.a.asperities]\nfile = \"list.npy\"\nnominal-area = 
 const MAP: &str = "[surface.a.file]\npath = \"map.npy\"\nlevel = \"none\"\n";
 const POINTS: [usize; 2] = [24, 30];
 
-fn run(folder: &Path, surface: &str, held: Vec<(&str, Held)>) -> Result<Box<dyn Outcome>, InputError> {
-    let held: IndexMap<PathBuf, Held> = held.into_iter().map(|(path, held)| (path.into(), held)).collect();
-    let source = Source::in_memory(folder, format!("{COMPARE}{surface}")).with_held(held);
+fn run(folder: &Path, surface: &str, held: Vec<(&str, InMemory)>) -> Result<Box<dyn Outcome>, InputError> {
+    let held: IndexMap<PathBuf, InMemory> =
+        held.into_iter().map(|(path, held)| (path.into(), held)).collect();
+    let source = Source::in_memory(folder, format!("{COMPARE}{surface}")).with_in_memory(held);
     Experiment::parse(source, "mine")?.run(&Silent)
 }
 
@@ -39,9 +40,9 @@ fn heights(shift: usize) -> Vec<f64> {
     (0..POINTS[0] * POINTS[1]).map(height).collect()
 }
 
-fn map(shift: usize) -> Held {
+fn map(shift: usize) -> InMemory {
     let map = HeightMap::new(POINTS, [1e-6; 2], heights(shift), f64::EPSILON).unwrap();
-    Held::Map(Arc::new(map))
+    InMemory::Map(Arc::new(map))
 }
 
 fn list() -> (Vec<f64>, Vec<f64>) {
@@ -59,7 +60,7 @@ fn surfaces_in_memory_are_those_of_files() {
     let (heights, radii) = list();
     let rows = heights.iter().zip(&radii).flat_map(|(z, r)| [*z, *r]);
     asperity::npy::write(file("list.npy"), [heights.len(), 2], rows).unwrap();
-    let held = Held::List(Arc::new(AsperityList::new(heights, radii, None)));
+    let held = InMemory::List(Arc::new(AsperityList::new(heights, radii, None)));
     let with_pixel = format!("{MAP}pixel = \"1 um\"\n");
     for (in_files, in_memory, held) in
         [(LIST, LIST, ("list.npy", held)), (&*with_pixel, MAP, ("map.npy", map(0)))]
@@ -76,7 +77,7 @@ fn a_map_in_memory_is_no_list() {
     let refused = |surface: &str, held| run(folder.path(), surface, vec![held]).err().unwrap().to_string();
     assert!(refused(LIST, ("list.npy", map(0))).contains("is a height map; allowed: a list of asperities"));
     let (heights, radii) = list();
-    let list = Held::List(Arc::new(AsperityList::new(heights, radii, None)));
+    let list = InMemory::List(Arc::new(AsperityList::new(heights, radii, None)));
     let message = refused(MAP, ("map.npy", list));
     assert!(
         message.contains("is a list of asperities; allowed: a height map") && message.contains("dictionary")
@@ -107,7 +108,7 @@ fn a_periodic_map_has_the_same_asperities_wherever_it_begins() {
 fn the_page_of_a_spec_without_a_file_holds_the_spec() {
     let folder = tempfile::tempdir().unwrap();
     let (heights, radii) = list();
-    let list = Held::List(Arc::new(AsperityList::new(heights, radii, None)));
+    let list = InMemory::List(Arc::new(AsperityList::new(heights, radii, None)));
     let outcome = run(folder.path(), LIST, vec![("list.npy", list)]).unwrap();
     let page = outcome.outline().files(None);
     let text = page.markdown;

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use asperity::{AsperityList, AsperitySet, MeanRadius, SetError, Statistics};
 use asperity_experiment::surface::rows::statistics_columns;
-use asperity_framework::input::Held;
+use asperity_framework::input::InMemory;
 use asperity_framework::input::heights::HeightsSpec;
 use numpy::PyArrayDyn;
 use pyo3::prelude::*;
@@ -69,8 +69,8 @@ impl Asperities {
     }
 
     /// As a surface of a spec.
-    pub fn held(&self) -> Held {
-        Held::List(Arc::new(self.list()))
+    pub fn in_memory(&self) -> InMemory {
+        InMemory::List(Arc::new(self.list()))
     }
 }
 

@@ -44,7 +44,11 @@ fn controls(
 
 fn rows(interface: &Interface, comparison: Result<Comparison, NotReached>) -> PyResult<Vec<CurveRow>> {
     let comparison = comparison.map_err(refuse)?;
-    Ok(CurveRow::from_comparison(&interface.law.0.label(), &comparison, interface.contact.reference_modulus()))
+    Ok(CurveRow::from_comparison(
+        &interface.law.0.label(),
+        &comparison,
+        interface.contact.reference_modulus(),
+    ))
 }
 
 /// The statistical model: the integral of a law over the heights of a population (Greenwood and Williamson 1966; Zhao, Maietta

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use asperity_experiment::Experiment;
 use asperity_experiment::kind::KINDS;
-use asperity_framework::input::{Held, Source};
+use asperity_framework::input::{InMemory, Source};
 use asperity_framework::report::store::Store;
 use asperity_framework::report::table::{Table as Cells, Tables};
 use asperity_framework::{Outcome, folder, summary_json};
@@ -121,17 +121,17 @@ pub fn register_bits() -> usize {
 }
 
 /// Surfaces in memory by the path that the spec has for them.
-pub fn held_of(held: &Bound<PyDict>) -> PyResult<IndexMap<PathBuf, Held>> {
+pub fn in_memory_of(in_memory: &Bound<PyDict>) -> PyResult<IndexMap<PathBuf, InMemory>> {
     let one = |(name, value): (Bound<PyAny>, Bound<PyAny>)| {
         let name: PathBuf = name.extract()?;
         let found = match (value.cast::<Map>(), value.cast::<Asperities>()) {
-            (Ok(map), _) => map.get().held(),
-            (_, Ok(list)) => list.get().held(),
+            (Ok(map), _) => map.get().in_memory(),
+            (_, Ok(list)) => list.get().in_memory(),
             _ => return Err(refuse(format!("{}: allowed: a Map or Asperities", name.display()))),
         };
         Ok((name, found))
     };
-    held.iter().map(one).collect()
+    in_memory.iter().map(one).collect()
 }
 
 /// What an experiment gives.
@@ -219,13 +219,13 @@ impl From<Failed> for PyErr {
     }
 }
 
-/// Runs a spec; ``held`` are maps and asperities in memory by path; paths in a dictionary are relative to ``folder``.
+/// Runs a spec; ``in_memory`` are maps and asperities in memory by path; paths in a dictionary are relative to ``folder``.
 #[pyfunction]
-#[pyo3(signature = (spec, held, *, name="asperity", report=None, folder=PathBuf::new()))]
+#[pyo3(signature = (spec, in_memory, *, name="asperity", report=None, folder=PathBuf::new()))]
 pub fn run(
     py: Python,
     spec: &Bound<PyAny>,
-    held: &Bound<PyDict>,
+    in_memory: &Bound<PyDict>,
     name: &str,
     report: Option<PathBuf>,
     folder: PathBuf,
@@ -236,7 +236,7 @@ pub fn run(
     let name = name.to_owned();
     let work: Work = match spec.cast::<PyDict>() {
         Ok(table) => {
-            let source = source_of(table, &folder)?.with_held(held_of(held)?);
+            let source = source_of(table, &folder)?.with_in_memory(in_memory_of(in_memory)?);
             Box::new(move |watch| finish(Experiment::parse(source, &name), report, watch))
         }
         Err(_) => {

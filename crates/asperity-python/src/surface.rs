@@ -7,7 +7,7 @@ use asperity::HeightMap;
 use asperity::topography::{Boundary, Rows, read};
 use asperity::units::Dimension;
 use asperity_experiment::surface::rows::{fitness_records, map_record};
-use asperity_framework::input::Held;
+use asperity_framework::input::InMemory;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -57,8 +57,8 @@ pub struct Map(pub Arc<dyn Rows>);
 
 impl Map {
     /// As a surface of a spec.
-    pub fn held(&self) -> Held {
-        Held::Map(Arc::clone(&self.0))
+    pub fn in_memory(&self) -> InMemory {
+        InMemory::Map(Arc::clone(&self.0))
     }
 }
 
@@ -145,21 +145,21 @@ pub struct Surface {
     warnings: Vec<String>,
 }
 
-/// Makes or reads the one surface of a spec without an experiment; ``held`` are maps and asperities in memory by path.
+/// Makes or reads the one surface of a spec without an experiment; ``in_memory`` are maps and asperities in memory by path.
 #[pyfunction]
-#[pyo3(signature = (spec, held, *, realisation=1))]
+#[pyo3(signature = (spec, in_memory, *, realisation=1))]
 pub fn make_surface(
     py: Python,
     spec: &Bound<PyDict>,
-    held: &Bound<PyDict>,
+    in_memory: &Bound<PyDict>,
     realisation: usize,
 ) -> PyResult<Surface> {
     if realisation == 0 {
         return Err(refuse("realisation: found 0; allowed: from 1"));
     }
-    let source = source_of(spec, std::path::Path::new(""))?.with_held(held_of(held)?);
+    let source = source_of(spec, std::path::Path::new(""))?.with_in_memory(in_memory_of(in_memory)?);
     // Ellipses are known on maps without further input.
-    let as_ellipses = held.is_empty() && spec_has_map(spec)? || holds_map(held)?;
+    let as_ellipses = in_memory.is_empty() && spec_has_map(spec)? || holds_map(in_memory)?;
     let surface = interruptible(py, move |watch| {
         asperity_experiment::make_surface(source, realisation, as_ellipses, watch)
             .map_err(|error| error.to_string())
@@ -208,8 +208,8 @@ pub fn make_surface(
     })
 }
 
-fn holds_map(held: &Bound<PyDict>) -> PyResult<bool> {
-    Ok(held.iter().any(|(_, value)| value.cast::<Map>().is_ok()))
+fn holds_map(in_memory: &Bound<PyDict>) -> PyResult<bool> {
+    Ok(in_memory.iter().any(|(_, value)| value.cast::<Map>().is_ok()))
 }
 
 fn spec_has_map(spec: &Bound<PyDict>) -> PyResult<bool> {

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use indexmap::IndexMap;
 use toml::de::{DeTable, DeValue};
 
-use super::held::Held;
+use super::in_memory::InMemory;
 
 /// Input that the program does not run on, and why.
 #[derive(Debug, Clone, PartialEq)]
@@ -67,7 +67,7 @@ pub struct Source {
     /// For a spec made from the command line, the argument that each line stands for.
     arguments: Vec<String>,
     /// What is in memory, by the path that the spec has for it.
-    held: IndexMap<PathBuf, Held>,
+    in_memory: IndexMap<PathBuf, InMemory>,
 }
 
 impl Source {
@@ -78,7 +78,7 @@ impl Source {
             text,
             is_in_memory: false,
             arguments: Vec::new(),
-            held: IndexMap::new(),
+            in_memory: IndexMap::new(),
         }
     }
 
@@ -91,7 +91,7 @@ impl Source {
             text: lines.join("\n") + "\n",
             is_in_memory: false,
             arguments,
-            held: IndexMap::new(),
+            in_memory: IndexMap::new(),
         }
     }
 
@@ -109,13 +109,13 @@ impl Source {
 
     /// The same spec with surfaces in memory, each by the path that the spec has for it.
     #[must_use]
-    pub fn with_held(self, held: IndexMap<PathBuf, Held>) -> Self {
-        Self { held, ..self }
+    pub fn with_in_memory(self, in_memory: IndexMap<PathBuf, InMemory>) -> Self {
+        Self { in_memory, ..self }
     }
 
     /// What is in memory by this path; `None` of a file.
-    pub fn held(&self, path: &Path) -> Option<&Held> {
-        self.held.get(path)
+    pub fn in_memory(&self, path: &Path) -> Option<&InMemory> {
+        self.in_memory.get(path)
     }
 
     /// Whether the command line made it.

@@ -108,25 +108,25 @@ def run(
     OSError
         A report that cannot be written.
     """
-    held: dict[str, Any] = {}
+    in_memory: dict[str, Any] = {}
     if isinstance(spec, Mapping):
         spec = {**spec}
         if surfaces:
             tables = dict(spec.get("surface", {}))
             for key, surface in surfaces.items():
                 tables[key], own = _table(key, surface)
-                held.update(own)
+                in_memory.update(own)
             spec["surface"] = tables
     elif surfaces:
         raise ValueError("surfaces: allowed only with a spec that is a dictionary")
-    return Results(_asperity.run(spec, held, name=name, report=report))
+    return Results(_asperity.run(spec, in_memory, name=name, report=report))
 
 
 def _table(name: str, surface: Surface) -> tuple[dict[str, Any], dict[str, Any]]:
     """A surface as ``[surface.NAME]``, and what it names in memory."""
     if isinstance(surface, Topography):
-        table, held = surface._spec()
-        (raw,) = held.values()
+        table, in_memory = surface._spec()
+        (raw,) = in_memory.values()
         path = f"map {name}"
         return {"file": {**table["file"], "path": path}}, {path: raw}
     if isinstance(surface, Asperities):

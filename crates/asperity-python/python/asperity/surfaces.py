@@ -157,8 +157,8 @@ class Topography:
 
     @cached_property
     def _surface(self) -> _asperity.Surface:
-        table, held = self._spec()
-        return _make(table, held)
+        table, in_memory = self._spec()
+        return _make(table, in_memory)
 
     @property
     def points(self) -> tuple[int, int]:
@@ -211,9 +211,9 @@ class Topography:
         return f"<Topography: {nx} x {ny} points of {dx:.3g} x {dy:.3g} m{periodic}>"
 
 
-def _make(table: dict[str, Any], held: dict[str, Any], seed: int = 0, realisation: int = 1) -> _asperity.Surface:
+def _make(table: dict[str, Any], in_memory: dict[str, Any], seed: int = 0, realisation: int = 1) -> _asperity.Surface:
     spec = {"title": "surface", "seed": seed, "surface": {"surface": table}}
-    return _asperity.make_surface(spec, held, realisation=realisation)
+    return _asperity.make_surface(spec, in_memory, realisation=realisation)
 
 
 def generate(

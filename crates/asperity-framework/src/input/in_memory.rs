@@ -9,14 +9,14 @@ use sha2::{Digest, Sha256};
 
 /// What lies in memory instead of a file.
 #[derive(Clone)]
-pub enum Held {
+pub enum InMemory {
     /// A height map.
     Map(Arc<dyn Rows>),
     /// A list of asperities.
     List(Arc<AsperityList>),
 }
 
-impl Held {
+impl InMemory {
     /// SHA-256 of its numbers.
     pub fn sha256(&self) -> [u8; 32] {
         let mut hash = Sha256::new();
@@ -38,7 +38,7 @@ impl Held {
     }
 }
 
-impl fmt::Debug for Held {
+impl fmt::Debug for InMemory {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
             Self::Map(map) => write!(f, "map of {:?} points", map.points()),
