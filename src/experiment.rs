@@ -198,7 +198,7 @@ impl Experiment {
         hash.update(sha256(self.source.text.as_bytes()));
         hash.update(self.planned.variant);
         for path in self.planned.plan.inputs() {
-            let content = match self.source.in_memory(&path) {
+            let content = match self.source.content_in_memory(&path) {
                 Some(content) => content.sha256(),
                 None => of_file(&path)
                     .map_err(|error| InputError::file(&path, format!("cannot be read: {error}")))?,

@@ -141,7 +141,7 @@ impl<'a> SurfaceFactory<'a> {
         match &self.plan.origin {
             Origin::List { path, given, nominal_area, .. } => {
                 self.progress.stage("reading", 1.0);
-                let list = match source.in_memory(path) {
+                let list = match source.content_in_memory(path) {
                     Some(InMemory::List(list)) => AsperityList::clone(list),
                     _ => files.list(path, *given).map_err(|error| refuse(&list_message(path, &error)))?,
                 };
@@ -213,7 +213,7 @@ impl<'a> SurfaceFactory<'a> {
                 let refuse =
                     |error: &dyn std::fmt::Display| refuse(&format!("{} {error}", map.path.display()));
                 self.progress.stage("reading", 1.0);
-                let mut rows = match source.in_memory(&map.path) {
+                let mut rows = match source.content_in_memory(&map.path) {
                     Some(InMemory::Map(rows)) => Arc::clone(rows),
                     _ => files
                         .map(&map.path, map.given, self.progress)

@@ -126,7 +126,7 @@ impl SurfacePlan {
         let given = ListOptions { as_ellipses, unit };
         let refuse =
             |message: &str| source.error_at(raw.file.span(), format!("{} {message}", path.display()));
-        let rows = match source.in_memory(&path) {
+        let rows = match source.content_in_memory(&path) {
             Some(InMemory::Map(_)) => return Err(refuse("is a height map; allowed: a list of asperities")),
             Some(InMemory::List(list)) if as_ellipses && !list.has_curvatures() => {
                 return Err(refuse(
@@ -173,7 +173,7 @@ impl SurfacePlan {
         let refuse = |error: &dyn std::fmt::Display| {
             source.error_at(raw.path.span(), format!("{} {error}", path.display()))
         };
-        let in_memory = match source.in_memory(&path) {
+        let in_memory = match source.content_in_memory(&path) {
             Some(InMemory::Map(map)) => Some(map),
             Some(InMemory::List(_)) => return Err(refuse(&"is a list of asperities; allowed: a height map")),
             None => None,
@@ -508,7 +508,7 @@ fn area([nx, ny]: [usize; 2]) -> u128 {
 
 /// A file named relative to the spec, there and not empty; or the name of what is in memory.
 pub fn beside(source: &Source, raw: &Spanned<PathBuf>) -> Result<PathBuf, InputError> {
-    if source.in_memory(raw.get_ref()).is_some() {
+    if source.content_in_memory(raw.get_ref()).is_some() {
         return Ok(raw.get_ref().clone());
     }
     let folder = source.path.parent().unwrap_or_else(|| std::path::Path::new(""));

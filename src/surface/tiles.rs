@@ -80,7 +80,7 @@ impl SurfaceTiles {
                 Ok(Self { division, count: tiles * plan.realisations })
             }
             Origin::List { path, rows, .. } => {
-                let is_in_memory = source.in_memory(path).is_some();
+                let is_in_memory = source.content_in_memory(path).is_some();
                 if !is_in_memory && !asperity::npy::is_npy(path).is_ok_and(|is_npy| is_npy) {
                     return Err(refuse(
                         "found a list of asperities in a text, whose rows cannot be read from the middle; allowed in [tiled]: an .npy \
@@ -169,7 +169,7 @@ impl SurfaceTiles {
                 (open.origin, open.radius) = (columns.next().unwrap_or(0.0), columns.next().unwrap_or(0.0));
             }
             Origin::Map(map) => {
-                let rows: Arc<dyn Rows> = match source.in_memory(&map.path) {
+                let rows: Arc<dyn Rows> = match source.content_in_memory(&map.path) {
                     Some(InMemory::Map(rows)) => Arc::clone(rows),
                     _ => unchecked_rows(&map.path, map.given).map(Arc::from).map_err(|error| {
                         refuse(format!("{} {}", map.path.display(), spec_message(&error)))
@@ -315,7 +315,7 @@ impl OpenTiles<'_> {
 
     /// Some rows of a list in a file or in memory.
     fn rows(&self, path: &Path, rows: Range<usize>, given: ListOptions) -> Result<AsperityList, InputError> {
-        if let Some(InMemory::List(list)) = self.source.in_memory(path) {
+        if let Some(InMemory::List(list)) = self.source.content_in_memory(path) {
             let mut columns = list.columns().map(|column| column[rows.clone()].to_vec());
             let mut next = || columns.next().unwrap_or_default();
             return Ok(AsperityList::new(next(), next(), None));

@@ -114,7 +114,7 @@ impl Source {
     }
 
     /// What is in memory by this path; `None` of a file.
-    pub fn in_memory(&self, path: &Path) -> Option<&InMemory> {
+    pub fn content_in_memory(&self, path: &Path) -> Option<&InMemory> {
         self.in_memory.get(path)
     }
 
