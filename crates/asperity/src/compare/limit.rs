@@ -135,7 +135,7 @@ named_enum! {
 
 impl LimitPoint {
     /// d/sigma.
-    pub fn separation(&self) -> f64 {
+    pub fn separation_over_sigma(&self) -> f64 {
         self.exact.statistical.separation_over_sigma
     }
 

@@ -68,10 +68,10 @@ impl ErrorSlope {
         first: &LimitPoint,
         (quantity, sampling): (Quantity, Sampling),
     ) -> Option<Self> {
-        let (law, separation) = (first.law.clone(), first.separation());
-        let fitted = points
-            .iter()
-            .filter(|point| point.law == law && point.separation() == separation && point.is_fitted());
+        let (law, separation) = (first.law.clone(), first.separation_over_sigma());
+        let fitted = points.iter().filter(|point| {
+            point.law == law && point.separation_over_sigma() == separation && point.is_fitted()
+        });
         let error = |point: &LimitPoint| (point.count as f64, point.error_of_sets(sampling, quantity));
         let errors: Vec<(f64, f64)> = fitted.clone().map(error).collect();
         let leading = fitted.map(|point| (point.count as f64, point.expected_quantile_error(quantity)));
