@@ -156,7 +156,7 @@ fn a_decreasing_area_is_reported() {
         layer.laws[1].coated.decreases.iter().map(|decrease| decrease.of).collect::<Vec<_>>(),
         [DecreasingQuantity::Area]
     );
-    let table = written(results, "decreases.csv");
+    let table = written(results, "coated_decreases.csv");
     let mut lines = table.lines();
     assert_eq!(
         lines.next(),

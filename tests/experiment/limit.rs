@@ -46,6 +46,6 @@ fn slopes_at_the_quantiles_are_those_of_the_leading_error() {
 #[test]
 fn too_few_contacts_have_no_slope() {
     let outcome = run(3.0, 1e3);
-    assert_eq!(outcome.records()["slopes"], serde_json::json!([]));
+    assert!(outcome.records().get("slopes").is_none());
     assert!(outcome.outline().markdown().contains("Too few contacts are expected for a fit to the error."));
 }

@@ -104,7 +104,7 @@ fn accuracy(page: &mut Page, results: &IndentationResults, tables: &Tables) {
         "Elastic load by each model over the exact elastic load at equal indentation, against the exact contact radius over the layer \
          thickness. One panel per model, one line per layer.",
     );
-    page.view(&tables.view::<LayerRow>());
+    page.view(&tables.view::<LayerRow>().without(&["gao_indentation_ratio", "series_indentation_ratio"]));
     page.details(3, "Errors against a/t", |page| {
         page.note(include_str!("notes/accuracy.md"));
         for layer in &results.layers {
@@ -128,7 +128,7 @@ fn accuracy(page: &mut Page, results: &IndentationResults, tables: &Tables) {
 
 /// A table without the columns of the layer and the law where there is only one.
 fn view<R: Row>(page: &mut Page, tables: &Tables) {
-    let view = tables.view::<R>().without_constant(&["layer", "layer_thickness_m", "rule"]);
+    let view = tables.view::<R>().without_constant(&["layer", "layer_thickness_m", "rule", "law"]);
     page.view(&view);
 }
 

@@ -97,7 +97,7 @@ pub struct DecreaseRow<'a> {
 }
 
 impl Row for DecreaseRow<'_> {
-    const FILE: &'static str = "decreases.csv";
+    const FILE: &'static str = "coated_decreases.csv";
     const ROWS: &'static str = "One row for each range in which the area or load of a coated curve decreases with increasing indentation.";
     const RECORDS: Option<&'static str> = Some("falls");
 
@@ -130,7 +130,7 @@ impl LawRow<'_> {
 }
 
 impl Row for LawRow<'_> {
-    const FILE: &'static str = "laws.csv";
+    const FILE: &'static str = "loads.csv";
     const ROWS: &'static str =
         "One row for each layer and law: regimes, loads at the largest indentation, and measured loads.";
     const RECORDS: Option<&'static str> = Some("laws");
@@ -142,7 +142,7 @@ impl Row for LawRow<'_> {
             indentation_m["m", label("largest indentation"), input] = row.law.coated.points.last().map(|point| point.indentation), "Largest indentation of the sweep.";
             coated_load_n["N"] = last_load(&row.law.coated), "Load there.";
             uncoated_load_n["N"] = last_load(&row.law.uncoated), "The same without the layer.";
-            all_layer_load_n["N"] = last_load(&row.law.all_layer), "The same on a flat of the layer's material.";
+            all_layer_load_n["N", label("load on bulk layer material")] = last_load(&row.law.all_layer), "The same on a flat of the layer's material.";
             measured_over_coated["1"] = (!row.overlay.is_empty()).then(|| (row.logs().sum::<f64>() / row.overlay.len() as f64).exp()), "Geometric mean of measured over coated load; empty without measured points.";
             largest_measured_factor["1"] = row.logs().map(f64::abs).reduce(f64::max).map(f64::exp), "Largest factor, at least 1, between a measured and a coated load.";
         });
@@ -252,7 +252,7 @@ pub(super) fn schemas() -> Vec<Schema> {
     ]
 }
 
-/// Those of [`schemas`]; the measured points only where there are some.
+/// Those of [`schemas`] that have rows.
 pub(super) fn tables(results: &IndentationResults) -> Vec<Table> {
     let IndentationResults { layers, overlay, radius, .. } = results;
     let laws = || layers.iter().flat_map(|layer| layer.laws.iter().map(move |law| (layer, law)));
@@ -279,8 +279,7 @@ pub(super) fn tables(results: &IndentationResults) -> Vec<Table> {
         Table::new(decreases),
         Table::new(layers.iter().map(|layer| LayerRow { layer, radius: *radius })),
     ];
-    let is_written = |table: &Table| table.schema.file != OverlayRow::FILE || !overlay.is_empty();
-    tables.into_iter().filter(is_written).collect()
+    tables.into_iter().filter(|table| table.rows() > 0).collect()
 }
 
 /// Each law's curves; then the exact one, without a law.

@@ -37,7 +37,9 @@ impl Outcome for LimitResults {
                 page.figure(&file, figure(slopes, quantity), CAPTION);
             }
         }
-        page.heading(2, "Slopes of the error").view(&tables.view::<SlopeRow>());
+        page.details(2, "Slopes of the error", |page| {
+            page.view(&tables.view::<SlopeRow>());
+        });
         page.details(2, "Errors of the load by number of asperities", |page| {
             page.view(&tables.view::<ConvergenceRow>().only("quantity", "load").without(&["fitted"]));
         });

@@ -50,6 +50,7 @@ impl Row for SlopeRow<'_> {
             slope["1"] = row.0.fit.slope, "Slope of the root mean square error of the random sets, or of the error of the set at the quantiles.";
             standard_error["1", label("± s.e."), scale(1.0)] = row.0.fit.standard_error, "Its standard error.";
             expected_slope["1"] = row.0.expected, "Slope that theory expects over the fitted numbers of asperities.";
+            deviation["1", signed, scale(1.0)] = row.0.fit.slope - row.0.expected, "Slope less the expected one.";
             points["count"] = row.0.fit.points, "Numbers of asperities fitted.";
         }
     }
@@ -68,12 +69,13 @@ pub fn tables(results: &LimitResults) -> Vec<Table> {
         .map(|(case, kind, response)| CurveRow::at_separation(case, kind, response, contact.reduced_modulus));
     let errors =
         Quantity::ALL.map(|quantity| points.iter().map(move |point| ConvergenceRow { point, quantity }));
-    vec![
+    let tables = [
         Table::new(curves),
         comparison_of_models(pairs(results)),
         Table::new(errors.into_iter().flatten()),
         Table::new(slopes.iter().map(SlopeRow)),
-    ]
+    ];
+    tables.into_iter().filter(|table| table.rows() > 0).collect()
 }
 
 /// Every set with the integral.
