@@ -15,7 +15,7 @@ use pyo3::types::PyDict;
 use crate::array::Array;
 use crate::asperities::Asperities;
 use crate::refuse;
-use crate::spec::{held_of, source_of};
+use crate::spec::{in_memory_of, source_of};
 use crate::watch::interruptible;
 
 /// The heights of an array where they lie.

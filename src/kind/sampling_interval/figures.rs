@@ -6,9 +6,8 @@ use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
 
 use super::findings::{Gap, gaps};
 use super::quantity::Asperities;
-use super::results::{QUANTITIES, Series, SurfaceResults, Variation};
-use crate::presentation::cause_colour;
-use crate::presentation::quantity_name;
+use super::results::{QUANTITIES, Scale, ScaleResults, Series, SurfaceResults, Variation};
+use crate::presentation::{cause_colour, quantity_name};
 
 const MICRO: f64 = 1e6;
 const HEIGHT: f64 = 360.0;
@@ -28,31 +27,28 @@ pub fn asperities(surface: &SurfaceResults) -> Figure {
         let lengths = axis(&surface.series, "sampling interval or nesting index (µm)");
         Plot::new(title, lengths, Axis::log(label)).height(HEIGHT).legend(Legend::Below)
     };
-    let with = |plot: Plot, colour, marker, name: &str, value: &dyn Fn(&Asperities) -> f64| {
+    let with = |plot: Plot, (colour, marker, name), value: fn(&Asperities) -> f64| {
         surface.series.iter().fold(plot, |plot, series| {
             let (variation, dash) = match series.variation {
                 Variation::Interval => ("sampling interval", Dash::Solid),
                 Variation::Filter => ("S filter", Dash::Dashed),
             };
-            let points = series.results();
-            let points = points.map(|(scale, results)| (MICRO * scale.length, value(&results.asperities)));
-            let points: Vec<(f64, f64)> = points.collect();
+            let point = |(scale, results): (&Scale, &ScaleResults)| {
+                (MICRO * scale.length, value(&results.asperities))
+            };
+            let points: Vec<(f64, f64)> = series.results().map(point).collect();
             let name = format!("{name}{variation}");
             plot.with(Layer::line(points.clone()).coloured(colour).dashed(dash).named(name.clone()))
                 .with(Layer::points(points, marker).coloured(colour).named(name))
         })
     };
-    let density = plot("Asperity density", "density (1/µm²)");
-    let density = with(density, Colour::Series(0), Marker::Circle, "", &|asperities| {
-        asperities.density / (MICRO * MICRO)
-    });
-    let radii = plot("Radii", "radius (µm)");
-    let radii = with(radii, Colour::Series(0), Marker::Circle, "mean, ", &|asperities| {
-        MICRO * asperities.statistics.mean_radius
-    });
-    let radii = with(radii, Colour::Series(1), Marker::Square, "1/(mean curvature), ", &|asperities| {
-        MICRO * asperities.statistics.radius_of_mean_curvature
-    });
+    let mean = (Colour::Series(0), Marker::Circle, "mean, ");
+    let curvature = (Colour::Series(1), Marker::Square, "1/(mean curvature), ");
+    let density = (Colour::Series(0), Marker::Circle, "");
+    let density =
+        with(plot("Asperity density", "density (1/µm²)"), density, |all| all.density / (MICRO * MICRO));
+    let radii = with(plot("Radii", "radius (µm)"), mean, |all| MICRO * all.statistics.mean_radius);
+    let radii = with(radii, curvature, |all| MICRO * all.statistics.radius_of_mean_curvature);
     Figure::row("Asperities against the length that is varied", vec![density, radii])
 }
 

@@ -1,5 +1,6 @@
 //! The page: which results have a limit, then surface by surface figures and views of the tables, then the criterion.
 
+use asperity::compare::ComparedQuantity;
 use asperity_framework::contact::ContactSummary;
 use asperity_framework::metadata::Metadata;
 use asperity_framework::report::format::{input_quantity, quantity, signed};
@@ -146,13 +147,12 @@ fn gap_section(page: &mut Page, tables: &Tables, surface: &SurfaceResults, (load
     for quantity in QUANTITIES {
         page.details(3, &format!("{name}: gap in {} at {at} by length", quantity_name(quantity)), |page| {
             let gaps = tables.view::<GapRow>().only("surface", name).only("pressure_pa", pressure);
-            let mut gaps = gaps.only("quantity", quantity.name()).without(&["multiple"]);
-            if quantity == asperity::compare::ComparedQuantity::Area {
-                for column in ["difference", "low", "high"] {
-                    gaps = gaps.read_as(column, Reading::SignedPercent);
-                }
-            }
-            page.view(&gaps);
+            let gaps = gaps.only("quantity", quantity.name()).without(&["multiple"]);
+            let is_area = quantity == ComparedQuantity::Area;
+            let reading = if is_area { Reading::SignedPercent } else { Reading::Signed };
+            page.view(
+                &["difference", "low", "high"].iter().fold(gaps, |view, name| view.read_as(name, reading)),
+            );
         });
     }
 }
@@ -167,7 +167,10 @@ mod tests {
     fn a_line_has_the_outcome_of_every_quantity_that_is_known() {
         let lengths = [1e-6, 2e-6, 4e-6];
         let scale = |&length: &f64| Scale { multiple: 1.0, length, results: Err(String::new()) };
-        let scales = || lengths.iter().map(scale).collect();
+        let series = |variation, trends| {
+            let scales = lengths.iter().map(scale).collect();
+            Series { surface: "a".into(), variation, scales, trends }
+        };
         let trend = |quantity, load, exponent: f64| {
             let point = |&length: &f64| Point { length, value: exponent * length.ln(), without: None };
             let points: Vec<Point> = lengths.iter().map(point).collect();
@@ -178,18 +181,13 @@ mod tests {
             trend(Quantity::MeanRadius, None, 0.0),
             trend(Quantity::DeterministicArea, Some(1e6), 0.0),
         ];
-        let series = Series { surface: "a".into(), variation: Variation::Interval, scales: scales(), trends };
+        let intervals = series(Variation::Interval, trends);
         let line =
             "**a, sampling interval from 2 µm to 1 µm**: density +100 % (no limit); mean radius 0 % (limit)";
-        assert_eq!(outcomes(&series, None), format!("{line}."));
+        assert_eq!(outcomes(&intervals, None), format!("{line}."));
         let at_load = format!("{line}; deterministic area at 1 MPa 0 % (limit).");
-        assert_eq!(outcomes(&series, Some(1e6)), at_load);
-        let none = Series {
-            surface: "a".into(),
-            variation: Variation::Filter,
-            scales: scales(),
-            trends: Vec::new(),
-        };
+        assert_eq!(outcomes(&intervals, Some(1e6)), at_load);
+        let none = series(Variation::Filter, Vec::new());
         let line = "**a, S nesting index**: no asperities at one of the three finest lengths.";
         assert_eq!(outcomes(&none, None), line);
     }

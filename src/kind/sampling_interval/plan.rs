@@ -35,32 +35,23 @@ pub struct IntervalPlan {
     pub study: StudyPlan,
     /// Sampling intervals in pixels, ascending.
     pub intervals: Vec<usize>,
-    /// S filters.
-    pub filters: FilterPlan,
-}
-
-/// S filters of growing nesting indices.
-#[derive(Debug, Clone, PartialEq)]
-pub struct FilterPlan {
-    /// Nesting indices, ascending, in units of `base`; empty where no filters are asked for.
+    /// Nesting indices of S filters, ascending, in units of [`Self::nesting_index`]; empty where no filters are asked for.
     pub multiples: Vec<f64>,
     /// m; `None` for [`PIXELS`] pixels of each map.
-    pub base: Option<f64>,
+    nesting_index: Option<f64>,
     /// Position in the spec of what set the indices, for errors about maps that do not hold them.
-    pub key: Range<usize>,
-}
-
-impl FilterPlan {
-    /// The unit of the nesting indices on a map of `pixel` (m), m.
-    pub fn base(&self, pixel: [f64; 2]) -> f64 {
-        self.base.unwrap_or(PIXELS * pixel[0].max(pixel[1]))
-    }
+    pub filter_key: Range<usize>,
 }
 
 impl IntervalPlan {
+    /// The unit of the nesting indices on a map of `pixel` (m), m.
+    pub fn nesting_index(&self, pixel: [f64; 2]) -> f64 {
+        self.nesting_index.unwrap_or(PIXELS * pixel[0].max(pixel[1]))
+    }
+
     /// Number of variants of each surface.
     pub fn scales(&self) -> usize {
-        self.intervals.len() + self.filters.multiples.len()
+        self.intervals.len() + self.multiples.len()
     }
 }
 
@@ -93,12 +84,12 @@ impl fmt::Display for IntervalPlan {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         write!(f, "{}", self.study)?;
         writeln!(f, "  each surface at sampling intervals of {} pixels", listed(&texts(&self.intervals)))?;
-        let FilterPlan { multiples, base, .. } = &self.filters;
-        if multiples.is_empty() {
+        if self.multiples.is_empty() {
             return Ok(());
         }
-        let base = base.map_or_else(|| format!("{PIXELS} pixels"), |base| format!("{base:e} m"));
-        writeln!(f, "  and under S filters of {} times {base}", listed(&texts(multiples)))
+        let index =
+            self.nesting_index.map_or_else(|| format!("{PIXELS} pixels"), |index| format!("{index:e} m"));
+        writeln!(f, "  and under S filters of {} times {index}", listed(&texts(&self.multiples)))
     }
 }
 
@@ -156,13 +147,20 @@ pub(super) fn plan(
     const INTERVALS: &str = "whole numbers of pixels, ascending, from 1, such as [1, 2, 4, 8]";
     let intervals = ascending(file, raw.intervals.as_ref(), |&Whole(value)| value as f64, 1.0, INTERVALS)?;
     let intervals: Vec<usize> = intervals.into_iter().map(|interval| interval as usize).collect();
-    let filters = filters(file, raw, &span)?;
+    let index = raw.nesting_index.as_ref();
+    let filter_keys = [index.map(Spanned::span), raw.s_filter.as_ref().map(Spanned::span)];
     let intervals_key = raw.intervals.as_ref().map(Spanned::span);
     for surface in &study.surfaces {
         check_map(surface, &intervals, intervals_key.as_ref())
             .map_err(|(key, message)| file.source.error_at(key, message))?;
     }
-    Ok(IntervalPlan { study, intervals, filters })
+    Ok(IntervalPlan {
+        study,
+        intervals,
+        multiples: multiples(file, raw)?,
+        nesting_index: index.map(|index| index.get_ref().value()),
+        filter_key: filter_keys.into_iter().flatten().next().unwrap_or(span),
+    })
 }
 
 /// Refuses a surface without a map, of several realisations, or with too few points at an interval; with the position of the key.
@@ -201,23 +199,17 @@ fn check_map(
     Err((intervals_key.unwrap_or(key).clone(), message))
 }
 
-fn filters(
-    file: &SpecFile,
-    raw: &SamplingIntervalSpec,
-    span: &Range<usize>,
-) -> Result<FilterPlan, InputError> {
+/// Nesting indices in units of `nesting-index`; none of an empty list.
+fn multiples(file: &SpecFile, raw: &SamplingIntervalSpec) -> Result<Vec<f64>, InputError> {
     const ALLOWED: &str =
         "multiples of the nesting index, ascending, such as [1, 2, 4, 8], or [] for no filters";
-    let (list, index) = (raw.s_filter.as_ref(), raw.nesting_index.as_ref());
-    let base = index.map(|index| index.get_ref().value());
-    let key = index.map(Spanned::span).or_else(|| list.map(Spanned::span)).unwrap_or_else(|| span.clone());
-    let has_none = list.is_some_and(|list| list.get_ref().is_empty());
-    if let Some(index) = index.filter(|_| has_none) {
+    let list = raw.s_filter.as_ref();
+    if list.is_none_or(|list| !list.get_ref().is_empty()) {
+        return ascending(file, list, Quantity::<Pure>::value, 0.0, ALLOWED);
+    }
+    raw.nesting_index.as_ref().map_or(Ok(Vec::new()), |index| {
         let message =
             "found a nesting index, and no filters (s-filter = []); allowed: both, or neither of them";
-        return Err(file.source.error_at(index.span(), message));
-    }
-    let value = Quantity::<Pure>::value;
-    let multiples = if has_none { Vec::new() } else { ascending(file, list, value, 0.0, ALLOWED)? };
-    Ok(FilterPlan { multiples, base, key })
+        Err(file.source.error_at(index.span(), message))
+    })
 }

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use asperity::compare::{Accepted, CaseSampling, Division, LeftOut};
+use asperity::compare::{CaseSampling, Division, LeftOut};
 use asperity::plasticity_index;
 use asperity::topography::{Filter, FilterError, Rows, Sampled};
 use asperity::work::Counter;
@@ -20,7 +20,8 @@ use super::results::{
 };
 use crate::plausibility;
 use crate::study::{Setup, StudyError, study};
-use crate::surface::{AnalysisDepth, Independence, MapFacts, Surface, SurfaceFactory, files_of};
+use crate::study_plan::StudyPlan;
+use crate::surface::{AnalysisDepth, Independence, Surface, SurfaceFactory, files_of};
 
 /// Runs it.
 ///
@@ -31,7 +32,7 @@ pub(super) fn run(context: &RunContext, plan: &IntervalPlan) -> Result<IntervalR
     let (mut timing, counter) = (Timing::default(), Counter::default());
     let study = &plan.study;
     let mut papers = papers_of(&study.laws);
-    papers.extend((!plan.filters.multiples.is_empty()).then_some(literature::ISO_16610_61));
+    papers.extend((!plan.multiples.is_empty()).then_some(literature::ISO_16610_61));
     context.progress.steps(study.surfaces.len() as u64);
     let mut files = files_of(&study.surfaces, &counter);
     let mut surfaces = Vec::new();
@@ -40,16 +41,14 @@ pub(super) fn run(context: &RunContext, plan: &IntervalPlan) -> Result<IntervalR
         let mut made = factory.make(1, AnalysisDepth::Comparison, &mut files, &mut timing)?;
         papers.extend(made.papers());
         context.progress.stage("intervals and filters", plan.scales() as f64);
-        let prepared = made.prepared.take();
         let mut series = Vec::new();
         // Planned surfaces have a map, which is kept.
-        if let Some((prepared, facts)) = prepared.as_ref().zip(made.map.as_ref()) {
-            let setup = Setup { progress: &Silent, ..study.setup(context) };
-            let (factory, counter, name, map) = (&factory, &counter, &surface.name, &prepared.map);
-            let variants = Variants { context, plan, setup, factory, counter, name, map, facts };
-            series = variants.series(&study.accept.on(made.plane.sigma)).map_err(|error| {
-                let message = format!("surface {}: {error}", surface.name);
-                context.source.error_at(plan.filters.key.clone(), message)
+        if let Some(prepared) = made.prepared.take() {
+            let (factory, counter, surface) = (&factory, &counter, &made);
+            let variants = Variants { context, plan, factory, counter, surface, map: &prepared.map };
+            series = variants.series().map_err(|error| {
+                let message = format!("surface {}: {error}", made.name);
+                context.source.error_at(plan.filter_key.clone(), message)
             })?;
         }
         context.progress.step();
@@ -71,32 +70,29 @@ pub(super) fn run(context: &RunContext, plan: &IntervalPlan) -> Result<IntervalR
     })
 }
 
-/// A prepared map, to be varied.
+/// A surface with its prepared map, to be varied.
 struct Variants<'a> {
     context: &'a RunContext<'a>,
     plan: &'a IntervalPlan,
-    setup: Setup<'a>,
     factory: &'a SurfaceFactory<'a>,
     counter: &'a Counter,
-    name: &'a str,
+    surface: &'a Surface,
     map: &'a HeightMap,
-    facts: &'a MapFacts,
 }
 
 impl Variants<'_> {
-    fn series(&self, accepted: &Accepted) -> Result<Vec<Series>, FilterError> {
-        let (filters, loads) = (&self.plan.filters, &self.setup.controls.pressures);
+    fn series(&self) -> Result<Vec<Series>, FilterError> {
+        let Self { plan: IntervalPlan { study, intervals, multiples, .. }, surface, .. } = self;
+        let accepted = study.accept.on(surface.plane.sigma);
         let series = |variation, scales| {
-            let surface = self.name.to_owned();
-            Series { surface, variation, scales, trends: Vec::new() }.with_trends(loads, accepted)
+            let series = Series { surface: surface.name.clone(), variation, scales, trends: Vec::new() };
+            series.with_trends(&study.controls.pressures, &accepted)
         };
-        let intervals = self.plan.intervals.iter().map(|&every| self.sampled(every)).collect();
-        let mut all = vec![series(Variation::Interval, intervals)];
-        if !filters.multiples.is_empty() {
-            let filtered = |&multiple: &f64| self.filtered(multiple, filters.base(self.map.pixel()));
-            let filtered: Result<Vec<Scale>, FilterError> = filters.multiples.iter().map(filtered).collect();
-            all.push(series(Variation::Filter, filtered?));
-        }
+        let sampled = intervals.iter().map(|&every| self.sampled(every)).collect();
+        let filtered: Result<Vec<Scale>, _> =
+            multiples.iter().map(|&multiple| self.filtered(multiple)).collect();
+        let mut all = vec![series(Variation::Interval, sampled), series(Variation::Filter, filtered?)];
+        all.retain(|series| !series.scales.is_empty());
         Ok(all)
     }
 
@@ -107,9 +103,9 @@ impl Variants<'_> {
         self.scale(every as f64, length, &Sampled { map: self.map, every })
     }
 
-    /// The map under an S filter of `multiple` times `base` (m).
-    fn filtered(&self, multiple: f64, base: f64) -> Result<Scale, FilterError> {
-        let length = multiple * base;
+    /// The map under an S filter.
+    fn filtered(&self, multiple: f64) -> Result<Scale, FilterError> {
+        let length = multiple * self.plan.nesting_index(self.map.pixel());
         let filtered = Filter::new(Some(length), None)?.apply(self.map)?;
         Ok(self.scale(multiple, length, &filtered))
     }
@@ -122,9 +118,11 @@ impl Variants<'_> {
 
     /// Both models on a variant of the map.
     fn results(&self, map: &dyn Rows) -> Result<ScaleResults, String> {
-        let surface =
-            &self.factory.derived(map, self.facts).ok_or("no summit is left, or all are equally high")?;
-        let results = study(self.setup, surface, true, self.counter).map_err(|error| match error {
+        let facts = self.surface.map.as_ref();
+        let surface = facts.and_then(|facts| self.factory.derived(map, facts));
+        let surface = &surface.ok_or("no summit is left, or all are equally high")?;
+        let setup = Setup { progress: &Silent, ..self.plan.study.setup(self.context) };
+        let results = study(setup, surface, true, self.counter).map_err(|error| match error {
             StudyError::Inapplicable(error) => error.to_string(),
             StudyError::NotReached(_, error) => error.to_string(),
         });
@@ -146,11 +144,14 @@ impl Variants<'_> {
     }
 
     fn without_blocks(&self, surface: &Surface, division: &Division, models: LeftOut) -> BlocksLeftOut {
-        let (contact, mean_radius) = (&*self.setup.laws[0].contact, self.setup.statistical.mean_radius);
+        let StudyPlan { laws, statistical, .. } = &self.plan.study;
         let asperities = |set: &AsperitySet| {
             let statistics = Statistics::new(set);
-            let plasticity_index =
-                plasticity_index(contact, statistics.sigma, mean_radius.radius(&statistics));
+            let plasticity_index = plasticity_index(
+                &*laws[0].contact,
+                statistics.sigma,
+                statistical.mean_radius.radius(&statistics),
+            );
             // The moments of the map are not known without a block.
             Asperities { density: set.density(), statistics, alpha: None, plasticity_index }
         };

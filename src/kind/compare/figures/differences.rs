@@ -36,7 +36,7 @@ struct Curve<'a> {
 
 impl Curve<'_> {
     /// The loads at which a quantity is compared, with its estimates.
-    fn new(&self, compared: ComparedQuantity) -> impl Iterator<Item = (&Difference, Estimate)> + Clone {
+    fn estimates(&self, compared: ComparedQuantity) -> impl Iterator<Item = (&Difference, Estimate)> + Clone {
         self.differences.iter().filter_map(move |at| Some((at, at.estimates[compared as usize]?)))
     }
 }
@@ -130,7 +130,7 @@ const MOST_SERIES: usize = 8;
 
 fn figure(title: &str, verdicts: &Verdicts, units: &Units, curves: &[Curve]) -> Figure {
     let is_compared =
-        |compared: &ComparedQuantity| curves.iter().any(|curve| curve.new(*compared).next().is_some());
+        |compared: &ComparedQuantity| curves.iter().any(|curve| curve.estimates(*compared).next().is_some());
     let panels = PANELS.into_iter().filter(is_compared);
     Figure::row(title, panels.map(|compared| panel(verdicts, units, curves, compared)).collect())
 }
@@ -140,7 +140,7 @@ fn panel(verdicts: &Verdicts, units: &Units, curves: &[Curve], compared: Compare
     let accepted = unit(compared) * verdicts.accepted.limit(compared);
     let loads = curves.iter().flat_map(|curve| curve.differences).map(|at| megapascals(at.load));
     let tested = [loads.clone().fold(f64::INFINITY, f64::min), loads.fold(0.0, f64::max)];
-    let all = curves.iter().flat_map(|curve| curve.new(compared));
+    let all = curves.iter().flat_map(|curve| curve.estimates(compared));
     let in_view = all.filter(|(at, _)| at.exceeded().is_none());
     let ends = in_view.flat_map(|(_, found)| found.interval().unwrap_or([found.contrast; 2])).map(shown);
     let [low, high] =
@@ -159,7 +159,7 @@ fn panel(verdicts: &Verdicts, units: &Units, curves: &[Curve], compared: Compare
     }
     plot = plot.with_zero();
     for curve in curves.iter().filter(|curve| curve.has_intervals) {
-        let band = curve.new(compared).filter_map(|(at, found)| {
+        let band = curve.estimates(compared).filter_map(|(at, found)| {
             let [low, high] = found.interval()?;
             Some((megapascals(at.load), shown(low), shown(high)))
         });
@@ -173,7 +173,7 @@ fn panel(verdicts: &Verdicts, units: &Units, curves: &[Curve], compared: Compare
         }
     }
     for curve in curves {
-        let line = curve.new(compared).map(|(at, found)| (megapascals(at.load), shown(found.contrast)));
+        let line = curve.estimates(compared).map(|(at, found)| (megapascals(at.load), shown(found.contrast)));
         let line: Vec<(f64, f64)> = line.collect();
         let line = if line.len() == 1 {
             Layer::points(line, Marker::Circle).coloured(curve.colour)
