@@ -241,6 +241,7 @@ mod tests {
         ] {
             assert_eq!(number(value), text, "{value:e}");
         }
+        assert_eq!([3.2e-16, 0.0].map(one_digit), ["3e-16", "0"]);
     }
 
     #[test]

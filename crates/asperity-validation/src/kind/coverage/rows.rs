@@ -44,18 +44,18 @@ impl Row for CaseRow<'_> {
         columns! { row: Self =>
             case["text"] = row.case.name.as_str(), "Case.";
             heights["text"] = row.case.heights.to_string(), "Distribution of the heights.";
-            roll_off_m["m", input] = row.case.roll_off, "Longest wavelength of the power law.";
+            roll_off_m["m", label("roll-off"), input] = row.case.roll_off, "Longest wavelength of the power law.";
             waves_per_block["1", label("longest waves per block")] = row.block / row.case.roll_off, "Side of a block, a sixteenth of a window, over the longest wavelength.";
             correlation_lengths_per_block["1"] = row.block / row.case.correlation, "Side of a block over the correlation length, which is the median over the windows.";
             windows["count"] = row.windows.count(), "Windows.";
             largest_claimed_share["1", label("windows with an interval, at most"), percent] = row.case.coverages().map(|(_, coverage)| coverage.claimed_share()).fold(0.0, f64::max), "Largest share of the windows in which the program claims an interval.";
-            combinations["count", label("combinations claimed in 90 % of the windows")] = row.case.claimed().count(), "Combinations of load and quantity in which at least 90 % of the windows have an interval.";
+            combinations["count", label("combinations with intervals in 90 % of the windows")] = row.case.claimed().count(), "Combinations of load and quantity in which at least 90 % of the windows have an interval.";
             lowest_coverage["1", percent] = row.claimed.map(|[low, _]| low), "Smallest coverage in these combinations.";
             highest_coverage["1", percent] = row.claimed.map(|[_, high]| high), "Largest coverage in these combinations.";
             outside["count", label("outside 93 to 97 %")] = row.case.outside().count(), "Combinations of these whose coverage is outside 93 to 97 %.";
             lowest_in_part["1", label("lowest coverage where fewer have an interval"), percent] = row.in_part.map(|[low, _]| low), "Smallest coverage in combinations in which 5 to 90 % of the windows have an interval.";
             highest_in_part["1", label("highest"), percent] = row.in_part.map(|[_, high]| high), "Largest coverage in these combinations.";
-            lowest_independent["1", label("lowest coverage of independent asperities"), percent] = row.independent.map(|[low, _]| low), "Smallest coverage of intervals that take asperities as independent, over all combinations.";
+            lowest_independent["1", label("lowest coverage, asperities as independent"), percent] = row.independent.map(|[low, _]| low), "Smallest coverage of intervals that take asperities as independent, over all combinations.";
             highest_independent["1", label("highest"), percent] = row.independent.map(|[_, high]| high), "Largest coverage of such intervals.";
         }
     }
@@ -92,7 +92,7 @@ impl Row for CoverageRow<'_> {
             stated_over_scatter["1", label("stated error over scatter")] = row.coverage.error_over_scatter(&row.coverage.claimed), "Mean stated standard error over the scatter.";
             independent_intervals["count"] = row.coverage.independent.intervals, "Windows with an interval from asperities taken as independent: of one window of each map, those with enough contacts.";
             independent_covered["count"] = row.coverage.independent.covered, "Those of them whose interval holds the truth.";
-            independent_coverage["1", percent] = row.coverage.independent.coverage(), "Share of these intervals that hold the truth.";
+            independent_coverage["1", label("coverage, asperities as independent"), percent] = row.coverage.independent.coverage(), "Share of these intervals that hold the truth.";
             independent_stated_over_scatter["1"] = row.coverage.error_over_scatter(&row.coverage.independent), "Mean standard error for independent asperities over the scatter.";
         }
     }
