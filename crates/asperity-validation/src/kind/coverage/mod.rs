@@ -28,6 +28,6 @@ impl Kind for IntervalCoverage {
     }
 
     fn tables() -> Vec<Schema> {
-        vec![Schema::of::<rows::CaseRow>(), Schema::of::<rows::CoverageRow>()]
+        vec![Schema::of::<rows::ProcessRow>(), Schema::of::<rows::CoverageRow>()]
     }
 }

@@ -12,7 +12,7 @@ use serde_json::{Map, Value};
 
 use super::figures::{CAPTION, coverage};
 use super::results::{CaseResults, CoverageResults, range};
-use super::rows::{CaseRow, CoverageRow, tables};
+use super::rows::{CoverageRow, ProcessRow, tables};
 use crate::coverage::{Coverage, Quantity};
 
 impl Outcome for CoverageResults {
@@ -34,7 +34,7 @@ impl Outcome for CoverageResults {
         page.figure("coverage.svg", coverage(self), CAPTION);
         sections::warnings(&mut page, &self.warnings());
         page.heading(2, "Coverage by process");
-        page.view(&tables.view::<CaseRow>().without(&SETUP[1..]));
+        page.view(&tables.view::<ProcessRow>().without(&SETUP[1..]));
         sections::notes(&mut page, &self.metadata);
         for quantity in Quantity::ALL {
             let title = format!("Coverage: {}", capitalised(&quantity.name().replace('-', " ")));
@@ -56,7 +56,7 @@ impl Outcome for CoverageResults {
             windows.points,
             input_quantity(windows.pixel, "m"),
         ));
-        page.view(&tables.view::<CaseRow>().columns(SETUP));
+        page.view(&tables.view::<ProcessRow>().columns(SETUP));
         page.heading(2, "Method").note(include_str!("notes/method.md"));
         sections::run_again(&mut page, &self.metadata, None);
         sections::sources(&mut page, &self.metadata);

@@ -1,4 +1,4 @@
-//! `cases.csv` and `coverage.csv`.
+//! `processes.csv` and `coverage.csv`.
 
 use asperity::topography::MIN_BLOCKS;
 use asperity_framework::columns;
@@ -9,7 +9,7 @@ use super::results::{CaseResults, CoverageResults, LoadCoverage, range};
 use crate::coverage::{Coverage, Quantity};
 
 /// One case.
-pub struct CaseRow<'a> {
+pub struct ProcessRow<'a> {
     case: &'a CaseResults,
     windows: &'a WindowPlan,
     /// Side of a block, m.
@@ -22,7 +22,7 @@ pub struct CaseRow<'a> {
     independent: Option<[f64; 2]>,
 }
 
-impl<'a> CaseRow<'a> {
+impl<'a> ProcessRow<'a> {
     fn new(case: &'a CaseResults, windows: &'a WindowPlan) -> Self {
         Self {
             case,
@@ -35,10 +35,10 @@ impl<'a> CaseRow<'a> {
     }
 }
 
-impl Row for CaseRow<'_> {
-    const FILE: &'static str = "cases.csv";
-    const ROWS: &'static str = "One row for each case, which is a random process: its windows, and the coverage of 95 % intervals over all combinations of load and quantity.";
-    const RECORDS: Option<&'static str> = Some("cases");
+impl Row for ProcessRow<'_> {
+    const FILE: &'static str = "processes.csv";
+    const ROWS: &'static str = "One row for each case, a random process: its windows, and the coverage of 95 % intervals over all combinations of load and quantity.";
+    const RECORDS: Option<&'static str> = Some("processes");
 
     fn columns() -> Vec<Column<Self>> {
         columns! { row: Self =>
@@ -100,7 +100,7 @@ impl Row for CoverageRow<'_> {
 
 /// The tables.
 pub fn tables(results: &CoverageResults) -> Vec<Table> {
-    let cases = results.cases.iter().map(|case| CaseRow::new(case, &results.windows));
+    let cases = results.cases.iter().map(|case| ProcessRow::new(case, &results.windows));
     let loads = results.cases.iter().flat_map(|case| case.loads.iter().map(move |load| (case, load)));
     let rows = loads.flat_map(|(CaseResults { name: case, .. }, load)| {
         let quantities = load.coverages.iter();
