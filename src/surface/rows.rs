@@ -281,7 +281,7 @@ impl<'a> ProcessRow<'a> {
 }
 
 impl Row for ProcessRow<'_> {
-    const FILE: &'static str = "processes.csv";
+    const FILE: &'static str = "generation_processes.csv";
     const ROWS: &'static str = "One row for each random process of a generated surface: one, or a second, finer one that truncates it.";
     const RECORDS: Option<&'static str> = Some("processes");
 

@@ -1,10 +1,10 @@
 //! `[precision]`: run time against error.
 
-mod page;
+mod outline;
 mod plan;
 mod run;
 mod spec;
-mod tables;
+mod rows;
 
 use asperity_framework::contact::ContactSummary;
 use asperity_framework::input::{InputError, Spanned, SpecFile};
@@ -37,7 +37,7 @@ impl Kind for Precision {
     }
 
     fn tables() -> Vec<Schema> {
-        tables::schemas()
+        rows::schemas()
     }
 }
 
@@ -51,11 +51,11 @@ impl Outcome for PrecisionResults {
     }
 
     fn page(&self, tables: &Tables) -> Page {
-        page::page(self, tables)
+        outline::page(self, tables)
     }
 
     fn tables(&self) -> Vec<Table> {
-        tables::tables(self)
+        rows::tables(self)
     }
 
     fn facts(&self) -> serde_json::Result<Map<String, Value>> {
