@@ -331,7 +331,7 @@ mod tests {
         assert_eq!(text.verdicts, [3]);
         assert_eq!(
             text.lines().lines().nth(1).unwrap(),
-            "  zmc                       0.2        +10       within"
+            "  zmc                       0.2        +10  within"
         );
     }
 
