@@ -84,8 +84,9 @@ fn answer(layer: &LayerResults, law: &LawCurves) -> String {
         None => "no contact is small enough for the exact solution".to_owned(),
     };
     format!(
-        "**{}, law {}**: at w = {} the contact is {} and carries {} (uncoated {}, bulk layer material {}); {error}.",
+        "**{}, {}, law {}**: at w = {} the contact is {} and carries {} (uncoated {}, bulk layer material {}); {error}.",
         escape(&layer.label()),
+        layer.rule.name(),
         escape(&law.law),
         coated.map_or_else(String::new, |point| input_quantity(point.indentation, "m")),
         coated.map_or("", |point| point.contact.regime.name()),
@@ -109,15 +110,7 @@ fn accuracy(page: &mut Page, results: &IndentationResults, tables: &Tables) {
         page.note(include_str!("notes/accuracy.md"));
         for layer in &results.layers {
             for model in ModulusModel::ALL {
-                page.heading(
-                    4,
-                    &format!(
-                        "{} {}, model {}",
-                        layer.name,
-                        input_quantity(layer.thickness, "m"),
-                        model.name()
-                    ),
-                );
+                page.heading(4, &format!("{}, model {}", layer.label(), model.name()));
                 let view = tables.view::<RuleRow>().only("layer", layer.name.as_str());
                 let view = view.only("layer_thickness_m", layer.thickness).only("rule", model.name());
                 page.view(&view.each_decade("contact_radius_over_thickness", 3.0));
@@ -135,7 +128,7 @@ fn view<R: Row>(page: &mut Page, tables: &Tables) {
 /// The figures of layer `k` under a law.
 fn curves(page: &mut Page, results: &IndentationResults, k: usize, law: &LawCurves) {
     let layer = &results.layers[k];
-    page.heading(2, &format!("{}, law {}", layer.label(), law.law));
+    page.heading(2, &format!("{}, {}, law {}", layer.label(), layer.rule.name(), law.law));
     let file = |what: &str| {
         let name = format!("{}-{}-{}-{what}", k + 1, layer.name, law.law);
         let plain = |c: char| if c.is_alphanumeric() || c == '-' || c == '_' { c } else { '-' };

@@ -95,9 +95,9 @@ impl LayerResults {
         areas.chain(exact).fold(0.0, f64::max) / radius
     }
 
-    /// Material, thickness and rule.
+    /// Material and thickness.
     pub fn label(&self) -> String {
-        format!("{} {}, {}", self.name, input_quantity(self.thickness, "m"), self.rule.name())
+        format!("{} {}", self.name, input_quantity(self.thickness, "m"))
     }
 }
 
