@@ -12,8 +12,10 @@ mod spec;
 use asperity_framework::input::{InputError, Spanned, SpecFile};
 use asperity_framework::report::table::Schema;
 use asperity_framework::{Kind, Reads};
+use asperity_framework::{Memory, Plan, RunContext};
 
 use plan::CausesPlan;
+use results::CausesResults;
 
 /// `[causes]`
 pub struct Causes;
@@ -30,5 +32,26 @@ impl Kind for Causes {
 
     fn tables() -> Vec<Schema> {
         vec![Schema::of::<rows::LeadRow>(), Schema::of::<rows::CauseRow>()]
+    }
+}
+
+impl Plan for CausesPlan {
+    type Outcome = CausesResults;
+
+    fn memory(&self) -> Memory {
+        /// The map, its transform, and the asperities in several orders.
+        const BYTES_PER_POINT: u128 = 64;
+        let points = self.points.first().map_or(0, |point| point.generator.points[0]) as u128;
+        Memory { bytes: points * points * BYTES_PER_POINT, key: None }
+    }
+
+    fn work(&self) -> u128 {
+        /// Of one surface at one load: the search of the sum over its asperities and the states in between.
+        const EVALUATIONS: u128 = 200_000;
+        (self.points.len() * self.realisations * self.loads.len()) as u128 * EVALUATIONS
+    }
+
+    fn run(&self, context: &RunContext) -> Result<CausesResults, InputError> {
+        run::run(context, self)
     }
 }

@@ -10,10 +10,7 @@ use asperity::{Flat, Heights, reduced_modulus};
 use asperity_framework::contact::Bodies;
 use asperity_framework::input::quantity::Quantity;
 use asperity_framework::input::{InputError, Spanned, SpecFile};
-use asperity_framework::{Memory, Plan, RunContext};
 
-use super::results::CausesResults;
-use super::run::run;
 use super::spec::CausesSpec;
 
 /// Points along a side.
@@ -65,27 +62,6 @@ impl PointPlan {
 /// That of a gamma distribution of this skewness: 3 if Gaussian.
 fn kurtosis(skewness: f64) -> f64 {
     3.0 + 1.5 * skewness * skewness
-}
-
-impl Plan for CausesPlan {
-    type Outcome = CausesResults;
-
-    fn memory(&self) -> Memory {
-        /// The map, its transform, and the asperities in several orders.
-        const BYTES_PER_POINT: u128 = 64;
-        let points = self.points.first().map_or(0, |point| point.generator.points[0]) as u128;
-        Memory { bytes: points * points * BYTES_PER_POINT, key: None }
-    }
-
-    fn work(&self) -> u128 {
-        /// Of one surface at one load: the search of the sum over its asperities and the states in between.
-        const EVALUATIONS: u128 = 200_000;
-        (self.points.len() * self.realisations * self.loads.len()) as u128 * EVALUATIONS
-    }
-
-    fn run(&self, context: &RunContext) -> Result<CausesResults, InputError> {
-        run(context, self)
-    }
 }
 
 impl fmt::Display for CausesPlan {

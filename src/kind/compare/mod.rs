@@ -2,6 +2,7 @@
 
 pub mod figures;
 mod lines;
+mod names;
 pub mod outline;
 pub mod plan;
 mod reach;
@@ -11,21 +12,21 @@ pub mod results;
 mod robustness;
 pub(crate) mod rows;
 mod run;
+mod series;
 pub mod spec;
 
 pub use run::run as run_compare;
 
 use std::path::PathBuf;
 
+use asperity::work::Counter;
 use asperity_framework::input::{InputError, Spanned, SpecFile};
 use asperity_framework::report::table::Schema;
 use asperity_framework::{Kind, Memory, Plan, RunContext};
 
+use crate::surface::{inputs, memory};
 use plan::ComparePlan;
 use results::CompareResults;
-
-use crate::surface::{inputs, memory};
-use asperity::work::Counter;
 
 /// `[compare]`
 pub struct Compare;

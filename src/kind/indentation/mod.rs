@@ -10,9 +10,12 @@ mod spec;
 
 pub use run::{IndentationResults, LawCurves, LayerResults};
 
+use std::path::PathBuf;
+
 use asperity_framework::input::{InputError, Spanned, SpecFile};
 use asperity_framework::report::table::Schema;
 use asperity_framework::{Kind, Reads};
+use asperity_framework::{Memory, Plan, RunContext};
 
 use plan::IndentationPlan;
 
@@ -31,5 +34,29 @@ impl Kind for Indentation {
 
     fn tables() -> Vec<Schema> {
         rows::schemas()
+    }
+}
+
+impl Plan for IndentationPlan {
+    type Outcome = IndentationResults;
+
+    fn inputs(&self) -> Vec<PathBuf> {
+        self.overlay.iter().map(|overlay| overlay.path.clone()).collect()
+    }
+
+    fn memory(&self) -> Memory {
+        const BYTES_PER_POINT: u128 = 64;
+        Memory { bytes: self.work() * BYTES_PER_POINT, key: None }
+    }
+
+    /// Each exact contact counts as one.
+    fn work(&self) -> u128 {
+        /// Uncoated, coated, all layer; plus the exact contact and both effective-modulus models.
+        const CURVES: usize = 3;
+        (CURVES * (self.laws.len() + 1) * self.indentations.len() * self.cases()) as u128
+    }
+
+    fn run(&self, context: &RunContext) -> Result<IndentationResults, InputError> {
+        run::run(context, self)
     }
 }

@@ -1,15 +1,12 @@
 //! A sphere on layers: names resolved, measured points read.
 
 use std::fmt;
-use std::path::PathBuf;
 
 use asperity::numeric::is_positive;
 use asperity::{ContactLaw, Inapplicable, Material};
 use asperity_framework::input::{InputError, Spanned, SpecFile};
-use asperity_framework::{Memory, Plan, RunContext};
 
 use super::overlay::OverlayPlan;
-use super::run::{IndentationResults, run};
 use super::spec::{IndentationSpec, Show};
 use crate::layer::{LayerPlan, layer};
 
@@ -34,30 +31,6 @@ impl IndentationPlan {
     /// Number of layers, each thickness by itself.
     pub fn cases(&self) -> usize {
         self.layers.iter().map(|layer| layer.thicknesses.len()).sum()
-    }
-}
-
-impl Plan for IndentationPlan {
-    type Outcome = IndentationResults;
-
-    fn inputs(&self) -> Vec<PathBuf> {
-        self.overlay.iter().map(|overlay| overlay.path.clone()).collect()
-    }
-
-    fn memory(&self) -> Memory {
-        const BYTES_PER_POINT: u128 = 64;
-        Memory { bytes: self.work() * BYTES_PER_POINT, key: None }
-    }
-
-    /// Each exact contact counts as one.
-    fn work(&self) -> u128 {
-        /// Uncoated, coated, all layer; plus the exact contact and both effective-modulus models.
-        const CURVES: usize = 3;
-        (CURVES * (self.laws.len() + 1) * self.indentations.len() * self.cases()) as u128
-    }
-
-    fn run(&self, context: &RunContext) -> Result<IndentationResults, InputError> {
-        run(context, self)
     }
 }
 

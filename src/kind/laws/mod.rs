@@ -8,11 +8,16 @@ mod rows;
 mod run;
 mod spec;
 
+use std::path::PathBuf;
+
 use asperity_framework::Kind;
 use asperity_framework::input::{InputError, Spanned, SpecFile};
 use asperity_framework::report::table::Schema;
+use asperity_framework::{Memory, Plan, RunContext};
 
+use crate::surface::{AnalysisDepth, inputs, memory};
 use plan::LawsPlan;
+use results::LawsResults;
 
 /// `[laws]`
 pub struct Laws;
@@ -28,5 +33,29 @@ impl Kind for Laws {
 
     fn tables() -> Vec<Schema> {
         rows::schemas()
+    }
+}
+
+impl Plan for LawsPlan {
+    type Outcome = LawsResults;
+
+    fn inputs(&self) -> Vec<PathBuf> {
+        inputs(&self.compare.study.surfaces)
+    }
+
+    fn memory(&self) -> Memory {
+        memory(&self.compare.study.surfaces, AnalysisDepth::Comparison, self.compare.is_robustness_examined)
+    }
+
+    fn work(&self) -> u128 {
+        self.compare.study.work() + (self.ratios.len() * self.compare.study.laws.len()) as u128
+    }
+
+    fn check(&self, context: &RunContext) -> Result<(), InputError> {
+        self.compare.check(context)
+    }
+
+    fn run(&self, context: &RunContext) -> Result<LawsResults, InputError> {
+        run::run(context, self)
     }
 }

@@ -1,19 +1,15 @@
 //! Several laws on one asperity and on surfaces: names resolved, the unit of indentation found.
 
 use std::fmt;
-use std::path::PathBuf;
 
-use super::results::LawsResults;
-use super::run::run;
 use super::spec::LawsSpec;
 use crate::kind::compare::plan::ComparePlan;
 use crate::study_plan::{StudyKeys, StudyPlan};
-use crate::surface::{AnalysisDepth, curvature_ratio, inputs, memory};
+use crate::surface::curvature_ratio;
 use asperity::compare::Controls;
 use asperity::{ContactLaw, Hertz, Law, Pair, Shape, Zmc};
 use asperity_framework::input::materials;
 use asperity_framework::input::{InputError, Spanned, SpecFile};
-use asperity_framework::{Memory, Plan, RunContext};
 
 /// Several laws on one asperity and on given surfaces.
 pub struct LawsPlan {
@@ -54,30 +50,6 @@ impl LawsPlan {
     /// The asperity as a sphere or an ellipse, as the law requires.
     pub fn shape(&self, law: &ContactLaw) -> Shape {
         law.shape(self.radius, self.curvature_ratio)
-    }
-}
-
-impl Plan for LawsPlan {
-    type Outcome = LawsResults;
-
-    fn inputs(&self) -> Vec<PathBuf> {
-        inputs(&self.compare.study.surfaces)
-    }
-
-    fn memory(&self) -> Memory {
-        memory(&self.compare.study.surfaces, AnalysisDepth::Comparison, self.compare.is_robustness_examined)
-    }
-
-    fn work(&self) -> u128 {
-        self.compare.study.work() + (self.ratios.len() * self.compare.study.laws.len()) as u128
-    }
-
-    fn check(&self, context: &RunContext) -> Result<(), InputError> {
-        self.compare.check(context)
-    }
-
-    fn run(&self, context: &RunContext) -> Result<LawsResults, InputError> {
-        run(context, self)
     }
 }
 

@@ -11,11 +11,16 @@ mod run;
 mod spec;
 mod trend;
 
+use std::path::PathBuf;
+
 use asperity_framework::Kind;
 use asperity_framework::input::{InputError, Spanned, SpecFile};
 use asperity_framework::report::table::Schema;
+use asperity_framework::{Memory, Plan, RunContext};
 
+use crate::surface::{AnalysisDepth, SurfacePlan, inputs, memory};
 use plan::IntervalPlan;
+use results::IntervalResults;
 
 /// `[sampling-interval]`
 pub struct SamplingInterval;
@@ -31,5 +36,30 @@ impl Kind for SamplingInterval {
 
     fn tables() -> Vec<Schema> {
         rows::schemas()
+    }
+}
+
+impl Plan for IntervalPlan {
+    type Outcome = IntervalResults;
+
+    fn inputs(&self) -> Vec<PathBuf> {
+        inputs(&self.study.surfaces)
+    }
+
+    fn memory(&self) -> Memory {
+        /// The prepared map and a filtered one.
+        const BYTES_PER_POINT: u128 = 16;
+        let of_models = memory(&self.study.surfaces, AnalysisDepth::Comparison, true);
+        let points = |surface: &SurfacePlan| surface.map_points().map(|[nx, ny]| nx as u128 * ny as u128);
+        let maps = self.study.surfaces.iter().filter_map(points).max().unwrap_or(0) * BYTES_PER_POINT;
+        Memory { bytes: of_models.bytes + maps, ..of_models }
+    }
+
+    fn work(&self) -> u128 {
+        self.study.work() * self.scales() as u128
+    }
+
+    fn run(&self, context: &RunContext) -> Result<IntervalResults, InputError> {
+        run::run(context, self)
     }
 }

@@ -2,19 +2,15 @@
 
 use std::fmt;
 use std::ops::Range;
-use std::path::PathBuf;
 
 use asperity::compare::Controls;
 use asperity_framework::input::quantity::{Pure, Quantity};
 use asperity_framework::input::{InputError, Spanned, SpecFile, Whole};
 use asperity_framework::report::format::listed;
-use asperity_framework::{Memory, Plan, RunContext};
 
-use super::results::IntervalResults;
-use super::run::run;
 use super::spec::SamplingIntervalSpec;
 use crate::study_plan::{StudyKeys, StudyPlan};
-use crate::surface::{AnalysisDepth, SurfacePlan, inputs, memory};
+use crate::surface::SurfacePlan;
 
 /// The intervals and multiples of a spec that gives none.
 const DEFAULT: [f64; 4] = [1.0, 2.0, 4.0, 8.0];
@@ -52,31 +48,6 @@ impl IntervalPlan {
     /// Number of variants of each surface.
     pub fn scales(&self) -> usize {
         self.intervals.len() + self.multiples.len()
-    }
-}
-
-impl Plan for IntervalPlan {
-    type Outcome = IntervalResults;
-
-    fn inputs(&self) -> Vec<PathBuf> {
-        inputs(&self.study.surfaces)
-    }
-
-    fn memory(&self) -> Memory {
-        /// The prepared map and a filtered one.
-        const BYTES_PER_POINT: u128 = 16;
-        let of_models = memory(&self.study.surfaces, AnalysisDepth::Comparison, true);
-        let points = |surface: &SurfacePlan| surface.map_points().map(|[nx, ny]| nx as u128 * ny as u128);
-        let maps = self.study.surfaces.iter().filter_map(points).max().unwrap_or(0) * BYTES_PER_POINT;
-        Memory { bytes: of_models.bytes + maps, ..of_models }
-    }
-
-    fn work(&self) -> u128 {
-        self.study.work() * self.scales() as u128
-    }
-
-    fn run(&self, context: &RunContext) -> Result<IntervalResults, InputError> {
-        run(context, self)
     }
 }
 

@@ -1,19 +1,14 @@
 //! `[tiled]` resolved: laws, separations, one surface and its tiles.
 
 use std::fmt;
-use std::path::PathBuf;
 
-use asperity::Total;
 use asperity::compare::Controls;
-use asperity_framework::divided::run_undivided;
 use asperity_framework::input::accept::AcceptSpec;
 use asperity_framework::input::{InputError, Spanned, SpecFile};
-use asperity_framework::{Memory, Plan, RunContext};
 
-use super::results::TiledResults;
 use super::spec::TiledSpec;
 use crate::study_plan::{StudyKeys, StudyPlan};
-use crate::surface::{SurfacePlan, SurfaceTiles, inputs};
+use crate::surface::{SurfacePlan, SurfaceTiles};
 
 /// Both models on a surface in tiles.
 pub struct TiledPlan {
@@ -32,33 +27,6 @@ impl TiledPlan {
     /// d/sigma.
     pub fn separations(&self) -> &[f64] {
         &self.study.controls.separations
-    }
-}
-
-impl Plan for TiledPlan {
-    type Outcome = TiledResults;
-
-    fn inputs(&self) -> Vec<PathBuf> {
-        inputs(&self.study.surfaces)
-    }
-
-    /// Of any part: tiles are done one after the other.
-    fn memory(&self) -> Memory {
-        /// The sums over a tile at a separation, as a file holds them and as read.
-        const BYTES_PER_TOTAL: u128 = 1000;
-        let totals = self.separations().len() * self.study.laws.len();
-        let of_blocks = self.tiles.most_blocks() * totals * size_of::<Total>();
-        let of_tiles = (self.tiles.count * totals) as u128 * BYTES_PER_TOTAL;
-        let bytes = self.tiles.memory(self.surface()) + of_blocks as u128 + of_tiles;
-        Memory { bytes, key: Some(self.surface().size_key.clone()) }
-    }
-
-    fn work(&self) -> u128 {
-        self.study.work()
-    }
-
-    fn run(&self, context: &RunContext) -> Result<TiledResults, InputError> {
-        run_undivided(self, context)
     }
 }
 

@@ -5,8 +5,8 @@ use crate::compare::{Division, GroupsLeftOut, Rearranged, StatesAtLoads};
 use crate::numeric::stream_seed;
 use crate::{ContactLaw, MicroContact};
 
-use super::case::CaseResults;
 use super::models::SurfaceModels;
+use super::results::CaseResults;
 use super::setup::Setup;
 use crate::surface::{Independence, Surface};
 

@@ -1,82 +1,11 @@
-//! A case: one surface under one law and layer thickness, on one realisation and over all.
-
-use crate::compare::{
-    Accepted, AgainstReference, Attribution, Comparison, Difference, Gaps, Pair, Pairing, Realisation,
-    ReferenceCurve, ReferencePoint, Spread, spread,
-};
-use crate::topography::Moments;
-use crate::{Population, Statistics};
+//! A case: one surface under one law and layer thickness, over all realisations.
 
 use super::dependence::{Dependence, Treated};
 use super::ranking::Ranking;
-use super::statistical::StatisticalModel;
+use super::results::{CaseResults, RealisationFacts, RealisationResults};
 use super::verdicts::Verdicts;
+use crate::compare::{Accepted, Realisation, Spread, spread};
 use crate::surface::Surface;
-
-/// One realisation of a surface.
-#[derive(Debug)]
-pub struct RealisationFacts {
-    /// Number of asperities.
-    pub asperities: usize,
-    /// Nominal area, m^2.
-    pub nominal_area: f64,
-    /// Statistics of the asperities.
-    pub statistics: Statistics,
-    /// What d is measured in, m.
-    pub sigma: f64,
-    /// Of the map that they were found on.
-    pub moments: Option<Moments>,
-    /// Input of the statistical model.
-    pub population: Population,
-    /// The statistical model.
-    pub model: StatisticalModel,
-}
-
-/// Results on one realisation of a surface.
-#[derive(Debug)]
-pub struct RealisationResults {
-    /// Its asperities and the model of them.
-    pub facts: RealisationFacts,
-    /// Law by law, thickness by thickness.
-    pub cases: Vec<CaseResults>,
-}
-
-/// One case on one realisation.
-#[derive(Debug)]
-pub struct CaseResults {
-    /// The law, as tables name it.
-    pub law: String,
-    /// Whether contacts yield under it.
-    pub yields: bool,
-    /// Thickness of the layer, m; `None` without a layer in the spec.
-    pub thickness: Option<f64>,
-    /// Greenwood and Williamson's plasticity index; `None` where nothing yields.
-    pub plasticity_index: Option<f64>,
-    /// Results of both models.
-    pub comparison: Comparison,
-    /// The largest gaps between them.
-    pub gaps: Gaps,
-    /// The differences at equal load, in the order of the pairs, with their sampling uncertainty.
-    pub differences: Vec<Difference>,
-    /// The differences divided among their causes, in the order of the pairs at equal load; empty where none is asked for.
-    pub attribution: Vec<Attribution>,
-    /// The reference; `None` where none is asked for.
-    pub reference: Option<ReferenceCurve>,
-    /// How far both models are from it, in the order of the pairs.
-    pub against_reference: AgainstReference,
-}
-
-impl CaseResults {
-    /// The gap of a pair at equal load divided among its causes; `None` for other pairs, and where it is not divided.
-    pub fn attribution_of(&self, pair: &Pair) -> Option<&Attribution> {
-        self.attribution.iter().filter(|_| pair.pairing == Pairing::Load).find(|at| at.load == pair.target)
-    }
-
-    /// The reference at the load of a pair of both models; `None` where it did not run.
-    pub fn reference_of(&self, pair: &Pair) -> Option<&ReferencePoint> {
-        self.reference.as_ref().filter(|_| pair.pairing == Pairing::Load)?.at_load(pair.target)
-    }
-}
 
 /// One case over all realisations, with what follows from them.
 #[derive(Debug)]

@@ -7,7 +7,8 @@
 //! | `statistical`, `models` | the statistical model, and both models on a surface |
 //! | `law` | a law on two bodies |
 //! | `run` | both models on one realisation |
-//! | `case` | a case on one realisation and over all: results, verdicts, ranking, treatments |
+//! | `results` | a realisation, and a case on it |
+//! | `case` | a case over all realisations: verdicts, ranking, treatments |
 //! | `sampling` | sampling errors, from groups of asperities left out |
 //! | `attribution`, `causes` | the differences divided among their causes |
 //! | `verdicts`, `reference` | whether the integral may replace the sum; which model is nearer to the reference |
@@ -24,6 +25,7 @@ mod layer;
 mod models;
 mod ranking;
 mod reference;
+mod results;
 mod run;
 mod sampling;
 mod setup;
@@ -33,7 +35,7 @@ mod treatment;
 mod verdicts;
 
 pub use attribution::attribute;
-pub use case::{CaseResults, CaseStudy, RealisationFacts, RealisationResults};
+pub use case::CaseStudy;
 pub use causes::LeadingCause;
 pub use dependence::{Dependence, Treated};
 pub use law::LawContact;
@@ -41,6 +43,7 @@ pub use layer::{DecreaseResults, LawFindings, LayerFindings, Threshold};
 pub use models::SurfaceModels;
 pub use ranking::{Against, Largest, Ranked, Ranking, Standing, is_within, rank};
 pub use reference::ReferenceVerdicts;
+pub use results::{CaseResults, RealisationFacts, RealisationResults};
 pub use run::{StudyError, decreases, differ, models_of, run_surface, study, verdicts};
 pub use sampling::sampling;
 pub use setup::Setup;

@@ -6,8 +6,8 @@ use crate::distribution::HeightsError;
 use crate::work::{CountedContact, Counter};
 use crate::{Response, reached_at};
 
-use super::case::CaseResults;
 use super::models::SurfaceModels;
+use super::results::CaseResults;
 use super::setup::Setup;
 use super::statistical::StatisticalModel;
 use crate::surface::Surface;

@@ -2,7 +2,7 @@
 
 use crate::compare::{Accepted, AgainstReference, NearerStretch, Stretch};
 
-use super::case::CaseResults;
+use super::results::CaseResults;
 
 /// Which model is nearer to the reference, and whether it is near enough.
 #[derive(Debug)]

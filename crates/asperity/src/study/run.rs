@@ -15,9 +15,10 @@ use crate::work::{CountedContact, Counter};
 use crate::{ContactLaw, Model, plasticity_index};
 
 use super::attribution::attribute;
-use super::case::{CaseResults, CaseStudy, RealisationFacts, RealisationResults};
+use super::case::CaseStudy;
 use super::layer::DecreaseResults;
 use super::models::SurfaceModels;
+use super::results::{CaseResults, RealisationFacts, RealisationResults};
 use super::sampling::sampling;
 use super::setup::Setup;
 use super::statistical::StatisticalModel;

@@ -5,8 +5,8 @@ use crate::Total;
 use crate::compare::{CaseSampling, Division, LeftOut, OneStep, Pair, Pairing, State};
 use crate::numeric::stream_seed;
 
-use super::case::CaseResults;
 use super::models::SurfaceModels;
+use super::results::CaseResults;
 use super::setup::Setup;
 use super::statistical::StatisticalModel;
 use crate::surface::{Independence, Surface};

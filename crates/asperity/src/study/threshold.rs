@@ -2,9 +2,9 @@
 
 use rayon::prelude::*;
 
-use super::case::RealisationResults;
 use super::layer::Threshold;
 use super::models::SurfaceModels;
+use super::results::RealisationResults;
 use super::setup::Setup;
 use crate::compare::{Kind, of_each_decade, threshold};
 use crate::layer::Coating;

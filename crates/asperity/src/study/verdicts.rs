@@ -2,8 +2,8 @@
 
 use crate::compare::{Accepted, Attribution, Comparison, Difference, Stretch, ValidRange, Verdict};
 
-use super::case::CaseResults;
 use super::reference::ReferenceVerdicts;
+use super::results::CaseResults;
 use crate::surface::{Independence, Surface};
 
 /// Whether the statistical model may be used instead of the sum, at which loads.

@@ -4,7 +4,7 @@ use asperity_framework::report::format::{count, input_quantity, percent, quantit
 use asperity_framework::report::page::Page;
 use asperity_plot::{Axis, Colour, ColourMap, Figure, Layer, Marker, Plot, Raster};
 
-use crate::kind::compare::outline::under;
+use crate::kind::compare::names::under;
 use crate::kind::compare::reference::{ContactView, Part};
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
 use crate::surface::section::length_unit;

@@ -1,7 +1,7 @@
 //! Figures by thickness of the layer.
 
 use super::curves::{curve, reference_line, shares_of_load};
-use crate::kind::compare::outline::{Series, is_valid_at};
+use crate::kind::compare::series::{Series, is_valid_at};
 use crate::study::CaseResults;
 use asperity::compare::{ComparedQuantity, CurvePoint, Kind};
 use asperity::{INTERACTION, Regime, Response};

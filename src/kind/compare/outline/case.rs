@@ -8,10 +8,10 @@ use asperity_framework::report::table::{Reading, Tables};
 use asperity_framework::report::view::View;
 
 use super::lead;
-use super::{stem, subject};
 use crate::kind::compare::figures::axes::Units;
 use crate::kind::compare::figures::curves::{self, Setting};
 use crate::kind::compare::figures::{causes, contact, differences as figure, filter, lines};
+use crate::kind::compare::names::{stem, subject, under};
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
 use crate::kind::compare::rows::{LineRow, RobustnessRow, SpreadRow, SurfaceCase, is_single};
 use crate::model_tables::PairRow;
@@ -24,7 +24,7 @@ impl SurfaceCase<'_> {
     /// The surface, with law and layer where there are several.
     pub(super) fn name(&self, results: &CompareResults) -> String {
         let layer = results.contact.layer.as_ref().zip(self.first().thickness);
-        let layer = layer.map_or_else(String::new, |(layer, t)| format!(", {}", super::under(layer, t)));
+        let layer = layer.map_or_else(String::new, |(layer, t)| format!(", {}", under(layer, t)));
         format!("{}{layer}", subject(results, self.surface, &self.first().law))
     }
 

@@ -6,19 +6,15 @@
 //! | `case` | one surface under one law |
 //! | `series` | one surface under one law by layer thickness |
 //! | `sections` | what is shown of all cases together |
-//! | `names` | quantities, surfaces, laws and thicknesses |
 
 mod case;
 mod lead;
-mod names;
 mod sections;
 mod series;
 
 pub use case::inputs;
 pub use lead::limit_words;
-pub use names::{stem, subject, under};
 pub(crate) use sections::verdicts;
-pub(crate) use series::{Series, is_valid_at};
 
 use asperity::compare::Tolerances;
 use asperity_framework::Outcome;
@@ -30,8 +26,10 @@ use asperity_framework::report::table::{Table, Tables};
 use serde_json::{Map, Value, json};
 
 use super::figures::differences;
+use super::names::subject;
 use super::results::{CompareResults, SurfaceResults};
 use super::rows::{RuleRow, SurfaceCase, tables};
+use super::series::Series;
 use crate::presentation::limits_note;
 use crate::study::Verdicts;
 use crate::surface::{rows as surface_rows, section};
@@ -62,8 +60,8 @@ impl Outcome for CompareResults {
         sections::layer(&mut page, self, tables);
         for series in &series {
             page.details(2, &format!("{}: by layer thickness", series.subject), |page| {
-                series.figures(page);
-                series.table(page, tables);
+                series::figures(series, page);
+                series::table(series, page, tables);
             });
         }
         if series.is_empty() {

@@ -11,8 +11,10 @@ mod spec;
 use asperity_framework::input::{InputError, Spanned, SpecFile};
 use asperity_framework::report::table::Schema;
 use asperity_framework::{Kind, Reads};
+use asperity_framework::{Memory, Plan, RunContext};
 
 use plan::CoveragePlan;
+use results::CoverageResults;
 
 /// `[coverage]`
 pub struct IntervalCoverage;
@@ -29,5 +31,32 @@ impl Kind for IntervalCoverage {
 
     fn tables() -> Vec<Schema> {
         vec![Schema::of::<rows::ProcessRow>(), Schema::of::<rows::CoverageRow>()]
+    }
+}
+
+impl Plan for CoveragePlan {
+    type Outcome = CoverageResults;
+
+    fn memory(&self) -> Memory {
+        /// The map, its windows, and what the autocorrelation of one takes.
+        const BYTES_PER_POINT: u128 = 40;
+        let map = (2 * self.windows.points as u128).pow(2);
+        Memory { bytes: map * BYTES_PER_POINT * rayon::current_num_threads() as u128, key: None }
+    }
+
+    fn work(&self) -> u128 {
+        /// Areas of a square of the shortest wavelength per summit.
+        const SQUARES_PER_SUMMIT: f64 = 4.0;
+        /// Without each of 16 blocks, and with all.
+        const EVALUATIONS: f64 = 17.0;
+        /// Separations per load, most of them in its search.
+        const SEPARATIONS: f64 = 10.0;
+        let summits = (self.windows.side() / self.windows.cut_off).powi(2) / SQUARES_PER_SUMMIT;
+        let loads: usize = self.cases.iter().map(|case| case.contacts.len()).sum();
+        ((self.windows.count() * loads) as f64 * summits * EVALUATIONS * SEPARATIONS) as u128
+    }
+
+    fn run(&self, context: &RunContext) -> Result<CoverageResults, InputError> {
+        run::run(context, self)
     }
 }

@@ -2,8 +2,6 @@
 
 use std::fmt;
 
-use super::results::CoverageResults;
-use super::run;
 use super::spec::{CaseSpec, CoverageSpec};
 use crate::coverage::{EndlessProcess, WINDOWS_PER_MAP};
 use asperity::study::LawContact;
@@ -15,7 +13,6 @@ use asperity_framework::contact::Bodies;
 use asperity_framework::input::quantity::Pure;
 use asperity_framework::input::sweep::LogSweep;
 use asperity_framework::input::{InputError, Spanned, SpecFile};
-use asperity_framework::{Memory, Plan, RunContext};
 
 /// Points along a side: fewer hold no 16 blocks with summits, and of more the program examines every other one for the
 /// correlation length.
@@ -75,33 +72,6 @@ pub struct CasePlan {
     pub contacts: Vec<f64>,
     /// The process.
     pub process: EndlessProcess,
-}
-
-impl Plan for CoveragePlan {
-    type Outcome = CoverageResults;
-
-    fn memory(&self) -> Memory {
-        /// The map, its windows, and what the autocorrelation of one takes.
-        const BYTES_PER_POINT: u128 = 40;
-        let map = (2 * self.windows.points as u128).pow(2);
-        Memory { bytes: map * BYTES_PER_POINT * rayon::current_num_threads() as u128, key: None }
-    }
-
-    fn work(&self) -> u128 {
-        /// Areas of a square of the shortest wavelength per summit.
-        const SQUARES_PER_SUMMIT: f64 = 4.0;
-        /// Without each of 16 blocks, and with all.
-        const EVALUATIONS: f64 = 17.0;
-        /// Separations per load, most of them in its search.
-        const SEPARATIONS: f64 = 10.0;
-        let summits = (self.windows.side() / self.windows.cut_off).powi(2) / SQUARES_PER_SUMMIT;
-        let loads: usize = self.cases.iter().map(|case| case.contacts.len()).sum();
-        ((self.windows.count() * loads) as f64 * summits * EVALUATIONS * SEPARATIONS) as u128
-    }
-
-    fn run(&self, context: &RunContext) -> Result<CoverageResults, InputError> {
-        run::run(context, self)
-    }
 }
 
 impl fmt::Display for CoveragePlan {

@@ -2,18 +2,23 @@
 
 mod outline;
 mod plan;
+mod rows;
 mod run;
 mod spec;
-mod rows;
 
+use asperity::bem::Boundary;
 use asperity_framework::contact::ContactSummary;
 use asperity_framework::input::{InputError, Spanned, SpecFile};
 use asperity_framework::metadata::Metadata;
 use asperity_framework::report::Page;
 use asperity_framework::report::table::{Schema, Table, Tables};
+use asperity_framework::set_memory;
 use asperity_framework::{Kind, Outcome, Planned, Reads, fields};
+use asperity_framework::{Memory, Plan, RunContext};
 use serde_json::{Map, Value};
 
+use crate::kind::boundary_elements::contact_memory;
+use crate::precision::sum::POINTS;
 use plan::PrecisionPlan;
 use run::PrecisionResults;
 
@@ -60,5 +65,30 @@ impl Outcome for PrecisionResults {
 
     fn facts(&self) -> serde_json::Result<Map<String, Value>> {
         fields(&ContactSummary::new(&self.contact))
+    }
+}
+
+impl Plan for PrecisionPlan {
+    type Outcome = PrecisionResults;
+
+    fn memory(&self) -> Memory {
+        /// The map, its half spectrum, and what finding summits takes.
+        const BYTES_PER_POINT: u128 = 32;
+        let asperities = self.counts.iter().max().copied().unwrap_or(0);
+        let maps = self.maps().map(|points| points * BYTES_PER_POINT);
+        let contacts = self.hertz().map(|points| contact_memory(points, Boundary::Finite));
+        let bytes = maps.chain(contacts).fold(set_memory(asperities as u128), u128::max);
+        Memory { bytes, key: None }
+    }
+
+    /// In one pass over everything; a convolution of boundary elements counts as one contact per point.
+    fn work(&self) -> u128 {
+        const CONVOLUTIONS: u128 = 200;
+        let sums = self.counts.iter().sum::<usize>() * POINTS * self.cases.len();
+        sums as u128 + self.hertz().map(|points| CONVOLUTIONS * (points as u128).pow(2)).sum::<u128>()
+    }
+
+    fn run(&self, context: &RunContext) -> Result<PrecisionResults, InputError> {
+        run::run(context, self)
     }
 }

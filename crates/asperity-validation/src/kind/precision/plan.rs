@@ -3,21 +3,18 @@
 use std::fmt;
 use std::ops::RangeInclusive;
 
-use super::run::{self, PrecisionResults};
 use super::spec::{self, PrecisionSpec};
-use crate::kind::boundary_elements::{PIXELS, check_range, contact_memory, sphere_points, whole};
+use crate::kind::boundary_elements::{PIXELS, check_range, sphere_points, whole};
 use crate::precision::Case;
 use crate::precision::sum::POINTS;
 use crate::precision::surface::{SurfaceTask, side};
 use crate::stability;
-use asperity::bem::Boundary;
 use asperity::study::LawContact;
 use asperity::{ContactLaw, Flat, Heights, Population};
 use asperity_framework::contact::Bodies;
 use asperity_framework::input::quantity::Pure;
 use asperity_framework::input::sweep::LogSweep;
 use asperity_framework::input::{InputError, Spanned, SpecFile};
-use asperity_framework::{Memory, Plan, RunContext, set_memory};
 
 /// d/sigma within which rules and reference keep their digits.
 const SEPARATIONS: RangeInclusive<f64> = -10.0..=35.0;
@@ -43,12 +40,12 @@ pub struct PrecisionPlan {
 
 impl PrecisionPlan {
     /// Points of each kind of map.
-    fn maps(&self) -> impl Iterator<Item = u128> {
+    pub fn maps(&self) -> impl Iterator<Item = u128> {
         self.surface.iter().flat_map(SurfaceTask::kinds).map(|(_, size)| (side(size) as u128).pow(2))
     }
 
     /// Points along a side of each map of Hertz's contact, which is 2.5 contact radii.
-    fn hertz(&self) -> impl Iterator<Item = usize> {
+    pub fn hertz(&self) -> impl Iterator<Item = usize> {
         self.pixels.iter().map(|&pixels| sphere_points(pixels))
     }
 
@@ -57,31 +54,6 @@ impl PrecisionPlan {
         let per_case = usize::from(!self.separations.is_empty()) + self.counts.len();
         let maps = self.surface.as_ref().map_or(0, |task| task.kinds().count() * task.realisations);
         (per_case * self.cases.len() + maps + usize::from(!self.pixels.is_empty())) as u64
-    }
-}
-
-impl Plan for PrecisionPlan {
-    type Outcome = PrecisionResults;
-
-    fn memory(&self) -> Memory {
-        /// The map, its half spectrum, and what finding summits takes.
-        const BYTES_PER_POINT: u128 = 32;
-        let asperities = self.counts.iter().max().copied().unwrap_or(0);
-        let maps = self.maps().map(|points| points * BYTES_PER_POINT);
-        let contacts = self.hertz().map(|points| contact_memory(points, Boundary::Finite));
-        let bytes = maps.chain(contacts).fold(set_memory(asperities as u128), u128::max);
-        Memory { bytes, key: None }
-    }
-
-    /// In one pass over everything; a convolution of boundary elements counts as one contact per point.
-    fn work(&self) -> u128 {
-        const CONVOLUTIONS: u128 = 200;
-        let sums = self.counts.iter().sum::<usize>() * POINTS * self.cases.len();
-        sums as u128 + self.hertz().map(|points| CONVOLUTIONS * (points as u128).pow(2)).sum::<u128>()
-    }
-
-    fn run(&self, context: &RunContext) -> Result<PrecisionResults, InputError> {
-        run::run(context, self)
     }
 }
 

@@ -9,11 +9,18 @@ mod run;
 mod spec;
 mod words;
 
+use asperity::bem::Boundary;
 use asperity_framework::input::{InputError, Spanned, SpecFile};
 use asperity_framework::report::table::Schema;
 use asperity_framework::{Kind, Reads};
+use asperity_framework::{Memory, Plan, RunContext};
 
+use crate::kind::boundary_elements::{contact_memory, sphere_points};
+use crate::solver::LAYERED_CASES;
+use crate::solver::ensemble::EnsembleTask;
+use crate::solver::work::WorkTask;
 use plan::SolverPlan;
+use results::SolverResults;
 
 /// `[solver-validation]`
 pub struct SolverValidation;
@@ -30,5 +37,36 @@ impl Kind for SolverValidation {
 
     fn tables() -> Vec<Schema> {
         rows::schemas()
+    }
+}
+
+impl Plan for SolverPlan {
+    type Outcome = SolverResults;
+
+    fn memory(&self) -> Memory {
+        let spheres = self.hertz.iter().chain(&self.layered);
+        let spheres = spheres.map(|&pixels| contact_memory(sphere_points(pixels), Boundary::Finite));
+        let of_ensemble = self.ensemble.iter().flat_map(|task| &task.points);
+        let of_work = self.work.iter().flat_map(|task| &task.points);
+        let rough = of_ensemble.chain(of_work).map(|&points| contact_memory(points, Boundary::Periodic));
+        Memory { bytes: spheres.chain(rough).max().unwrap_or(0), key: None }
+    }
+
+    /// Points of all maps that are solved, times the convolutions of each: about as many micro-contacts would take as long.
+    fn work(&self) -> u128 {
+        const CONVOLUTIONS: u128 = 50;
+        let points = |sides: &[usize], contacts: usize| {
+            contacts as u128 * sides.iter().map(|&side| (side as u128).pow(2)).sum::<u128>()
+        };
+        let layered = self.layered.map_or(0, |pixels| points(&[pixels], LAYERED_CASES.len()));
+        let of_ensemble =
+            |task: &EnsembleTask| points(&task.points, task.realisations * task.pressures.len());
+        let of_work = |task: &WorkTask| points(&task.points, task.pressures.len());
+        let rough = self.ensemble.as_ref().map_or(0, of_ensemble) + self.work.as_ref().map_or(0, of_work);
+        CONVOLUTIONS * (25 * (points(&self.hertz, 1) + layered) + rough)
+    }
+
+    fn run(&self, context: &RunContext) -> Result<SolverResults, InputError> {
+        run::run(context, self)
     }
 }

@@ -11,9 +11,12 @@ mod spec;
 use asperity_framework::input::{InputError, Spanned, SpecFile};
 use asperity_framework::report::table::Schema;
 use asperity_framework::{Kind, Reads};
+use asperity_framework::{Memory, Plan, RunContext};
 
+use crate::stability::Counts;
 use crate::stability::GroupResults;
 use plan::StabilityPlan;
+use results::StabilityResults;
 
 /// `[stability]`
 pub struct Stability;
@@ -30,5 +33,26 @@ impl Kind for Stability {
 
     fn tables() -> Vec<Schema> {
         vec![Schema::of::<&GroupResults>(), Schema::of::<rows::WorstRow>(), Schema::of::<rows::CellRow>()]
+    }
+}
+
+impl Plan for StabilityPlan {
+    type Outcome = StabilityResults;
+
+    /// The largest set and its ordered copy, on each thread.
+    fn memory(&self) -> Memory {
+        let largest: u128 = if self.counts.millions > 0 { 1_000_000 } else { 1000 };
+        Memory { bytes: 100 * largest * rayon::current_num_threads() as u128, key: None }
+    }
+
+    /// A micro-contact in 32 digits counts a hundredfold.
+    fn work(&self) -> u128 {
+        let Counts { contacts, sums, integrals, loads, millions } = self.counts;
+        let work = 100 * contacts + 30_000 * sums + 100_000 * (integrals + 3 * loads) + 1_000_000 * millions;
+        u128::from(work)
+    }
+
+    fn run(&self, context: &RunContext) -> Result<StabilityResults, InputError> {
+        Ok(run::run(context, self))
     }
 }

@@ -2,13 +2,10 @@
 
 use std::fmt;
 
-use super::results::StabilityResults;
-use super::run;
 use super::spec::{SpanSpec, StabilitySpec};
 use crate::stability::{Counts, Group, Ranges};
 use asperity_framework::input::quantity::{Dimension, Range};
 use asperity_framework::input::{InputError, Spanned, SpecFile, Whole};
-use asperity_framework::{Memory, Plan, RunContext};
 
 /// Cases to be checked.
 #[derive(Debug, Clone, Copy)]
@@ -19,27 +16,6 @@ pub struct StabilityPlan {
     pub ranges: Ranges,
     /// Cells along each side of an error map.
     pub cells: usize,
-}
-
-impl Plan for StabilityPlan {
-    type Outcome = StabilityResults;
-
-    /// The largest set and its ordered copy, on each thread.
-    fn memory(&self) -> Memory {
-        let largest: u128 = if self.counts.millions > 0 { 1_000_000 } else { 1000 };
-        Memory { bytes: 100 * largest * rayon::current_num_threads() as u128, key: None }
-    }
-
-    /// A micro-contact in 32 digits counts a hundredfold.
-    fn work(&self) -> u128 {
-        let Counts { contacts, sums, integrals, loads, millions } = self.counts;
-        let work = 100 * contacts + 30_000 * sums + 100_000 * (integrals + 3 * loads) + 1_000_000 * millions;
-        u128::from(work)
-    }
-
-    fn run(&self, context: &RunContext) -> Result<StabilityResults, InputError> {
-        Ok(run::run(context, self))
-    }
 }
 
 impl fmt::Display for StabilityPlan {

@@ -1,0 +1,75 @@
+//! One surface under one law: a case for each layer thickness.
+
+use asperity::Exceeded;
+use asperity::compare::ValidRange;
+use asperity_framework::report::format::thickness;
+
+use super::figures::axes::Units;
+use super::names::{stem, subject};
+use super::results::{CompareResults, SurfaceResults};
+use crate::study::{CaseResults, CaseStudy, LawFindings, LayerFindings, Verdicts};
+
+/// One surface under one law: a case for each thickness.
+pub struct Series<'a> {
+    pub findings: &'a LayerFindings,
+    pub subject: String,
+    /// Name of the surface.
+    pub surface: &'a str,
+    pub stem: String,
+    pub cases: Vec<&'a CaseResults>,
+    pub modulus: f64,
+    pub units: Units,
+    verdicts: Vec<&'a Verdicts>,
+}
+
+impl<'a> Series<'a> {
+    /// Every surface under every law with several thicknesses.
+    pub fn all(results: &'a CompareResults) -> Vec<Self> {
+        let laws = |surface: &'a SurfaceResults| {
+            surface.laws.iter().filter_map(move |law| Self::new(results, surface, law))
+        };
+        results.surfaces.iter().flat_map(laws).filter(|series| series.cases.len() > 1).collect()
+    }
+
+    fn new(results: &'a CompareResults, surface: &'a SurfaceResults, law: &'a LawFindings) -> Option<Self> {
+        let cases = || surface.cases.iter().filter(|case| case.first().law == law.law);
+        Some(Self {
+            findings: law.layer.as_ref()?,
+            subject: subject(results, surface, &law.law),
+            surface: &surface.surface.name,
+            stem: stem(surface, &law.law),
+            cases: cases().map(CaseStudy::first).collect(),
+            modulus: results.contact.reduced_modulus,
+            units: Units::new(results, surface),
+            verdicts: cases().map(|case| &case.verdicts).collect(),
+        })
+    }
+
+    /// The verdicts with the thickness of each.
+    pub fn named_verdicts(&self) -> Vec<(String, &'a Verdicts)> {
+        self.verdicts().map(|(t, verdicts)| (thickness(t), verdicts)).collect()
+    }
+
+    /// The verdicts by thickness (m).
+    pub fn verdicts(&self) -> impl Iterator<Item = (f64, &'a Verdicts)> {
+        let each = self.cases.iter().zip(&self.verdicts);
+        each.filter_map(|(case, &verdicts)| Some((case.thickness?, verdicts)))
+    }
+
+    /// The admissible loads of each case.
+    pub fn valid(&self) -> impl Iterator<Item = &'a ValidRange> {
+        self.verdicts.iter().map(|verdicts| &verdicts.valid)
+    }
+
+    /// Cases with a layer of finite thickness.
+    pub fn finite(&self) -> impl Iterator<Item = (f64, &'a CaseResults)> {
+        let is_finite = |t: &f64| *t > 0.0 && t.is_finite();
+        self.cases.iter().filter_map(move |case| Some((case.thickness.filter(is_finite)?, *case)))
+    }
+}
+
+/// Whether both models are within their limits at a prescribed pressure (Pa).
+pub fn is_valid_at(case: &CaseResults, load: f64) -> bool {
+    let points = case.comparison.curves.iter().filter(|point| point.prescribed_pressure == Some(load));
+    points.map(|point| point.response.exceeded()).all(Exceeded::is_none)
+}
