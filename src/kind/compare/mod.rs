@@ -6,7 +6,7 @@ mod names;
 pub mod outline;
 pub mod plan;
 mod reach;
-mod readings;
+pub mod readings;
 pub mod reference;
 pub mod results;
 mod robustness;

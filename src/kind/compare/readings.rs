@@ -10,13 +10,6 @@ use crate::study::{CaseResults, CaseStudy};
 /// The d/sigma at which readings are compared.
 const SEPARATIONS: [f64; 3] = [1.0, 2.0, 3.0];
 
-/// Loads of surfaces that have the same specified numbers and differ in whose sigma and d they are.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Readings {
-    /// Pair by pair of surfaces, law by law, separation by separation, model by model; at least one.
-    pub loads: Vec<ReadLoads>,
-}
-
 /// One model at the same d/sigma under both readings; means over the realisations.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReadLoads {
@@ -55,24 +48,22 @@ impl ReadLoads {
     }
 }
 
-impl Readings {
-    /// Of the surfaces of a comparison; `None` where no two have the same numbers in both readings, or none of
-    /// d/sigma = 1, 2 and 3 is in the sweep.
-    pub fn new(surfaces: &[SurfaceResults]) -> Option<Self> {
-        let of_reading = |wanted| {
-            surfaces.iter().filter_map(move |found| {
-                let numbers = found.surface.specified()?;
-                (found.surface.separations_of() == wanted).then_some((found, numbers))
-            })
-        };
-        let mut loads = Vec::new();
-        for (asperities, numbers) in of_reading(SigmaOf::Summits) {
-            for (surface, _) in of_reading(SigmaOf::Surface).filter(|(_, others)| *others == numbers) {
-                loads.extend(read_loads([asperities, surface]));
-            }
+/// The loads of the surfaces of a comparison that have the same specified numbers and differ in whose sigma and d they are: pair by pair of
+/// surfaces, law by law, separation by separation, model by model.
+pub fn loads_by_reading(surfaces: &[SurfaceResults]) -> Vec<ReadLoads> {
+    let of_reading = |wanted| {
+        surfaces.iter().filter_map(move |results| {
+            let numbers = results.surface.specified()?;
+            (results.surface.separations_of() == wanted).then_some((results, numbers))
+        })
+    };
+    let mut loads = Vec::new();
+    for (asperities, numbers) in of_reading(SigmaOf::Summits) {
+        for (surface, _) in of_reading(SigmaOf::Surface).filter(|(_, others)| *others == numbers) {
+            loads.extend(read_loads([asperities, surface]));
         }
-        (!loads.is_empty()).then_some(Self { loads })
     }
+    loads
 }
 
 /// The loads of two surfaces, case by case.

@@ -7,7 +7,6 @@ use asperity::compare::Tolerances;
 use asperity_framework::contact::ContactMetadata;
 use asperity_framework::metadata::Metadata;
 
-use super::readings::Readings;
 use super::reference::{ContactView, ElasticCase};
 use crate::layer::rule_warning;
 use crate::study::{CaseStudy, DecreaseResults, LawFindings, RealisationFacts, Threshold};
@@ -27,8 +26,6 @@ pub struct CompareResults {
     pub tolerances: Tolerances,
     /// Surface by surface, in file order.
     pub surfaces: Vec<SurfaceResults>,
-    /// What the reading of sigma and d changes, where surfaces with the same numbers have both.
-    pub readings: Option<Readings>,
     /// Closed results beside the models.
     pub lines: Vec<AnalyticalLine>,
     /// How the reference was run; `None` where none was asked for.

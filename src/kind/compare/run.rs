@@ -12,7 +12,6 @@ use asperity_framework::input::InputError;
 use asperity_framework::metadata::Timing;
 
 use super::plan::ComparePlan;
-use super::readings::Readings;
 use super::reference::{ContactView, ReferenceRun};
 use super::results::{CompareResults, Described, ReferenceMetadata, SurfaceResults};
 use super::robustness;
@@ -69,7 +68,6 @@ pub fn run(
         contact,
         implausible,
         tolerances: compare.study.controls.tolerances,
-        readings: Readings::new(&surfaces),
         surfaces,
         lines: compare.lines.clone(),
         reference: compare.reference.as_deref().map(|reference| ReferenceMetadata {

@@ -3,13 +3,13 @@
 use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row};
 
-use crate::kind::compare::readings::ReadLoads;
+use crate::kind::compare::readings::{ReadLoads, loads_by_reading};
 use crate::kind::compare::results::CompareResults;
 
 /// One model at one d/sigma under both readings.
-pub(crate) struct ReadingRow<'a>(&'a ReadLoads);
+pub(crate) struct ReadingRow(ReadLoads);
 
-impl Row for ReadingRow<'_> {
+impl Row for ReadingRow {
     const FILE: &'static str = "readings.csv";
     const ROWS: &'static str = "One row for each pair of surfaces with the same specified numbers, of which one reads sigma and d as those of the asperities and the other as those of the surface, law, layer thickness, separation and model; pressures are means over the realisations.";
     const RECORDS: Option<&'static str> = Some("readings");
@@ -31,6 +31,6 @@ impl Row for ReadingRow<'_> {
 }
 
 /// The rows.
-pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = ReadingRow<'_>> {
-    results.readings.iter().flat_map(|readings| &readings.loads).map(ReadingRow)
+pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = ReadingRow> {
+    loads_by_reading(&results.surfaces).into_iter().map(ReadingRow)
 }
