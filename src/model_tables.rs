@@ -6,20 +6,20 @@ use asperity_framework::report::table::{Column, Heading, Row, Table, Value};
 use crate::study::CaseResults;
 
 use asperity::compare::{
-    Attribution, Cause, ComparedQuantity, Comparison, CurvePoint, Kind, Pair, ReferencePoint,
+    Attribution, Cause, ComparedQuantity, Comparison, CurvePoint, ModelKind, Pair, ReferencePoint,
 };
 use asperity::{ByRegime, Exceeded, Limit, Response};
 
 /// What a row belongs to.
 #[derive(Debug, Clone)]
-pub(crate) struct Case {
+pub(crate) struct RowCase {
     surface: String,
     realisation: usize,
     law: String,
     thickness: Option<f64>,
 }
 
-impl Case {
+impl RowCase {
     pub(crate) fn bare(surface: &str, realisation: usize, law: &str) -> Self {
         Self { surface: surface.to_owned(), realisation, law: law.to_owned(), thickness: None }
     }
@@ -47,7 +47,7 @@ impl Case {
 
 /// A point of the curve of a model or of the reference.
 pub struct CurveRow {
-    pub(crate) case: Case,
+    pub(crate) case: RowCase,
     pub(crate) point: AnyPoint,
     /// E* of the pair without a layer, Pa.
     pub(crate) reduced_modulus: f64,
@@ -68,7 +68,7 @@ impl Row for CurveRow {
     const IS_LONG: bool = true;
 
     fn columns() -> Vec<Column<Self>> {
-        let mut columns = Case::columns(|row: &Self| &row.case);
+        let mut columns = RowCase::columns(|row: &Self| &row.case);
         columns.extend(columns! { row: Self =>
             model["text"] = row.either(|point| point.kind.name(), |_| REFERENCE), "Model: `statistical` (integral over the height density), `deterministic` (sum over the asperities, Eq. 13) or `reference` (boundary elements on the same map; columns about asperities are empty).";
             control["text"] = row.either(|point| point.control, |point| point.control).name(), "Quantity that is prescribed: `separation`, `pressure` or `force`; for the reference the loads of a separation sweep are pressures.";
@@ -107,17 +107,22 @@ pub(crate) const REFERENCE: &str = "reference";
 impl CurveRow {
     /// The points of both models' curves in a comparison under a law, with E* of the pair without a layer (Pa).
     pub fn from_comparison(law: &str, comparison: &Comparison, reduced_modulus: f64) -> Vec<Self> {
-        Self::of_case(&Case::bare("", 1, law), comparison, reduced_modulus)
+        Self::of_case(&RowCase::bare("", 1, law), comparison, reduced_modulus)
     }
 
     /// The same of a case.
-    pub(crate) fn of_case(case: &Case, comparison: &Comparison, reduced_modulus: f64) -> Vec<Self> {
+    pub(crate) fn of_case(case: &RowCase, comparison: &Comparison, reduced_modulus: f64) -> Vec<Self> {
         let row = |point| Self { case: case.clone(), point, reduced_modulus };
         of_models(comparison).map(row).collect()
     }
 
     /// A response of a model at its own separation.
-    pub(crate) fn at_separation(case: Case, kind: Kind, response: Response, reduced_modulus: f64) -> Self {
+    pub(crate) fn at_separation(
+        case: RowCase,
+        kind: ModelKind,
+        response: Response,
+        reduced_modulus: f64,
+    ) -> Self {
         let point = AnyPoint::Model(CurvePoint::at_separation(kind, response), response.exceeded());
         Self { case, point, reduced_modulus }
     }
@@ -172,7 +177,7 @@ fn share(of: &ByRegime, regime: usize) -> Option<f64> {
 
 /// Both models at equal load or at equal separation.
 pub(crate) struct PairRow {
-    pub(crate) case: Case,
+    pub(crate) case: RowCase,
     pub(crate) pair: Pair,
     /// Nominal area, m^2.
     pub(crate) nominal_area: f64,
@@ -184,14 +189,14 @@ pub(crate) struct PairRow {
 }
 
 /// Result of one model of a pair.
-struct Answer {
-    model: Kind,
+struct ModelValues {
+    model: ModelKind,
     response: Response,
     /// Nominal area, m^2.
     nominal_area: f64,
 }
 
-impl Answer {
+impl ModelValues {
     /// What the models are compared in; each of these becomes a column per model and one of their difference.
     fn columns() -> Vec<Column<Self>> {
         columns! { answer: Self =>
@@ -209,8 +214,8 @@ impl Answer {
     fn contacts(&self) -> f64 {
         let contacts = self.response.contact_density * self.nominal_area;
         match self.model {
-            Kind::Statistical => contacts,
-            Kind::Deterministic => contacts.round(),
+            ModelKind::Statistical => contacts,
+            ModelKind::Deterministic => contacts.round(),
         }
     }
 }
@@ -218,7 +223,7 @@ impl Answer {
 impl PairRow {
     /// Of both models, without causes and reference.
     pub(crate) fn of_models(
-        case: Case,
+        case: RowCase,
         pair: Pair,
         nominal_area: f64,
         plasticity_index: Option<f64>,
@@ -240,37 +245,37 @@ impl PairRow {
         of(&self.pair.deterministic, self.reference.as_ref()?)
     }
 
-    fn answer(&self, model: Kind) -> Answer {
+    fn answer(&self, model: ModelKind) -> ModelValues {
         let response = match model {
-            Kind::Statistical => self.pair.statistical,
-            Kind::Deterministic => self.pair.deterministic,
+            ModelKind::Statistical => self.pair.statistical,
+            ModelKind::Deterministic => self.pair.deterministic,
         };
-        Answer { model, response, nominal_area: self.nominal_area }
+        ModelValues { model, response, nominal_area: self.nominal_area }
     }
 
     /// A quantity by one model.
-    fn by(&self, model: Kind, quantity: &Column<Answer>) -> Value {
+    fn by(&self, model: ModelKind, quantity: &Column<ModelValues>) -> Value {
         quantity.value(&self.answer(model))
     }
 
     /// A quantity by the statistical model minus that by the deterministic model.
-    fn difference(&self, quantity: &Column<Answer>) -> Value {
+    fn difference(&self, quantity: &Column<ModelValues>) -> Value {
         let [statistical, deterministic] =
-            [Kind::Statistical, Kind::Deterministic].map(|model| self.by(model, quantity).number());
+            [ModelKind::Statistical, ModelKind::Deterministic].map(|model| self.by(model, quantity).number());
         statistical.zip(deterministic).map(|(statistical, deterministic)| statistical - deterministic).into()
     }
 
     /// The columns `statistical_X`, `deterministic_X` and `difference_X` of a quantity X.
-    fn compared(quantity: &Column<Answer>) -> [Column<Self>; 3] {
-        let column = |prefix, title, value: fn(&Self, &Column<Answer>) -> Value| {
+    fn compared(quantity: &Column<ModelValues>) -> [Column<Self>; 3] {
+        let column = |prefix, title, value: fn(&Self, &Column<ModelValues>) -> Value| {
             let Heading { name, unit, meaning, .. } = &quantity.heading;
             let quantity = quantity.clone();
             let value = move |row: &Self| value(row, &quantity);
             Column::new(format!("{prefix}_{name}"), unit, format!("{title}: {meaning}"), value)
         };
         [
-            column("statistical", "Statistical model", |row, x| row.by(Kind::Statistical, x)),
-            column("deterministic", "Deterministic model", |row, x| row.by(Kind::Deterministic, x)),
+            column("statistical", "Statistical model", |row, x| row.by(ModelKind::Statistical, x)),
+            column("deterministic", "Deterministic model", |row, x| row.by(ModelKind::Deterministic, x)),
             column("difference", "Statistical minus deterministic", Self::difference)
                 .scale_of(format!("statistical_{}", quantity.heading.name)),
         ]
@@ -283,12 +288,12 @@ impl Row for PairRow {
     const IS_LONG: bool = true;
 
     fn columns() -> Vec<Column<Self>> {
-        let mut columns = Case::columns(|row: &Self| &row.case);
+        let mut columns = RowCase::columns(|row: &Self| &row.case);
         columns.extend(columns! { row: Self =>
             pairing["text"] = row.pair.pairing.name(), "What the models have in common: `load` or `separation`.";
             target["Pa or 1"] = row.pair.target, "Its value: nominal pressure, or separation over sigma.";
         });
-        columns.extend(Answer::columns().iter().flat_map(Self::compared));
+        columns.extend(ModelValues::columns().iter().flat_map(Self::compared));
         columns.extend(columns! { row: Self =>
             plasticity_index["1"] = row.plasticity_index, "Plasticity index (E*/H)(sigma/R)^0.5 of Greenwood and Williamson (1966); empty where nothing yields.";
             beyond_model["true/false"] = row.pair.is_beyond_model(), "Whether either area ratio exceeds 0.05, where neighbouring asperities interact and no asperity model is valid.";

@@ -14,7 +14,7 @@ pub use statistical::StatisticalSpec;
 use std::fmt;
 use std::ops::Range;
 
-use asperity::compare::{Controls, Kind};
+use asperity::compare::{Controls, ModelKind};
 use asperity::study::{LawContact, Setup, StatisticalModel};
 use asperity::{ContactLaw, Flat, Material};
 use asperity_framework::RunContext;
@@ -140,7 +140,7 @@ impl StudyPlan {
         Setup {
             laws: &self.laws,
             law_specs: &self.law_specs,
-            models: &[Kind::Statistical, Kind::Deterministic],
+            models: &[ModelKind::Statistical, ModelKind::Deterministic],
             statistical: &self.statistical,
             is_attributed: true,
             is_ranked: false,
@@ -168,7 +168,7 @@ impl StudyPlan {
     ///
     /// # Errors
     /// Those of the writer.
-    pub fn describe(&self, models: &[Kind], f: &mut fmt::Formatter) -> fmt::Result {
+    pub fn describe(&self, models: &[ModelKind], f: &mut fmt::Formatter) -> fmt::Result {
         let laws: Vec<String> = self.law_specs.iter().map(ContactLaw::label).collect();
         writeln!(f, "  {} on {}, law {}", self.bodies.rough, self.bodies.flat, laws.join(", "))?;
         let each = match &self.layer {
@@ -200,7 +200,7 @@ impl StudyPlan {
 
 impl fmt::Display for StudyPlan {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        self.describe(&[Kind::Statistical, Kind::Deterministic], f)?;
+        self.describe(&[ModelKind::Statistical, ModelKind::Deterministic], f)?;
         self.warn(f)
     }
 }

@@ -1,6 +1,6 @@
 //! Comparisons under a layer, from a spec to the report.
 
-use asperity::compare::Kind;
+use asperity::compare::ModelKind;
 use asperity::sphere::DecreasingQuantity;
 use asperity_experiment::Experiment;
 use asperity_experiment::kind::compare::results::CompareResults;
@@ -145,7 +145,7 @@ fn a_threshold_is_where_the_area_has_changed_by_5_percent() {
     let thresholds = compared(LAYERS).surfaces.remove(0).thresholds;
     assert_eq!(thresholds.len(), 8, "2 laws, 2 loads, 2 models");
     let first: &Threshold = &thresholds[0];
-    assert_eq!((first.law.as_str(), first.kind, first.pressure), ("zmc", Kind::Statistical, 1e6));
+    assert_eq!((first.law.as_str(), first.kind, first.pressure), ("zmc", ModelKind::Statistical, 1e6));
     for threshold in &thresholds {
         let t = threshold.thickness.unwrap();
         let flat = format!(

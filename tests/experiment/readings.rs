@@ -3,7 +3,7 @@
 use crate::Report;
 use std::path::Path;
 
-use asperity::compare::{Control, Kind};
+use asperity::compare::{Control, ModelKind};
 use asperity::distribution::gaussian_moment;
 use asperity::topography::Rows;
 use asperity::topography::generate::SigmaOf;
@@ -43,7 +43,7 @@ fn greenwood_williamson(population: &Population, modulus: f64, separation: f64) 
     4.0 / 3.0 * density * modulus * radius.sqrt() * sigma.powf(1.5) * moment
 }
 
-fn pressure(results: &CaseResults, kind: Kind, h: f64) -> f64 {
+fn pressure(results: &CaseResults, kind: ModelKind, h: f64) -> f64 {
     let curves = &results.comparison.curves;
     let at = |target: f64| target == h;
     let mut points = curves.iter().filter(|point| point.kind == kind && point.control == Control::Separation);
@@ -77,10 +77,10 @@ fn a_generated_surface_has_sigma_of_its_surface() {
             results.contact.reduced_modulus,
             separation,
         );
-        let integral = pressure(found.cases[0].first(), Kind::Statistical, h);
+        let integral = pressure(found.cases[0].first(), ModelKind::Statistical, h);
         assert!((integral / expected - 1.0).abs() < 1e-9, "{integral} and {expected}");
         // The sum is over the same asperities, from the same plane.
-        let sum = pressure(found.cases[0].first(), Kind::Deterministic, h);
+        let sum = pressure(found.cases[0].first(), ModelKind::Deterministic, h);
         assert!((0.5..1.5).contains(&(sum / integral)), "{sum} and {integral}");
     }
 }
@@ -107,7 +107,7 @@ fn the_same_numbers_in_both_readings_are_compared() {
         let d = loads.separation * sigma;
         let expected = greenwood_williamson(&converted, modulus, d - surface.mean_asperity_height())
             / greenwood_williamson(&asperities, modulus, d);
-        let tolerance = if loads.kind == Kind::Statistical { 1e-9 } else { 0.01 };
+        let tolerance = if loads.kind == ModelKind::Statistical { 1e-9 } else { 0.01 };
         assert!((loads.ratio() / expected - 1.0).abs() < tolerance, "{loads:?}: {expected}");
         // At one sigma of the surface, more than 5 % of it is in contact.
         assert_eq!(loads.is_valid(), loads.separation > 1.0, "{loads:?}");
@@ -152,7 +152,7 @@ fn an_offset_of_a_list_costs_no_digits() {
     let [low, high] = [near, far].map(|found| found.surface.reported_statistics());
     assert!((high.mean_height - 1.0 - low.mean_height).abs() < 2.0 * f64::EPSILON);
     assert!((high.sigma / low.sigma - 1.0).abs() < 2e-15);
-    for kind in [Kind::Statistical, Kind::Deterministic] {
+    for kind in [ModelKind::Statistical, ModelKind::Deterministic] {
         for h in [2.0, 1.0, 0.0] {
             let [low, high] = [near, far].map(|found| pressure(found.cases[0].first(), kind, h));
             assert!((low == 0.0 && high == 0.0) || (high / low - 1.0).abs() < 1e-14, "{high} for {low}");

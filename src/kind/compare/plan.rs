@@ -4,7 +4,7 @@ use std::fmt;
 use std::path::PathBuf;
 
 use asperity::analytical::AnalyticalLine;
-use asperity::compare::{Controls, Kind};
+use asperity::compare::{Controls, ModelKind};
 use asperity_framework::RunContext;
 use asperity_framework::input::{InputError, Spanned, SpecFile};
 
@@ -21,7 +21,7 @@ pub struct ComparePlan {
     /// Bodies, laws, loads and surfaces.
     pub study: StudyPlan,
     /// The models to run.
-    pub models: Vec<Kind>,
+    pub models: Vec<ModelKind>,
     /// The reference beside them, where one is asked for.
     pub reference: Option<Box<ReferencePlan>>,
     /// Closed results beside the models.

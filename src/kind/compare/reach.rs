@@ -1,6 +1,6 @@
 //! Whether the loads of a comparison are reached, as far as the asperities are known without a map.
 
-use asperity::compare::{Controls, Kind, Models, compare};
+use asperity::compare::{Controls, ModelKind, Models, compare};
 use asperity::work::Counter;
 use asperity::{LOWEST_SEPARATION, Model};
 use asperity_framework::RunContext;
@@ -31,7 +31,7 @@ pub(super) fn check(context: &RunContext, plan: &ComparePlan) -> Result<(), Inpu
         for law in &plan.study.laws {
             let statistical = plan
                 .models
-                .contains(&Kind::Statistical)
+                .contains(&ModelKind::Statistical)
                 .then(|| models.statistical(&*law.contact, &law.spec));
             let deterministic = models.deterministic(&*law.contact, &law.spec);
             let statistical = statistical.as_deref();

@@ -1,7 +1,7 @@
 //! Two readings of the same numbers: sigma and d as those of the asperities, or of the surface.
 
 use asperity::Response;
-use asperity::compare::{Control, Kind};
+use asperity::compare::{Control, ModelKind};
 use asperity::topography::generate::SigmaOf;
 
 use crate::kind::compare::results::SurfaceResults;
@@ -20,7 +20,7 @@ pub struct ReadLoads {
     /// Thickness of the layer, m; `None` without a layer in the spec.
     pub thickness: Option<f64>,
     /// The model.
-    pub kind: Kind,
+    pub kind: ModelKind,
     /// d/sigma.
     pub separation: f64,
     /// Under each reading.
@@ -71,7 +71,7 @@ fn read_loads(surfaces: [&SurfaceResults; 2]) -> Vec<ReadLoads> {
     let mut loads = Vec::new();
     for (first_case, second_case) in surfaces[0].cases.iter().zip(&surfaces[1].cases) {
         for separation in SEPARATIONS {
-            for kind in [Kind::Statistical, Kind::Deterministic] {
+            for kind in [ModelKind::Statistical, ModelKind::Deterministic] {
                 let [first, second] = [first_case, second_case].map(|case| mean_load(case, kind, separation));
                 let (Some(first), Some(second)) = (first, second) else { continue };
                 if first.pressure > 0.0 {
@@ -91,14 +91,14 @@ fn read_loads(surfaces: [&SurfaceResults; 2]) -> Vec<ReadLoads> {
 }
 
 /// Means of a model over the realisations at one separation; `None` where it is not in the sweep.
-fn mean_load(case: &CaseStudy, kind: Kind, separation: f64) -> Option<ReadAnswer> {
+fn mean_load(case: &CaseStudy, kind: ModelKind, separation: f64) -> Option<ReadAnswer> {
     let responses: Option<Vec<Response>> =
         case.realisations.iter().map(|results| response(results, kind, separation)).collect();
     let responses = responses?;
     let sum: f64 = responses.iter().map(|response| response.pressure.total()).sum();
     // An integral has no single contacts: the limits of both models hold.
     let is_valid = case.realisations.iter().all(|results| {
-        let both = [Kind::Statistical, Kind::Deterministic];
+        let both = [ModelKind::Statistical, ModelKind::Deterministic];
         both.into_iter()
             .filter_map(|kind| response(results, kind, separation))
             .all(|response| response.exceeded().is_none())
@@ -106,7 +106,7 @@ fn mean_load(case: &CaseStudy, kind: Kind, separation: f64) -> Option<ReadAnswer
     Some(ReadAnswer { pressure: sum / responses.len() as f64, is_valid })
 }
 
-fn response(results: &CaseResults, kind: Kind, separation: f64) -> Option<Response> {
+fn response(results: &CaseResults, kind: ModelKind, separation: f64) -> Option<Response> {
     /// Rounding of a sweep's steps.
     const ROUNDING: f64 = 1e-9;
     let is_there = |h: f64| (h - separation).abs() < ROUNDING;

@@ -8,7 +8,7 @@ use super::reference::ReferenceSpec;
 use crate::layer::LayerSpec;
 use crate::study_plan::{RoughBody, StatisticalSpec};
 use asperity::analytical::AnalyticalLine;
-use asperity::compare::Kind;
+use asperity::compare::ModelKind;
 use asperity_framework::input::Spanned;
 use asperity_framework::input::accept::AcceptSpec;
 use asperity_framework::input::law::Laws;
@@ -86,7 +86,7 @@ fn yes() -> bool {
 #[serde(try_from = "Vec<ModelName>")]
 pub struct Models {
     /// The models.
-    pub kinds: Vec<Kind>,
+    pub kinds: Vec<ModelKind>,
     /// Whether the reference runs.
     pub has_reference: bool,
 }
@@ -102,7 +102,7 @@ enum ModelName {
 
 impl Default for Models {
     fn default() -> Self {
-        Self { kinds: vec![Kind::Statistical, Kind::Deterministic], has_reference: false }
+        Self { kinds: vec![ModelKind::Statistical, ModelKind::Deterministic], has_reference: false }
     }
 }
 
@@ -119,8 +119,8 @@ impl TryFrom<Vec<ModelName>> for Models {
             return Err(format!("found a model twice; {ALLOWED}"));
         }
         let kind = |name: &ModelName| match name {
-            ModelName::Statistical => Some(Kind::Statistical),
-            ModelName::Deterministic => Some(Kind::Deterministic),
+            ModelName::Statistical => Some(ModelKind::Statistical),
+            ModelName::Deterministic => Some(ModelKind::Deterministic),
             ModelName::Reference => None,
         };
         Ok(Self {

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use super::results::{LawOnAsperity, LawsResults};
 use asperity::Contact;
-use asperity::compare::{AtLoad, Influence, Kind, Measure};
+use asperity::compare::{AtLoad, Influence, Measure, ModelKind};
 use asperity::sphere::LARGEST_SLOPE;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
 
@@ -163,7 +163,7 @@ fn range(results: &LawsResults, influence: &Influence, measure: Measure) -> Opti
     let passing = || (0..results.laws.len()).filter(|&law| results.laws[law].is_elastic_plastic);
     let of_load = |at: &AtLoad| {
         let mut needed = vec![0.0];
-        needed.extend(passing().map(|law| at.deviation(measure, law, Kind::Deterministic)));
+        needed.extend(passing().map(|law| at.deviation(measure, law, ModelKind::Deterministic)));
         let half = BAND * at.sampling_error(measure, 0).unwrap_or(0.0);
         needed.extend([at.gap(measure, 0) - half, at.gap(measure, 0) + half]);
         needed
@@ -200,7 +200,7 @@ fn beside(results: &LawsResults, influence: &Influence, measure: Measure, plot: 
         .with(Layer::band(band.collect::<Vec<_>>()).coloured(colour(0)).named(name.clone()))
         .with(Layer::line(line(&|at| at.gap(measure, 0))).coloured(colour(0)).named(name).thick());
     for (index, law) in results.laws.iter().enumerate().skip(1) {
-        let points = line(&|at| at.deviation(measure, index, Kind::Deterministic));
+        let points = line(&|at| at.deviation(measure, index, ModelKind::Deterministic));
         let layer = Layer::line(points).coloured(colour(index)).dashed(dash(law));
         plot = plot.with(layer.named(format!("{}, sum", law.law)).thin());
     }

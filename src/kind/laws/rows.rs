@@ -3,7 +3,7 @@
 use super::results::{LawOnAsperity, LawsResults, SurfaceInfluence};
 use crate::kind::compare::rows;
 use crate::model_tables::limits;
-use asperity::compare::{AtLoad, Dominance, Effect, Group, Kind, Measure};
+use asperity::compare::{AtLoad, Dominance, Effect, Group, Measure, ModelKind};
 use asperity::sphere::{Boundary, Point};
 use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row, Schema, Table};
@@ -104,10 +104,10 @@ impl Row for InfluenceRow<'_> {
             counts["true/false", label("admissible")] = row.at_load.exceeded.is_none(), "Whether the load is within the valid range under every law.";
             limits["text"] = limits(row.at_load.exceeded), "Limits of the valid range that are exceeded under some law, as in `curves.csv`.";
             fewest_contacts["1", scale(1.0)] = row.at_load.fewest_contacts, "Fewest effective contacts of the deterministic model under any law.";
-            all_laws_statistical["1", scale(1.0), label("all laws, integral")] = row.spread(Group::All, Kind::Statistical), "Highest over lowest of all laws under the statistical model.";
-            all_laws_deterministic["1", scale(1.0), label("all laws, sum")] = row.spread(Group::All, Kind::Deterministic), "Highest over lowest of all laws under the deterministic model.";
-            passing_laws_statistical["1", scale(1.0), label("elastic-plastic, integral")] = row.spread(Group::ElasticPlastic, Kind::Statistical), "Highest over lowest of the elastic-plastic laws, without the limits `hertz` and `fully-plastic`, under the statistical model.";
-            passing_laws_deterministic["1", scale(1.0), label("elastic-plastic, sum")] = row.spread(Group::ElasticPlastic, Kind::Deterministic), "Highest over lowest of the elastic-plastic laws under the deterministic model.";
+            all_laws_statistical["1", scale(1.0), label("all laws, integral")] = row.spread(Group::All, ModelKind::Statistical), "Highest over lowest of all laws under the statistical model.";
+            all_laws_deterministic["1", scale(1.0), label("all laws, sum")] = row.spread(Group::All, ModelKind::Deterministic), "Highest over lowest of all laws under the deterministic model.";
+            passing_laws_statistical["1", scale(1.0), label("elastic-plastic, integral")] = row.spread(Group::ElasticPlastic, ModelKind::Statistical), "Highest over lowest of the elastic-plastic laws, without the limits `hertz` and `fully-plastic`, under the statistical model.";
+            passing_laws_deterministic["1", scale(1.0), label("elastic-plastic, sum")] = row.spread(Group::ElasticPlastic, ModelKind::Deterministic), "Highest over lowest of the elastic-plastic laws under the deterministic model.";
             models_first_law["1", scale(1.0), label("models, reference law")] = row.compared(row.at_load.gap(row.measure, 0)), "Statistical over deterministic model under the first law.";
             passing_laws_models_most["1", scale(1.0), label("models, largest")] = row.largest_gap().map(|(_, gap)| row.compared(gap)), "Statistical over deterministic model under the elastic-plastic law for which they differ most.";
             passing_laws_models_most_law["text", label("under the law")] = row.largest_gap().map(|(law, _)| row.surface.influence.laws[law].as_str()), "The law of the previous column.";
@@ -126,7 +126,7 @@ impl InfluenceRow<'_> {
         }
     }
 
-    fn spread(&self, group: Group, kind: Kind) -> Option<f64> {
+    fn spread(&self, group: Group, kind: ModelKind) -> Option<f64> {
         self.at_load.spread(self.measure, group, kind).map(|spread| self.compared(spread))
     }
 
@@ -164,7 +164,7 @@ pub struct ChoiceRow<'a> {
 
 impl ChoiceRow<'_> {
     /// The effect of the law instead of the first one.
-    fn choice(&self, kind: Kind) -> Option<Effect> {
+    fn choice(&self, kind: ModelKind) -> Option<Effect> {
         self.surface.influence.of_choice(self.measure, self.law, kind).filter(|_| self.law > 0)
     }
 
@@ -190,10 +190,10 @@ impl Row for ChoiceRow<'_> {
         let mut columns = influence_columns(|row: &Self| (row.surface, row.measure));
         columns.extend(columns! { row: Self =>
             law["text"] = row.surface.influence.laws[row.law].as_str(), "Contact law.";
-            statistical_from_first["1", label("integral, from reference law"), signed, scale(1.0)] = row.largest(row.choice(Kind::Statistical)), "Largest difference of the statistical model under this law from that under the first; empty of the first.";
-            statistical_from_first_at_pa["Pa", label("at"), prefix("M")] = row.choice(Kind::Statistical).map(|effect| effect.at), "The load at which it is.";
-            deterministic_from_first["1", label("sum, from reference law"), signed, scale(1.0)] = row.largest(row.choice(Kind::Deterministic)), "The same of the deterministic model.";
-            deterministic_from_first_at_pa["Pa", label("at"), prefix("M")] = row.choice(Kind::Deterministic).map(|effect| effect.at), "The load at which it is.";
+            statistical_from_first["1", label("integral, from reference law"), signed, scale(1.0)] = row.largest(row.choice(ModelKind::Statistical)), "Largest difference of the statistical model under this law from that under the first; empty of the first.";
+            statistical_from_first_at_pa["Pa", label("at"), prefix("M")] = row.choice(ModelKind::Statistical).map(|effect| effect.at), "The load at which it is.";
+            deterministic_from_first["1", label("sum, from reference law"), signed, scale(1.0)] = row.largest(row.choice(ModelKind::Deterministic)), "The same of the deterministic model.";
+            deterministic_from_first_at_pa["Pa", label("at"), prefix("M")] = row.choice(ModelKind::Deterministic).map(|effect| effect.at), "The load at which it is.";
             statistical_from_deterministic["1", label("integral from sum"), signed, scale(1.0)] = row.largest(row.summation()), "Largest difference of the statistical from the deterministic model under this law.";
             statistical_from_deterministic_at_pa["Pa", label("at"), prefix("M")] = row.summation().map(|effect| effect.at), "The load at which it is.";
             largest_in_standard_errors["1", label("largest in s.e."), scale(1.0)] = row.standard_errors(), "Largest difference between the models in its standard errors; empty where no interval is claimed.";

@@ -1,6 +1,6 @@
 //! The page of a convergence study: does the sum converge to the integral, and at which rate?
 
-use asperity::compare::{ErrorSlope, Quantity, Sampling};
+use asperity::compare::{ErrorSlope, LimitQuantity, Sampling};
 use asperity_framework::contact::ContactSummary;
 use asperity_framework::metadata::Metadata;
 use asperity_framework::report::format::{input_number, input_quantity, number};
@@ -31,7 +31,7 @@ impl Outcome for LimitResults {
         let mut page = Page::new(&self.metadata.title);
         page.lead(&answer(&self.slopes));
         for slopes in self.slopes.chunk_by(|a, b| a.law == b.law) {
-            for quantity in Quantity::ALL {
+            for quantity in LimitQuantity::ALL {
                 let file = format!("{}-{}.svg", slopes[0].law, quantity.name());
                 let file = file.replace(['(', ')', ' ', '='], "-");
                 page.figure(&file, figure(slopes, quantity), CAPTION);
@@ -84,7 +84,7 @@ fn answer(slopes: &[ErrorSlope]) -> String {
 }
 
 /// The errors under one law.
-fn figure(slopes: &[ErrorSlope], quantity: Quantity) -> Figure {
+fn figure(slopes: &[ErrorSlope], quantity: LimitQuantity) -> Figure {
     let panel = |(sampling, slope): (Sampling, f64)| {
         let axis = Axis::log(format!("relative error of the {}", quantity.name()));
         let title = format!("Heights: {}", sampling.name());
@@ -118,7 +118,7 @@ mod tests {
         let slope = |sampling, slope, expected| ErrorSlope {
             law: "hertz".to_owned(),
             separation: 0.0,
-            quantity: Quantity::Load,
+            quantity: LimitQuantity::Load,
             sampling,
             errors: Vec::new(),
             fit: SlopeFit { slope, standard_error: 0.0, points: 3 },

@@ -1,16 +1,16 @@
 //! The tables of a limit.
 
-use asperity::compare::{ErrorSlope, Kind, LimitPoint, Quantity};
+use asperity::compare::{ErrorSlope, LimitPoint, LimitQuantity, ModelKind};
 use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row, Table};
 
 use super::run::LimitResults;
-use crate::model_tables::{Case, CurveRow, PairRow, comparison_of_models};
+use crate::model_tables::{CurveRow, PairRow, RowCase, comparison_of_models};
 
 /// The errors of sets of one size at one separation.
 pub struct ConvergenceRow<'a> {
     point: &'a LimitPoint,
-    quantity: Quantity,
+    quantity: LimitQuantity,
 }
 
 impl Row for ConvergenceRow<'_> {
@@ -20,7 +20,7 @@ impl Row for ConvergenceRow<'_> {
     fn columns() -> Vec<Column<Self>> {
         columns! { row: Self =>
             law["text"] = row.point.law.as_str(), "Contact law of an asperity.";
-            quantity["text"] = row.quantity.name(), "Quantity whose error is given: `area` or `load`.";
+            quantity["text"] = row.quantity.name(), "LimitQuantity whose error is given: `area` or `load`.";
             separation_over_sigma["1", label("d/σ"), input] = row.point.separation_over_sigma(), "Separation over sigma, the standard deviation of the asperity heights.";
             asperities["count"] = row.point.count, "Asperities in a set.";
             expected_contacts["1"] = row.point.expected_contacts(), "Expected number of contacts.";
@@ -44,7 +44,7 @@ impl Row for SlopeRow<'_> {
     fn columns() -> Vec<Column<Self>> {
         columns! { row: Self =>
             law["text"] = row.0.law.as_str(), "Contact law of an asperity.";
-            quantity["text"] = row.0.quantity.name(), "Quantity whose error is fitted: `area` or `load`.";
+            quantity["text"] = row.0.quantity.name(), "LimitQuantity whose error is fitted: `area` or `load`.";
             heights["text"] = row.0.sampling.name(), "How the heights are taken: `random` or at the `quantiles`.";
             separation_over_sigma["1", label("d/σ"), input] = row.0.separation, "Separation over sigma.";
             slope["1"] = row.0.fit.slope, "Slope of the root mean square error of the random sets, or of the error of the set at the quantiles.";
@@ -61,14 +61,14 @@ pub fn tables(results: &LimitResults) -> Vec<Table> {
     let LimitResults { points, contact, slopes, .. } = results;
     let integrals = points.iter().take_while(|point| point.count == points[0].count);
     let integrals = integrals.map(|LimitPoint { law, exact, .. }| {
-        (Case::bare("population", 1, law), Kind::Statistical, exact.statistical)
+        (RowCase::bare("population", 1, law), ModelKind::Statistical, exact.statistical)
     });
-    let sums = pairs(results).map(|row| (row.case, Kind::Deterministic, row.pair.deterministic));
+    let sums = pairs(results).map(|row| (row.case, ModelKind::Deterministic, row.pair.deterministic));
     let curves = integrals
         .chain(sums)
         .map(|(case, kind, response)| CurveRow::at_separation(case, kind, response, contact.reduced_modulus));
     let errors =
-        Quantity::ALL.map(|quantity| points.iter().map(move |point| ConvergenceRow { point, quantity }));
+        LimitQuantity::ALL.map(|quantity| points.iter().map(move |point| ConvergenceRow { point, quantity }));
     let tables = [
         Table::new(curves),
         comparison_of_models(pairs(results)),
@@ -83,7 +83,7 @@ fn pairs(results: &LimitResults) -> impl Iterator<Item = PairRow> {
     results.points.iter().flat_map(move |point| {
         let area = point.count as f64 / results.sets.population.density;
         point.pairs().map(move |(sampling, draw, pair)| {
-            let case = Case::bare(&format!("{}-{}", sampling.name(), point.count), draw, &point.law);
+            let case = RowCase::bare(&format!("{}-{}", sampling.name(), point.count), draw, &point.law);
             PairRow::of_models(case, pair, area, results.plasticity_index)
         })
     })

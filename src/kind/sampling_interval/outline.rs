@@ -12,7 +12,7 @@ use serde_json::{Map, Value, json};
 
 use super::figures;
 use super::findings::main_load;
-use super::quantity::Quantity;
+use super::quantity::TrendQuantity;
 use super::results::{IntervalResults, QUANTITIES, Series, SurfaceResults, Variation};
 use super::rows::{GapRow, LeadRow, LimitRow, ScaleRow, tables};
 use super::trend::Trend;
@@ -80,7 +80,8 @@ fn answer(results: &IntervalResults, surface: &SurfaceResults, variation: Variat
 
 /// "**ground, sampling interval from 2 µm to 1 µm**: density +24 % (approaching); mean radius -41 % (no limit)."
 fn outcomes(series: &Series, load: Option<f64>) -> String {
-    const MAIN: [Quantity; 3] = [Quantity::Density, Quantity::MeanRadius, Quantity::DeterministicArea];
+    const MAIN: [TrendQuantity; 3] =
+        [TrendQuantity::Density, TrendQuantity::MeanRadius, TrendQuantity::DeterministicArea];
     let item = |trend: &Trend| {
         let change = signed((100.0 * trend.quantity.relative(trend.change).unwrap_or(trend.change)).round());
         let at = trend.load.map_or_else(String::new, |load| format!(" at {}", input_quantity(load, "Pa")));
@@ -177,9 +178,9 @@ mod tests {
             Trend::new(quantity, load, &points, &[], 0.05).unwrap()
         };
         let trends = vec![
-            trend(Quantity::Density, None, -1.0),
-            trend(Quantity::MeanRadius, None, 0.0),
-            trend(Quantity::DeterministicArea, Some(1e6), 0.0),
+            trend(TrendQuantity::Density, None, -1.0),
+            trend(TrendQuantity::MeanRadius, None, 0.0),
+            trend(TrendQuantity::DeterministicArea, Some(1e6), 0.0),
         ];
         let intervals = series(Variation::Interval, trends);
         let line =

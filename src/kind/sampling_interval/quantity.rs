@@ -7,7 +7,7 @@ use asperity::named_enum;
 named_enum! {
     /// A quantity of the asperities, or of both models at a load.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-    pub enum Quantity {
+    pub enum TrendQuantity {
         /// Asperities per nominal area.
         Density = "density",
         /// Arithmetic mean of the radii.
@@ -48,7 +48,7 @@ pub struct Asperities {
     pub plasticity_index: Option<f64>,
 }
 
-impl Quantity {
+impl TrendQuantity {
     /// Whether it is of both models at a load.
     pub const fn is_at_load(self) -> bool {
         matches!(self, Self::DeterministicArea | Self::StatisticalArea | Self::SeparationGap | Self::AreaGap)

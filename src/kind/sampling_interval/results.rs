@@ -5,7 +5,7 @@ use asperity::named_enum;
 use asperity_framework::contact::ContactMetadata;
 use asperity_framework::metadata::Metadata;
 
-use super::quantity::{Asperities, Quantity};
+use super::quantity::{Asperities, TrendQuantity};
 use super::trend::{Point, Trend};
 use crate::study::CaseResults;
 use crate::surface::Surface;
@@ -122,21 +122,21 @@ impl ScaleResults {
     }
 
     /// A quantity, at the load of index `load` where it depends on one, or its logarithm; `None` beyond the valid range.
-    fn value(&self, quantity: Quantity, load: usize) -> Option<f64> {
+    fn value(&self, quantity: TrendQuantity, load: usize) -> Option<f64> {
         let difference = |compared| self.difference(load, compared);
         let pair = || difference(ComparedQuantity::Area).and_then(|_| self.case.comparison.pairs.get(load));
         match quantity {
-            Quantity::SeparationGap => Some(difference(ComparedQuantity::Separation)?.contrast),
-            Quantity::AreaGap => Some(difference(ComparedQuantity::Area)?.contrast),
-            Quantity::DeterministicArea => Some(pair()?.deterministic.area_ratio.total().ln()),
-            Quantity::StatisticalArea => Some(pair()?.statistical.area_ratio.total().ln()),
+            TrendQuantity::SeparationGap => Some(difference(ComparedQuantity::Separation)?.contrast),
+            TrendQuantity::AreaGap => Some(difference(ComparedQuantity::Area)?.contrast),
+            TrendQuantity::DeterministicArea => Some(pair()?.deterministic.area_ratio.total().ln()),
+            TrendQuantity::StatisticalArea => Some(pair()?.statistical.area_ratio.total().ln()),
             _ => quantity.of_asperities(&self.asperities),
         }
     }
 
     /// The same without each block; `None` where it is not known without each of them, and at a load of which no interval is
     /// claimed.
-    fn without_blocks(&self, quantity: Quantity, load: usize) -> Option<Vec<f64>> {
+    fn without_blocks(&self, quantity: TrendQuantity, load: usize) -> Option<Vec<f64>> {
         let BlocksLeftOut { asperities, models } = self.blocks.as_ref()?;
         if !quantity.is_at_load() {
             return asperities.iter().map(|rest| quantity.of_asperities(rest.as_ref()?)).collect();
@@ -149,7 +149,7 @@ impl ScaleResults {
 impl Series {
     /// The same with the trends of all quantities, at each of the `loads` (Pa).
     pub fn with_trends(mut self, loads: &[f64], accepted: &Accepted) -> Self {
-        for quantity in Quantity::ALL {
+        for quantity in TrendQuantity::ALL {
             let loads = if quantity.is_at_load() { loads } else { &loads[..1] };
             let trend = |(index, &load)| {
                 let (points, shares) = self.points(quantity, index);
@@ -164,7 +164,7 @@ impl Series {
 
     /// A quantity from the finest scale to the coarsest at which it is known without a gap, with the shares of the blocks at the
     /// finest.
-    fn points(&self, quantity: Quantity, load: usize) -> (Vec<Point>, &[f64]) {
+    fn points(&self, quantity: TrendQuantity, load: usize) -> (Vec<Point>, &[f64]) {
         let point = |scale: &Scale| {
             let results = scale.results.as_ref().ok()?;
             let (value, without) = (results.value(quantity, load)?, results.without_blocks(quantity, load));

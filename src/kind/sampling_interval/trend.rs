@@ -3,7 +3,7 @@
 use asperity::compare::{SlopeFit, jackknife_error, jackknife_quantile};
 use asperity::named_enum;
 
-use super::quantity::Quantity;
+use super::quantity::TrendQuantity;
 
 /// A change has shrunk if it is at most this many times the one before, over equal ratios of lengths: a quantity that approaches
 /// its limit as length^p does so with 2^-p per halving, p = 1/2 here; a power law without a limit has 1.
@@ -47,7 +47,7 @@ named_enum! {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Trend {
     /// The quantity.
-    pub quantity: Quantity,
+    pub quantity: TrendQuantity,
     /// Nominal pressure, Pa, of a quantity at a load.
     pub load: Option<f64>,
     /// The change from the second finest scale to the finest.
@@ -68,7 +68,7 @@ impl Trend {
     /// Of a quantity at its scales, from the finest; `shares` are those of the blocks in the area at the finest. `None` of fewer
     /// than three scales.
     pub fn new(
-        quantity: Quantity,
+        quantity: TrendQuantity,
         load: Option<f64>,
         points: &[Point],
         shares: &[f64],
@@ -141,7 +141,7 @@ mod tests {
     fn trend(value: impl Fn(f64) -> f64, lengths: &[f64]) -> Trend {
         let point = |&length: &f64| Point { length, value: value(length).ln(), without: None };
         let points: Vec<Point> = lengths.iter().map(point).collect();
-        Trend::new(Quantity::Density, None, &points, &[], TOLERANCE).unwrap()
+        Trend::new(TrendQuantity::Density, None, &points, &[], TOLERANCE).unwrap()
     }
 
     /// 1 + c h^2, as of a smooth surface: the change from 2 to 1 is 3 c, what is left c.
@@ -206,15 +206,15 @@ mod tests {
             point(2.0, 0.7, without([0.8, 0.6, 0.9, 0.5])),
             point(4.0, 0.4, None),
         ];
-        let found = Trend::new(Quantity::Density, None, &alike, &shares, TOLERANCE).unwrap();
+        let found = Trend::new(TrendQuantity::Density, None, &alike, &shares, TOLERANCE).unwrap();
         assert!(found.half_width.unwrap() < 1e-12);
         let mut apart = alike.clone();
         apart[1].without = without([0.6, 0.8, 0.5, 0.9]);
-        let found = Trend::new(Quantity::Density, None, &apart, &shares, TOLERANCE).unwrap();
+        let found = Trend::new(TrendQuantity::Density, None, &apart, &shares, TOLERANCE).unwrap();
         assert!(found.half_width.unwrap() > 0.5 && found.outcome == Convergence::CannotTell);
         apart[1].without = without([0.6; 4]).map(|all| all[..3].to_vec());
-        let found = Trend::new(Quantity::Density, None, &apart, &shares, TOLERANCE).unwrap();
+        let found = Trend::new(TrendQuantity::Density, None, &apart, &shares, TOLERANCE).unwrap();
         assert_eq!(found.half_width, None, "other blocks");
-        assert_eq!(Trend::new(Quantity::Density, None, &alike[..2], &shares, TOLERANCE), None);
+        assert_eq!(Trend::new(TrendQuantity::Density, None, &alike[..2], &shares, TOLERANCE), None);
     }
 }

@@ -1,6 +1,6 @@
 //! The page of a surface in tiles: how far is the integral from the sum over all of it?
 
-use asperity::compare::Kind;
+use asperity::compare::ModelKind;
 use asperity_framework::contact::ContactSummary;
 use asperity_framework::metadata::Metadata;
 use asperity_framework::report::format::{count, input_number, number, percent, signed, thickness};
@@ -106,7 +106,7 @@ fn answer(law: &LawResults) -> String {
 }
 
 fn figure(name: &str, law: &LawResults) -> Figure {
-    let curve = |kind: Kind| {
+    let curve = |kind: ModelKind| {
         let points = law.comparison.curves.iter().filter(move |point| point.kind == kind);
         points.map(|point| (point.target, point.response.pressure.total())).collect::<Vec<_>>()
     };
@@ -117,12 +117,12 @@ fn figure(name: &str, law: &LawResults) -> Figure {
         Axis::log("nominal pressure in Pa"),
     )
     .with(
-        Layer::line(loaded(curve(Kind::Deterministic)))
+        Layer::line(loaded(curve(ModelKind::Deterministic)))
             .coloured(Colour::Deterministic)
             .named("deterministic"),
     )
     .with(
-        Layer::line(loaded(curve(Kind::Statistical)))
+        Layer::line(loaded(curve(ModelKind::Statistical)))
             .coloured(Colour::Statistical)
             .dashed(Dash::Dashed)
             .named("statistical"),

@@ -1,6 +1,6 @@
 //! Results of both models on a surface in tiles.
 
-use asperity::compare::{Comparison, CurvePoint, Kind, Pair, Pairing};
+use asperity::compare::{Comparison, CurvePoint, ModelKind, Pair, Pairing};
 use asperity::study::LawContact;
 use asperity::{Model, Population, ReferencePlane, Response, Shape, Statistical, Statistics, Total};
 use asperity_framework::contact::ContactMetadata;
@@ -77,8 +77,8 @@ impl LawResults {
         let integrals = integral.respond_all(separations);
         let mut comparison = Comparison::default();
         let curve = |kind| move |response: &Response| CurvePoint::at_separation(kind, *response);
-        comparison.curves.extend(integrals.iter().map(curve(Kind::Statistical)));
-        comparison.curves.extend(sums.iter().map(curve(Kind::Deterministic)));
+        comparison.curves.extend(integrals.iter().map(curve(ModelKind::Statistical)));
+        comparison.curves.extend(sums.iter().map(curve(ModelKind::Deterministic)));
         let pair = |(statistical, sum): (&Response, &Response)| Pair::at_separation(*statistical, *sum);
         comparison.pairs.extend(integrals.iter().zip(&sums).map(pair));
         let loaded: Vec<&Response> = sums.iter().filter(|sum| sum.pressure.total() > 0.0).collect();

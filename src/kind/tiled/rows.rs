@@ -6,7 +6,7 @@ use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row, Table};
 
 use super::results::{LawResults, TiledResults, TiledSurface};
-use crate::model_tables::{Case, CurveRow, PairRow, comparison_of_models, limits};
+use crate::model_tables::{CurveRow, PairRow, RowCase, comparison_of_models, limits};
 use crate::surface::rows::SurfaceRow;
 
 /// Half-width of a 95 % interval in standard errors.
@@ -90,7 +90,7 @@ pub fn surface_row(surface: &TiledSurface) -> SurfaceRow<'_> {
 
 /// The tables.
 pub fn tables(results: &TiledResults) -> Vec<Table> {
-    let case = |law: &LawResults| Case::layered(&results.surface.name, &law.law, law.thickness);
+    let case = |law: &LawResults| RowCase::layered(&results.surface.name, &law.law, law.thickness);
     let modulus = results.contact.reduced_modulus;
     let curves = results.laws.iter().flat_map(|law| CurveRow::of_case(&case(law), &law.comparison, modulus));
     let pairs = results.laws.iter().flat_map(|law| {

@@ -12,7 +12,7 @@ mod window;
 
 pub use count::{Coverage, IntervalCount};
 pub use process::{Controls, EndlessProcess, Unusable};
-pub use window::{Quantity, QuantityEstimate, WindowResults, WindowTask};
+pub use window::{CoveredQuantity, QuantityEstimate, WindowResults, WindowTask};
 
 use rayon::prelude::*;
 

@@ -14,7 +14,7 @@ use super::process::{Controls, Unusable, WindowAsperities};
 
 /// A quantity with an interval.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Quantity {
+pub enum CoveredQuantity {
     /// Statistical less deterministic result at equal load, as a verdict is given on it.
     Difference(ComparedQuantity),
     /// Logarithm of the area ratio of the sum at a load.
@@ -23,7 +23,7 @@ pub enum Quantity {
     LoadAtSeparation,
 }
 
-impl Quantity {
+impl CoveredQuantity {
     /// All quantities.
     pub const ALL: [Self; 5] = [
         Self::Difference(ComparedQuantity::Separation),
@@ -64,7 +64,7 @@ pub struct WindowResults {
     /// The larger correlation length of x and y over the side of the window; infinite where the autocorrelation does not
     /// decay.
     pub correlation: f64,
-    /// For each load the quantities in the order of [`Quantity::ALL`]; `None` where one has no value.
+    /// For each load the quantities in the order of [`CoveredQuantity::ALL`]; `None` where one has no value.
     pub estimates: Vec<[Option<QuantityEstimate>; 5]>,
 }
 
@@ -175,17 +175,19 @@ impl WindowTask<'_> {
         let at_load = |(index, difference): (usize, Difference)| {
             let pair = &pairs[index];
             let [s, d] = &results.at_separations[index];
-            Quantity::ALL.map(|quantity| {
+            CoveredQuantity::ALL.map(|quantity| {
                 let (sum, integral) = match quantity {
-                    Quantity::LoadAtSeparation => (d, s),
-                    Quantity::Difference(_) | Quantity::AreaOfSum => (&pair.deterministic, &pair.statistical),
+                    CoveredQuantity::LoadAtSeparation => (d, s),
+                    CoveredQuantity::Difference(_) | CoveredQuantity::AreaOfSum => {
+                        (&pair.deterministic, &pair.statistical)
+                    }
                 };
                 let estimate = match quantity {
-                    Quantity::Difference(quantity) => difference.estimates[quantity as usize]?,
-                    Quantity::AreaOfSum => {
+                    CoveredQuantity::Difference(quantity) => difference.estimates[quantity as usize]?,
+                    CoveredQuantity::AreaOfSum => {
                         claim(sum, results.log_area(index)?, &|without| without.log_area(index))
                     }
-                    Quantity::LoadAtSeparation => {
+                    CoveredQuantity::LoadAtSeparation => {
                         claim(sum, results.log_load_ratio(index)?, &|without| without.log_load_ratio(index))
                     }
                 };

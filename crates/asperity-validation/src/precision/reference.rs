@@ -2,7 +2,7 @@
 
 use super::Cost;
 use super::timing::{Candidate, medians};
-use crate::solver::{Benchmark, Quantity, Unsolved, hertz};
+use crate::solver::{Benchmark, BenchmarkQuantity, Unsolved, hertz};
 
 /// Hertz's contact on one grid.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,18 +26,18 @@ pub fn contacts(pixels: &[usize]) -> Result<Vec<ReferencePoint>, Unsolved> {
         |&pixels: &usize| -> Candidate { Box::new(move || _ = std::hint::black_box(hertz(pixels))) };
     let seconds = medians(&mut pixels.iter().map(candidate).collect::<Vec<_>>());
     let points = pixels.iter().zip(&benchmarks).zip(seconds).map(|((&pixels, benchmarks), seconds)| {
-        let error = |quantity: Quantity| {
+        let error = |quantity: BenchmarkQuantity| {
             let benchmark = benchmarks.iter().find(|benchmark| benchmark.quantity == quantity);
             benchmark.map_or(f64::NAN, |benchmark| benchmark.error)
         };
         ReferencePoint {
             pixels,
-            counted_area_error: error(Quantity::RawArea).abs(),
+            counted_area_error: error(BenchmarkQuantity::RawArea).abs(),
             cost: Cost {
                 seconds,
-                area_error: error(Quantity::Area).abs(),
+                area_error: error(BenchmarkQuantity::Area).abs(),
                 // The load is given; Hertz's grows with the indentation to the power 3/2.
-                load_error: ((1.0 + error(Quantity::Indentation)).powf(-1.5) - 1.0).abs(),
+                load_error: ((1.0 + error(BenchmarkQuantity::Indentation)).powf(-1.5) - 1.0).abs(),
             },
         }
     });

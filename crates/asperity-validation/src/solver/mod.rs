@@ -59,7 +59,7 @@ impl Problem {
 
 /// What is compared with the solution.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Quantity {
+pub enum BenchmarkQuantity {
     /// Approach of distant points, relative.
     Indentation,
     /// Points in contact, relative; of the sinusoid the width over the wavelength, absolute.
@@ -74,7 +74,7 @@ pub enum Quantity {
     MeanGap,
 }
 
-impl Quantity {
+impl BenchmarkQuantity {
     /// As tables name it.
     pub const fn name(self) -> &'static str {
         match self {
@@ -110,12 +110,12 @@ pub struct Benchmark {
     /// Points per contact radius or per wavelength.
     pub points: usize,
     /// The quantity.
-    pub quantity: Quantity,
+    pub quantity: BenchmarkQuantity,
     /// The exact value; `None` of a norm of an error.
     pub exact: Option<f64>,
     /// The value of the boundary elements; `None` of a norm of an error.
     pub computed: Option<f64>,
-    /// The error, as [`Quantity`] defines it.
+    /// The error, as [`BenchmarkQuantity`] defines it.
     pub error: f64,
     /// The largest error that is allowed.
     pub allowed: Option<f64>,
@@ -139,7 +139,7 @@ impl Case {
     /// A quantity: its exact and computed value (`None` of a norm of an error), its error, and the largest that is allowed.
     fn benchmark(
         &self,
-        quantity: Quantity,
+        quantity: BenchmarkQuantity,
         values: Option<[f64; 2]>,
         error: f64,
         allowed: Option<f64>,

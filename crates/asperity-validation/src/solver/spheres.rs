@@ -6,7 +6,7 @@ use asperity::bem::{Boundary, Contact, ElasticPair};
 use asperity::layer::exact_sphere::LayeredSphere;
 use asperity::{HeightMap, Material};
 
-use super::{Benchmark, Case, Problem, Quantity, Unsolved, pressure_errors, solved, unit_pair};
+use super::{Benchmark, BenchmarkQuantity, Case, Problem, Unsolved, pressure_errors, solved, unit_pair};
 
 /// Contact radius on the half-space, over R.
 const RADIUS: f64 = 0.1;
@@ -110,9 +110,9 @@ impl Paraboloid {
     fn benchmarks(&self, case: &Case, indentation: f64, allowed: &Allowed) -> Vec<Benchmark> {
         let area = PI * self.contact_radius * self.contact_radius;
         let values = [
-            (Quantity::Indentation, indentation, self.contact.approach()),
-            (Quantity::RawArea, area, self.contact.raw_area_ratio() * self.nominal_area),
-            (Quantity::Area, area, self.contact.area_ratio() * self.nominal_area),
+            (BenchmarkQuantity::Indentation, indentation, self.contact.approach()),
+            (BenchmarkQuantity::RawArea, area, self.contact.raw_area_ratio() * self.nominal_area),
+            (BenchmarkQuantity::Area, area, self.contact.area_ratio() * self.nominal_area),
         ];
         let benchmark = |(quantity, exact, computed)| {
             let allowed = allowed.error(quantity, case.points);
@@ -123,13 +123,13 @@ impl Paraboloid {
 }
 
 impl Allowed {
-    fn error(&self, quantity: Quantity, pixels: usize) -> Option<f64> {
+    fn error(&self, quantity: BenchmarkQuantity, pixels: usize) -> Option<f64> {
         let coarser = self.pixels / pixels as f64;
         match quantity {
-            Quantity::Indentation => Some(self.indentation * coarser * coarser),
-            Quantity::Area => Some(self.area * coarser),
-            Quantity::Pressures => Some(self.pressures * coarser),
-            Quantity::RawArea | Quantity::PeakPressure | Quantity::MeanGap => None,
+            BenchmarkQuantity::Indentation => Some(self.indentation * coarser * coarser),
+            BenchmarkQuantity::Area => Some(self.area * coarser),
+            BenchmarkQuantity::Pressures => Some(self.pressures * coarser),
+            BenchmarkQuantity::RawArea | BenchmarkQuantity::PeakPressure | BenchmarkQuantity::MeanGap => None,
         }
     }
 }
@@ -144,8 +144,13 @@ pub fn hertz(pixels: usize) -> Result<Vec<Benchmark>, Unsolved> {
     let [error, highest] = pressure_errors(body.contact.pressures(), |k| hertz_pressure(body.distances[k]));
     let mut benchmarks = body.benchmarks(&case, RADIUS * RADIUS, &HERTZ_ALLOWED);
     benchmarks.extend([
-        case.benchmark(Quantity::PeakPressure, Some([PEAK, highest]), highest / PEAK - 1.0, None),
-        case.benchmark(Quantity::Pressures, None, error, HERTZ_ALLOWED.error(Quantity::Pressures, pixels)),
+        case.benchmark(BenchmarkQuantity::PeakPressure, Some([PEAK, highest]), highest / PEAK - 1.0, None),
+        case.benchmark(
+            BenchmarkQuantity::Pressures,
+            None,
+            error,
+            HERTZ_ALLOWED.error(BenchmarkQuantity::Pressures, pixels),
+        ),
     ]);
     Ok(benchmarks)
 }

@@ -5,7 +5,9 @@ use std::f64::consts::{PI, TAU};
 use asperity::bem::{Boundary, Contact, ElasticPair};
 use asperity::{HeightMap, Material};
 
-use super::{Benchmark, Case, Problem, Profile, Quantity, Unsolved, pressure_errors, solved, unit_pair};
+use super::{
+    Benchmark, BenchmarkQuantity, Case, Problem, Profile, Unsolved, pressure_errors, solved, unit_pair,
+};
 
 /// Height of the wave over its length.
 const HEIGHT: f64 = 0.01;
@@ -98,10 +100,10 @@ pub fn partial_contact(points: usize, share: f64) -> Result<Vec<Benchmark>, Unso
     let finer = (points as f64).recip();
     let pressures_allowed = PRESSURES_ALLOWED * finer / (0.5 * wave.width());
     Ok(vec![
-        difference(Quantity::RawArea, [wave.width(), widths[0]], None),
-        difference(Quantity::Area, [wave.width(), widths[1]], Some(WIDTH_ALLOWED * finer)),
-        difference(Quantity::MeanGap, [wave.mean_gap(), gap], Some(GAP_ALLOWED * finer * finer)),
-        case.benchmark(Quantity::Pressures, None, pressures, Some(pressures_allowed)),
+        difference(BenchmarkQuantity::RawArea, [wave.width(), widths[0]], None),
+        difference(BenchmarkQuantity::Area, [wave.width(), widths[1]], Some(WIDTH_ALLOWED * finer)),
+        difference(BenchmarkQuantity::MeanGap, [wave.mean_gap(), gap], Some(GAP_ALLOWED * finer * finer)),
+        case.benchmark(BenchmarkQuantity::Pressures, None, pressures, Some(pressures_allowed)),
     ])
 }
 
@@ -156,7 +158,7 @@ pub fn full_contact() -> Result<Vec<Benchmark>, Unsolved> {
         let error = |(k, p): (usize, &f64)| (p / amplitude - 2.0 - wave(k)).abs();
         let largest = contact.pressures().iter().enumerate().map(error).fold(0.0, f64::max);
         let case = Case { problem: Problem::FullContact, name: name.to_owned(), points: POINTS[0] / 3 };
-        Ok(case.benchmark(Quantity::Pressures, None, largest, Some(FULL_ALLOWED)))
+        Ok(case.benchmark(BenchmarkQuantity::Pressures, None, largest, Some(FULL_ALLOWED)))
     };
     cases.into_iter().map(benchmark).collect()
 }

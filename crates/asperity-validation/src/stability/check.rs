@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use super::cases::{Case, CaseInput, SetParameters};
 use super::exact::{Contact, Exact, Integral, Shape, Total};
 use super::group::Group;
-use super::quantity::Quantity;
+use super::quantity::CheckedQuantity;
 use super::wide::{Wide, relative_error};
 use asperity::{
     AsperitySet, Deterministic, MicroContact, Model, Population, ReferencePlane, Response, Statistical,
@@ -16,7 +16,7 @@ use asperity::{
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Deviation {
     /// The quantity.
-    pub quantity: Quantity,
+    pub quantity: CheckedQuantity,
     /// Relative error against the exact result for the unrounded input.
     pub error: f64,
     /// Relative error against the exact results for all separations within rounding of the input; the same as
@@ -26,12 +26,12 @@ pub struct Deviation {
 
 impl Deviation {
     /// Of an input that is not rounded.
-    fn unrounded(quantity: Quantity, error: f64) -> Self {
+    fn unrounded(quantity: CheckedQuantity, error: f64) -> Self {
         Self { quantity, error, checked: error }
     }
 
     /// From `exact` results, the first for the unrounded input and any others for the ends of its rounding: all between them is right.
-    fn new(quantity: Quantity, value: f64, exact: &[Wide], measure: fn(f64, Wide) -> f64) -> Self {
+    fn new(quantity: CheckedQuantity, value: f64, exact: &[Wide], measure: fn(f64, Wide) -> f64) -> Self {
         let wide = Wide::new(value);
         let is_between = exact.iter().any(|exact| *exact <= wide) && exact.iter().any(|exact| *exact >= wide);
         let nearest = exact.iter().map(|exact| measure(value, *exact)).fold(f64::INFINITY, f64::min);
@@ -40,7 +40,7 @@ impl Deviation {
     }
 
     /// The largest absolute error of several numbers; `exact` as of [`Self::new`].
-    fn largest<const N: usize>(quantity: Quantity, values: [f64; N], exact: &[[Wide; N]]) -> Self {
+    fn largest<const N: usize>(quantity: CheckedQuantity, values: [f64; N], exact: &[[Wide; N]]) -> Self {
         let absolute_error = |value: f64, exact: Wide| (exact - value).abs().hi();
         let of_number = |(k, value): (usize, f64)| {
             let exact: Vec<Wide> = exact.iter().map(|exact| exact[k]).collect();
@@ -60,7 +60,7 @@ impl Deviation {
 pub enum Failure {
     /// A NaN or an infinity.
     #[error("no finite {}", .0.name())]
-    NotFinite(Quantity),
+    NotFinite(CheckedQuantity),
     /// Another regime than the exact one, away from a boundary.
     #[error("the wrong regime")]
     WrongRegime,
@@ -124,23 +124,27 @@ fn deviations(case: &Case, contact: &dyn MicroContact) -> Result<Vec<Deviation>,
     }
 }
 
-fn finite(values: &[(Quantity, f64)]) -> Result<(), Failure> {
+fn finite(values: &[(CheckedQuantity, f64)]) -> Result<(), Failure> {
     match values.iter().find(|(_, value)| !value.is_finite()) {
         Some((quantity, _)) => Err(Failure::NotFinite(*quantity)),
         None => Ok(()),
     }
 }
 
-fn relative(values: &[(Quantity, f64)], exact: &[Wide]) -> Vec<Deviation> {
+fn relative(values: &[(CheckedQuantity, f64)], exact: &[Wide]) -> Vec<Deviation> {
     let pairs = values.iter().zip(exact);
     pairs
         .map(|((quantity, value), of)| Deviation::unrounded(*quantity, relative_error(*value, *of)))
         .collect()
 }
 
-fn contact_values(contact: &asperity::Contact) -> Result<[(Quantity, f64); 3], Failure> {
+fn contact_values(contact: &asperity::Contact) -> Result<[(CheckedQuantity, f64); 3], Failure> {
     let asperity::Contact { area, load, stiffness, .. } = *contact;
-    let values = [(Quantity::Area, area), (Quantity::Load, load), (Quantity::Stiffness, stiffness)];
+    let values = [
+        (CheckedQuantity::Area, area),
+        (CheckedQuantity::Load, load),
+        (CheckedQuantity::Stiffness, stiffness),
+    ];
     finite(&values).map(|()| values)
 }
 
@@ -169,7 +173,7 @@ fn denormal_contact(
     let sides = exact.contacts(w * grown, &Shape::sphere(radius * grown));
     let side = sides.iter().find(|side| side.regime == contact.regime).ok_or(Failure::WrongRegime)?;
     let scaled = [(side.area, 2), (side.load, 2), (side.stiffness, 1)];
-    let of_value = |((quantity, value), (exact, times)): ((Quantity, f64), (Wide, usize))| {
+    let of_value = |((quantity, value), (exact, times)): ((CheckedQuantity, f64), (Wide, usize))| {
         let exact = (0..times).fold(exact.hi(), |value, _| value / grown);
         Deviation::unrounded(quantity, (value - exact).abs() / (exact + NOTHING))
     };
@@ -177,18 +181,19 @@ fn denormal_contact(
 }
 
 /// The quantities of a response but for regime shares and sampling errors; all that reports make of it must be finite.
-fn response_values(response: &Response, sigma: f64) -> Result<[(Quantity, f64); 4], Failure> {
+fn response_values(response: &Response, sigma: f64) -> Result<[(CheckedQuantity, f64); 4], Failure> {
     let values = [
-        (Quantity::Area, response.area_ratio.total()),
-        (Quantity::Load, response.pressure.total()),
-        (Quantity::Stiffness, response.stiffness),
-        (Quantity::Density, response.contact_density),
+        (CheckedQuantity::Area, response.area_ratio.total()),
+        (CheckedQuantity::Load, response.pressure.total()),
+        (CheckedQuantity::Stiffness, response.stiffness),
+        (CheckedQuantity::Density, response.contact_density),
     ];
     finite(&values)?;
-    finite(&shares(response).map(|share| (Quantity::Shares, share)))?;
-    let real_pressure = response.mean_real_pressure().map(|pressure| (Quantity::Load, pressure));
+    finite(&shares(response).map(|share| (CheckedQuantity::Shares, share)))?;
+    let real_pressure = response.mean_real_pressure().map(|pressure| (CheckedQuantity::Load, pressure));
     let error = response.separation_error(sigma).filter(|_| response.contact_density > 0.0);
-    let errors = error.into_iter().chain(sampling_errors(response)).map(|error| (Quantity::Sampling, error));
+    let errors =
+        error.into_iter().chain(sampling_errors(response)).map(|error| (CheckedQuantity::Sampling, error));
     finite(&real_pressure.into_iter().chain(errors).collect::<Vec<_>>())?;
     Ok(values)
 }
@@ -232,7 +237,7 @@ fn integral(
     let values = response_values(&response, population.sigma)?;
     let total = exact_integral(exact, population, h)?;
     let mut deviations = relative(&values, &exact_values(&total));
-    deviations.push(Deviation::largest(Quantity::Shares, shares(&response), &[exact_shares(&total)]));
+    deviations.push(Deviation::largest(CheckedQuantity::Shares, shares(&response), &[exact_shares(&total)]));
     Ok(deviations)
 }
 
@@ -247,7 +252,7 @@ fn vanishing_integral(
     let values = response_values(&response, population.sigma)?;
     let [totals, last] = [h, 37.0].map(|h| exact_integral(exact, population, h));
     let pairs = exact_values(&totals?).into_iter().zip(exact_values(&last?));
-    let of_value = |((quantity, value), (exact, last)): ((Quantity, f64), (Wide, Wide))| {
+    let of_value = |((quantity, value), (exact, last)): ((CheckedQuantity, f64), (Wide, Wide))| {
         Deviation::unrounded(quantity, ((exact - value) / last).abs().hi())
     };
     Ok(values.into_iter().zip(pairs).map(of_value).collect())
@@ -281,12 +286,12 @@ fn sum(
     let rounding = ROUNDING * (plane.mean.abs() + (h * set.sigma).abs());
     let totals = [0.0, -rounding, rounding].map(|step| exact.total(&asperities, separation + step, true));
     let exact = totals.map(|total| exact_values(&total));
-    let of_value = |(k, &(quantity, value)): (usize, &(Quantity, f64))| {
+    let of_value = |(k, &(quantity, value)): (usize, &(CheckedQuantity, f64))| {
         Deviation::new(quantity, value, &exact.map(|exact| exact[k]), relative_error)
     };
     let mut deviations: Vec<Deviation> = values.iter().enumerate().map(of_value).collect();
     let exact_shares = totals.map(|total| exact_shares(&total));
-    deviations.push(Deviation::largest(Quantity::Shares, shares(&response), &exact_shares));
+    deviations.push(Deviation::largest(CheckedQuantity::Shares, shares(&response), &exact_shares));
     // Variances over the mean square.
     let squares = totals[0].squares.map(|squares| if squares > Wide::ZERO { squares } else { Wide::ONE });
     let variances = totals.map(|total| {
@@ -295,7 +300,7 @@ fn sum(
     });
     let errors = sampling_errors(&response);
     let sampled = [0, 1].map(|k| (Wide::new(errors[k]) * errors[k] / squares[k]).hi());
-    deviations.push(Deviation::largest(Quantity::Sampling, sampled, &variances));
+    deviations.push(Deviation::largest(CheckedQuantity::Sampling, sampled, &variances));
     Ok(deviations)
 }
 
@@ -306,7 +311,10 @@ fn large_sum(contact: &dyn MicroContact, set: &SetParameters, h: f64) -> Result<
     let (near_zero, origin) = near_zero(&asperities)?;
     let plane = reference_plane(set, origin);
     let response = Deterministic::new(contact, near_zero.spheres(), plane).respond(h);
-    let values = [(Quantity::Area, response.area_ratio.total()), (Quantity::Load, response.pressure.total())];
+    let values = [
+        (CheckedQuantity::Area, response.area_ratio.total()),
+        (CheckedQuantity::Load, response.pressure.total()),
+    ];
     finite(&values)?;
     let separation = plane.mean + h * set.sigma;
     let parts: Vec<[Wide; 2]> = asperities
@@ -334,13 +342,16 @@ fn load_control(
     /// Ulp of a separation that the search may be off.
     const ULP: f64 = 4.0;
     let wanted = model.respond(h).pressure.total();
-    finite(&[(Quantity::Reached, wanted)])?;
+    finite(&[(CheckedQuantity::Reached, wanted)])?;
     if wanted == 0.0 {
         return Ok(Vec::new());
     }
     let reached = at_pressure(model, wanted).map_err(|error| Failure::Refused(error.to_string()))?;
     let separation = reached.response.separation_over_sigma;
-    finite(&[(Quantity::Reached, separation), (Quantity::Reached, reached.response.pressure.total())])?;
+    finite(&[
+        (CheckedQuantity::Reached, separation),
+        (CheckedQuantity::Reached, reached.response.pressure.total()),
+    ])?;
     let step = ULP * f64::EPSILON * (separation.abs() + offset).max(1.0);
     let mut exact = [Wide::ZERO; 3];
     for (exact, step) in exact.iter_mut().zip([0.0, -step, step]) {
@@ -348,5 +359,5 @@ fn load_control(
     }
     // A law that jumps over the pressure carries more than was asked.
     let exact = if reached.in_jump { &exact[..] } else { &exact[..1] };
-    Ok(vec![Deviation::new(Quantity::Reached, wanted, exact, relative_error)])
+    Ok(vec![Deviation::new(CheckedQuantity::Reached, wanted, exact, relative_error)])
 }

@@ -1,13 +1,13 @@
 //! The groups of cases, with their error bounds.
 
 use super::laws::CoveredLaw;
-use super::quantity::Quantity;
+use super::quantity::CheckedQuantity;
 use asperity::named_enum;
 
 named_enum! {
     /// What a case evaluates.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-    pub enum Kind {
+    pub enum CheckKind {
         /// Single contacts.
         Contact = "single contact",
         /// Sums over asperities.
@@ -38,8 +38,8 @@ macro_rules! groups {
             }
 
             /// The kind of evaluation of its cases.
-            pub const fn kind(self) -> Kind {
-                match self { $(Self::$group => Kind::$kind,)+ }
+            pub const fn kind(self) -> CheckKind {
+                match self { $(Self::$group => CheckKind::$kind,)+ }
             }
 
             const fn bound_in_closed_form(self) -> f64 {
@@ -96,20 +96,20 @@ impl Group {
     }
 
     /// Largest relative error allowed for a quantity under most laws; under those without tables where no layer is.
-    pub fn bound(self, quantity: Quantity) -> f64 {
+    pub fn bound(self, quantity: CheckedQuantity) -> f64 {
         self.bound_of_slope(quantity, self.is_layered())
     }
 
     /// The same under a law.
-    pub fn bound_under(self, quantity: Quantity, law: &CoveredLaw) -> f64 {
+    pub fn bound_under(self, quantity: CheckedQuantity, law: &CoveredLaw) -> f64 {
         let has_tables = self.is_layered() || law.twin.has_tables;
         self.bound_of_slope(quantity, has_tables) * (law.twin.steepness)(law.chosen())
     }
 
     /// A stiffness that is the slope of a table has fewer digits.
-    const fn bound_of_slope(self, quantity: Quantity, has_tables: bool) -> f64 {
+    const fn bound_of_slope(self, quantity: CheckedQuantity, has_tables: bool) -> f64 {
         match quantity {
-            Quantity::Stiffness if has_tables => 1e-11,
+            CheckedQuantity::Stiffness if has_tables => 1e-11,
             _ => self.bound_in_closed_form(),
         }
     }

@@ -25,10 +25,10 @@ pub mod wide;
 pub use bodies::{Bodies, Layer};
 pub use cases::{Case, CaseInput, Layout, SetParameters};
 pub use check::{CheckedCase, Deviation, Failure};
-pub use group::{Group, Kind};
+pub use group::{CheckKind, Group};
 pub use laws::CoveredLaw;
 pub use maps::{Map, maps};
-pub use quantity::Quantity;
+pub use quantity::CheckedQuantity;
 
 use asperity::distribution::{Entry, REGISTRY};
 use asperity::progress::Progress;
@@ -93,11 +93,11 @@ impl Counts {
         match group.kind() {
             _ if group.is_large() => self.millions,
             // The tables of a layer cost as much as hundreds of contacts.
-            Kind::Contact if group.is_layered() => self.contacts.div_ceil(4),
-            Kind::Contact => self.contacts,
-            Kind::Sum => self.sums,
-            Kind::Integral => self.integrals,
-            Kind::Load => self.loads,
+            CheckKind::Contact if group.is_layered() => self.contacts.div_ceil(4),
+            CheckKind::Contact => self.contacts,
+            CheckKind::Sum => self.sums,
+            CheckKind::Integral => self.integrals,
+            CheckKind::Load => self.loads,
         }
     }
 
@@ -114,7 +114,7 @@ pub struct GroupResults {
     pub group: Group,
     /// Number of cases.
     pub cases: u64,
-    /// Quantity by quantity.
+    /// CheckedQuantity by quantity.
     pub worst: Vec<WorstCase>,
     /// Cases that failed or could not be checked, and why.
     pub failures: Vec<(Case, Failure)>,
@@ -122,7 +122,7 @@ pub struct GroupResults {
 
 impl GroupResults {
     /// The largest error of a quantity, as checked; `None` of a quantity that the group does not have.
-    pub fn largest_error(&self, quantity: Quantity) -> Option<f64> {
+    pub fn largest_error(&self, quantity: CheckedQuantity) -> Option<f64> {
         self.worst.iter().find(|worst| worst.quantity == quantity).map(|worst| worst.checked)
     }
 
@@ -150,7 +150,7 @@ impl GroupResults {
 #[derive(Debug, Clone)]
 pub struct WorstCase {
     /// The quantity.
-    pub quantity: Quantity,
+    pub quantity: CheckedQuantity,
     /// Median of the errors of all cases, as checked.
     pub median: f64,
     /// The error closest to its bound, as checked.
@@ -173,7 +173,7 @@ impl WorstCase {
     }
 
     /// Of one quantity over the cases of a group; `None` where no case has it.
-    fn among(cases: &[CheckedCase], quantity: Quantity) -> Option<Self> {
+    fn among(cases: &[CheckedCase], quantity: CheckedQuantity) -> Option<Self> {
         let deviations = cases.iter().flat_map(|CheckedCase { case, outcome }| {
             outcome.iter().flatten().map(move |deviation| (deviation, case))
         });
@@ -210,7 +210,7 @@ pub fn check_group(
         checked
     };
     let checked: Vec<CheckedCase> = (0..count).into_par_iter().map(check).collect();
-    let worst = Quantity::ALL.into_iter().filter_map(|quantity| WorstCase::among(&checked, quantity));
+    let worst = CheckedQuantity::ALL.into_iter().filter_map(|quantity| WorstCase::among(&checked, quantity));
     GroupResults {
         group,
         cases: count,

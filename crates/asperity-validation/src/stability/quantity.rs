@@ -5,7 +5,7 @@ use asperity::named_enum;
 named_enum! {
     /// What is measured.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-    pub enum Quantity {
+    pub enum CheckedQuantity {
         /// Area of a contact, area ratio.
         Area = "area",
         /// Load of a contact, nominal pressure.

@@ -6,8 +6,8 @@ use asperity::topography::generate::{Process, SpectrumOf};
 use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
 use asperity::{Flat, Heights, Material, MicroContact};
 use asperity_validation::coverage::{
-    Controls, Coverage, EndlessProcess, Quantity, QuantityEstimate, Unusable, WindowResults, WindowTask,
-    windows_of,
+    Controls, Coverage, CoveredQuantity, EndlessProcess, QuantityEstimate, Unusable, WindowResults,
+    WindowTask, windows_of,
 };
 
 const PIXEL: f64 = 1e-6;
@@ -73,7 +73,7 @@ fn windows_of_short_waves_have_intervals_where_contacts_are_many() {
     for (index, window) in windows.iter().enumerate() {
         assert!(window.correlation > 0.005 && window.correlation < 0.03, "{}", window.correlation);
         for (load, claims) in [false, true].into_iter().enumerate() {
-            for (quantity, estimate) in Quantity::ALL.iter().zip(&window.estimates[load]) {
+            for (quantity, estimate) in CoveredQuantity::ALL.iter().zip(&window.estimates[load]) {
                 let estimate = estimate.unwrap();
                 assert_eq!(estimate.contacts >= least, claims, "{}: {}", quantity.name(), estimate.contacts);
                 assert_eq!(estimate.estimate.interval().is_some(), claims, "{}", quantity.name());

@@ -1,6 +1,6 @@
 //! Whether the contact law or the summation method (statistical or deterministic) has the larger effect on a surface.
 
-use super::{DETECTABLE, Effect, Group, Influence, Kind, Measure};
+use super::{DETECTABLE, Effect, Group, Influence, Measure, ModelKind};
 use crate::named_enum;
 
 named_enum! {
@@ -46,7 +46,7 @@ impl Dominance {
         Some(Self {
             measure,
             group,
-            law: influence.of_law(measure, group, Kind::Deterministic)?,
+            law: influence.of_law(measure, group, ModelKind::Deterministic)?,
             summation: influence.of_summation(measure, 0)?,
             sampling: influence.of_sampling(measure, 0),
             without_furthest: without_furthest(influence, measure, group),
@@ -77,10 +77,10 @@ impl Dominance {
 fn without_furthest(influence: &Influence, measure: Measure, group: Group) -> Option<(usize, Effect)> {
     let is_member = |law: &usize| group == Group::All || influence.is_elastic_plastic[*law];
     let members = (1..influence.laws.len()).filter(is_member);
-    let effect = |law| Some((law, influence.of_choice(measure, law, Kind::Deterministic)?.mean));
+    let effect = |law| Some((law, influence.of_choice(measure, law, ModelKind::Deterministic)?.mean));
     let (furthest, _) = members.filter_map(effect).max_by(|a, b| a.1.total_cmp(&b.1))?;
     let rest =
-        influence.effect(|at| at.spread_without(measure, group, Kind::Deterministic, Some(furthest)))?;
+        influence.effect(|at| at.spread_without(measure, group, ModelKind::Deterministic, Some(furthest)))?;
     Some((furthest, rest))
 }
 

@@ -1,6 +1,6 @@
 //! Effects of contact law and summation method: several laws on one surface at equal load.
 
-use super::{ComparedQuantity, Difference, Kind, Pair, Pairing};
+use super::{ComparedQuantity, Difference, ModelKind, Pair, Pairing};
 use crate::model::{Exceeded, Response};
 use crate::named_enum;
 use crate::numeric::extremes;
@@ -115,7 +115,7 @@ impl AtLoad {
     }
 
     /// The range of the laws of a group under a model, from lowest to highest; `None` for fewer than two laws.
-    pub fn spread(&self, measure: Measure, group: Group, kind: Kind) -> Option<f64> {
+    pub fn spread(&self, measure: Measure, group: Group, kind: ModelKind) -> Option<f64> {
         self.spread_without(measure, group, kind, None)
     }
 
@@ -124,7 +124,7 @@ impl AtLoad {
         &self,
         measure: Measure,
         group: Group,
-        kind: Kind,
+        kind: ModelKind,
         without: Option<usize>,
     ) -> Option<f64> {
         let deviations = self.differences(measure).deviations.iter().enumerate();
@@ -135,7 +135,7 @@ impl AtLoad {
     }
 
     /// Deviation of a law from the first one.
-    pub fn deviation(&self, measure: Measure, law: usize, kind: Kind) -> f64 {
+    pub fn deviation(&self, measure: Measure, law: usize, kind: ModelKind) -> f64 {
         self.differences(measure).deviations[law][kind as usize]
     }
 
@@ -207,7 +207,7 @@ impl Influence {
     }
 
     /// The effect of the law under a model: the spread of the laws.
-    pub fn of_law(&self, measure: Measure, group: Group, kind: Kind) -> Option<Effect> {
+    pub fn of_law(&self, measure: Measure, group: Group, kind: ModelKind) -> Option<Effect> {
         self.effect(|at| at.spread(measure, group, kind))
     }
 
@@ -217,7 +217,7 @@ impl Influence {
     }
 
     /// The effect of a law instead of the first one under a model.
-    pub fn of_choice(&self, measure: Measure, law: usize, kind: Kind) -> Option<Effect> {
+    pub fn of_choice(&self, measure: Measure, law: usize, kind: ModelKind) -> Option<Effect> {
         self.effect(|at| Some(at.deviation(measure, law, kind)))
     }
 
@@ -321,13 +321,17 @@ mod tests {
         assert!(at.exceeded.is_none() && at.fewest_contacts == 50.0 && at.area_ratio == 1e-3);
         let (close, ln2) = (|a: f64, b: f64| (a - b).abs() < 1e-12, 2f64.ln());
         let spread = |measure, group, kind| at.spread(measure, group, kind).unwrap();
-        assert!(close(spread(Measure::Separation, Group::All, Kind::Statistical), 1.1));
-        assert!(close(spread(Measure::Area, Group::All, Kind::Deterministic), 9f64.ln()));
-        assert!(close(spread(Measure::Area, Group::ElasticPlastic, Kind::Deterministic), 1.5f64.ln()));
-        let without = |law| at.spread_without(Measure::Separation, Group::All, Kind::Statistical, Some(law));
+        assert!(close(spread(Measure::Separation, Group::All, ModelKind::Statistical), 1.1));
+        assert!(close(spread(Measure::Area, Group::All, ModelKind::Deterministic), 9f64.ln()));
+        assert!(close(spread(Measure::Area, Group::ElasticPlastic, ModelKind::Deterministic), 1.5f64.ln()));
+        let without =
+            |law| at.spread_without(Measure::Separation, Group::All, ModelKind::Statistical, Some(law));
         assert!(close(without(2).unwrap(), 0.1) && close(without(1).unwrap(), 1.0));
-        assert_eq!(at.spread_without(Measure::Area, Group::ElasticPlastic, Kind::Statistical, Some(0)), None);
-        assert!(close(at.deviation(Measure::Area, 1, Kind::Statistical), -ln2));
+        assert_eq!(
+            at.spread_without(Measure::Area, Group::ElasticPlastic, ModelKind::Statistical, Some(0)),
+            None
+        );
+        assert!(close(at.deviation(Measure::Area, 1, ModelKind::Statistical), -ln2));
         assert!(close(at.gap(Measure::Separation, 0), 0.5) && close(at.gap(Measure::Area, 0), ln2));
         let (law, gap) = at.largest_gap(Measure::Area, Group::All).unwrap();
         assert!(law == 2 && close(gap, (4.0f64 / 9.0).ln()));
@@ -355,11 +359,11 @@ mod tests {
         assert_eq!(loads, [(1.0, true), (2.0, true), (4.0, false)]);
         let gap = found.of_summation(Measure::Separation, 0).unwrap();
         assert_eq!(gap, Effect { mean: 1.5, largest: -2.0, at: 2.0 });
-        let law = found.of_law(Measure::Separation, Group::All, Kind::Deterministic).unwrap();
+        let law = found.of_law(Measure::Separation, Group::All, ModelKind::Deterministic).unwrap();
         assert_eq!(law, Effect { mean: 0.5, largest: 0.75, at: 2.0 });
-        let choice = found.of_choice(Measure::Separation, 1, Kind::Deterministic).unwrap();
+        let choice = found.of_choice(Measure::Separation, 1, ModelKind::Deterministic).unwrap();
         assert_eq!(choice, Effect { mean: 0.5, largest: -0.75, at: 2.0 });
-        assert_eq!(found.of_law(Measure::Separation, Group::ElasticPlastic, Kind::Deterministic), None);
+        assert_eq!(found.of_law(Measure::Separation, Group::ElasticPlastic, ModelKind::Deterministic), None);
     }
 
     #[test]

@@ -114,7 +114,7 @@ pub struct LimitPoint {
 named_enum! {
     /// A quantity whose error is evaluated.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-    pub enum Quantity {
+    pub enum LimitQuantity {
         /// Real contact area.
         Area = "area",
         /// Load.
@@ -150,27 +150,27 @@ impl LimitPoint {
     }
 
     /// Signed relative error of one response.
-    pub fn error(&self, response: &Response, quantity: Quantity) -> f64 {
+    pub fn error(&self, response: &Response, quantity: LimitQuantity) -> f64 {
         match quantity {
-            Quantity::Area => response.area_ratio.total() / self.exact.area_ratio - 1.0,
-            Quantity::Load => response.pressure.total() / self.exact.pressure - 1.0,
+            LimitQuantity::Area => response.area_ratio.total() / self.exact.area_ratio - 1.0,
+            LimitQuantity::Load => response.pressure.total() / self.exact.pressure - 1.0,
         }
     }
 
     /// Mean and root mean square of the random sets' relative errors.
-    pub fn scatter(&self, quantity: Quantity) -> (f64, f64) {
+    pub fn scatter(&self, quantity: LimitQuantity) -> (f64, f64) {
         let count = self.random.len() as f64;
         let errors = || self.random.iter().map(|response| self.error(response, quantity));
         (errors().sum::<f64>() / count, (errors().map(|error| error * error).sum::<f64>() / count).sqrt())
     }
 
     /// Magnitude of the relative error of the set with heights at the quantiles.
-    pub fn quantile_error(&self, quantity: Quantity) -> f64 {
+    pub fn quantile_error(&self, quantity: LimitQuantity) -> f64 {
         self.error(&self.quantiles, quantity).abs()
     }
 
     /// Relative error of the sets: root mean square of the random ones, or magnitude of that at the quantiles.
-    pub fn error_of_sets(&self, sampling: Sampling, quantity: Quantity) -> f64 {
+    pub fn error_of_sets(&self, sampling: Sampling, quantity: LimitQuantity) -> f64 {
         match sampling {
             Sampling::Random => self.scatter(quantity).1,
             Sampling::Quantiles => self.quantile_error(quantity),
@@ -192,7 +192,7 @@ impl LimitPoint {
     /// g = -ln u gives an error of -ln 2/(2n), and -dg/d ln u varies so slowly that it may be taken at
     /// 1/(2^1.5 pi n), which makes (ln u)^2 exact too. With a difference over u = 1/2 to 2 times that one, the error is
     /// -[g(1/2) - g(2)]/(4n). What is neglected decreases as n^-2, by the start of contact and changes of regime.
-    pub fn expected_quantile_error(&self, quantity: Quantity) -> f64 {
+    pub fn expected_quantile_error(&self, quantity: LimitQuantity) -> f64 {
         self.expected_quantile_errors[quantity as usize]
     }
 }
@@ -294,7 +294,7 @@ mod tests {
     #[test]
     fn sums_over_quantiles_have_the_expected_error() {
         for point in points(Heights::GAUSSIAN, &[0.0, 1.0, 2.0, 3.0]) {
-            for quantity in Quantity::ALL {
+            for quantity in LimitQuantity::ALL {
                 let [found, expected] =
                     [point.quantile_error(quantity), point.expected_quantile_error(quantity)];
                 let off = (found / expected - 1.0).abs();
@@ -313,10 +313,10 @@ mod tests {
         // Heights are about their mean: the lowest is at -1 sigma.
         for point in points(Heights::EXPONENTIAL, &[-1.0]) {
             let expected = 0.5 * std::f64::consts::LN_2 / point.count as f64;
-            assert!((point.expected_quantile_error(Quantity::Area) / expected - 1.0).abs() < 1e-8);
+            assert!((point.expected_quantile_error(LimitQuantity::Area) / expected - 1.0).abs() < 1e-8);
             // The next term is that of the lowest heights.
             let next = 0.2 / point.count as f64;
-            assert!((point.quantile_error(Quantity::Area) / expected - 1.0).abs() < next);
+            assert!((point.quantile_error(LimitQuantity::Area) / expected - 1.0).abs() < next);
         }
     }
 
@@ -329,7 +329,7 @@ mod tests {
                 points.iter().map(|point| (point.count as f64, point.expected_quantile_error(quantity)));
             SlopeFit::through(errors).unwrap().slope
         };
-        assert!((slope(Quantity::Area) + 1.05).abs() < 0.005, "{}", slope(Quantity::Area));
-        assert!((slope(Quantity::Load) + 1.025).abs() < 0.005, "{}", slope(Quantity::Load));
+        assert!((slope(LimitQuantity::Area) + 1.05).abs() < 0.005, "{}", slope(LimitQuantity::Area));
+        assert!((slope(LimitQuantity::Load) + 1.025).abs() < 0.005, "{}", slope(LimitQuantity::Load));
     }
 }

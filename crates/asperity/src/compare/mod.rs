@@ -26,7 +26,7 @@ pub use difference::{
 pub use dominance::{Dominance, Dominant};
 pub use gap::{Gap, GapQuantity, Gaps};
 pub use influence::{AtLoad, DETECTABLE, Effect, Group, Influence, Measure, UnderLaw};
-pub use limit::{Exact, LimitCase, LimitPoint, LimitSets, Quantity, Sampling, convergence};
+pub use limit::{Exact, LimitCase, LimitPoint, LimitQuantity, LimitSets, Sampling, convergence};
 pub use modulus_check::{GOOD_RATIO, ModulusCheck, ModulusError, ModulusFindings, apart};
 pub use nearness::{AgainstReference, NEARER, NearerStretch};
 pub use reference::{BlockShare, LARGEST_LOAD_RATIO, ReferenceCurve, ReferencePoint, Stiffness, stiffnesses};
@@ -50,7 +50,7 @@ named_enum! {
     #[cfg_attr(feature = "serde", derive(serde::Deserialize))]
     #[cfg_attr(feature = "schemars", derive(schemars::JsonSchema))]
     #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
-    pub enum Kind {
+    pub enum ModelKind {
         /// The integral over a height density.
         Statistical = "statistical",
         /// The sum over the asperities.
@@ -82,10 +82,10 @@ pub struct Tolerances {
 
 impl Tolerances {
     /// The tolerance of one model.
-    pub fn for_model(&self, kind: Kind) -> Option<f64> {
+    pub fn for_model(&self, kind: ModelKind) -> Option<f64> {
         match kind {
-            Kind::Statistical => self.statistical,
-            Kind::Deterministic => self.deterministic,
+            ModelKind::Statistical => self.statistical,
+            ModelKind::Deterministic => self.deterministic,
         }
     }
 }
@@ -119,7 +119,7 @@ impl Controls {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CurvePoint {
     /// The model.
-    pub kind: Kind,
+    pub kind: ModelKind,
     /// The prescribed value.
     pub control: Control,
     /// Its value: d/sigma, Pa or N.
@@ -134,7 +134,7 @@ pub struct CurvePoint {
 
 impl CurvePoint {
     /// A response at its own separation.
-    pub fn at_separation(kind: Kind, response: Response) -> Self {
+    pub fn at_separation(kind: ModelKind, response: Response) -> Self {
         let (control, target) = (Control::Separation, response.separation_over_sigma);
         Self { kind, control, target, prescribed_pressure: None, response, in_jump: false }
     }
@@ -192,7 +192,7 @@ impl Pair {
 #[error("{} model: {unreachable}", kind.name())]
 pub struct NotReached {
     /// The model.
-    pub kind: Kind,
+    pub kind: ModelKind,
     /// Whether a pressure or a force was prescribed.
     pub control: Control,
     /// The prescribed pressure and the largest that can be reached.
@@ -257,7 +257,7 @@ impl Comparison {
     }
 
     /// The point of a model at the prescribed nominal pressure `pressure` (Pa).
-    pub fn at_load(&self, kind: Kind, pressure: f64) -> Option<&CurvePoint> {
+    pub fn at_load(&self, kind: ModelKind, pressure: f64) -> Option<&CurvePoint> {
         self.curves.iter().find(|point| point.kind == kind && point.prescribed_pressure == Some(pressure))
     }
 }
@@ -269,9 +269,9 @@ impl Comparison {
 pub fn compare(models: Models, controls: &Controls, area: f64) -> Result<Comparison, NotReached> {
     let mut result = Comparison::default();
     let statistical =
-        run(Kind::Statistical, models.statistical, controls, area, &mut result.statistical_time)?;
+        run(ModelKind::Statistical, models.statistical, controls, area, &mut result.statistical_time)?;
     let deterministic =
-        run(Kind::Deterministic, models.deterministic, controls, area, &mut result.deterministic_time)?;
+        run(ModelKind::Deterministic, models.deterministic, controls, area, &mut result.deterministic_time)?;
     if models.statistical.is_some() && models.deterministic.is_some() {
         result.pairs = statistical.iter().zip(&deterministic).map(|(s, d)| pair(s, d)).collect();
         pair_at_loads(models, &deterministic, &mut result);
@@ -292,7 +292,7 @@ pub fn pairs_at(statistical: &dyn Model, deterministic: &dyn Model, pressures: &
 }
 
 fn run(
-    kind: Kind,
+    kind: ModelKind,
     model: Option<&dyn Model>,
     controls: &Controls,
     area: f64,

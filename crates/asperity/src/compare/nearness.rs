@@ -8,7 +8,7 @@ use super::difference::{CaseSampling, ComparedQuantity, Difference, Estimate, Le
 use super::reference::{ReferenceCurve, ReferencePoint};
 use super::sampling::jackknife_error;
 use super::verdict::{Accepted, Verdict};
-use super::{Kind, Pair, Pairing};
+use super::{ModelKind, Pair, Pairing};
 use crate::model::{ReferencePlane, Response};
 
 /// The distances of both models from the reference, load by load.
@@ -203,10 +203,10 @@ pub struct NearerStretch {
     /// From and to, Pa.
     pub loads: [f64; 2],
     /// The nearer model, by more than [`NEARER`]; `None` where that cannot be told of such surfaces, or both are as near.
-    pub nearer: Option<Kind>,
+    pub nearer: Option<ModelKind>,
     /// The nearer model on this very surface, whatever another sample of it would give; `None` where the reference is not
     /// accurate enough. Over several realisations that of their mean.
-    pub nearer_here: Option<Kind>,
+    pub nearer_here: Option<ModelKind>,
     /// Whether the statistical and the deterministic model agree with the reference within what is accepted.
     pub verdicts: [Verdict; 2],
     /// The same on this very surface.
@@ -233,8 +233,8 @@ impl NearerStretch {
                     ([s.estimates[index]?, d.estimates[index]?], at.estimates[index]?);
                 let least = NEARER * band[1];
                 let side = |[low, high]: [f64; 2]| match () {
-                    () if high < -least => Some(Kind::Statistical),
-                    () if low > least => Some(Kind::Deterministic),
+                    () if high < -least => Some(ModelKind::Statistical),
+                    () if low > least => Some(ModelKind::Deterministic),
                     () => None,
                 };
                 let Estimate { contrast, bound, .. } = nearness;
@@ -357,7 +357,10 @@ mod tests {
         AgainstReference::new(&pairs, &differences, &curve, &sampling, PLANE).sorted()
     }
 
-    fn nearer(against: &AgainstReference, quantity: ComparedQuantity) -> Vec<(Option<Kind>, [Verdict; 2])> {
+    fn nearer(
+        against: &AgainstReference,
+        quantity: ComparedQuantity,
+    ) -> Vec<(Option<ModelKind>, [Verdict; 2])> {
         let all = NearerStretch::all(against, &ACCEPTED);
         let of = all.iter().filter(|stretch| stretch.quantity == quantity);
         of.map(|stretch| (stretch.nearer, stretch.verdicts)).collect()
@@ -368,15 +371,15 @@ mod tests {
         use Verdict::{Beyond, Within};
         let found = against([2.3, 2.05, 2.0], [1.2e-3, 0.9e-3, 1e-3], false, 0.0);
         let separation = ComparedQuantity::Separation;
-        assert_eq!(nearer(&found, separation), [(Some(Kind::Deterministic), [Beyond, Within])]);
+        assert_eq!(nearer(&found, separation), [(Some(ModelKind::Deterministic), [Beyond, Within])]);
         let estimate = found.models[0][1].estimates[0].unwrap();
         assert!((estimate.contrast - 0.3).abs() < 1e-12 && estimate.error.unwrap() < 1e-12, "{estimate:?}");
         // ln 1.2 is farther than ln 0.9; -10 % is just what is accepted.
         let area = found.models[0][0].estimates[1].unwrap();
         assert!((area.contrast - 1.2f64.ln()).abs() < 1e-12);
-        assert_eq!(nearer(&found, ComparedQuantity::Area)[0].0, Some(Kind::Deterministic));
+        assert_eq!(nearer(&found, ComparedQuantity::Area)[0].0, Some(ModelKind::Deterministic));
         let found = against([2.02, 1.7, 2.0], [1e-3; 3], false, 0.0);
-        assert_eq!(nearer(&found, separation), [(Some(Kind::Statistical), [Within, Beyond])]);
+        assert_eq!(nearer(&found, separation), [(Some(ModelKind::Statistical), [Within, Beyond])]);
         // Nearer by less than a tenth of what is accepted.
         let found = against([2.02, 2.015, 2.0], [1e-3; 3], false, 0.0);
         assert_eq!(nearer(&found, separation), [(None, [Within, Within])]);
@@ -392,10 +395,10 @@ mod tests {
         };
         use Verdict::{CannotTell, Within};
         // Both on one side: an error of the reference moves both.
-        assert_eq!(told([2.15, 2.08, 2.0], 0.06), (Some(Kind::Deterministic), [CannotTell; 2]));
+        assert_eq!(told([2.15, 2.08, 2.0], 0.06), (Some(ModelKind::Deterministic), [CannotTell; 2]));
         // On both sides: it may turn the order.
         assert_eq!(told([2.08, 1.95, 2.0], 0.06).0, None);
-        assert_eq!(told([2.08, 1.95, 2.0], 0.01), (Some(Kind::Deterministic), [Within; 2]));
+        assert_eq!(told([2.08, 1.95, 2.0], 0.01), (Some(ModelKind::Deterministic), [Within; 2]));
     }
 
     /// What block and sum share cancels: the sum's distance has less error than the integral's.
@@ -420,7 +423,7 @@ mod tests {
         let [s, d] = &whole.models;
         let bare = AgainstReference { models: [strip(s), strip(d)], nearness: strip(&whole.nearness) };
         let first = &NearerStretch::all(&bare, &ACCEPTED)[0];
-        assert_eq!((first.nearer, first.nearer_here), (None, Some(Kind::Deterministic)));
+        assert_eq!((first.nearer, first.nearer_here), (None, Some(ModelKind::Deterministic)));
         assert_eq!((first.verdicts, first.loads), ([Verdict::CannotTell; 2], [1e6, 4e6]));
     }
 }

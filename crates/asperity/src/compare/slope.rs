@@ -1,6 +1,6 @@
 //! Slopes of errors: power laws of a number of points or asperities.
 
-use super::limit::{LimitPoint, Quantity, Sampling};
+use super::limit::{LimitPoint, LimitQuantity, Sampling};
 
 /// A power law fitted to errors: ln(error) = constant + slope ln(count).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,7 +41,7 @@ pub struct ErrorSlope {
     /// d/sigma.
     pub separation: f64,
     /// Area or load.
-    pub quantity: Quantity,
+    pub quantity: LimitQuantity,
     /// How the heights were taken.
     pub sampling: Sampling,
     /// Number of asperities and relative error of the sets with [enough contacts](LimitPoint::is_fitted).
@@ -57,7 +57,7 @@ impl ErrorSlope {
     pub fn all(points: &[LimitPoint]) -> Vec<Self> {
         // All sets of one size follow each other.
         let series = points.iter().take_while(|point| point.count == points[0].count);
-        let kinds = Quantity::ALL.map(|quantity| Sampling::ALL.map(|sampling| (quantity, sampling)));
+        let kinds = LimitQuantity::ALL.map(|quantity| Sampling::ALL.map(|sampling| (quantity, sampling)));
         let kinds = kinds.as_flattened();
         series.flat_map(|first| kinds.iter().filter_map(|kind| Self::through(points, first, *kind))).collect()
     }
@@ -66,7 +66,7 @@ impl ErrorSlope {
     fn through(
         points: &[LimitPoint],
         first: &LimitPoint,
-        (quantity, sampling): (Quantity, Sampling),
+        (quantity, sampling): (LimitQuantity, Sampling),
     ) -> Option<Self> {
         let (law, separation) = (first.law.clone(), first.separation_over_sigma());
         let fitted = points.iter().filter(|point| {

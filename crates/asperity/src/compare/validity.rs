@@ -92,7 +92,7 @@ impl Sum for PointCounts {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::compare::{CurvePoint, Kind};
+    use crate::compare::{CurvePoint, ModelKind};
     use crate::contact::ByRegime;
     use crate::model::{LoadSharing, Response};
 
@@ -148,10 +148,10 @@ mod tests {
             in_jump,
         };
         let curves = vec![
-            point(Kind::Statistical, Control::Separation, None, 0.01, false),
-            point(Kind::Statistical, Control::Force, None, 0.06, false),
-            point(Kind::Deterministic, Control::Separation, Some(29.0), 0.01, false),
-            point(Kind::Deterministic, Control::Force, Some(31.0), 0.02, true),
+            point(ModelKind::Statistical, Control::Separation, None, 0.01, false),
+            point(ModelKind::Statistical, Control::Force, None, 0.06, false),
+            point(ModelKind::Deterministic, Control::Separation, Some(29.0), 0.01, false),
+            point(ModelKind::Deterministic, Control::Force, Some(31.0), 0.02, true),
         ];
         let comparison = Comparison { curves, unpaired: vec![1.0], ..Comparison::default() };
         let counts = PointCounts::new(&comparison);

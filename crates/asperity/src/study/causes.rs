@@ -1,6 +1,8 @@
 //! Why the models differ, and why they differ from the reference.
 
-use crate::compare::{Cause, ComparedQuantity, Contributions, Estimate, Kind, Stretch, Verdict, leading};
+use crate::compare::{
+    Cause, ComparedQuantity, Contributions, Estimate, ModelKind, Stretch, Verdict, leading,
+};
 
 use super::verdicts::Verdicts;
 
@@ -64,9 +66,9 @@ impl Verdicts {
     }
 
     /// The same of a stretch of a model against the reference.
-    pub fn cause_against_reference(&self, model: Kind, stretch: &Stretch) -> Option<LeadingCause> {
+    pub fn cause_against_reference(&self, model: ModelKind, stretch: &Stretch) -> Option<LeadingCause> {
         let (load, _) = stretch.largest.filter(|_| stretch.verdict != Verdict::Within)?;
-        if model == Kind::Deterministic {
+        if model == ModelKind::Deterministic {
             return Some(LeadingCause::Interaction);
         }
         let missed = self.missed(stretch.quantity, load)?;

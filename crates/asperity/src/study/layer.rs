@@ -1,6 +1,6 @@
 //! What a layer changes on one surface.
 
-use crate::compare::Kind;
+use crate::compare::ModelKind;
 use crate::sphere::Decrease;
 
 use super::case::CaseStudy;
@@ -9,7 +9,7 @@ use super::case::CaseStudy;
 #[derive(Debug)]
 pub struct LayerFindings {
     /// The models that were run, the statistical one first.
-    pub models: Vec<Kind>,
+    pub models: Vec<ModelKind>,
     /// Loads at which thicknesses are compared, Pa, ascending.
     pub loads: Vec<f64>,
 }
@@ -33,7 +33,7 @@ pub struct Threshold {
     /// The law.
     pub law: String,
     /// The model.
-    pub kind: Kind,
+    pub kind: ModelKind,
     /// The nominal pressure, Pa.
     pub pressure: f64,
     /// The thickness, m: infinite where no layer has an effect, `None` where the thinnest one tested has.
@@ -49,16 +49,20 @@ impl LayerFindings {
         let mut loads: Vec<f64> = thresholds.iter().map(|threshold| threshold.pressure).collect();
         loads.sort_unstable_by(f64::total_cmp);
         loads.dedup();
-        let is_used = |kind: &Kind| {
+        let is_used = |kind: &ModelKind| {
             cases.iter().any(|case| case.first().comparison.curves.iter().any(|point| point.kind == *kind))
         };
-        let models = [Kind::Statistical, Kind::Deterministic].into_iter().filter(is_used).collect();
+        let models = [ModelKind::Statistical, ModelKind::Deterministic].into_iter().filter(is_used).collect();
         Some(Self { models, loads })
     }
 
     /// The model shown where only one is: the sum, or the integral if it is the only one.
-    pub fn main_model(&self) -> Kind {
-        if self.models.contains(&Kind::Deterministic) { Kind::Deterministic } else { Kind::Statistical }
+    pub fn main_model(&self) -> ModelKind {
+        if self.models.contains(&ModelKind::Deterministic) {
+            ModelKind::Deterministic
+        } else {
+            ModelKind::Statistical
+        }
     }
 }
 

@@ -4,8 +4,8 @@ use std::time::Instant;
 
 use super::law::LawContact;
 use crate::compare::{
-    Accepted, AgainstReference, CaseSampling, ComparedQuantity, Controls, Difference, Gaps, Kind, Models,
-    NotReached, Tolerances, compare,
+    Accepted, AgainstReference, CaseSampling, ComparedQuantity, Controls, Difference, Gaps, ModelKind,
+    Models, NotReached, Tolerances, compare,
 };
 use crate::distribution::HeightsError;
 use crate::progress::Silent;
@@ -76,7 +76,7 @@ pub fn verdicts(
     let setup = Setup {
         laws,
         law_specs: &law_specs,
-        models: &[Kind::Statistical, Kind::Deterministic],
+        models: &[ModelKind::Statistical, ModelKind::Deterministic],
         statistical: &StatisticalModel::default(),
         is_attributed: true,
         is_ranked: false,
@@ -120,7 +120,7 @@ pub fn models_of<'a>(
     timing: &mut Timing,
 ) -> Result<SurfaceModels<'a>, HeightsError> {
     let start = Instant::now();
-    let is_summed = setup.models.contains(&Kind::Deterministic);
+    let is_summed = setup.models.contains(&ModelKind::Deterministic);
     let models = SurfaceModels::new(surface, setup.statistical, setup.law_specs, is_summed);
     timing.deterministic += start.elapsed();
     models
@@ -144,7 +144,7 @@ pub fn run_surface<'a>(
     setup.progress.stage("both models", setup.laws.len() as f64);
     for law in setup.laws {
         let contact = &CountedContact::new(&*law.contact, counter);
-        let statistical = is_run(Kind::Statistical).then(|| models.statistical(contact, &law.spec));
+        let statistical = is_run(ModelKind::Statistical).then(|| models.statistical(contact, &law.spec));
         let deterministic = models.deterministic(contact, &law.spec);
         let models = Models {
             statistical: statistical.as_deref(),

@@ -2,7 +2,7 @@
 
 use super::law::LawContact;
 use crate::ContactLaw;
-use crate::compare::{Controls, Kind};
+use crate::compare::{Controls, ModelKind};
 use crate::progress::Progress;
 
 use super::statistical::StatisticalModel;
@@ -15,7 +15,7 @@ pub struct Setup<'a> {
     /// The laws alone.
     pub law_specs: &'a [ContactLaw],
     /// The models to run.
-    pub models: &'a [Kind],
+    pub models: &'a [ModelKind],
     /// The statistical model.
     pub statistical: &'a StatisticalModel,
     /// Whether the gap between the models is divided among its causes.
@@ -33,6 +33,6 @@ pub struct Setup<'a> {
 impl Setup<'_> {
     /// Whether both models are run, so that they can be compared.
     pub fn has_both_models(&self) -> bool {
-        [Kind::Statistical, Kind::Deterministic].iter().all(|kind| self.models.contains(kind))
+        [ModelKind::Statistical, ModelKind::Deterministic].iter().all(|kind| self.models.contains(kind))
     }
 }

@@ -6,7 +6,7 @@ use super::layer::Threshold;
 use super::models::SurfaceModels;
 use super::results::RealisationResults;
 use super::setup::Setup;
-use crate::compare::{Kind, of_each_decade, threshold};
+use crate::compare::{ModelKind, of_each_decade, threshold};
 use crate::layer::Coating;
 use crate::surface::Surface;
 use crate::work::{CountedContact, Counter};
@@ -52,7 +52,7 @@ pub fn thresholds(
             searches.extend(setup.models.iter().map(|&kind| (law, pressure, kind)));
         }
     }
-    let one = |&(law, pressure, kind): &(&ContactLaw, f64, Kind)| {
+    let one = |&(law, pressure, kind): &(&ContactLaw, f64, ModelKind)| {
         let question = Question { layer: question, models, realisation, counter, law, pressure, kind };
         question.threshold()
     };
@@ -78,7 +78,7 @@ struct Question<'a> {
     counter: &'a Counter,
     law: &'a ContactLaw,
     pressure: f64,
-    kind: Kind,
+    kind: ModelKind,
 }
 
 impl Question<'_> {
@@ -115,8 +115,8 @@ impl Question<'_> {
         let contact = &CountedContact::new(&*contact, self.counter);
         let press = |model: &dyn Model| reached_at(model, &[self.pressure])[0];
         let reached = match self.kind {
-            Kind::Statistical => press(&*self.models.statistical(contact, self.law)),
-            Kind::Deterministic => press(&self.models.deterministic(contact, self.law)?),
+            ModelKind::Statistical => press(&*self.models.statistical(contact, self.law)),
+            ModelKind::Deterministic => press(&self.models.deterministic(contact, self.law)?),
         };
         reached.map(|reached| reached.response.area_ratio.total())
     }

@@ -4,7 +4,7 @@ use super::axes::Units;
 use super::differences::invalid;
 use crate::presentation::regime_colour;
 use crate::study::CaseResults;
-use asperity::compare::{Comparison, CurvePoint, Kind, Pair, Pairing, ReferencePoint, ValidRange};
+use asperity::compare::{Comparison, CurvePoint, ModelKind, Pair, Pairing, ReferencePoint, ValidRange};
 use asperity::{INTERACTION, Limit, Regime};
 use asperity_framework::report::format::capitalised;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
@@ -25,15 +25,15 @@ fn load_axis(case: &CaseResults, units: &Units) -> Axis {
     units.load_ratio().range(low / ROOM, high * ROOM)
 }
 
-fn colour(kind: Kind) -> Colour {
+fn colour(kind: ModelKind) -> Colour {
     match kind {
-        Kind::Statistical => Colour::Statistical,
-        Kind::Deterministic => Colour::Deterministic,
+        ModelKind::Statistical => Colour::Statistical,
+        ModelKind::Deterministic => Colour::Deterministic,
     }
 }
 
 /// The points of one model that carry load, by increasing load.
-pub fn curve(comparison: &Comparison, kind: Kind) -> Vec<&CurvePoint> {
+pub fn curve(comparison: &Comparison, kind: ModelKind) -> Vec<&CurvePoint> {
     let mut points: Vec<&CurvePoint> = comparison
         .curves
         .iter()
@@ -87,7 +87,7 @@ impl Setting<'_> {
     fn with_model(
         &self,
         plot: Plot,
-        kind: Kind,
+        kind: ModelKind,
         value: impl Fn(&CurvePoint) -> f64,
         half: impl Fn(&CurvePoint) -> Option<f64>,
     ) -> Plot {
@@ -104,7 +104,7 @@ impl Setting<'_> {
             };
             Layer::line(points.iter().enumerate().map(at).collect::<Vec<_>>()).coloured(colour(kind))
         };
-        let dash = if kind == Kind::Statistical { Dash::Dashed } else { Dash::Solid };
+        let dash = if kind == ModelKind::Statistical { Dash::Dashed } else { Dash::Solid };
         let plot = plot.with(line(&|k| !few[k]).dashed(dash).named(kind.name()));
         if !few.contains(&true) {
             return plot;
@@ -129,13 +129,13 @@ pub fn separation(setting: &Setting, others: &[&Comparison], lines: Vec<Layer>) 
     let what = "separation against load";
     let mut plot = setting.plot(what, setting.units.separation());
     for other in others {
-        let points = curve(other, Kind::Deterministic);
+        let points = curve(other, ModelKind::Deterministic);
         let line = points.iter().map(|point| (setting.load(point), point.response.separation_over_sigma));
         let line = Layer::line(line.collect::<Vec<_>>()).coloured(Colour::Others).thin();
         plot = plot.with(line.named(OTHERS));
     }
     let sigma = setting.units.sigma;
-    for kind in [Kind::Deterministic, Kind::Statistical] {
+    for kind in [ModelKind::Deterministic, ModelKind::Statistical] {
         let half = |point: &CurvePoint| Some(BAND * point.response.separation_error(sigma)?);
         plot = setting.with_model(plot, kind, |point| point.response.separation_over_sigma, half);
     }
@@ -179,7 +179,7 @@ pub fn area(setting: &Setting, lines: Vec<Layer>) -> Figure {
     let mut plot = setting
         .plot(what, Axis::log("area ratio A/A_nom"))
         .with(Layer::at_y(INTERACTION, "asperities interact above"));
-    for kind in [Kind::Deterministic, Kind::Statistical] {
+    for kind in [ModelKind::Deterministic, ModelKind::Statistical] {
         let half = |point: &CurvePoint| Some(BAND * point.response.sampling?.area_ratio);
         plot = setting.with_model(plot, kind, |point| point.response.area_ratio.total(), half);
     }
@@ -203,12 +203,12 @@ pub fn shares_of_load(title: &str, x: Axis, shares: impl Iterator<Item = (f64, [
 pub fn regimes(setting: &Setting) -> Option<Figure> {
     /// Over load.
     type Shares = Vec<(f64, [f64; 3])>;
-    let shares = |kind: Kind| -> Shares {
+    let shares = |kind: ModelKind| -> Shares {
         let points = curve(&setting.case.comparison, kind);
         let enough = points.into_iter().filter(|point| !has_few_contacts(point));
         enough.filter_map(|point| Some((setting.load(point), point.response.pressure.shares()?))).collect()
     };
-    let present: Vec<(Kind, Shares)> = [Kind::Statistical, Kind::Deterministic]
+    let present: Vec<(ModelKind, Shares)> = [ModelKind::Statistical, ModelKind::Deterministic]
         .into_iter()
         .map(|kind| (kind, shares(kind)))
         .filter(|(_, shares)| shares.len() > 1)
@@ -222,7 +222,7 @@ pub fn regimes(setting: &Setting) -> Option<Figure> {
         return None;
     }
     let ends = [all().map(|at| at.0).fold(f64::INFINITY, f64::min), all().map(|at| at.0).fold(0.0, f64::max)];
-    let panel = |(kind, shares): (Kind, Shares)| {
+    let panel = |(kind, shares): (ModelKind, Shares)| {
         let axis = setting.units.load_ratio().range(ends[0], ends[1]);
         let plot = shares_of_load(&format!("{} model", capitalised(kind.name())), axis, shares.into_iter());
         // Regions lie below the shares: the edges of the valid range are lines.

@@ -3,7 +3,7 @@
 use super::curves::{curve, reference_line, shares_of_load};
 use crate::kind::compare::series::{Series, is_valid_at};
 use crate::study::CaseResults;
-use asperity::compare::{ComparedQuantity, CurvePoint, Kind};
+use asperity::compare::{ComparedQuantity, CurvePoint, ModelKind};
 use asperity::{INTERACTION, Regime, Response};
 use asperity_framework::report::format::{input_quantity, thickness};
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
@@ -30,7 +30,7 @@ pub fn by_load(series: &Series) -> Figure {
                 let inside = points.iter().filter(is_valid).map(shown).collect::<Vec<_>>();
                 let inside = Layer::line(inside).coloured(colour);
                 [all, inside].map(|line| {
-                    if kind == Kind::Statistical && kinds.len() > 1 {
+                    if kind == ModelKind::Statistical && kinds.len() > 1 {
                         line.dashed(Dash::Dashed)
                     } else {
                         line.named(thickness(case.thickness.unwrap_or(0.0)))
@@ -66,10 +66,10 @@ fn with_styles(plot: Plot, series: &Series) -> Plot {
     if kinds.len() + usize::from(has_reference) < 2 {
         return plot;
     }
-    let style = |kind: Kind| match kind {
-        Kind::Deterministic => Dash::Solid,
-        Kind::Statistical if kinds.len() > 1 => Dash::Dashed,
-        Kind::Statistical => Dash::Solid,
+    let style = |kind: ModelKind| match kind {
+        ModelKind::Deterministic => Dash::Solid,
+        ModelKind::Statistical if kinds.len() > 1 => Dash::Dashed,
+        ModelKind::Statistical => Dash::Solid,
     };
     let plot = kinds.iter().rev().fold(plot, |plot, &kind| plot.with_key(kind.name(), style(kind)));
     if has_reference { plot.with_key("reference", Dash::DashDot) } else { plot }

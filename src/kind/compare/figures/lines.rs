@@ -1,7 +1,7 @@
 //! Closed results beside the models.
 
 use asperity::analytical::{AnalyticalLine, mean_deflection};
-use asperity::compare::{Kind, ReferencePoint};
+use asperity::compare::{ModelKind, ReferencePoint};
 use asperity_plot::{Colour, Dash, Layer, Marker};
 
 use super::curves::curve;
@@ -45,7 +45,7 @@ impl Rough {
     }
 }
 
-pub(crate) const KINDS: [Kind; 2] = [Kind::Statistical, Kind::Deterministic];
+pub(crate) const KINDS: [ModelKind; 2] = [ModelKind::Statistical, ModelKind::Deterministic];
 
 /// The name of an area line.
 pub(crate) fn name(line: AnalyticalLine) -> &'static str {
@@ -85,8 +85,8 @@ pub fn layers(results: &CompareResults, found: &SurfaceResults, case: &CaseResul
         if points.is_empty() {
             continue;
         }
-        let colour = if kind == Kind::Statistical { Colour::Statistical } else { Colour::Deterministic };
-        let dash = if kind == Kind::Statistical { Dash::DashDot } else { Dash::Dotted };
+        let colour = if kind == ModelKind::Statistical { Colour::Statistical } else { Colour::Deterministic };
+        let dash = if kind == ModelKind::Statistical { Dash::DashDot } else { Dash::Dotted };
         let line = Layer::line(points).coloured(colour).dashed(dash).thin();
         separations.push(line.named(format!("{}, with interaction", kind.name())));
     }

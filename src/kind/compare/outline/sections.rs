@@ -1,6 +1,6 @@
 //! What is shown of all cases together: views of tables.
 
-use asperity::compare::{ComparedQuantity, GOOD_RATIO, Kind, Tolerances};
+use asperity::compare::{ComparedQuantity, GOOD_RATIO, ModelKind, Tolerances};
 use asperity_framework::report::format::{capitalised, listed, number};
 use asperity_framework::report::page::{Page, escape};
 use asperity_framework::report::table::{Reading, Tables};
@@ -158,8 +158,9 @@ pub fn readings(page: &mut Page, tables: &Tables) {
 /// Error of interpolated curves; nothing where they are exact.
 pub fn tolerance(page: &mut Page, tolerances: Tolerances) {
     let part =
-        |kind: Kind| Some(format!("to {:e} for the {} model", tolerances.for_model(kind)?, kind.name()));
-    let parts: Vec<String> = [Kind::Statistical, Kind::Deterministic].into_iter().filter_map(part).collect();
+        |kind: ModelKind| Some(format!("to {:e} for the {} model", tolerances.for_model(kind)?, kind.name()));
+    let parts: Vec<String> =
+        [ModelKind::Statistical, ModelKind::Deterministic].into_iter().filter_map(part).collect();
     if !parts.is_empty() {
         page.paragraph(&format!(
             "Load and area of the curves over d/σ agree with direct evaluation {}; between exact points they are interpolated.",

@@ -7,7 +7,7 @@ use std::time::Instant;
 use asperity::HeightMap;
 use asperity::bem::{Boundary, Contact, ElasticPair, MOST_MISSING, Options, Solver, SolverError, refined};
 use asperity::compare::{
-    BlockShare, ComparedQuantity, Control, Kind, ReferenceCurve, ReferencePoint, Stiffness, stiffnesses,
+    BlockShare, ComparedQuantity, Control, ModelKind, ReferenceCurve, ReferencePoint, Stiffness, stiffnesses,
 };
 use asperity::progress::Silent;
 use asperity::topography::Blocks;
@@ -178,8 +178,11 @@ impl Load {
         });
         let comparison = &case.comparison;
         let models = &run.compare.models;
-        let kind =
-            if models.contains(&Kind::Deterministic) { Kind::Deterministic } else { Kind::Statistical };
+        let kind = if models.contains(&ModelKind::Deterministic) {
+            ModelKind::Deterministic
+        } else {
+            ModelKind::Statistical
+        };
         let least = LEAST_CARRIED * run.compare.study.laws[0].contact.reference_modulus();
         let points = comparison.curves.iter().filter(|point| point.kind == kind);
         let carried: Vec<f64> = points

@@ -1,7 +1,7 @@
 //! The contact of the reference at one load: a part of the map, and the distribution of pressures.
 
 use asperity::bem::Contact;
-use asperity::compare::Kind;
+use asperity::compare::ModelKind;
 
 use super::plan::Solution;
 use super::run::ReferenceRun;
@@ -71,7 +71,7 @@ pub(super) struct SumAtLoad {
 impl SumAtLoad {
     /// The sum of a case at the nominal pressure `pressure` (Pa), where it was run there.
     pub(super) fn new(case: &CaseResults, pressure: f64) -> Option<Self> {
-        let mut curves = case.comparison.curves.iter().filter(|point| point.kind == Kind::Deterministic);
+        let mut curves = case.comparison.curves.iter().filter(|point| point.kind == ModelKind::Deterministic);
         let point = curves.find(|point| {
             point.prescribed_pressure == Some(pressure) || point.response.pressure.total() == pressure
         })?;

@@ -1,7 +1,7 @@
 //! The rows of `curves.csv` and `comparison.csv`.
 
 use crate::kind::compare::results::CompareResults;
-use crate::model_tables::{AnyPoint, Case, CurveRow, PairRow, of_models};
+use crate::model_tables::{AnyPoint, CurveRow, PairRow, RowCase, of_models};
 use crate::study::{CaseResults, RealisationFacts};
 
 /// The rows of `curves.csv`.
@@ -32,12 +32,12 @@ pub(super) fn pairs(results: &CompareResults) -> impl Iterator<Item = PairRow> {
 /// Every case of every realisation of every surface, in file order.
 pub(super) fn cases(
     results: &CompareResults,
-) -> impl Iterator<Item = (Case, &RealisationFacts, &CaseResults)> {
+) -> impl Iterator<Item = (RowCase, &RealisationFacts, &CaseResults)> {
     results.surfaces.iter().flat_map(|surface| {
         surface.realisations.iter().enumerate().flat_map(move |(index, realisation)| {
             surface.cases.iter().map(move |case| {
                 let results = &case.realisations[index];
-                (Case::from_results(&surface.surface.name, index + 1, results), realisation, results)
+                (RowCase::from_results(&surface.surface.name, index + 1, results), realisation, results)
             })
         })
     })

@@ -1,6 +1,6 @@
 //! `differences.csv`: the differences between the models at equal load that the verdicts rest on.
 
-use asperity::compare::{ComparedQuantity, Difference, Estimate, Kind, Verdict};
+use asperity::compare::{ComparedQuantity, Difference, Estimate, ModelKind, Verdict};
 use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row};
 
@@ -64,7 +64,7 @@ impl Row for DifferenceRow<'_> {
 pub(crate) fn rows(results: &CompareResults) -> impl Iterator<Item = DifferenceRow<'_>> {
     SurfaceCase::all(results).flat_map(|case| {
         let verdicts = case.verdicts();
-        let [statistical, deterministic] = [Kind::Statistical.name(), Kind::Deterministic.name()];
+        let [statistical, deterministic] = [ModelKind::Statistical.name(), ModelKind::Deterministic.name()];
         let mut compared = vec![([statistical, deterministic], &verdicts.differences)];
         if let Some(reference) = &verdicts.reference {
             let [of_statistical, of_deterministic] = &reference.against.models;

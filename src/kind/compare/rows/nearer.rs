@@ -1,6 +1,6 @@
 //! `reference_curves.csv`: what was solved; `nearer_to_reference.csv`: which model is nearer to the reference.
 
-use asperity::compare::{Kind, NearerStretch, ReferenceCurve};
+use asperity::compare::{ModelKind, NearerStretch, ReferenceCurve};
 use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row};
 
@@ -80,8 +80,8 @@ impl Row for NearerRow<'_> {
             quantity["text"] = row.stretch.quantity.name(), "What is compared: `separation`, `area` (real contact area) or `stiffness`.";
             from_pa["Pa", prefix("M"), label("from"), input] = row.stretch.loads[0], "Lowest nominal pressure of the stretch.";
             to_pa["Pa", prefix("M"), label("to"), input] = row.stretch.loads[1], "Highest nominal pressure of the stretch.";
-            nearer["text", label("nearer, on such surfaces")] = row.stretch.nearer.map(Kind::name), "The nearer model, with the sampling error of such surfaces; empty where it cannot be told or both are as near.";
-            nearer_on_this_map["text"] = row.stretch.nearer_here.filter(|_| row.is_one_map).map(Kind::name), "The same on this very map; empty over several realisations.";
+            nearer["text", label("nearer, on such surfaces")] = row.stretch.nearer.map(ModelKind::name), "The nearer model, with the sampling error of such surfaces; empty where it cannot be told or both are as near.";
+            nearer_on_this_map["text"] = row.stretch.nearer_here.filter(|_| row.is_one_map).map(ModelKind::name), "The same on this very map; empty over several realisations.";
         });
         columns
     }

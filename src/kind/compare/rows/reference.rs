@@ -6,11 +6,11 @@ use asperity_framework::report::table::{Column, Row};
 
 use super::curves::cases;
 use crate::kind::compare::results::CompareResults;
-use crate::model_tables::Case;
+use crate::model_tables::RowCase;
 
 /// One load of the reference.
 pub(crate) struct ReferenceRow {
-    case: Case,
+    case: RowCase,
     boundary: &'static str,
     cap: Option<f64>,
     interpolated: usize,
@@ -24,7 +24,7 @@ impl Row for ReferenceRow {
     const ROWS: &'static str = "One row for each surface, realisation, law, layer thickness and load at which the boundary element reference was run; the file is there only where it was.";
 
     fn columns() -> Vec<Column<Self>> {
-        let mut columns = Case::columns(|row: &Self| &row.case);
+        let mut columns = RowCase::columns(|row: &Self| &row.case);
         columns.extend(columns! { row: Self =>
             boundary["text"] = row.boundary, "What lies beyond the edge of the map: `periodic` (the map again), `mirrored` (its mirror image) or `finite` (nothing).";
             cap_pa["Pa"] = row.cap, "The largest contact pressure, the hardness of the softer body; empty for an elastic contact.";

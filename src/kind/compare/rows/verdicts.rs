@@ -1,6 +1,6 @@
 //! `verdicts.csv`: whether the statistical model may replace the sum.
 
-use asperity::compare::{Kind, Stretch};
+use asperity::compare::{ModelKind, Stretch};
 use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row};
 
@@ -72,7 +72,7 @@ fn of_case(case: SurfaceCase<'_>) -> Vec<VerdictRow<'_>> {
         rows.push(VerdictRow {
             key: case.key(),
             stretch,
-            names: [Kind::Statistical.name(), Kind::Deterministic.name()],
+            names: [ModelKind::Statistical.name(), ModelKind::Deterministic.name()],
             verdict: verdicts.name(stretch.verdict),
             area_needed: verdicts.area_needed(stretch),
             cause: verdicts.cause(stretch),
@@ -80,7 +80,9 @@ fn of_case(case: SurfaceCase<'_>) -> Vec<VerdictRow<'_>> {
         });
     }
     let Some(reference) = &verdicts.reference else { return rows };
-    for (kind, stretches) in [Kind::Statistical, Kind::Deterministic].into_iter().zip(&reference.stretches) {
+    for (kind, stretches) in
+        [ModelKind::Statistical, ModelKind::Deterministic].into_iter().zip(&reference.stretches)
+    {
         rows.extend(stretches.iter().map(|stretch| VerdictRow {
             key: case.key(),
             stretch,

@@ -13,7 +13,7 @@ use serde_json::{Map, Value};
 use super::figures::{CAPTION, coverage};
 use super::results::{CaseResults, CoverageResults, range};
 use super::rows::{CoverageRow, ProcessRow, tables};
-use crate::coverage::{Coverage, Quantity};
+use crate::coverage::{Coverage, CoveredQuantity};
 
 impl Outcome for CoverageResults {
     fn metadata(&self) -> &Metadata {
@@ -36,7 +36,7 @@ impl Outcome for CoverageResults {
         page.heading(2, "Coverage by process");
         page.view(&tables.view::<ProcessRow>().without(&SETUP[1..]));
         sections::notes(&mut page, &self.metadata);
-        for quantity in Quantity::ALL {
+        for quantity in CoveredQuantity::ALL {
             let title = format!("Coverage: {}", capitalised(&quantity.name().replace('-', " ")));
             page.details(2, &title, |page| {
                 let rows = tables.view::<CoverageRow>().only("quantity", quantity.name());
@@ -148,8 +148,11 @@ mod tests {
             claimed: IntervalCount { intervals, covered, error: 1.0 },
             independent: IntervalCount::default(),
         };
-        let load =
-            LoadCoverage { load: 1e6, separation: 2.0, coverages: vec![(Quantity::AreaOfSum, coverage)] };
+        let load = LoadCoverage {
+            load: 1e6,
+            separation: 2.0,
+            coverages: vec![(CoveredQuantity::AreaOfSum, coverage)],
+        };
         let (roll_off, correlation, heights) = (1e-5, 1e-6, Heights::GAUSSIAN);
         CaseResults { name: name.to_owned(), roll_off, heights, correlation, loads: vec![load] }
     }

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::plan::WindowPlan;
-use crate::coverage::{Coverage, Quantity};
+use crate::coverage::{Coverage, CoveredQuantity};
 use asperity::Heights;
 use asperity_framework::contact::ContactMetadata;
 use asperity_framework::metadata::Metadata;
@@ -51,7 +51,7 @@ pub struct LoadCoverage {
     /// The d/sigma at which loads are compared.
     pub separation: f64,
     /// Quantities that have values in at least two windows.
-    pub coverages: Vec<(Quantity, Coverage)>,
+    pub coverages: Vec<(CoveredQuantity, Coverage)>,
 }
 
 /// Smallest and largest; `None` without values.
@@ -69,28 +69,28 @@ pub fn is_in_band(coverage: f64) -> bool {
 
 impl CaseResults {
     /// Over all loads and quantities.
-    pub fn coverages(&self) -> impl Iterator<Item = &(Quantity, Coverage)> {
+    pub fn coverages(&self) -> impl Iterator<Item = &(CoveredQuantity, Coverage)> {
         self.loads.iter().flat_map(|load| &load.coverages)
     }
 
-    fn claimed_in(&self, shares: Range<f64>) -> impl Iterator<Item = (&(Quantity, Coverage), f64)> {
+    fn claimed_in(&self, shares: Range<f64>) -> impl Iterator<Item = (&(CoveredQuantity, Coverage), f64)> {
         let claimed =
             self.coverages().filter(move |(_, coverage)| shares.contains(&coverage.claimed_share()));
         claimed.filter_map(|pair| Some((pair, pair.1.claimed.coverage()?)))
     }
 
     /// Those in which nearly all windows have an interval, each with the coverage of these.
-    pub fn claimed(&self) -> impl Iterator<Item = (&(Quantity, Coverage), f64)> {
+    pub fn claimed(&self) -> impl Iterator<Item = (&(CoveredQuantity, Coverage), f64)> {
         self.claimed_in(NEARLY_ALL..f64::INFINITY)
     }
 
     /// The same of those in which a part of the windows has an interval.
-    pub fn claimed_in_part(&self) -> impl Iterator<Item = (&(Quantity, Coverage), f64)> {
+    pub fn claimed_in_part(&self) -> impl Iterator<Item = (&(CoveredQuantity, Coverage), f64)> {
         self.claimed_in(RARELY..NEARLY_ALL)
     }
 
     /// Those of [`Self::claimed`] whose coverage is not within the band.
-    pub fn outside(&self) -> impl Iterator<Item = (&(Quantity, Coverage), f64)> {
+    pub fn outside(&self) -> impl Iterator<Item = (&(CoveredQuantity, Coverage), f64)> {
         self.claimed().filter(|(_, coverage)| !is_in_band(*coverage))
     }
 }

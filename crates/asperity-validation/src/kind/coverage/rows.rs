@@ -6,7 +6,7 @@ use asperity_framework::report::table::{Column, Row, Table};
 
 use super::plan::WindowPlan;
 use super::results::{CaseResults, CoverageResults, LoadCoverage, range};
-use crate::coverage::{Coverage, Quantity};
+use crate::coverage::{Coverage, CoveredQuantity};
 
 /// One case.
 pub struct ProcessRow<'a> {
@@ -65,7 +65,7 @@ impl Row for ProcessRow<'_> {
 pub struct CoverageRow<'a> {
     case: &'a str,
     load: &'a LoadCoverage,
-    quantity: Quantity,
+    quantity: CoveredQuantity,
     coverage: &'a Coverage,
 }
 

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use super::plan::{CasePlan, CoveragePlan};
 use super::results::{CaseResults, CoverageResults, LoadCoverage};
-use crate::coverage::{Coverage, Quantity, QuantityEstimate, WindowTask, windows_of};
+use crate::coverage::{Coverage, CoveredQuantity, QuantityEstimate, WindowTask, windows_of};
 use asperity::{Heights, literature};
 use asperity_framework::RunContext;
 use asperity_framework::contact::{contact_metadata, papers_of};
@@ -42,13 +42,13 @@ fn run_case(context: &RunContext, plan: &CoveragePlan, case: &CasePlan) -> Resul
     let windows = windows_of(&case.process, &task, plan.windows.maps, done).map_err(refuse)?;
     let mut correlations: Vec<f64> = windows.iter().map(|window| window.correlation).collect();
     correlations.sort_by(f64::total_cmp);
-    let coverage = |load: usize, (k, quantity): (usize, Quantity)| {
+    let coverage = |load: usize, (k, quantity): (usize, CoveredQuantity)| {
         let estimates = windows.iter().filter_map(|window| window.estimates[load][k]);
         Some((quantity, Coverage::new(&estimates.collect::<Vec<QuantityEstimate>>())?))
     };
     let controls = task.controls.loads.iter().zip(&task.controls.separations).enumerate();
     let loads = controls.map(|(index, (&load, &separation))| {
-        let quantities = Quantity::ALL.into_iter().enumerate();
+        let quantities = CoveredQuantity::ALL.into_iter().enumerate();
         LoadCoverage {
             load,
             separation,

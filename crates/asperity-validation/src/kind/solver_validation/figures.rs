@@ -4,7 +4,7 @@ use super::results::{ErrorRow, SolverResults, convolutions, errors, loads};
 use crate::solver::ensemble::{EnsemblePoint, EnsembleResults, Mean, bush_gibson_thomas, persson};
 use crate::solver::published::{ENSEMBLE, PUBLISHED, PublishedArea, published};
 use crate::solver::work::WorkPoint;
-use crate::solver::{Benchmark, LAYERED_CASES, Problem, Profile, Quantity};
+use crate::solver::{Benchmark, BenchmarkQuantity, LAYERED_CASES, Problem, Profile};
 use asperity::analytical;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
 
@@ -25,13 +25,13 @@ fn with_series(plot: Plot, points: Vec<(f64, f64)>, colour: Colour, marker: Mark
 /// The largest errors of a problem against resolution, with lines of slopes -1 and -2.
 fn convergence(results: &SolverResults, problem: Problem, resolution: &str) -> Plot {
     /// With the order of convergence whose line is drawn.
-    const QUANTITIES: [(Quantity, Marker, Option<f64>); 6] = [
-        (Quantity::Indentation, Marker::Circle, Some(2.0)),
-        (Quantity::RawArea, Marker::Square, None),
-        (Quantity::Area, Marker::Triangle, None),
-        (Quantity::PeakPressure, Marker::Cross, None),
-        (Quantity::Pressures, Marker::Ring, Some(1.0)),
-        (Quantity::MeanGap, Marker::Circle, Some(2.0)),
+    const QUANTITIES: [(BenchmarkQuantity, Marker, Option<f64>); 6] = [
+        (BenchmarkQuantity::Indentation, Marker::Circle, Some(2.0)),
+        (BenchmarkQuantity::RawArea, Marker::Square, None),
+        (BenchmarkQuantity::Area, Marker::Triangle, None),
+        (BenchmarkQuantity::PeakPressure, Marker::Cross, None),
+        (BenchmarkQuantity::Pressures, Marker::Ring, Some(1.0)),
+        (BenchmarkQuantity::MeanGap, Marker::Circle, Some(2.0)),
     ];
     let mut plot = plot("Largest errors", Axis::log(resolution), Axis::log("error"));
     for (k, (quantity, marker, order)) in QUANTITIES.into_iter().enumerate() {
@@ -74,7 +74,7 @@ pub fn sinusoid(results: &SolverResults) -> Figure {
 /// Spheres on a layer: errors of the indentation, by body and contact radius.
 pub fn layered(results: &SolverResults) -> Figure {
     let is_it = |benchmark: &&Benchmark| {
-        (benchmark.problem, benchmark.quantity) == (Problem::LayeredSphere, Quantity::Indentation)
+        (benchmark.problem, benchmark.quantity) == (Problem::LayeredSphere, BenchmarkQuantity::Indentation)
     };
     let all: Vec<&Benchmark> = results.benchmarks.iter().filter(is_it).collect();
     let errors =

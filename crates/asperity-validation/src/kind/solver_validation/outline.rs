@@ -17,7 +17,7 @@ use super::words::claims;
 use crate::solver::ensemble::{EnsemblePoint, EnsembleResults};
 use crate::solver::published::{ENSEMBLE, RMS_HEIGHT};
 use crate::solver::work::WorkPoint;
-use crate::solver::{Benchmark, Problem, Quantity};
+use crate::solver::{Benchmark, BenchmarkQuantity, Problem};
 
 impl Outcome for SolverResults {
     fn metadata(&self) -> &Metadata {
@@ -116,7 +116,7 @@ fn known_solutions(page: &mut Page, results: &SolverResults, tables: &Tables) {
         &largest(Problem::Sinusoid, "points per wavelength"),
     );
     let layered = tables.view::<&Benchmark>().only("problem", Problem::LayeredSphere.name());
-    let indentation = layered.only("benchmark_quantity", Quantity::Indentation.name());
+    let indentation = layered.only("benchmark_quantity", BenchmarkQuantity::Indentation.name());
     section(
         page,
         "Sphere on a bonded layer",

@@ -3,7 +3,7 @@
 use crate::solver::ensemble::{EnsemblePoint, EnsembleResults, Mean};
 use crate::solver::published::{PublishedArea, published};
 use crate::solver::work::WorkPoint;
-use crate::solver::{Benchmark, Problem, Profile, Quantity};
+use crate::solver::{Benchmark, BenchmarkQuantity, Problem, Profile};
 use asperity::compare::SlopeFit;
 use asperity_framework::metadata::Metadata;
 use asperity_framework::report::format::{input_number, number, percent};
@@ -43,7 +43,7 @@ pub fn errors(benchmarks: &[Benchmark]) -> impl DoubleEndedIterator<Item = Error
 /// Order of convergence of Hertz's indentation, from the two finest grids.
 pub fn order(benchmarks: &[Benchmark]) -> Option<f64> {
     let hertz = errors(benchmarks).rev().filter(|errors| errors.problem() == Problem::Hertz);
-    let mut indentation = hertz.filter_map(|errors| errors.largest(Quantity::Indentation));
+    let mut indentation = hertz.filter_map(|errors| errors.largest(BenchmarkQuantity::Indentation));
     let (fine, coarse) = (indentation.next()?, indentation.next()?);
     let order = (coarse.error / fine.error).abs().ln() / (fine.points as f64 / coarse.points as f64).ln();
     order.is_finite().then_some(order)
@@ -94,13 +94,13 @@ impl<'a> ErrorRow<'a> {
     }
 
     /// The benchmark of a quantity with the largest error.
-    pub fn largest(&self, quantity: Quantity) -> Option<&'a Benchmark> {
+    pub fn largest(&self, quantity: BenchmarkQuantity) -> Option<&'a Benchmark> {
         let of_quantity = self.0.iter().filter(|benchmark| benchmark.quantity == quantity);
         of_quantity.max_by(|a, b| a.error.abs().total_cmp(&b.error.abs()))
     }
 
     /// The largest error of a quantity.
-    pub fn error(&self, quantity: Quantity) -> Option<f64> {
+    pub fn error(&self, quantity: BenchmarkQuantity) -> Option<f64> {
         self.largest(quantity).map(|benchmark| benchmark.error)
     }
 }
@@ -192,7 +192,7 @@ mod tests {
             problem: Problem::Hertz,
             case: "sphere".to_owned(),
             points,
-            quantity: Quantity::Indentation,
+            quantity: BenchmarkQuantity::Indentation,
             exact: Some(1.0),
             computed: Some(1.0 + error),
             error,

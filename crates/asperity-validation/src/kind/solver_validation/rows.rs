@@ -4,7 +4,7 @@ use super::results::{Deviation, ErrorRow, SolverResults, deviations, errors, is_
 use crate::solver::ensemble::EnsemblePoint;
 use crate::solver::published::{ENSEMBLE, published};
 use crate::solver::work::WorkPoint;
-use crate::solver::{Benchmark, Quantity};
+use crate::solver::{Benchmark, BenchmarkQuantity};
 use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row, Schema, Table};
 
@@ -18,7 +18,7 @@ impl Row for &Benchmark {
             problem["text"] = row.problem.name(), "Problem: `hertz`, `sinusoid` (partial contact of a wave), `full-contact` or `layered-sphere`.";
             problem_case["text", label("case")] = row.case.as_str(), "Case of the problem; of `layered-sphere`: Young's modulus of the layer on that of the substrate, contact radius a over layer thickness t.";
             resolution["count"] = row.points, "Pixels per contact radius, or points per wavelength.";
-            benchmark_quantity["text", label("quantity")] = row.quantity.name(), "Quantity whose error is given: `indentation`, `raw-area` (points counted), `area` (corrected for the border), `peak-pressure`, `pressures` (r.m.s. error over r.m.s. pressure; in full contact the largest error over the amplitude) or `mean-gap`.";
+            benchmark_quantity["text", label("quantity")] = row.quantity.name(), "BenchmarkQuantity whose error is given: `indentation`, `raw-area` (points counted), `area` (corrected for the border), `peak-pressure`, `pressures` (r.m.s. error over r.m.s. pressure; in full contact the largest error over the amplitude) or `mean-gap`.";
             exact_value["1"] = row.exact, "Exact value, with E* and R or the wavelength as units; of the mean gap over the height of the wave; empty for `pressures`.";
             found_value["1", label("computed value")] = row.computed, "Value of the boundary elements; of a sinusoid the mean over places of the crest between two points (areas) or the one farthest from the exact value (gap).";
             measured_error["1", label("error"), scale(1e-3)] = row.error, "Error: relative; of a sinusoid's areas (width over the wavelength) and gap the difference.";
@@ -39,12 +39,12 @@ impl Row for ErrorRow<'_> {
             resolution["count"] = row.points(), "Pixels per contact radius, or points per wavelength.";
             comparisons["count"] = row.0.len(), "Cases times quantities.";
             within_bounds["true/false"] = row.0.iter().all(Benchmark::is_within), "Whether all errors that have a bound are within it.";
-            indentation_error["1", label("indentation"), scale(1e-3)] = row.error(Quantity::Indentation), "Relative error of the indentation.";
-            raw_area_error["1", label("area by counting points"), scale(1e-3)] = row.error(Quantity::RawArea), "Error of the area of the points in contact: relative; of a sinusoid that of the width over the wavelength.";
-            area_error["1", label("corrected area"), scale(1e-3)] = row.error(Quantity::Area), "The same of the area corrected for the border of the contact.";
-            peak_pressure_error["1", label("peak pressure"), scale(1e-3)] = row.error(Quantity::PeakPressure), "Relative error of the highest pressure.";
-            pressures_error["1", label("pressures (r.m.s.)"), scale(1e-3)] = row.error(Quantity::Pressures), "R.m.s. error of the pressures over the r.m.s. pressure; in full contact the largest error over the amplitude.";
-            mean_gap_error["1", label("mean gap"), scale(1e-3)] = row.error(Quantity::MeanGap), "Error of the mean gap over the height of the wave.";
+            indentation_error["1", label("indentation"), scale(1e-3)] = row.error(BenchmarkQuantity::Indentation), "Relative error of the indentation.";
+            raw_area_error["1", label("area by counting points"), scale(1e-3)] = row.error(BenchmarkQuantity::RawArea), "Error of the area of the points in contact: relative; of a sinusoid that of the width over the wavelength.";
+            area_error["1", label("corrected area"), scale(1e-3)] = row.error(BenchmarkQuantity::Area), "The same of the area corrected for the border of the contact.";
+            peak_pressure_error["1", label("peak pressure"), scale(1e-3)] = row.error(BenchmarkQuantity::PeakPressure), "Relative error of the highest pressure.";
+            pressures_error["1", label("pressures (r.m.s.)"), scale(1e-3)] = row.error(BenchmarkQuantity::Pressures), "R.m.s. error of the pressures over the r.m.s. pressure; in full contact the largest error over the amplitude.";
+            mean_gap_error["1", label("mean gap"), scale(1e-3)] = row.error(BenchmarkQuantity::MeanGap), "Error of the mean gap over the height of the wave.";
         }
     }
 }

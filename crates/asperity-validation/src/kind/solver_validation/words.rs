@@ -7,7 +7,7 @@ use super::results::{
 };
 use crate::solver::ensemble::{EnsemblePoint, Mean, bush_gibson_thomas, persson};
 use crate::solver::work::WorkPoint;
-use crate::solver::{Benchmark, Problem, Quantity};
+use crate::solver::{Benchmark, BenchmarkQuantity, Problem};
 
 /// What each test shows, a line each.
 pub fn claims(results: &SolverResults) -> Vec<String> {
@@ -47,13 +47,18 @@ fn error_claim(errors: ErrorRow) -> String {
         Problem::FullContact => ("Full contact, with and without a layer", "points per wavelength"),
         Problem::LayeredSphere => ("Sphere on a layer", "pixels per contact radius"),
     };
-    let claim = |quantity: Quantity| {
+    let claim = |quantity: BenchmarkQuantity| {
         let Benchmark { error, allowed, .. } = errors.largest(quantity)?;
         let (error, allowed) = (number(error.abs().max(ROUNDING)), number((*allowed)?));
         let quantity = quantity.words().trim_end_matches(" (r.m.s.)");
         Some(format!("{quantity} within {error} (allowed: {allowed})"))
     };
-    let bounded = [Quantity::Indentation, Quantity::Area, Quantity::MeanGap, Quantity::Pressures];
+    let bounded = [
+        BenchmarkQuantity::Indentation,
+        BenchmarkQuantity::Area,
+        BenchmarkQuantity::MeanGap,
+        BenchmarkQuantity::Pressures,
+    ];
     let claims: Vec<String> = bounded.into_iter().filter_map(claim).collect();
     format!("**{problem}** ({} {points}): {}.", errors.points(), listed(&claims))
 }
@@ -106,7 +111,12 @@ fn work_claim(work: &[WorkPoint]) -> Option<String> {
 mod tests {
     use super::*;
 
-    fn benchmark(problem: Problem, quantity: Quantity, error: f64, allowed: Option<f64>) -> Benchmark {
+    fn benchmark(
+        problem: Problem,
+        quantity: BenchmarkQuantity,
+        error: f64,
+        allowed: Option<f64>,
+    ) -> Benchmark {
         Benchmark {
             problem,
             case: String::new(),
@@ -122,15 +132,15 @@ mod tests {
     #[test]
     fn errors_and_their_bounds() {
         let all = [
-            benchmark(Problem::Hertz, Quantity::Indentation, -1e-5, Some(2e-5)),
-            benchmark(Problem::Hertz, Quantity::RawArea, 0.01, None),
-            benchmark(Problem::Hertz, Quantity::Pressures, 0.004, Some(0.003)),
+            benchmark(Problem::Hertz, BenchmarkQuantity::Indentation, -1e-5, Some(2e-5)),
+            benchmark(Problem::Hertz, BenchmarkQuantity::RawArea, 0.01, None),
+            benchmark(Problem::Hertz, BenchmarkQuantity::Pressures, 0.004, Some(0.003)),
         ];
         assert_eq!(
             error_claim(ErrorRow(&all)),
             "**Hertz** (64 pixels per contact radius): indentation within 1e-5 (allowed: 2e-5) and pressures within 0.004 (allowed: 0.003)."
         );
-        let rounding = [benchmark(Problem::FullContact, Quantity::Pressures, 3e-15, Some(1e-12))];
+        let rounding = [benchmark(Problem::FullContact, BenchmarkQuantity::Pressures, 3e-15, Some(1e-12))];
         assert!(error_claim(ErrorRow(&rounding)).ends_with("pressures within 1e-12 (allowed: 1e-12)."));
         assert!(bounds_claim(&all).unwrap().contains("1 of 2 errors exceed"));
         assert!(bounds_claim(&all[..2]).unwrap().contains("all 1 errors"));

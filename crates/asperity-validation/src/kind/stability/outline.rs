@@ -10,7 +10,7 @@ use asperity_framework::report::table::{Table, Tables};
 use super::figures::{caption, error_map};
 use super::results::StabilityResults;
 use super::rows::{WorstRow, tables};
-use crate::stability::{CoveredLaw, GroupResults, Kind, uncovered_heights};
+use crate::stability::{CheckKind, CoveredLaw, GroupResults, uncovered_heights};
 
 impl Outcome for StabilityResults {
     fn metadata(&self) -> &Metadata {
@@ -33,7 +33,7 @@ impl Outcome for StabilityResults {
             page.figure(&format!("{}-errors.svg", map.name), error_map(map), caption(map));
         }
         sections::notes(&mut page, &self.metadata);
-        for kind in Kind::ALL.map(Kind::name) {
+        for kind in CheckKind::ALL.map(CheckKind::name) {
             page.heading(2, &format!("{}: largest errors", capitalised(kind)));
             let groups = tables.view::<&GroupResults>().only("kind", kind);
             page.view(&groups.without(&["description", "not_finite", "within_bounds"]));
@@ -42,7 +42,7 @@ impl Outcome for StabilityResults {
             page.view(&tables.view::<&GroupResults>().columns(&["kind", "group", "description"]));
         });
         page.details(2, "Sum: errors including the rounding of the separation", |page| {
-            let sums = tables.view::<WorstRow>().only("kind", Kind::Sum.name());
+            let sums = tables.view::<WorstRow>().only("kind", CheckKind::Sum.name());
             page.view(&sums.columns(&["group", "quantity", "worst_error", "plain_error"]));
         });
         let [_, laws] = CoveredLaw::coverage();
@@ -64,7 +64,7 @@ fn answer(groups: &[GroupResults]) -> String {
         0 => "all within their bounds".to_owned(),
         beyond => format!("{beyond} of {} groups are not within their bounds", groups.len()),
     };
-    let largest = Kind::ALL.into_iter().filter_map(|kind| {
+    let largest = CheckKind::ALL.into_iter().filter_map(|kind| {
         let of_kind = groups.iter().filter(|group| group.group.kind() == kind);
         let errors = of_kind.flat_map(|group| group.worst.iter().map(|worst| worst.checked));
         Some(format!("{} {}", kind.name(), one_digit(errors.max_by(f64::total_cmp)?)))

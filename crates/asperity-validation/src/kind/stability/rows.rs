@@ -1,7 +1,7 @@
 //! `groups.csv`, `stability.csv` and `maps.csv`.
 
 use super::results::StabilityResults;
-use crate::stability::{Failure, GroupResults, Quantity, WorstCase};
+use crate::stability::{CheckedQuantity, Failure, GroupResults, WorstCase};
 use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row, Table};
 
@@ -19,14 +19,14 @@ impl Row for &GroupResults {
             failures["count"] = row.failures.len(), "Cases that failed or could not be checked.";
             not_finite["count"] = row.failures.iter().filter(|(_, failure)| matches!(failure, Failure::NotFinite(_))).count(), "Of these, cases with a NaN or an infinity.";
             within_bounds["true/false"] = row.is_within_bounds(), "Whether every case was checked and every quantity is within its bound.";
-            bound["1", one_digit] = row.group.bound(Quantity::Load), "Bound of all errors but those of slopes of tables, under most laws.";
-            area_error["1", label("area"), one_digit, ignored] = row.largest_error(Quantity::Area), "Error of the area.";
-            load_error["1", label("load"), one_digit, ignored] = row.largest_error(Quantity::Load), "Error of the load or nominal pressure.";
-            stiffness_error["1", label("stiffness"), one_digit, ignored] = row.largest_error(Quantity::Stiffness), "Error of the stiffness.";
-            contact_density_error["1", label("contact density"), one_digit, ignored] = row.largest_error(Quantity::Density), "Error of the contacts per nominal area.";
-            regime_share_error["1", label("regime shares"), one_digit, ignored] = row.largest_error(Quantity::Shares), "Absolute error of the parts of area and load in each regime.";
-            sampling_error["1", one_digit, ignored] = row.largest_error(Quantity::Sampling), "Error of the variances of area and load over the mean square.";
-            pressure_error["1", label("pressure reached"), one_digit, ignored] = row.largest_error(Quantity::Reached), "Error of the pressure on which load control ends.";
+            bound["1", one_digit] = row.group.bound(CheckedQuantity::Load), "Bound of all errors but those of slopes of tables, under most laws.";
+            area_error["1", label("area"), one_digit, ignored] = row.largest_error(CheckedQuantity::Area), "Error of the area.";
+            load_error["1", label("load"), one_digit, ignored] = row.largest_error(CheckedQuantity::Load), "Error of the load or nominal pressure.";
+            stiffness_error["1", label("stiffness"), one_digit, ignored] = row.largest_error(CheckedQuantity::Stiffness), "Error of the stiffness.";
+            contact_density_error["1", label("contact density"), one_digit, ignored] = row.largest_error(CheckedQuantity::Density), "Error of the contacts per nominal area.";
+            regime_share_error["1", label("regime shares"), one_digit, ignored] = row.largest_error(CheckedQuantity::Shares), "Absolute error of the parts of area and load in each regime.";
+            sampling_error["1", one_digit, ignored] = row.largest_error(CheckedQuantity::Sampling), "Error of the variances of area and load over the mean square.";
+            pressure_error["1", label("pressure reached"), one_digit, ignored] = row.largest_error(CheckedQuantity::Reached), "Error of the pressure on which load control ends.";
         }
     }
 }
@@ -46,7 +46,7 @@ impl Row for WorstRow<'_> {
         columns! { row: Self =>
             kind["text"] = row.group.group.kind().name(), "What is evaluated: `single contact`, `sum`, `integral` or `load control`.";
             group["text"] = row.group.group.name(), "Group of cases.";
-            quantity["text"] = row.worst.quantity.name(), "Quantity whose error is given.";
+            quantity["text"] = row.worst.quantity.name(), "CheckedQuantity whose error is given.";
             cases["count"] = row.group.cases, "Cases checked.";
             failures["count"] = row.group.failures.len(), "Cases that failed or could not be checked.";
             median_error["1", one_digit, ignored] = row.worst.median, "Median of the errors.";
