@@ -15,7 +15,6 @@ mod sections;
 mod series;
 
 pub use case::inputs;
-pub use lead::limit_words;
 pub use names::{name, stem, subject, under};
 pub use sections::limits_note;
 pub(crate) use sections::verdicts;
