@@ -197,12 +197,12 @@ const SAMPLING_INTERVAL: &str = r#"
 rough = "steel"
 flat = "steel"
 law = "zmc"
-pressure = { values = ["10 MPa"] }
+pressure = { values = ["30 MPa"] }
 intervals = [1, 2, 4]
 s-filter = [1, 2, 3]
 
 [surface.random.generate]
-points = 128
+points = 256
 pixel = "0.5 um"
 sigma = "100 nm"
 spectrum.self-affine = { hurst = 0.8, roll-off = "10 um", cut-off = "2 um" }

@@ -91,10 +91,14 @@ fn outcomes(series: &Series, load: Option<f64>) -> String {
     };
     let is_main =
         |trend: &&Trend| MAIN.contains(&trend.quantity) && (trend.load.is_none() || trend.load == load);
-    let items: Vec<String> = series.trends.iter().filter(is_main).map(item).collect();
+    let main: Vec<&Trend> = series.trends.iter().filter(is_main).collect();
+    let mut items: Vec<String> = main.iter().copied().map(item).collect();
+    if main.iter().all(|trend| trend.load.is_none()) {
+        items.push("deterministic area beyond the valid range at one of the three finest lengths".to_owned());
+    }
     let (name, variation) = (escape(&series.surface), series.variation.label());
     match &series.scales[..] {
-        [finest, second, ..] if !items.is_empty() => {
+        [finest, second, ..] if !main.is_empty() => {
             let [from, to] = [second, finest].map(|scale| quantity(scale.length, "m"));
             format!("**{name}, {variation} from {from} to {to}**: {}.", items.join("; "))
         }
@@ -185,9 +189,10 @@ mod tests {
         let intervals = series(Variation::Interval, trends);
         let line =
             "**a, sampling interval from 2 µm to 1 µm**: density +100 % (no limit); mean radius 0 % (limit)";
-        assert_eq!(outcomes(&intervals, None), format!("{line}."));
         let at_load = format!("{line}; deterministic area at 1 MPa 0 % (limit).");
         assert_eq!(outcomes(&intervals, Some(1e6)), at_load);
+        let beyond = "deterministic area beyond the valid range at one of the three finest lengths";
+        assert_eq!(outcomes(&intervals, None), format!("{line}; {beyond}."));
         let none = series(Variation::Filter, Vec::new());
         let line = "**a, S nesting index**: no asperities at one of the three finest lengths.";
         assert_eq!(outcomes(&none, None), line);

@@ -94,16 +94,6 @@ pub fn percent(share: f64) -> String {
     format!("{} %", number(100.0 * share))
 }
 
-/// The magnitude of a value as `size` writes it, with the sign of the value; none of zero.
-pub fn with_sign(value: f64, size: fn(f64) -> String) -> String {
-    let sign = match value {
-        0.0 => "",
-        negative if negative < 0.0 => "−",
-        _ => "+",
-    };
-    format!("{sign}{}", size(value.abs()))
-}
-
 /// The text with a capital first letter.
 pub fn capitalised(text: &str) -> String {
     let mut letters = text.chars();

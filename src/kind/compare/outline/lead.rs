@@ -92,7 +92,7 @@ fn none_admissible(verdicts: &Verdicts) -> String {
 }
 
 /// What lies beyond a limit.
-pub fn limit_words(limit: Limit) -> String {
+fn limit_words(limit: Limit) -> String {
     match limit {
         Limit::FewContacts => format!("fewer than {MIN_CONTACTS} effective contacts"),
         Limit::DominantContact => {

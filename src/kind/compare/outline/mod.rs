@@ -13,7 +13,6 @@ mod sections;
 mod series;
 
 pub use case::inputs;
-pub use lead::limit_words;
 pub(crate) use sections::verdicts;
 
 use asperity::compare::Tolerances;
