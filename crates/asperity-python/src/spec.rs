@@ -155,7 +155,7 @@ type Parts<'py> = (String, Bound<'py, PyDict>, String, Vec<String>, Option<PathB
 impl Run {
     /// A run from its parts, as [`Self::__reduce__`] gives them: from another process or a file.
     #[staticmethod]
-    fn new(
+    fn from_parts(
         kind: &str,
         csv: &Bound<PyDict>,
         summary: String,
@@ -178,9 +178,9 @@ impl Run {
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Parts<'py>)> {
-        let of = py.get_type::<Self>().getattr("of")?;
+        let from_parts = py.get_type::<Self>().getattr("from_parts")?;
         let Self { kind, summary, warnings, report, .. } = self;
-        Ok((of, ((*kind).to_owned(), self.csv(py)?, summary.clone(), warnings.clone(), report.clone())))
+        Ok((from_parts, ((*kind).to_owned(), self.csv(py)?, summary.clone(), warnings.clone(), report.clone())))
     }
 
     /// The files of the tables by name.

@@ -170,7 +170,7 @@ class Run:
     def csv(self) -> dict[str, bytes]: ...
     def tables(self) -> dict[str, Table]: ...
     @staticmethod
-    def of(
+    def from_parts(
         kind: str,
         csv: dict[str, bytes],
         summary: str,

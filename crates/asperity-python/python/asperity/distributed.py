@@ -210,7 +210,7 @@ class _Store:
                     return None
                 csv = {name: archive.read(name) for name in archive.namelist() if name.endswith(".csv")}
                 summary = archive.read("summary.json").decode()
-                return Results(_asperity.Run.of(about["kind"], csv, summary, about["warnings"], None))
+                return Results(_asperity.Run.from_parts(about["kind"], csv, summary, about["warnings"], None))
         # What is not a whole result is run again.
         except (FileNotFoundError, zipfile.BadZipFile, KeyError, json.JSONDecodeError):
             return None
