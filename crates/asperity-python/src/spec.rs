@@ -180,7 +180,10 @@ impl Run {
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Parts<'py>)> {
         let from_parts = py.get_type::<Self>().getattr("from_parts")?;
         let Self { kind, summary, warnings, report, .. } = self;
-        Ok((from_parts, ((*kind).to_owned(), self.csv(py)?, summary.clone(), warnings.clone(), report.clone())))
+        Ok((
+            from_parts,
+            ((*kind).to_owned(), self.csv(py)?, summary.clone(), warnings.clone(), report.clone()),
+        ))
     }
 
     /// The files of the tables by name.
