@@ -4,11 +4,16 @@ use crate::Report;
 use std::fs::File;
 use std::path::Path;
 
-use asperity::compare::{ComparedQuantity, Stretch, Verdict};
+use asperity::compare::{Accepted, ComparedQuantity, Stretch, Verdict};
+use asperity::contact_law::named;
 use asperity::npy;
+use asperity::study::{self, LawContact};
+use asperity::surface::{Preparation, SummitSearch};
+use asperity::topography::Level;
 use asperity::topography::generate::{Process, Seeds, SpectrumOf, SurfaceGenerator};
 use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
-use asperity::{HeightMap, Heights, Limit};
+use asperity::topography::summits::Neighbours;
+use asperity::{HeightMap, Heights, Limit, Material};
 use asperity_experiment::Experiment;
 use asperity_experiment::kind::compare::results::CompareResults;
 use asperity_experiment::study::{Basis, Verdicts};
@@ -276,4 +281,40 @@ fn realisations_without_a_common_load_are_not_compared() {
     assert!(!page("pressure = { values = [\"20 MPa\"] }").contains("no load in common"));
     let one = page("models = [\"deterministic\"]\npressure = { values = [\"20 MPa\"] }");
     assert!(one.contains("One model was run"), "{one}");
+}
+
+/// The library needs no spec: the same map, laws and loads give the same verdicts as the program.
+#[test]
+fn the_library_gives_the_verdicts_of_the_program() {
+    let folder = tempfile::tempdir().unwrap();
+    let (side, pixel) = (512, 1e-6);
+    let shape = SpectrumShape::SelfAffine { hurst: 0.8, roll_off: 3.2e-5, cut_off: 8e-6 };
+    let spectrum = Spectrum::new(shape, Lay::default()).unwrap();
+    let process = Process { spectrum, of: SpectrumOf::Heights, sigma: 1e-7, heights: Heights::GAUSSIAN };
+    let generator = SurfaceGenerator { points: [side; 2], pixel: [pixel; 2], process, plateau: None };
+    let (map, _) = generator.surface(Seeds { process: [5; 32], plateau: [0; 32] }).unwrap();
+    npy::write(
+        File::create(folder.path().join("map.npy")).unwrap(),
+        [side; 2],
+        map.heights().iter().copied(),
+    )
+    .unwrap();
+    let compare = format!("robustness = false\nrank-models = false\n{LOADS}");
+    let surfaces = "[surface.map.file]\npath = \"map.npy\"\npixel = \"1 um\"\n";
+    let program: CompareResults = crate::downcast(run(folder.path(), &compare, surfaces));
+
+    let pressures: Vec<f64> =
+        program.surfaces[0].cases[0].verdicts.differences.iter().map(|at| at.load).collect();
+    let steel = Material::new(210e9, 0.3, Some(7.6e9), None).unwrap();
+    let preparation = Preparation { level: Level::Plane, ..Preparation::none(Neighbours::Four) };
+    let surface = SummitSearch::new(preparation).surface("map", &map).unwrap();
+    let laws = [LawContact::bare(named("zmc").unwrap(), &steel, &steel).unwrap()];
+    let cases = study::verdicts(&surface, &laws, &pressures, Accepted::DEFAULT).unwrap();
+    let stretches = |verdicts: &Verdicts| -> Vec<(ComparedQuantity, Verdict, [f64; 2])> {
+        verdicts.stretches.iter().map(|stretch| (stretch.quantity, stretch.verdict, stretch.loads)).collect()
+    };
+    assert_eq!(stretches(&cases[0].verdicts), stretches(verdicts(&program, 0)));
+    assert!(
+        of(&cases[0].verdicts, ComparedQuantity::Area).any(|stretch| stretch.verdict != Verdict::CannotTell)
+    );
 }

@@ -1,6 +1,6 @@
 //! Robustness: both models on a measured map under other treatments of it.
 
-use asperity::compare::{Controls, Difference, Tolerances};
+use asperity::compare::{Controls, Difference};
 use asperity::work::Counter;
 use asperity_framework::RunContext;
 use asperity_framework::input::accept::AcceptSpec;
@@ -39,12 +39,7 @@ pub fn treatments(
         return None;
     }
     let map = surface.map.as_ref()?;
-    let controls = Controls {
-        separations: Vec::new(),
-        pressures: loads,
-        forces: Vec::new(),
-        tolerances: Tolerances::default(),
-    };
+    let controls = Controls::at_pressures(loads);
     let treatments = Treatment::all(&own, &plan.study.statistical, map);
     context.progress.stage("robustness", treatments.len() as f64);
     let treated = treatments.into_iter().map(|treatment| {
@@ -54,14 +49,20 @@ pub fn treatments(
             }
             _ => &plan.study.statistical,
         };
-        let setup = Setup { controls: &controls, statistical, progress: &Silent, ..plan.setup(context) };
+        let setup = Setup {
+            controls: &controls,
+            statistical,
+            is_attributed: false,
+            progress: &Silent,
+            ..plan.setup(context)
+        };
         let treat = || {
             // The mean radius changes nothing on the surface.
             let prepared = match treatment {
                 Treatment::MeanRadius(_) => None,
                 _ => Some(factory.prepared(treatment.preparation(own), map.correlation)?),
             };
-            let (realisation, _) = study(setup, prepared.as_ref().unwrap_or(surface), false, counter).ok()?;
+            let (realisation, _) = study(setup, prepared.as_ref().unwrap_or(surface), counter).ok()?;
             Some(realisation.cases.into_iter().map(|case| case.differences).collect())
         };
         let differences = treat().unwrap_or_default();

@@ -5,7 +5,7 @@ use std::time::Instant;
 use super::law::LawContact;
 use crate::compare::{
     Accepted, AgainstReference, CaseSampling, ComparedQuantity, Controls, Difference, Gaps, ModelKind,
-    Models, NotReached, Tolerances, compare,
+    Models, NotReached, compare,
 };
 use crate::distribution::HeightsError;
 use crate::progress::Silent;
@@ -50,7 +50,7 @@ pub enum StudyError {
 /// let preparation = Preparation { level: Level::Plane, ..Preparation::none(Neighbours::Four) };
 /// let surface = SummitSearch::new(preparation).surface("shaft", &map)?;
 /// let laws = [LawContact::bare(contact_law::named("zmc").ok_or("no such law")?, &steel, &steel)?];
-/// let cases = verdicts(&surface, &laws, &[1e6, 1e7], Accepted::DEFAULT).map_err(|error| error.to_string())?;
+/// let cases = verdicts(&surface, &laws, &[1e6, 1e7], Accepted::DEFAULT)?;
 /// for stretch in &cases[0].verdicts.stretches {
 ///     println!("{}: {} from {:e} to {:e} Pa", stretch.quantity.name(), stretch.verdict.name(), stretch.loads[0], stretch.loads[1]);
 /// }
@@ -67,12 +67,7 @@ pub fn verdicts(
     accepted: Accepted,
 ) -> Result<Vec<CaseStudy>, StudyError> {
     let law_specs: Vec<ContactLaw> = laws.iter().map(|law| law.spec.clone()).collect();
-    let controls = Controls {
-        separations: Vec::new(),
-        pressures: pressures.to_vec(),
-        forces: Vec::new(),
-        tolerances: Tolerances::default(),
-    };
+    let controls = Controls::at_pressures(pressures.to_vec());
     let setup = Setup {
         laws,
         law_specs: &law_specs,
@@ -84,18 +79,17 @@ pub fn verdicts(
         seed: 0,
         progress: &Silent,
     };
-    let (realisation, _) = study(setup, surface, true, &Counter::default())?;
+    let (realisation, _) = study(setup, surface, &Counter::default())?;
     Ok(CaseStudy::all(surface, vec![realisation], accepted).1)
 }
 
-/// Both models on a surface with the differences between them, their sampling errors and, where `has_causes`, their causes.
+/// Both models on a surface with the differences between them, their sampling errors and, where they are asked for, their causes.
 ///
 /// # Errors
 /// See [`StudyError`].
 pub fn study(
     setup: Setup,
     surface: &Surface,
-    has_causes: bool,
     counter: &Counter,
 ) -> Result<(RealisationResults, Vec<CaseSampling>), StudyError> {
     let timing = &mut Timing::default();
@@ -104,9 +98,7 @@ pub fn study(
         .map_err(|(law, error)| StudyError::NotReached(law.label.clone(), error))?;
     let samplings = sampling(setup, surface, &models, &realisation.cases);
     differ(&mut realisation.cases, &samplings, setup.laws, &models);
-    if has_causes {
-        attribute(setup, surface, &models, &mut realisation.cases, true);
-    }
+    attribute(setup, surface, &models, &mut realisation.cases, true);
     Ok((realisation, samplings))
 }
 
