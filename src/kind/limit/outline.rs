@@ -1,6 +1,6 @@
 //! The page of a convergence study: does the sum converge to the integral, and at which rate?
 
-use asperity::compare::{ErrorSlope, LimitQuantity, Sampling};
+use asperity::compare::{ErrorSlope, HeightSampling, LimitQuantity};
 use asperity_framework::contact::ContactSummary;
 use asperity_framework::metadata::Metadata;
 use asperity_framework::report::format::{input_number, input_quantity, number};
@@ -68,7 +68,7 @@ const CAPTION: &str = "Relative error against the number of asperities, where mo
 
 /// How far the slopes of the error are from the expected ones.
 fn answer(slopes: &[ErrorSlope]) -> String {
-    let deviation = |sampling: Sampling| {
+    let deviation = |sampling: HeightSampling| {
         let of_sampling = slopes.iter().filter(|slope| slope.sampling == sampling);
         number(of_sampling.map(ErrorSlope::deviation).fold(0.0, f64::max))
     };
@@ -78,14 +78,14 @@ fn answer(slopes: &[ErrorSlope]) -> String {
     format!(
         "The slope of the error over the number of asperities is within {} of −½ with random heights, and within {} of the \
          expected slope with heights at the quantiles.",
-        deviation(Sampling::Random),
-        deviation(Sampling::Quantiles),
+        deviation(HeightSampling::Random),
+        deviation(HeightSampling::Quantiles),
     )
 }
 
 /// The errors under one law.
 fn figure(slopes: &[ErrorSlope], quantity: LimitQuantity) -> Figure {
-    let panel = |(sampling, slope): (Sampling, f64)| {
+    let panel = |(sampling, slope): (HeightSampling, f64)| {
         let axis = Axis::log(format!("relative error of the {}", quantity.name()));
         let title = format!("Heights: {}", sampling.name());
         let mut plot = Plot::new(title, Axis::log("number of asperities n"), axis);
@@ -105,7 +105,7 @@ fn figure(slopes: &[ErrorSlope], quantity: LimitQuantity) -> Figure {
         plot
     };
     let title = format!("Convergence of the {} under {}", quantity.name(), slopes[0].law);
-    Figure::row(title, [(Sampling::Random, -0.5), (Sampling::Quantiles, -1.0)].map(panel).into())
+    Figure::row(title, [(HeightSampling::Random, -0.5), (HeightSampling::Quantiles, -1.0)].map(panel).into())
 }
 
 #[cfg(test)]
@@ -124,8 +124,8 @@ mod tests {
             fit: SlopeFit { slope, standard_error: 0.0, points: 3 },
             expected,
         };
-        let random = [-0.49, -0.52].map(|fitted| slope(Sampling::Random, fitted, -0.5));
-        let all = [random.to_vec(), vec![slope(Sampling::Quantiles, -1.04, -1.045)]].concat();
+        let random = [-0.49, -0.52].map(|fitted| slope(HeightSampling::Random, fitted, -0.5));
+        let all = [random.to_vec(), vec![slope(HeightSampling::Quantiles, -1.04, -1.045)]].concat();
         let answer = answer(&all);
         assert!(answer.contains("within 0.02 of −½") && answer.contains("within 0.005 of"), "{answer}");
     }

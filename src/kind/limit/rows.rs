@@ -20,7 +20,7 @@ impl Row for ConvergenceRow<'_> {
     fn columns() -> Vec<Column<Self>> {
         columns! { row: Self =>
             law["text"] = row.point.law.as_str(), "Contact law of an asperity.";
-            quantity["text"] = row.quantity.name(), "LimitQuantity whose error is given: `area` or `load`.";
+            quantity["text"] = row.quantity.name(), "Quantity whose error is given: `area` or `load`.";
             separation_over_sigma["1", label("d/σ"), input] = row.point.separation_over_sigma(), "Separation over sigma, the standard deviation of the asperity heights.";
             asperities["count"] = row.point.count, "Asperities in a set.";
             expected_contacts["1"] = row.point.expected_contacts(), "Expected number of contacts.";
@@ -44,7 +44,7 @@ impl Row for SlopeRow<'_> {
     fn columns() -> Vec<Column<Self>> {
         columns! { row: Self =>
             law["text"] = row.0.law.as_str(), "Contact law of an asperity.";
-            quantity["text"] = row.0.quantity.name(), "LimitQuantity whose error is fitted: `area` or `load`.";
+            quantity["text"] = row.0.quantity.name(), "Quantity whose error is fitted: `area` or `load`.";
             heights["text"] = row.0.sampling.name(), "How the heights are taken: `random` or at the `quantiles`.";
             separation_over_sigma["1", label("d/σ"), input] = row.0.separation, "Separation over sigma.";
             slope["1"] = row.0.fit.slope, "Slope of the root mean square error of the random sets, or of the error of the set at the quantiles.";

@@ -34,11 +34,6 @@ pub fn whole(values: &[f64]) -> Vec<usize> {
     whole
 }
 
-/// Points along a side of the map of a sphere, which is 2.5 contact radii.
-pub fn sphere_points(pixels: usize) -> usize {
-    (5 * pixels).div_ceil(2)
-}
-
 /// Bytes of a square map, its heights before they are scaled, and its solver.
 pub fn contact_memory(points: usize, boundary: Boundary) -> u128 {
     16 * (points as u128).pow(2) + Solver::memory([points; 2], boundary)

@@ -18,75 +18,53 @@ mod surfaces;
 mod waves;
 pub mod work;
 
-pub use spheres::{LAYERED_CASES, LayeredCase, Profile, hertz, hertz_profile, layered};
+pub use spheres::{LAYERED_CASES, LayeredCase, Profile, hertz, hertz_profile, layered, sphere_points};
 pub use surfaces::{SelfAffine, SurfaceError};
 pub use waves::{full_contact, partial_contact, wave_profile};
 
 use asperity::bem::{Boundary, Contact, ElasticPair, Options, Solver, SolverError};
+use asperity::named_enum;
 use asperity::progress::Silent;
 use asperity::{HeightMap, MapError, Material, MaterialError};
 
 /// Relative dual gap of the problems whose solution is known: far below the errors of discretisation.
-const DUAL_GAP: f64 = 1e-11;
+pub const DUAL_GAP: f64 = 1e-11;
 
-/// A problem whose solution is known.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Problem {
-    /// A paraboloid on a half-space.
-    Hertz,
-    /// A wave in partial contact.
-    Sinusoid,
-    /// Waves in full contact.
-    FullContact,
-    /// A sphere on a bonded layer.
-    LayeredSphere,
-}
-
-impl Problem {
-    /// All of them.
-    pub const ALL: [Self; 4] = [Self::Hertz, Self::Sinusoid, Self::FullContact, Self::LayeredSphere];
-
-    /// As tables name it.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Hertz => "hertz",
-            Self::Sinusoid => "sinusoid",
-            Self::FullContact => "full-contact",
-            Self::LayeredSphere => "layered-sphere",
-        }
+named_enum! {
+    /// A problem whose solution is known.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Problem {
+        /// A paraboloid on a half-space.
+        Hertz = "hertz",
+        /// A wave in partial contact.
+        Sinusoid = "sinusoid",
+        /// Waves in full contact.
+        FullContact = "full-contact",
+        /// A sphere on a bonded layer.
+        LayeredSphere = "layered-sphere",
     }
 }
 
-/// What is compared with the solution.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum BenchmarkQuantity {
-    /// Approach of distant points, relative.
-    Indentation,
-    /// Points in contact, relative; of the sinusoid the width over the wavelength, absolute.
-    RawArea,
-    /// The same, corrected for the border.
-    Area,
-    /// The highest pressure, relative.
-    PeakPressure,
-    /// Root mean square of the error of the pressures over that of the pressures.
-    Pressures,
-    /// Mean gap over the height of the wave, absolute.
-    MeanGap,
+named_enum! {
+    /// What is compared with the solution.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum BenchmarkQuantity {
+        /// Approach of distant points, relative.
+        Indentation = "indentation",
+        /// Points in contact, relative; of the sinusoid the width over the wavelength, absolute.
+        RawArea = "raw-area",
+        /// The same, corrected for the border.
+        Area = "area",
+        /// The highest pressure, relative.
+        PeakPressure = "peak-pressure",
+        /// Root mean square of the error of the pressures over that of the pressures.
+        Pressures = "pressures",
+        /// Mean gap over the height of the wave, absolute.
+        MeanGap = "mean-gap",
+    }
 }
 
 impl BenchmarkQuantity {
-    /// As tables name it.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Indentation => "indentation",
-            Self::RawArea => "raw-area",
-            Self::Area => "area",
-            Self::PeakPressure => "peak-pressure",
-            Self::Pressures => "pressures",
-            Self::MeanGap => "mean-gap",
-        }
-    }
-
     /// In a sentence.
     pub const fn words(self) -> &'static str {
         match self {

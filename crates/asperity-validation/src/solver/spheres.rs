@@ -14,6 +14,11 @@ const RADIUS: f64 = 0.1;
 /// Side of the map over the contact radius.
 const SIDE: f64 = 2.5;
 
+/// Points along a side of the map of a sphere with `pixels` per contact radius.
+pub fn sphere_points(pixels: usize) -> usize {
+    (SIDE * pixels as f64).ceil() as usize
+}
+
 /// The place of the tip from the middle of the map, in pixels: off every symmetry of the grid.
 const TIP: [f64; 2] = [0.317, -0.171];
 
@@ -89,7 +94,7 @@ impl Paraboloid {
     /// Solves it under a load with `pixels` per (expected) contact radius.
     fn new(contact_radius: f64, pixels: usize, pair: &ElasticPair, load: f64) -> Result<Self, Unsolved> {
         let pixel = contact_radius / pixels as f64;
-        let count = (SIDE * pixels as f64).ceil() as usize;
+        let count = sphere_points(pixels);
         let middle = TIP.map(|shift| 0.5 * count as f64 + shift);
         let distance =
             |k: usize| pixel * ((k / count) as f64 - middle[0]).hypot((k % count) as f64 - middle[1]);

@@ -6,7 +6,7 @@ use asperity::progress::{Progress, Silent};
 use super::{SelfAffine, Unsolved, unit_pair};
 
 /// Points per shortest wave of the maps.
-const POINTS_PER_WAVE: f64 = 8.0;
+pub const POINTS_PER_WAVE: f64 = 8.0;
 
 /// The input.
 #[derive(Debug, Clone, PartialEq)]

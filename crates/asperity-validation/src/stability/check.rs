@@ -353,11 +353,9 @@ fn load_control(
         (CheckedQuantity::Reached, reached.response.pressure.total()),
     ])?;
     let step = ULP * f64::EPSILON * (separation.abs() + offset).max(1.0);
-    let mut exact = [Wide::ZERO; 3];
-    for (exact, step) in exact.iter_mut().zip([0.0, -step, step]) {
-        *exact = pressure(separation + step).ok_or(Failure::Unsettled)?;
-    }
     // A law that jumps over the pressure carries more than was asked.
-    let exact = if reached.in_jump { &exact[..] } else { &exact[..1] };
-    Ok(vec![Deviation::new(CheckedQuantity::Reached, wanted, exact, relative_error)])
+    let steps: &[f64] = if reached.in_jump { &[0.0, -step, step] } else { &[0.0] };
+    let exact: Option<Vec<Wide>> = steps.iter().map(|step| pressure(separation + step)).collect();
+    let exact = exact.ok_or(Failure::Unsettled)?;
+    Ok(vec![Deviation::new(CheckedQuantity::Reached, wanted, &exact, relative_error)])
 }

@@ -95,7 +95,7 @@ impl Group {
         matches!(self, Self::MillionEqual | Self::MillionLine)
     }
 
-    /// Largest relative error allowed for a quantity under most laws; under those without tables where no layer is.
+    /// Largest relative error allowed for a quantity, before the factor of a narrow transition; without a layer, under laws in closed form.
     pub fn bound(self, quantity: CheckedQuantity) -> f64 {
         self.bound_of_slope(quantity, self.is_layered())
     }

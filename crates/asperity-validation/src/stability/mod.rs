@@ -114,7 +114,7 @@ pub struct GroupResults {
     pub group: Group,
     /// Number of cases.
     pub cases: u64,
-    /// CheckedQuantity by quantity.
+    /// Quantity by quantity.
     pub worst: Vec<WorstCase>,
     /// Cases that failed or could not be checked, and why.
     pub failures: Vec<(Case, Failure)>,
@@ -123,7 +123,7 @@ pub struct GroupResults {
 impl GroupResults {
     /// The largest error of a quantity, as checked; `None` of a quantity that the group does not have.
     pub fn largest_error(&self, quantity: CheckedQuantity) -> Option<f64> {
-        self.worst.iter().find(|worst| worst.quantity == quantity).map(|worst| worst.checked)
+        self.worst.iter().find(|worst| worst.quantity == quantity).map(|worst| worst.largest)
     }
 
     /// Whether every quantity of every case is within its bound.
@@ -153,6 +153,8 @@ pub struct WorstCase {
     pub quantity: CheckedQuantity,
     /// Median of the errors of all cases, as checked.
     pub median: f64,
+    /// Largest of the errors of all cases, as checked.
+    pub largest: f64,
     /// The error closest to its bound, as checked.
     pub checked: f64,
     /// The case of that error.
@@ -188,6 +190,7 @@ impl WorstCase {
         Some(Self {
             quantity,
             median: all[all.len() / 2].0.checked,
+            largest: all.last()?.0.checked,
             checked: worst.checked,
             case: (*case).clone(),
             error: all.iter().map(|(deviation, _)| deviation.error).fold(0.0, f64::max),

@@ -21,9 +21,11 @@ fn every_group_is_within_its_bounds() {
     let mut violations = Vec::new();
     for results in &groups {
         println!("{} ({} cases)", results.group.name(), results.cases);
-        for WorstCase { quantity, median, checked, error, case } in &results.worst {
+        for WorstCase { quantity, median, largest, checked, error, case } in &results.worst {
             let name = quantity.name();
             println!("    {name}: median {median:.1e}, worst {checked:.2e} ({error:.1e}) at {}", case.index);
+            assert!(median <= largest && checked <= largest && largest <= error, "{name}");
+            assert_eq!(results.largest_error(*quantity), Some(*largest));
         }
         violations.extend(results.violations().map(|(violation, case)| {
             format!("{} {}: {violation}: {}", results.group.name(), case.index, case.inputs())

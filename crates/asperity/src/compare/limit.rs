@@ -125,7 +125,7 @@ named_enum! {
 named_enum! {
     /// How the heights of a set are taken from their density.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-    pub enum Sampling {
+    pub enum HeightSampling {
         /// Independent draws.
         Random = "random",
         /// At the quantiles.
@@ -170,17 +170,17 @@ impl LimitPoint {
     }
 
     /// Relative error of the sets: root mean square of the random ones, or magnitude of that at the quantiles.
-    pub fn error_of_sets(&self, sampling: Sampling, quantity: LimitQuantity) -> f64 {
+    pub fn error_of_sets(&self, sampling: HeightSampling, quantity: LimitQuantity) -> f64 {
         match sampling {
-            Sampling::Random => self.scatter(quantity).1,
-            Sampling::Quantiles => self.quantile_error(quantity),
+            HeightSampling::Random => self.scatter(quantity).1,
+            HeightSampling::Quantiles => self.quantile_error(quantity),
         }
     }
 
     /// The integral with each set: way to take the heights, number of the set from 1, and both responses.
-    pub fn pairs(&self) -> impl Iterator<Item = (Sampling, usize, Pair)> {
-        let random = (1..).zip(&self.random).map(|(draw, sum)| (Sampling::Random, draw, sum));
-        let sets = random.chain([(Sampling::Quantiles, 1, &self.quantiles)]);
+    pub fn pairs(&self) -> impl Iterator<Item = (HeightSampling, usize, Pair)> {
+        let random = (1..).zip(&self.random).map(|(draw, sum)| (HeightSampling::Random, draw, sum));
+        let sets = random.chain([(HeightSampling::Quantiles, 1, &self.quantiles)]);
         let integral = self.exact.statistical;
         sets.map(move |(sampling, draw, sum)| (sampling, draw, Pair::at_separation(integral, *sum)))
     }
@@ -269,9 +269,10 @@ fn respond_to_set(case: &LimitCase, set: &AsperitySet, plane: ReferencePlane) ->
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::compare::SlopeFit;
+    use crate::compare::{ErrorSlope, SlopeFit};
+    use crate::contact_law::named;
     use crate::distribution::Heights;
-    use crate::interface::Interface;
+    use crate::interface::{Flat, Interface};
     use crate::law::Hertz;
     use crate::material::Material;
 
@@ -289,6 +290,45 @@ mod tests {
         let separations = separations.to_vec();
         let sets = LimitSets { population, separations, counts: COUNTS.to_vec(), draws: 0 };
         convergence(&[case], &sets, |_, _| [0; 32], |_| ()).unwrap()
+    }
+
+    /// Two independent evaluations of the limit under Hertz's law, to the accuracy of the closed form (see
+    /// [`gaussian_moment`]); another law has the integral.
+    #[test]
+    fn the_closed_form_of_greenwood_and_williamson_is_the_integral() {
+        let steel = Material::new(210e9, 0.3, Some(7.6e9), None).unwrap();
+        let population =
+            Population { radius: 20e-6, sigma: 48e-9, density: 6e10, heights: Heights::GAUSSIAN };
+        let sets = LimitSets { population, separations: vec![0.0, 1.0, 3.0], counts: vec![10], draws: 0 };
+        for (name, is_closed) in [("hertz", true), ("zmc", false)] {
+            let law = named(name).unwrap();
+            assert_eq!(law.is_greenwood_williamson(), is_closed);
+            let contact = law.interface(&steel, &Flat::Bare(steel)).unwrap();
+            for exact in LimitCase::new(&law, &*contact, &sets).exact {
+                let integral = Exact::of_integral(exact.statistical, sets.population.density);
+                assert_eq!(exact.contact_fraction, integral.contact_fraction);
+                for (limit, integral) in
+                    [(exact.area_ratio, integral.area_ratio), (exact.pressure, integral.pressure)]
+                {
+                    let off = (limit / integral - 1.0).abs();
+                    assert!(if is_closed { off < 3e-11 } else { off == 0.0 }, "{name}: {off:e}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn slopes_are_in_the_order_of_laws_separations_quantities_and_heights() {
+        let slopes = ErrorSlope::all(&points(Heights::GAUSSIAN, &[0.0, 1.0]));
+        let quantiles: Vec<_> =
+            slopes.iter().filter(|slope| slope.sampling == HeightSampling::Quantiles).collect();
+        let order: Vec<_> = quantiles.iter().map(|slope| (slope.separation, slope.quantity)).collect();
+        let [area, load] = LimitQuantity::ALL;
+        assert_eq!(order, [(0.0, area), (0.0, load), (1.0, area), (1.0, load)]);
+        for slope in quantiles {
+            assert!(slope.deviation() < 0.01 && slope.expected < -1.0, "{slope:?}");
+            assert_eq!(slope.errors.len(), slope.fit.points);
+        }
     }
 
     #[test]

@@ -26,7 +26,7 @@ pub use difference::{
 pub use dominance::{Dominance, Dominant};
 pub use gap::{Gap, GapQuantity, Gaps};
 pub use influence::{AtLoad, DETECTABLE, Effect, Group, Influence, Measure, UnderLaw};
-pub use limit::{Exact, LimitCase, LimitPoint, LimitQuantity, LimitSets, Sampling, convergence};
+pub use limit::{Exact, HeightSampling, LimitCase, LimitPoint, LimitQuantity, LimitSets, convergence};
 pub use modulus_check::{GOOD_RATIO, ModulusCheck, ModulusError, ModulusFindings, apart};
 pub use nearness::{AgainstReference, NEARER, NearerStretch};
 pub use reference::{BlockShare, LARGEST_LOAD_RATIO, ReferenceCurve, ReferencePoint, Stiffness, stiffnesses};

@@ -1,6 +1,6 @@
 //! Slopes of errors: power laws of a number of points or asperities.
 
-use super::limit::{LimitPoint, LimitQuantity, Sampling};
+use super::limit::{HeightSampling, LimitPoint, LimitQuantity};
 
 /// A power law fitted to errors: ln(error) = constant + slope ln(count).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,7 +43,7 @@ pub struct ErrorSlope {
     /// Area or load.
     pub quantity: LimitQuantity,
     /// How the heights were taken.
-    pub sampling: Sampling,
+    pub sampling: HeightSampling,
     /// Number of asperities and relative error of the sets with [enough contacts](LimitPoint::is_fitted).
     pub errors: Vec<(f64, f64)>,
     /// Through these errors.
@@ -57,7 +57,8 @@ impl ErrorSlope {
     pub fn all(points: &[LimitPoint]) -> Vec<Self> {
         // All sets of one size follow each other.
         let series = points.iter().take_while(|point| point.count == points[0].count);
-        let kinds = LimitQuantity::ALL.map(|quantity| Sampling::ALL.map(|sampling| (quantity, sampling)));
+        let kinds =
+            LimitQuantity::ALL.map(|quantity| HeightSampling::ALL.map(|sampling| (quantity, sampling)));
         let kinds = kinds.as_flattened();
         series.flat_map(|first| kinds.iter().filter_map(|kind| Self::through(points, first, *kind))).collect()
     }
@@ -66,7 +67,7 @@ impl ErrorSlope {
     fn through(
         points: &[LimitPoint],
         first: &LimitPoint,
-        (quantity, sampling): (LimitQuantity, Sampling),
+        (quantity, sampling): (LimitQuantity, HeightSampling),
     ) -> Option<Self> {
         let (law, separation) = (first.law.clone(), first.separation_over_sigma());
         let fitted = points.iter().filter(|point| {
@@ -76,8 +77,8 @@ impl ErrorSlope {
         let errors: Vec<(f64, f64)> = fitted.clone().map(error).collect();
         let leading = fitted.map(|point| (point.count as f64, point.expected_quantile_error(quantity)));
         let expected = match sampling {
-            Sampling::Random => -0.5,
-            Sampling::Quantiles => SlopeFit::through(leading)?.slope,
+            HeightSampling::Random => -0.5,
+            HeightSampling::Quantiles => SlopeFit::through(leading)?.slope,
         };
         let fit = SlopeFit::through(errors.iter().copied())?;
         Some(Self { law, separation, quantity, sampling, errors, fit, expected })

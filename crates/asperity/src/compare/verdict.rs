@@ -16,13 +16,6 @@ pub struct Accepted {
     pub stiffness: f64,
 }
 
-impl Default for Accepted {
-    /// 0.1 sigma, 10 % of the area, 20 % of the stiffness.
-    fn default() -> Self {
-        Self::DEFAULT
-    }
-}
-
 impl Accepted {
     /// 0.1 sigma, 10 % of the area, 20 % of the stiffness.
     pub const DEFAULT: Self = Self { separation: 0.1, area: 0.1, stiffness: 0.2 };

@@ -1,15 +1,28 @@
 //! Coverage against effective contacts.
 
-use super::results::{BAND, CaseResults, CoverageResults, range};
+use super::results::{BAND, CaseResults, CoverageResults};
 use crate::coverage::Coverage;
+use asperity::numeric::extremes;
 use asperity_plot::{Axis, Colour, Figure, Layer, Legend, Marker, Plot};
 
-pub const CAPTION: &str = "Intervals from blocks of a window cover the truth about as often as stated, those that take \
-                           asperities as independent less often. A point is a quantity at a load. Of intervals that are claimed: filled \
-                           where nearly all windows have an interval, else a cross. Band: 93 to 97 %.";
+/// The range of coverages of both kinds of intervals, and what a point is.
+pub fn caption(cases: &[CaseResults]) -> String {
+    let range = |points: fn(&CaseResults) -> Vec<(f64, f64)>| {
+        let [low, high] = extremes(cases.iter().flat_map(points).map(|(_, share)| share))?;
+        Some(format!("{low:.1} to {high:.1} %"))
+    };
+    let finding = |kind: &str, range: Option<String>| {
+        range.map_or_else(String::new, |range| format!("{kind} cover the truth in {range} of the windows. "))
+    };
+    format!(
+        "{}{}A point is a quantity at a load; band: 93 to 97 %.",
+        finding("Intervals from blocks, where at least 90 % of the windows have one,", range(claimed)),
+        finding("Intervals that take asperities as independent", range(independent)),
+    )
+}
 
-/// Effective contacts and coverage (%) of the points of a case, and their marker.
-type Series = (fn(&CaseResults) -> Vec<(f64, f64)>, Marker);
+/// Effective contacts and coverage (%) of the points of a case, their marker, and what the legend adds to the case.
+type Series = (fn(&CaseResults) -> Vec<(f64, f64)>, Marker, &'static str);
 
 fn claimed(case: &CaseResults) -> Vec<(f64, f64)> {
     case.claimed().map(|((_, coverage), share)| (coverage.contacts, 100.0 * share)).collect()
@@ -25,10 +38,11 @@ fn independent(case: &CaseResults) -> Vec<(f64, f64)> {
 }
 
 pub fn coverage(results: &CoverageResults) -> Figure {
-    let blocks: [Series; 2] = [(claimed, Marker::Circle), (claimed_in_part, Marker::Cross)];
+    let blocks: [Series; 2] =
+        [(claimed, Marker::Circle, ""), (claimed_in_part, Marker::Cross, ", in 5 to 90 % of windows")];
     let plots = vec![
         plot(results, "Intervals that are claimed", &blocks),
-        plot(results, "Asperities taken as independent", &[(independent, Marker::Cross)]),
+        plot(results, "Asperities taken as independent", &[(independent, Marker::Cross, "")]),
     ];
     Figure::column("Coverage of 95 % intervals", plots)
 }
@@ -36,13 +50,13 @@ pub fn coverage(results: &CoverageResults) -> Figure {
 fn plot(results: &CoverageResults, title: &str, kinds: &[Series]) -> Plot {
     let contacts =
         results.cases.iter().flat_map(CaseResults::coverages).map(|(_, coverage)| coverage.contacts);
-    let [least, most] = range(contacts).unwrap_or([1.0, 1e3]);
+    let [least, most] = extremes(contacts).unwrap_or([1.0, 1e3]);
     let [low, high] = BAND.map(|share| 100.0 * share);
-    let series = results
-        .cases
-        .iter()
-        .enumerate()
-        .flat_map(|(k, case)| kinds.iter().map(move |(points, marker)| (k, case, points(case), *marker)));
+    let series = results.cases.iter().enumerate().flat_map(|(k, case)| {
+        kinds
+            .iter()
+            .map(move |(points, marker, part)| (k, format!("{}{part}", case.name), points(case), *marker))
+    });
     let series: Vec<_> = series.filter(|(.., points, _)| !points.is_empty()).collect();
     let shares = series.iter().flat_map(|(.., points, _)| points).map(|(_, share)| *share);
     let lowest = shares.fold(low, f64::min);
@@ -54,7 +68,7 @@ fn plot(results: &CoverageResults, title: &str, kinds: &[Series]) -> Plot {
     .height(260.0)
     .legend(Legend::Below)
     .with(Layer::region_y(low, high, "93 to 97 %"));
-    series.into_iter().fold(plot, |plot, (k, case, points, marker)| {
-        plot.with(Layer::points(points, marker).coloured(Colour::Series(k)).named(&case.name))
+    series.into_iter().fold(plot, |plot, (k, name, points, marker)| {
+        plot.with(Layer::points(points, marker).coloured(Colour::Series(k)).named(name))
     })
 }

@@ -1,6 +1,7 @@
 //! The page of `[coverage]`: how often claimed intervals hold the truth, by process and by quantity.
 
 use asperity::INTERACTION;
+use asperity::numeric::extremes;
 use asperity_framework::contact::ContactSummary;
 use asperity_framework::metadata::Metadata;
 use asperity_framework::report::format::{capitalised, count, input_number, input_quantity, number, percent};
@@ -10,8 +11,8 @@ use asperity_framework::report::table::{Table, Tables};
 use asperity_framework::{Outcome, fields};
 use serde_json::{Map, Value};
 
-use super::figures::{CAPTION, coverage};
-use super::results::{CaseResults, CoverageResults, range};
+use super::figures::{caption, coverage};
+use super::results::{CaseResults, CoverageResults};
 use super::rows::{CoverageRow, ProcessRow, tables};
 use crate::coverage::{Coverage, CoveredQuantity};
 
@@ -31,7 +32,7 @@ impl Outcome for CoverageResults {
     fn page(&self, tables: &Tables) -> Page {
         let mut page = Page::new(&self.metadata.title);
         page.lead(&answer(&self.cases, self.windows.count()));
-        page.figure("coverage.svg", coverage(self), CAPTION);
+        page.figure("coverage.svg", coverage(self), &caption(&self.cases));
         sections::warnings(&mut page, &self.warnings());
         page.heading(2, "Coverage by process");
         page.view(&tables.view::<ProcessRow>().without(&SETUP[1..]));
@@ -82,11 +83,12 @@ const COVERAGE: &[&str] = &[
     "independent_coverage",
 ];
 
-/// How often claimed intervals hold the truth, where nearly all of `windows` have one.
+/// How often claimed intervals hold the truth, where at least 90 % of `windows` have one.
 fn answer(cases: &[CaseResults], windows: usize) -> String {
     let claimed = || cases.iter().flat_map(CaseResults::claimed);
-    let Some([low, high]) = range(claimed().map(|(_, coverage)| coverage)) else {
-        return "**No interval is claimed** in 90 % of the windows or more.".to_owned();
+    let Some([low, high]) = extremes(claimed().map(|(_, coverage)| coverage)) else {
+        return "**No combination of process, load and quantity has intervals in 90 % of the windows.**"
+            .to_owned();
     };
     let verdict = match cases.iter().flat_map(CaseResults::outside).count() {
         0 => "all are within 93 to 97 %".to_owned(),
@@ -94,12 +96,12 @@ fn answer(cases: &[CaseResults], windows: usize) -> String {
     };
     let errors = claimed().filter_map(|((_, coverage), _)| coverage.claimed.coverage_error());
     format!(
-        "**95 % intervals cover the truth in {:.1} to {:.1} % of the windows** where nearly all of {} have one, in {} combinations of process, \
-         load and quantity (standard error at most {}): {verdict}.",
+        "**95 % intervals cover the truth in {:.1} to {:.1} % of the windows**: {verdict}. Counted: {} combinations of process, load and \
+         quantity with intervals in at least 90 % of {} windows (standard error at most {}).",
         100.0 * low,
         100.0 * high,
-        count(windows),
         claimed().count(),
+        count(windows),
         percent(errors.fold(0.0, f64::max)),
     )
 }
@@ -121,16 +123,17 @@ fn warnings(cases: &[CaseResults]) -> Vec<String> {
     });
     let beyond = cases.iter().filter_map(|case| {
         let area = case.coverages().map(|(_, coverage)| coverage.area_ratio).fold(0.0, f64::max);
-        let [area, limit] = [area, INTERACTION].map(|ratio| (ratio, percent(ratio)));
-        (area.0 > limit.0)
-            .then(|| format!("{}: a mean area ratio of {} is beyond {}", case.name, area.1, limit.1))
+        (area > INTERACTION).then(|| {
+            let [area, limit] = [area, INTERACTION].map(percent);
+            format!("{}: a mean area ratio of {area} is beyond {limit}", case.name)
+        })
     });
     outside.chain(beyond).collect()
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::results::LoadCoverage;
+    use super::super::results::{BAND, LoadCoverage, NEARLY_ALL, RARELY};
     use super::*;
     use crate::coverage::{IntervalCount, WINDOWS_PER_MAP};
     use asperity::Heights;
@@ -163,11 +166,12 @@ mod tests {
             [case("good", 1000, 950, 0.01), case("poor", 1000, 920, 0.01), case("wide", 950, 945, 0.2)];
         let lead = answer(&cases, 1000);
         assert!(
-            lead.contains("92.0 to 99.5 % of the windows** where nearly all of 1,000 have one, in 3 "),
+            lead.contains(
+                "92.0 to 99.5 % of the windows**: 2 are outside 93 to 97 %. Counted: 3 combinations"
+            ),
             "{lead}"
         );
-        assert!(lead.ends_with(": 2 are outside 93 to 97 %."), "{lead}");
-        assert!(answer(&cases[..1], 1000).ends_with(": all are within 93 to 97 %."));
+        assert!(answer(&cases[..1], 1000).contains("**: all are within 93 to 97 %. Counted: 1 "));
         assert_eq!(warnings(&cases[..1]), [""; 0]);
         let warnings = warnings(&cases);
         assert_eq!(warnings.len(), 3);
@@ -180,7 +184,7 @@ mod tests {
     #[test]
     fn intervals_in_a_part_of_the_windows_are_kept_apart() {
         let cases = [case("part", 500, 400, 0.01), case("few", 40, 10, 0.01), case("none", 0, 0, 0.01)];
-        assert!(answer(&cases, 1000).starts_with("**No interval is claimed**"));
+        assert!(answer(&cases, 1000).starts_with("**No combination of process"));
         let in_part = cases.iter().flat_map(CaseResults::claimed_in_part);
         assert!(in_part.map(|(_, coverage)| coverage).eq([0.8]));
     }
@@ -189,6 +193,8 @@ mod tests {
     fn the_method_states_the_constants() {
         let method = include_str!("notes/method.md");
         assert_eq!((WINDOWS_PER_MAP, MIN_BLOCKS), (4, 16));
+        // In sentences and the meanings of columns.
+        assert_eq!((BAND, NEARLY_ALL, RARELY), ([0.93, 0.97], 0.9, 0.05));
         assert!(method.contains(&format!("of {BLOCK_LENGTHS} correlation lengths")));
         assert!(
             method.contains(&format!("and {} effective contacts", CONTACTS_PER_GROUP * MIN_BLOCKS as f64))

@@ -12,10 +12,10 @@ use asperity_framework::metadata::Metadata;
 pub const BAND: [f64; 2] = [0.93, 0.97];
 
 /// Where intervals are claimed in a smaller share of the windows, these are not typical of all.
-const NEARLY_ALL: f64 = 0.9;
+pub const NEARLY_ALL: f64 = 0.9;
 
 /// Where intervals are claimed in a smaller share of the windows, their coverage is not known.
-const RARELY: f64 = 0.05;
+pub const RARELY: f64 = 0.05;
 
 /// Coverage of intervals in every case.
 #[derive(Debug)]
@@ -54,19 +54,6 @@ pub struct LoadCoverage {
     pub coverages: Vec<(CoveredQuantity, Coverage)>,
 }
 
-/// Smallest and largest; `None` without values.
-pub fn range(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
-    values.fold(None, |range, value| {
-        let [low, high] = range.unwrap_or([value; 2]);
-        Some([low.min(value), high.max(value)])
-    })
-}
-
-/// Whether a coverage is within [`BAND`].
-pub fn is_in_band(coverage: f64) -> bool {
-    (BAND[0]..=BAND[1]).contains(&coverage)
-}
-
 impl CaseResults {
     /// Over all loads and quantities.
     pub fn coverages(&self) -> impl Iterator<Item = &(CoveredQuantity, Coverage)> {
@@ -91,6 +78,6 @@ impl CaseResults {
 
     /// Those of [`Self::claimed`] whose coverage is not within the band.
     pub fn outside(&self) -> impl Iterator<Item = (&(CoveredQuantity, Coverage), f64)> {
-        self.claimed().filter(|(_, coverage)| !is_in_band(*coverage))
+        self.claimed().filter(|(_, coverage)| !(BAND[0]..=BAND[1]).contains(coverage))
     }
 }

@@ -5,8 +5,9 @@ use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row, Table};
 
 use super::plan::WindowPlan;
-use super::results::{CaseResults, CoverageResults, LoadCoverage, range};
+use super::results::{CaseResults, CoverageResults, LoadCoverage};
 use crate::coverage::{Coverage, CoveredQuantity};
+use asperity::numeric::extremes;
 
 /// One case.
 pub struct ProcessRow<'a> {
@@ -28,9 +29,11 @@ impl<'a> ProcessRow<'a> {
             case,
             windows,
             block: windows.side() / (MIN_BLOCKS as f64).sqrt(),
-            claimed: range(case.claimed().map(|(_, share)| share)),
-            in_part: range(case.claimed_in_part().map(|(_, share)| share)),
-            independent: range(case.coverages().filter_map(|(_, coverage)| coverage.independent.coverage())),
+            claimed: extremes(case.claimed().map(|(_, share)| share)),
+            in_part: extremes(case.claimed_in_part().map(|(_, share)| share)),
+            independent: extremes(
+                case.coverages().filter_map(|(_, coverage)| coverage.independent.coverage()),
+            ),
         }
     }
 }

@@ -5,6 +5,7 @@ use std::time::Instant;
 use super::plan::{CasePlan, CoveragePlan};
 use super::results::{CaseResults, CoverageResults, LoadCoverage};
 use crate::coverage::{Coverage, CoveredQuantity, QuantityEstimate, WindowTask, windows_of};
+use asperity::numeric::median;
 use asperity::{Heights, literature};
 use asperity_framework::RunContext;
 use asperity_framework::contact::{contact_metadata, papers_of};
@@ -41,7 +42,6 @@ fn run_case(context: &RunContext, plan: &CoveragePlan, case: &CasePlan) -> Resul
     let done = || context.progress.advance(1.0);
     let windows = windows_of(&case.process, &task, plan.windows.maps, done).map_err(refuse)?;
     let mut correlations: Vec<f64> = windows.iter().map(|window| window.correlation).collect();
-    correlations.sort_by(f64::total_cmp);
     let coverage = |load: usize, (k, quantity): (usize, CoveredQuantity)| {
         let estimates = windows.iter().filter_map(|window| window.estimates[load][k]);
         Some((quantity, Coverage::new(&estimates.collect::<Vec<QuantityEstimate>>())?))
@@ -59,7 +59,7 @@ fn run_case(context: &RunContext, plan: &CoveragePlan, case: &CasePlan) -> Resul
         name: case.name.clone(),
         roll_off: case.roll_off,
         heights: case.heights.clone(),
-        correlation: correlations[correlations.len() / 2] * plan.windows.side(),
+        correlation: median(&mut correlations).unwrap_or(f64::INFINITY) * plan.windows.side(),
         loads: loads.collect(),
     })
 }

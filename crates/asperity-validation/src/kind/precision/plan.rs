@@ -4,10 +4,11 @@ use std::fmt;
 use std::ops::RangeInclusive;
 
 use super::spec::{self, PrecisionSpec};
-use crate::kind::boundary_elements::{PIXELS, check_range, sphere_points, whole};
+use crate::kind::boundary_elements::{PIXELS, check_range, whole};
 use crate::precision::Case;
 use crate::precision::sum::POINTS;
 use crate::precision::surface::{SurfaceTask, side};
+use crate::solver::sphere_points;
 use crate::stability;
 use asperity::study::LawContact;
 use asperity::{ContactLaw, Flat, Heights, Population};

@@ -6,6 +6,7 @@ use crate::solver::published::{ENSEMBLE, PUBLISHED, PublishedArea, published};
 use crate::solver::work::WorkPoint;
 use crate::solver::{Benchmark, BenchmarkQuantity, LAYERED_CASES, Problem, Profile};
 use asperity::analytical;
+use asperity::numeric::extremes;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
 
 /// Standard errors of a band: 95 % of many surfaces.
@@ -101,7 +102,7 @@ pub fn layered(results: &SolverResults) -> Figure {
 
 /// The least and the largest of some values.
 fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
-    values.fold([f64::INFINITY, 0.0], |[least, most], value| [value.min(least), value.max(most)])
+    extremes(values).unwrap_or([f64::INFINITY, 0.0])
 }
 
 /// A curve of means.

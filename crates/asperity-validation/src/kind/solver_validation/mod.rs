@@ -1,5 +1,6 @@
 //! `[solver-validation]`: the boundary element solver against closed forms, exact solutions and a published ensemble.
 
+mod claims;
 mod figures;
 mod outline;
 mod plan;
@@ -7,7 +8,6 @@ mod results;
 mod rows;
 mod run;
 mod spec;
-mod words;
 
 use asperity::bem::Boundary;
 use asperity_framework::input::{InputError, Spanned, SpecFile};
@@ -15,10 +15,10 @@ use asperity_framework::report::table::Schema;
 use asperity_framework::{Kind, Reads};
 use asperity_framework::{Memory, Plan, RunContext};
 
-use crate::kind::boundary_elements::{contact_memory, sphere_points};
-use crate::solver::LAYERED_CASES;
+use crate::kind::boundary_elements::contact_memory;
 use crate::solver::ensemble::EnsembleTask;
 use crate::solver::work::WorkTask;
+use crate::solver::{LAYERED_CASES, sphere_points};
 use plan::SolverPlan;
 use results::SolverResults;
 

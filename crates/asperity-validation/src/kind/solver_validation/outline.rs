@@ -2,7 +2,7 @@
 
 use asperity_framework::Outcome;
 use asperity_framework::metadata::Metadata;
-use asperity_framework::report::format::quantity;
+use asperity_framework::report::format::{listed, quantity, ratio};
 use asperity_framework::report::page::Page;
 use asperity_framework::report::sections;
 use asperity_framework::report::table::{Table, Tables};
@@ -10,10 +10,10 @@ use asperity_framework::report::view::View;
 use asperity_plot::Figure;
 use serde_json::{Map, Value, json};
 
+use super::claims::claims;
 use super::figures;
-use super::results::{Deviation, ErrorRow, PUBLISHED_WITHIN, SolverResults, order, warnings};
+use super::results::{Deviation, ErrorRow, PUBLISHED_WITHIN, SolverResults, fitted_order, order, warnings};
 use super::rows::{AreaRow, tables};
-use super::words::claims;
 use crate::solver::ensemble::{EnsemblePoint, EnsembleResults};
 use crate::solver::published::{ENSEMBLE, RMS_HEIGHT};
 use crate::solver::work::WorkPoint;
@@ -87,7 +87,18 @@ fn section(
     }
 }
 
+/// "Convergence: width with order 1.52 and mean gap with order 2.00. " Empty of fewer than three grids.
+fn convergence(benchmarks: &[Benchmark], problem: Problem, named: &[(BenchmarkQuantity, &str)]) -> String {
+    let order = |(quantity, name): &(BenchmarkQuantity, &str)| {
+        Some(format!("{name} with order {}", ratio(fitted_order(benchmarks, problem, *quantity)?)))
+    };
+    let orders: Vec<String> = named.iter().filter_map(order).collect();
+    if orders.is_empty() { String::new() } else { format!("Convergence: {}. ", listed(&orders)) }
+}
+
 fn known_solutions(page: &mut Page, results: &SolverResults, tables: &Tables) {
+    use BenchmarkQuantity::{Area, Indentation, MeanGap, Pressures};
+    let benchmarks = &results.benchmarks;
     let largest = |problem: Problem, resolution: &'static str| {
         let view = tables.view::<ErrorRow>().only("problem", problem.name());
         view.without(&["comparisons", "within_bounds"]).label("resolution", resolution)
@@ -99,7 +110,14 @@ fn known_solutions(page: &mut Page, results: &SolverResults, tables: &Tables) {
         (
             "hertz.svg",
             || figures::hertz(results),
-            "Left: pressure of each pixel over Hertz's peak p₀. Right: errors against resolution, with lines of orders 1 and 2.",
+            &format!(
+                "{}Left: pressure of each pixel over Hertz's peak p₀. Right: errors against resolution, with lines of orders 1 and 2.",
+                convergence(
+                    benchmarks,
+                    Problem::Hertz,
+                    &[(Indentation, "indentation"), (Area, "corrected area")]
+                ),
+            ),
         ),
         &largest(Problem::Hertz, "pixels per contact radius"),
     );
@@ -110,8 +128,15 @@ fn known_solutions(page: &mut Page, results: &SolverResults, tables: &Tables) {
         (
             "sinusoid.svg",
             || figures::sinusoid(results),
-            "Left: pressures (points) and the exact ones (lines) over their maximum in full contact. Right: the largest errors over the \
-             loads, with lines of orders 1 and 2.",
+            &format!(
+                "{}Left: pressures (points) and the exact ones (lines) over their maximum in full contact. Right: the largest errors over \
+                 the loads, with lines of orders 1 and 2.",
+                convergence(
+                    benchmarks,
+                    Problem::Sinusoid,
+                    &[(Area, "width"), (Pressures, "pressures"), (MeanGap, "mean gap")]
+                ),
+            ),
         ),
         &largest(Problem::Sinusoid, "points per wavelength"),
     );
@@ -126,7 +151,10 @@ fn known_solutions(page: &mut Page, results: &SolverResults, tables: &Tables) {
             || figures::layered(results),
             "Errors of the indentation against contact radius, by Young's modulus of the layer on that of the substrate.",
         ),
-        &indentation.columns(&["problem_case", "exact_value", "measured_error", "allowed_error"]),
+        &indentation
+            .columns(&["problem_case", "exact_value", "measured_error", "allowed_error"])
+            .label("exact_value", "exact indentation")
+            .label("measured_error", "relative error of the indentation"),
     );
 }
 
@@ -161,5 +189,45 @@ fn published_ensemble(page: &mut Page, ensemble: &EnsembleResults, tables: &Tabl
              for all loads.",
         );
         page.view(&tables.view::<AreaRow>().columns(&["reduced_pressure", "kappa", "kappa_standard_error"]));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::results::{ERRORS, MOST_SAMPLING};
+    use super::*;
+    use crate::solver::DUAL_GAP;
+    use crate::solver::work::POINTS_PER_WAVE;
+
+    #[test]
+    fn orders_need_three_grids() {
+        let benchmark = |points: usize| Benchmark {
+            problem: Problem::Hertz,
+            case: String::new(),
+            points,
+            quantity: BenchmarkQuantity::Indentation,
+            exact: None,
+            computed: None,
+            error: (points as f64).powi(-2),
+            allowed: None,
+        };
+        let benchmarks = [16, 32, 64].map(benchmark);
+        let named = [(BenchmarkQuantity::Indentation, "indentation"), (BenchmarkQuantity::Area, "area")];
+        let caption = convergence(&benchmarks, Problem::Hertz, &named);
+        assert_eq!(caption, "Convergence: indentation with order 2.00. ");
+        assert_eq!(convergence(&benchmarks[..2], Problem::Hertz, &named), "");
+        assert_eq!(convergence(&benchmarks, Problem::Sinusoid, &named), "");
+    }
+
+    #[test]
+    fn the_notes_state_the_constants() {
+        assert!(include_str!("notes/method.md").contains(&format!("a relative dual gap of {DUAL_GAP:e}:")));
+        assert!(include_str!("notes/work.md").contains(&format!("to {POINTS_PER_WAVE} points")));
+        assert!(
+            include_str!("notes/deviations.md").contains(&format!("at most {} %", 100.0 * MOST_SAMPLING))
+        );
+        assert!(include_str!("notes/ensemble.md").contains(&format!("g = {} of", ENSEMBLE.gradient)));
+        // In the meanings of columns.
+        assert_eq!((PUBLISHED_WITHIN, ERRORS), (0.05, 2.0));
     }
 }

@@ -5,6 +5,7 @@ use crate::solver::published::{PublishedArea, published};
 use crate::solver::work::WorkPoint;
 use crate::solver::{Benchmark, BenchmarkQuantity, Problem, Profile};
 use asperity::compare::SlopeFit;
+use asperity::numeric::extremes;
 use asperity_framework::metadata::Metadata;
 use asperity_framework::report::format::{input_number, number, percent};
 
@@ -18,7 +19,7 @@ pub const PUBLISHED_WITHIN: f64 = 0.05;
 pub const ERRORS: f64 = 2.0;
 
 /// Kinds of area are ranked at pressures whose standard error of the area is at most this.
-const MOST_SAMPLING: f64 = 0.015;
+pub const MOST_SAMPLING: f64 = 0.015;
 
 /// Comparisons of the solver.
 #[derive(Debug)]
@@ -49,6 +50,13 @@ pub fn order(benchmarks: &[Benchmark]) -> Option<f64> {
     order.is_finite().then_some(order)
 }
 
+/// Order of convergence of the largest error of a quantity, fitted over all grids; `None` of fewer than three.
+pub fn fitted_order(benchmarks: &[Benchmark], problem: Problem, quantity: BenchmarkQuantity) -> Option<f64> {
+    let errors = errors(benchmarks).filter(|errors| errors.problem() == problem);
+    let points = errors.filter_map(|errors| Some((errors.points() as f64, errors.error(quantity)?.abs())));
+    SlopeFit::through(points).map(|fit| -fit.slope)
+}
+
 /// Bounds that are exceeded, a line each.
 pub fn warnings(benchmarks: &[Benchmark], ensemble: Option<&EnsembleResults>) -> Vec<String> {
     let exceeded = benchmarks.iter().filter(|benchmark| !benchmark.is_within()).map(|benchmark| {
@@ -69,7 +77,7 @@ pub fn warnings(benchmarks: &[Benchmark], ensemble: Option<&EnsembleResults>) ->
     let distant = areas.filter_map(|point| {
         let difference = point.difference().filter(|difference| !is_near(*difference))?;
         Some(format!(
-            "ensemble, p/E* = {}: the extrapolated area is {} ± {} from the published one; allowed: {} and {ERRORS} standard errors",
+            "ensemble, p/E* = {}: the extrapolated area is {} ± {} from the published one; allowed: {} plus {ERRORS} standard errors",
             input_number(point.pressure),
             percent(difference.mean),
             percent(difference.error),
@@ -105,7 +113,7 @@ impl<'a> ErrorRow<'a> {
     }
 }
 
-/// Whether a difference from a published area is within [`PUBLISHED_WITHIN`] and the sampling error.
+/// Whether a difference from a published area is at most [`PUBLISHED_WITHIN`] plus [`ERRORS`] standard errors.
 pub fn is_near(difference: Mean) -> bool {
     difference.mean.abs() <= PUBLISHED_WITHIN + ERRORS * difference.error
 }
@@ -180,7 +188,7 @@ pub fn convolutions(work: &[WorkPoint], load: f64) -> impl Iterator<Item = (f64,
 /// The lowest and the highest exponent, over the loads, with which convolutions grow with the points along a side.
 pub fn growth(work: &[WorkPoint]) -> Option<[f64; 2]> {
     let slopes = loads(work).into_iter().filter_map(|load| SlopeFit::through(convolutions(work, load)));
-    slopes.map(|fit| [fit.slope; 2]).reduce(|[low, high], [slope, _]| [low.min(slope), high.max(slope)])
+    extremes(slopes.map(|fit| fit.slope))
 }
 
 #[cfg(test)]

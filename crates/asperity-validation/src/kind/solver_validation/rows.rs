@@ -18,7 +18,7 @@ impl Row for &Benchmark {
             problem["text"] = row.problem.name(), "Problem: `hertz`, `sinusoid` (partial contact of a wave), `full-contact` or `layered-sphere`.";
             problem_case["text", label("case")] = row.case.as_str(), "Case of the problem; of `layered-sphere`: Young's modulus of the layer on that of the substrate, contact radius a over layer thickness t.";
             resolution["count"] = row.points, "Pixels per contact radius, or points per wavelength.";
-            benchmark_quantity["text", label("quantity")] = row.quantity.name(), "BenchmarkQuantity whose error is given: `indentation`, `raw-area` (points counted), `area` (corrected for the border), `peak-pressure`, `pressures` (r.m.s. error over r.m.s. pressure; in full contact the largest error over the amplitude) or `mean-gap`.";
+            benchmark_quantity["text", label("quantity")] = row.quantity.name(), "Quantity whose error is given: `indentation`, `raw-area` (points counted), `area` (corrected for the border), `peak-pressure`, `pressures` (r.m.s. error over r.m.s. pressure; in full contact the largest error over the amplitude) or `mean-gap`.";
             exact_value["1"] = row.exact, "Exact value, with E* and R or the wavelength as units; of the mean gap over the height of the wave; empty for `pressures`.";
             found_value["1", label("computed value")] = row.computed, "Value of the boundary elements; of a sinusoid the mean over places of the crest between two points (areas) or the one farthest from the exact value (gap).";
             measured_error["1", label("error"), scale(1e-3)] = row.error, "Error: relative; of a sinusoid's areas (width over the wavelength) and gap the difference.";
@@ -93,7 +93,7 @@ impl Row for AreaRow<'_> {
             published_area["1"] = published(row.0.pressure).map(|published| published.area), "Published area ratio; empty at other pressures.";
             difference["1", signed_percent, scale(1.0)] = row.0.difference().map(|difference| difference.mean), "Extrapolated over published area, minus 1.";
             standard_error["1", label("± s.e."), percent, scale(1.0)] = row.0.difference().map(|difference| difference.error), "Its standard error over the surfaces.";
-            within["true/false"] = row.0.difference().map(is_near), "Whether the difference is within 5 % and two standard errors.";
+            within["true/false"] = row.0.difference().map(is_near), "Whether the difference is at most 5 % plus two standard errors.";
             kappa["1", label("κ")] = row.0.kappa().mean, "Extrapolated area over the reduced pressure.";
             kappa_standard_error["1", label("± s.e."), scale(1e-3)] = row.0.kappa().error, "Its standard error.";
         }
@@ -102,7 +102,7 @@ impl Row for AreaRow<'_> {
 
 impl Row for Deviation {
     const FILE: &'static str = "deviations.csv";
-    const ROWS: &'static str = "One row for each kind of area of the ensemble, the nearest to the published ones first: root mean square relative differences over the pressures at which the standard error of the area is at most 1.5 % on every grid.";
+    const ROWS: &'static str = "One row for each kind of area of the ensemble, the nearest to the published ones first. Differences are relative, root mean squares over the pressures with a standard error of at most 1.5 % on every grid.";
     const RECORDS: Option<&'static str> = Some("deviations");
 
     fn columns() -> Vec<Column<Self>> {

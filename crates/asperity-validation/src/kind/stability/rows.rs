@@ -19,7 +19,7 @@ impl Row for &GroupResults {
             failures["count"] = row.failures.len(), "Cases that failed or could not be checked.";
             not_finite["count"] = row.failures.iter().filter(|(_, failure)| matches!(failure, Failure::NotFinite(_))).count(), "Of these, cases with a NaN or an infinity.";
             within_bounds["true/false"] = row.is_within_bounds(), "Whether every case was checked and every quantity is within its bound.";
-            bound["1", one_digit] = row.group.bound(CheckedQuantity::Load), "Bound of all errors but those of slopes of tables, under most laws.";
+            bound["1", one_digit] = row.group.bound(CheckedQuantity::Load), "Bound of all errors but those of slopes of tables, before the factor of a narrow transition; without a layer, of laws in closed form.";
             area_error["1", label("area"), one_digit, ignored] = row.largest_error(CheckedQuantity::Area), "Error of the area.";
             load_error["1", label("load"), one_digit, ignored] = row.largest_error(CheckedQuantity::Load), "Error of the load or nominal pressure.";
             stiffness_error["1", label("stiffness"), one_digit, ignored] = row.largest_error(CheckedQuantity::Stiffness), "Error of the stiffness.";
@@ -46,15 +46,15 @@ impl Row for WorstRow<'_> {
         columns! { row: Self =>
             kind["text"] = row.group.group.kind().name(), "What is evaluated: `single contact`, `sum`, `integral` or `load control`.";
             group["text"] = row.group.group.name(), "Group of cases.";
-            quantity["text"] = row.worst.quantity.name(), "CheckedQuantity whose error is given.";
+            quantity["text"] = row.worst.quantity.name(), "Quantity whose error is given.";
             cases["count"] = row.group.cases, "Cases checked.";
             failures["count"] = row.group.failures.len(), "Cases that failed or could not be checked.";
             median_error["1", one_digit, ignored] = row.worst.median, "Median of the errors.";
-            worst_error["1", one_digit, ignored] = row.worst.checked, "Largest error; zero where the result is exact for a separation within rounding of the given one.";
+            worst_error["1", one_digit, ignored] = row.worst.checked, "Error of the case closest to its bound; zero where the result is exact for a separation within rounding of the given one.";
             bound["1", one_digit] = row.group.group.bound(row.worst.quantity), "Bound of the error under most laws.";
             plain_error["1", one_digit, ignored] = row.worst.error, "Largest error, the rounding of the separation included.";
-            worst_bound["1", label("bound of the worst case"), one_digit, ignored] = row.worst.bound(), "Bound of the case with the largest error, which a narrow elastic-plastic transition makes larger.";
-            worst_scene["count", label("worst case"), ignored] = row.worst.case.index, "Number of the case with the largest error within its group.";
+            worst_bound["1", label("bound of the worst case"), one_digit, ignored] = row.worst.bound(), "Bound of the case closest to its bound, which a narrow elastic-plastic transition makes larger.";
+            worst_scene["count", label("worst case"), ignored] = row.worst.case.index, "Number of that case within its group.";
             worst_inputs["text", ignored] = row.worst.case.inputs(), "Every input of that case, to run it again.";
         }
     }

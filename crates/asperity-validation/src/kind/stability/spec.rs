@@ -13,19 +13,19 @@ use asperity_framework::input::quantity::{
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct StabilitySpec {
-    /// Cases of each family of single contacts.
+    /// Cases of each group of single contacts.
     #[schemars(extend("x-range" = "1 to 100000", "default" = 1000, "examples" = [100]))]
     pub contacts: Option<Spanned<Whole>>,
-    /// Cases of each family of sums.
+    /// Cases of each group of sums.
     #[schemars(extend("x-range" = "1 to 100000", "default" = 200, "examples" = [100]))]
     pub sums: Option<Spanned<Whole>>,
-    /// Cases of each family of integrals.
+    /// Cases of each group of integrals.
     #[schemars(extend("x-range" = "1 to 100000", "default" = 250, "examples" = [100]))]
     pub integrals: Option<Spanned<Whole>>,
-    /// Cases of each family of load control.
+    /// Cases of each group of load control.
     #[schemars(extend("x-range" = "1 to 100000", "default" = 50, "examples" = [100]))]
     pub loads: Option<Spanned<Whole>>,
-    /// Cases of each family of a million asperities.
+    /// Cases of each group of a million asperities.
     #[schemars(extend("x-range" = "1 to 1000", "default" = 3, "examples" = [100]))]
     pub millions: Option<Spanned<Whole>>,
     /// Cells along each side of an error map.
