@@ -5,7 +5,9 @@ use std::f64::consts::PI;
 use super::results::{LawOnAsperity, LawsResults};
 use asperity::Contact;
 use asperity::compare::{AtLoad, Influence, Measure, ModelKind};
+use asperity::numeric::extremes;
 use asperity::sphere::LARGEST_SLOPE;
+use asperity_framework::report::format::{listed, number};
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
 
 /// Half-width of a band in standard errors: 95 % of all samples lie within.
@@ -107,12 +109,11 @@ pub fn differences(results: &LawsResults, hardness: f64) -> Figure {
 /// Load over that of Hertz and area over the elastic area where laws jump.
 pub fn jumps(results: &LawsResults) -> Option<Figure> {
     /// Margin at both ends, as a ratio.
-    const ROOM: f64 = 1.6;
+    const MARGIN: f64 = 1.6;
     let unit = results.critical.indentation;
-    let all = || results.laws.iter().flat_map(|law| &law.boundaries).filter(|at| at.is_jump());
-    let first = all().map(|at| at.indentation / unit).reduce(f64::min)?;
-    let last = all().map(|at| at.indentation / unit).reduce(f64::max)?;
-    let (from, to) = (first / ROOM, last * ROOM);
+    let jumps = results.laws.iter().flat_map(|law| &law.boundaries).filter(|at| at.is_jump());
+    let [first, last] = extremes(jumps.map(|at| at.indentation / unit))?;
+    let (from, to) = (first / MARGIN, last * MARGIN);
     let (critical, radius) = (results.critical, results.radius);
     let elastic = move |w: f64| critical.load * (w / unit).powf(1.5);
     let plot = |title: &str, y: Axis| Plot::new(title, indentation_axis().range(from, to), y).height(420.0);
@@ -159,19 +160,41 @@ fn ordinate(measure: Measure, difference: f64) -> f64 {
 /// Axis range for the elastic-plastic laws and the models at valid loads; limiting cases may lie outside.
 fn range(results: &LawsResults, influence: &Influence, measure: Measure) -> Option<[f64; 2]> {
     /// Above and below, of the range.
-    const ROOM: f64 = 0.15;
-    let passing = || (0..results.laws.len()).filter(|&law| results.laws[law].is_elastic_plastic);
+    const MARGIN: f64 = 0.15;
+    let members = || (0..results.laws.len()).filter(|&law| results.laws[law].is_elastic_plastic);
     let of_load = |at: &AtLoad| {
         let mut needed = vec![0.0];
-        needed.extend(passing().map(|law| at.deviation(measure, law, ModelKind::Deterministic)));
+        needed.extend(members().map(|law| at.deviation(measure, law, ModelKind::Deterministic)));
         let half = BAND * at.sampling_error(measure, 0).unwrap_or(0.0);
         needed.extend([at.gap(measure, 0) - half, at.gap(measure, 0) + half]);
         needed
     };
-    let needed = || influence.counting().flat_map(of_load).map(|difference| ordinate(measure, difference));
-    let (low, high) = (needed().reduce(f64::min)?, needed().reduce(f64::max)?);
-    let room = ROOM * (high - low);
-    (room > 0.0).then_some([low - room, high + room])
+    let needed = influence.counting().flat_map(of_load).map(|difference| ordinate(measure, difference));
+    let [low, high] = extremes(needed)?;
+    let margin = MARGIN * (high - low);
+    (margin > 0.0).then_some([low - margin, high + margin])
+}
+
+/// " Outside the axes of the area: hertz (0.1 to 0.4).": the laws whose sums are at all valid loads, and between which
+/// values. Empty if there is none.
+pub fn outside(results: &LawsResults, influence: &Influence) -> String {
+    let of_measure = |measure| {
+        let [low, high] = range(results, influence, measure)?;
+        let of_law = |law: usize| {
+            let differences =
+                influence.counting().map(|at| at.deviation(measure, law, ModelKind::Deterministic));
+            let [least, most] = extremes(differences.map(|difference| ordinate(measure, difference)))?;
+            let is_outside = most < low || least > high;
+            is_outside.then(|| format!("{} ({} to {})", influence.laws[law], number(least), number(most)))
+        };
+        let names: Vec<String> = (0..results.laws.len()).filter_map(of_law).collect();
+        let what = match measure {
+            Measure::Separation => "separation",
+            Measure::Area => "area",
+        };
+        (!names.is_empty()).then(|| format!(" Outside the axes of the {what}: {}.", listed(&names)))
+    };
+    Measure::ALL.into_iter().filter_map(of_measure).collect()
 }
 
 fn beside(results: &LawsResults, influence: &Influence, measure: Measure, plot: Plot) -> Plot {

@@ -1,6 +1,6 @@
 //! The page of several laws: what matters more on surfaces, contact law or summation method, and how the laws differ on a single asperity.
 
-use asperity::compare::{Dominant, Measure};
+use asperity::compare::{Dominance, Dominant, Measure};
 use asperity_framework::Outcome;
 use asperity_framework::metadata::Metadata;
 use asperity_framework::report::format::{input_number, input_quantity, listed, number, quantity};
@@ -35,12 +35,13 @@ impl Outcome for LawsResults {
         let compared = &self.compare;
         let mut page = Page::new(&compared.metadata.title);
         for measure in Measure::ALL {
-            if let Some(answer) = answer(measure, &dominants(self, measure)) {
+            if let Some(answer) = answer(measure, &findings(self, measure)) {
                 page.lead(&answer);
             }
         }
         for measure in Measure::ALL {
-            let view = by_measure(tables.view::<DominanceRow>(), measure, &DOMINANCE).columns(&OVERVIEW);
+            let view = tables.view::<DominanceRow>();
+            let view = by_measure(view, measure, &DOMINANCE, Reading::Percent).columns(&OVERVIEW);
             page.view(&match measure {
                 Measure::Separation => view.label("law_range", "range over the laws (σ)"),
                 Measure::Area => view,
@@ -93,54 +94,69 @@ const OVERVIEW: [&str; 8] = [
     "law_range_without_it",
 ];
 
-/// Columns of differences in sigma or relative.
+/// Columns of magnitudes in sigma or relative.
 const DOMINANCE: [&str; 5] =
     ["law_range", "largest_law_range", "models_difference", "standard_error", "law_range_without_it"];
+
+/// Columns of signed differences in sigma or relative.
 const CHOICE: [&str; 3] =
     ["statistical_from_first", "deterministic_from_first", "statistical_from_deterministic"];
-/// The rows of one measure on the first realisations, in sigma or percent.
-fn by_measure<'a>(view: View<'a>, measure: Measure, differences: &[&str]) -> View<'a> {
+
+/// The rows of one measure on the first realisations, `differences` in sigma or, of areas, as `relative`.
+fn by_measure<'a>(view: View<'a>, measure: Measure, differences: &[&str], relative: Reading) -> View<'a> {
     let view = view.only("measure", measure.name()).only("realisation", 1u64);
     match measure {
         Measure::Separation => view,
-        Measure::Area => {
-            differences.iter().fold(view, |view, name| view.read_as(name, Reading::SignedPercent))
-        }
+        Measure::Area => differences.iter().fold(view, |view, name| view.read_as(name, relative)),
     }
 }
 
-/// What matters more by a measure, surface by surface.
-fn dominants(results: &LawsResults, measure: Measure) -> Vec<(String, Dominant)> {
-    let surfaces = results.compare.surfaces.iter();
-    let first = surfaces.filter_map(|surface| results.first_influence(&surface.surface.name));
-    let dominant = first.filter_map(|influence| {
-        let dominance = influence.dominances.iter().find(|dominance| dominance.measure == measure)?;
-        Some((influence.surface.clone(), dominance.dominant()))
-    });
-    dominant.collect()
+/// What is said of a surface, and why if nothing can be: in the order in which it is said.
+const FINDINGS: [(&str, &str); 6] = [
+    ("the contact law", ""),
+    ("the summation method", ""),
+    ("both equally", ""),
+    ("cannot be told", " (within the sampling uncertainty)"),
+    ("cannot be told", " (no sampling interval is claimed)"),
+    ("not evaluated", " (no load is valid under every law)"),
+];
+
+/// Which of [`FINDINGS`] holds.
+fn finding(dominance: Option<&Dominance>) -> usize {
+    let Some(dominance) = dominance else { return 5 };
+    match dominance.dominant() {
+        Dominant::Law => 0,
+        Dominant::Summation => 1,
+        Dominant::Equal => 2,
+        Dominant::Undecided => 3 + usize::from(dominance.sampling.is_none()),
+    }
 }
 
-/// "**What matters more for d/σ**: the contact law on case-1; the summation method on case-2; cannot be told on fine-finish." `None` without
-/// surfaces.
-fn answer(measure: Measure, dominants: &[(String, Dominant)]) -> Option<String> {
+/// Which of [`FINDINGS`] holds on each surface by a measure.
+fn findings(results: &LawsResults, measure: Measure) -> Vec<(String, usize)> {
+    let surfaces = results.compare.surfaces.iter();
+    let first = surfaces.filter_map(|surface| results.first_influence(&surface.surface.name));
+    let found = first.map(|influence| {
+        let mut dominances = influence.dominances.iter();
+        (influence.surface.clone(), finding(dominances.find(|dominance| dominance.measure == measure)))
+    });
+    found.collect()
+}
+
+/// "**What matters more for d/σ**: the contact law on case-1; the summation method on case-2." `None` without surfaces.
+fn answer(measure: Measure, found: &[(String, usize)]) -> Option<String> {
     /// More surfaces are counted.
     const MOST_NAMED: usize = 3;
-    let part = |dominant: Dominant| {
+    let part = |(index, (what, why)): (usize, &(&str, &str))| {
         let names: Vec<String> =
-            dominants.iter().filter(|(_, each)| *each == dominant).map(|(name, _)| escape(name)).collect();
-        let what = match dominant {
-            Dominant::Law => "the contact law",
-            Dominant::Summation => "the summation method",
-            Dominant::Equal => "both equally",
-            Dominant::Undecided => "cannot be told",
-        };
+            found.iter().filter(|(_, each)| *each == index).map(|(name, _)| escape(name)).collect();
         match names.len() {
             0 => None,
-            1..=MOST_NAMED => Some(format!("{what} on {}", listed(&names))),
-            more => Some(format!("{what} on {more} surfaces")),
+            1..=MOST_NAMED => Some(format!("{what} on {}{why}", listed(&names))),
+            more => Some(format!("{what} on {more} surfaces{why}")),
         }
     };
-    let parts: Vec<String> = Dominant::ALL.into_iter().filter_map(part).collect();
+    let parts: Vec<String> = FINDINGS.iter().enumerate().filter_map(part).collect();
     let quantity = match measure {
         Measure::Separation => "d/σ",
         Measure::Area => "real area",
@@ -153,14 +169,18 @@ fn on_surface(page: &mut Page, results: &LawsResults, tables: &Tables, surface: 
     let name = &surface.surface.name;
     let Some(influence) = results.first_influence(name) else { return };
     page.heading(2, &format!("{name}: contact law or summation method?"));
+    if influence.dominances.is_empty() {
+        page.paragraph("No load is within the valid range under every law, so the effects are not compared.");
+    }
     page.figure(
         &format!("{name}-law-or-model.svg"),
         figures::law_or_model(results, &influence.influence),
         &format!(
             "The contact law matters more where the coloured lines lie further apart than the black line from zero (or one). All at equal \
              load, relative to the sum under {}; bands: 1.96 standard errors of the difference between the models; shaded: loads beyond \
-             the valid range. Limiting cases may lie outside the axes.",
+             the valid range.{}",
             influence.influence.laws[0],
+            figures::outside(results, &influence.influence),
         ),
     );
     for measure in Measure::ALL {
@@ -170,9 +190,10 @@ fn on_surface(page: &mut Page, results: &LawsResults, tables: &Tables, surface: 
         };
         page.details(3, &format!("{name}: {title} law by law and load by load"), |page| {
             let choices = tables.view::<ChoiceRow>().only("surface", name.as_str());
-            page.view(&by_measure(choices, measure, &CHOICE));
+            page.view(&by_measure(choices, measure, &CHOICE, Reading::SignedPercent));
             let loads = tables.view::<InfluenceRow>().only("surface", name.as_str());
-            page.view(&by_measure(loads, measure, &[]).each_decade("pressure_pa", 1.0).without(&["counts"]));
+            let loads = by_measure(loads, measure, &[], Reading::Plain);
+            page.view(&loads.each_decade("pressure_pa", 1.0).without(&["counts"]));
         });
     }
     if let Some(mean) = &surface.surface.ellipticity {
@@ -235,24 +256,44 @@ fn on_asperity(page: &mut Page, results: &LawsResults, tables: &Tables) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity::compare::{Effect, Group};
 
     #[test]
     fn surfaces_are_named_with_what_matters_more_on_them() {
-        let dominants = |each: &[(&str, Dominant)]| -> Vec<(String, Dominant)> {
-            each.iter().map(|(name, dominant)| (name.to_string(), *dominant)).collect()
+        let findings = |each: &[(&str, usize)]| -> Vec<(String, usize)> {
+            each.iter().map(|(name, found)| (name.to_string(), *found)).collect()
         };
-        let some = dominants(&[("a", Dominant::Undecided), ("b", Dominant::Law), ("c", Dominant::Law)]);
+        let some = findings(&[("a", 4), ("b", 0), ("c", 0), ("d", finding(None))]);
         assert_eq!(
             answer(Measure::Area, &some).unwrap(),
-            "**What matters more for real area**: the contact law on b and c; cannot be told on a."
+            "**What matters more for real area**: the contact law on b and c; cannot be told on a (no sampling interval is claimed); \
+             not evaluated on d (no load is valid under every law)."
         );
-        let many = dominants(&[
-            ("a", Dominant::Law),
-            ("b", Dominant::Law),
-            ("c", Dominant::Law),
-            ("d", Dominant::Law),
-        ]);
+        let many = findings(&[("a", 0), ("b", 0), ("c", 0), ("d", 0)]);
         assert!(answer(Measure::Area, &many).unwrap().ends_with("the contact law on 4 surfaces."));
         assert_eq!(answer(Measure::Separation, &[]), None);
+    }
+
+    #[test]
+    fn what_is_found_depends_on_both_effects_and_the_sampling_error() {
+        let effect = |mean| Effect { mean, largest: mean, at: 1.0 };
+        let of = |law, summation, error: Option<f64>| {
+            finding(Some(&Dominance {
+                measure: Measure::Area,
+                group: Group::All,
+                law: effect(law),
+                summation: effect(summation),
+                sampling: error.map(effect),
+                without_furthest: None,
+            }))
+        };
+        let found = [
+            of(3.0, 1.0, Some(0.1)),
+            of(1.0, 3.0, Some(0.1)),
+            of(1.0, 1.0, Some(0.1)),
+            of(3.0, 1.0, Some(1.0)),
+            of(3.0, 1.0, None),
+        ];
+        assert_eq!(found, [0, 1, 2, 3, 4]);
     }
 }

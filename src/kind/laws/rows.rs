@@ -237,11 +237,11 @@ impl Row for DominanceRow<'_> {
         columns.extend(columns! { row: Self =>
             loads["count"] = row.surface.influence.counting().count(), "Loads that are valid under every law.";
             matters_more["text", label("matters more")] = row.dominance.dominant().name(), "What matters more: `contact-law`, `summation-method`, `equal` (their effects differ by less than 5 %) or `cannot-tell` (the difference between the models is not larger than two standard errors, or has none).";
-            laws["text"] = row.dominance.group.name(), "The laws of the range: `passing` (elastic-plastic) or `all`.";
-            law_range["1", label("range over the laws"), scale(1.0)] = row.reported(row.dominance.law.mean), "Mean range of these laws under the deterministic model.";
+            laws["text"] = row.dominance.group.name(), "The laws of the range: `elastic-plastic` or `all`.";
+            law_range["1", label("range over the laws"), scale(1.0)] = row.reported(row.dominance.law.mean), "Mean range of these laws under the deterministic model; of areas, the largest over the smallest, minus 1.";
             largest_law_range["1", label("at most"), scale(1.0)] = row.reported(row.dominance.law.largest), "The largest.";
             largest_law_range_at_pa["Pa", label("at"), prefix("M")] = row.dominance.law.at, "The load of the largest.";
-            models_difference["1", label("difference of the models"), scale(1.0)] = row.reported(row.dominance.summation.mean), "Mean magnitude of the difference between the models under the first law.";
+            models_difference["1", label("difference of the models"), scale(1.0)] = row.reported(row.dominance.summation.mean), "Mean magnitude of the difference between the models under the first law; of areas, the larger over the smaller, minus 1.";
             largest_models_difference["1", label("largest"), signed, scale(1.0)] = row.reported(row.dominance.summation.largest), "The largest, statistical minus deterministic.";
             largest_models_difference_at_pa["Pa", label("at"), prefix("M")] = row.dominance.summation.at, "The load of the largest.";
             standard_error["1", label("± s.e."), scale(1.0)] = row.dominance.sampling.map(|error| row.reported(error.mean)), "Mean standard error of that difference; empty where no interval is claimed.";

@@ -62,7 +62,7 @@ named_enum! {
         /// All laws.
         All = "all",
         /// Elastic-plastic laws only.
-        ElasticPlastic = "passing",
+        ElasticPlastic = "elastic-plastic",
     }
 }
 
