@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
 use asperity::Material;
+use asperity::surface::{AnalysisDepth, Surface};
 use asperity::work::Counter;
 use asperity_framework::digest::{hexadecimal, sha256, sha256_of_file};
 use asperity_framework::divided::AnyDivided;
@@ -20,7 +21,7 @@ use sha2::{Digest, Sha256};
 
 use crate::kind::compare::plan::described;
 use crate::kind::{KINDS, SURFACES};
-use crate::surface::{AnalysisDepth, FileOptions, Surface, SurfaceFactory, SurfacesPlan, files_of, surfaces};
+use crate::surface::{FileOptions, SurfaceFactory, SurfacesPlan, files_of, surfaces};
 
 /// SHA-256 of the sources that this program was built from.
 const SOURCES: &str = env!("ASPERITY_SOURCES");

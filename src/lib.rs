@@ -20,6 +20,5 @@ pub mod surface;
 #[cfg(feature = "cli")]
 pub mod terminal;
 
-pub use asperity::study;
 pub use experiment::{Experiment, PRINT, TEMPLATE, make_surface};
 pub use parts::{Merged, PartError, PartRun};

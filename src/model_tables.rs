@@ -1,9 +1,8 @@
 //! The tables of both models that several kinds have: `curves.csv` and `comparison.csv`.
 
+use asperity::study::CaseResults;
 use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Heading, Row, Table, Value};
-
-use crate::study::CaseResults;
 
 use asperity::compare::{
     Attribution, Cause, ComparedQuantity, Comparison, CurvePoint, ModelKind, Pair, ReferencePoint,

@@ -4,6 +4,7 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use asperity::surface::{AnalysisDepth, Surface};
 use asperity::work::Counter;
 use asperity_framework::input::{InputError, SpecFile};
 use asperity_framework::metadata::{Metadata, Timing};
@@ -15,8 +16,7 @@ use serde_json::{Map, Value, json};
 use super::results::SurfacesResults;
 use super::rows::SurfaceRow;
 use super::{
-    AnalysisDepth, Surface, SurfaceFactory, SurfacePlan, describe, files_of, inputs, memory, page, rows,
-    section, surfaces, warnings,
+    SurfaceFactory, SurfacePlan, describe, files_of, inputs, memory, page, rows, section, surfaces, warnings,
 };
 
 /// Surfaces to be described.

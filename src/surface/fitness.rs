@@ -101,9 +101,9 @@ fn value(measure: Measure, value: f64) -> String {
     }
 }
 
-/// The values that pass.
+/// The values that pass, shares as fractions of one like [`Finding::value`].
 pub fn allowed(finding: &Finding) -> String {
-    let threshold = value(finding.measure, finding.threshold());
+    let threshold = number(finding.threshold());
     match (finding.is_least(), finding.measure) {
         (_, Measure::Spikes) => "none".to_owned(),
         (_, Measure::DensityOverTheory | Measure::CurvatureOverTheory) => {

@@ -17,10 +17,6 @@ pub mod section;
 mod spec;
 mod tiles;
 
-pub use asperity::surface::{
-    AnalysisDepth, GenerationFacts, Independence, MapBlocks, MapFacts, MapOverview, Preparation, PreparedMap,
-    Surface,
-};
 pub use description::{SurfacesPlan, described_file};
 pub use factory::SurfaceFactory;
 pub use files::Files;
@@ -29,6 +25,7 @@ pub use plan::{SurfacePlan, beside, curvature_ratio, describe, inputs, memory, s
 pub use spec::SurfaceSpec;
 pub use tiles::{OpenTiles, SurfaceTiles};
 
+use asperity::surface::Surface;
 use asperity::work::Counter;
 
 /// Warnings of surfaces, by name.

@@ -458,10 +458,12 @@ pub fn tables<'a>(rows: impl IntoIterator<Item = SurfaceRow<'a>>) -> Vec<Table> 
 
 /// Surfaces by name, as `summary.json` has them: the rows of `surfaces.csv` and `height_maps.csv`, and warnings.
 pub fn records<'a>(rows: impl IntoIterator<Item = SurfaceRow<'a>>) -> Value {
+    let rows: Vec<SurfaceRow> = rows.into_iter().collect();
+    let keys: Vec<_> = rows.iter().map(|row| (row.name.to_owned(), row.surface)).collect();
     let mut surfaces: IndexMap<String, Vec<(Value, Option<&Surface>)>> = IndexMap::new();
-    for row in rows {
-        let (name, surface) = (row.name.to_owned(), row.surface);
-        surfaces.entry(name).or_default().push((Table::new([row]).records()[0].take(), surface));
+    let mut records = Table::new(rows).records();
+    for (k, (name, surface)) in keys.into_iter().enumerate() {
+        surfaces.entry(name).or_default().push((records[k].take(), surface));
     }
     let record = |realisations: Vec<(Value, Option<&Surface>)>| {
         let (mut first, surface) = realisations[0].clone();

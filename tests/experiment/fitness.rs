@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use asperity::MeanRadius;
 use asperity::compare::{ComparedQuantity, Difference, Verdict};
 use asperity::npy;
+use asperity::study::{Choice, Treatment};
 use asperity::topography::Level;
 use asperity::topography::fitness::Check;
 use asperity::topography::generate::gaussian;
@@ -15,9 +16,9 @@ use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
 use asperity::topography::summits::Neighbours;
 use asperity_experiment::Experiment;
 use asperity_experiment::kind::compare::results::{CompareResults, SurfaceResults};
-use asperity_experiment::study::{Choice, Treatment};
 use asperity_framework::Outcome;
 use asperity_framework::progress::Silent;
+use asperity_framework::report::format::number;
 use rand::{RngExt, SeedableRng};
 
 const SIDE: usize = 640;
@@ -169,6 +170,19 @@ fn planted_faults_are_found_and_their_remedies_give_the_verdict_back() {
         "{page}"
     );
     assert!(page.contains("outliers = \"remove\""));
+    let checks = |name: &str| {
+        let rows = summary["fitness"].as_array().unwrap().iter().filter(|row| row["surface"] == name);
+        rows.map(|row| [row["result"].clone(), row["remedy"].clone()]).collect::<Vec<_>>()
+    };
+    assert!(
+        checks("good")
+            .iter()
+            .all(|[result, remedy]| result != "failed" && (result == "caution" || remedy.is_null()))
+    );
+    let [_, remedy] = checks("spikes").into_iter().find(|[result, _]| result == "failed").unwrap();
+    assert!(remedy.as_str().unwrap().contains("outliers = \"remove\""), "{remedy}");
+    let form = summary["fitness"].as_array().unwrap().iter().find(|row| row["check"] == "form").unwrap();
+    assert_eq!(form["allowed"], format!("at most {}", number(form["threshold"].as_f64().unwrap())));
 }
 
 /// On a measured fine finish the shortest waves decide, on a Gaussian surface that the grid resolves they do not.

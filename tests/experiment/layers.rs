@@ -2,9 +2,9 @@
 
 use asperity::compare::ModelKind;
 use asperity::sphere::DecreasingQuantity;
+use asperity::study::Threshold;
 use asperity_experiment::Experiment;
 use asperity_experiment::kind::compare::results::CompareResults;
-use asperity_experiment::study::Threshold;
 use asperity_framework::Outcome;
 use asperity_framework::progress::Silent;
 use asperity_framework::report::store::Store;

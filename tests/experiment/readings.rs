@@ -5,6 +5,7 @@ use std::path::Path;
 
 use asperity::compare::{Control, ModelKind};
 use asperity::distribution::gaussian_moment;
+use asperity::study::CaseResults;
 use asperity::topography::Rows;
 use asperity::topography::generate::SigmaOf;
 use asperity::topography::read::{ReadOptions, height_map};
@@ -12,7 +13,6 @@ use asperity::{Population, SurfaceHeights, npy};
 use asperity_experiment::Experiment;
 use asperity_experiment::kind::compare::readings::loads_by_reading;
 use asperity_experiment::kind::compare::results::CompareResults;
-use asperity_experiment::study::CaseResults;
 use asperity_framework::Outcome;
 use asperity_framework::progress::Silent;
 

@@ -7,7 +7,8 @@ use std::path::Path;
 use asperity::compare::{Accepted, ComparedQuantity, Stretch, Verdict};
 use asperity::contact_law::named;
 use asperity::npy;
-use asperity::study::{self, LawContact};
+use asperity::study::{self, LawContact, StudyError};
+use asperity::study::{Basis, Verdicts};
 use asperity::surface::{Preparation, SummitSearch};
 use asperity::topography::Level;
 use asperity::topography::generate::{Process, Seeds, SpectrumOf, SurfaceGenerator};
@@ -16,7 +17,6 @@ use asperity::topography::summits::Neighbours;
 use asperity::{HeightMap, Heights, Limit, Material};
 use asperity_experiment::Experiment;
 use asperity_experiment::kind::compare::results::CompareResults;
-use asperity_experiment::study::{Basis, Verdicts};
 use asperity_framework::Outcome;
 use asperity_framework::progress::Silent;
 
@@ -317,4 +317,13 @@ fn the_library_gives_the_verdicts_of_the_program() {
     assert!(
         of(&cases[0].verdicts, ComparedQuantity::Area).any(|stretch| stretch.verdict != Verdict::CannotTell)
     );
+
+    // Its asperities are spheres: an elliptic law has nothing to sum.
+    let elliptic = [LawContact::bare(named("elliptic-zmc").unwrap(), &steel, &steel).unwrap()];
+    let refused = study::verdicts(&surface, &elliptic, &pressures, Accepted::DEFAULT);
+    assert!(matches!(refused, Err(StudyError::NoEllipses(law)) if law == "elliptic-zmc"));
+    let with_ellipses = SummitSearch { as_ellipses: true, ..SummitSearch::new(preparation) };
+    let surface = with_ellipses.surface("map", &map).unwrap();
+    let cases = study::verdicts(&surface, &elliptic, &pressures, Accepted::DEFAULT).unwrap();
+    assert!(ComparedQuantity::ALL.iter().all(|&quantity| of(&cases[0].verdicts, quantity).next().is_some()));
 }

@@ -5,6 +5,8 @@ use std::path::PathBuf;
 
 use asperity::analytical::AnalyticalLine;
 use asperity::compare::{Controls, ModelKind};
+use asperity::study::Setup;
+use asperity::surface::AnalysisDepth;
 use asperity_framework::RunContext;
 use asperity_framework::input::{InputError, Spanned, SpecFile};
 
@@ -12,9 +14,8 @@ use super::lines::lines;
 use super::reference::ReferencePlan;
 use super::reference::plan::{Resolved, reference};
 use super::spec::{CompareSpec, Models};
-use crate::study::Setup;
 use crate::study_plan::{StudyKeys, StudyPlan};
-use crate::surface::{AnalysisDepth, SurfacePlan};
+use crate::surface::SurfacePlan;
 
 /// Both models on given surfaces, and the reference beside them.
 pub struct ComparePlan {

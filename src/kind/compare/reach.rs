@@ -1,6 +1,8 @@
 //! Whether the loads of a comparison are reached, as far as the asperities are known without a map.
 
 use asperity::compare::{Controls, ModelKind, Models, compare};
+use asperity::study::models_of;
+use asperity::surface::AnalysisDepth;
 use asperity::work::Counter;
 use asperity::{LOWEST_SEPARATION, Model};
 use asperity_framework::RunContext;
@@ -8,9 +10,8 @@ use asperity_framework::input::InputError;
 use asperity_framework::metadata::Timing;
 
 use super::plan::ComparePlan;
-use crate::study::models_of;
 use crate::study_plan::{inapplicable, unreachable_load};
-use crate::surface::{AnalysisDepth, SurfaceFactory, files_of};
+use crate::surface::{SurfaceFactory, files_of};
 
 /// Refuses a load that a population or a list does not reach, as a run would; of several realisations the first is tried.
 ///

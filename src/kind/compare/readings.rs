@@ -2,10 +2,10 @@
 
 use asperity::Response;
 use asperity::compare::{Control, ModelKind};
+use asperity::study::{CaseResults, CaseStudy};
 use asperity::topography::generate::SigmaOf;
 
 use crate::kind::compare::results::SurfaceResults;
-use crate::study::{CaseResults, CaseStudy};
 
 /// The d/sigma at which readings are compared.
 const SEPARATIONS: [f64; 3] = [1.0, 2.0, 3.0];

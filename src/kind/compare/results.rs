@@ -4,14 +4,15 @@ use std::path::PathBuf;
 
 use asperity::analytical::AnalyticalLine;
 use asperity::compare::Tolerances;
+use asperity::study::{CaseStudy, DecreaseResults, LawFindings, RealisationFacts, Threshold};
+use asperity::surface::Surface;
 use asperity_framework::contact::ContactMetadata;
 use asperity_framework::metadata::Metadata;
 
 use super::reference::{ContactView, ElasticCase};
 use crate::layer::rule_warning;
-use crate::study::{CaseStudy, DecreaseResults, LawFindings, RealisationFacts, Threshold};
 use crate::surface::rows::SurfaceRow;
-use crate::surface::{Surface, warnings};
+use crate::surface::warnings;
 
 /// Both models on given surfaces.
 #[derive(Debug)]

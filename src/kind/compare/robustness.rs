@@ -1,14 +1,17 @@
 //! Robustness: both models on a measured map under other treatments of it.
 
 use asperity::compare::{Controls, Difference};
+use asperity::study::{
+    CaseResults, CaseStudy, Dependence, Setup, StatisticalModel, Treated, Treatment, study,
+};
+use asperity::surface::Surface;
 use asperity::work::Counter;
 use asperity_framework::RunContext;
 use asperity_framework::input::accept::AcceptSpec;
 use asperity_framework::progress::Silent;
 
 use super::plan::ComparePlan;
-use crate::study::{CaseResults, CaseStudy, Dependence, Setup, StatisticalModel, Treated, Treatment, study};
-use crate::surface::{Surface, SurfaceFactory};
+use crate::surface::SurfaceFactory;
 
 /// The differences between the models under other treatments of a map.
 pub struct Treatments {

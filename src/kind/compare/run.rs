@@ -4,6 +4,11 @@ use std::time::Instant;
 
 use asperity::bem::Solver;
 use asperity::compare::{AgainstReference, CaseSampling};
+use asperity::study::{
+    CaseResults, CaseStudy, LawFindings, LayerQuestion, RealisationResults, Setup, SurfaceModels, attribute,
+    decreases, differ, models_of, rank, run_surface, sampling, thresholds,
+};
+use asperity::surface::{AnalysisDepth, PreparedMap, Surface};
 use asperity::work::Counter;
 use asperity::{Heights, Paper};
 use asperity_framework::RunContext;
@@ -17,12 +22,8 @@ use super::results::{CompareResults, Described, ReferenceMetadata, SurfaceResult
 use super::robustness;
 use crate::layer::LayerPlan;
 use crate::plausibility;
-use crate::study::{
-    CaseResults, CaseStudy, LawFindings, LayerQuestion, RealisationResults, Setup, SurfaceModels, attribute,
-    decreases, differ, models_of, rank, run_surface, sampling, thresholds,
-};
 use crate::study_plan::{inapplicable, layer_metadata, unreachable_load};
-use crate::surface::{AnalysisDepth, Files, PreparedMap, Surface, SurfaceFactory, SurfacePlan, files_of};
+use crate::surface::{Files, SurfaceFactory, SurfacePlan, files_of};
 
 /// Runs a comparison and counts its work.
 ///

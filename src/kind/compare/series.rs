@@ -2,12 +2,12 @@
 
 use asperity::Exceeded;
 use asperity::compare::ValidRange;
+use asperity::study::{CaseResults, CaseStudy, LawFindings, LayerFindings, Verdicts};
 use asperity_framework::report::format::thickness;
 
 use super::figures::axes::Units;
 use super::names::{stem, subject};
 use super::results::{CompareResults, SurfaceResults};
-use crate::study::{CaseResults, CaseStudy, LawFindings, LayerFindings, Verdicts};
 
 /// One surface under one law: a case for each thickness.
 pub struct Series<'a> {

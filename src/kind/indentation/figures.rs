@@ -91,7 +91,7 @@ pub fn ratios(results: &IndentationResults, layer: &LayerResults, law: &LawCurve
 }
 
 /// Load by each effective-modulus model over the exact one: a panel per model, a line per layer.
-pub fn rules(layers: &[LayerResults]) -> Figure {
+pub fn rules(layers: &[&LayerResults]) -> Figure {
     let ratios = || layers.iter().flat_map(|layer| layer.errors.iter().flatten().map(|error| error.ratio));
     let (low, high) = (ratios().fold(1.0, f64::min) / 1.1, ratios().fold(1.0, f64::max) * 1.1);
     let panel = |(k, model): (usize, ModulusModel)| {

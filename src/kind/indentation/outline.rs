@@ -40,7 +40,7 @@ impl Outcome for IndentationResults {
 
     fn page(&self, tables: &Tables) -> Page {
         let mut page = Page::new(&self.metadata.title);
-        let answers = self.layers.iter().flat_map(|layer| layer.laws.iter().map(|law| answer(layer, law)));
+        let answers = self.layers.iter().flat_map(answers);
         sections::findings(&mut page, answers);
         sections::warnings(&mut page, &self.warnings());
         // The models are what several layers are compared in.
@@ -69,22 +69,18 @@ impl Outcome for IndentationResults {
     }
 }
 
-/// Regime and loads at the largest indentation, and the largest error of the layer's rule.
-fn answer(layer: &LayerResults, law: &LawCurves) -> String {
+/// The loads under each law, and the error of the layer's model.
+fn answers(layer: &LayerResults) -> impl Iterator<Item = String> {
+    layer.laws.iter().map(move |law| loads(layer, law)).chain([error_of_rule(layer)])
+}
+
+/// Regime and loads at the largest indentation.
+fn loads(layer: &LayerResults, law: &LawCurves) -> String {
     let [coated, uncoated, all_layer] = law.curves().map(|(_, curve)| curve.points.last());
     let load =
         |point: Option<&Point>| point.map_or_else(String::new, |point| quantity(point.contact.load, "N"));
-    let error = match layer.check.worst_of(layer.rule) {
-        Some(worst) => format!(
-            "without yielding, the load by `{}` is up to a factor of {} from the exact one (at a/t = {})",
-            layer.rule.name(),
-            number(worst.factor()),
-            number(worst.contact_ratio),
-        ),
-        None => "no contact is small enough for the exact solution".to_owned(),
-    };
     format!(
-        "**{}, {}, law {}**: at w = {} the contact is {} and carries {} (uncoated {}, bulk layer material {}); {error}.",
+        "**{}, {}, law {}**: at w = {} the contact is {} and carries {} (uncoated {}, bulk layer material {}).",
         escape(&layer.label()),
         layer.rule.name(),
         escape(&law.law),
@@ -96,24 +92,46 @@ fn answer(layer: &LayerResults, law: &LawCurves) -> String {
     )
 }
 
+/// The largest error of the layer's effective-modulus model.
+fn error_of_rule(layer: &LayerResults) -> String {
+    let Some(worst) = layer.check.worst_of(layer.rule) else {
+        return format!("**{}**: no contact is small enough for the exact solution.", escape(&layer.label()));
+    };
+    format!(
+        "**{}**: without yielding, `{}` {} the load by a factor of up to {} (at a/t = {}).",
+        escape(&layer.label()),
+        layer.rule.name(),
+        if worst.ratio > 1.0 { "overestimates" } else { "underestimates" },
+        number(worst.factor()),
+        number(worst.contact_ratio),
+    )
+}
+
+const RULES: &str = "Elastic load by each model over the exact elastic load at equal indentation, against the exact contact radius \
+                     over the layer thickness. One panel per model, one line per layer.";
+
 /// The largest errors of both models, and those at round contact radii.
 fn accuracy(page: &mut Page, results: &IndentationResults, tables: &Tables) {
     page.heading(2, "Accuracy of the effective-modulus models");
-    page.figure(
-        "rules.svg",
-        figures::rules(&results.layers),
-        "Elastic load by each model over the exact elastic load at equal indentation, against the exact contact radius over the layer \
-         thickness. One panel per model, one line per layer.",
-    );
+    let layers = results.distinct_layers();
+    let is_solved = layers.iter().any(|layer| !layer.errors.concat().is_empty());
+    if is_solved {
+        page.figure("rules.svg", figures::rules(&layers), RULES);
+    }
     page.view(&tables.view::<LayerRow>().without(&["gao_indentation_ratio", "series_indentation_ratio"]));
+    if !is_solved {
+        return;
+    }
     page.details(3, "Errors against a/t", |page| {
         page.note(include_str!("notes/accuracy.md"));
-        for layer in &results.layers {
+        for layer in layers {
             for model in ModulusModel::ALL {
                 page.heading(4, &format!("{}, model {}", layer.label(), model.name()));
                 let view = tables.view::<RuleRow>().only("layer", layer.name.as_str());
                 let view = view.only("layer_thickness_m", layer.thickness).only("rule", model.name());
-                page.view(&view.each_decade("contact_radius_over_thickness", 3.0));
+                page.view(
+                    &view.without(&["indentation_m"]).each_decade("contact_radius_over_thickness", 3.0),
+                );
             }
         }
     });
@@ -207,20 +225,22 @@ mod tests {
     }
 
     #[test]
-    fn the_answer_names_regime_loads_and_the_error_of_the_rule() {
-        let layer = layer(Some(0.5));
+    fn the_loads_are_those_at_the_largest_indentation() {
+        let layer = layer(None);
         assert_eq!(
-            answer(&layer, &layer.laws[0]),
-            "**lead 1 µm, gao, law zmc**: at w = 400 nm the contact is plastic and carries 2 N (uncoated 3 N, bulk layer material 250 \
-             mN); without yielding, the load by `gao` is up to a factor of 2 from the exact one (at a/t = 0.71)."
+            loads(&layer, &layer.laws[0]),
+            "**lead 1 µm, gao, law zmc**: at w = 400 nm the contact is plastic and carries 2 N (uncoated 3 N, bulk layer material 250 mN)."
         );
     }
 
     #[test]
-    fn without_an_exact_contact_the_error_is_unknown() {
-        let layer = layer(None);
-        assert!(
-            answer(&layer, &layer.laws[0]).ends_with("; no contact is small enough for the exact solution.")
+    fn the_error_of_the_rule_has_a_direction_and_is_unknown_without_an_exact_contact() {
+        let error = |worst| error_of_rule(&layer(worst));
+        assert_eq!(
+            error(Some(0.5)),
+            "**lead 1 µm**: without yielding, `gao` underestimates the load by a factor of up to 2 (at a/t = 0.71)."
         );
+        assert!(error(Some(2.0)).contains("`gao` overestimates the load by a factor of up to 2"));
+        assert!(error(None).ends_with("no contact is small enough for the exact solution."));
     }
 }

@@ -160,7 +160,7 @@ pub struct RuleRow<'a> {
 
 impl Row for RuleRow<'_> {
     const FILE: &'static str = "rule.csv";
-    const ROWS: &'static str = "One row for each layer, effective-modulus model and indentation at which the exact elastic contact is solved.";
+    const ROWS: &'static str = "One row for each layer, each effective-modulus model and each indentation at which the exact elastic contact is solved.";
 
     fn columns() -> Vec<Column<Self>> {
         columns! { row: Self =>
@@ -305,7 +305,7 @@ fn curves(layer: &LayerResults) -> impl Iterator<Item = CurveRow<'_>> {
 
 /// The exact contact is solved up to some indentation only.
 fn rules(results: &IndentationResults) -> impl Iterator<Item = RuleRow<'_>> {
-    results.layers.iter().flat_map(move |layer| {
+    results.distinct_layers().into_iter().flat_map(move |layer| {
         ModulusModel::ALL.into_iter().zip(&layer.errors).flat_map(move |(rule, errors)| {
             let solved = results.indentations.iter().zip(errors);
             solved.map(move |(&indentation, error)| RuleRow { layer, rule, indentation, error })

@@ -1,5 +1,6 @@
 //! Running `[indentation]`: one sphere on layered flats, and the accuracy of the effective-modulus model of each layer.
 
+use std::collections::HashSet;
 use std::time::Instant;
 
 use asperity::compare::{ModulusCheck, ModulusError, ModulusFindings, apart};
@@ -58,7 +59,7 @@ pub struct LayerResults {
     pub laws: Vec<LawCurves>,
     /// The exact elastic contact at each indentation; `None` where it is too large to be solved.
     pub exact: Vec<Option<ElasticContact>>,
-    /// Both rules over the contacts of the sweep that are solved exactly.
+    /// Both effective-modulus models over the contacts of the sweep that are solved exactly.
     pub check: ModulusFindings,
     /// The errors of both at the specified indentations at which the exact contact is solved.
     pub errors: [Vec<ModulusError>; 2],
@@ -83,6 +84,15 @@ impl LawCurves {
     /// The curves and their names in tables.
     pub fn curves(&self) -> [(&'static str, &Curve); 3] {
         [("coated", &self.coated), ("uncoated", &self.uncoated), ("all-layer", &self.all_layer)]
+    }
+}
+
+impl IndentationResults {
+    /// Layers of different material or thickness: the errors of both models are the same whichever of them the spec chose.
+    pub fn distinct_layers(&self) -> Vec<&LayerResults> {
+        let mut seen = HashSet::new();
+        let is_new = |layer: &&LayerResults| seen.insert((layer.name.clone(), layer.thickness.to_bits()));
+        self.layers.iter().filter(is_new).collect()
     }
 }
 

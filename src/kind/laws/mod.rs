@@ -10,12 +10,13 @@ mod spec;
 
 use std::path::PathBuf;
 
+use asperity::surface::AnalysisDepth;
 use asperity_framework::Kind;
 use asperity_framework::input::{InputError, Spanned, SpecFile};
 use asperity_framework::report::table::Schema;
 use asperity_framework::{Memory, Plan, RunContext};
 
-use crate::surface::{AnalysisDepth, inputs, memory};
+use crate::surface::{inputs, memory};
 use plan::LawsPlan;
 use results::LawsResults;
 

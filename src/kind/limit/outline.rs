@@ -3,7 +3,7 @@
 use asperity::compare::{ErrorSlope, HeightSampling, LimitQuantity};
 use asperity_framework::contact::ContactSummary;
 use asperity_framework::metadata::Metadata;
-use asperity_framework::report::format::{input_number, input_quantity, number};
+use asperity_framework::report::format::{input_number, input_quantity, number, signed};
 use asperity_framework::report::page::Page;
 use asperity_framework::report::sections;
 use asperity_framework::report::table::{Table, Tables};
@@ -34,7 +34,7 @@ impl Outcome for LimitResults {
             for quantity in LimitQuantity::ALL {
                 let file = format!("{}-{}.svg", slopes[0].law, quantity.name());
                 let file = file.replace(['(', ')', ' ', '='], "-");
-                page.figure(&file, figure(slopes, quantity), CAPTION);
+                page.figure(&file, figure(slopes, quantity), &caption(slopes, quantity));
             }
         }
         page.details(2, "Slopes of the error", |page| {
@@ -63,8 +63,24 @@ impl Outcome for LimitResults {
     }
 }
 
-const CAPTION: &str = "Relative error against the number of asperities, where more than 30 contacts are expected. Left: root mean \
-                       square of the random sets; right: the set with heights at the quantiles.";
+/// The fitted slopes under one law.
+fn caption(slopes: &[ErrorSlope], quantity: LimitQuantity) -> String {
+    let range = |sampling: HeightSampling| {
+        let of_sampling =
+            slopes.iter().filter(|slope| (slope.quantity, slope.sampling) == (quantity, sampling));
+        let fitted: Vec<f64> = of_sampling.map(|slope| slope.fit.slope).collect();
+        let extreme =
+            |pick: fn(f64, f64) -> f64| signed(fitted.iter().copied().reduce(pick).unwrap_or(f64::NAN));
+        format!("{} to {}", extreme(f64::min), extreme(f64::max))
+    };
+    format!(
+        "The error of the {} decreases with slopes of {} with random heights (left: root mean square; theory −½) and of {} with heights at \
+         the quantiles (right), where more than 30 contacts are expected.",
+        quantity.name(),
+        range(HeightSampling::Random),
+        range(HeightSampling::Quantiles),
+    )
+}
 
 /// How far the slopes of the error are from the expected ones.
 fn answer(slopes: &[ErrorSlope]) -> String {

@@ -50,8 +50,16 @@ impl Plan for LimitPlan {
         let counter = Counter::default();
         let counted = |contact| CountedContact::new(contact, &counter);
         let contacts: Vec<_> = laws.iter().map(|law| counted(&*law.contact)).collect();
+        context.progress.stage("integrals", contacts.len() as f64);
         let cases = laws.iter().zip(&contacts);
-        let cases: Vec<_> = cases.map(|(law, contact)| LimitCase::new(&law.spec, contact, sets)).collect();
+        let cases: Vec<_> = cases
+            .map(|(law, contact)| {
+                let case = LimitCase::new(&law.spec, contact, sets);
+                context.progress.advance(1.0);
+                case
+            })
+            .collect();
+        let statistical = start.elapsed();
         context.progress.stage("random sets", sets.asperities() as f64);
         let seed = |count, draw| context.stream_seed(&format!("limit {count} {draw}"));
         let points = convergence(&cases, sets, seed, |count| {
@@ -59,7 +67,9 @@ impl Plan for LimitPlan {
             context.progress.advance(count as f64);
         });
         let points = points.map_err(|error| InputError::file(&context.source.path, error))?;
-        let timing = Timing { total: start.elapsed(), ..Timing::default() };
+        let total = start.elapsed();
+        let deterministic = total - statistical;
+        let timing = Timing { statistical, deterministic, total, ..Timing::default() };
         let population = &sets.population;
         Ok(LimitResults {
             metadata: context.metadata(papers_of(laws), timing, Some(counter.work())),

@@ -13,12 +13,13 @@ mod trend;
 
 use std::path::PathBuf;
 
+use asperity::surface::AnalysisDepth;
 use asperity_framework::Kind;
 use asperity_framework::input::{InputError, Spanned, SpecFile};
 use asperity_framework::report::table::Schema;
 use asperity_framework::{Memory, Plan, RunContext};
 
-use crate::surface::{AnalysisDepth, SurfacePlan, inputs, memory};
+use crate::surface::{SurfacePlan, inputs, memory};
 use plan::IntervalPlan;
 use results::IntervalResults;
 

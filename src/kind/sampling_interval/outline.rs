@@ -7,6 +7,7 @@ use asperity_framework::report::format::{input_quantity, quantity, signed};
 use asperity_framework::report::page::{Page, escape};
 use asperity_framework::report::sections;
 use asperity_framework::report::table::{Reading, Table, Tables};
+use asperity_framework::report::view::View;
 use asperity_framework::{Outcome, fields};
 use serde_json::{Map, Value, json};
 
@@ -106,6 +107,9 @@ fn outcomes(series: &Series, load: Option<f64>) -> String {
     }
 }
 
+const NO_GAP: &str = "The gap between the models is not given: at every length each load exceeds the valid range of a model, or no \
+                      asperities are left.";
+
 fn surface_section(page: &mut Page, tables: &Tables, results: &IntervalResults, surface: &SurfaceResults) {
     let name = surface.surface.name.as_str();
     let load = main_load(surface, &results.loads);
@@ -120,8 +124,11 @@ fn surface_section(page: &mut Page, tables: &Tables, results: &IntervalResults, 
     let limits = tables.view::<LimitRow>().only("surface", name);
     let limits = limits.filter("pressure_pa", |cell| cell.is_empty() || cell.number() == pressure);
     page.heading(3, "Towards the finest length").view(&limits.without(&["remainder", "tolerance"]));
-    if let Some((load, pressure)) = load.zip(pressure) {
-        gap_section(page, tables, surface, (load, pressure));
+    match load.zip(pressure) {
+        Some(load) => gap_section(page, tables, surface, load),
+        None => {
+            page.paragraph(NO_GAP);
+        }
     }
     page.details(3, &format!("{name}: asperities by length"), |page| {
         page.view(&tables.view::<ScaleRow>().only("surface", name));
@@ -135,7 +142,11 @@ fn surface_section(page: &mut Page, tables: &Tables, results: &IntervalResults, 
 fn gap_section(page: &mut Page, tables: &Tables, surface: &SurfaceResults, (load, pressure): (usize, f64)) {
     let (name, at) = (surface.surface.name.as_str(), input_quantity(pressure, "Pa"));
     page.heading(3, &format!("Gap between the models at {at}"));
-    page.view(&tables.view::<LeadRow>().only("surface", name).only("pressure_pa", pressure));
+    for quantity in QUANTITIES {
+        let leads = tables.view::<LeadRow>().only("surface", name).only("pressure_pa", pressure);
+        let leads = leads.only("quantity", quantity.name());
+        page.view(&differences_of(leads, quantity, &["smallest_difference", "largest_difference"]));
+    }
     for series in &surface.series {
         let variation = series.variation.label();
         let file = if series.variation == Variation::Interval { "interval" } else { "filter" };
@@ -153,13 +164,16 @@ fn gap_section(page: &mut Page, tables: &Tables, surface: &SurfaceResults, (load
         page.details(3, &format!("{name}: gap in {} at {at} by length", quantity_name(quantity)), |page| {
             let gaps = tables.view::<GapRow>().only("surface", name).only("pressure_pa", pressure);
             let gaps = gaps.only("quantity", quantity.name()).without(&["multiple"]);
-            let is_area = quantity == ComparedQuantity::Area;
-            let reading = if is_area { Reading::SignedPercent } else { Reading::Signed };
-            page.view(
-                &["difference", "low", "high"].iter().fold(gaps, |view, name| view.read_as(name, reading)),
-            );
+            page.view(&differences_of(gaps, quantity, &["difference", "low", "high"]));
         });
     }
+}
+
+/// Columns of differences in percent of the area, or in σ of the separation.
+fn differences_of<'a>(view: View<'a>, quantity: ComparedQuantity, columns: &[&str]) -> View<'a> {
+    let is_area = quantity == ComparedQuantity::Area;
+    let reading = if is_area { Reading::SignedPercent } else { Reading::Signed };
+    columns.iter().fold(view, |view, name| view.read_as(name, reading))
 }
 
 #[cfg(test)]

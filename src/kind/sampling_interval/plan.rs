@@ -118,6 +118,7 @@ pub(super) fn plan(
     const INTERVALS: &str = "whole numbers of pixels, ascending, from 1, such as [1, 2, 4, 8]";
     let intervals = ascending(file, raw.intervals.as_ref(), |&Whole(value)| value as f64, 1.0, INTERVALS)?;
     let intervals: Vec<usize> = intervals.into_iter().map(|interval| interval as usize).collect();
+    let multiples = multiples(file, raw)?;
     let index = raw.nesting_index.as_ref();
     let filter_keys = [index.map(Spanned::span), raw.s_filter.as_ref().map(Spanned::span)];
     let intervals_key = raw.intervals.as_ref().map(Spanned::span);
@@ -128,7 +129,7 @@ pub(super) fn plan(
     Ok(IntervalPlan {
         study,
         intervals,
-        multiples: multiples(file, raw)?,
+        multiples,
         nesting_index: index.map(|index| index.get_ref().value()),
         filter_key: filter_keys.into_iter().flatten().next().unwrap_or(span),
     })

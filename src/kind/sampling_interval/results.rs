@@ -2,13 +2,13 @@
 
 use asperity::compare::{Accepted, ComparedQuantity, Contributions, Estimate, LeftOut};
 use asperity::named_enum;
+use asperity::study::CaseResults;
+use asperity::surface::Surface;
 use asperity_framework::contact::ContactMetadata;
 use asperity_framework::metadata::Metadata;
 
 use super::quantity::{Asperities, TrendQuantity};
 use super::trend::{Point, Trend};
-use crate::study::CaseResults;
-use crate::surface::Surface;
 
 /// The quantities whose differences between the models are shown.
 pub const QUANTITIES: [ComparedQuantity; 2] = [ComparedQuantity::Separation, ComparedQuantity::Area];

@@ -15,7 +15,7 @@ use crate::surface::rows::{self as surface, SurfaceRow};
 fn series_columns<R>(series: impl Fn(&R) -> &Series + Copy + 'static) -> Vec<Column<R>> {
     columns! { row: R =>
         surface["text"] = series(row).surface.as_str(), "Name of the surface.";
-        variation["text"] = series(row).variation.name(), "What is varied: `interval` (every so many points of the map) or `s-filter` (Gaussian S filter on the map, ISO 16610-61).";
+        variation["text"] = series(row).variation.name(), "What is varied: `interval` (every n-th point of the map) or `s-filter` (Gaussian S filter on the map, ISO 16610-61).";
     }
 }
 

@@ -4,6 +4,8 @@ use std::time::Instant;
 
 use asperity::compare::{CaseSampling, Division, LeftOut};
 use asperity::plasticity_index;
+use asperity::study::{Setup, StudyError, study};
+use asperity::surface::{AnalysisDepth, Independence, Surface};
 use asperity::topography::{Filter, FilterError, Rows, Sampled};
 use asperity::work::Counter;
 use asperity::{AsperitySet, HeightMap, Statistics, literature};
@@ -19,9 +21,8 @@ use super::results::{
     BlocksLeftOut, IntervalResults, Scale, ScaleResults, Series, SurfaceResults, Variation,
 };
 use crate::plausibility;
-use crate::study::{Setup, StudyError, study};
 use crate::study_plan::StudyPlan;
-use crate::surface::{AnalysisDepth, Independence, Surface, SurfaceFactory, files_of};
+use crate::surface::{SurfaceFactory, files_of};
 
 /// Runs it.
 ///
@@ -125,6 +126,7 @@ impl Variants<'_> {
         let results = study(setup, surface, self.counter).map_err(|error| match error {
             StudyError::Inapplicable(error) => error.to_string(),
             StudyError::NotReached(_, error) => error.to_string(),
+            error @ StudyError::NoEllipses(_) => error.to_string(),
         });
         let (mut realisation, samplings) = results?;
         let case = realisation.cases.swap_remove(0);

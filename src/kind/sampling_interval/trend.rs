@@ -27,7 +27,7 @@ pub struct Point {
 }
 
 named_enum! {
-    /// What the finest scales tell of a limit.
+    /// Whether a quantity has a limit, judged from its three finest scales.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum Convergence {
         /// The last change is within the tolerance, its interval included, and so is what is left of a smooth surface after the change

@@ -86,10 +86,13 @@ fn laws_have_their_tables_and_say_what_matters() {
     assert!((drawn["mean_curvature_per_m"].as_f64().unwrap() * 20e-6 - 1.0).abs() < 1e-12);
     let measured = &summary["law_or_summation"][0];
     assert_eq!((&measured["loads"], &measured["matters_more"]), (&2.into(), &"cannot-tell".into()));
+    let [mean, largest] =
+        ["models_difference", "largest_models_difference"].map(|name| measured[name].as_f64().unwrap());
+    assert!(mean > 0.0 && mean <= largest.abs(), "{measured}");
 
     let page = fs::read_to_string(out.join("laws/report.md")).unwrap();
     for words in [
-        "**What matters more for d/σ**: cannot be told on drawn.",
+        "**What matters more for d/σ**: cannot be told on drawn (within the sampling uncertainty).",
         "contact law or summation method?",
         "mean curvature 50000 /m",
     ] {

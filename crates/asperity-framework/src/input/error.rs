@@ -118,11 +118,6 @@ impl Source {
         self.in_memory.get(path)
     }
 
-    /// Whether the command line made it.
-    pub fn is_command_line(&self) -> bool {
-        !self.arguments.is_empty()
-    }
-
     /// Error at `span` (bytes of the text).
     pub fn error_at(&self, span: Range<usize>, message: impl fmt::Display) -> InputError {
         let start = span.start.min(self.text.len());

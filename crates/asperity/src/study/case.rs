@@ -25,8 +25,8 @@ pub struct CaseStudy {
 }
 
 impl CaseStudy {
-    /// Every case of a surface, the first realisation of which is `surface`, from the results of its `realisations`, judged by the
-    /// largest differences that are accepted; without ranking and treatments.
+    /// The cases of a surface from the results on its `realisations`, of which `surface` is the first. The verdicts compare the
+    /// differences with those accepted; ranking and treatments are empty.
     pub fn all(
         surface: &Surface,
         realisations: Vec<RealisationResults>,

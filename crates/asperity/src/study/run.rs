@@ -33,6 +33,9 @@ pub enum StudyError {
     /// A load that a model does not reach under a law.
     #[error("law {0}: {1}")]
     NotReached(String, NotReached),
+    /// A law for ellipses on a surface whose asperities are spheres.
+    #[error("law {0} needs the ellipses of the asperities; a `SummitSearch` finds them with `as_ellipses`")]
+    NoEllipses(String),
 }
 
 /// Whether the integral over Gaussian heights and a mean radius may replace the sum on a surface, at nominal pressures (Pa): a case for
@@ -92,6 +95,11 @@ pub fn study(
     surface: &Surface,
     counter: &Counter,
 ) -> Result<(RealisationResults, Vec<CaseSampling>), StudyError> {
+    let is_summed = setup.models.contains(&ModelKind::Deterministic);
+    let elliptic = setup.laws.iter().find(|law| law.spec.is_elliptic());
+    if let Some(law) = elliptic.filter(|_| is_summed && surface.set.ellipses().is_none()) {
+        return Err(StudyError::NoEllipses(law.label.clone()));
+    }
     let timing = &mut Timing::default();
     let models = models_of(setup, surface, timing).map_err(StudyError::Inapplicable)?;
     let mut realisation = run_surface(setup, surface, &models, counter, timing)

@@ -1,4 +1,4 @@
-//! Maps derived from a map: a coarse one, every so many points of it, and a part of it.
+//! Maps derived from a map: a coarse one, every n-th point of it, and a part of it.
 
 use super::rows::rows_from;
 use super::{Boundary, HeightMap, Rows};

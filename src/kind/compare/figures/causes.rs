@@ -1,13 +1,13 @@
 //! Contributions to the difference between the models over the load.
 
 use asperity::compare::{Cause, ComparedQuantity, Contributions};
+use asperity::study::Verdicts;
 use asperity_framework::report::format::capitalised;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
 use super::axes::Units;
 use super::differences::{MARGIN, invalid, megapascals};
 use crate::presentation::{cause_colour, quantity_name};
-use crate::study::Verdicts;
 
 /// The quantities that are divided on the page.
 const QUANTITIES: [ComparedQuantity; 2] = [ComparedQuantity::Separation, ComparedQuantity::Area];

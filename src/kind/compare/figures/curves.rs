@@ -3,8 +3,8 @@
 use super::axes::Units;
 use super::differences::invalid;
 use crate::presentation::regime_colour;
-use crate::study::CaseResults;
-use asperity::compare::{Comparison, CurvePoint, ModelKind, Pair, Pairing, ReferencePoint, ValidRange};
+use asperity::compare::{Comparison, CurvePoint, ModelKind, ReferencePoint, ValidRange};
+use asperity::study::CaseResults;
 use asperity::{INTERACTION, Limit, Regime};
 use asperity_framework::report::format::capitalised;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
@@ -41,14 +41,6 @@ pub fn curve(comparison: &Comparison, kind: ModelKind) -> Vec<&CurvePoint> {
         .collect();
     points.sort_by(|a, b| a.response.pressure.total().total_cmp(&b.response.pressure.total()));
     points
-}
-
-/// Pairs at equal load, by increasing load.
-pub fn at_equal_load(comparison: &Comparison) -> Vec<&Pair> {
-    let mut pairs: Vec<&Pair> =
-        comparison.pairs.iter().filter(|pair| pair.pairing == Pairing::Load).collect();
-    pairs.sort_by(|a, b| a.target.total_cmp(&b.target));
-    pairs
 }
 
 /// What figures of one law and thickness have in common.

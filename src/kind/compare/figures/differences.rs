@@ -2,12 +2,12 @@
 //! what is accepted.
 
 use asperity::compare::{AgainstReference, ComparedQuantity, Difference, Estimate, ValidRange};
+use asperity::study::Verdicts;
 use asperity_framework::report::format::capitalised;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
 use super::axes::Units;
 use crate::presentation::quantity_name;
-use crate::study::Verdicts;
 
 /// The quantities in the order of their panels.
 const PANELS: [ComparedQuantity; 3] = ComparedQuantity::REPORTED;

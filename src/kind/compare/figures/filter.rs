@@ -1,12 +1,12 @@
 //! Differences between the models against the nesting index of the S filter.
 
 use asperity::compare::{ComparedQuantity, Difference};
+use asperity::study::{CaseStudy, Treatment};
 use asperity_framework::report::format::{capitalised, input_quantity};
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
 use crate::kind::compare::results::SurfaceResults;
 use crate::presentation::quantity_name;
-use crate::study::{CaseStudy, Treatment};
 
 /// How much of the axis is shown at least, in accepted differences.
 const VIEW: f64 = 1.5;

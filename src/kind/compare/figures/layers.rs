@@ -2,8 +2,8 @@
 
 use super::curves::{curve, reference_line, shares_of_load};
 use crate::kind::compare::series::{Series, is_valid_at};
-use crate::study::CaseResults;
 use asperity::compare::{ComparedQuantity, CurvePoint, ModelKind};
+use asperity::study::CaseResults;
 use asperity::{INTERACTION, Regime, Response};
 use asperity_framework::report::format::{input_quantity, thickness};
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};

@@ -2,11 +2,11 @@
 
 use asperity::analytical::{AnalyticalLine, mean_deflection};
 use asperity::compare::{ModelKind, ReferencePoint};
+use asperity::study::CaseResults;
 use asperity_plot::{Colour, Dash, Layer, Marker};
 
 use super::curves::curve;
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
-use crate::study::CaseResults;
 
 /// What the lines of one surface are computed from.
 pub(crate) struct Rough {

@@ -1,6 +1,7 @@
 //! One surface under one law and thickness: its answer, figures and tables.
 
 use asperity::compare::Comparison;
+use asperity::study::RealisationFacts;
 use asperity::topography::generate::SigmaOf;
 use asperity_framework::report::format::{input_quantity, number, percent};
 use asperity_framework::report::page::Page;
@@ -15,7 +16,6 @@ use crate::kind::compare::names::{stem, subject, under};
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
 use crate::kind::compare::rows::{LineRow, RobustnessRow, SpreadRow, SurfaceCase, is_single};
 use crate::model_tables::PairRow;
-use crate::study::RealisationFacts;
 
 /// Loads per decade in tables.
 const PER_DECADE: f64 = 2.0;

@@ -1,14 +1,15 @@
 //! The answer of a page in a sentence or two, from typed facts.
 
 use asperity::compare::{ComparedQuantity, Stretch, Verdict};
+use asperity::study::{Basis, Verdicts};
+use asperity::surface::Surface;
 use asperity::{INTERACTION, LARGE_STRAIN_SHARE, LARGEST_LOAD_SHARE, Limit, MIN_CONTACTS};
 use asperity_framework::report::format::{
     alternatives, input_quantity, listed, number, percent, quantity, signed,
 };
 
 use crate::presentation::quantity_name;
-use crate::study::{Basis, Verdicts};
-use crate::surface::{Surface, fitness};
+use crate::surface::fitness;
 
 /// The order in which quantities are spoken of.
 pub const ORDER: [ComparedQuantity; 3] =

@@ -16,6 +16,7 @@ pub use case::inputs;
 pub(crate) use sections::verdicts;
 
 use asperity::compare::Tolerances;
+use asperity::study::Verdicts;
 use asperity_framework::Outcome;
 use asperity_framework::contact::ContactSummary;
 use asperity_framework::metadata::Metadata;
@@ -30,7 +31,6 @@ use super::results::{CompareResults, SurfaceResults};
 use super::rows::{RuleRow, SurfaceCase, tables};
 use super::series::Series;
 use crate::presentation::limits_note;
-use crate::study::Verdicts;
 use crate::surface::{rows as surface_rows, section};
 
 impl Outcome for CompareResults {

@@ -10,6 +10,8 @@ use asperity::compare::{
     BlockShare, ComparedQuantity, Control, ModelKind, ReferenceCurve, ReferencePoint, Stiffness, stiffnesses,
 };
 use asperity::progress::Silent;
+use asperity::study::CaseResults;
+use asperity::surface::{Independence, PreparedMap, Surface};
 use asperity::topography::Blocks;
 use asperity_framework::RunContext;
 use asperity_framework::input::InputError;
@@ -19,8 +21,7 @@ use super::plan::{ReferencePlan, Solution, spread_over};
 use super::view::{ContactView, SumAtLoad};
 use crate::kind::compare::plan::ComparePlan;
 use crate::layer::thickness_words;
-use crate::study::CaseResults;
-use crate::surface::{Independence, PreparedMap, Surface, SurfacePlan};
+use crate::surface::SurfacePlan;
 
 /// A surface whose prepared map is solved.
 pub struct ReferenceRun<'a> {

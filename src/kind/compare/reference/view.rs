@@ -2,10 +2,10 @@
 
 use asperity::bem::Contact;
 use asperity::compare::ModelKind;
+use asperity::study::CaseResults;
 
 use super::plan::Solution;
 use super::run::ReferenceRun;
-use crate::study::CaseResults;
 
 /// The contact at the load whose contact area is nearest to 2 %.
 #[derive(Debug)]

@@ -2,13 +2,13 @@
 
 use asperity::Limit;
 use asperity::compare::PointCounts;
+use asperity::study::{Basis, Verdicts};
 use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row};
 
 use super::{CaseKey, SurfaceCase, case_columns};
 use crate::kind::compare::results::CompareResults;
 use crate::model_tables::limits;
-use crate::study::{Basis, Verdicts};
 
 /// One surface under one law and thickness.
 pub(crate) struct CaseRow<'a> {

@@ -1,8 +1,9 @@
 //! The rows of `curves.csv` and `comparison.csv`.
 
+use asperity::study::{CaseResults, RealisationFacts};
+
 use crate::kind::compare::results::CompareResults;
 use crate::model_tables::{AnyPoint, CurveRow, PairRow, RowCase, of_models};
-use crate::study::{CaseResults, RealisationFacts};
 
 /// The rows of `curves.csv`.
 pub(super) fn curves(results: &CompareResults) -> impl Iterator<Item = CurveRow> {

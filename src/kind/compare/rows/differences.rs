@@ -1,13 +1,13 @@
 //! `differences.csv`: the differences between the models at equal load that the verdicts rest on.
 
 use asperity::compare::{ComparedQuantity, Difference, Estimate, ModelKind, Verdict};
+use asperity::study::Verdicts;
 use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row};
 
 use super::{CaseKey, SurfaceCase, case_columns};
 use crate::kind::compare::results::CompareResults;
 use crate::model_tables::{REFERENCE, limits};
-use crate::study::Verdicts;
 
 /// One quantity at one load of one surface under one law and thickness.
 pub(crate) struct DifferenceRow<'a> {

@@ -2,12 +2,12 @@
 
 use asperity::ModulusModel;
 use asperity::compare::ModulusError;
+use asperity::study::{DecreaseResults, Threshold};
 use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row};
 
 use super::{CaseKey, case_columns};
 use crate::kind::compare::results::CompareResults;
-use crate::study::{DecreaseResults, Threshold};
 
 /// Up to which thickness a layer has no effect.
 pub(crate) struct ThresholdRow<'a> {

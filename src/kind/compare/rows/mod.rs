@@ -27,12 +27,12 @@ pub(crate) use spread::SpreadRow;
 pub(crate) use standings::StandingRow;
 pub(crate) use verdicts::VerdictRow;
 
+use asperity::study::{CaseResults, CaseStudy, Verdicts};
 use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Schema, Table};
 
 use super::results::{CompareResults, SurfaceResults};
 use crate::model_tables::{CAUSES, CurveRow, PairRow, REFERENCE};
-use crate::study::{CaseResults, CaseStudy, Verdicts};
 use crate::surface::rows as surface_rows;
 use attribution::AttributionRow;
 use differences::DifferenceRow;

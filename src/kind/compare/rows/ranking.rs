@@ -1,12 +1,12 @@
 //! `ranking.csv`: how far each statistical model is from the sum and from the reference.
 
 use asperity::compare::ComparedQuantity;
+use asperity::study::{Against, Largest, Ranked};
 use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row};
 
 use super::{CaseKey, SurfaceCase, case_columns};
 use crate::kind::compare::results::CompareResults;
-use crate::study::{Against, Largest, Ranked};
 
 /// One model and one quantity.
 pub(crate) struct RankingRow<'a> {

@@ -2,13 +2,13 @@
 
 use asperity::Response;
 use asperity::compare::{Gap, ReferencePoint};
+use asperity::study::CaseResults;
 use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row};
 
 use super::{CaseKey, SurfaceCase, case_columns};
 use crate::kind::compare::results::CompareResults;
 use crate::model_tables::REFERENCE;
-use crate::study::CaseResults;
 
 /// One model, or the reference, at the one load or separation of a spec.
 pub(crate) struct ResultRow<'a> {

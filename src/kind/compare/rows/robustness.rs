@@ -2,13 +2,13 @@
 
 use asperity::MeanRadius;
 use asperity::compare::{ComparedQuantity, Difference, Estimate, Verdict};
+use asperity::study::{Treated, Treatment, Verdicts};
 use asperity_framework::columns;
 use asperity_framework::report::format::quantity;
 use asperity_framework::report::table::{Column, Row};
 
 use super::{CaseKey, SurfaceCase, case_columns};
 use crate::kind::compare::results::CompareResults;
-use crate::study::{Treated, Treatment, Verdicts};
 
 /// One quantity at one load under one treatment.
 pub(crate) struct RobustnessRow<'a> {

@@ -1,12 +1,12 @@
 //! `statistical_models.csv`: which statistical model is enough.
 
 use asperity::compare::ComparedQuantity;
+use asperity::study::{Against, Standing, StatisticalModel};
 use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row};
 
 use super::{CaseKey, SurfaceCase, case_columns};
 use crate::kind::compare::results::CompareResults;
-use crate::study::{Against, Standing, StatisticalModel};
 
 /// How the statistical models stand in one quantity on one surface.
 pub(crate) struct StandingRow<'a> {

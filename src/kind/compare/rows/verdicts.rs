@@ -1,13 +1,13 @@
 //! `verdicts.csv`: whether the statistical model may replace the sum.
 
 use asperity::compare::{ModelKind, Stretch};
+use asperity::study::LeadingCause;
 use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row};
 
 use super::{CaseKey, SurfaceCase, case_columns};
 use crate::kind::compare::results::CompareResults;
 use crate::model_tables::REFERENCE;
-use crate::study::LeadingCause;
 
 /// A stretch of load with one verdict.
 pub(crate) struct VerdictRow<'a> {
