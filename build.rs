@@ -10,7 +10,7 @@ const FOLDERS: [&str; 7] = [
     "src",
     "crates/asperity/src",
     "crates/asperity-fft/src",
-    "crates/asperity-framework/src",
+    "crates/asperity-contact-framework/src",
     "crates/asperity-plot/src",
     "crates/asperity-print/src",
     "crates/asperity-validation/src",

@@ -1,8 +1,8 @@
 //! What a spec may hold: its JSON schema, all keys on a page, and one of them explained.
 
-use asperity_framework::input::law::OneLaw;
-use asperity_framework::input::{SpecFile, schema};
-use asperity_framework::keys::{self, Default, Key};
+use asperity_contact_framework::input::law::OneLaw;
+use asperity_contact_framework::input::{SpecFile, schema};
+use asperity_contact_framework::keys::{self, Default, Key};
 use indexmap::IndexMap;
 use serde_json::Value;
 

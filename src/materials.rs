@@ -3,8 +3,8 @@
 use std::fmt::Write;
 
 use asperity::material_library::{self, Class, LibraryMaterial, Sourced};
-use asperity_framework::report::format::{capitalised, input_number, input_quantity};
-use asperity_framework::report::sections::by_source;
+use asperity_contact_framework::report::format::{capitalised, input_number, input_quantity};
+use asperity_contact_framework::report::sections::by_source;
 
 /// All materials of the library: their values, then the source of each.
 pub fn all_materials() -> String {

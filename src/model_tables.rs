@@ -1,8 +1,8 @@
 //! The tables of both models that several kinds have: `curves.csv` and `comparison.csv`.
 
 use asperity::study::CaseResults;
-use asperity_framework::columns;
-use asperity_framework::report::table::{Column, Heading, Row, Table, Value};
+use asperity_contact_framework::columns;
+use asperity_contact_framework::report::table::{Column, Heading, Row, Table, Value};
 
 use asperity::compare::{
     Attribution, Cause, ComparedQuantity, Comparison, CurvePoint, ModelKind, Pair, ReferencePoint,

@@ -2,12 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use asperity_framework::Outcome;
-use asperity_framework::digest::KnownFiles;
-use asperity_framework::divided::{Part, TileResult};
-use asperity_framework::input::InputError;
-use asperity_framework::parts::{Parts, PartsError};
-use asperity_framework::progress::Progress;
+use asperity_contact_framework::Outcome;
+use asperity_contact_framework::digest::KnownFiles;
+use asperity_contact_framework::divided::{Part, TileResult};
+use asperity_contact_framework::input::InputError;
+use asperity_contact_framework::parts::{Parts, PartsError};
+use asperity_contact_framework::progress::Progress;
 
 use crate::experiment::Experiment;
 

@@ -1,7 +1,7 @@
 //! Warnings about inputs that are allowed but hardly meant: mostly a unit that is missing or wrong. They refuse nothing.
 
 use asperity::{Material, reduced_modulus};
-use asperity_framework::report::format::{number, quantity};
+use asperity_contact_framework::report::format::{number, quantity};
 
 /// The rough body against each of the `flats` (substrate and layer), each with its name.
 pub fn of_bodies(rough: (&str, &Material), flats: &[(&str, &Material)]) -> Vec<String> {

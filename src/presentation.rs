@@ -2,7 +2,7 @@
 
 use asperity::Regime;
 use asperity::compare::{Cause, ComparedQuantity};
-use asperity_framework::report::page::Page;
+use asperity_contact_framework::report::page::Page;
 use asperity_plot::Colour;
 
 /// A quantity in words.

@@ -8,10 +8,10 @@ pub mod limit;
 pub mod sampling_interval;
 pub mod tiled;
 
-use asperity_framework::AnyKind;
-use asperity_framework::report::digest::DigestRow;
-use asperity_framework::report::table::Schema;
-use asperity_framework::report::table_docs;
+use asperity_contact_framework::AnyKind;
+use asperity_contact_framework::report::digest::DigestRow;
+use asperity_contact_framework::report::table::Schema;
+use asperity_contact_framework::report::table_docs;
 #[cfg(feature = "validation")]
 use asperity_validation::kind::{
     coverage::IntervalCoverage, precision::Precision, solver_validation::SolverValidation,

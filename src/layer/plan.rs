@@ -5,9 +5,9 @@ use std::fmt;
 use crate::layer::spec::LayerSpec;
 use asperity::layer::Coating;
 use asperity::{Material, ModulusModel};
-use asperity_framework::input::InputError;
+use asperity_contact_framework::input::InputError;
 
-use asperity_framework::input::SpecFile;
+use asperity_contact_framework::input::SpecFile;
 
 /// A layer of one thickness or several.
 #[derive(Debug, Clone)]

@@ -6,10 +6,10 @@ use serde::{Deserialize, Deserializer};
 use serde_json::json;
 
 use asperity::{ModulusModel, units};
-use asperity_framework::input::quantity::{Length, NotNegative, Quantity};
-use asperity_framework::input::schema;
-use asperity_framework::input::{Forms, OneOrMany, Spanned};
-use asperity_framework::written_schema;
+use asperity_contact_framework::input::quantity::{Length, NotNegative, Quantity};
+use asperity_contact_framework::input::schema;
+use asperity_contact_framework::input::{Forms, OneOrMany, Spanned};
+use asperity_contact_framework::written_schema;
 
 /// A layer on the flat, of one thickness or several.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]

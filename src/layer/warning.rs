@@ -2,7 +2,7 @@
 
 use asperity::ModulusModel;
 use asperity::compare::{GOOD_RATIO, ModulusFindings};
-use asperity_framework::report::format::number;
+use asperity_contact_framework::report::format::number;
 
 /// Warns where `rule` is inaccurate for the layer called `layer`; `None` where the moduli are close enough.
 pub fn rule_warning(findings: &ModulusFindings, layer: &str, rule: ModulusModel) -> Option<String> {

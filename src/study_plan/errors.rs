@@ -3,8 +3,8 @@
 use asperity::compare::{Control, NotReached};
 use asperity::distribution::HeightsError;
 use asperity::study::LawContact;
-use asperity_framework::RunContext;
-use asperity_framework::input::InputError;
+use asperity_contact_framework::RunContext;
+use asperity_contact_framework::input::InputError;
 
 use super::{StudyPlan, implausible};
 use crate::layer::thickness_words;

@@ -1,7 +1,7 @@
 //! A load that is not reached because a property of a material is in another unit than was meant.
 
-use asperity_framework::RunContext;
-use asperity_framework::input::InputError;
+use asperity_contact_framework::RunContext;
+use asperity_contact_framework::input::InputError;
 
 use super::StudyPlan;
 

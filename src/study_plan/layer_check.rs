@@ -2,9 +2,9 @@
 
 use asperity::compare::{ModulusCheck, ModulusFindings};
 use asperity::{ContactError, Paper};
-use asperity_framework::RunContext;
-use asperity_framework::contact::LayerMetadata;
-use asperity_framework::input::InputError;
+use asperity_contact_framework::RunContext;
+use asperity_contact_framework::contact::LayerMetadata;
+use asperity_contact_framework::input::InputError;
 
 use super::StudyPlan;
 use crate::layer::LayerPlan;

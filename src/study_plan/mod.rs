@@ -17,11 +17,11 @@ use std::ops::Range;
 use asperity::compare::{Controls, ModelKind};
 use asperity::study::{LawContact, Setup, StatisticalModel};
 use asperity::{ContactLaw, Flat, Material};
-use asperity_framework::RunContext;
-use asperity_framework::contact::Bodies;
-use asperity_framework::input::accept::AcceptSpec;
-use asperity_framework::input::law::Laws;
-use asperity_framework::input::{InputError, Spanned, SpecFile};
+use asperity_contact_framework::RunContext;
+use asperity_contact_framework::contact::Bodies;
+use asperity_contact_framework::input::accept::AcceptSpec;
+use asperity_contact_framework::input::law::Laws;
+use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 
 use crate::layer::{LayerPlan, LayerSpec, layer};
 use crate::plausibility;

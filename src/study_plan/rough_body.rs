@@ -1,8 +1,8 @@
 //! `rough` in a spec.
 
-use asperity_framework::input::Forms;
-use asperity_framework::input::schema::TYPE;
-use asperity_framework::written_schema;
+use asperity_contact_framework::input::Forms;
+use asperity_contact_framework::input::schema::TYPE;
+use asperity_contact_framework::written_schema;
 use serde::de::IgnoredAny;
 use serde::{Deserialize, Deserializer};
 use serde_json::json;

@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer};
 
 use asperity::study::{JointModel, StatisticalModel};
-use asperity_framework::input::heights;
+use asperity_contact_framework::input::heights;
 
 /// `statistical` as a spec writes it: a height density and one radius, independent of each other, or a joint density of both.
 #[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
@@ -49,7 +49,7 @@ impl StatisticalSpec {
 #[derive(Debug, Clone)]
 struct HeightModelSpec(HeightModel);
 
-asperity_framework::written_schema!(HeightModelSpec, |_| heights::schema(
+asperity_contact_framework::written_schema!(HeightModelSpec, |_| heights::schema(
     &HeightModel::FITTED.map(|fitted| fitted.name())
 ));
 

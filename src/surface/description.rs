@@ -6,11 +6,11 @@ use std::time::Instant;
 
 use asperity::surface::{AnalysisDepth, Surface};
 use asperity::work::Counter;
-use asperity_framework::input::{InputError, SpecFile};
-use asperity_framework::metadata::{Metadata, Timing};
-use asperity_framework::report::Page;
-use asperity_framework::report::table::{Table, Tables};
-use asperity_framework::{Memory, Outcome, Plan, RunContext};
+use asperity_contact_framework::input::{InputError, SpecFile};
+use asperity_contact_framework::metadata::{Metadata, Timing};
+use asperity_contact_framework::report::Page;
+use asperity_contact_framework::report::table::{Table, Tables};
+use asperity_contact_framework::{Memory, Outcome, Plan, RunContext};
 use serde_json::{Map, Value, json};
 
 use super::results::SurfacesResults;

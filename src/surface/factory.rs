@@ -7,10 +7,10 @@ use asperity::numeric::stream_seed;
 use asperity::topography::{Continued, CorrelationLengths, Rows};
 use asperity::work::{Counter, Item};
 use asperity::{AsperityList, Draw, Ellipse, Ellipticity, Statistics};
-use asperity_framework::RunContext;
-use asperity_framework::input::{InMemory, InputError, Source};
-use asperity_framework::metadata::Timing;
-use asperity_framework::progress::{Progress, Silent};
+use asperity_contact_framework::RunContext;
+use asperity_contact_framework::input::{InMemory, InputError, Source};
+use asperity_contact_framework::metadata::Timing;
+use asperity_contact_framework::progress::{Progress, Silent};
 
 use super::files::Files;
 use super::fitness;

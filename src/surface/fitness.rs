@@ -1,7 +1,7 @@
 //! Fitness checks of a map in words: what was measured, what is allowed, and the remedy in the keys of a spec.
 
 use asperity::topography::fitness::{Check, Finding, Measure};
-use asperity_framework::report::format::{count, input_quantity, number, percent, quantity};
+use asperity_contact_framework::report::format::{count, input_quantity, number, percent, quantity};
 
 use asperity::surface::{MapFacts, Surface};
 

@@ -8,12 +8,14 @@ use serde_json::json;
 use crate::surface::pixel_spec::PixelSpec;
 use asperity::topography::generate::{SigmaOf, SpectrumOf};
 use asperity::topography::summits::Neighbours;
-use asperity_framework::input::Spanned;
-use asperity_framework::input::heights::HeightsSpec;
-use asperity_framework::input::quantity::{Angle, ArealNumberDensity, Finite, Length, Pure, Quantity};
-use asperity_framework::input::schema;
-use asperity_framework::input::{OneOrMany, Whole};
-use asperity_framework::written_schema;
+use asperity_contact_framework::input::Spanned;
+use asperity_contact_framework::input::heights::HeightsSpec;
+use asperity_contact_framework::input::quantity::{
+    Angle, ArealNumberDensity, Finite, Length, Pure, Quantity,
+};
+use asperity_contact_framework::input::schema;
+use asperity_contact_framework::input::{OneOrMany, Whole};
+use asperity_contact_framework::written_schema;
 
 /// A random rough surface: either pixel, sigma and the lengths of its spectrum, or what its summits shall be.
 #[derive(Debug, Deserialize, JsonSchema)]

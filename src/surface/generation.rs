@@ -15,9 +15,9 @@ use asperity::topography::generate::{
 use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
 use asperity::topography::summits::Neighbours;
 use asperity::{HeightMap, Heights};
-use asperity_framework::input::Spanned;
-use asperity_framework::input::quantity::{Angle, Finite, Quantity};
-use asperity_framework::input::{InputError, Source};
+use asperity_contact_framework::input::Spanned;
+use asperity_contact_framework::input::quantity::{Angle, Finite, Quantity};
+use asperity_contact_framework::input::{InputError, Source};
 
 /// How a random surface is made.
 #[derive(Debug, Clone)]

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use asperity_framework::input::Source;
+use asperity_contact_framework::input::Source;
 
 /// Options for a measured file, besides its path; each as in a spec.
 #[derive(Debug, Clone, Default, PartialEq)]

@@ -2,10 +2,10 @@
 
 use super::results::SurfacesResults;
 use super::section::{section, sentence};
-use asperity_framework::Outcome;
-use asperity_framework::report::page::{Page, escape, escape_around_code};
-use asperity_framework::report::sections;
-use asperity_framework::report::table::Tables;
+use asperity_contact_framework::Outcome;
+use asperity_contact_framework::report::page::{Page, escape, escape_around_code};
+use asperity_contact_framework::report::sections;
+use asperity_contact_framework::report::table::Tables;
 
 pub fn page(results: &SurfacesResults, tables: &Tables) -> Page {
     let mut page = Page::new(&results.metadata.title);

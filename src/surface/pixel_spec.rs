@@ -1,9 +1,9 @@
 //! `pixel` and other lengths along x and y.
 
-use asperity_framework::input::OneOrMany;
-use asperity_framework::input::quantity::{Length, Positive, Quantity};
-use asperity_framework::input::schema;
-use asperity_framework::written_schema;
+use asperity_contact_framework::input::OneOrMany;
+use asperity_contact_framework::input::quantity::{Length, Positive, Quantity};
+use asperity_contact_framework::input::schema;
+use asperity_contact_framework::written_schema;
 use serde::{Deserialize, Deserializer};
 
 /// One pixel size, or one along x and one along y.

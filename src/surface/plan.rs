@@ -19,10 +19,10 @@ use asperity::topography::{Boundary, Filter, Level, read};
 use asperity::{
     AsperityList, Heights, ListError, ListOptions, MapError, Population, ReferencePlane, SurfaceHeights,
 };
-use asperity_framework::input::Spanned;
-use asperity_framework::input::quantity::{Length, Pure, Quantity};
-use asperity_framework::input::{InMemory, InputError, Source, SpecFile, Whole};
-use asperity_framework::{Memory, set_memory};
+use asperity_contact_framework::input::Spanned;
+use asperity_contact_framework::input::quantity::{Length, Pure, Quantity};
+use asperity_contact_framework::input::{InMemory, InputError, Source, SpecFile, Whole};
+use asperity_contact_framework::{Memory, set_memory};
 
 /// A surface that can be made.
 #[derive(Debug)]

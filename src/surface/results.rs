@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use asperity_framework::metadata::Metadata;
+use asperity_contact_framework::metadata::Metadata;
 
 use asperity::surface::Surface;
 

@@ -6,9 +6,9 @@ use asperity::topography::generate::{Process, SigmaOf, SpectrumOf};
 use asperity::topography::spectrum::SpectrumShape;
 use asperity::topography::theory::Expected;
 use asperity::{Population, Statistics};
-use asperity_framework::columns;
-use asperity_framework::input::heights::written;
-use asperity_framework::report::table::{Column, Row, Schema, Table};
+use asperity_contact_framework::columns;
+use asperity_contact_framework::input::heights::written;
+use asperity_contact_framework::report::table::{Column, Row, Schema, Table};
 use indexmap::IndexMap;
 use serde_json::{Map, Value};
 

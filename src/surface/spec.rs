@@ -12,12 +12,12 @@ use asperity::topography::Level;
 use asperity::topography::fitness::Lines;
 use asperity::topography::summits::Neighbours;
 use asperity::units::Dimension;
-use asperity_framework::input::Spanned;
-use asperity_framework::input::Whole;
-use asperity_framework::input::heights;
-use asperity_framework::input::quantity::{Area, ArealNumberDensity, Length, Pure, Quantity};
-use asperity_framework::input::schema;
-use asperity_framework::written_schema;
+use asperity_contact_framework::input::Spanned;
+use asperity_contact_framework::input::Whole;
+use asperity_contact_framework::input::heights;
+use asperity_contact_framework::input::quantity::{Area, ArealNumberDensity, Length, Pure, Quantity};
+use asperity_contact_framework::input::schema;
+use asperity_contact_framework::written_schema;
 
 /// One surface: exactly one kind per name.
 #[derive(Debug, Deserialize)]

@@ -12,9 +12,9 @@ use asperity::work::Counter;
 use asperity::{
     AsperityList, AsperitySet, AsperitySums, Draw, ListOptions, MapError, Population, ReferencePlane, STREAM,
 };
-use asperity_framework::input::{InMemory, InputError, Source};
-use asperity_framework::metadata::Timing;
-use asperity_framework::progress::Silent;
+use asperity_contact_framework::input::{InMemory, InputError, Source};
+use asperity_contact_framework::metadata::Timing;
+use asperity_contact_framework::progress::Silent;
 
 use super::factory::SurfaceFactory;
 use super::files::Files;

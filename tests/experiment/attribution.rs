@@ -4,9 +4,9 @@ use crate::Report;
 use std::fmt::Write;
 use std::path::Path;
 
+use asperity_contact_framework::Outcome;
+use asperity_contact_framework::progress::Silent;
 use asperity_experiment::Experiment;
-use asperity_framework::Outcome;
-use asperity_framework::progress::Silent;
 
 use crate::results::{figure, number, table};
 

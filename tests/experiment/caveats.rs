@@ -1,7 +1,7 @@
 //! What a run warns of though it has an answer: laws beyond their range, bodies and asperities that contradict themselves.
 
+use asperity_contact_framework::progress::Silent;
 use asperity_experiment::Experiment;
-use asperity_framework::progress::Silent;
 
 /// The warnings of a spec whose steel has the given hardness and yield strength.
 fn warnings(hardness: &str, strength: &str, kind: &str, list: &str) -> Vec<String> {

@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
+use asperity_contact_framework::progress::Silent;
+use asperity_contact_framework::report::table::{Heading, Schema};
 use asperity_experiment::Experiment;
 use asperity_experiment::kind::{KINDS, columns};
-use asperity_framework::progress::Silent;
-use asperity_framework::report::table::{Heading, Schema};
 
 /// Every table once, by its file.
 fn schemas() -> BTreeMap<&'static str, Schema> {

@@ -3,9 +3,9 @@
 use std::fs;
 use std::path::Path;
 
+use asperity_contact_framework::folder;
+use asperity_contact_framework::progress::Silent;
 use asperity_experiment::{Experiment, PRINT};
-use asperity_framework::folder;
-use asperity_framework::progress::Silent;
 
 const SPEC: &str = concat!(
     "title = \"t\"\n",
@@ -29,7 +29,7 @@ fn files(figure: &str) -> Vec<(String, Vec<u8>)> {
     let experiment = Experiment::read(&spec(home.path(), figure)).unwrap();
     let report = folder(&*experiment.run(&Silent).unwrap(), "key", PRINT).unwrap();
     let out = home.path().join("out");
-    asperity_framework::report::store::Store::new(&out).write(&report).unwrap();
+    asperity_contact_framework::report::store::Store::new(&out).write(&report).unwrap();
     report.names().map(|name| (name.to_owned(), fs::read(out.join("small").join(name)).unwrap())).collect()
 }
 

@@ -14,11 +14,11 @@ use asperity::topography::fitness::Check;
 use asperity::topography::generate::gaussian;
 use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
 use asperity::topography::summits::Neighbours;
+use asperity_contact_framework::Outcome;
+use asperity_contact_framework::progress::Silent;
+use asperity_contact_framework::report::format::number;
 use asperity_experiment::Experiment;
 use asperity_experiment::kind::compare::results::{CompareResults, SurfaceResults};
-use asperity_framework::Outcome;
-use asperity_framework::progress::Silent;
-use asperity_framework::report::format::number;
 use rand::{RngExt, SeedableRng};
 
 const SIDE: usize = 640;

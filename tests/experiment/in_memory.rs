@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use asperity::{AsperityList, HeightMap};
+use asperity_contact_framework::Outcome;
+use asperity_contact_framework::input::{InMemory, InputError, Source};
+use asperity_contact_framework::progress::Silent;
 use asperity_experiment::Experiment;
-use asperity_framework::Outcome;
-use asperity_framework::input::{InMemory, InputError, Source};
-use asperity_framework::progress::Silent;
 use indexmap::IndexMap;
 
 use crate::results::{number, table};

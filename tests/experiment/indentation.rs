@@ -7,10 +7,10 @@ use crate::common::rows;
 use asperity::Material;
 use asperity::compare::ModulusCheck;
 use asperity::sphere::{Curve, DecreasingQuantity};
+use asperity_contact_framework::progress::Silent;
+use asperity_contact_framework::report;
 use asperity_experiment::Experiment;
 use asperity_experiment::kind::indentation::IndentationResults;
-use asperity_framework::progress::Silent;
-use asperity_framework::report;
 
 fn run_file(path: &Path) -> IndentationResults {
     crate::downcast(Experiment::read(path).unwrap().run(&Silent).unwrap())
@@ -95,7 +95,7 @@ fn loads_of_figure_5_in_the_table() {
 /// A file of the report on `results`.
 fn written(results: IndentationResults, name: &str) -> String {
     let out = tempfile::tempdir().unwrap();
-    let folder = asperity_framework::folder(&results, "key", None).unwrap();
+    let folder = asperity_contact_framework::folder(&results, "key", None).unwrap();
     report::store::Store::new(out.path()).write(&folder).unwrap();
     fs::read_to_string(out.path().join("sphere").join(name)).unwrap()
 }
@@ -142,7 +142,7 @@ fn an_exact_contact_that_is_too_wide_is_left_out() {
     assert!(solved > 0 && solved < 15);
     assert!(layer.exact[..solved].iter().all(Option::is_some));
     assert_eq!(layer.errors[0].len(), solved);
-    assert!(asperity_framework::folder(&results, "key", None).is_ok());
+    assert!(asperity_contact_framework::folder(&results, "key", None).is_ok());
 }
 
 #[test]
@@ -175,7 +175,7 @@ fn measured_points_are_compared_with_the_curve() {
     for law in &results.layers[0].laws {
         assert_eq!(law.at_overlay.len(), 2);
     }
-    let folder = asperity_framework::folder(&results, "key", None).unwrap();
+    let folder = asperity_contact_framework::folder(&results, "key", None).unwrap();
     assert!(folder.names().any(|name| name == "overlay.csv"));
 }
 

@@ -3,9 +3,9 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use asperity_contact_framework::keys::{Default, Key, keys};
 use asperity_experiment::keys::{all_keys, explain, spec_schema};
 use asperity_experiment::{Experiment, TEMPLATE};
-use asperity_framework::keys::{Default, Key, keys};
 use jsonschema::Validator;
 use serde_json::Value;
 

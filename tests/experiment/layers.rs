@@ -3,11 +3,11 @@
 use asperity::compare::ModelKind;
 use asperity::sphere::DecreasingQuantity;
 use asperity::study::Threshold;
+use asperity_contact_framework::Outcome;
+use asperity_contact_framework::progress::Silent;
+use asperity_contact_framework::report::store::Store;
 use asperity_experiment::Experiment;
 use asperity_experiment::kind::compare::results::CompareResults;
-use asperity_framework::Outcome;
-use asperity_framework::progress::Silent;
-use asperity_framework::report::store::Store;
 
 /// A steel population on a flat; the keys of the flat are given.
 fn spec(flat: &str) -> String {
@@ -61,7 +61,7 @@ fn compared(flat: &str) -> CompareResults {
 /// The files of a report by name.
 fn written(results: &dyn Outcome, names: &[&str]) -> Vec<String> {
     let out = tempfile::tempdir().unwrap();
-    let folder = asperity_framework::folder(results, "key", None).unwrap();
+    let folder = asperity_contact_framework::folder(results, "key", None).unwrap();
     Store::new(out.path()).write(&folder).unwrap();
     names.iter().map(|name| std::fs::read_to_string(out.path().join("layers").join(name)).unwrap()).collect()
 }
@@ -128,7 +128,7 @@ fn a_report_of_one_model_shows_one_model() {
         let start = format!("| 1 | 20 nm | {model} |");
         let row = page.lines().find(|line| line.starts_with(&start)).unwrap().to_owned();
         assert!(
-            row.contains(&format!("| {} |", asperity_framework::report::format::number(ratio))),
+            row.contains(&format!("| {} |", asperity_contact_framework::report::format::number(ratio))),
             "{row}: {ratio}"
         );
         let has = |model: &str| page.contains(&format!("| 1 | 20 nm | {model} |"));

@@ -1,10 +1,10 @@
 //! `[limit]` from the spec to the slopes of the report.
 
 use crate::Report;
+use asperity_contact_framework::Outcome;
+use asperity_contact_framework::progress::Silent;
+use asperity_contact_framework::report::format::number;
 use asperity_experiment::Experiment;
-use asperity_framework::Outcome;
-use asperity_framework::progress::Silent;
-use asperity_framework::report::format::number;
 
 fn run(separation: f64, largest: f64) -> Box<dyn Outcome> {
     let spec = format!(

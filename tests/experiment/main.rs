@@ -46,14 +46,14 @@ mod verdicts;
 mod work;
 
 /// Results of a run, which is a `T`.
-fn downcast<T: std::any::Any>(outcome: Box<dyn asperity_framework::Outcome>) -> T {
+fn downcast<T: std::any::Any>(outcome: Box<dyn asperity_contact_framework::Outcome>) -> T {
     *(outcome as Box<dyn std::any::Any>).downcast().expect("the results of this kind")
 }
 
 /// A report before it is written.
 trait Report {
     /// The page.
-    fn outline(&self) -> asperity_framework::report::Page;
+    fn outline(&self) -> asperity_contact_framework::report::Page;
 
     /// `summary.json`.
     fn records(&self) -> serde_json::Map<String, serde_json::Value>;
@@ -62,14 +62,15 @@ trait Report {
     fn files(&self) -> Vec<(&'static str, Vec<u8>)>;
 }
 
-impl Report for dyn asperity_framework::Outcome {
-    fn outline(&self) -> asperity_framework::report::Page {
-        self.page(&asperity_framework::report::table::Tables::new(self.tables()))
+impl Report for dyn asperity_contact_framework::Outcome {
+    fn outline(&self) -> asperity_contact_framework::report::Page {
+        self.page(&asperity_contact_framework::report::table::Tables::new(self.tables()))
     }
 
     fn records(&self) -> serde_json::Map<String, serde_json::Value> {
-        let tables = asperity_framework::report::table::Tables::new(self.tables());
-        let summary = asperity_framework::summary_json(self, &tables).expect("results have a summary");
+        let tables = asperity_contact_framework::report::table::Tables::new(self.tables());
+        let summary =
+            asperity_contact_framework::summary_json(self, &tables).expect("results have a summary");
         serde_json::from_slice(&summary).expect("a summary is an object")
     }
 

@@ -3,11 +3,11 @@
 use crate::Report;
 use std::fs;
 
+use asperity_contact_framework::progress::Silent;
+use asperity_contact_framework::report::store::Store;
+use asperity_contact_framework::{Outcome, folder as report_folder};
 use asperity_experiment::Experiment;
 use asperity_experiment::materials::{all_materials, one_material};
-use asperity_framework::progress::Silent;
-use asperity_framework::report::store::Store;
-use asperity_framework::{Outcome, folder as report_folder};
 
 const SPEC: &str = "title = \"t\"\n[material]\nball = { from = \"steel-100Cr6\", hardness = \"7 GPa\" }\n\
      disc = { from = \"bronze-CuSn8\" }\nother = { young = \"1 GPa\", poisson = 0.3 }\n\

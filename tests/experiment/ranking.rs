@@ -1,9 +1,9 @@
 //! Which statistical model is enough: for each kind of statement a case in which it holds and one in which it does not.
 
 use crate::Report;
+use asperity_contact_framework::Outcome;
+use asperity_contact_framework::progress::Silent;
 use asperity_experiment::Experiment;
-use asperity_framework::Outcome;
-use asperity_framework::progress::Silent;
 
 use crate::results::{Row, number, table};
 

@@ -10,11 +10,11 @@ use asperity::topography::Rows;
 use asperity::topography::generate::SigmaOf;
 use asperity::topography::read::{ReadOptions, height_map};
 use asperity::{Population, SurfaceHeights, npy};
+use asperity_contact_framework::Outcome;
+use asperity_contact_framework::progress::Silent;
 use asperity_experiment::Experiment;
 use asperity_experiment::kind::compare::readings::loads_by_reading;
 use asperity_experiment::kind::compare::results::CompareResults;
-use asperity_framework::Outcome;
-use asperity_framework::progress::Silent;
 
 /// A comparison under Hertz, whose integral has a closed form.
 fn run(separations: &str, surfaces: &str) -> Box<dyn Outcome> {

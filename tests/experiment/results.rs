@@ -3,7 +3,7 @@
 use crate::Report;
 use std::collections::BTreeMap;
 
-use asperity_framework::Outcome;
+use asperity_contact_framework::Outcome;
 
 /// A row of a table by the names of its columns.
 pub type Row = BTreeMap<String, String>;

@@ -1,9 +1,9 @@
 //! `[sampling-interval]` from the spec to the statements of the report.
 
 use crate::Report;
+use asperity_contact_framework::Outcome;
+use asperity_contact_framework::progress::Silent;
 use asperity_experiment::Experiment;
-use asperity_framework::Outcome;
-use asperity_framework::progress::Silent;
 use serde_json::Value;
 
 use crate::results::{Row, table};

@@ -2,9 +2,9 @@
 
 use crate::Report;
 use crate::results::{number, table};
+use asperity_contact_framework::Outcome;
+use asperity_contact_framework::progress::Silent;
 use asperity_experiment::Experiment;
-use asperity_framework::Outcome;
-use asperity_framework::progress::Silent;
 
 /// The outcome of `[compare]` with the keys `compare`, and what `check` prints.
 fn run(compare: &str) -> (Box<dyn Outcome>, String) {

@@ -15,10 +15,10 @@ use asperity::topography::generate::{Process, Seeds, SpectrumOf, SurfaceGenerato
 use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
 use asperity::topography::summits::Neighbours;
 use asperity::{HeightMap, Heights, Limit, Material};
+use asperity_contact_framework::Outcome;
+use asperity_contact_framework::progress::Silent;
 use asperity_experiment::Experiment;
 use asperity_experiment::kind::compare::results::CompareResults;
-use asperity_framework::Outcome;
-use asperity_framework::progress::Silent;
 
 /// Runs `[compare]` on `surfaces`, with files beside it in `folder`.
 fn run(folder: &Path, compare: &str, surfaces: &str) -> Box<dyn Outcome> {

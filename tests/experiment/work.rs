@@ -8,11 +8,11 @@ use asperity::{
     Accumulator, Deterministic, Draw, Flat, Heights, MicroContact, Model, ModulusModel, Population,
     ReferencePlane, Shape, Statistical, Zmc,
 };
+use asperity_contact_framework::Outcome;
+use asperity_contact_framework::progress::Silent;
 use asperity_experiment::Experiment;
 use asperity_experiment::kind::compare::results::{CompareResults, SurfaceResults};
 use asperity_experiment::surface::FileOptions;
-use asperity_framework::Outcome;
-use asperity_framework::progress::Silent;
 
 const MATERIALS: &str = concat!(
     r#"

@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use asperity::{AsperityList, AsperitySet, MeanRadius, SetError, Statistics};
+use asperity_contact_framework::input::InMemory;
+use asperity_contact_framework::input::heights::HeightsSpec;
 use asperity_experiment::surface::rows::statistics_columns;
-use asperity_framework::input::InMemory;
-use asperity_framework::input::heights::HeightsSpec;
 use numpy::PyArrayDyn;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;

@@ -3,12 +3,12 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use asperity_contact_framework::input::{InMemory, Source};
+use asperity_contact_framework::report::store::Store;
+use asperity_contact_framework::report::table::{Table as Cells, Tables};
+use asperity_contact_framework::{Outcome, folder, summary_json};
 use asperity_experiment::Experiment;
 use asperity_experiment::kind::KINDS;
-use asperity_framework::input::{InMemory, Source};
-use asperity_framework::report::store::Store;
-use asperity_framework::report::table::{Table as Cells, Tables};
-use asperity_framework::{Outcome, folder, summary_json};
 use indexmap::IndexMap;
 use pyo3::IntoPyObjectExt;
 use pyo3::exceptions::{PyOSError, PyValueError};
@@ -256,7 +256,7 @@ pub fn run(
 type Work = Box<dyn FnOnce(&Watch) -> Result<Run, Failed> + Send>;
 
 fn finish(
-    experiment: Result<Experiment, asperity_framework::input::InputError>,
+    experiment: Result<Experiment, asperity_contact_framework::input::InputError>,
     report: Option<PathBuf>,
     watch: &Watch,
 ) -> Result<Run, Failed> {

@@ -1,7 +1,7 @@
 //! Tables as mappings of column names to NumPy arrays, which are made when they are asked for.
 
+use asperity_contact_framework::report::table::{Column, Heading, Row, Table as Cells, Value};
 use asperity_experiment::model_tables::CurveRow;
-use asperity_framework::report::table::{Column, Heading, Row, Table as Cells, Value};
 use numpy::PyArray1;
 use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;

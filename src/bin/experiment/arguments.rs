@@ -2,9 +2,9 @@
 
 use std::path::PathBuf;
 
+use asperity_contact_framework::divided::Part;
 use asperity_experiment::kind::KINDS;
 use asperity_experiment::surface::FileOptions;
-use asperity_framework::divided::Part;
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand};
 

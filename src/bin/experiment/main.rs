@@ -7,18 +7,18 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
 
+use asperity_contact_framework::divided::Part;
+use asperity_contact_framework::input::InputError;
+use asperity_contact_framework::progress::{Progress, Silent};
+use asperity_contact_framework::report::store::{Store, StoreError};
+use asperity_contact_framework::report::{Index, MARK, verify};
+use asperity_contact_framework::{Outcome, ReportError, folder as report_folder};
 use asperity_experiment::keys::{all_keys, explain, spec_schema};
 use asperity_experiment::kind::{KINDS, columns};
 use asperity_experiment::materials::{all_materials, one_material};
 use asperity_experiment::surface::{FileOptions, described_file};
 use asperity_experiment::terminal::Monitor;
 use asperity_experiment::{Experiment, PRINT, PartError, TEMPLATE};
-use asperity_framework::divided::Part;
-use asperity_framework::input::InputError;
-use asperity_framework::progress::{Progress, Silent};
-use asperity_framework::report::store::{Store, StoreError};
-use asperity_framework::report::{Index, MARK, verify};
-use asperity_framework::{Outcome, ReportError, folder as report_folder};
 use clap::{CommandFactory, Parser};
 
 use arguments::{Cli, Command, Extent, RunOptions};

@@ -1,7 +1,7 @@
 //! Maps of leading causes, and contributions over the skewness.
 
 use asperity::compare::{Cause, ComparedQuantity};
-use asperity_framework::report::format::{capitalised, number, signed};
+use asperity_contact_framework::report::format::{capitalised, number, signed};
 use asperity_plot::{Axis, Colour, Figure, Layer, Legend, Marker, Plot};
 
 use super::results::{CausesResults, GridPoint, QUANTITIES};

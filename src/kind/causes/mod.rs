@@ -9,10 +9,10 @@ mod rows;
 mod run;
 mod spec;
 
-use asperity_framework::input::{InputError, Spanned, SpecFile};
-use asperity_framework::report::table::Schema;
-use asperity_framework::{Kind, Reads};
-use asperity_framework::{Memory, Plan, RunContext};
+use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
+use asperity_contact_framework::report::table::Schema;
+use asperity_contact_framework::{Kind, Reads};
+use asperity_contact_framework::{Memory, Plan, RunContext};
 
 use plan::CausesPlan;
 use results::CausesResults;

@@ -1,12 +1,12 @@
 //! The page: which cause leads where, a map for each load, the contributions over the skewness, and all numbers.
 
-use asperity_framework::contact::ContactSummary;
-use asperity_framework::metadata::Metadata;
-use asperity_framework::report::format::{input_quantity, number};
-use asperity_framework::report::page::Page;
-use asperity_framework::report::sections;
-use asperity_framework::report::table::{Table, Tables};
-use asperity_framework::{Outcome, fields};
+use asperity_contact_framework::contact::ContactSummary;
+use asperity_contact_framework::metadata::Metadata;
+use asperity_contact_framework::report::format::{input_quantity, number};
+use asperity_contact_framework::report::page::Page;
+use asperity_contact_framework::report::sections;
+use asperity_contact_framework::report::table::{Table, Tables};
+use asperity_contact_framework::{Outcome, fields};
 use serde_json::{Map, Value, json};
 
 use super::figures::{contributions, map};

@@ -7,9 +7,9 @@ use asperity::study::LawContact;
 use asperity::topography::generate::{Process, SpectrumOf, SurfaceGenerator};
 use asperity::topography::spectrum::{Lay, Spectrum, SpectrumError, SpectrumShape};
 use asperity::{Flat, Heights, reduced_modulus};
-use asperity_framework::contact::Bodies;
-use asperity_framework::input::quantity::Quantity;
-use asperity_framework::input::{InputError, Spanned, SpecFile};
+use asperity_contact_framework::contact::Bodies;
+use asperity_contact_framework::input::quantity::Quantity;
+use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 
 use super::spec::CausesSpec;
 

@@ -2,8 +2,8 @@
 
 use asperity::Exceeded;
 use asperity::compare::{Attribution, ComparedQuantity, Contributions};
-use asperity_framework::contact::ContactMetadata;
-use asperity_framework::metadata::Metadata;
+use asperity_contact_framework::contact::ContactMetadata;
+use asperity_contact_framework::metadata::Metadata;
 
 /// The quantities whose differences are shown.
 pub const QUANTITIES: [ComparedQuantity; 2] = [ComparedQuantity::Separation, ComparedQuantity::Area];

@@ -1,9 +1,9 @@
 //! `causes.csv` and `leads.csv`.
 
 use asperity::compare::{Cause, ComparedQuantity, Contributions, Estimate};
-use asperity_framework::columns;
-use asperity_framework::report::format::input_number;
-use asperity_framework::report::table::{Column, Row, Table};
+use asperity_contact_framework::columns;
+use asperity_contact_framework::report::format::input_number;
+use asperity_contact_framework::report::table::{Column, Row, Table};
 
 use super::findings::{Findings, Lead};
 use super::results::{CausesResults, GridPoint, QUANTITIES};

@@ -10,10 +10,10 @@ use asperity::{
     AsperitySet, Deterministic, Exceeded, Heights, MicroContact, Population, ReferencePlane, Shape,
     Statistical, Statistics, literature, plasticity_index,
 };
-use asperity_framework::RunContext;
-use asperity_framework::contact::{contact_metadata, papers_of};
-use asperity_framework::input::InputError;
-use asperity_framework::metadata::Timing;
+use asperity_contact_framework::RunContext;
+use asperity_contact_framework::contact::{contact_metadata, papers_of};
+use asperity_contact_framework::input::InputError;
+use asperity_contact_framework::metadata::Timing;
 
 use super::plan::{CausesPlan, PointPlan};
 use super::results::{AtLoad, CausesResults, GridPoint, Reached};

@@ -3,10 +3,10 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use asperity_framework::input::Spanned;
-use asperity_framework::input::Whole;
-use asperity_framework::input::law::Laws;
-use asperity_framework::input::quantity::{Finite, Length, Pure, Quantity};
+use asperity_contact_framework::input::Spanned;
+use asperity_contact_framework::input::Whole;
+use asperity_contact_framework::input::law::Laws;
+use asperity_contact_framework::input::quantity::{Finite, Length, Pure, Quantity};
 
 /// Why the models differ, over a grid of skewness and bandwidth of generated surfaces.
 #[derive(Debug, Deserialize, JsonSchema)]

@@ -2,7 +2,7 @@
 
 use asperity::analytical::AnalyticalLine;
 use asperity::bem::Boundary;
-use asperity_framework::input::{InputError, SpecFile};
+use asperity_contact_framework::input::{InputError, SpecFile};
 
 use super::reference::ReferencePlan;
 use super::spec::CompareSpec;

@@ -20,9 +20,9 @@ pub use run::run as run_compare;
 use std::path::PathBuf;
 
 use asperity::work::Counter;
-use asperity_framework::input::{InputError, Spanned, SpecFile};
-use asperity_framework::report::table::Schema;
-use asperity_framework::{Kind, Memory, Plan, RunContext};
+use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
+use asperity_contact_framework::report::table::Schema;
+use asperity_contact_framework::{Kind, Memory, Plan, RunContext};
 
 use crate::surface::{inputs, memory};
 use plan::ComparePlan;

@@ -1,7 +1,7 @@
 //! Names of surfaces, laws and thicknesses on a page.
 
-use asperity_framework::contact::LayerMetadata;
-use asperity_framework::report::format::input_quantity;
+use asperity_contact_framework::contact::LayerMetadata;
+use asperity_contact_framework::report::format::input_quantity;
 
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
 

@@ -7,8 +7,8 @@ use asperity::analytical::AnalyticalLine;
 use asperity::compare::{Controls, ModelKind};
 use asperity::study::Setup;
 use asperity::surface::AnalysisDepth;
-use asperity_framework::RunContext;
-use asperity_framework::input::{InputError, Spanned, SpecFile};
+use asperity_contact_framework::RunContext;
+use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 
 use super::lines::lines;
 use super::reference::ReferencePlan;

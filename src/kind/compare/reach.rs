@@ -5,9 +5,9 @@ use asperity::study::models_of;
 use asperity::surface::AnalysisDepth;
 use asperity::work::Counter;
 use asperity::{LOWEST_SEPARATION, Model};
-use asperity_framework::RunContext;
-use asperity_framework::input::InputError;
-use asperity_framework::metadata::Timing;
+use asperity_contact_framework::RunContext;
+use asperity_contact_framework::input::InputError;
+use asperity_contact_framework::metadata::Timing;
 
 use super::plan::ComparePlan;
 use crate::study_plan::{inapplicable, unreachable_load};

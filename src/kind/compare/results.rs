@@ -6,8 +6,8 @@ use asperity::analytical::AnalyticalLine;
 use asperity::compare::Tolerances;
 use asperity::study::{CaseStudy, DecreaseResults, LawFindings, RealisationFacts, Threshold};
 use asperity::surface::Surface;
-use asperity_framework::contact::ContactMetadata;
-use asperity_framework::metadata::Metadata;
+use asperity_contact_framework::contact::ContactMetadata;
+use asperity_contact_framework::metadata::Metadata;
 
 use super::reference::{ContactView, ElasticCase};
 use crate::layer::rule_warning;

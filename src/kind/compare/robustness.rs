@@ -6,9 +6,9 @@ use asperity::study::{
 };
 use asperity::surface::Surface;
 use asperity::work::Counter;
-use asperity_framework::RunContext;
-use asperity_framework::input::accept::AcceptSpec;
-use asperity_framework::progress::Silent;
+use asperity_contact_framework::RunContext;
+use asperity_contact_framework::input::accept::AcceptSpec;
+use asperity_contact_framework::progress::Silent;
 
 use super::plan::ComparePlan;
 use crate::surface::SurfaceFactory;

@@ -11,10 +11,10 @@ use asperity::study::{
 use asperity::surface::{AnalysisDepth, PreparedMap, Surface};
 use asperity::work::Counter;
 use asperity::{Heights, Paper};
-use asperity_framework::RunContext;
-use asperity_framework::contact::{contact_metadata, papers_of};
-use asperity_framework::input::InputError;
-use asperity_framework::metadata::Timing;
+use asperity_contact_framework::RunContext;
+use asperity_contact_framework::contact::{contact_metadata, papers_of};
+use asperity_contact_framework::input::InputError;
+use asperity_contact_framework::metadata::Timing;
 
 use super::plan::ComparePlan;
 use super::reference::{ContactView, ReferenceRun};

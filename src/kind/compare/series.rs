@@ -3,7 +3,7 @@
 use asperity::Exceeded;
 use asperity::compare::ValidRange;
 use asperity::study::{CaseResults, CaseStudy, LawFindings, LayerFindings, Verdicts};
-use asperity_framework::report::format::thickness;
+use asperity_contact_framework::report::format::thickness;
 
 use super::figures::axes::Units;
 use super::names::{stem, subject};

@@ -9,13 +9,13 @@ use crate::layer::LayerSpec;
 use crate::study_plan::{RoughBody, StatisticalSpec};
 use asperity::analytical::AnalyticalLine;
 use asperity::compare::ModelKind;
-use asperity_framework::input::Spanned;
-use asperity_framework::input::accept::AcceptSpec;
-use asperity_framework::input::law::Laws;
-use asperity_framework::input::quantity::{Force, Pressure};
-use asperity_framework::input::sweep::{LinearSweep, LogSweep};
-use asperity_framework::input::tolerance::ToleranceSpec;
-use asperity_framework::written_schema;
+use asperity_contact_framework::input::Spanned;
+use asperity_contact_framework::input::accept::AcceptSpec;
+use asperity_contact_framework::input::law::Laws;
+use asperity_contact_framework::input::quantity::{Force, Pressure};
+use asperity_contact_framework::input::sweep::{LinearSweep, LogSweep};
+use asperity_contact_framework::input::tolerance::ToleranceSpec;
+use asperity_contact_framework::written_schema;
 
 /// Both models on the same surfaces, and the reference beside them: may the integral replace the sum?
 #[derive(Debug, Deserialize, JsonSchema)]

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use asperity::ModulusModel;
 use asperity::compare::GOOD_RATIO;
 use asperity::sphere::Point;
-use asperity_framework::report::format::number;
+use asperity_contact_framework::report::format::number;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
 
 use super::run::{IndentationResults, LawCurves, LayerResults};

@@ -2,12 +2,12 @@
 
 use asperity::ModulusModel;
 use asperity::sphere::{LARGEST_SLOPE, Point};
-use asperity_framework::Outcome;
-use asperity_framework::metadata::Metadata;
-use asperity_framework::report::format::{count, input_quantity, number, quantity};
-use asperity_framework::report::page::{Page, escape};
-use asperity_framework::report::sections;
-use asperity_framework::report::table::{Row, Table, Tables};
+use asperity_contact_framework::Outcome;
+use asperity_contact_framework::metadata::Metadata;
+use asperity_contact_framework::report::format::{count, input_quantity, number, quantity};
+use asperity_contact_framework::report::page::{Page, escape};
+use asperity_contact_framework::report::sections;
+use asperity_contact_framework::report::table::{Row, Table, Tables};
 
 use super::figures;
 use super::rows::{ChangeRow, DecreaseRow, LawRow, LayerRow, OverlayRow, RuleRow, tables};

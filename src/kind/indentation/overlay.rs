@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use asperity::numeric::is_positive;
-use asperity_framework::input::{InputError, Source, Spanned};
+use asperity_contact_framework::input::{InputError, Source, Spanned};
 
 use crate::surface::beside;
 

@@ -4,7 +4,7 @@ use std::fmt;
 
 use asperity::numeric::is_positive;
 use asperity::{ContactLaw, Inapplicable, Material};
-use asperity_framework::input::{InputError, Spanned, SpecFile};
+use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 
 use super::overlay::OverlayPlan;
 use super::spec::{IndentationSpec, Show};

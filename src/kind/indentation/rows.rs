@@ -6,8 +6,8 @@ use asperity::compare::ModulusError;
 use asperity::layer::exact_sphere::ElasticContact;
 use asperity::sphere::{Curve, Decrease, Point, RegimeChange};
 use asperity::{Contact, ModulusModel, Regime};
-use asperity_framework::columns;
-use asperity_framework::report::table::{Column, Row, Schema, Table};
+use asperity_contact_framework::columns;
+use asperity_contact_framework::report::table::{Column, Row, Schema, Table};
 
 use super::run::{IndentationResults, LawCurves, LayerResults};
 

@@ -10,10 +10,10 @@ use asperity::work::{CountedContact, Counter, Item};
 use asperity::{
     ContactError, Flat, Material, MicroContact, ModulusModel, Shape, literature, reduced_modulus,
 };
-use asperity_framework::RunContext;
-use asperity_framework::input::InputError;
-use asperity_framework::metadata::{Metadata, Timing};
-use asperity_framework::report::format::input_quantity;
+use asperity_contact_framework::RunContext;
+use asperity_contact_framework::input::InputError;
+use asperity_contact_framework::metadata::{Metadata, Timing};
+use asperity_contact_framework::report::format::input_quantity;
 use indexmap::IndexMap;
 use rayon::prelude::*;
 

@@ -6,13 +6,13 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer};
 
 use crate::layer::LayerSpec;
-use asperity_framework::input::OneOrMany;
-use asperity_framework::input::Spanned;
-use asperity_framework::input::law::Laws;
-use asperity_framework::input::quantity::{Length, Quantity};
-use asperity_framework::input::schema;
-use asperity_framework::input::sweep::LogSweep;
-use asperity_framework::written_schema;
+use asperity_contact_framework::input::OneOrMany;
+use asperity_contact_framework::input::Spanned;
+use asperity_contact_framework::input::law::Laws;
+use asperity_contact_framework::input::quantity::{Length, Quantity};
+use asperity_contact_framework::input::schema;
+use asperity_contact_framework::input::sweep::LogSweep;
+use asperity_contact_framework::written_schema;
 
 /// One ball on a layered flat: load, area and regimes, and the error of the effective-modulus models.
 #[derive(Debug, Deserialize, JsonSchema)]

@@ -7,7 +7,7 @@ use asperity::Contact;
 use asperity::compare::{AtLoad, Influence, Measure, ModelKind};
 use asperity::numeric::extremes;
 use asperity::sphere::LARGEST_SLOPE;
-use asperity_framework::report::format::{listed, number};
+use asperity_contact_framework::report::format::{listed, number};
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
 
 /// Half-width of a band in standard errors: 95 % of all samples lie within.

@@ -11,10 +11,10 @@ mod spec;
 use std::path::PathBuf;
 
 use asperity::surface::AnalysisDepth;
-use asperity_framework::Kind;
-use asperity_framework::input::{InputError, Spanned, SpecFile};
-use asperity_framework::report::table::Schema;
-use asperity_framework::{Memory, Plan, RunContext};
+use asperity_contact_framework::Kind;
+use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
+use asperity_contact_framework::report::table::Schema;
+use asperity_contact_framework::{Memory, Plan, RunContext};
 
 use crate::surface::{inputs, memory};
 use plan::LawsPlan;

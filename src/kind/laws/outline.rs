@@ -1,13 +1,13 @@
 //! The page of several laws: what matters more on surfaces, contact law or summation method, and how the laws differ on a single asperity.
 
 use asperity::compare::{Dominance, Dominant, Measure};
-use asperity_framework::Outcome;
-use asperity_framework::metadata::Metadata;
-use asperity_framework::report::format::{input_number, input_quantity, listed, number, quantity};
-use asperity_framework::report::page::{Page, escape};
-use asperity_framework::report::sections;
-use asperity_framework::report::table::{Reading, Table, Tables};
-use asperity_framework::report::view::View;
+use asperity_contact_framework::Outcome;
+use asperity_contact_framework::metadata::Metadata;
+use asperity_contact_framework::report::format::{input_number, input_quantity, listed, number, quantity};
+use asperity_contact_framework::report::page::{Page, escape};
+use asperity_contact_framework::report::sections;
+use asperity_contact_framework::report::table::{Reading, Table, Tables};
+use asperity_contact_framework::report::view::View;
 use serde_json::{Map, Value, json};
 
 use super::figures;

@@ -8,8 +8,8 @@ use crate::study_plan::{StudyKeys, StudyPlan};
 use crate::surface::curvature_ratio;
 use asperity::compare::Controls;
 use asperity::{ContactLaw, Hertz, Law, Pair, Shape, Zmc};
-use asperity_framework::input::materials;
-use asperity_framework::input::{InputError, Spanned, SpecFile};
+use asperity_contact_framework::input::materials;
+use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 
 /// Several laws on one asperity and on given surfaces.
 pub struct LawsPlan {

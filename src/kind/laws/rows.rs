@@ -5,8 +5,8 @@ use crate::kind::compare::rows;
 use crate::model_tables::limits;
 use asperity::compare::{AtLoad, Dominance, Effect, Group, Measure, ModelKind};
 use asperity::sphere::{Boundary, Point};
-use asperity_framework::columns;
-use asperity_framework::report::table::{Column, Row, Schema, Table};
+use asperity_contact_framework::columns;
+use asperity_contact_framework::report::table::{Column, Row, Schema, Table};
 
 /// A law.
 pub struct LawRow<'a>(&'a LawOnAsperity);

@@ -9,8 +9,8 @@ use asperity::sphere::{Curve, boundaries};
 use asperity::study::CaseStudy;
 use asperity::study::LawContact;
 use asperity::work::{CountedContact, Counter};
-use asperity_framework::RunContext;
-use asperity_framework::input::InputError;
+use asperity_contact_framework::RunContext;
+use asperity_contact_framework::input::InputError;
 
 /// Runs it.
 ///

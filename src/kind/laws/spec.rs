@@ -4,11 +4,11 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::study_plan::{RoughBody, StatisticalSpec};
-use asperity_framework::input::Spanned;
-use asperity_framework::input::accept::AcceptSpec;
-use asperity_framework::input::law::Laws;
-use asperity_framework::input::quantity::{Length, Pressure, Pure, Quantity};
-use asperity_framework::input::sweep::LogSweep;
+use asperity_contact_framework::input::Spanned;
+use asperity_contact_framework::input::accept::AcceptSpec;
+use asperity_contact_framework::input::law::Laws;
+use asperity_contact_framework::input::quantity::{Length, Pressure, Pure, Quantity};
+use asperity_contact_framework::input::sweep::LogSweep;
 
 /// Several laws on one asperity, and on surfaces under both models: does the law matter more than the summation?
 #[derive(Debug, Deserialize, JsonSchema)]

@@ -7,10 +7,10 @@ mod spec;
 
 use asperity::compare::LimitSets;
 use asperity::{Flat, Heights, Population};
-use asperity_framework::contact::Bodies;
-use asperity_framework::input::{InputError, Spanned, SpecFile};
-use asperity_framework::report::table::Schema;
-use asperity_framework::{Kind, Reads};
+use asperity_contact_framework::contact::Bodies;
+use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
+use asperity_contact_framework::report::table::Schema;
+use asperity_contact_framework::{Kind, Reads};
 
 use crate::model_tables::{CurveRow, PairRow};
 use rows::{ConvergenceRow, SlopeRow};

@@ -1,13 +1,13 @@
 //! The page of a convergence study: does the sum converge to the integral, and at which rate?
 
 use asperity::compare::{ErrorSlope, HeightSampling, LimitQuantity};
-use asperity_framework::contact::ContactSummary;
-use asperity_framework::metadata::Metadata;
-use asperity_framework::report::format::{input_number, input_quantity, number, signed};
-use asperity_framework::report::page::Page;
-use asperity_framework::report::sections;
-use asperity_framework::report::table::{Table, Tables};
-use asperity_framework::{Outcome, fields};
+use asperity_contact_framework::contact::ContactSummary;
+use asperity_contact_framework::metadata::Metadata;
+use asperity_contact_framework::report::format::{input_number, input_quantity, number, signed};
+use asperity_contact_framework::report::page::Page;
+use asperity_contact_framework::report::sections;
+use asperity_contact_framework::report::table::{Table, Tables};
+use asperity_contact_framework::{Outcome, fields};
 use asperity_plot::{Axis, Colour, Figure, Layer, Plot};
 use serde_json::{Map, Value};
 

@@ -1,8 +1,8 @@
 //! The tables of a limit.
 
 use asperity::compare::{ErrorSlope, LimitPoint, LimitQuantity, ModelKind};
-use asperity_framework::columns;
-use asperity_framework::report::table::{Column, Row, Table};
+use asperity_contact_framework::columns;
+use asperity_contact_framework::report::table::{Column, Row, Table};
 
 use super::run::LimitResults;
 use crate::model_tables::{CurveRow, PairRow, RowCase, comparison_of_models};

@@ -7,10 +7,10 @@ use asperity::compare::{ErrorSlope, LimitCase, LimitPoint, LimitSets, convergenc
 use asperity::plasticity_index;
 use asperity::study::LawContact;
 use asperity::work::{CountedContact, Counter, Item};
-use asperity_framework::contact::{Bodies, ContactMetadata, contact_metadata, papers_of};
-use asperity_framework::input::InputError;
-use asperity_framework::metadata::{Metadata, Timing};
-use asperity_framework::{Memory, Plan, RunContext, set_memory};
+use asperity_contact_framework::contact::{Bodies, ContactMetadata, contact_metadata, papers_of};
+use asperity_contact_framework::input::InputError;
+use asperity_contact_framework::metadata::{Metadata, Timing};
+use asperity_contact_framework::{Memory, Plan, RunContext, set_memory};
 
 /// Sets of growing size against their limit.
 pub struct LimitPlan {

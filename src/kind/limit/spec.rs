@@ -3,10 +3,10 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use asperity_framework::input::law::Laws;
-use asperity_framework::input::quantity::{ArealNumberDensity, Length, Pure, Quantity};
-use asperity_framework::input::sweep::{LinearSweep, LogSweep};
-use asperity_framework::input::{Spanned, Whole};
+use asperity_contact_framework::input::law::Laws;
+use asperity_contact_framework::input::quantity::{ArealNumberDensity, Length, Pure, Quantity};
+use asperity_contact_framework::input::sweep::{LinearSweep, LogSweep};
+use asperity_contact_framework::input::{Spanned, Whole};
 
 /// Convergence of the sum to the integral: sets of equal radii and Gaussian heights, of growing size.
 #[derive(Debug, Deserialize, JsonSchema)]

@@ -1,7 +1,7 @@
 //! Density and radii, and the gap with its parts, against the length that is varied.
 
 use asperity::compare::{Cause, ComparedQuantity};
-use asperity_framework::report::format::capitalised;
+use asperity_contact_framework::report::format::capitalised;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
 
 use super::findings::{Gap, gaps};

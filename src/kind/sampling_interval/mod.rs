@@ -14,10 +14,10 @@ mod trend;
 use std::path::PathBuf;
 
 use asperity::surface::AnalysisDepth;
-use asperity_framework::Kind;
-use asperity_framework::input::{InputError, Spanned, SpecFile};
-use asperity_framework::report::table::Schema;
-use asperity_framework::{Memory, Plan, RunContext};
+use asperity_contact_framework::Kind;
+use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
+use asperity_contact_framework::report::table::Schema;
+use asperity_contact_framework::{Memory, Plan, RunContext};
 
 use crate::surface::{SurfacePlan, inputs, memory};
 use plan::IntervalPlan;

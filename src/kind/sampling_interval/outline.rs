@@ -1,14 +1,14 @@
 //! The page: which results have a limit, then surface by surface figures and views of the tables, then the criterion.
 
 use asperity::compare::ComparedQuantity;
-use asperity_framework::contact::ContactSummary;
-use asperity_framework::metadata::Metadata;
-use asperity_framework::report::format::{input_quantity, quantity, signed};
-use asperity_framework::report::page::{Page, escape};
-use asperity_framework::report::sections;
-use asperity_framework::report::table::{Reading, Table, Tables};
-use asperity_framework::report::view::View;
-use asperity_framework::{Outcome, fields};
+use asperity_contact_framework::contact::ContactSummary;
+use asperity_contact_framework::metadata::Metadata;
+use asperity_contact_framework::report::format::{input_quantity, quantity, signed};
+use asperity_contact_framework::report::page::{Page, escape};
+use asperity_contact_framework::report::sections;
+use asperity_contact_framework::report::table::{Reading, Table, Tables};
+use asperity_contact_framework::report::view::View;
+use asperity_contact_framework::{Outcome, fields};
 use serde_json::{Map, Value, json};
 
 use super::figures;

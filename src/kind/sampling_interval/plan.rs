@@ -4,9 +4,9 @@ use std::fmt;
 use std::ops::Range;
 
 use asperity::compare::Controls;
-use asperity_framework::input::quantity::{Pure, Quantity};
-use asperity_framework::input::{InputError, Spanned, SpecFile, Whole};
-use asperity_framework::report::format::listed;
+use asperity_contact_framework::input::quantity::{Pure, Quantity};
+use asperity_contact_framework::input::{InputError, Spanned, SpecFile, Whole};
+use asperity_contact_framework::report::format::listed;
 
 use super::spec::SamplingIntervalSpec;
 use crate::study_plan::{StudyKeys, StudyPlan};

@@ -4,8 +4,8 @@ use asperity::compare::{Accepted, ComparedQuantity, Contributions, Estimate, Lef
 use asperity::named_enum;
 use asperity::study::CaseResults;
 use asperity::surface::Surface;
-use asperity_framework::contact::ContactMetadata;
-use asperity_framework::metadata::Metadata;
+use asperity_contact_framework::contact::ContactMetadata;
+use asperity_contact_framework::metadata::Metadata;
 
 use super::quantity::{Asperities, TrendQuantity};
 use super::trend::{Point, Trend};

@@ -2,8 +2,8 @@
 
 use asperity::Response;
 use asperity::compare::{Cause, ComparedQuantity, Contributions, Difference, Estimate, Pair};
-use asperity_framework::columns;
-use asperity_framework::report::table::{Column, Row, Schema, Table};
+use asperity_contact_framework::columns;
+use asperity_contact_framework::report::table::{Column, Row, Schema, Table};
 
 use super::findings::{Gap, gaps, sign};
 use super::results::{IntervalResults, QUANTITIES, Scale, ScaleResults, Series};

@@ -9,11 +9,11 @@ use asperity::surface::{AnalysisDepth, Independence, Surface};
 use asperity::topography::{Filter, FilterError, Rows, Sampled};
 use asperity::work::Counter;
 use asperity::{AsperitySet, HeightMap, Statistics, literature};
-use asperity_framework::RunContext;
-use asperity_framework::contact::{contact_metadata, papers_of};
-use asperity_framework::input::InputError;
-use asperity_framework::metadata::Timing;
-use asperity_framework::progress::Silent;
+use asperity_contact_framework::RunContext;
+use asperity_contact_framework::contact::{contact_metadata, papers_of};
+use asperity_contact_framework::input::InputError;
+use asperity_contact_framework::metadata::Timing;
+use asperity_contact_framework::progress::Silent;
 
 use super::plan::IntervalPlan;
 use super::quantity::Asperities;

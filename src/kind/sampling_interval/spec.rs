@@ -3,12 +3,12 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use asperity_framework::input::Spanned;
-use asperity_framework::input::Whole;
-use asperity_framework::input::accept::AcceptSpec;
-use asperity_framework::input::law::Laws;
-use asperity_framework::input::quantity::{Length, Pressure, Pure, Quantity};
-use asperity_framework::input::sweep::LogSweep;
+use asperity_contact_framework::input::Spanned;
+use asperity_contact_framework::input::Whole;
+use asperity_contact_framework::input::accept::AcceptSpec;
+use asperity_contact_framework::input::law::Laws;
+use asperity_contact_framework::input::quantity::{Length, Pressure, Pure, Quantity};
+use asperity_contact_framework::input::sweep::LogSweep;
 
 use crate::study_plan::{RoughBody, StatisticalSpec};
 

@@ -10,11 +10,11 @@ mod spec;
 use std::path::PathBuf;
 
 use asperity::Total;
-use asperity_framework::divided::run_undivided;
-use asperity_framework::input::{InputError, Spanned, SpecFile};
-use asperity_framework::report::table::Schema;
-use asperity_framework::{Kind, Planned};
-use asperity_framework::{Memory, Plan, RunContext};
+use asperity_contact_framework::divided::run_undivided;
+use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
+use asperity_contact_framework::report::table::Schema;
+use asperity_contact_framework::{Kind, Planned};
+use asperity_contact_framework::{Memory, Plan, RunContext};
 
 use crate::model_tables::{CurveRow, PairRow};
 use crate::surface::inputs;

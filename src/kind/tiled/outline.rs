@@ -1,13 +1,13 @@
 //! The page of a surface in tiles: how far is the integral from the sum over all of it?
 
 use asperity::compare::ModelKind;
-use asperity_framework::contact::ContactSummary;
-use asperity_framework::metadata::Metadata;
-use asperity_framework::report::format::{count, input_number, number, percent, signed, thickness};
-use asperity_framework::report::page::{Page, escape};
-use asperity_framework::report::sections;
-use asperity_framework::report::table::{Table, Tables};
-use asperity_framework::{Outcome, fields};
+use asperity_contact_framework::contact::ContactSummary;
+use asperity_contact_framework::metadata::Metadata;
+use asperity_contact_framework::report::format::{count, input_number, number, percent, signed, thickness};
+use asperity_contact_framework::report::page::{Page, escape};
+use asperity_contact_framework::report::sections;
+use asperity_contact_framework::report::table::{Table, Tables};
+use asperity_contact_framework::{Outcome, fields};
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Plot};
 use serde_json::{Map, Value, json};
 

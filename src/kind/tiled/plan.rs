@@ -3,8 +3,8 @@
 use std::fmt;
 
 use asperity::compare::Controls;
-use asperity_framework::input::accept::AcceptSpec;
-use asperity_framework::input::{InputError, Spanned, SpecFile};
+use asperity_contact_framework::input::accept::AcceptSpec;
+use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 
 use super::spec::TiledSpec;
 use crate::study_plan::{StudyKeys, StudyPlan};

@@ -3,8 +3,8 @@
 use asperity::compare::{Comparison, CurvePoint, ModelKind, Pair, Pairing};
 use asperity::study::LawContact;
 use asperity::{Model, Population, ReferencePlane, Response, Shape, Statistical, Statistics, Total};
-use asperity_framework::contact::ContactMetadata;
-use asperity_framework::metadata::Metadata;
+use asperity_contact_framework::contact::ContactMetadata;
+use asperity_contact_framework::metadata::Metadata;
 
 /// Both models on a surface in tiles.
 #[derive(Debug)]

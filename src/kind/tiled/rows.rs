@@ -2,8 +2,8 @@
 
 use asperity::Statistics;
 use asperity::compare::Pair;
-use asperity_framework::columns;
-use asperity_framework::report::table::{Column, Row, Table};
+use asperity_contact_framework::columns;
+use asperity_contact_framework::report::table::{Column, Row, Table};
 
 use super::results::{LawResults, TiledResults, TiledSurface};
 use crate::model_tables::{CurveRow, PairRow, RowCase, comparison_of_models, limits};

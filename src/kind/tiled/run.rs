@@ -4,10 +4,10 @@ use std::ops::Range;
 
 use asperity::study::LawContact;
 use asperity::{AsperitySums, Deterministic, MeanRadius, Population, ReferencePlane, Total};
-use asperity_framework::RunContext;
-use asperity_framework::contact;
-use asperity_framework::divided::{Divided, TileResult};
-use asperity_framework::input::InputError;
+use asperity_contact_framework::RunContext;
+use asperity_contact_framework::contact;
+use asperity_contact_framework::divided::{Divided, TileResult};
+use asperity_contact_framework::input::InputError;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 

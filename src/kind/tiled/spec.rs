@@ -3,9 +3,9 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use asperity_framework::input::Spanned;
-use asperity_framework::input::law::Laws;
-use asperity_framework::input::sweep::LinearSweep;
+use asperity_contact_framework::input::Spanned;
+use asperity_contact_framework::input::law::Laws;
+use asperity_contact_framework::input::sweep::LinearSweep;
 
 use crate::layer::LayerSpec;
 use crate::study_plan::RoughBody;

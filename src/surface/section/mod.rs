@@ -5,10 +5,10 @@ mod figures;
 use crate::surface::fitness::blocked_by;
 use crate::surface::rows::{self, FitnessRow, MapRow, ProcessRow, SurfaceRow, TargetRow, TheoryRow};
 use asperity::surface::{MapFacts, Surface};
-use asperity_framework::report::format::{count, number, percent, quantity};
-use asperity_framework::report::page::Page;
-use asperity_framework::report::table::Tables;
-use asperity_framework::report::view::View;
+use asperity_contact_framework::report::format::{count, number, percent, quantity};
+use asperity_contact_framework::report::page::Page;
+use asperity_contact_framework::report::table::Tables;
+use asperity_contact_framework::report::view::View;
 pub use figures::unit as length_unit;
 
 /// Adds views and figures of a surface to a page, those that most readers want first; `assumed` is the population of the statistical

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-use asperity_framework::report::format;
+use asperity_contact_framework::report::format;
 
 mod heights;
 mod input;

@@ -3,7 +3,7 @@
 use std::ops::{Range, RangeInclusive};
 
 use asperity::bem::{Boundary, Solver};
-use asperity_framework::input::{InputError, SpecFile};
+use asperity_contact_framework::input::{InputError, SpecFile};
 
 /// Pixels per contact radius of a sphere: fewer show no circle.
 pub const PIXELS: RangeInclusive<f64> = 4.0..=400.0;

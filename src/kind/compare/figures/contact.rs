@@ -1,7 +1,7 @@
 //! The contact of the reference at one load: its pressures on a part of the map, and their distribution.
 
-use asperity_framework::report::format::{count, input_quantity, percent, quantity};
-use asperity_framework::report::page::Page;
+use asperity_contact_framework::report::format::{count, input_quantity, percent, quantity};
+use asperity_contact_framework::report::page::Page;
 use asperity_plot::{Axis, Colour, ColourMap, Figure, Layer, Marker, Plot, Raster};
 
 use crate::kind::compare::names::under;

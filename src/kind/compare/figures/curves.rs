@@ -6,7 +6,7 @@ use crate::presentation::regime_colour;
 use asperity::compare::{Comparison, CurvePoint, ModelKind, ReferencePoint, ValidRange};
 use asperity::study::CaseResults;
 use asperity::{INTERACTION, Limit, Regime};
-use asperity_framework::report::format::capitalised;
+use asperity_contact_framework::report::format::capitalised;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
 /// Half-width of a band in standard errors: 95 % of all samples lie within.

@@ -3,7 +3,7 @@
 
 use asperity::compare::{AgainstReference, ComparedQuantity, Difference, Estimate, ValidRange};
 use asperity::study::Verdicts;
-use asperity_framework::report::format::capitalised;
+use asperity_contact_framework::report::format::capitalised;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
 use super::axes::Units;

@@ -2,7 +2,7 @@
 
 use asperity::compare::{ComparedQuantity, Difference};
 use asperity::study::{CaseStudy, Treatment};
-use asperity_framework::report::format::{capitalised, input_quantity};
+use asperity_contact_framework::report::format::{capitalised, input_quantity};
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
 use crate::kind::compare::results::SurfaceResults;

@@ -5,7 +5,7 @@ use crate::kind::compare::series::{Series, is_valid_at};
 use asperity::compare::{ComparedQuantity, CurvePoint, ModelKind};
 use asperity::study::CaseResults;
 use asperity::{INTERACTION, Regime, Response};
-use asperity_framework::report::format::{input_quantity, thickness};
+use asperity_contact_framework::report::format::{input_quantity, thickness};
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
 /// Separation and real area against load, by thickness.

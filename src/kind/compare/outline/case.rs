@@ -3,10 +3,10 @@
 use asperity::compare::Comparison;
 use asperity::study::RealisationFacts;
 use asperity::topography::generate::SigmaOf;
-use asperity_framework::report::format::{input_quantity, number, percent};
-use asperity_framework::report::page::Page;
-use asperity_framework::report::table::{Reading, Tables};
-use asperity_framework::report::view::View;
+use asperity_contact_framework::report::format::{input_quantity, number, percent};
+use asperity_contact_framework::report::page::Page;
+use asperity_contact_framework::report::table::{Reading, Tables};
+use asperity_contact_framework::report::view::View;
 
 use super::lead;
 use crate::kind::compare::figures::axes::Units;

@@ -4,7 +4,7 @@ use asperity::compare::{ComparedQuantity, Stretch, Verdict};
 use asperity::study::{Basis, Verdicts};
 use asperity::surface::Surface;
 use asperity::{INTERACTION, LARGE_STRAIN_SHARE, LARGEST_LOAD_SHARE, Limit, MIN_CONTACTS};
-use asperity_framework::report::format::{
+use asperity_contact_framework::report::format::{
     alternatives, input_quantity, listed, number, percent, quantity, signed,
 };
 

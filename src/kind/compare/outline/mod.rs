@@ -17,12 +17,12 @@ pub(crate) use sections::verdicts;
 
 use asperity::compare::Tolerances;
 use asperity::study::Verdicts;
-use asperity_framework::Outcome;
-use asperity_framework::contact::ContactSummary;
-use asperity_framework::metadata::Metadata;
-use asperity_framework::report::page::{Page, escape_around_code};
-use asperity_framework::report::sections as common;
-use asperity_framework::report::table::{Table, Tables};
+use asperity_contact_framework::Outcome;
+use asperity_contact_framework::contact::ContactSummary;
+use asperity_contact_framework::metadata::Metadata;
+use asperity_contact_framework::report::page::{Page, escape_around_code};
+use asperity_contact_framework::report::sections as common;
+use asperity_contact_framework::report::table::{Table, Tables};
 use serde_json::{Map, Value, json};
 
 use super::figures::differences;
@@ -84,7 +84,7 @@ impl Outcome for CompareResults {
     }
 
     fn facts(&self) -> serde_json::Result<Map<String, Value>> {
-        let mut facts = asperity_framework::fields(&ContactSummary::new(&self.contact))?;
+        let mut facts = asperity_contact_framework::fields(&ContactSummary::new(&self.contact))?;
         let mut add = |key: &str, value: Value| facts.insert(key.to_owned(), value);
         if let Some(described) = &self.described {
             add("looked_at", json!(described.file));

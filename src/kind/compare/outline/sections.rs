@@ -1,10 +1,10 @@
 //! What is shown of all cases together: views of tables.
 
 use asperity::compare::{ComparedQuantity, GOOD_RATIO, ModelKind, Tolerances};
-use asperity_framework::report::format::{capitalised, listed, number};
-use asperity_framework::report::page::{Page, escape};
-use asperity_framework::report::table::{Reading, Tables};
-use asperity_framework::report::view::View;
+use asperity_contact_framework::report::format::{capitalised, listed, number};
+use asperity_contact_framework::report::page::{Page, escape};
+use asperity_contact_framework::report::table::{Reading, Tables};
+use asperity_contact_framework::report::view::View;
 
 use super::lead::ORDER;
 use crate::kind::compare::results::CompareResults;

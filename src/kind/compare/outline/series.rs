@@ -1,7 +1,7 @@
 //! A surface under one law by layer thickness: Fig. 6 of Pasaribu and Schipper (2005), and thickness as an axis.
 
-use asperity_framework::report::page::Page;
-use asperity_framework::report::table::Tables;
+use asperity_contact_framework::report::page::Page;
+use asperity_contact_framework::report::table::Tables;
 
 use crate::kind::compare::figures::layers;
 use crate::kind::compare::series::Series;

@@ -9,9 +9,9 @@ use asperity::compare::Control;
 use asperity::law::Property;
 use asperity::study::LawContact;
 use asperity::{Flat, Material, softer_hardness};
-use asperity_framework::input::Spanned;
-use asperity_framework::input::{InputError, SpecFile, Whole, materials};
-use asperity_framework::report::format::{number, quantity};
+use asperity_contact_framework::input::Spanned;
+use asperity_contact_framework::input::{InputError, SpecFile, Whole, materials};
+use asperity_contact_framework::report::format::{number, quantity};
 
 use super::spec::{CapSpec, ReferenceSpec};
 use crate::kind::compare::spec::CompareSpec;

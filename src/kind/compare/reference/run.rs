@@ -13,9 +13,9 @@ use asperity::progress::Silent;
 use asperity::study::CaseResults;
 use asperity::surface::{Independence, PreparedMap, Surface};
 use asperity::topography::Blocks;
-use asperity_framework::RunContext;
-use asperity_framework::input::InputError;
-use asperity_framework::metadata::Timing;
+use asperity_contact_framework::RunContext;
+use asperity_contact_framework::input::InputError;
+use asperity_contact_framework::metadata::Timing;
 
 use super::plan::{ReferencePlan, Solution, spread_over};
 use super::view::{ContactView, SumAtLoad};

@@ -4,9 +4,9 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use asperity::bem::Boundary;
-use asperity_framework::input::Spanned;
-use asperity_framework::input::Whole;
-use asperity_framework::input::quantity::{Pure, Quantity};
+use asperity_contact_framework::input::Spanned;
+use asperity_contact_framework::input::Whole;
+use asperity_contact_framework::input::quantity::{Pure, Quantity};
 
 /// How the boundary element reference is run; each key may be left out.
 #[derive(Debug, Clone, Default, Deserialize, JsonSchema)]

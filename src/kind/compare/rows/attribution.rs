@@ -1,8 +1,8 @@
 //! `attribution.csv`: the differences between the models at equal load divided among their causes.
 
 use asperity::compare::{Attribution, Cause, ComparedQuantity, Contributions, Order};
-use asperity_framework::columns;
-use asperity_framework::report::table::{Column, Row};
+use asperity_contact_framework::columns;
+use asperity_contact_framework::report::table::{Column, Row};
 
 use super::{CaseKey, SurfaceCase, case_columns};
 use crate::kind::compare::results::CompareResults;

@@ -3,8 +3,8 @@
 use asperity::Limit;
 use asperity::compare::PointCounts;
 use asperity::study::{Basis, Verdicts};
-use asperity_framework::columns;
-use asperity_framework::report::table::{Column, Row};
+use asperity_contact_framework::columns;
+use asperity_contact_framework::report::table::{Column, Row};
 
 use super::{CaseKey, SurfaceCase, case_columns};
 use crate::kind::compare::results::CompareResults;

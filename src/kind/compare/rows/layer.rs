@@ -3,8 +3,8 @@
 use asperity::ModulusModel;
 use asperity::compare::ModulusError;
 use asperity::study::{DecreaseResults, Threshold};
-use asperity_framework::columns;
-use asperity_framework::report::table::{Column, Row};
+use asperity_contact_framework::columns;
+use asperity_contact_framework::report::table::{Column, Row};
 
 use super::{CaseKey, case_columns};
 use crate::kind::compare::results::CompareResults;

@@ -28,8 +28,8 @@ pub(crate) use standings::StandingRow;
 pub(crate) use verdicts::VerdictRow;
 
 use asperity::study::{CaseResults, CaseStudy, Verdicts};
-use asperity_framework::columns;
-use asperity_framework::report::table::{Column, Schema, Table};
+use asperity_contact_framework::columns;
+use asperity_contact_framework::report::table::{Column, Schema, Table};
 
 use super::results::{CompareResults, SurfaceResults};
 use crate::model_tables::{CAUSES, CurveRow, PairRow, REFERENCE};

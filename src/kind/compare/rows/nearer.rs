@@ -1,8 +1,8 @@
 //! `reference_curves.csv`: what was solved; `nearer_to_reference.csv`: which model is nearer to the reference.
 
 use asperity::compare::{ModelKind, NearerStretch, ReferenceCurve};
-use asperity_framework::columns;
-use asperity_framework::report::table::{Column, Row};
+use asperity_contact_framework::columns;
+use asperity_contact_framework::report::table::{Column, Row};
 
 use super::{CaseKey, SurfaceCase, case_columns};
 use crate::kind::compare::results::CompareResults;

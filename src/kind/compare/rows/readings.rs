@@ -1,7 +1,7 @@
 //! `readings.csv`: sigma and d read as those of the asperities, or of the surface.
 
-use asperity_framework::columns;
-use asperity_framework::report::table::{Column, Row};
+use asperity_contact_framework::columns;
+use asperity_contact_framework::report::table::{Column, Row};
 
 use crate::kind::compare::readings::{ReadLoads, loads_by_reading};
 use crate::kind::compare::results::CompareResults;

@@ -1,8 +1,8 @@
 //! `reference.csv`: what the boundary element solver did at each load.
 
 use asperity::compare::ReferencePoint;
-use asperity_framework::columns;
-use asperity_framework::report::table::{Column, Row};
+use asperity_contact_framework::columns;
+use asperity_contact_framework::report::table::{Column, Row};
 
 use super::curves::cases;
 use crate::kind::compare::results::CompareResults;

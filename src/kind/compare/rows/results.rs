@@ -3,8 +3,8 @@
 use asperity::Response;
 use asperity::compare::{Gap, ReferencePoint};
 use asperity::study::CaseResults;
-use asperity_framework::columns;
-use asperity_framework::report::table::{Column, Row};
+use asperity_contact_framework::columns;
+use asperity_contact_framework::report::table::{Column, Row};
 
 use super::{CaseKey, SurfaceCase, case_columns};
 use crate::kind::compare::results::CompareResults;

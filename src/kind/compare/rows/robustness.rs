@@ -3,9 +3,9 @@
 use asperity::MeanRadius;
 use asperity::compare::{ComparedQuantity, Difference, Estimate, Verdict};
 use asperity::study::{Treated, Treatment, Verdicts};
-use asperity_framework::columns;
-use asperity_framework::report::format::quantity;
-use asperity_framework::report::table::{Column, Row};
+use asperity_contact_framework::columns;
+use asperity_contact_framework::report::format::quantity;
+use asperity_contact_framework::report::table::{Column, Row};
 
 use super::{CaseKey, SurfaceCase, case_columns};
 use crate::kind::compare::results::CompareResults;

@@ -1,8 +1,8 @@
 //! `spread.csv`: the scatter of both models over several realisations.
 
 use asperity::compare::Spread;
-use asperity_framework::columns;
-use asperity_framework::report::table::{Column, Row};
+use asperity_contact_framework::columns;
+use asperity_contact_framework::report::table::{Column, Row};
 
 use super::{CaseKey, SurfaceCase, case_columns};
 use crate::kind::compare::results::CompareResults;

@@ -2,8 +2,8 @@
 
 use asperity::compare::{ModelKind, Stretch};
 use asperity::study::LeadingCause;
-use asperity_framework::columns;
-use asperity_framework::report::table::{Column, Row};
+use asperity_contact_framework::columns;
+use asperity_contact_framework::report::table::{Column, Row};
 
 use super::{CaseKey, SurfaceCase, case_columns};
 use crate::kind::compare::results::CompareResults;

@@ -2,13 +2,15 @@
 
 use asperity::INTERACTION;
 use asperity::numeric::extremes;
-use asperity_framework::contact::ContactSummary;
-use asperity_framework::metadata::Metadata;
-use asperity_framework::report::format::{capitalised, count, input_number, input_quantity, number, percent};
-use asperity_framework::report::page::{Page, escape};
-use asperity_framework::report::sections;
-use asperity_framework::report::table::{Table, Tables};
-use asperity_framework::{Outcome, fields};
+use asperity_contact_framework::contact::ContactSummary;
+use asperity_contact_framework::metadata::Metadata;
+use asperity_contact_framework::report::format::{
+    capitalised, count, input_number, input_quantity, number, percent,
+};
+use asperity_contact_framework::report::page::{Page, escape};
+use asperity_contact_framework::report::sections;
+use asperity_contact_framework::report::table::{Table, Tables};
+use asperity_contact_framework::{Outcome, fields};
 use serde_json::{Map, Value};
 
 use super::figures::{caption, coverage};

@@ -8,11 +8,11 @@ use asperity::study::LawContact;
 use asperity::topography::generate::{Process, SpectrumOf};
 use asperity::topography::spectrum::{Lay, Spectrum, SpectrumError, SpectrumShape};
 use asperity::{Flat, Heights};
-use asperity_framework::contact::Bodies;
+use asperity_contact_framework::contact::Bodies;
 
-use asperity_framework::input::quantity::Pure;
-use asperity_framework::input::sweep::LogSweep;
-use asperity_framework::input::{InputError, Spanned, SpecFile};
+use asperity_contact_framework::input::quantity::Pure;
+use asperity_contact_framework::input::sweep::LogSweep;
+use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 
 /// Points along a side: fewer hold no 16 blocks with summits, and of more the program examines every other one for the
 /// correlation length.

@@ -5,8 +5,8 @@ use std::ops::Range;
 use super::plan::WindowPlan;
 use crate::coverage::{Coverage, CoveredQuantity};
 use asperity::Heights;
-use asperity_framework::contact::ContactMetadata;
-use asperity_framework::metadata::Metadata;
+use asperity_contact_framework::contact::ContactMetadata;
+use asperity_contact_framework::metadata::Metadata;
 
 /// The coverage that intervals of 95 % may have.
 pub const BAND: [f64; 2] = [0.93, 0.97];

@@ -1,8 +1,8 @@
 //! `processes.csv` and `coverage.csv`.
 
 use asperity::topography::MIN_BLOCKS;
-use asperity_framework::columns;
-use asperity_framework::report::table::{Column, Row, Table};
+use asperity_contact_framework::columns;
+use asperity_contact_framework::report::table::{Column, Row, Table};
 
 use super::plan::WindowPlan;
 use super::results::{CaseResults, CoverageResults, LoadCoverage};

@@ -7,10 +7,10 @@ use super::results::{CaseResults, CoverageResults, LoadCoverage};
 use crate::coverage::{Coverage, CoveredQuantity, QuantityEstimate, WindowTask, windows_of};
 use asperity::numeric::median;
 use asperity::{Heights, literature};
-use asperity_framework::RunContext;
-use asperity_framework::contact::{contact_metadata, papers_of};
-use asperity_framework::input::InputError;
-use asperity_framework::metadata::Timing;
+use asperity_contact_framework::RunContext;
+use asperity_contact_framework::contact::{contact_metadata, papers_of};
+use asperity_contact_framework::input::InputError;
+use asperity_contact_framework::metadata::Timing;
 
 pub(super) fn run(context: &RunContext, plan: &CoveragePlan) -> Result<CoverageResults, InputError> {
     let start = Instant::now();

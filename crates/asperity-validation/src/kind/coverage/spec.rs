@@ -4,12 +4,12 @@ use indexmap::IndexMap;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use asperity_framework::input::Spanned;
-use asperity_framework::input::Whole;
-use asperity_framework::input::heights::HeightsSpec;
-use asperity_framework::input::law::Laws;
-use asperity_framework::input::quantity::{Finite, Length, Pure, Quantity};
-use asperity_framework::input::sweep::LogSweep;
+use asperity_contact_framework::input::Spanned;
+use asperity_contact_framework::input::Whole;
+use asperity_contact_framework::input::heights::HeightsSpec;
+use asperity_contact_framework::input::law::Laws;
+use asperity_contact_framework::input::quantity::{Finite, Length, Pure, Quantity};
+use asperity_contact_framework::input::sweep::LogSweep;
 
 /// How often 95 % intervals cover the truth: windows of random processes, each taken as a measured map.
 #[derive(Debug, Deserialize, JsonSchema)]

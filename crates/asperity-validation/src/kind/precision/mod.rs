@@ -7,14 +7,14 @@ mod run;
 mod spec;
 
 use asperity::bem::Boundary;
-use asperity_framework::contact::ContactSummary;
-use asperity_framework::input::{InputError, Spanned, SpecFile};
-use asperity_framework::metadata::Metadata;
-use asperity_framework::report::Page;
-use asperity_framework::report::table::{Schema, Table, Tables};
-use asperity_framework::set_memory;
-use asperity_framework::{Kind, Outcome, Planned, Reads, fields};
-use asperity_framework::{Memory, Plan, RunContext};
+use asperity_contact_framework::contact::ContactSummary;
+use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
+use asperity_contact_framework::metadata::Metadata;
+use asperity_contact_framework::report::Page;
+use asperity_contact_framework::report::table::{Schema, Table, Tables};
+use asperity_contact_framework::set_memory;
+use asperity_contact_framework::{Kind, Outcome, Planned, Reads, fields};
+use asperity_contact_framework::{Memory, Plan, RunContext};
 use serde_json::{Map, Value};
 
 use crate::kind::boundary_elements::contact_memory;

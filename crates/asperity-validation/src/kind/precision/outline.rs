@@ -6,11 +6,13 @@ use crate::precision::reference::ReferencePoint;
 use crate::precision::sum::{Method, POINTS, SEPARATIONS, SumPoint};
 use crate::precision::surface::{Statistic, SurfacePoint};
 use crate::precision::{Case, Cost};
-use asperity_framework::report::format::{count, input_number, input_quantity, number, percent, quantity};
-use asperity_framework::report::page::{Page, escape};
-use asperity_framework::report::sections;
-use asperity_framework::report::table::Tables;
-use asperity_framework::report::view::View;
+use asperity_contact_framework::report::format::{
+    count, input_number, input_quantity, number, percent, quantity,
+};
+use asperity_contact_framework::report::page::{Page, escape};
+use asperity_contact_framework::report::sections;
+use asperity_contact_framework::report::table::Tables;
+use asperity_contact_framework::report::view::View;
 use asperity_plot::{Axis, Colour, Figure, Layer, Marker, Plot};
 
 /// Smaller errors are shown at this value.

@@ -12,10 +12,10 @@ use crate::solver::sphere_points;
 use crate::stability;
 use asperity::study::LawContact;
 use asperity::{ContactLaw, Flat, Heights, Population};
-use asperity_framework::contact::Bodies;
-use asperity_framework::input::quantity::Pure;
-use asperity_framework::input::sweep::LogSweep;
-use asperity_framework::input::{InputError, Spanned, SpecFile};
+use asperity_contact_framework::contact::Bodies;
+use asperity_contact_framework::input::quantity::Pure;
+use asperity_contact_framework::input::sweep::LogSweep;
+use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 
 /// d/sigma within which rules and reference keep their digits.
 const SEPARATIONS: RangeInclusive<f64> = -10.0..=35.0;

@@ -5,8 +5,8 @@ use crate::precision::integral::IntegralPoint;
 use crate::precision::reference::ReferencePoint;
 use crate::precision::sum::SumPoint;
 use crate::precision::surface::SurfacePoint;
-use asperity_framework::columns;
-use asperity_framework::report::table::{Column, Row, Schema, Table};
+use asperity_contact_framework::columns;
+use asperity_contact_framework::report::table::{Column, Row, Schema, Table};
 
 impl Row for &IntegralPoint {
     const FILE: &'static str = "integral.csv";

@@ -13,10 +13,10 @@ use crate::precision::sum::{SumPoint, sums};
 use crate::precision::surface::{SurfacePoint, maps};
 use crate::stability::exact::Exact;
 use asperity::literature;
-use asperity_framework::RunContext;
-use asperity_framework::contact::{ContactMetadata, contact_metadata, papers_of};
-use asperity_framework::input::InputError;
-use asperity_framework::metadata::{Metadata, Timing};
+use asperity_contact_framework::RunContext;
+use asperity_contact_framework::contact::{ContactMetadata, contact_metadata, papers_of};
+use asperity_contact_framework::input::InputError;
+use asperity_contact_framework::metadata::{Metadata, Timing};
 
 /// What integrals, sums, surfaces and boundary elements cost, and how exact they are; empty where the spec does not request them.
 #[derive(Debug)]

@@ -4,11 +4,11 @@ use indexmap::IndexMap;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use asperity_framework::input::Spanned;
-use asperity_framework::input::Whole;
-use asperity_framework::input::law::Laws;
-use asperity_framework::input::quantity::{ArealNumberDensity, Length, Pure, Quantity};
-use asperity_framework::input::sweep::{LinearSweep, LogSweep};
+use asperity_contact_framework::input::Spanned;
+use asperity_contact_framework::input::Whole;
+use asperity_contact_framework::input::law::Laws;
+use asperity_contact_framework::input::quantity::{ArealNumberDensity, Length, Pure, Quantity};
+use asperity_contact_framework::input::sweep::{LinearSweep, LogSweep};
 
 /// Run time against error of integrals, sums, surfaces and boundary elements.
 #[derive(Debug, Deserialize, JsonSchema)]

@@ -1,6 +1,8 @@
 //! What each test shows, in a sentence from typed facts.
 
-use asperity_framework::report::format::{input_number, listed, mean_and_deviation, number, percent, ratio};
+use asperity_contact_framework::report::format::{
+    input_number, listed, mean_and_deviation, number, percent, ratio,
+};
 
 use super::results::{
     ERRORS, ErrorRow, LOWEST_ORDER, PUBLISHED_WITHIN, SolverResults, errors, growth, is_near, order,

@@ -10,10 +10,10 @@ mod run;
 mod spec;
 
 use asperity::bem::Boundary;
-use asperity_framework::input::{InputError, Spanned, SpecFile};
-use asperity_framework::report::table::Schema;
-use asperity_framework::{Kind, Reads};
-use asperity_framework::{Memory, Plan, RunContext};
+use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
+use asperity_contact_framework::report::table::Schema;
+use asperity_contact_framework::{Kind, Reads};
+use asperity_contact_framework::{Memory, Plan, RunContext};
 
 use crate::kind::boundary_elements::contact_memory;
 use crate::solver::ensemble::EnsembleTask;

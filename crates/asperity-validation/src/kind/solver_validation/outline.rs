@@ -1,12 +1,12 @@
 //! The page: each test with its claim, its figure, and its errors.
 
-use asperity_framework::Outcome;
-use asperity_framework::metadata::Metadata;
-use asperity_framework::report::format::{listed, quantity, ratio};
-use asperity_framework::report::page::Page;
-use asperity_framework::report::sections;
-use asperity_framework::report::table::{Table, Tables};
-use asperity_framework::report::view::View;
+use asperity_contact_framework::Outcome;
+use asperity_contact_framework::metadata::Metadata;
+use asperity_contact_framework::report::format::{listed, quantity, ratio};
+use asperity_contact_framework::report::page::Page;
+use asperity_contact_framework::report::sections;
+use asperity_contact_framework::report::table::{Table, Tables};
+use asperity_contact_framework::report::view::View;
 use asperity_plot::Figure;
 use serde_json::{Map, Value, json};
 

@@ -10,9 +10,9 @@ use crate::solver::ensemble::EnsembleTask;
 use crate::solver::published::ENSEMBLE;
 use crate::solver::work::WorkTask;
 use asperity::bem::Options;
-use asperity_framework::input::quantity::{Pure, Quantity};
-use asperity_framework::input::sweep::LogSweep;
-use asperity_framework::input::{InputError, Spanned, SpecFile};
+use asperity_contact_framework::input::quantity::{Pure, Quantity};
+use asperity_contact_framework::input::sweep::LogSweep;
+use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 
 /// Points per wavelength.
 const WAVE_POINTS: RangeInclusive<f64> = 8.0..=16384.0;

@@ -6,8 +6,8 @@ use crate::solver::work::WorkPoint;
 use crate::solver::{Benchmark, BenchmarkQuantity, Problem, Profile};
 use asperity::compare::SlopeFit;
 use asperity::numeric::extremes;
-use asperity_framework::metadata::Metadata;
-use asperity_framework::report::format::{input_number, number, percent};
+use asperity_contact_framework::metadata::Metadata;
+use asperity_contact_framework::report::format::{input_number, number, percent};
 
 /// The lowest order of convergence of Hertz's indentation that is accepted; 2 is expected.
 pub const LOWEST_ORDER: f64 = 1.7;

@@ -5,8 +5,8 @@ use crate::solver::ensemble::EnsemblePoint;
 use crate::solver::published::{ENSEMBLE, published};
 use crate::solver::work::WorkPoint;
 use crate::solver::{Benchmark, BenchmarkQuantity};
-use asperity_framework::columns;
-use asperity_framework::report::table::{Column, Row, Schema, Table};
+use asperity_contact_framework::columns;
+use asperity_contact_framework::report::table::{Column, Row, Schema, Table};
 
 impl Row for &Benchmark {
     const FILE: &'static str = "benchmarks.csv";

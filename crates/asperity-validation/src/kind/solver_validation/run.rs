@@ -11,9 +11,9 @@ use crate::solver::{
     partial_contact, wave_profile,
 };
 use asperity::literature;
-use asperity_framework::RunContext;
-use asperity_framework::input::InputError;
-use asperity_framework::metadata::Timing;
+use asperity_contact_framework::RunContext;
+use asperity_contact_framework::input::InputError;
+use asperity_contact_framework::metadata::Timing;
 
 /// Points per wavelength of the pressures in a figure, if the spec has no fewer.
 const PROFILE_POINTS: usize = 64;

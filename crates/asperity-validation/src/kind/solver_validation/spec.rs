@@ -3,10 +3,10 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use asperity_framework::input::Spanned;
-use asperity_framework::input::Whole;
-use asperity_framework::input::quantity::{Pure, Quantity};
-use asperity_framework::input::sweep::LogSweep;
+use asperity_contact_framework::input::Spanned;
+use asperity_contact_framework::input::Whole;
+use asperity_contact_framework::input::quantity::{Pure, Quantity};
+use asperity_contact_framework::input::sweep::LogSweep;
 
 /// Boundary elements against known solutions; problems that are left out are not run.
 #[derive(Debug, Deserialize, JsonSchema)]

@@ -1,7 +1,7 @@
 //! Error maps.
 
 use crate::stability::Map;
-use asperity_framework::report::format::number;
+use asperity_contact_framework::report::format::number;
 use asperity_plot::{Axis, Colour, ColourMap, Dash, Figure, Layer, Plot, Raster};
 
 /// log10 of the errors at both ends of the colours: a tenth of a rounding, and a hundred roundings or the worst.

@@ -8,10 +8,10 @@ mod rows;
 mod run;
 mod spec;
 
-use asperity_framework::input::{InputError, Spanned, SpecFile};
-use asperity_framework::report::table::Schema;
-use asperity_framework::{Kind, Reads};
-use asperity_framework::{Memory, Plan, RunContext};
+use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
+use asperity_contact_framework::report::table::Schema;
+use asperity_contact_framework::{Kind, Reads};
+use asperity_contact_framework::{Memory, Plan, RunContext};
 
 use crate::stability::Counts;
 use crate::stability::GroupResults;

@@ -1,11 +1,11 @@
 //! The page of `[stability]`: the largest errors, error maps, and the errors of every group and quantity.
 
-use asperity_framework::Outcome;
-use asperity_framework::metadata::Metadata;
-use asperity_framework::report::format::{capitalised, count, listed, one_digit};
-use asperity_framework::report::page::Page;
-use asperity_framework::report::sections;
-use asperity_framework::report::table::{Table, Tables};
+use asperity_contact_framework::Outcome;
+use asperity_contact_framework::metadata::Metadata;
+use asperity_contact_framework::report::format::{capitalised, count, listed, one_digit};
+use asperity_contact_framework::report::page::Page;
+use asperity_contact_framework::report::sections;
+use asperity_contact_framework::report::table::{Table, Tables};
 
 use super::figures::{caption, error_map};
 use super::results::StabilityResults;

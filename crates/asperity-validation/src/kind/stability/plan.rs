@@ -4,8 +4,8 @@ use std::fmt;
 
 use super::spec::{SpanSpec, StabilitySpec};
 use crate::stability::{Counts, Group, Ranges};
-use asperity_framework::input::quantity::{Dimension, Range};
-use asperity_framework::input::{InputError, Spanned, SpecFile, Whole};
+use asperity_contact_framework::input::quantity::{Dimension, Range};
+use asperity_contact_framework::input::{InputError, Spanned, SpecFile, Whole};
 
 /// Cases to be checked.
 #[derive(Debug, Clone, Copy)]

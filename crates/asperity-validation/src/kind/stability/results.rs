@@ -1,7 +1,7 @@
 //! Errors of all groups of cases: everything that the report contains.
 
 use crate::stability::{GroupResults, Map};
-use asperity_framework::metadata::Metadata;
+use asperity_contact_framework::metadata::Metadata;
 
 /// Errors against an evaluation of about 32 digits.
 #[derive(Debug)]

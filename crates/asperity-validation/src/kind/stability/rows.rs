@@ -2,8 +2,8 @@
 
 use super::results::StabilityResults;
 use crate::stability::{CheckedQuantity, Failure, GroupResults, WorstCase};
-use asperity_framework::columns;
-use asperity_framework::report::table::{Column, Row, Table};
+use asperity_contact_framework::columns;
+use asperity_contact_framework::report::table::{Column, Row, Table};
 
 impl Row for &GroupResults {
     const FILE: &'static str = "groups.csv";

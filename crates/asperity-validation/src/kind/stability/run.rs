@@ -7,8 +7,8 @@ use super::results::StabilityResults;
 use crate::stability::{Group, check_group, maps};
 use asperity::contact_law::registry;
 use asperity::{ContactLaw, Paper, literature};
-use asperity_framework::RunContext;
-use asperity_framework::metadata::Timing;
+use asperity_contact_framework::RunContext;
+use asperity_contact_framework::metadata::Timing;
 
 /// Papers on the layer.
 const PAPERS: [Paper; 5] = [

@@ -3,9 +3,9 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use asperity_framework::input::Spanned;
-use asperity_framework::input::Whole;
-use asperity_framework::input::quantity::{
+use asperity_contact_framework::input::Spanned;
+use asperity_contact_framework::input::Whole;
+use asperity_contact_framework::input::quantity::{
     Dimension, Length, Positive, Pure, Quantity, Range, SeparationRange,
 };
 

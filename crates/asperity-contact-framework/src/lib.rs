@@ -1,5 +1,5 @@
-//! The frame that an experiment kind runs in: it reads spec files with units and errors that name file, line and key,
-//! and writes pages, tables and summaries into folders that are replaced atomically.
+//! The frame that a kind of contact experiment runs in: it knows the bodies, materials, laws and loads of a spec, reads spec files with
+//! units and errors that name file, line and key, and writes pages, tables and summaries into folders that are replaced atomically.
 //!
 //! A kind implements [`Kind`], [`Plan`] and [`Outcome`]; it then has `check`, `run`, reports and `verify` without more. A plan that is [`Divided`](divided::Divided) can
 //! be run in parts on many machines.
