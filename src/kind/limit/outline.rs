@@ -71,7 +71,8 @@ fn caption(slopes: &[ErrorSlope], quantity: LimitQuantity) -> String {
         let fitted: Vec<f64> = of_sampling.map(|slope| slope.fit.slope).collect();
         let extreme =
             |pick: fn(f64, f64) -> f64| signed(fitted.iter().copied().reduce(pick).unwrap_or(f64::NAN));
-        format!("{} to {}", extreme(f64::min), extreme(f64::max))
+        let [steepest, flattest] = [extreme(f64::min), extreme(f64::max)];
+        if steepest == flattest { steepest } else { format!("{steepest} to {flattest}") }
     };
     format!(
         "The error of the {} decreases with slopes of {} with random heights (left: root mean square; theory −½) and of {} with heights at \
@@ -101,7 +102,7 @@ fn answer(slopes: &[ErrorSlope]) -> String {
 
 /// The errors under one law.
 fn figure(slopes: &[ErrorSlope], quantity: LimitQuantity) -> Figure {
-    let panel = |(sampling, slope): (HeightSampling, f64)| {
+    let panel = |(sampling, slope, label): (HeightSampling, f64, &str)| {
         let axis = Axis::log(format!("relative error of the {}", quantity.name()));
         let title = format!("Heights: {}", sampling.name());
         let mut plot = Plot::new(title, Axis::log("number of asperities n"), axis);
@@ -109,19 +110,18 @@ fn figure(slopes: &[ErrorSlope], quantity: LimitQuantity) -> Figure {
         let of = series.clone().count();
         for (index, ErrorSlope { separation, errors, .. }) in series.enumerate() {
             if index == 0 {
-                plot = plot.with(Layer::slope(
-                    (errors[0].0, 0.2 * errors[0].1),
-                    slope,
-                    format!("slope {slope}"),
-                ));
+                plot = plot.with(Layer::slope((errors[0].0, 0.2 * errors[0].1), slope, label));
             }
             let line = Layer::line(errors.iter().copied()).coloured(Colour::Ordered { index, of });
             plot = plot.with(line.named(format!("d/σ = {}", input_number(*separation))));
         }
         plot
     };
+    /// The slope that guides the eye.
+    const PANELS: [(HeightSampling, f64, &str); 2] =
+        [(HeightSampling::Random, -0.5, "slope −½"), (HeightSampling::Quantiles, -1.0, "slope −1")];
     let title = format!("Convergence of the {} under {}", quantity.name(), slopes[0].law);
-    Figure::row(title, [(HeightSampling::Random, -0.5), (HeightSampling::Quantiles, -1.0)].map(panel).into())
+    Figure::row(title, PANELS.map(panel).into())
 }
 
 #[cfg(test)]
