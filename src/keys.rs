@@ -50,8 +50,8 @@ pub fn all_keys() -> String {
 /// A name that no key has, with those that resemble it.
 pub fn explain(wanted: &str) -> Result<String, String> {
     let keys = all();
-    let found = keys::find(&keys, wanted);
-    if found.is_empty() {
+    let matching = keys::find(&keys, wanted);
+    if matching.is_empty() {
         let similar = keys::similar(&keys, wanted);
         let near =
             if similar.is_empty() { String::new() } else { format!(" (similar: {})", similar.join(", ")) };
@@ -64,5 +64,5 @@ pub fn explain(wanted: &str) -> Result<String, String> {
             .filter(|other| other.path.len() == key.path.len() + 1 && other.path.starts_with(&key.path))
             .collect()
     };
-    Ok(found.iter().map(|key| keys::explanation(key, &below(key))).collect::<Vec<_>>().join("\n"))
+    Ok(matching.iter().map(|key| keys::explanation(key, &below(key))).collect::<Vec<_>>().join("\n"))
 }

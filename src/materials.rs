@@ -80,8 +80,8 @@ fn table(materials: &[&LibraryMaterial]) -> String {
     let mut lines = vec![["name", "what it is", "E", "ν", "H", "Y"].map(str::to_owned)];
     lines.extend(materials.iter().map(|material| {
         let value = |key: &str| {
-            let found = rows(material).into_iter().find(|row| row.key == key);
-            found.map_or_else(|| "–".to_owned(), |row| row.value)
+            let row = rows(material).into_iter().find(|row| row.key == key);
+            row.map_or_else(|| "–".to_owned(), |row| row.value)
         };
         [
             format!("`{}`", material.name),

@@ -54,8 +54,8 @@ impl<'a> Files<'a> {
             self.counter.add(Item::Files, 1);
             AsperityList::read(path, given).map(Arc::new)
         };
-        let found = once(&mut self.lists, reading, is_needed_again, read)?;
-        Ok(Arc::unwrap_or_clone(found))
+        let list = once(&mut self.lists, reading, is_needed_again, read)?;
+        Ok(Arc::unwrap_or_clone(list))
     }
 
     /// The map at `path`.

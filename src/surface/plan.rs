@@ -346,7 +346,7 @@ impl SurfacePlan {
         const BYTES_PER_SUMMIT: u128 = 200;
         /// Its curvatures, and the ordered copy of the spheres that stand for it.
         const BYTES_PER_ELLIPSE: u128 = 64;
-        let found = self.likely_asperities() * BYTES_PER_SUMMIT;
+        let summits = self.likely_asperities() * BYTES_PER_SUMMIT;
         match &self.origin {
             &Origin::Map(MapPlan { points, pixel, is_on_disk, preparation, .. }) => {
                 let filtering = |filter: Filter| filter.memory(points, pixel);
@@ -358,14 +358,14 @@ impl SurfacePlan {
                 // The map as read stays until its last treatment.
                 let raw = if is_on_disk { 0 } else { area(points) };
                 let reading = raw * BYTES_PER_READ_POINT;
-                reading.max(raw * BYTES_PER_HEIGHT + own.max(treated) + analysis) + found
+                reading.max(raw * BYTES_PER_HEIGHT + own.max(treated) + analysis) + summits
             }
             Origin::Generated(generation) => {
                 let depth = match depth {
                     AnalysisDepth::Everything => BYTES_PER_ANALYSED_POINT,
                     _ => BYTES_PER_POINT_OF_SPECTRUM,
                 };
-                area(generation.points()) * (BYTES_PER_HEIGHT * generation.arrays() + depth) + found
+                area(generation.points()) * (BYTES_PER_HEIGHT * generation.arrays() + depth) + summits
             }
             _ => {
                 let ellipses = if self.as_ellipses { BYTES_PER_ELLIPSE } else { 0 };

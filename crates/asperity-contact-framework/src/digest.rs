@@ -61,8 +61,8 @@ impl KnownFiles<'_> {
             Err(error) if error.kind() != ErrorKind::Unsupported => return Err(error),
             _ => {}
         }
-        let found = std::fs::metadata(path)?;
-        let (bytes, modified) = (found.len(), found.modified()?);
+        let metadata = std::fs::metadata(path)?;
+        let (bytes, modified) = (metadata.len(), metadata.modified()?);
         let mut text = String::new();
         kept.read_to_string(&mut text)?;
         // What a killed process left is no description of a file.

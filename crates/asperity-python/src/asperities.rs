@@ -164,12 +164,12 @@ impl Asperities {
             let names = named.map(|(name, _)| format!("\"{name}\"")).join(", ");
             return Err(refuse(format!("mean_radius: found \"{mean_radius}\"; allowed: {names}")));
         };
-        let found = py.detach(|| self.set().map(|set| Statistics::new(&set))).map_err(refuse)?;
+        let statistics = py.detach(|| self.set().map(|set| Statistics::new(&set))).map_err(refuse)?;
         let radius = match mean {
-            MeanRadius::InverseMeanCurvature => found.radius_of_mean_curvature,
-            MeanRadius::Arithmetic | MeanRadius::InContact => found.mean_radius,
+            MeanRadius::InverseMeanCurvature => statistics.radius_of_mean_curvature,
+            MeanRadius::Arithmetic | MeanRadius::InContact => statistics.mean_radius,
         };
-        Population::checked(radius, found.sigma, self.density(), asperity::Heights::GAUSSIAN)
+        Population::checked(radius, statistics.sigma, self.density(), asperity::Heights::GAUSSIAN)
     }
 
     fn __repr__(&self) -> String {

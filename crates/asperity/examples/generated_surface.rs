@@ -49,12 +49,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         let summits = five_point(map);
         let radii = summits.curvatures.iter().map(|curvature| curvature.recip()).collect();
         let set = AsperitySet::new(summits.heights, radii, pixel[0] * pixel[1] * summits.tested as f64)?;
-        let found = Statistics::new(&set);
+        let statistics = Statistics::new(&set);
         println!(
             "{borders:>9} {:8} {:11.2} {:17.3} {:14.3e}",
             set.count(),
-            1e9 * found.sigma,
-            1e6 * found.mean_radius,
+            1e9 * statistics.sigma,
+            1e6 * statistics.mean_radius,
             set.density(),
         );
     }

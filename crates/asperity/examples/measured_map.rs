@@ -30,26 +30,26 @@ fn main() -> Result<(), Box<dyn Error>> {
     let summits = five_point(&Level::Plane.apply(&map)?);
     let radii = summits.curvatures.iter().map(|curvature| curvature.recip()).collect();
     let set = AsperitySet::new(summits.heights, radii, pixel * pixel * summits.tested as f64)?;
-    let found = Statistics::new(&set);
+    let statistics = Statistics::new(&set);
     println!(
         "{} summits: sigma {:.2} nm, mean radius {:.2} um, density {:.3e} /m^2, radii vary by {:.0} %\n",
         set.count(),
-        1e9 * found.sigma,
-        1e6 * found.mean_radius,
+        1e9 * statistics.sigma,
+        1e6 * statistics.mean_radius,
         set.density(),
-        1e2 * found.radius_cv,
+        1e2 * statistics.radius_cv,
     );
 
     let steel = Material::new(210e9, 0.3, Some(7.6e9), None)?;
     let contact = Interface::bare(Zmc::default(), &steel, &steel)?;
     let population = Population {
-        radius: found.mean_radius,
-        sigma: found.sigma,
+        radius: statistics.mean_radius,
+        sigma: statistics.sigma,
         density: set.density(),
         heights: Heights::GAUSSIAN,
     };
     let integral = Statistical::new(&contact, population);
-    let sum = Deterministic::new(&contact, set.spheres(), (&found).into());
+    let sum = Deterministic::new(&contact, set.spheres(), (&statistics).into());
 
     println!("{:>7} {:>20} {:>9} {:>16}", "p [MPa]", "integral A/A_nom [%]", "sum", "d apart [sigma]");
     let pressures = [1e6, 1e7, 1e8, 2e8];

@@ -126,8 +126,8 @@ fn of_surface(plan: &CausesPlan, point: &PointPlan, seed: [u8; 32]) -> Result<On
     });
     let at = |pair: &Option<Pair>| {
         let pair = (*pair)?;
-        let found = rearranged.at_loads(contact, &[pair]).attributions(None).into_iter().next()?;
-        Some((pair.exceeded(), found))
+        let attribution = rearranged.at_loads(contact, &[pair]).attributions(None).into_iter().next()?;
+        Some((pair.exceeded(), attribution))
     };
     let moments = roughness.moments;
     Ok(One {

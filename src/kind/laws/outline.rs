@@ -136,20 +136,20 @@ fn finding(dominance: Option<&Dominance>) -> usize {
 fn findings(results: &LawsResults, measure: Measure) -> Vec<(String, usize)> {
     let surfaces = results.compare.surfaces.iter();
     let first = surfaces.filter_map(|surface| results.first_influence(&surface.surface.name));
-    let found = first.map(|influence| {
+    let each = first.map(|influence| {
         let mut dominances = influence.dominances.iter();
         (influence.surface.clone(), finding(dominances.find(|dominance| dominance.measure == measure)))
     });
-    found.collect()
+    each.collect()
 }
 
 /// "**What matters more for d/σ**: the contact law on case-1; the summation method on case-2." `None` without surfaces.
-fn answer(measure: Measure, found: &[(String, usize)]) -> Option<String> {
+fn answer(measure: Measure, findings: &[(String, usize)]) -> Option<String> {
     /// More surfaces are counted.
     const MOST_NAMED: usize = 3;
     let part = |(index, (what, why)): (usize, &(&str, &str))| {
         let names: Vec<String> =
-            found.iter().filter(|(_, each)| *each == index).map(|(name, _)| escape(name)).collect();
+            findings.iter().filter(|(_, finding)| *finding == index).map(|(name, _)| escape(name)).collect();
         match names.len() {
             0 => None,
             1..=MOST_NAMED => Some(format!("{what} on {}{why}", listed(&names))),

@@ -28,8 +28,8 @@ impl SpecFile {
     /// # Errors
     /// A name that the file does not define.
     pub fn body(&self, name: &str, span: Range<usize>) -> Result<Material, InputError> {
-        let found = self.materials().find(|(defined, _)| defined.get_ref() == name);
-        found.map(|(_, material)| *material).ok_or_else(|| {
+        let defined_material = self.materials().find(|(defined, _)| defined.get_ref() == name);
+        defined_material.map(|(_, material)| *material).ok_or_else(|| {
             let defined: Vec<&str> = self.materials().map(|(name, _)| name.get_ref().as_str()).collect();
             let allowed = if defined.is_empty() {
                 "a material defined in this file as [material.NAME]; none is".to_owned()

@@ -120,10 +120,10 @@ fn separations(ranges: &Ranges, cells: usize, row_done: &(dyn Fn() + Sync)) -> M
         },
         |population, h| {
             let Ok(contact) = &contact else { return f64::NAN };
-            let found = Statistical::new(&**contact, population.clone()).respond(h).pressure.total();
+            let pressure = Statistical::new(&**contact, population.clone()).respond(h).pressure.total();
             let of = Integral::new(population, h);
             let of = of.and_then(|of| exact.integral(&of, &Shape::sphere(population.radius)));
-            of.map_or(f64::NAN, |of| relative_error(found, of.total_load()))
+            of.map_or(f64::NAN, |of| relative_error(pressure, of.total_load()))
         },
     )
 }
@@ -189,7 +189,7 @@ fn layers(ranges: &Ranges, cells: usize, row_done: &(dyn Fn() + Sync)) -> Map {
 
 /// Of the load at indentation `w` (m); the least over the sides of a boundary.
 fn contact_error(contact: &dyn MicroContact, exact: &Exact, w: f64) -> f64 {
-    let found = contact.contact(w, law::Shape::sphere(RADIUS)).load;
+    let load = contact.contact(w, law::Shape::sphere(RADIUS)).load;
     let sides = exact.contacts(w, &Shape::sphere(RADIUS));
-    sides.iter().map(|side| relative_error(found, side.load)).fold(f64::INFINITY, f64::min)
+    sides.iter().map(|side| relative_error(load, side.load)).fold(f64::INFINITY, f64::min)
 }

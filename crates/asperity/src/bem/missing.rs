@@ -13,9 +13,9 @@ pub fn filled(heights: &[f64], [nx, ny]: [usize; 2]) -> Vec<f64> {
             let (sum, count) = known.fold((0.0, 0), |(sum, count), z| (sum + z, count + 1));
             (count > 0).then(|| sum / f64::from(count))
         };
-        let found: Vec<Option<f64>> = missing.iter().map(|&k| mean(k)).collect();
+        let means: Vec<Option<f64>> = missing.iter().map(|&k| mean(k)).collect();
         let before = missing.len();
-        let mut values = found.into_iter();
+        let mut values = means.into_iter();
         missing.retain(|&k| match values.next().flatten() {
             Some(z) => {
                 filled[k] = z;

@@ -45,9 +45,9 @@ pub fn attribute(
         .iter()
         .zip(&*cases)
         .map(|(law, case)| {
-            let found = all.for_law(&law.spec)?.at_loads(&*law.contact, &case.comparison.pairs);
+            let attributions = all.for_law(&law.spec)?.at_loads(&*law.contact, &case.comparison.pairs);
             setup.progress.advance(1.0);
-            Some(found)
+            Some(attributions)
         })
         .collect();
     let groups = if has_errors { left_out(setup, (surface, models), &all, &states) } else { Vec::new() };

@@ -99,8 +99,9 @@ impl Level {
         }
         let matrix = DMatrix::from_fn(terms, terms, |i, j| normal.matrix[i][j]);
         let right = DVector::from_fn(terms, |i, _| normal.right[i]);
-        let found = determined(matrix).and_then(|factors| factors.solve(&right)).ok_or(Undetermined(self))?;
-        form.coefficients[..terms].copy_from_slice(found.as_slice());
+        let coefficients =
+            determined(matrix).and_then(|factors| factors.solve(&right)).ok_or(Undetermined(self))?;
+        form.coefficients[..terms].copy_from_slice(coefficients.as_slice());
         Ok(form)
     }
 

@@ -241,8 +241,9 @@ impl Solved {
         let coarse: Vec<f64> = self.coarse_gaps.values().copied().collect();
         let coarse =
             if coarse.len() == pressures.len() { stiffnesses(&pressures, &coarse) } else { Vec::new() };
-        let found = stiffnesses(&pressures, &separations);
-        for (k, (point, stiffness)) in self.points.values_mut().zip(found).enumerate() {
+        for (k, (point, stiffness)) in
+            self.points.values_mut().zip(stiffnesses(&pressures, &separations)).enumerate()
+        {
             if let Some(Stiffness { stiffness, bound }) = stiffness {
                 let other = coarse.get(k).copied().flatten();
                 let of_grid = other.map_or(0.0, |other| (other.stiffness / stiffness).ln().abs());

@@ -14,8 +14,8 @@ pub(super) enum Separator {
 impl Separator {
     /// The first of semicolon, tab and comma that a header contains, else blanks.
     fn detect(header: &str) -> Self {
-        let found = [';', '\t', ','].into_iter().find(|&character| header.contains(character));
-        found.map_or(Self::Blanks, Self::Character)
+        let separator = [';', '\t', ','].into_iter().find(|&character| header.contains(character));
+        separator.map_or(Self::Blanks, Self::Character)
     }
 
     /// The cells of a line, without blanks and quotes around them.
