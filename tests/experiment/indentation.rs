@@ -3,10 +3,12 @@
 use std::fs;
 use std::path::Path;
 
+use crate::Report;
 use crate::common::rows;
 use asperity::Material;
 use asperity::compare::ModulusCheck;
 use asperity::sphere::{Curve, DecreasingQuantity};
+use asperity_contact_framework::Outcome;
 use asperity_contact_framework::progress::Silent;
 use asperity_contact_framework::report;
 use asperity_experiment::Experiment;
@@ -143,6 +145,26 @@ fn an_exact_contact_that_is_too_wide_is_left_out() {
     assert!(layer.exact[..solved].iter().all(Option::is_some));
     assert_eq!(layer.errors[0].len(), solved);
     assert!(asperity_contact_framework::folder(&results, "key", None).is_ok());
+    let page = |results: &dyn Outcome| results.outline().markdown();
+    assert!(page(&results).contains("rules.svg"));
+    // With none at all there is nothing to draw.
+    let (_folder, none) = run_words(&words.replace("1e-4 nm", "0.1 um"), "");
+    assert!(none.layers[0].exact.iter().all(Option::is_none));
+    assert!(!page(&none).contains("rules.svg") && !page(&none).contains("Errors against a/t"));
+}
+
+/// The errors of both models are those of the layer, whichever of them the spec chose.
+#[test]
+fn a_layer_under_both_models_has_its_errors_once() {
+    let words = "radius = \"20 um\"\nlayer = [{ material = \"lead\", thickness = \"1 um\" }, \
+                 { material = \"lead\", thickness = \"1 um\", rule = \"series\" }]\n\
+                 indentation = { from = \"1 nm\", to = \"100 nm\", points = 4 }\n";
+    let (_folder, results) = run_words(words, "");
+    let page = (&results as &dyn Outcome).outline().markdown();
+    let [overestimate, underestimate] =
+        ["`gao` overestimates", "`series` underestimates"].map(|words| page.find(words).unwrap());
+    assert!(overestimate < underestimate && underestimate < page.find("the contact is").unwrap(), "{page}");
+    assert_eq!(written(results, "rule.csv").lines().count(), 1 + 2 * 4);
 }
 
 #[test]

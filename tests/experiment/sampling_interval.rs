@@ -38,8 +38,21 @@ fn a_finely_sampled_surface_has_limits() {
         assert_eq!(outcome_of(&*outcome, "interval", quantity), "limit", "{quantity}");
     }
     let page = outcome.outline().markdown();
+    assert!(
+        page.contains("Gap between the models at 30 MPa")
+            && !page.contains("The gap between the models is not given")
+    );
     let line = page.lines().find(|line| line.starts_with("**random, sampling interval from 200 nm")).unwrap();
     assert!(line.contains("% (limit)") && !line.contains("no limit"), "{line}");
+}
+
+/// A load that fewer than 30 contacts carry at every length.
+#[test]
+fn without_a_valid_load_no_gap_is_given() {
+    let outcome = run(256, 8.0, "pressure = [\"1 Pa\"]\nintervals = [1, 2, 4]\ns-filter = []");
+    let page = outcome.outline().markdown();
+    assert!(page.contains("at no length is a load within the valid range of both models."), "{page}");
+    assert!(!page.contains("Gap between the models at"));
 }
 
 /// Waves down to two pixels, sampled from two pixels on: the finest interval has waves below it, as the others.

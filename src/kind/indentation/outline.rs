@@ -40,10 +40,15 @@ impl Outcome for IndentationResults {
 
     fn page(&self, tables: &Tables) -> Page {
         let mut page = Page::new(&self.metadata.title);
-        let answers = self.layers.iter().flat_map(answers);
-        sections::findings(&mut page, answers);
+        let loads = self.layers.iter().flat_map(|layer| layer.laws.iter().map(|law| loads(layer, law)));
+        let errors = self.layers.iter().map(error_of_rule);
+        // Several layers are compared in the errors of their models.
+        if self.layers.len() > 1 {
+            sections::findings(&mut page, errors.chain(loads));
+        } else {
+            sections::findings(&mut page, loads.chain(errors));
+        }
         sections::warnings(&mut page, &self.warnings());
-        // The models are what several layers are compared in.
         if self.layers.len() > 1 {
             accuracy(&mut page, self, tables);
         }
@@ -67,11 +72,6 @@ impl Outcome for IndentationResults {
         sections::sources(&mut page, &self.metadata);
         page
     }
-}
-
-/// The loads under each law, and the error of the layer's model.
-fn answers(layer: &LayerResults) -> impl Iterator<Item = String> {
-    layer.laws.iter().map(move |law| loads(layer, law)).chain([error_of_rule(layer)])
 }
 
 /// Regime and loads at the largest indentation.

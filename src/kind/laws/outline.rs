@@ -111,52 +111,67 @@ fn by_measure<'a>(view: View<'a>, measure: Measure, differences: &[&str], relati
     }
 }
 
-/// What is said of a surface, and why if nothing can be: in the order in which it is said.
-const FINDINGS: [(&str, &str); 6] = [
-    ("the contact law", ""),
-    ("the summation method", ""),
-    ("both equally", ""),
-    ("cannot be told", " (within the sampling uncertainty)"),
-    ("cannot be told", " (no sampling interval is claimed)"),
-    ("not evaluated", " (no load is valid under every law)"),
-];
+/// What matters more on a surface, or why that is not said.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Finding {
+    Decided(Dominant),
+    NoInterval,
+    NoLoad,
+}
 
-/// Which of [`FINDINGS`] holds.
-fn finding(dominance: Option<&Dominance>) -> usize {
-    let Some(dominance) = dominance else { return 5 };
-    match dominance.dominant() {
-        Dominant::Law => 0,
-        Dominant::Summation => 1,
-        Dominant::Equal => 2,
-        Dominant::Undecided => 3 + usize::from(dominance.sampling.is_none()),
+impl Finding {
+    /// In the order in which they are said.
+    fn all() -> impl Iterator<Item = Self> {
+        Dominant::ALL.into_iter().map(Self::Decided).chain([Self::NoInterval, Self::NoLoad])
+    }
+
+    fn new(dominance: Option<&Dominance>) -> Self {
+        match dominance.map(|dominance| (dominance.dominant(), dominance.sampling)) {
+            None => Self::NoLoad,
+            Some((Dominant::Undecided, None)) => Self::NoInterval,
+            Some((dominant, _)) => Self::Decided(dominant),
+        }
+    }
+
+    /// The finding, and its reason where nothing matters more.
+    fn words(self) -> [&'static str; 2] {
+        match self {
+            Self::Decided(Dominant::Law) => ["the contact law", ""],
+            Self::Decided(Dominant::Summation) => ["the summation method", ""],
+            Self::Decided(Dominant::Equal) => ["both equally", ""],
+            Self::Decided(Dominant::Undecided) => ["cannot be told", " (within the sampling uncertainty)"],
+            Self::NoInterval => ["cannot be told", " (no sampling interval is claimed)"],
+            Self::NoLoad => ["not evaluated", " (no load is valid under every law)"],
+        }
     }
 }
 
-/// Which of [`FINDINGS`] holds on each surface by a measure.
-fn findings(results: &LawsResults, measure: Measure) -> Vec<(String, usize)> {
+/// What matters more on each surface by a measure.
+fn findings(results: &LawsResults, measure: Measure) -> Vec<(String, Finding)> {
     let surfaces = results.compare.surfaces.iter();
     let first = surfaces.filter_map(|surface| results.first_influence(&surface.surface.name));
     let each = first.map(|influence| {
         let mut dominances = influence.dominances.iter();
-        (influence.surface.clone(), finding(dominances.find(|dominance| dominance.measure == measure)))
+        (influence.surface.clone(), Finding::new(dominances.find(|dominance| dominance.measure == measure)))
     });
     each.collect()
 }
 
 /// "**What matters more for d/σ**: the contact law on case-1; the summation method on case-2." `None` without surfaces.
-fn answer(measure: Measure, findings: &[(String, usize)]) -> Option<String> {
+fn answer(measure: Measure, findings: &[(String, Finding)]) -> Option<String> {
     /// More surfaces are counted.
     const MOST_NAMED: usize = 3;
-    let part = |(index, (what, why)): (usize, &(&str, &str))| {
+    let part = |finding: Finding| {
+        let [what, why] = finding.words();
         let names: Vec<String> =
-            findings.iter().filter(|(_, finding)| *finding == index).map(|(name, _)| escape(name)).collect();
+            findings.iter().filter(|(_, each)| *each == finding).map(|(name, _)| escape(name)).collect();
         match names.len() {
             0 => None,
             1..=MOST_NAMED => Some(format!("{what} on {}{why}", listed(&names))),
             more => Some(format!("{what} on {more} surfaces{why}")),
         }
     };
-    let parts: Vec<String> = FINDINGS.iter().enumerate().filter_map(part).collect();
+    let parts: Vec<String> = Finding::all().filter_map(part).collect();
     let quantity = match measure {
         Measure::Separation => "d/σ",
         Measure::Area => "real area",
@@ -258,18 +273,20 @@ mod tests {
     use super::*;
     use asperity::compare::{Effect, Group};
 
+    const LAW: Finding = Finding::Decided(Dominant::Law);
+
     #[test]
     fn surfaces_are_named_with_what_matters_more_on_them() {
-        let findings = |each: &[(&str, usize)]| -> Vec<(String, usize)> {
-            each.iter().map(|(name, found)| (name.to_string(), *found)).collect()
+        let findings = |each: &[(&str, Finding)]| -> Vec<(String, Finding)> {
+            each.iter().map(|(name, finding)| (name.to_string(), *finding)).collect()
         };
-        let some = findings(&[("a", 4), ("b", 0), ("c", 0), ("d", finding(None))]);
+        let some = findings(&[("a", Finding::NoInterval), ("b", LAW), ("c", LAW), ("d", Finding::new(None))]);
         assert_eq!(
             answer(Measure::Area, &some).unwrap(),
             "**What matters more for real area**: the contact law on b and c; cannot be told on a (no sampling interval is claimed); \
              not evaluated on d (no load is valid under every law)."
         );
-        let many = findings(&[("a", 0), ("b", 0), ("c", 0), ("d", 0)]);
+        let many = findings(&["a", "b", "c", "d"].map(|name| (name, LAW)));
         assert!(answer(Measure::Area, &many).unwrap().ends_with("the contact law on 4 surfaces."));
         assert_eq!(answer(Measure::Separation, &[]), None);
     }
@@ -278,7 +295,7 @@ mod tests {
     fn what_is_found_depends_on_both_effects_and_the_sampling_error() {
         let effect = |mean| Effect { mean, largest: mean, at: 1.0 };
         let of = |law, summation, error: Option<f64>| {
-            finding(Some(&Dominance {
+            Finding::new(Some(&Dominance {
                 measure: Measure::Area,
                 group: Group::All,
                 law: effect(law),
@@ -294,6 +311,14 @@ mod tests {
             of(3.0, 1.0, Some(1.0)),
             of(3.0, 1.0, None),
         ];
-        assert_eq!(found, [0, 1, 2, 3, 4]);
+        let decided = Finding::Decided;
+        let expected = [
+            LAW,
+            decided(Dominant::Summation),
+            decided(Dominant::Equal),
+            decided(Dominant::Undecided),
+            Finding::NoInterval,
+        ];
+        assert_eq!(found, expected);
     }
 }

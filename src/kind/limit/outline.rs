@@ -1,6 +1,7 @@
 //! The page of a convergence study: does the sum converge to the integral, and at which rate?
 
 use asperity::compare::{ErrorSlope, HeightSampling, LimitQuantity};
+use asperity::numeric::extremes;
 use asperity_contact_framework::contact::ContactSummary;
 use asperity_contact_framework::metadata::Metadata;
 use asperity_contact_framework::report::format::{input_number, input_quantity, number, signed};
@@ -68,15 +69,15 @@ fn caption(slopes: &[ErrorSlope], quantity: LimitQuantity) -> String {
     let range = |sampling: HeightSampling| {
         let of_sampling =
             slopes.iter().filter(|slope| (slope.quantity, slope.sampling) == (quantity, sampling));
-        let fitted: Vec<f64> = of_sampling.map(|slope| slope.fit.slope).collect();
-        let extreme =
-            |pick: fn(f64, f64) -> f64| signed(fitted.iter().copied().reduce(pick).unwrap_or(f64::NAN));
-        let [steepest, flattest] = [extreme(f64::min), extreme(f64::max)];
+        let Some(ends) = extremes(of_sampling.map(|slope| slope.fit.slope)) else {
+            return "no fit".to_owned();
+        };
+        let [steepest, flattest] = ends.map(signed);
         if steepest == flattest { steepest } else { format!("{steepest} to {flattest}") }
     };
     format!(
-        "The error of the {} decreases with slopes of {} with random heights (left: root mean square; theory −½) and of {} with heights at \
-         the quantiles (right), where more than 30 contacts are expected.",
+        "Slope of the relative error of the {} over the number of asperities, where more than 30 contacts are expected: {} with random \
+         heights (left: root mean square; theory −½), {} with heights at the quantiles (right).",
         quantity.name(),
         range(HeightSampling::Random),
         range(HeightSampling::Quantiles),
@@ -142,6 +143,12 @@ mod tests {
         };
         let random = [-0.49, -0.52].map(|fitted| slope(HeightSampling::Random, fitted, -0.5));
         let all = [random.to_vec(), vec![slope(HeightSampling::Quantiles, -1.04, -1.045)]].concat();
+        let caption = caption(&all, LimitQuantity::Load);
+        assert!(
+            caption.contains(": -0.52 to -0.49 with random") && caption.contains(", -1.04 with heights"),
+            "{caption}"
+        );
+        assert!(super::caption(&all[..2], LimitQuantity::Load).contains(", no fit with heights"));
         let answer = answer(&all);
         assert!(answer.contains("within 0.02 of −½") && answer.contains("within 0.005 of"), "{answer}");
     }

@@ -107,8 +107,8 @@ fn outcomes(series: &Series, load: Option<f64>) -> String {
     }
 }
 
-const NO_GAP: &str = "The gap between the models is not given: at every length each load exceeds the valid range of a model, or no \
-                      asperities are left.";
+const NO_GAP: &str =
+    "The gap between the models is not given: at no length is a load within the valid range of both models.";
 
 fn surface_section(page: &mut Page, tables: &Tables, results: &IntervalResults, surface: &SurfaceResults) {
     let name = surface.surface.name.as_str();

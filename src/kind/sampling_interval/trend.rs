@@ -27,7 +27,7 @@ pub struct Point {
 }
 
 named_enum! {
-    /// Whether a quantity has a limit, judged from its three finest scales.
+    /// Whether a quantity has a limit as the length shrinks, from its values at the three shortest lengths.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum Convergence {
         /// The last change is within the tolerance, its interval included, and so is what is left of a smooth surface after the change

@@ -13,9 +13,14 @@ use crate::presentation::{cause_colour, quantity_name};
 const QUANTITIES: [ComparedQuantity; 2] = [ComparedQuantity::Separation, ComparedQuantity::Area];
 
 /// The contributions over the load, stacked, with the difference; one panel per quantity; `finding` is what it shows, in words.
-pub fn figure(verdicts: &Verdicts, units: &Units, finding: &str) -> Figure {
+/// `None` where too few contacts carry every load.
+pub fn figure(verdicts: &Verdicts, units: &Units, finding: &str) -> Option<Figure> {
+    let is_divided = verdicts
+        .attribution
+        .iter()
+        .any(|at| QUANTITIES.into_iter().any(|quantity| at.contributions(quantity).is_some()));
     let panels = QUANTITIES.into_iter().map(|quantity| panel(verdicts, units, quantity));
-    Figure::row(finding, panels.collect())
+    is_divided.then(|| Figure::row(finding, panels.collect()))
 }
 
 fn panel(verdicts: &Verdicts, units: &Units, quantity: ComparedQuantity) -> Plot {

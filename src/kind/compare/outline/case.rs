@@ -160,10 +160,11 @@ fn why(page: &mut Page, tables: &Tables, case: SurfaceCase, stem: &str, units: &
     if verdicts.attribution.is_empty() {
         return;
     }
-    if !is_single(case.first()) {
+    const FINDING: &str = "Contributions of the causes to the difference between the models";
+    if let Some(figure) = causes::figure(verdicts, units, FINDING).filter(|_| !is_single(case.first())) {
         page.figure(
             &format!("{stem}-causes.svg"),
-            causes::figure(verdicts, units, "Contributions of the causes to the difference between the models"),
+            figure,
             "Contributions of heights, radii and their correlation to the difference between the models at equal load.",
         );
     }
