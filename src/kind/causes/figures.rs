@@ -1,8 +1,8 @@
 //! Maps of leading causes, and contributions over the skewness.
 
-use asperity::compare::{Cause, ComparedQuantity};
+use asperity::compare::{Cause, ComparedQuantity, Contributions};
 use asperity_contact_framework::report::format::{capitalised, number, signed};
-use asperity_plot::{Axis, Colour, Figure, Layer, Legend, Marker, Plot};
+use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
 
 use super::results::{CausesResults, GridPoint, QUANTITIES};
 use crate::presentation::cause_colour;
@@ -26,12 +26,36 @@ fn edges(values: &[f64]) -> Vec<f64> {
     std::iter::once(first - 0.5 * low).chain(inner).chain([last + 0.5 * high]).collect()
 }
 
-pub fn map(results: &CausesResults, load: usize) -> Figure {
-    let panels = QUANTITIES.map(|quantity| map_of(results, quantity, load));
-    Figure::row("Leading causes over skewness and bandwidth", panels.into())
+/// What a cell of a map says: its colour and the name of the colour.
+type Statement = fn(&Contributions) -> (Colour, &'static str);
+
+/// Heights against radii, whose spread and correlation count together.
+pub fn heights_or_radii(results: &CausesResults, load: usize) -> Figure {
+    map(results, load, "Heights or radii over skewness and bandwidth", |parts| {
+        let heights = parts.of_cause(Cause::Heights);
+        if heights.exceeds(&parts.radii) {
+            (Colour::Heights, "heights contribute more")
+        } else if parts.radii.exceeds(heights) {
+            (Colour::Radii, "radii (spread and correlation) contribute more")
+        } else {
+            (Colour::Neutral, "intervals overlap")
+        }
+    })
 }
 
-fn map_of(results: &CausesResults, quantity: ComparedQuantity, load: usize) -> Plot {
+/// The leading of the three causes.
+pub fn leading_causes(results: &CausesResults, load: usize) -> Figure {
+    map(results, load, "Leading causes over skewness and bandwidth", |parts| {
+        parts.leading().map_or((Colour::Neutral, "none leads"), |cause| (cause_colour(cause), cause.label()))
+    })
+}
+
+fn map(results: &CausesResults, load: usize, title: &str, statement: Statement) -> Figure {
+    let panels = QUANTITIES.map(|quantity| map_of(results, quantity, load, statement));
+    Figure::row(title, panels.into())
+}
+
+fn map_of(results: &CausesResults, quantity: ComparedQuantity, load: usize, statement: Statement) -> Plot {
     let rows = rows(results);
     let x = edges(&rows[0].iter().map(|point| point.skewness).collect::<Vec<_>>());
     let y: Vec<f64> = edges(&rows.iter().map(|row| alpha(row).ln()).collect::<Vec<_>>());
@@ -44,10 +68,7 @@ fn map_of(results: &CausesResults, quantity: ComparedQuantity, load: usize) -> P
     for (row, points) in rows.iter().enumerate() {
         for (column, point) in points.iter().enumerate() {
             let Some(parts) = point.parts(load, quantity) else { continue };
-            let (colour, label) = match parts.leading() {
-                Some(cause) => (cause_colour(cause), cause.label()),
-                None => (Colour::Neutral, "none leads"),
-            };
+            let (colour, label) = statement(parts);
             let (from, to) = ((x[column], y[row]), (x[column + 1], y[row + 1]));
             let text = signed(size * quantity.reported(parts.gap()));
             plot = plot.with(Layer::tile(from, to, &text).coloured(colour).named(label));
@@ -79,9 +100,9 @@ fn lines(row: &[GridPoint], quantity: ComparedQuantity, load: usize) -> Plot {
     let markers = [Marker::Circle, Marker::Square, Marker::Triangle];
     for (cause, marker) in Cause::ALL.into_iter().zip(markers) {
         let points: Vec<(f64, f64)> = divided().map(|(x, parts)| (x, parts.part(cause))).collect();
-        let band = divided().map(|(x, parts)| {
-            let half = parts.estimates[cause as usize].half_width().unwrap_or(0.0);
-            (x, parts.part(cause) - half, parts.part(cause) + half)
+        let band = divided().filter_map(|(x, parts)| {
+            let [low, high] = parts.of_cause(cause).interval()?;
+            Some((x, low, high))
         });
         let colour = cause_colour(cause);
         plot = plot
@@ -89,6 +110,13 @@ fn lines(row: &[GridPoint], quantity: ComparedQuantity, load: usize) -> Plot {
             .with(Layer::line(points.iter().copied()).coloured(colour).named(cause.label()))
             .with(Layer::points(points, marker).coloured(colour).named(cause.label()));
     }
+    let radii = divided().map(|(x, parts)| (x, parts.radii.mean.contrast));
+    plot = plot.with(
+        Layer::line(radii)
+            .coloured(Colour::Radii)
+            .dashed(Dash::Dashed)
+            .named("spread and correlation together"),
+    );
     let gap = divided().map(|(x, parts)| (x, parts.gap()));
     plot.with(Layer::line(gap).coloured(Colour::Sum).thick().named("statistical − deterministic"))
 }

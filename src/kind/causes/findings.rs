@@ -1,6 +1,6 @@
 //! Which cause leads where.
 
-use asperity::compare::{Cause, ComparedQuantity};
+use asperity::compare::{Cause, ComparedQuantity, Contribution, Contributions};
 
 use super::results::{CausesResults, QUANTITIES};
 
@@ -17,6 +17,12 @@ pub struct Findings {
     pub leads: Vec<Lead>,
     /// Smallest and largest share of the spread of radii in the contributions, taken by magnitude; `None` without points.
     pub share_of_radii: Option<[f64; 2]>,
+    /// Points at which spread and correlation of the radii together contribute more than the heights, by magnitude of the means.
+    pub radii_larger: usize,
+    /// Points at which they do so with 95 % intervals apart.
+    pub radii_exceed: usize,
+    /// Points at which the heights contribute more with 95 % intervals apart.
+    pub heights_exceed: usize,
 }
 
 /// A cause and where it leads.
@@ -67,6 +73,25 @@ impl Findings {
         let shares = || divided.iter().map(|(_, _, share)| *share);
         let share_of_radii = (!divided.is_empty())
             .then(|| [shares().fold(f64::INFINITY, f64::min), shares().fold(0.0, f64::max)]);
-        Self { quantity, load, divided: divided.len(), leads, share_of_radii }
+        let count = |holds: &dyn Fn(&Contributions) -> bool| {
+            results
+                .points
+                .iter()
+                .filter_map(|point| point.parts(load, quantity))
+                .filter(|parts| holds(parts))
+                .count()
+        };
+        let heights = |parts: &Contributions| *parts.of_cause(Cause::Heights);
+        let size = |part: &Contribution| part.mean.contrast.abs();
+        Self {
+            quantity,
+            load,
+            divided: divided.len(),
+            leads,
+            share_of_radii,
+            radii_larger: count(&|parts| size(&parts.radii) > size(&heights(parts))),
+            radii_exceed: count(&|parts| parts.radii.exceeds(&heights(parts))),
+            heights_exceed: count(&|parts| heights(parts).exceeds(&parts.radii)),
+        }
     }
 }

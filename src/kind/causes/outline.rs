@@ -9,7 +9,7 @@ use asperity_contact_framework::report::table::{Table, Tables};
 use asperity_contact_framework::{Outcome, fields};
 use serde_json::{Map, Value, json};
 
-use super::figures::{contributions, map};
+use super::figures::{contributions, heights_or_radii, leading_causes};
 use super::findings::Findings;
 use super::results::{CausesResults, QUANTITIES};
 use super::rows::{CauseRow, LeadRow, tables};
@@ -31,20 +31,29 @@ impl Outcome for CausesResults {
     fn page(&self, tables: &Tables) -> Page {
         let mut page = Page::new(&self.metadata.title);
         page.lead(&answer(self));
-        for (load, pressure) in self.loads.iter().enumerate() {
+        for load in 0..self.loads.len() {
             page.figure(
-                &format!("causes-{}.svg", load + 1),
-                map(self, load),
+                &format!("heights-or-radii-{}.svg", load + 1),
+                heights_or_radii(self, load),
                 &format!(
-                    "Leading cause at {} ({} E* times the gradient), with the difference between the models in each cell. Grey: no cause \
-                     leads; empty: beyond the valid range.",
-                    input_quantity(*pressure, "Pa"),
-                    number(pressure / self.unit)
+                    "Heights against radii at {}, with the difference between the models in each cell; empty: load not admissible.",
+                    self.at(load)
                 ),
             );
         }
         sections::warnings(&mut page, &self.warnings());
-        page.heading(2, "Which cause leads how often").view(&tables.view::<LeadRow>());
+        page.heading(2, "Which cause leads how often");
+        for load in 0..self.loads.len() {
+            page.figure(
+                &format!("causes-{}.svg", load + 1),
+                leading_causes(self, load),
+                &format!(
+                    "Leading of the three causes at {}. Grey: none leads; empty: load not admissible.",
+                    self.at(load)
+                ),
+            );
+        }
+        page.view(&tables.view::<LeadRow>());
         page.note(include_str!("notes/leads.md"));
         page.details(2, "Contributions over the skewness", |page| over_skewness(page, self));
         page.details(2, "Surfaces, means over the realisations", |page| {
@@ -108,36 +117,45 @@ const CONTRIBUTIONS: &[&str] = &[
     "pressure_pa",
     "difference",
     "from_heights",
-    "from_heights_half_width",
+    "from_heights_low",
+    "from_heights_high",
+    "from_radii_and_correlation",
+    "from_radii_and_correlation_low",
+    "from_radii_and_correlation_high",
     "from_radii",
-    "from_radii_half_width",
+    "from_radii_with_other_mean_radius",
     "from_correlation",
-    "from_correlation_half_width",
     "leading_cause",
     "limits",
 ];
 
-/// Which cause leads most often in each quantity over all loads.
+/// How often radii and heights contribute more than the other, over all loads.
 fn answer(results: &CausesResults) -> String {
     let findings = Findings::all(results);
     let of_quantity = |quantity| {
-        let all: Vec<&Findings> = findings.iter().filter(|found| found.quantity == quantity).collect();
-        let divided: usize = all.iter().map(|findings| findings.divided).sum();
-        let count = |cause| {
-            let leads =
-                all.iter().flat_map(|findings| &findings.leads).filter(move |lead| lead.cause == cause);
-            leads.map(|lead| lead.points).sum::<usize>()
-        };
-        let causes =
-            asperity::compare::Cause::ALL.map(|cause| format!("{} {}", cause.label(), count(Some(cause))));
+        let all: Vec<&Findings> = findings.iter().filter(|findings| findings.quantity == quantity).collect();
+        let count = |of: fn(&Findings) -> usize| all.iter().map(|findings| of(findings)).sum::<usize>();
         format!(
-            "in {} of {divided} cases: {}, none {}",
+            "in {}, radii in {} and heights in {} of {} cases",
             quantity_name(quantity),
-            causes.join(", "),
-            count(None)
+            count(|findings| findings.radii_exceed),
+            count(|findings| findings.heights_exceed),
+            count(|findings| findings.divided)
         )
     };
-    format!("How often each cause leads, {}.", QUANTITIES.map(of_quantity).join("; "))
+    format!(
+        "Which contributes more to the difference between the models, with 95 % intervals apart: {}. Radii: their spread and their \
+         correlation with the heights together.",
+        QUANTITIES.map(of_quantity).join("; ")
+    )
+}
+
+impl CausesResults {
+    /// "6.92 MPa (0.002 E* times the gradient)".
+    fn at(&self, load: usize) -> String {
+        let pressure = self.loads[load];
+        format!("{} ({} E* times the gradient)", input_quantity(pressure, "Pa"), number(pressure / self.unit))
+    }
 }
 
 /// The contributions at each load, over the skewness.

@@ -1,6 +1,6 @@
 //! `causes.csv` and `leads.csv`.
 
-use asperity::compare::{Cause, ComparedQuantity, Contributions, Estimate};
+use asperity::compare::{Cause, ComparedQuantity, Contribution, Contributions};
 use asperity_contact_framework::columns;
 use asperity_contact_framework::report::format::input_number;
 use asperity_contact_framework::report::table::{Column, Row, Table};
@@ -22,13 +22,29 @@ impl CauseRow<'_> {
         self.point.parts(self.load, self.quantity)
     }
 
-    fn part(&self, cause: Cause) -> Option<Estimate> {
-        Some(self.parts()?.estimates[cause as usize])
+    fn mean(&self, cause: Cause) -> Option<f64> {
+        Some(self.parts()?.part(cause))
     }
 
-    fn half_width(&self, cause: Cause) -> Option<f64> {
-        self.part(cause)?.half_width()
+    fn end(&self, of: fn(&Contributions) -> &Contribution, index: usize) -> Option<f64> {
+        Some(of(self.parts()?).interval()?[index])
     }
+}
+
+fn heights(parts: &Contributions) -> &Contribution {
+    parts.of_cause(Cause::Heights)
+}
+
+fn spread(parts: &Contributions) -> &Contribution {
+    parts.of_cause(Cause::Radii)
+}
+
+fn correlation(parts: &Contributions) -> &Contribution {
+    parts.of_cause(Cause::Correlation)
+}
+
+fn radii(parts: &Contributions) -> &Contribution {
+    &parts.radii
 }
 
 impl Row for CauseRow<'_> {
@@ -54,12 +70,19 @@ impl Row for CauseRow<'_> {
             pressure_pa["Pa", prefix("M"), input] = row.point.at[row.load].load, "Nominal pressure.";
             quantity["text"] = row.quantity.name(), "What is compared: `separation` or `area` (real contact area).";
             difference["1", signed, scale(1.0)] = row.parts().map(Contributions::gap), "Statistical minus deterministic: of the separation in sigma of the asperities; of the area the logarithm of the ratio of both.";
-            from_heights["1", signed, scale(1.0)] = row.part(Cause::Heights).map(|part| part.contrast), "Part of the difference from the height distribution, mean over the orders of replacement. The parts add up to the difference.";
-            from_radii["1", signed, scale(1.0)] = row.part(Cause::Radii).map(|part| part.contrast), "Part from the spread of radii.";
-            from_correlation["1", signed, scale(1.0)] = row.part(Cause::Correlation).map(|part| part.contrast), "Part from the correlation of heights and radii.";
-            from_heights_half_width["1"] = row.half_width(Cause::Heights), "Half-width of the 95 % interval of the mean part from the height distribution, from the scatter of the surfaces.";
-            from_radii_half_width["1"] = row.half_width(Cause::Radii), "The same of the spread of radii.";
-            from_correlation_half_width["1"] = row.half_width(Cause::Correlation), "The same of the correlation.";
+            from_heights["1", signed, scale(1.0)] = row.mean(Cause::Heights), "Part of the difference from the height distribution, mean over the orders of replacement. The parts add up to the difference.";
+            from_radii["1", signed, scale(1.0)] = row.mean(Cause::Radii), "Part from the spread of radii.";
+            from_correlation["1", signed, scale(1.0)] = row.mean(Cause::Correlation), "Part from the correlation of heights and radii.";
+            from_radii_and_correlation["1", signed, scale(1.0)] = row.parts().map(|parts| parts.radii.mean.contrast), "Part of the radii: their spread and their correlation with the heights together.";
+            from_radii_with_other_mean_radius["1", signed, scale(1.0)] = row.parts().and_then(|parts| parts.with_other_radius).map(|parts| parts[Cause::Radii as usize]), "Part from the spread of radii if the statistical model took 1/(mean curvature) as its radius.";
+            from_heights_low["1", signed, scale(1.0)] = row.end(heights, 0), "Lower end of the 95 % interval of the part from the height distribution, from the scatter of the surfaces; it holds the intervals of all orders.";
+            from_heights_high["1", signed, scale(1.0)] = row.end(heights, 1), "Upper end of that interval.";
+            from_radii_low["1", signed, scale(1.0)] = row.end(spread, 0), "The same of the spread of radii.";
+            from_radii_high["1", signed, scale(1.0)] = row.end(spread, 1), "Upper end of that interval.";
+            from_correlation_low["1", signed, scale(1.0)] = row.end(correlation, 0), "The same of the correlation.";
+            from_correlation_high["1", signed, scale(1.0)] = row.end(correlation, 1), "Upper end of that interval.";
+            from_radii_and_correlation_low["1", signed, scale(1.0)] = row.end(radii, 0), "The same of both together.";
+            from_radii_and_correlation_high["1", signed, scale(1.0)] = row.end(radii, 1), "Upper end of that interval.";
             limits["text"] = limits(row.point.at[row.load].exceeded), "Limits of the valid range that are exceeded on some of the surfaces, as in `curves.csv`.";
             leading_cause["text"] = row.parts().map(|parts| parts.leading().map_or("none", Cause::name)), "The leading cause: `heights`, `radii`, `correlation`, or `none`.";
         }
@@ -88,6 +111,9 @@ impl Row for LeadRow<'_> {
             skewness_at_every_bandwidth["text", label("at every bandwidth for a skewness of")] = row.lead.at_every_bandwidth.iter().map(|&skewness| input_number(skewness)).collect::<Vec<_>>(), "Skewnesses at which it leads at every bandwidth that is divided.";
             smallest_share_of_radii["1", percent] = row.findings.share_of_radii.map(|[low, _]| low), "Smallest share of the spread of radii in the contributions, taken by magnitude, over the points.";
             largest_share_of_radii["1", percent] = row.findings.share_of_radii.map(|[_, high]| high), "Largest such share.";
+            radii_larger_points["count", label("radii together larger than heights")] = row.findings.radii_larger, "Points at which spread and correlation of the radii together contribute more than the heights, by magnitude of the means.";
+            radii_exceed_points["count", label("with intervals apart")] = row.findings.radii_exceed, "Points at which they do so with 95 % intervals apart.";
+            heights_exceed_points["count", label("heights larger with intervals apart")] = row.findings.heights_exceed, "Points at which the heights contribute more than the radii together, with 95 % intervals apart.";
         }
     }
 }

@@ -121,6 +121,7 @@ fn of_surface(plan: &CausesPlan, point: &PointPlan, seed: [u8; 32]) -> Result<On
         asperities: set.spheres(),
         plane,
         mean_shape: Shape::sphere(population.radius),
+        other_shape: Some(Shape::sphere(statistics.radius_of_mean_curvature)),
         population,
         reporting_plane: ReferencePlane { mean: 0.0, sigma: statistics.sigma },
     });

@@ -86,8 +86,8 @@ impl GapRow<'_> {
         self.results.parts(self.load, self.quantity)
     }
 
-    fn half_width(&self, cause: Cause) -> Option<f64> {
-        self.parts()?.estimates[cause as usize].half_width()
+    fn end_of(&self, cause: Cause, index: usize) -> Option<f64> {
+        Some(self.parts()?.of_cause(cause).interval()?[index])
     }
 
     fn value(&self, response: &Response) -> f64 {
@@ -119,9 +119,12 @@ impl Row for GapRow<'_> {
             from_heights["1", signed] = row.parts().map(|parts| parts.part(Cause::Heights)), "Part of the difference from the height distribution, mean over the orders of replacement; of the area of the logarithm of the ratio. The parts add up to the difference; empty where too few contacts carry the load.";
             from_radii["1", signed] = row.parts().map(|parts| parts.part(Cause::Radii)), "Part from the spread of radii.";
             from_correlation["1", signed] = row.parts().map(|parts| parts.part(Cause::Correlation)), "Part from the correlation of heights and radii.";
-            from_heights_half_width["1", label("± heights")] = row.half_width(Cause::Heights), "Half-width of the 95 % interval of the part from the height distribution; empty where none is claimed.";
-            from_radii_half_width["1", label("± radii")] = row.half_width(Cause::Radii), "The same of the spread of radii.";
-            from_correlation_half_width["1", label("± correlation")] = row.half_width(Cause::Correlation), "The same of the correlation.";
+            from_heights_low["1", signed] = row.end_of(Cause::Heights, 0), "Lower end of the 95 % interval of the part from the height distribution, which holds the intervals of all orders; empty where none is claimed.";
+            from_heights_high["1", signed] = row.end_of(Cause::Heights, 1), "Upper end of that interval.";
+            from_radii_low["1", signed] = row.end_of(Cause::Radii, 0), "The same of the spread of radii.";
+            from_radii_high["1", signed] = row.end_of(Cause::Radii, 1), "Upper end of that interval.";
+            from_correlation_low["1", signed] = row.end_of(Cause::Correlation, 0), "The same of the correlation.";
+            from_correlation_high["1", signed] = row.end_of(Cause::Correlation, 1), "Upper end of that interval.";
             effective_contacts["1"] = row.at_load().sharing.map(|sharing| sharing.effective_contacts), "Effective contacts of the deterministic model.";
             limits["text"] = limits(row.at_load().exceeded()), "Limits of the valid range that are exceeded, as in `curves.csv`.";
         });

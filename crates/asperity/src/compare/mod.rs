@@ -18,7 +18,8 @@ mod validity;
 mod verdict;
 
 pub use attribution::{
-    Attribution, Cause, Contributions, GroupsLeftOut, Inputs, Order, Rearranged, StatesAtLoads, leading,
+    Attribution, Cause, Contribution, Contributions, GroupsLeftOut, Inputs, Order, Rearranged, StatesAtLoads,
+    largest, leading,
 };
 pub use difference::{
     CONTACTS_PER_GROUP, CaseSampling, ComparedQuantity, Difference, Estimate, LeftOut, State,

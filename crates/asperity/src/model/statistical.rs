@@ -45,6 +45,14 @@ impl MeanRadius {
         }
     }
 
+    /// The other convention for one mean radius.
+    pub const fn other(self) -> Self {
+        match self {
+            Self::Arithmetic => Self::InverseMeanCurvature,
+            Self::InverseMeanCurvature | Self::InContact => Self::Arithmetic,
+        }
+    }
+
     /// The mean radius of a set with these statistics, m; of those that touch, the limit where all do.
     pub fn radius(self, statistics: &Statistics) -> f64 {
         match self {

@@ -1,7 +1,8 @@
 //! Why the models differ, and why they differ from the reference.
 
 use crate::compare::{
-    Cause, ComparedQuantity, Contributions, Estimate, ModelKind, Stretch, Verdict, leading,
+    Cause, ComparedQuantity, Contribution, Contributions, Estimate, ModelKind, Stretch, Verdict, largest,
+    leading,
 };
 
 use super::verdicts::Verdicts;
@@ -33,6 +34,27 @@ impl LeadingCause {
     }
 }
 
+/// What can be said of the cause of a difference.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum StatedCause {
+    /// It leads: its 95 % interval is apart from those of all others.
+    Leading(LeadingCause),
+    /// None leads, but on the one surface that was compared this is the largest in every order of replacement.
+    LargestOnSurface(LeadingCause),
+}
+
+impl StatedCause {
+    /// The cause that leads.
+    pub fn leading(self) -> Option<LeadingCause> {
+        if let Self::Leading(cause) = self { Some(cause) } else { None }
+    }
+
+    /// The largest cause on this surface, where none leads.
+    pub fn largest_on_surface(self) -> Option<LeadingCause> {
+        if let Self::LargestOnSurface(cause) = self { Some(cause) } else { None }
+    }
+}
+
 impl Verdicts {
     /// The contributions to the difference between the models in a quantity at a load (Pa).
     pub fn contributions(&self, quantity: ComparedQuantity, load: f64) -> Option<&Contributions> {
@@ -48,10 +70,17 @@ impl Verdicts {
         divided.filter(move |(load, _)| is_valid(*load))
     }
 
-    /// The leading cause of the largest difference of a stretch, unless it is known to be within what is accepted.
-    pub fn cause(&self, stretch: &Stretch) -> Option<LeadingCause> {
+    /// The cause of the largest difference of a stretch between the models, unless it is known to be within what is accepted.
+    pub fn cause(&self, stretch: &Stretch) -> Option<StatedCause> {
         let (_, parts) = self.largest_divided(stretch)?;
-        parts.leading().map(LeadingCause::Between)
+        self.stated(&Cause::ALL.map(|cause| (LeadingCause::Between(cause), *parts.of_cause(cause))))
+    }
+
+    /// The part that leads, or that is the largest on the one surface that was compared.
+    fn stated(&self, parts: &[(LeadingCause, Contribution)]) -> Option<StatedCause> {
+        let on_surface =
+            || largest(parts).filter(|_| self.has_one_surface()).map(StatedCause::LargestOnSurface);
+        leading(parts).map(StatedCause::Leading).or_else(on_surface)
     }
 
     /// The load of the largest difference of a stretch that is divided, with the contributions; `None` where the stretch is within
@@ -65,19 +94,16 @@ impl Verdicts {
         in_stretch.max_by(|a, b| a.1.gap().abs().total_cmp(&b.1.gap().abs()))
     }
 
-    /// The same of a stretch of a model against the reference.
-    pub fn cause_against_reference(&self, model: ModelKind, stretch: &Stretch) -> Option<LeadingCause> {
+    /// The same of a stretch of a model against the reference. What the sum leaves out is all of its own difference.
+    pub fn cause_against_reference(&self, model: ModelKind, stretch: &Stretch) -> Option<StatedCause> {
         let (load, _) = stretch.largest.filter(|_| stretch.verdict != Verdict::Within)?;
+        let missed = (LeadingCause::Interaction, self.missed(stretch.quantity, load)?.into());
         if model == ModelKind::Deterministic {
-            return Some(LeadingCause::Interaction);
+            return self.stated(&[missed]);
         }
-        let missed = self.missed(stretch.quantity, load)?;
         let between = self.contributions(stretch.quantity, load)?;
-        let mut parts = vec![(LeadingCause::Interaction, missed)];
-        parts.extend(
-            Cause::ALL.map(|cause| (LeadingCause::Between(cause), between.estimates[cause as usize])),
-        );
-        leading(&parts)
+        let causes = Cause::ALL.map(|cause| (LeadingCause::Between(cause), *between.of_cause(cause)));
+        self.stated(&std::iter::once(missed).chain(causes).collect::<Vec<_>>())
     }
 
     /// The sum minus the reference at a load (Pa), where both are there.

@@ -36,7 +36,7 @@ mod verdicts;
 
 pub use attribution::attribute;
 pub use case::CaseStudy;
-pub use causes::LeadingCause;
+pub use causes::{LeadingCause, StatedCause};
 pub use dependence::{Dependence, Treated};
 pub use law::LawContact;
 pub use layer::{DecreaseResults, LawFindings, LayerFindings, Threshold};

@@ -126,11 +126,15 @@ impl<'a> SurfaceModels<'a> {
         if self.statistical.undivided().is_some() {
             return None;
         }
+        // The mean ellipse is that of the mean curvature under every convention, and a nominal population has its own radius.
+        let has_other = !law.is_elliptic() && self.surface.nominal.is_none();
+        let other_radius = self.statistical.mean_radius.other().radius(&self.surface.statistics);
         Some(Inputs {
             asperities: self.asperities(law)?,
             plane: self.surface.plane,
             population: self.population.clone(),
             mean_shape: self.mean_shape(law),
+            other_shape: has_other.then(|| Shape::sphere(other_radius)),
             reporting_plane: self.surface.reporting_plane(),
         })
     }

@@ -69,10 +69,7 @@ impl Treatment {
             Neighbours::Four => Neighbours::Eight,
             Neighbours::Eight => Neighbours::Four,
         })];
-        all.extend(model.joint.is_none().then_some(Self::MeanRadius(match model.mean_radius {
-            MeanRadius::Arithmetic => MeanRadius::InverseMeanCurvature,
-            MeanRadius::InverseMeanCurvature | MeanRadius::InContact => MeanRadius::Arithmetic,
-        })));
+        all.extend(model.joint.is_none().then_some(Self::MeanRadius(model.mean_radius.other())));
         all.extend(own.level.previous().map(Self::Level));
         all.extend(own.level.next().map(Self::Level));
         all.extend(short_waves(own.filter, map).into_iter().map(Self::ShortWaves));

@@ -44,6 +44,14 @@ fn panel(verdicts: &Verdicts, units: &Units, quantity: ComparedQuantity) -> Plot
         &load,
         stacked.map(|(cause, part)| (cause.label(), cause_colour(cause), &part[..])),
     );
+    let radii =
+        divided().map(|(load, parts)| (load, parts.map_or(f64::NAN, |parts| parts.radii.mean.contrast)));
+    plot = plot.with(
+        Layer::line(radii)
+            .coloured(Colour::Radii)
+            .dashed(Dash::Dashed)
+            .named("spread and correlation of radii together"),
+    );
     let gap = divided().map(|(load, parts)| (load, parts.map_or(f64::NAN, Contributions::gap)));
     plot = plot
         .with_zero()

@@ -1,7 +1,7 @@
 //! `verdicts.csv`: whether the statistical model may replace the sum.
 
 use asperity::compare::{ModelKind, Stretch};
-use asperity::study::LeadingCause;
+use asperity::study::{LeadingCause, StatedCause};
 use asperity_contact_framework::columns;
 use asperity_contact_framework::report::table::{Column, Row};
 
@@ -17,7 +17,7 @@ pub(crate) struct VerdictRow<'a> {
     names: [&'static str; 2],
     verdict: &'static str,
     area_needed: Option<f64>,
-    cause: Option<LeadingCause>,
+    cause: Option<StatedCause>,
     depends_on: Vec<String>,
 }
 
@@ -52,7 +52,8 @@ impl Row for VerdictRow<'_> {
             at_pa["Pa", prefix("M"), label("at")] = row.stretch.largest.map(|(load, _)| load), "Nominal pressure of the largest difference.";
             accepted["1"] = row.stretch.accepted, "The largest difference that is accepted.";
             area_needed_m2["m²", prefix("m"), label("needs a surface of")] = row.area_needed, "Nominal area at which half of a stretch that cannot be told would be; empty of others.";
-            cause["text", label("leading cause")] = row.cause.map(LeadingCause::name), "The leading cause of the largest difference: `heights`, `radii`, `correlation` or, against the reference, `interaction`.";
+            cause["text", label("leading cause")] = row.cause.and_then(StatedCause::leading).map(LeadingCause::name), "The leading cause of the largest difference: `heights`, `radii` (their spread), `correlation` or, against the reference, `interaction`. Empty unless its 95 % interval, all orders of replacement included, is apart from those of the others.";
+            largest_on_map["text", label("largest on this map")] = row.cause.and_then(StatedCause::largest_on_surface).map(LeadingCause::name), "Where no cause leads, the cause with the largest contribution on the one surface that was compared; empty unless it is the same in every order of replacement.";
             depends_on["text", label("depends on")] = row.depends_on.clone(), "Choices in the analysis of the map that reverse the verdict on this quantity.";
         });
         columns

@@ -1,7 +1,7 @@
 //! The states at the loads of pairs, and the gap divided among the causes.
 
 use super::states::{Arrangement, Rearranged, STATES};
-use super::{Attribution, Cause, Contributions, Order};
+use super::{Attribution, Cause, Contribution, Contributions, Order};
 use crate::compare::difference::{CONTACTS_PER_GROUP, ComparedQuantity, Estimate, State};
 use crate::compare::sampling::{jackknife_error, jackknife_quantile, moved, slopes, state};
 use crate::compare::{Pair, Pairing};
@@ -20,6 +20,8 @@ struct AtLoad {
     load: f64,
     /// `None` where too few contacts carry the load, or a state does not reach it.
     states: Option<[Response; STATES]>,
+    /// The statistical model and that with the own heights, both with the other mean radius.
+    with_other_radius: Option<[Response; 2]>,
     effective_contacts: f64,
 }
 
@@ -56,13 +58,20 @@ impl Rearranged<'_> {
             .map(|pair| AtLoad {
                 load: pair.target,
                 states: None,
+                with_other_radius: None,
                 effective_contacts: pair
                     .deterministic
                     .sharing
                     .map_or(0.0, |sharing| sharing.effective_contacts),
             })
             .collect();
+        let with_other_radius = self.with_other_radius(contact, |models| {
+            models.map(|model| if loads.is_empty() { Vec::new() } else { reached_at(model, &loads) })
+        });
         for (index, &k) in chosen.iter().enumerate() {
+            at[k].with_other_radius = with_other_radius.as_ref().and_then(|[statistical, own_heights]| {
+                Some([statistical[index]?.response, own_heights[index]?.response])
+            });
             let inner: Option<Vec<Response>> =
                 between.iter().map(|all| all[index].map(|reached| reached.response)).collect();
             let Some(&[own_heights, own_radii, independent, paired]) = inner.as_deref() else { continue };
@@ -120,46 +129,100 @@ impl StatesAtLoads {
     /// at least [`CONTACTS_PER_GROUP`] effective contacts per group carry the load.
     pub fn attributions(&self, groups: Option<&GroupsLeftOut>) -> Vec<Attribution> {
         let at = |(index, at): (usize, &AtLoad)| {
-            let Some(responses) = &at.states else {
-                return Attribution { load: at.load, quantities: [None; 3] };
-            };
             let needed = |groups: &&GroupsLeftOut| CONTACTS_PER_GROUP * groups.shares.len() as f64;
             let groups = groups.filter(|groups| at.effective_contacts >= needed(groups));
-            let quantity = |quantity: ComparedQuantity| {
-                let of = |response: &Response| Some(state(response)?.0[quantity as usize]);
-                let values: Option<Vec<f64>> = responses.iter().map(of).collect();
-                let by_order = divided(&values?.try_into().ok()?);
-                let without: Option<Vec<[[f64; 3]; 3]>> = groups.and_then(|groups| {
-                    let of = |all: &Vec<Option<[State; STATES]>>| {
-                        Some(divided(&all[index]?.map(|state| state[quantity as usize])))
-                    };
-                    groups.states.iter().map(of).collect()
-                });
-                let estimate = |cause: Cause| {
-                    let mean = |by_order: &[[f64; 3]; 3]| {
-                        by_order.iter().map(|order| order[cause as usize]).sum::<f64>()
-                            / by_order.len() as f64
-                    };
-                    let contrast = mean(&by_order);
-                    let error = groups.zip(without.as_ref()).map(|(groups, without)| {
-                        let without: Vec<f64> = without.iter().map(mean).collect();
-                        jackknife_error(contrast, &without, &groups.shares)
-                    });
-                    Estimate {
-                        contrast,
-                        error,
-                        quantile: groups
-                            .map_or(f64::INFINITY, |groups| jackknife_quantile(groups.shares.len())),
-                        bound: 0.0,
-                        independent_error: None,
-                    }
-                };
-                Some(Contributions { by_order, estimates: Cause::ALL.map(estimate) })
+            let contributions = |quantity| {
+                Some(QuantityStates::new(at, index, groups, quantity)?.contributions(at, quantity))
             };
-            Attribution { load: at.load, quantities: ComparedQuantity::ALL.map(quantity) }
+            Attribution { load: at.load, quantities: ComparedQuantity::ALL.map(contributions) }
         };
         self.at.iter().enumerate().map(at).collect()
     }
+}
+
+/// A quantity in every state at one load.
+struct QuantityStates<'a> {
+    values: [f64; STATES],
+    /// Without each group of asperities, with the groups' shares of the nominal area.
+    without: Option<(Vec<[f64; STATES]>, &'a [f64])>,
+}
+
+impl<'a> QuantityStates<'a> {
+    /// At the load of number `index`; `None` where a state has no value.
+    fn new(
+        at: &AtLoad,
+        index: usize,
+        groups: Option<&'a GroupsLeftOut>,
+        quantity: ComparedQuantity,
+    ) -> Option<Self> {
+        let values: Option<Vec<f64>> =
+            at.states.as_ref()?.iter().map(|response| value(response, quantity)).collect();
+        let without = groups.and_then(|groups| {
+            let of_group = |all: &Vec<Option<[State; STATES]>>| {
+                all[index].map(|states| states.map(|state| state[quantity as usize]))
+            };
+            let without: Option<Vec<[f64; STATES]>> = groups.states.iter().map(of_group).collect();
+            Some((without?, &groups.shares[..]))
+        });
+        Some(Self { values: values?.try_into().ok()?, without })
+    }
+
+    fn contributions(&self, at: &AtLoad, quantity: ComparedQuantity) -> Contributions {
+        let with_other_radius = at.with_other_radius.and_then(|[statistical, own_heights]| {
+            let mut values = self.values;
+            values[Arrangement::Statistical as usize] = value(&statistical, quantity)?;
+            values[Arrangement::OwnHeights as usize] = value(&own_heights, quantity)?;
+            let by_order = divided(&values);
+            Some(Cause::ALL.map(|cause| over_orders(&by_order, &[cause])))
+        });
+        Contributions {
+            causes: Cause::ALL.map(|cause| self.contribution(&[cause])),
+            radii: self.contribution(&[Cause::Radii, Cause::Correlation]),
+            with_other_radius,
+        }
+    }
+
+    /// What some causes contribute together.
+    fn contribution(&self, causes: &[Cause]) -> Contribution {
+        Contribution {
+            by_order: std::array::from_fn(|order| {
+                self.estimate(|values| together(&divided(values)[order], causes))
+            }),
+            mean: self.estimate(|values| over_orders(&divided(values), causes)),
+        }
+    }
+
+    fn estimate(&self, value: impl Fn(&[f64; STATES]) -> f64) -> Estimate {
+        let contrast = value(&self.values);
+        let error = |(without, shares): &(Vec<[f64; STATES]>, &[f64])| {
+            jackknife_error(contrast, &without.iter().map(&value).collect::<Vec<_>>(), shares)
+        };
+        Estimate {
+            contrast,
+            error: self.without.as_ref().map(error),
+            quantile: self
+                .without
+                .as_ref()
+                .map_or(f64::INFINITY, |(_, shares)| jackknife_quantile(shares.len())),
+            bound: 0.0,
+            independent_error: None,
+        }
+    }
+}
+
+/// A quantity of a response, on the scale of contrasts.
+fn value(response: &Response, quantity: ComparedQuantity) -> Option<f64> {
+    Some(state(response)?.0[quantity as usize])
+}
+
+/// The sum of the parts of some causes.
+fn together(parts: &[f64; 3], causes: &[Cause]) -> f64 {
+    causes.iter().map(|&cause| parts[cause as usize]).sum()
+}
+
+/// The mean of that sum over the orders.
+fn over_orders(by_order: &[[f64; 3]; 3], causes: &[Cause]) -> f64 {
+    by_order.iter().map(|parts| together(parts, causes)).sum::<f64>() / by_order.len() as f64
 }
 
 /// The separations of one state, d/sigma.

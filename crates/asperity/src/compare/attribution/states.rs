@@ -34,6 +34,8 @@ pub struct Inputs<'a> {
     pub population: Population,
     /// The shape of its asperities.
     pub mean_shape: Shape,
+    /// The shape by the other convention of the mean radius; `None` where there is none.
+    pub other_shape: Option<Shape>,
     /// What its separations are measured from, relative to the mean height of the population.
     pub reporting_plane: ReferencePlane,
 }
@@ -42,9 +44,6 @@ pub struct Inputs<'a> {
 #[derive(Debug)]
 pub struct Rearranged<'a> {
     inputs: Inputs<'a>,
-    /// The mean radius and its number of spheres, for each asperity.
-    mean_radii: Vec<f64>,
-    mean_spheres: Option<Vec<f64>>,
     /// Condensed heights with their weights.
     heights: Sample,
     /// ln(radius) of all, ascending, weighted by number of spheres over number of asperities.
@@ -68,6 +67,26 @@ struct Sample {
 impl Sample {
     fn asperities(&self, nominal_area: f64) -> Asperities<'_> {
         Asperities::new(&self.heights, &self.radii, Some(&self.weights), nominal_area)
+    }
+}
+
+/// One shape for each asperity of a set.
+struct EqualAsperities {
+    radii: Vec<f64>,
+    spheres: Option<Vec<f64>>,
+}
+
+impl EqualAsperities {
+    fn new(asperities: &Asperities, shape: Shape) -> Self {
+        Self {
+            radii: vec![shape.radius; asperities.count()],
+            spheres: asperities.spheres().map(|all| vec![shape.spheres; all.len()]),
+        }
+    }
+
+    /// With the heights of the set.
+    fn asperities<'a>(&'a self, set: &'a Asperities) -> Asperities<'a> {
+        Asperities::new(set.heights(), &self.radii, self.spheres.as_deref(), set.nominal_area())
     }
 }
 
@@ -115,11 +134,9 @@ impl<'a> Rearranged<'a> {
         let mut radii: Vec<Node> = asperities.each().map(share).collect();
         // In file order where radii are equal.
         radii.par_sort_by(|a, b| a.value.total_cmp(&b.value));
-        let mean_spheres = asperities.spheres().map(|all| vec![mean_shape.spheres; all.len()]);
         let is_uniform = asperities.each().all(|(_, shape)| shape == *mean_shape);
-        let mean_radii = vec![mean_shape.radius; count];
         let radius_bin = width(RADIUS_BIN);
-        Self { mean_radii, mean_spheres, heights, radii, radius_bin, paired, is_uniform, inputs }
+        Self { heights, radii, radius_bin, paired, is_uniform, inputs }
     }
 
     /// The same with fewer nodes: accurate enough for the change that a group left out makes.
@@ -134,19 +151,16 @@ impl<'a> Rearranged<'a> {
         contact: &dyn MicroContact,
         of: impl FnOnce([&dyn Model; STATES]) -> T,
     ) -> T {
-        let Inputs { asperities, plane, population, mean_shape, reporting_plane } = &self.inputs;
+        let Inputs { asperities, plane, population, mean_shape, reporting_plane, .. } = &self.inputs;
         let area = asperities.nominal_area();
+        let equal = EqualAsperities::new(asperities, *mean_shape);
         let integral = |contact, shape| {
             Statistical::of_shape(contact, population.clone(), shape).reported_from(*reporting_plane)
         };
         let rearranged = |heights, radii, spheres| Asperities::new(heights, radii, spheres, area);
         let statistical = integral(contact, *mean_shape);
         let deterministic = Deterministic::new(contact, *asperities, *plane);
-        let own_heights = Deterministic::new(
-            contact,
-            rearranged(asperities.heights(), &self.mean_radii, self.mean_spheres.as_deref()),
-            *plane,
-        );
+        let own_heights = Deterministic::new(contact, equal.asperities(asperities), *plane);
         let paired = Deterministic::new(
             contact,
             rearranged(&self.paired, asperities.radii(), asperities.spheres()),
@@ -167,6 +181,22 @@ impl<'a> Rearranged<'a> {
         } else {
             both(&integral(&averaged, Shape::sphere(mean_shape.radius)))
         }
+    }
+
+    /// Evaluates something with the statistical model and that with the own heights, both with the other mean radius: no other state
+    /// depends on it. `None` where there is no other.
+    pub(super) fn with_other_radius<T>(
+        &self,
+        contact: &dyn MicroContact,
+        of: impl FnOnce([&dyn Model; 2]) -> T,
+    ) -> Option<T> {
+        let Inputs { asperities, plane, population, reporting_plane, other_shape, .. } = &self.inputs;
+        let shape = (*other_shape)?;
+        let equal = EqualAsperities::new(asperities, shape);
+        let statistical =
+            Statistical::of_shape(contact, population.clone(), shape).reported_from(*reporting_plane);
+        let own_heights = Deterministic::new(contact, equal.asperities(asperities), *plane);
+        Some(of([&statistical, &own_heights]))
     }
 
     /// The mean contact pressure (Pa) of the own heights with the own radii, independent of each other, at a separation

@@ -4,9 +4,9 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
 use super::states::Arrangement;
-use super::{Attribution, Cause, GroupsLeftOut, Inputs, Order, Rearranged, leading};
+use super::{Attribution, Cause, GroupsLeftOut, Inputs, Order, Rearranged};
 use crate::asperity::{AsperitySet, Draw, Population, Statistics};
-use crate::compare::{ComparedQuantity, Division, Estimate, Pair, pairs_at};
+use crate::compare::{ComparedQuantity, Division, Pair, pairs_at};
 use crate::contact_law::named;
 use crate::distribution::Heights;
 use crate::interface::{Flat, MicroContact};
@@ -46,6 +46,7 @@ fn inputs(set: &AsperitySet) -> Inputs<'_> {
             heights: Heights::GAUSSIAN,
         },
         mean_shape: Shape::sphere(statistics.mean_radius),
+        other_shape: Some(Shape::sphere(statistics.radius_of_mean_curvature)),
         reporting_plane: ReferencePlane { mean: 0.0, sigma: plane.sigma },
     }
 }
@@ -157,14 +158,18 @@ fn the_parts_add_up_to_the_gap_in_every_order() {
                 let gap = quantity.contrast(pair).unwrap();
                 let parts = found.contributions(quantity).unwrap();
                 assert!((parts.gap() - gap).abs() < 1e-10, "{law} {}", quantity.name());
-                for order in parts.by_order {
-                    assert!((order.iter().sum::<f64>() - gap).abs() < 1e-10, "{law} {}", quantity.name());
+                for order in Order::ALL {
+                    let in_order = |cause: Cause| parts.of_cause(cause).by_order[order as usize].contrast;
+                    let sum: f64 = Cause::ALL.into_iter().map(in_order).sum();
+                    assert!((sum - gap).abs() < 1e-10, "{law} {}", quantity.name());
+                    let radii = parts.radii.by_order[order as usize].contrast;
+                    assert!((radii - in_order(Cause::Radii) - in_order(Cause::Correlation)).abs() < 1e-12);
                 }
             }
             // The heights are skewed, the sharp asperities high.
             let parts = found.contributions(ComparedQuantity::Separation).unwrap();
             assert!(Cause::ALL.into_iter().all(|cause| parts.part(cause).abs() > 1e-3), "{law}: {parts:?}");
-            let [low, high] = parts.range(Cause::Heights);
+            let [low, high] = parts.of_cause(Cause::Heights).range();
             assert!(low <= parts.part(Cause::Heights) && parts.part(Cause::Heights) <= high && low < high);
         }
     }
@@ -179,7 +184,8 @@ fn equal_radii() {
     let found = attributions(&*contact, &skewed, &[2e7]);
     let parts = found[0].contributions(ComparedQuantity::Separation).unwrap();
     for order in Order::ALL {
-        let [heights, radii, correlation] = parts.by_order[order as usize];
+        let in_order = |cause| parts.of_cause(cause).by_order[order as usize].contrast;
+        let [heights, radii, correlation] = Cause::ALL.map(in_order);
         assert_eq!(radii, 0.0);
         assert!((correlation != 0.0) == (order == Order::HeightsLast) && correlation.abs() < 5e-3);
         assert!(heights.abs() > 0.05, "{heights}");
@@ -188,7 +194,7 @@ fn equal_radii() {
     let quantiles = population.set(5000, Draw::Quantiles).unwrap();
     let found = attributions(&*contact, &quantiles, &[2e7]);
     let parts = found[0].contributions(ComparedQuantity::Separation).unwrap();
-    assert!(parts.gap().abs() < 5e-3 && parts.by_order[0][Cause::Radii as usize] == 0.0);
+    assert!(parts.gap().abs() < 5e-3 && parts.of_cause(Cause::Radii).by_order[0].contrast == 0.0);
 }
 
 /// Shuffled radii leave a correlation within its sampling error, the original ones one far beyond it.
@@ -208,7 +214,8 @@ fn shuffled_radii_have_no_correlation() {
         let states_left = (0..division.shares().len()).map(without).collect();
         let groups = GroupsLeftOut { states: states_left, shares: division.shares().to_vec() };
         let found = states.attributions(Some(&groups));
-        let estimate = found[0].contributions(ComparedQuantity::Separation).unwrap().estimates[2];
+        let estimate =
+            found[0].contributions(ComparedQuantity::Separation).unwrap().of_cause(Cause::Correlation).mean;
         estimate.contrast / estimate.error.unwrap()
     };
     let of_shuffled = |seed: u64| {
@@ -222,35 +229,33 @@ fn shuffled_radii_have_no_correlation() {
     assert!(correlation(&own).abs() > 5.0);
 }
 
-/// The part that leads is in the direction of the sum, and its interval lies beyond those of the others.
-#[test]
-fn the_leading_part() {
-    let part = |contrast: f64, error: Option<f64>| Estimate {
-        contrast,
-        error,
-        quantile: 2.0,
-        bound: 0.0,
-        independent_error: None,
-    };
-    let of = |parts: [(f64, f64); 3]| {
-        let named = ["a", "b", "c"].into_iter().zip(parts);
-        leading(&named.map(|(name, (size, error))| (name, part(size, Some(error)))).collect::<Vec<_>>())
-    };
-    assert_eq!(of([(0.2, 0.01), (0.1, 0.01), (-0.05, 0.01)]), Some("a"));
-    // The largest one is against the direction of the sum.
-    assert_eq!(of([(-0.2, 0.01), (0.3, 0.01), (-0.25, 0.01)]), Some("c"));
-    assert_eq!(of([(-0.2, 0.01), (0.3, 0.01), (-0.21, 0.01)]), None);
-    assert_eq!(of([(0.2, 0.06), (0.1, 0.01), (0.0, 0.0)]), None);
-    assert_eq!(of([(0.2, 0.01), (0.1, 0.06), (0.0, 0.0)]), None);
-    assert_eq!(of([(0.0, 0.0); 3]), None);
-    // Without an interval, what holds on this very surface.
-    assert_eq!(leading(&[("a", part(0.2, None)), ("b", part(0.19, None))]), Some("a"));
-}
-
 #[test]
 fn few_contacts_are_not_attributed() {
     let contact = interface("zmc");
     let found = attributions(&*contact, &set(5000, -0.4, 0.6), &[1e4, 2e7]);
     assert!(found[0].quantities.iter().all(Option::is_none) && found[0].load == 1e4);
     assert!(found[1].quantities.iter().all(Option::is_some));
+}
+
+/// The other mean radius moves the spread by what it moves the statistical model, and leaves the parts adding up to the difference
+/// of that model.
+#[test]
+fn the_other_mean_radius() {
+    let contact = interface("zmc");
+    let set = set(5000, -0.4, 0.6);
+    let load = [2e7];
+    let found = attributions(&*contact, &set, &load);
+    let parts = found[0].contributions(ComparedQuantity::Area).unwrap();
+    let other = parts.with_other_radius.unwrap();
+    let statistics = Statistics::new(&set);
+    let radius = statistics.radius_of_mean_curvature;
+    assert!(radius < 0.9 * statistics.mean_radius);
+    let population = Population { radius, ..inputs(&set).population };
+    let integral = Statistical::new(&*contact, population);
+    let sum = Deterministic::new(&*contact, set.spheres(), inputs(&set).plane);
+    let pair = pairs_at(&integral, &sum, &load)[0].unwrap();
+    let gap = ComparedQuantity::Area.contrast(&pair).unwrap();
+    assert!((other.iter().sum::<f64>() - gap).abs() < 1e-9, "{other:?} {gap}");
+    let shift = other[Cause::Radii as usize] - parts.part(Cause::Radii);
+    assert!(shift.abs() > 0.02 && (shift - (gap - parts.gap())).abs() < 0.1 * shift.abs(), "{shift}");
 }

@@ -1,0 +1,232 @@
+//! The contributions to a difference, with their intervals, and which of them leads.
+
+use super::Cause;
+use crate::compare::difference::Estimate;
+
+/// The number of orders of replacement.
+const ORDERS: usize = 3;
+
+/// A contribution to a difference, as a [contrast](crate::compare::ComparedQuantity::contrast).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Contribution {
+    /// In each of [`Order::ALL`](super::Order::ALL), with its sampling uncertainty.
+    pub by_order: [Estimate; ORDERS],
+    /// The mean over the orders.
+    pub mean: Estimate,
+}
+
+impl Contribution {
+    /// The smallest interval that holds the 95 % intervals of all orders; `None` where one has none.
+    pub fn interval(&self) -> Option<[f64; 2]> {
+        let [mut low, mut high] = self.mean.interval()?;
+        for order in &self.by_order {
+            let [from, to] = order.interval()?;
+            (low, high) = (low.min(from), high.max(to));
+        }
+        Some([low, high])
+    }
+
+    /// The smallest and the largest value over the orders.
+    pub fn range(&self) -> [f64; 2] {
+        let each = self.by_order.map(|order| order.contrast);
+        [each.into_iter().fold(f64::INFINITY, f64::min), each.into_iter().fold(f64::NEG_INFINITY, f64::max)]
+    }
+
+    /// The smallest and the largest magnitude in the interval.
+    fn magnitudes(&self) -> Option<[f64; 2]> {
+        let [low, high] = self.interval()?;
+        let least = if low * high > 0.0 { low.abs().min(high.abs()) } else { 0.0 };
+        Some([least, low.abs().max(high.abs())])
+    }
+
+    /// Whether every value of its interval is larger, by magnitude, than every one of `other`'s.
+    pub fn exceeds(&self, other: &Self) -> bool {
+        let magnitudes = self.magnitudes().zip(other.magnitudes());
+        magnitudes.is_some_and(|([least, _], [_, most])| least > most)
+    }
+
+    /// The mean over realisations (at least two), with the intervals that their scatter gives.
+    fn over(each: &[Self]) -> Self {
+        let over = |of: &dyn Fn(&Self) -> Estimate| Estimate::over(&each.iter().map(of).collect::<Vec<_>>());
+        Self {
+            by_order: std::array::from_fn(|order| over(&|one| one.by_order[order])),
+            mean: over(&|one| one.mean),
+        }
+    }
+}
+
+/// The difference in one quantity at one load, divided among its causes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Contributions {
+    /// Of each of [`Cause::ALL`]; in every order and in the mean they add up to the difference.
+    pub causes: [Contribution; 3],
+    /// Of the radii: their spread and their correlation with the heights together.
+    pub radii: Contribution,
+    /// Of each of [`Cause::ALL`], means over the orders, where the statistical model has the other mean radius; `None` where it has not
+    /// one radius that could be taken in another way.
+    pub with_other_radius: Option<[f64; 3]>,
+}
+
+impl Contributions {
+    /// The contribution of a cause.
+    pub fn of_cause(&self, cause: Cause) -> &Contribution {
+        &self.causes[cause as usize]
+    }
+
+    /// The mean contribution of a cause over the orders.
+    pub fn part(&self, cause: Cause) -> f64 {
+        self.of_cause(cause).mean.contrast
+    }
+
+    /// The share of a cause in the contributions, taken by magnitude; 0 where all are zero.
+    pub fn share(&self, cause: Cause) -> f64 {
+        let all: f64 = Cause::ALL.into_iter().map(|cause| self.part(cause).abs()).sum();
+        if all > 0.0 { self.part(cause).abs() / all } else { 0.0 }
+    }
+
+    /// The difference that the contributions add up to.
+    pub fn gap(&self) -> f64 {
+        Cause::ALL.into_iter().map(|cause| self.part(cause)).sum()
+    }
+
+    /// The cause that leads; see [`leading`].
+    pub fn leading(&self) -> Option<Cause> {
+        leading(&Cause::ALL.map(|cause| (cause, *self.of_cause(cause))))
+    }
+
+    /// The cause with the largest contribution on this very surface; see [`largest`].
+    pub fn largest(&self) -> Option<Cause> {
+        largest(&Cause::ALL.map(|cause| (cause, *self.of_cause(cause))))
+    }
+
+    /// The mean contributions over realisations (at least two).
+    pub(super) fn over(each: &[Self]) -> Self {
+        let over =
+            |of: &dyn Fn(&Self) -> Contribution| Contribution::over(&each.iter().map(of).collect::<Vec<_>>());
+        let others: Option<Vec<[f64; 3]>> = each.iter().map(|one| one.with_other_radius).collect();
+        let mean_of = |others: Vec<[f64; 3]>| {
+            Cause::ALL.map(|cause| {
+                others.iter().map(|parts| parts[cause as usize]).sum::<f64>() / others.len() as f64
+            })
+        };
+        Self {
+            causes: Cause::ALL.map(|cause| over(&|one| *one.of_cause(cause))),
+            radii: over(&|one| one.radii),
+            with_other_radius: others.map(mean_of),
+        }
+    }
+}
+
+/// The part that leads: of the `parts` in the direction of their sum the largest one, where its 95 % interval, all orders of
+/// replacement included, lies beyond zero and beyond the intervals of all others. None leads where a part has no interval.
+pub fn leading<T: Copy>(parts: &[(T, Contribution)]) -> Option<T> {
+    let direction = direction(parts)?;
+    let along = |(name, part): &(T, Contribution)| {
+        let [low, high] = part.interval()?;
+        Some(if direction > 0.0 { (*name, low, high) } else { (*name, -high, -low) })
+    };
+    let mut along: Vec<(T, f64, f64)> = parts.iter().map(along).collect::<Option<_>>()?;
+    along.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let (&(first, low, _), others) = along.split_first()?;
+    let next = others.iter().fold(0.0, |next: f64, (_, _, high)| next.max(*high));
+    (low > next).then_some(first)
+}
+
+/// The part that is the largest in the direction of the sum of the `parts` in every order of replacement: what holds of the very
+/// surface that was compared, whatever another sample of it would give.
+pub fn largest<T: Copy>(parts: &[(T, Contribution)]) -> Option<T> {
+    let direction = direction(parts)?;
+    let size = |place: usize, order: usize| direction * parts[place].1.by_order[order].contrast;
+    let in_order = |order: usize| (0..parts.len()).max_by(|&a, &b| size(a, order).total_cmp(&size(b, order)));
+    let first = in_order(0)?;
+    (1..ORDERS).all(|order| in_order(order) == Some(first)).then_some(parts[first].0)
+}
+
+/// The sign of the sum of the parts; `None` where they cancel.
+fn direction<T>(parts: &[(T, Contribution)]) -> Option<f64> {
+    let sum: f64 = parts.iter().map(|(_, part)| part.mean.contrast).sum();
+    (sum != 0.0).then(|| sum.signum())
+}
+
+impl From<Estimate> for Contribution {
+    /// One that no order changes.
+    fn from(estimate: Estimate) -> Self {
+        Self { by_order: [estimate; ORDERS], mean: estimate }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn estimate(contrast: f64, error: Option<f64>) -> Estimate {
+        Estimate { contrast, error, quantile: 2.0, bound: 0.0, independent_error: None }
+    }
+
+    /// A part of the same size in every order.
+    fn part(contrast: f64, error: Option<f64>) -> Contribution {
+        estimate(contrast, error).into()
+    }
+
+    fn named(parts: [Contribution; 3]) -> Vec<(&'static str, Contribution)> {
+        ["a", "b", "c"].into_iter().zip(parts).collect()
+    }
+
+    #[test]
+    fn the_leading_part_is_apart_from_all_others() {
+        let of = |parts: [(f64, f64); 3]| leading(&named(parts.map(|(size, error)| part(size, Some(error)))));
+        assert_eq!(of([(0.2, 0.01), (0.1, 0.01), (-0.05, 0.01)]), Some("a"));
+        // The largest one is against the direction of the sum.
+        assert_eq!(of([(-0.2, 0.01), (0.3, 0.01), (-0.25, 0.01)]), Some("c"));
+        assert_eq!(of([(-0.2, 0.01), (0.3, 0.01), (-0.21, 0.01)]), None);
+        assert_eq!(of([(0.2, 0.06), (0.1, 0.01), (0.0, 0.0)]), None);
+        assert_eq!(of([(0.2, 0.01), (0.1, 0.06), (0.0, 0.0)]), None);
+        assert_eq!(of([(0.0, 0.0); 3]), None);
+    }
+
+    #[test]
+    fn without_an_interval_no_part_leads() {
+        let sure = part(0.0, Some(0.0));
+        assert_eq!(leading(&named([part(0.2, None), part(0.01, None), sure])), None);
+        assert_eq!(leading(&named([part(0.2, Some(0.01)), part(0.01, None), sure])), None);
+        assert_eq!(leading(&named([part(0.2, Some(0.01)), part(0.01, Some(0.01)), sure])), Some("a"));
+    }
+
+    /// Contributions of 0.677, 0.677 and 0.325 sigma with a mean of 0.56 +- 0.048: the interval holds all of them.
+    #[test]
+    fn an_interval_holds_all_orders_and_so_decides_less() {
+        let first = Contribution {
+            by_order: [0.677, 0.677, 0.325].map(|size| estimate(size, Some(0.03))),
+            mean: estimate(0.56, Some(0.024)),
+        };
+        let [low, high] = first.interval().unwrap();
+        assert!((low - 0.265).abs() < 1e-12 && (high - 0.737).abs() < 1e-12, "{low} {high}");
+        assert_eq!(first.range(), [0.325, 0.677]);
+        let second = part(0.3, Some(0.02));
+        assert_eq!(leading(&named([first, second, part(0.0, Some(0.0))])), None);
+        assert_eq!(leading(&named([first, part(0.2, Some(0.02)), part(0.0, Some(0.0))])), Some("a"));
+    }
+
+    #[test]
+    fn one_part_exceeds_another_by_magnitude() {
+        let exceeds = |a: Contribution, b: Contribution| a.exceeds(&b);
+        assert!(exceeds(part(-0.3, Some(0.01)), part(0.2, Some(0.01))));
+        assert!(!exceeds(part(-0.3, Some(0.04)), part(0.2, Some(0.02))));
+        assert!(!exceeds(part(-0.3, None), part(0.2, Some(0.01))));
+        assert!(!exceeds(part(0.01, Some(0.02)), part(0.0, Some(0.0))));
+    }
+
+    #[test]
+    fn the_largest_part_is_so_in_every_order() {
+        let orders = |sizes: [f64; 3]| Contribution {
+            by_order: sizes.map(|size| estimate(size, None)),
+            mean: estimate(sizes.iter().sum::<f64>() / 3.0, None),
+        };
+        let none = part(0.0, None);
+        assert_eq!(largest(&named([orders([0.3, 0.3, 0.2]), orders([0.1, 0.1, 0.19]), none])), Some("a"));
+        assert_eq!(largest(&named([orders([0.3, 0.3, 0.1]), orders([0.1, 0.1, 0.2]), none])), None);
+        // In the direction of the sum.
+        assert_eq!(largest(&named([orders([0.3, 0.3, 0.3]), orders([-0.4, -0.4, -0.4]), none])), Some("b"));
+        assert_eq!(largest(&named([none; 3])), None);
+    }
+}
