@@ -87,6 +87,19 @@ impl StudyPlan {
     /// # Errors
     /// No load and no separation; a body, layer, law, surface or statistical model that cannot be used.
     pub fn new(file: &SpecFile, keys: StudyKeys) -> Result<Self, InputError> {
+        let (named, table) = (keys.surfaces, keys.table.clone());
+        Self::on(file, keys, |as_ellipses| surfaces(file, named, table, as_ellipses))
+    }
+
+    /// The same on surfaces of the kind's own, made with ellipses or without.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn on(
+        file: &SpecFile,
+        keys: StudyKeys,
+        surfaces: impl FnOnce(bool) -> Result<Vec<SurfacePlan>, InputError>,
+    ) -> Result<Self, InputError> {
         let rough_name = &keys.rough.get_ref().0;
         let rough = file.body(rough_name, keys.rough.span())?;
         let flat_name = keys.flat.get_ref();
@@ -116,7 +129,7 @@ impl StudyPlan {
         implausible.extend(plausibility::of_separations(&keys.controls.separations));
         let law_specs = keys.law.get_ref().0.clone();
         let as_ellipses = law_specs.iter().any(ContactLaw::is_elliptic);
-        let surfaces = surfaces(file, keys.surfaces, keys.table, as_ellipses)?;
+        let surfaces = surfaces(as_ellipses)?;
         let laws = file.law_plans(keys.law, (rough_name, &rough), &flats, flat_name)?;
         Ok(Self {
             bodies: Bodies { rough: rough_name.clone(), flat: flat_name.clone() },

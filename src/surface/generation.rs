@@ -22,6 +22,7 @@ use asperity_contact_framework::input::{InputError, Source};
 /// How a random surface is made.
 #[derive(Debug, Clone)]
 pub struct Generation {
+    /// By what it is, or by what its summits shall be.
     pub way: Way,
     /// What a summit is.
     pub neighbours: Neighbours,

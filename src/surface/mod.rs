@@ -20,6 +20,8 @@ mod tiles;
 pub use description::{SurfacesPlan, described_file};
 pub use factory::SurfaceFactory;
 pub use files::Files;
+pub use generate_spec::TargetSpec;
+pub use generation::{Generation, Way};
 pub use options::FileOptions;
 pub use plan::{SurfacePlan, beside, curvature_ratio, describe, inputs, memory, surfaces};
 pub use spec::SurfaceSpec;

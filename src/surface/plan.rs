@@ -120,6 +120,17 @@ impl SurfacePlan {
         Ok(Self { name: name.get_ref().clone(), size_key, realisations, as_ellipses, origin })
     }
 
+    /// A surface that is generated; `size_key` is the position of its size in the spec.
+    pub fn generated(
+        name: String,
+        size_key: Range<usize>,
+        realisations: usize,
+        as_ellipses: bool,
+        generation: Generation,
+    ) -> Self {
+        Self { name, size_key, realisations, as_ellipses, origin: Origin::Generated(Box::new(generation)) }
+    }
+
     fn list(source: &Source, raw: &ListSpec, as_ellipses: bool) -> Result<Origin, InputError> {
         let path = beside(source, &raw.file)?;
         let unit = raw.unit.as_ref().map(|unit| unit.get_ref().0);

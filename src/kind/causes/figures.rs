@@ -1,21 +1,33 @@
-//! Maps of leading causes, and contributions over the skewness.
+//! Maps of causes, verdicts and the nearer model over a grid, and contributions over the skewness.
 
-use asperity::compare::{Cause, ComparedQuantity, Contributions};
-use asperity_contact_framework::report::format::{capitalised, number, signed};
-use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
+use asperity::compare::{Cause, ComparedQuantity, ModelKind, Verdict};
+use asperity_contact_framework::report::format::{capitalised, number};
+use asperity_plot::{Axis as PlotAxis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
 
+use super::plan::Axis;
 use super::results::{CausesResults, GridPoint, QUANTITIES};
 use crate::presentation::cause_colour;
 use crate::presentation::quantity_name;
 
-/// The points of equal wavelengths.
+/// The rows of the grid.
 fn rows(results: &CausesResults) -> Vec<&[GridPoint]> {
-    results.points.chunk_by(|a, b| a.wavelengths == b.wavelengths).collect()
+    let same = |a: &GridPoint, b: &GridPoint| match results.axis {
+        Axis::Bandwidth => a.wavelengths == b.wavelengths,
+        Axis::Kurtosis => a.kurtosis == b.kurtosis,
+    };
+    results.points.chunk_by(same).collect()
 }
 
-/// Nayak's alpha of a row.
-fn alpha(row: &[GridPoint]) -> f64 {
-    row.iter().map(|point| point.reached.alpha).sum::<f64>() / row.len() as f64
+/// Where a row lies on the second axis: Nayak's alpha, the mean over its surfaces, or the kurtosis.
+fn place(results: &CausesResults, row: &[GridPoint]) -> f64 {
+    match results.axis {
+        Axis::Kurtosis => row[0].kurtosis,
+        Axis::Bandwidth => {
+            let alphas: Vec<f64> =
+                row.iter().filter_map(|point| Some(point.surfaces.as_ref().ok()?.reached.alpha)).collect();
+            alphas.iter().sum::<f64>() / alphas.len() as f64
+        }
+    }
 }
 
 /// Edges half way between values.
@@ -26,77 +38,147 @@ fn edges(values: &[f64]) -> Vec<f64> {
     std::iter::once(first - 0.5 * low).chain(inner).chain([last + 0.5 * high]).collect()
 }
 
-/// What a cell of a map says: its colour and the name of the colour.
-type Statement = fn(&Contributions) -> (Colour, &'static str);
+/// What a cell of a map says: its colour, the name of the colour, and its text.
+type Cell = (Colour, &'static str, String);
 
 /// Heights against radii, whose spread and correlation count together.
-pub fn heights_or_radii(results: &CausesResults, load: usize) -> Figure {
-    map(results, load, "Heights or radii over skewness and bandwidth", |parts| {
+pub fn heights_or_radii(results: &CausesResults, condition: [usize; 2]) -> Figure {
+    map(results, "Heights or radii", "difference", |point, quantity| {
+        let parts = point.parts(condition, quantity)?;
         let heights = parts.of_cause(Cause::Heights);
-        if heights.exceeds(&parts.radii) {
+        let (colour, name) = if heights.exceeds(&parts.radii) {
             (Colour::Heights, "heights contribute more")
         } else if parts.radii.exceeds(heights) {
             (Colour::Radii, "radii (spread and correlation) contribute more")
         } else {
             (Colour::Neutral, "intervals overlap")
-        }
+        };
+        Some((colour, name, reported(quantity, parts.gap())))
     })
 }
 
 /// The leading of the three causes.
-pub fn leading_causes(results: &CausesResults, load: usize) -> Figure {
-    map(results, load, "Leading causes over skewness and bandwidth", |parts| {
-        parts.leading().map_or((Colour::Neutral, "none leads"), |cause| (cause_colour(cause), cause.label()))
+pub fn leading_causes(results: &CausesResults, condition: [usize; 2]) -> Figure {
+    map(results, "Leading causes", "difference", |point, quantity| {
+        let parts = point.parts(condition, quantity)?;
+        let none = (Colour::Neutral, "none leads");
+        let (colour, name) = parts.leading().map_or(none, |cause| (cause_colour(cause), cause.label()));
+        Some((colour, name, reported(quantity, parts.gap())))
     })
 }
 
-fn map(results: &CausesResults, load: usize, title: &str, statement: Statement) -> Figure {
-    let panels = QUANTITIES.map(|quantity| map_of(results, quantity, load, statement));
-    Figure::row(title, panels.into())
+/// Whether the integral may replace the sum.
+pub fn verdicts(results: &CausesResults, condition: [usize; 2]) -> Figure {
+    map(results, "Verdicts", "difference", |point, quantity| {
+        let (estimate, verdict) = point.quantity(condition, quantity)?.difference?;
+        let (colour, name) = match verdict {
+            Verdict::Within => (Colour::Reference, "within what is accepted"),
+            Verdict::Beyond => (Colour::Deterministic, "beyond it"),
+            Verdict::CannotTell => (Colour::Neutral, "cannot tell"),
+        };
+        Some((colour, name, reported(quantity, estimate.contrast)))
+    })
 }
 
-fn map_of(results: &CausesResults, quantity: ComparedQuantity, load: usize, statement: Statement) -> Plot {
+/// Which model is nearer to the reference; a cell has the distances of both.
+pub fn nearer(results: &CausesResults, condition: [usize; 2]) -> Figure {
+    map(results, "Nearer to boundary elements", "integral | sum less reference", |point, quantity| {
+        let at = point.quantity(condition, quantity)?;
+        let [statistical, deterministic, _] = at.against?;
+        let (colour, name) = match at.nearer_model() {
+            Some(ModelKind::Statistical) => (Colour::Statistical, "integral nearer"),
+            Some(ModelKind::Deterministic) => (Colour::Deterministic, "sum nearer"),
+            None => (Colour::Neutral, "cannot be told, or both as near"),
+        };
+        let text = [statistical, deterministic].map(|estimate| reported(quantity, estimate.contrast));
+        Some((colour, name, text.join(" | ")))
+    })
+}
+
+/// A contrast in sigma or percent, with two digits.
+fn reported(quantity: ComparedQuantity, contrast: f64) -> String {
+    match quantity {
+        ComparedQuantity::Separation => format!("{contrast:+.2}").replace('-', "−"),
+        _ => format!("{:+.0}", 100.0 * quantity.reported(contrast)).replace('-', "−"),
+    }
+}
+
+fn map(
+    results: &CausesResults,
+    title: &str,
+    what: &str,
+    cell: impl Fn(&GridPoint, ComparedQuantity) -> Option<Cell>,
+) -> Figure {
+    let panel = |quantity| map_of(results, quantity, what, &|point| cell(point, quantity));
+    let over = match results.axis {
+        Axis::Bandwidth => "over skewness and bandwidth",
+        Axis::Kurtosis => "over skewness and kurtosis",
+    };
+    Figure::row(format!("{title} {over}"), QUANTITIES.map(panel).into())
+}
+
+fn map_of(
+    results: &CausesResults,
+    quantity: ComparedQuantity,
+    what: &str,
+    cell: &dyn Fn(&GridPoint) -> Option<Cell>,
+) -> Plot {
     let rows = rows(results);
     let x = edges(&rows[0].iter().map(|point| point.skewness).collect::<Vec<_>>());
-    let y: Vec<f64> = edges(&rows.iter().map(|row| alpha(row).ln()).collect::<Vec<_>>());
-    let y: Vec<f64> = y.into_iter().map(f64::exp).collect();
-    let axes = (Axis::linear("skewness of the heights"), Axis::log("Nayak's α"));
-    let range = |axis: Axis, edges: &[f64]| axis.range(edges[0], edges[edges.len() - 1]);
-    let (unit, size) = if quantity == ComparedQuantity::Separation { ("σ", 1.0) } else { ("%", 100.0) };
-    let title = format!("{}, difference in {unit}", capitalised(quantity_name(quantity)));
-    let mut plot = Plot::new(title, range(axes.0, &x), range(axes.1, &y)).height(300.0).legend(Legend::Below);
+    let places = rows.iter().map(|row| place(results, row));
+    let (y, y_axis) = match results.axis {
+        Axis::Bandwidth => {
+            let y: Vec<f64> = edges(&places.map(f64::ln).collect::<Vec<_>>());
+            (y.into_iter().map(f64::exp).collect(), PlotAxis::log("Nayak's α"))
+        }
+        Axis::Kurtosis => (edges(&places.collect::<Vec<_>>()), PlotAxis::linear("kurtosis of the heights")),
+    };
+    let range = |axis: PlotAxis, edges: &[f64]| axis.range(edges[0], edges[edges.len() - 1]);
+    let unit = if quantity == ComparedQuantity::Separation { "σ" } else { "%" };
+    let title = format!("{}, {what} in {unit}", capitalised(quantity_name(quantity)));
+    let x_axis = range(PlotAxis::linear("skewness of the heights"), &x);
+    let mut plot = Plot::new(title, x_axis, range(y_axis, &y))
+        .height(60.0 * rows.len().max(5) as f64)
+        .legend(Legend::Below);
     for (row, points) in rows.iter().enumerate() {
         for (column, point) in points.iter().enumerate() {
-            let Some(parts) = point.parts(load, quantity) else { continue };
-            let (colour, label) = statement(parts);
+            let Some((colour, name, text)) = cell(point) else { continue };
             let (from, to) = ((x[column], y[row]), (x[column + 1], y[row + 1]));
-            let text = signed(size * quantity.reported(parts.gap()));
-            plot = plot.with(Layer::tile(from, to, &text).coloured(colour).named(label));
+            plot = plot.with(Layer::tile(from, to, &text).coloured(colour).named(name));
         }
     }
     plot
 }
 
-pub fn contributions(results: &CausesResults, quantity: ComparedQuantity, load: usize) -> Figure {
-    let panels = rows(results).into_iter().map(|row| lines(row, quantity, load));
+pub fn contributions(results: &CausesResults, quantity: ComparedQuantity, condition: [usize; 2]) -> Figure {
+    let panels = rows(results).into_iter().map(|row| lines(results, row, quantity, condition));
     Figure::row("Contributions over the skewness", panels.collect())
 }
 
-fn lines(row: &[GridPoint], quantity: ComparedQuantity, load: usize) -> Plot {
+fn lines(
+    results: &CausesResults,
+    row: &[GridPoint],
+    quantity: ComparedQuantity,
+    condition: [usize; 2],
+) -> Plot {
     let label = match quantity {
         ComparedQuantity::Separation => "separation (σ)",
         _ => "ln(area ratio)",
     };
-    let title = format!("α = {}", number(alpha(row)));
+    let place = number(place(results, row));
+    let title = match results.axis {
+        Axis::Bandwidth => format!("α = {place}"),
+        Axis::Kurtosis => format!("kurtosis {place}"),
+    };
     let x = edges(&row.iter().map(|point| point.skewness).collect::<Vec<_>>());
     let mut plot = Plot::new(
         title,
-        Axis::linear("skewness of the heights").range(x[0], x[x.len() - 1]),
-        Axis::linear(label),
+        PlotAxis::linear("skewness of the heights").range(x[0], x[x.len() - 1]),
+        PlotAxis::linear(label),
     )
     .height(240.0)
     .with_zero();
-    let divided = || row.iter().filter_map(|point| Some((point.skewness, point.parts(load, quantity)?)));
+    let divided = || row.iter().filter_map(|point| Some((point.skewness, point.parts(condition, quantity)?)));
     let markers = [Marker::Circle, Marker::Square, Marker::Triangle];
     for (cause, marker) in Cause::ALL.into_iter().zip(markers) {
         let points: Vec<(f64, f64)> = divided().map(|(x, parts)| (x, parts.part(cause))).collect();

@@ -1,6 +1,6 @@
 //! Which cause leads where.
 
-use asperity::compare::{Cause, ComparedQuantity, Contribution, Contributions};
+use asperity::compare::{Cause, ComparedQuantity, Contribution, Contributions, ModelKind, Verdict};
 
 use super::results::{CausesResults, QUANTITIES};
 
@@ -9,8 +9,8 @@ use super::results::{CausesResults, QUANTITIES};
 pub struct Findings {
     /// What is compared.
     pub quantity: ComparedQuantity,
-    /// Number of the load.
-    pub load: usize,
+    /// Indices of law and load.
+    pub condition: [usize; 2],
     /// Points of the grid whose difference is divided.
     pub divided: usize,
     /// Causes that lead somewhere, the most frequent first, and last `None` for points where none does.
@@ -37,19 +37,18 @@ pub struct Lead {
 }
 
 impl Findings {
-    /// Load by load, quantity by quantity.
+    /// Law by law, load by load, quantity by quantity.
     pub fn all(results: &CausesResults) -> Vec<Self> {
-        let quantities = |load| QUANTITIES.map(|quantity| Self::new(results, quantity, load));
-        (0..results.loads.len()).flat_map(quantities).collect()
+        let quantities = |condition| QUANTITIES.map(|quantity| Self::new(results, quantity, condition));
+        results.conditions().flat_map(quantities).collect()
     }
 
-    /// Of a quantity at the load of index `load`.
-    fn new(results: &CausesResults, quantity: ComparedQuantity, load: usize) -> Self {
+    fn new(results: &CausesResults, quantity: ComparedQuantity, condition: [usize; 2]) -> Self {
         let divided: Vec<(f64, Option<Cause>, f64)> = results
             .points
             .iter()
             .filter_map(|point| {
-                let parts = point.parts(load, quantity)?;
+                let parts = point.parts(condition, quantity)?;
                 Some((point.skewness, parts.leading(), parts.share(Cause::Radii)))
             })
             .collect();
@@ -77,7 +76,7 @@ impl Findings {
             results
                 .points
                 .iter()
-                .filter_map(|point| point.parts(load, quantity))
+                .filter_map(|point| point.parts(condition, quantity))
                 .filter(|parts| holds(parts))
                 .count()
         };
@@ -85,7 +84,7 @@ impl Findings {
         let size = |part: &Contribution| part.mean.contrast.abs();
         Self {
             quantity,
-            load,
+            condition,
             divided: divided.len(),
             leads,
             share_of_radii,
@@ -93,5 +92,66 @@ impl Findings {
             radii_exceed: count(&|parts| parts.radii.exceeds(&heights(parts))),
             heights_exceed: count(&|parts| heights(parts).exceeds(&parts.radii)),
         }
+    }
+}
+
+/// How often each model is nearer to the reference in one quantity, over all laws, loads and points.
+#[derive(Debug, Default, PartialEq, Eq)]
+pub struct NearerCounts {
+    /// Points at which it can be compared.
+    pub compared: usize,
+    /// Where the statistical model is nearer.
+    pub statistical: usize,
+    /// Where the deterministic model is nearer.
+    pub deterministic: usize,
+    /// Both are within what is accepted of the reference.
+    pub both_within: usize,
+}
+
+impl NearerCounts {
+    /// Of a quantity under one law.
+    pub fn new(results: &CausesResults, quantity: ComparedQuantity, law: usize) -> Self {
+        let mut counts = Self::default();
+        for condition in results.conditions().filter(|condition| condition[0] == law) {
+            for point in &results.points {
+                let Some(stretch) = point.quantity(condition, quantity).and_then(|at| at.nearer.as_ref())
+                else {
+                    continue;
+                };
+                counts.compared += 1;
+                counts.statistical += usize::from(stretch.nearer == Some(ModelKind::Statistical));
+                counts.deterministic += usize::from(stretch.nearer == Some(ModelKind::Deterministic));
+                counts.both_within += usize::from(stretch.verdicts == [Verdict::Within; 2]);
+            }
+        }
+        counts
+    }
+}
+
+/// How often the integral may replace the sum in one quantity, over all laws, loads and points.
+#[derive(Debug, Default, PartialEq, Eq)]
+pub struct VerdictCounts {
+    /// Points at which the models are compared.
+    pub compared: usize,
+    /// Where they agree within what is accepted.
+    pub within: usize,
+    /// Where they differ by more.
+    pub beyond: usize,
+}
+
+impl VerdictCounts {
+    /// Of a quantity.
+    pub fn new(results: &CausesResults, quantity: ComparedQuantity) -> Self {
+        let mut counts = Self::default();
+        let verdicts = results.conditions().flat_map(|condition| {
+            let at = results.points.iter().filter_map(move |point| point.quantity(condition, quantity));
+            at.filter_map(|at| at.difference.map(|(_, verdict)| verdict)).collect::<Vec<_>>()
+        });
+        for verdict in verdicts {
+            counts.compared += 1;
+            counts.within += usize::from(verdict == Verdict::Within);
+            counts.beyond += usize::from(verdict == Verdict::Beyond);
+        }
+        counts
     }
 }

@@ -1,9 +1,10 @@
-//! `[causes]`: why the models differ, over a grid of skewness and bandwidth of generated surfaces.
+//! `[causes]`: why the models differ, and which is nearer to the reference, over a grid of generated surfaces.
 
 mod figures;
 mod findings;
 mod outline;
 mod plan;
+mod process;
 mod results;
 mod rows;
 mod run;
@@ -39,16 +40,11 @@ impl Plan for CausesPlan {
     type Outcome = CausesResults;
 
     fn memory(&self) -> Memory {
-        /// The map, its transform, and the asperities in several orders.
-        const BYTES_PER_POINT: u128 = 64;
-        let points = self.points.first().map_or(0, |point| point.generator.points[0]) as u128;
-        Memory { bytes: points * points * BYTES_PER_POINT, key: None }
+        Plan::memory(&self.compare)
     }
 
     fn work(&self) -> u128 {
-        /// Of one surface at one load: the search of the sum over its asperities and the states in between.
-        const EVALUATIONS: u128 = 200_000;
-        (self.points.len() * self.realisations * self.loads.len()) as u128 * EVALUATIONS
+        self.compare.study.work()
     }
 
     fn run(&self, context: &RunContext) -> Result<CausesResults, InputError> {

@@ -7,10 +7,12 @@ use asperity_contact_framework::report::page::Page;
 use asperity_contact_framework::report::sections;
 use asperity_contact_framework::report::table::{Table, Tables};
 use asperity_contact_framework::{Outcome, fields};
+use asperity_plot::Figure;
 use serde_json::{Map, Value, json};
 
-use super::figures::{contributions, heights_or_radii, leading_causes};
-use super::findings::Findings;
+use super::figures::{contributions, heights_or_radii, leading_causes, nearer, verdicts};
+use super::findings::{Findings, NearerCounts, VerdictCounts};
+use super::plan::Axis;
 use super::results::{CausesResults, QUANTITIES};
 use super::rows::{CauseRow, LeadRow, tables};
 use crate::presentation::quantity_name;
@@ -31,57 +33,43 @@ impl Outcome for CausesResults {
     fn page(&self, tables: &Tables) -> Page {
         let mut page = Page::new(&self.metadata.title);
         page.lead(&answer(self));
-        for load in 0..self.loads.len() {
-            page.figure(
-                &format!("heights-or-radii-{}.svg", load + 1),
-                heights_or_radii(self, load),
-                &format!(
-                    "Heights against radii at {}, with the difference between the models in each cell; empty: load not admissible.",
-                    self.at(load)
-                ),
-            );
+        match (self.has_reference, self.axis) {
+            (true, _) => maps(&mut page, self, &NEARER),
+            (false, Axis::Kurtosis) => maps(&mut page, self, &VERDICTS),
+            (false, Axis::Bandwidth) => maps(&mut page, self, &HEIGHTS_OR_RADII),
         }
         sections::warnings(&mut page, &self.warnings());
-        page.heading(2, "Which cause leads how often");
-        for load in 0..self.loads.len() {
-            page.figure(
-                &format!("causes-{}.svg", load + 1),
-                leading_causes(self, load),
-                &format!(
-                    "Leading of the three causes at {}. Grey: none leads; empty: load not admissible.",
-                    self.at(load)
-                ),
-            );
+        if self.has_reference || self.axis == Axis::Kurtosis {
+            page.details(2, "Why the models differ: heights or radii", |page| {
+                maps(page, self, &HEIGHTS_OR_RADII);
+            });
         }
-        page.view(&tables.view::<LeadRow>());
-        page.note(include_str!("notes/leads.md"));
+        if self.has_reference || self.axis == Axis::Bandwidth {
+            page.details(2, "May the integral replace the sum?", |page| maps(page, self, &VERDICTS));
+        }
+        page.details(2, "Which cause leads how often", |page| {
+            maps(page, self, &LEADING);
+            page.view(&tables.view::<LeadRow>()).note(include_str!("notes/leads.md"));
+        });
         page.details(2, "Contributions over the skewness", |page| over_skewness(page, self));
         page.details(2, "Surfaces, means over the realisations", |page| {
-            let first =
-                tables.view::<CauseRow>().columns(SURFACE).first_of_each(&["skewness", "wavelengths"]);
-            page.view(&first);
+            let first = tables.view::<CauseRow>().columns(SURFACE);
+            page.view(&first.first_of_each(&["skewness", "wavelengths", "kurtosis"]));
         });
         for quantity in QUANTITIES {
-            page.details(
-                2,
-                &format!("Contributions to the difference in {}", quantity_name(quantity)),
-                |page| {
-                    let view = tables.view::<CauseRow>().only("quantity", quantity.name());
-                    page.view(&view.columns(CONTRIBUTIONS));
-                },
-            );
+            page.details(2, &format!("All numbers: {}", quantity_name(quantity)), |page| {
+                let view = tables.view::<CauseRow>().only("quantity", quantity.name());
+                page.view(&view.clone().columns(CONTRIBUTIONS));
+                page.view(&view.columns(DISTANCES));
+            });
         }
         sections::notes(&mut page, &self.metadata);
         sections::what_was_run(&mut page, &self.metadata, &self.contact);
         page.paragraph(&format!(
-            "Law `{}`; {} surfaces of each skewness and bandwidth, {} points along each side, σ = {}, root mean square gradient {}, \
-             self-affine with the Hurst exponent {}.",
-            self.law,
+            "Laws: {}; {} surfaces of each point of the grid, {}.",
+            self.laws.join(", "),
             self.realisations,
-            self.points.first().map_or(0, |point| point.points),
-            input_quantity(self.sigma, "m"),
-            number(self.gradient),
-            number(self.hurst)
+            self.common
         ));
         sections::run_again(&mut page, &self.metadata, None);
         sections::sources(&mut page, &self.metadata);
@@ -90,8 +78,9 @@ impl Outcome for CausesResults {
 
     fn facts(&self) -> serde_json::Result<Map<String, Value>> {
         let mut facts = fields(&ContactSummary::new(&self.contact))?;
-        facts.insert("law".to_owned(), json!(self.law));
-        facts.insert("surfaces".to_owned(), json!(self.points.len() * self.realisations));
+        facts.insert("law".to_owned(), json!(self.laws.join(", ")));
+        let made = self.points.iter().filter(|point| point.surfaces.is_ok()).count();
+        facts.insert("surfaces".to_owned(), json!(made * self.realisations));
         Ok(facts)
     }
 }
@@ -129,8 +118,116 @@ const CONTRIBUTIONS: &[&str] = &[
     "limits",
 ];
 
-/// How often radii and heights contribute more than the other, over all loads.
+const DISTANCES: &[&str] = &[
+    "skewness",
+    "kurtosis",
+    "nayak_alpha",
+    "law",
+    "pressure_pa",
+    "low",
+    "high",
+    "verdict",
+    "statistical_from_reference",
+    "deterministic_from_reference",
+    "farther",
+    "farther_low",
+    "farther_high",
+    "nearer",
+    "is_homogeneous",
+    "without_surface",
+];
+
+/// A map of the grid for each law and load.
+struct GridMap {
+    file: &'static str,
+    draw: fn(&CausesResults, [usize; 2]) -> Figure,
+    caption: &'static str,
+}
+
+const HEIGHTS_OR_RADII: GridMap = GridMap {
+    file: "heights-or-radii",
+    draw: heights_or_radii,
+    caption: "Heights against radii, with the difference between the models in each cell. Empty: load not admissible",
+};
+
+const LEADING: GridMap = GridMap {
+    file: "causes",
+    draw: leading_causes,
+    caption: "Leading of the three causes. Grey: none leads; empty: load not admissible",
+};
+
+const VERDICTS: GridMap = GridMap {
+    file: "verdicts",
+    draw: verdicts,
+    caption: "Statistical minus deterministic model against what is accepted. Empty: no such surface, or load not admissible",
+};
+
+const NEARER: GridMap = GridMap {
+    file: "nearer",
+    draw: nearer,
+    caption: "Which model is nearer to boundary elements. A cell: statistical | deterministic model less the reference. Empty: load not admissible",
+};
+
+fn maps(page: &mut Page, results: &CausesResults, map: &GridMap) {
+    for condition in results.conditions() {
+        let caption = format!("{}. {}.", map.caption, results.at(condition));
+        page.figure(&results.file(map.file, condition), (map.draw)(results, condition), &caption);
+    }
+}
+
+/// What the page is about, counted over all laws, loads and points of the grid.
 fn answer(results: &CausesResults) -> String {
+    match (results.has_reference, results.axis) {
+        (true, _) => of_nearness(results),
+        (false, Axis::Kurtosis) => of_verdicts(results),
+        (false, Axis::Bandwidth) => of_causes(results),
+    }
+}
+
+/// How often each model is nearer to the reference.
+fn of_nearness(results: &CausesResults) -> String {
+    let of_law = |law: usize| {
+        let of_quantity = |quantity| {
+            let counts = NearerCounts::new(results, quantity, law);
+            format!(
+                "{} integral {}, sum {} of {}",
+                quantity_name(quantity),
+                counts.statistical,
+                counts.deterministic,
+                counts.compared
+            )
+        };
+        format!("{}: {}", results.laws[law], QUANTITIES.map(of_quantity).join("; "))
+    };
+    let laws: Vec<String> = (0..results.laws.len()).map(of_law).collect();
+    format!(
+        "How often each model is nearer to boundary elements, where that can be told. {}. Elsewhere it cannot be told, or both are as near.",
+        laws.join(". ")
+    )
+}
+
+/// How often the integral may replace the sum.
+fn of_verdicts(results: &CausesResults) -> String {
+    let of_quantity = |quantity| {
+        let counts = VerdictCounts::new(results, quantity);
+        format!(
+            "{} {} within, {} beyond, of {}",
+            quantity_name(quantity),
+            counts.within,
+            counts.beyond,
+            counts.compared
+        )
+    };
+    let made = results.points.iter().filter(|point| point.surfaces.is_ok()).count();
+    format!(
+        "{made} of {} points of the grid have surfaces with what is asked for. Their verdicts at all admissible loads: {}.",
+        results.points.len(),
+        QUANTITIES.map(of_quantity).join("; ")
+    )
+}
+
+/// How often radii and heights contribute more than the other, over all loads.
+fn of_causes(results: &CausesResults) -> String {
     let findings = Findings::all(results);
     let of_quantity = |quantity| {
         let all: Vec<&Findings> = findings.iter().filter(|findings| findings.quantity == quantity).collect();
@@ -151,24 +248,33 @@ fn answer(results: &CausesResults) -> String {
 }
 
 impl CausesResults {
-    /// "6.92 MPa (0.002 E* times the gradient)".
-    fn at(&self, load: usize) -> String {
+    /// "Law zmc at 6.92 MPa (0.002 E* times the gradient)".
+    fn at(&self, [law, load]: [usize; 2]) -> String {
         let pressure = self.loads[load];
-        format!("{} ({} E* times the gradient)", input_quantity(pressure, "Pa"), number(pressure / self.unit))
+        let multiple = self
+            .unit
+            .map_or_else(String::new, |unit| format!(" ({} E* times the gradient)", number(pressure / unit)));
+        format!("Law {} at {}{multiple}", self.laws[law], input_quantity(pressure, "Pa"))
+    }
+
+    /// The file of a figure: numbered by load, and with the law where there are several.
+    fn file(&self, stem: &str, [law, load]: [usize; 2]) -> String {
+        let law = if self.laws.len() > 1 { format!("-{}", law + 1) } else { String::new() };
+        format!("{stem}{law}-{}.svg", load + 1)
     }
 }
 
 /// The contributions at each load, over the skewness.
 fn over_skewness(page: &mut Page, results: &CausesResults) {
-    for (load, pressure) in results.loads.iter().enumerate() {
+    for condition in results.conditions() {
         for quantity in QUANTITIES {
             page.figure(
-                &format!("contributions-{}-{}.svg", load + 1, quantity.name()),
-                contributions(results, quantity, load),
+                &results.file(&format!("contributions-{}", quantity.name()), condition),
+                contributions(results, quantity, condition),
                 &format!(
-                    "Contributions to the difference in {} at {}, means over the surfaces with 95 % intervals; one panel for each bandwidth.",
+                    "Contributions to the difference in {}, means over the surfaces with 95 % intervals; a panel for each row of the grid. {}.",
                     quantity_name(quantity),
-                    input_quantity(*pressure, "Pa"),
+                    results.at(condition),
                 ),
             );
         }

@@ -2,209 +2,176 @@
 
 use std::fmt;
 
+use asperity::compare::{Control, Controls};
 use asperity::distribution::Johnson;
-use asperity::study::LawContact;
-use asperity::topography::generate::{Process, SpectrumOf, SurfaceGenerator};
-use asperity::topography::spectrum::{Lay, Spectrum, SpectrumError, SpectrumShape};
-use asperity::{Flat, Heights, reduced_modulus};
-use asperity_contact_framework::contact::Bodies;
+use asperity::topography::summits::Neighbours;
+use asperity::{Heights, reduced_modulus};
 use asperity_contact_framework::input::quantity::Quantity;
 use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 
+use super::process::{GridProcess, ascending};
 use super::spec::CausesSpec;
+use crate::kind::compare::plan::ComparePlan;
+use crate::kind::compare::reference::plan::{ReferenceKeys, Resolved, reference};
+use crate::study_plan::{StudyKeys, StudyPlan};
+use crate::surface::{Generation, SurfacePlan};
 
-/// Points along a side.
-const POINTS: [u64; 2] = [64, 4096];
 /// At least two give a scatter.
 const REALISATIONS: [u64; 2] = [2, 1000];
-/// Values along an axis of the grid, and loads.
-const MOST: usize = 32;
 
-/// Surfaces of several skewnesses and bandwidths, the same in all else.
+/// Both models, and the reference, on surfaces of a grid.
 pub struct CausesPlan {
-    /// Names of the two bodies.
-    pub bodies: Bodies,
-    /// The law.
-    pub law: LawContact,
-    /// Nominal pressures, Pa, ascending.
-    pub loads: Vec<f64>,
-    /// What they are multiples of: E* times the gradient, Pa.
-    pub unit: f64,
-    /// Surfaces of each point.
-    pub realisations: usize,
-    /// Standard deviation of the surface heights, m.
-    pub sigma: f64,
-    /// Root mean square gradient.
-    pub gradient: f64,
-    /// Hurst exponent.
-    pub hurst: f64,
-    /// Row by row of equal wavelengths, by skewness.
+    /// The surfaces that can be made, under all laws and loads.
+    pub compare: ComparePlan,
+    /// Every point of the grid, row by row of the second axis.
     pub points: Vec<PointPlan>,
+    /// What the rows of the grid differ in.
+    pub axis: Axis,
+    /// What loads are multiples of: E* times the gradient, Pa; `None` of given pressures.
+    pub unit: Option<f64>,
+    /// What all surfaces have in common, in words.
+    pub common: String,
+}
+
+/// What the rows of a grid differ in, beside the skewness.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Axis {
+    /// Longest over shortest wavelength; the kurtosis is that of a gamma distribution of the skewness.
+    Bandwidth,
+    /// Kurtosis of the surface heights.
+    Kurtosis,
 }
 
 /// A point of the grid.
 pub struct PointPlan {
     /// Skewness of the surface heights.
     pub skewness: f64,
-    /// Longest over shortest wavelength.
-    pub wavelengths: f64,
-    /// The surfaces.
-    pub generator: SurfaceGenerator,
-}
-
-impl PointPlan {
-    /// Kurtosis of the surface heights.
-    pub fn kurtosis(&self) -> f64 {
-        kurtosis(self.skewness)
-    }
-}
-
-/// That of a gamma distribution of this skewness: 3 if Gaussian.
-fn kurtosis(skewness: f64) -> f64 {
-    3.0 + 1.5 * skewness * skewness
+    /// Their kurtosis.
+    pub kurtosis: f64,
+    /// Longest over shortest wavelength; `None` where it follows from the summits.
+    pub wavelengths: Option<f64>,
+    /// Its surfaces among those of the plan, or why there are none.
+    pub surface: Result<usize, String>,
 }
 
 impl fmt::Display for CausesPlan {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let Bodies { rough, flat } = &self.bodies;
-        writeln!(f, "  {rough} on {flat}, law {}", self.law.label)?;
+        let study = &self.compare.study;
+        let laws: Vec<String> = study.laws.iter().map(|law| law.label.clone()).collect();
+        writeln!(f, "  {} on {}, law {}", study.bodies.rough, study.bodies.flat, laws.join(", "))?;
+        let surfaces: usize = study.surfaces.iter().map(|surface| surface.realisations).sum();
         writeln!(
             f,
-            "  {} surfaces of {} skewnesses and bandwidths, {} loads",
-            self.points.len() * self.realisations,
-            self.points.len(),
-            self.loads.len()
-        )
+            "  {surfaces} surfaces of {} points of the grid, {} loads",
+            study.surfaces.len(),
+            study.controls.pressures.len()
+        )?;
+        match &self.compare.reference {
+            Some(reference) => reference.describe(&study.surfaces[..1], f),
+            None => Ok(()),
+        }
     }
 }
 
 /// Reads `[causes]`.
 pub(super) fn plan(file: &SpecFile, table: &Spanned<CausesSpec>) -> Result<CausesPlan, InputError> {
     let raw = table.get_ref();
-    let (rough, flat) = (raw.rough.get_ref(), raw.flat.get_ref());
-    let pair = [file.body(rough, raw.rough.span())?, file.body(flat, raw.flat.span())?];
-    let laws = &raw.law.get_ref().0;
-    if laws.len() != 1 {
-        let message = format!("found {} laws; allowed: one", laws.len());
-        return Err(file.source.error_at(raw.law.span(), message));
-    }
     file.spheres_only(&raw.law, "the asperities of [causes] are taken as spheres")?;
-    file.check_laws(&raw.law, (rough, &pair[0]), &[(flat, &pair[1])])?;
-    let flats = [(None, Flat::Bare(pair[1]))];
-    let law = file.law_plans(&raw.law, (rough, &pair[0]), &flats, flat)?.remove(0);
-    let points = file.whole_within(&raw.points, POINTS, "points")? as usize;
+    let process = GridProcess::new(file, table)?;
     let realisations = file.whole_within(&raw.realisations, REALISATIONS, "realisations")? as usize;
-    let skewnesses = ascending(file, &raw.skewness, Quantity::value, 2)?;
-    let wavelengths = ascending(file, &raw.wavelengths, Quantity::value, 2)?;
-    let loads = ascending(file, &raw.loads, Quantity::value, 1)?;
-    let unit = reduced_modulus(&pair[0], &pair[1]) * raw.gradient.get_ref().value();
-    let mut all = Vec::new();
-    for &wavelengths in &wavelengths {
-        for &skewness in &skewnesses {
-            let generator = generator(file, raw, points, skewness, wavelengths)?;
-            all.push(PointPlan { skewness, wavelengths, generator });
-        }
+    let pair = [
+        file.body(&raw.rough.get_ref().0, raw.rough.span())?,
+        file.body(raw.flat.get_ref(), raw.flat.span())?,
+    ];
+    let unit = process.gradient().map(|gradient| reduced_modulus(&pair[0], &pair[1]) * gradient);
+    let pressures = pressures(file, table, unit)?;
+    let mut points = process.points(file, raw)?;
+    let mut surfaces = Vec::new();
+    for point in &mut points {
+        let made = point.heights().and_then(|heights| process.way(heights, point.wavelengths));
+        point.surface = made.map(|way| {
+            let key = process.key();
+            let generation = Generation { way, neighbours: Neighbours::Four, key: key.clone() };
+            surfaces.push(SurfacePlan::generated(point.name(), key, realisations, false, generation));
+            surfaces.len() - 1
+        });
     }
+    if surfaces.is_empty() {
+        let reasons: Vec<&str> =
+            points.iter().filter_map(|point| Some(&**point.surface.as_ref().err()?)).collect();
+        let message = format!("found a grid without a surface: {}", reasons.first().unwrap_or(&"no point"));
+        return Err(file.source.error_at(raw.skewness.span(), message));
+    }
+    let keys = StudyKeys {
+        table: table.span(),
+        rough: &raw.rough,
+        flat: &raw.flat,
+        law: &raw.law,
+        layer: None,
+        statistical: None,
+        accept: raw.accept,
+        surfaces: None,
+        controls: Controls::at_pressures(pressures.clone()),
+        load_keys: [raw.pressure.as_ref().map(Spanned::span), None],
+    };
+    let study = StudyPlan::on(file, keys, |_| Ok(surfaces))?;
+    let reference_keys = ReferenceKeys {
+        models: raw.models.as_ref(),
+        reference: raw.reference.as_ref(),
+        separations: None,
+        loads: vec![(Control::Pressure, &pressures, true)],
+        bodies: [&raw.rough.get_ref().0, raw.flat.get_ref()],
+    };
+    let [rough, _] = &study.pair;
+    let resolved = Resolved { rough, flats: &study.flats, laws: &study.laws, surfaces: &study.surfaces };
+    let reference = reference(file, &reference_keys, &resolved)?.map(Box::new);
     Ok(CausesPlan {
-        bodies: Bodies { rough: rough.clone(), flat: flat.clone() },
-        law,
-        loads: loads.into_iter().map(|load| load * unit).collect(),
+        axis: process.axis(),
+        common: process.to_string(),
+        compare: ComparePlan { reference, is_attributed: true, ..ComparePlan::of_models(study) },
+        points,
         unit,
-        realisations,
-        sigma: raw.sigma.value(),
-        gradient: raw.gradient.get_ref().value(),
-        hurst: raw.hurst.get_ref().value(),
-        points: all,
     })
 }
 
-/// The surfaces of a point: their pixel is the one at which a self-affine surface has the gradient.
-fn generator(
+/// The loads, Pa.
+fn pressures(
     file: &SpecFile,
-    raw: &CausesSpec,
-    points: usize,
-    skewness: f64,
-    wavelengths: f64,
-) -> Result<SurfaceGenerator, InputError> {
-    let (hurst, pixels) = (raw.hurst.get_ref().value(), raw.cut_off_pixels.get_ref().value());
-    if wavelengths * pixels > points as f64 {
-        let message = format!(
-            "found {wavelengths} times the shortest wavelength of {pixels} pixels; allowed: at most the side of a surface, {points} pixels"
-        );
-        return Err(file.source.error_at(raw.wavelengths.span(), message));
-    }
-    let heights = if skewness == 0.0 {
-        Heights::GAUSSIAN
-    } else {
-        let johnson = Johnson::from_moments(skewness, kurtosis(skewness));
-        Heights::new(johnson.map_err(|error| file.source.error_at(raw.skewness.span(), error))?)
-    };
-    let sigma = raw.sigma.value();
-    let pixel = sigma * gradient(hurst, wavelengths, pixels) / raw.gradient.get_ref().value();
-    let cut_off = pixels * pixel;
-    let shape = SpectrumShape::SelfAffine { hurst, roll_off: wavelengths * cut_off, cut_off };
-    let generator = Spectrum::new(shape, Lay::default()).and_then(|spectrum| {
-        let process = Process { spectrum, of: SpectrumOf::Heights, sigma, heights };
-        let generator = SurfaceGenerator { points: [points; 2], pixel: [pixel; 2], process, plateau: None };
-        generator.check().map(|()| generator)
-    });
-    generator.map_err(|error| {
-        let span = match error {
-            SpectrumError::Hurst(_) => raw.hurst.span(),
-            SpectrumError::BelowPixel { .. } => raw.cut_off_pixels.span(),
-            _ => raw.wavelengths.span(),
-        };
-        file.source.error_at(span, error)
-    })
-}
-
-/// Root mean square gradient of a self-affine surface of unit variance with the shortest wavelength given and the longest one
-/// `wavelengths` times as long: from the spectrum of Persson et al. (2005, section 2), constant up to the roll-off.
-fn gradient(hurst: f64, wavelengths: f64, cut_off: f64) -> f64 {
-    // Of x^(power - 1) from 1 to the ratio.
-    let integral = |power: f64| {
-        let exponent = power * wavelengths.ln();
-        if exponent.abs() < 1e-9 { wavelengths.ln() } else { exponent.exp_m1() / power }
-    };
-    let variance = 0.5 + integral(-2.0 * hurst);
-    let square = 0.25 + integral(2.0 - 2.0 * hurst);
-    let roll_off = std::f64::consts::TAU / (wavelengths * cut_off);
-    roll_off * (square / variance).sqrt()
-}
-
-fn ascending<T>(
-    file: &SpecFile,
-    found: &Spanned<Vec<T>>,
-    value: impl Fn(&T) -> f64,
-    least: usize,
+    table: &Spanned<CausesSpec>,
+    unit: Option<f64>,
 ) -> Result<Vec<f64>, InputError> {
-    let values: Vec<f64> = found.get_ref().iter().map(value).collect();
-    if (least..=MOST).contains(&values.len()) && values.windows(2).all(|pair| pair[0] < pair[1]) {
-        return Ok(values);
+    let raw = table.get_ref();
+    match (&raw.loads, &raw.pressure, unit) {
+        (Some(loads), None, Some(unit)) => {
+            let loads = ascending(file, loads, Quantity::value, 1)?;
+            Ok(loads.into_iter().map(|load| load * unit).collect())
+        }
+        (None, Some(pressure), None) => Ok(pressure.get_ref().values.clone()),
+        (_, _, Some(_)) => Err(file.source.error_at(
+            table.span(),
+            "found no loads, or a pressure; allowed with sigma and gradient: loads = [...], multiples of E* times the gradient",
+        )),
+        (_, _, None) => Err(file.source.error_at(
+            table.span(),
+            "found no pressure, or loads; allowed with summits: pressure = [\"0.8 MPa\", \"2 MPa\"]",
+        )),
     }
-    let message = format!("found {values:?}; allowed: {least} to {MOST} ascending values");
-    Err(file.source.error_at(found.span(), message))
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use asperity::topography::RoughnessParameters;
-    use asperity::topography::generate::Seeds;
+impl PointPlan {
+    /// The name of its surfaces, which sets their random numbers.
+    fn name(&self) -> String {
+        let row =
+            self.wavelengths.map_or(format!("kurtosis {}", self.kurtosis), |w| format!("wavelengths {w}"));
+        format!("skewness {} {row}", self.skewness)
+    }
 
-    #[test]
-    fn surfaces_have_the_gradient() {
-        for (hurst, wavelengths) in [(0.8, 2.0), (0.5, 8.0), (1.0, 8.0)] {
-            let cut_off = 16e-6;
-            let shape = SpectrumShape::SelfAffine { hurst, roll_off: wavelengths * cut_off, cut_off };
-            let spectrum = Spectrum::new(shape, Lay::default()).unwrap();
-            let process =
-                Process { spectrum, of: SpectrumOf::Heights, sigma: 1e-7, heights: Heights::GAUSSIAN };
-            let generator = SurfaceGenerator { points: [1024; 2], pixel: [1e-6; 2], process, plateau: None };
-            let map = generator.surface(Seeds { process: [7; 32], plateau: [0; 32] }).unwrap().0;
-            let found = RoughnessParameters::new(&map);
-            let expected = gradient(hurst, wavelengths, cut_off) * found.moments.sq;
-            assert!((found.rms_slope() / expected - 1.0).abs() < 0.03, "{hurst} {wavelengths}");
+    fn heights(&self) -> Result<Heights, String> {
+        if self.skewness == 0.0 && self.kurtosis == 3.0 {
+            return Ok(Heights::GAUSSIAN);
         }
+        Johnson::from_moments(self.skewness, self.kurtosis)
+            .map(Heights::new)
+            .map_err(|error| error.to_string())
     }
 }

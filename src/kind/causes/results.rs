@@ -1,60 +1,79 @@
-//! Why the models differ at every point of the grid: everything that the report contains.
+//! Both models at every point of the grid: everything that the report contains.
 
 use asperity::Exceeded;
-use asperity::compare::{Attribution, ComparedQuantity, Contributions};
+use asperity::compare::{
+    Attribution, ComparedQuantity, Contributions, Estimate, ModelKind, NearerStretch, Verdict,
+};
 use asperity_contact_framework::contact::ContactMetadata;
 use asperity_contact_framework::metadata::Metadata;
+
+use super::plan::Axis;
 
 /// The quantities whose differences are shown.
 pub const QUANTITIES: [ComparedQuantity; 2] = [ComparedQuantity::Separation, ComparedQuantity::Area];
 
-/// Surfaces of several skewnesses and bandwidths.
+/// Surfaces of a grid.
 #[derive(Debug)]
 pub struct CausesResults {
     /// What every experiment has.
     pub metadata: Metadata,
     /// The bodies.
     pub contact: ContactMetadata,
-    /// The law, as tables name it.
-    pub law: String,
+    /// The laws, as tables name them.
+    pub laws: Vec<String>,
     /// Nominal pressures, Pa, ascending.
     pub loads: Vec<f64>,
-    /// What they are multiples of: E* times the gradient, Pa.
-    pub unit: f64,
+    /// What they are multiples of: E* times the gradient, Pa; `None` of given pressures.
+    pub unit: Option<f64>,
     /// Surfaces of each point.
     pub realisations: usize,
-    /// Standard deviation of the surface heights, m.
-    pub sigma: f64,
-    /// Root mean square gradient asked for.
-    pub gradient: f64,
-    /// Hurst exponent.
-    pub hurst: f64,
-    /// Row by row of equal wavelengths, by skewness.
+    /// What all surfaces have in common, in words.
+    pub common: String,
+    /// What the rows of the grid differ in.
+    pub axis: Axis,
+    /// Whether the reference was run.
+    pub has_reference: bool,
+    /// Row by row of the second axis, by skewness.
     pub points: Vec<GridPoint>,
 }
 
-/// The surfaces of one skewness and bandwidth.
+impl CausesResults {
+    /// Every law at every load: their indices.
+    pub fn conditions(&self) -> impl Iterator<Item = [usize; 2]> {
+        let loads = self.loads.len();
+        (0..self.laws.len()).flat_map(move |law| (0..loads).map(move |load| [law, load]))
+    }
+}
+
+/// The surfaces of one point of the grid.
 #[derive(Debug)]
 pub struct GridPoint {
     /// Skewness asked for.
     pub skewness: f64,
     /// Kurtosis asked for.
     pub kurtosis: f64,
-    /// Longest over shortest wavelength.
-    pub wavelengths: f64,
-    /// m.
-    pub pixel: f64,
+    /// Longest over shortest wavelength; `None` where it follows from the summits.
+    pub wavelengths: Option<f64>,
+    /// The surfaces, or why there are none.
+    pub surfaces: Result<GridSurfaces, String>,
+}
+
+/// Both models on the surfaces of a point.
+#[derive(Debug)]
+pub struct GridSurfaces {
     /// Points along a side.
     pub points: usize,
     /// Means over the surfaces.
     pub reached: Reached,
-    /// Load by load.
-    pub at: Vec<AtLoad>,
+    /// Law by law, load by load.
+    pub at: Vec<Vec<AtLoad>>,
 }
 
 /// What a surface is found to be, or the mean of several.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub struct Reached {
+    /// m.
+    pub pixel: f64,
     /// Number of asperities.
     pub asperities: f64,
     /// Of the surface heights.
@@ -75,20 +94,51 @@ pub struct Reached {
     pub plasticity_index: f64,
 }
 
-/// One load.
+/// One law at one load.
 #[derive(Debug)]
 pub struct AtLoad {
     /// Nominal pressure, Pa.
     pub load: f64,
-    /// The limits of the valid range that are exceeded on some of the surfaces.
+    /// The limits of admissible loads that are exceeded on some of the surfaces.
     pub exceeded: Exceeded,
-    /// The mean over the surfaces, with the interval of their scatter; `None` where the load is beyond the valid range of one.
+    /// The mean over the surfaces, with the interval of their scatter; `None` where the load is not admissible on one.
     pub attribution: Option<Attribution>,
+    /// In the order of [`QUANTITIES`].
+    pub quantities: [QuantityAtLoad; 2],
+}
+
+/// How far the models are apart in one quantity, and from the reference, means over the surfaces.
+#[derive(Debug, Clone, Default)]
+pub struct QuantityAtLoad {
+    /// The difference between the models, with its verdict.
+    pub difference: Option<(Estimate, Verdict)>,
+    /// Statistical and deterministic model less the reference, and the difference of their magnitudes.
+    pub against: Option<[Estimate; 3]>,
+    /// Where the reference was run: which model is nearer, as far as it can be told.
+    pub nearer: Option<NearerStretch>,
+}
+
+impl QuantityAtLoad {
+    /// The nearer model, where it can be told.
+    pub fn nearer_model(&self) -> Option<ModelKind> {
+        self.nearer.as_ref()?.nearer
+    }
 }
 
 impl GridPoint {
-    /// The parts of the difference in a quantity at the load of index `load`.
-    pub fn parts(&self, load: usize, quantity: ComparedQuantity) -> Option<&Contributions> {
-        self.at[load].attribution.as_ref()?.contributions(quantity)
+    /// Both models under a law at a load, by their indices; `None` without surfaces.
+    pub fn at(&self, [law, load]: [usize; 2]) -> Option<&AtLoad> {
+        Some(&self.surfaces.as_ref().ok()?.at[law][load])
+    }
+
+    /// The parts of the difference in a quantity.
+    pub fn parts(&self, condition: [usize; 2], quantity: ComparedQuantity) -> Option<&Contributions> {
+        self.at(condition)?.attribution.as_ref()?.contributions(quantity)
+    }
+
+    /// How far the models are apart in a quantity.
+    pub fn quantity(&self, condition: [usize; 2], quantity: ComparedQuantity) -> Option<&QuantityAtLoad> {
+        let place = QUANTITIES.iter().position(|one| *one == quantity)?;
+        Some(&self.at(condition)?.quantities[place])
     }
 }

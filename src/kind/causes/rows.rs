@@ -1,25 +1,42 @@
 //! `causes.csv` and `leads.csv`.
 
-use asperity::compare::{Cause, ComparedQuantity, Contribution, Contributions};
+use asperity::compare::{Cause, ComparedQuantity, Contribution, Contributions, Estimate, ModelKind, Verdict};
 use asperity_contact_framework::columns;
 use asperity_contact_framework::report::format::input_number;
 use asperity_contact_framework::report::table::{Column, Row, Table};
 
 use super::findings::{Findings, Lead};
-use super::results::{CausesResults, GridPoint, QUANTITIES};
+use super::results::{CausesResults, GridPoint, QUANTITIES, QuantityAtLoad, Reached};
 use crate::model_tables::limits;
 
 /// One point of the grid, load and quantity.
 pub struct CauseRow<'a> {
+    results: &'a CausesResults,
     point: &'a GridPoint,
-    load: usize,
+    condition: [usize; 2],
     quantity: ComparedQuantity,
-    realisations: usize,
 }
 
 impl CauseRow<'_> {
     fn parts(&self) -> Option<&Contributions> {
-        self.point.parts(self.load, self.quantity)
+        self.point.parts(self.condition, self.quantity)
+    }
+
+    fn reached(&self, of: fn(&Reached) -> f64) -> Option<f64> {
+        Some(of(&self.point.surfaces.as_ref().ok()?.reached))
+    }
+
+    fn at(&self) -> Option<&QuantityAtLoad> {
+        self.point.quantity(self.condition, self.quantity)
+    }
+
+    fn difference(&self) -> Option<&(Estimate, Verdict)> {
+        self.at()?.difference.as_ref()
+    }
+
+    /// Of statistical and deterministic model less the reference, and of their magnitudes.
+    fn against(&self, index: usize) -> Option<Estimate> {
+        Some(self.at()?.against.as_ref()?[index])
     }
 
     fn mean(&self, cause: Cause) -> Option<f64> {
@@ -49,25 +66,26 @@ fn radii(parts: &Contributions) -> &Contribution {
 
 impl Row for CauseRow<'_> {
     const FILE: &'static str = "causes.csv";
-    const ROWS: &'static str = "One row for each skewness, bandwidth, load and quantity: what each cause contributes to the difference between the models at equal load, means over the surfaces. The contributions are empty where the load is beyond the valid range of a surface.";
+    const ROWS: &'static str = "One row for each point of the grid, law, load and quantity: what each cause contributes to the difference between the models at equal load, and how far both are from the reference; means over the surfaces. The contributions are empty where the load is not admissible on one of them.";
 
     fn columns() -> Vec<Column<Self>> {
         columns! { row: Self =>
             skewness["1", input] = row.point.skewness, "Skewness of the surface heights asked for.";
-            kurtosis["1", input] = row.point.kurtosis, "Kurtosis asked for: that of a gamma distribution of the skewness.";
-            wavelengths["1", input] = row.point.wavelengths, "Longest over shortest wavelength of the self-affine spectrum.";
-            surfaces["count"] = row.realisations, "Number of surfaces.";
-            pixel_m["m"] = row.point.pixel, "Sampling interval.";
-            asperities["1"] = row.point.reached.asperities, "Number of asperities; this and what follows are means over the surfaces.";
-            surface_skewness["1"] = row.point.reached.skewness, "Skewness of the surface heights that was reached.";
-            surface_kurtosis["1"] = row.point.reached.kurtosis, "Kurtosis of the surface heights that was reached.";
-            nayak_alpha["1", label("Nayak's α")] = row.point.reached.alpha, "Nayak's bandwidth parameter m0 m4/m2^2.";
-            gradient["1"] = row.point.reached.gradient, "Root mean square gradient.";
-            asperity_skewness["1"] = row.point.reached.asperity_skewness, "Skewness of the heights of the asperities.";
-            radius_cv["1"] = row.point.reached.radius_cv, "Standard deviation of the radii over their mean.";
-            height_radius_correlation["1"] = row.point.reached.height_radius_correlation, "Correlation of heights and radii.";
-            plasticity_index["1"] = row.point.reached.plasticity_index, "Plasticity index (E*/H)(sigma/R)^0.5 of Greenwood and Williamson (1966); 0 where nothing yields.";
-            pressure_pa["Pa", prefix("M"), input] = row.point.at[row.load].load, "Nominal pressure.";
+            kurtosis["1", input] = row.point.kurtosis, "Kurtosis asked for; without a list in the spec that of a gamma distribution of the skewness.";
+            wavelengths["1", input] = row.point.wavelengths, "Longest over shortest wavelength of the self-affine spectrum; empty where it follows from the summits.";
+            surfaces["count"] = row.results.realisations, "Number of surfaces.";
+            pixel_m["m"] = row.reached(|reached| reached.pixel), "Sampling interval of the first surface; this and what follows are empty where no surface has what is asked for.";
+            asperities["1"] = row.reached(|reached| reached.asperities), "Number of asperities; this and what follows are means over the surfaces.";
+            surface_skewness["1"] = row.reached(|reached| reached.skewness), "Skewness of the surface heights that was reached.";
+            surface_kurtosis["1"] = row.reached(|reached| reached.kurtosis), "Kurtosis of the surface heights that was reached.";
+            nayak_alpha["1", label("Nayak's α")] = row.reached(|reached| reached.alpha), "Nayak's bandwidth parameter m0 m4/m2^2.";
+            gradient["1"] = row.reached(|reached| reached.gradient), "Root mean square gradient.";
+            asperity_skewness["1"] = row.reached(|reached| reached.asperity_skewness), "Skewness of the heights of the asperities.";
+            radius_cv["1"] = row.reached(|reached| reached.radius_cv), "Standard deviation of the radii over their mean.";
+            height_radius_correlation["1"] = row.reached(|reached| reached.height_radius_correlation), "Correlation of heights and radii.";
+            plasticity_index["1"] = row.reached(|reached| reached.plasticity_index), "Plasticity index (E*/H)(sigma/R)^0.5 of Greenwood and Williamson (1966); 0 where nothing yields.";
+            law["text"] = &*row.results.laws[row.condition[0]], "Contact law.";
+            pressure_pa["Pa", prefix("M"), input] = row.results.loads[row.condition[1]], "Nominal pressure.";
             quantity["text"] = row.quantity.name(), "What is compared: `separation` or `area` (real contact area).";
             difference["1", signed, scale(1.0)] = row.parts().map(Contributions::gap), "Statistical minus deterministic: of the separation in sigma of the asperities; of the area the logarithm of the ratio of both.";
             from_heights["1", signed, scale(1.0)] = row.mean(Cause::Heights), "Part of the difference from the height distribution, mean over the orders of replacement. The parts add up to the difference.";
@@ -83,31 +101,43 @@ impl Row for CauseRow<'_> {
             from_correlation_high["1", signed, scale(1.0)] = row.end(correlation, 1), "Upper end of that interval.";
             from_radii_and_correlation_low["1", signed, scale(1.0)] = row.end(radii, 0), "The same of both together.";
             from_radii_and_correlation_high["1", signed, scale(1.0)] = row.end(radii, 1), "Upper end of that interval.";
-            limits["text"] = limits(row.point.at[row.load].exceeded), "Limits of the valid range that are exceeded on some of the surfaces, as in `curves.csv`.";
+            limits["text"] = row.point.at(row.condition).map(|at| limits(at.exceeded)), "Limits of admissible loads that are exceeded on some of the surfaces, as in `curves.csv`.";
             leading_cause["text"] = row.parts().map(|parts| parts.leading().map_or("none", Cause::name)), "The leading cause: `heights`, `radii`, `correlation`, or `none`.";
+            low["1", signed, scale(1.0)] = row.difference().and_then(|(estimate, _)| estimate.interval()).map(|ends| ends[0]), "Lower end of the 95 % interval of the difference, from the scatter of the surfaces.";
+            high["1", signed, scale(1.0)] = row.difference().and_then(|(estimate, _)| estimate.interval()).map(|ends| ends[1]), "Upper end of that interval.";
+            verdict["text", verdict] = row.difference().map(|(_, verdict)| verdict.name()), "Whether the difference is `within` what is accepted, `beyond` it, or `cannot-tell`.";
+            statistical_from_reference["1", signed, scale(1.0)] = row.against(0).map(|estimate| estimate.contrast), "Statistical model less the reference, in the unit of `difference`; with what follows empty where no reference was run.";
+            deterministic_from_reference["1", signed, scale(1.0)] = row.against(1).map(|estimate| estimate.contrast), "Deterministic model less the reference.";
+            farther["1", signed, scale(1.0), label("statistical farther by")] = row.against(2).map(|estimate| estimate.contrast), "How much farther the statistical model is from the reference than the deterministic one: the difference of the magnitudes.";
+            farther_low["1", signed, scale(1.0)] = row.against(2).and_then(|estimate| estimate.interval()).map(|ends| ends[0]), "Lower end of its 95 % interval, with the bound of the error of the reference.";
+            farther_high["1", signed, scale(1.0)] = row.against(2).and_then(|estimate| estimate.interval()).map(|ends| ends[1]), "Upper end of that interval.";
+            nearer["text", label("nearer to the reference")] = row.at().and_then(QuantityAtLoad::nearer_model).map(ModelKind::name), "The model that is nearer to the reference by more than a tenth of what is accepted; empty where it cannot be told or both are as near.";
+            is_homogeneous["true/false", label("beyond small strains")] = row.at().and_then(|at| at.nearer.as_ref()).map(|stretch| stretch.beyond.is_some()), "Whether the load exceeds the limit of large strains alone and the comparison, of elastic contacts, is homogeneous in the heights: it holds for lower surfaces of the same shape.";
+            without_surface["text"] = row.point.surfaces.as_ref().err().map(String::as_str), "Why the point has no surface; empty of others.";
         }
     }
 }
 
 /// How often a cause leads at one load in one quantity.
 pub struct LeadRow<'a> {
-    pressure: f64,
+    results: &'a CausesResults,
     findings: &'a Findings,
     lead: &'a Lead,
 }
 
 impl Row for LeadRow<'_> {
     const FILE: &'static str = "leads.csv";
-    const ROWS: &'static str = "One row for each load, quantity and cause that leads somewhere on the grid; `none` for points where no cause leads.";
+    const ROWS: &'static str = "One row for each law, load, quantity and cause that leads somewhere on the grid; `none` for points where no cause leads.";
     const RECORDS: Option<&'static str> = Some("causes");
 
     fn columns() -> Vec<Column<Self>> {
         columns! { row: Self =>
-            pressure_pa["Pa", label("nominal pressure"), prefix("M"), input] = row.pressure, "Nominal pressure.";
+            law["text"] = &*row.results.laws[row.findings.condition[0]], "Contact law.";
+            pressure_pa["Pa", label("nominal pressure"), prefix("M"), input] = row.results.loads[row.findings.condition[1]], "Nominal pressure.";
             quantity["text"] = row.findings.quantity.name(), "What is compared: `separation` or `area` (real contact area).";
             cause["text", label("leading cause")] = row.lead.cause.map_or("none", Cause::name), "The cause: `heights`, `radii`, `correlation`, or `none`.";
             points["count"] = row.lead.points, "Points of the grid at which it leads.";
-            points_divided["count", label("of")] = row.findings.divided, "Points whose difference is divided: within the valid range on all surfaces.";
+            points_divided["count", label("of")] = row.findings.divided, "Points whose difference is divided: the load is admissible on all surfaces.";
             skewness_at_every_bandwidth["text", label("at every bandwidth for a skewness of")] = row.lead.at_every_bandwidth.iter().map(|&skewness| input_number(skewness)).collect::<Vec<_>>(), "Skewnesses at which it leads at every bandwidth that is divided.";
             smallest_share_of_radii["1", percent] = row.findings.share_of_radii.map(|[low, _]| low), "Smallest share of the spread of radii in the contributions, taken by magnitude, over the points.";
             largest_share_of_radii["1", percent] = row.findings.share_of_radii.map(|[_, high]| high), "Largest such share.";
@@ -121,14 +151,13 @@ impl Row for LeadRow<'_> {
 /// The tables.
 pub fn tables(results: &CausesResults) -> Vec<Table> {
     let rows = results.points.iter().flat_map(|point| {
-        (0..results.loads.len()).flat_map(move |load| {
-            QUANTITIES.map(|quantity| CauseRow { point, load, quantity, realisations: results.realisations })
+        results.conditions().flat_map(move |condition| {
+            QUANTITIES.map(|quantity| CauseRow { results, point, condition, quantity })
         })
     });
     let findings = Findings::all(results);
-    let leads = findings.iter().flat_map(|findings| {
-        let pressure = results.loads[findings.load];
-        findings.leads.iter().map(move |lead| LeadRow { pressure, findings, lead })
-    });
+    let leads = findings
+        .iter()
+        .flat_map(|findings| findings.leads.iter().map(move |lead| LeadRow { results, findings, lead }));
     vec![Table::new(leads), Table::new(rows)]
 }

@@ -1,149 +1,127 @@
-//! Running `[causes]`: both models and the states between them on every surface of the grid.
+//! Running `[causes]`: both models, the states between them and the reference on every surface of the grid.
 
 use std::time::Instant;
 
-use asperity::compare::{Attribution, Inputs, Pair, Rearranged, pairs_at};
-use asperity::topography::generate::Seeds;
-use asperity::topography::summits::{Detail, Neighbours, find};
-use asperity::topography::{MapError, RoughnessParameters};
-use asperity::{
-    AsperitySet, Deterministic, Exceeded, Heights, MicroContact, Population, ReferencePlane, Shape,
-    Statistical, Statistics, literature, plasticity_index,
-};
+use asperity::Exceeded;
+use asperity::compare::{Accepted, Attribution, ComparedQuantity, Pairing, Verdict};
+use asperity::study::{CaseStudy, Verdicts};
+use asperity::work::Counter;
 use asperity_contact_framework::RunContext;
-use asperity_contact_framework::contact::{contact_metadata, papers_of};
+use asperity_contact_framework::contact::contact_metadata;
 use asperity_contact_framework::input::InputError;
-use asperity_contact_framework::metadata::Timing;
 
-use super::plan::{CausesPlan, PointPlan};
-use super::results::{AtLoad, CausesResults, GridPoint, Reached};
+use super::plan::CausesPlan;
+use super::results::{AtLoad, CausesResults, GridPoint, GridSurfaces, QUANTITIES, QuantityAtLoad, Reached};
+use crate::kind::compare::each_surface;
+use crate::kind::compare::results::SurfaceResults;
 
-/// One surface.
-struct One {
-    reached: Reached,
-    /// Load by load; `None` where a model does not reach it.
-    at: Vec<Option<(Exceeded, Attribution)>>,
-}
-
-/// Runs it.
+/// Runs it. A point whose surfaces cannot be made, or do not reach a load, has none.
 ///
 /// # Errors
-/// A surface without summits.
+/// None of its own.
 pub(super) fn run(context: &RunContext, plan: &CausesPlan) -> Result<CausesResults, InputError> {
     let start = Instant::now();
-    context.progress.stage("surfaces", (plan.points.len() * plan.realisations) as f64);
-    let point = |point| of_point(context, plan, point);
-    let points = plan.points.iter().map(point).collect::<Result<Vec<_>, _>>()?;
-    let laws = std::slice::from_ref(&plan.law);
-    let mut papers = papers_of(laws);
-    papers.extend([literature::GREENWOOD_1984, literature::NAYAK_1971]);
-    papers.extend(plan.points.iter().flat_map(|point| point.generator.process.heights.papers()));
-    let timing = Timing { total: start.elapsed(), ..Timing::default() };
+    let (counter, study) = (Counter::default(), &plan.compare.study);
+    let loads = &study.controls.pressures;
+    let ran = each_surface(context, &plan.compare, &counter, |_, results| {
+        Ok(results.map(|results| surfaces(&results, loads)).map_err(|error| error.to_string()))
+    })?;
+    let mut made: Vec<Option<Result<GridSurfaces, String>>> = ran.results.into_iter().map(Some).collect();
+    let points = plan.points.iter().map(|point| {
+        let surfaces = match &point.surface {
+            Ok(index) => made[*index].take().unwrap_or_else(|| Err(String::new())),
+            Err(reason) => Err(reason.clone()),
+        };
+        let (skewness, kurtosis, wavelengths) = (point.skewness, point.kurtosis, point.wavelengths);
+        GridPoint { skewness, kurtosis, wavelengths, surfaces }
+    });
+    let points = points.collect();
+    let mut timing = ran.timing;
+    timing.total = start.elapsed();
     Ok(CausesResults {
-        metadata: context.metadata(papers, timing, None),
-        contact: contact_metadata(context.materials, laws, &plan.bodies, None),
-        law: plan.law.label.clone(),
-        loads: plan.loads.clone(),
+        metadata: context.metadata(ran.papers, timing, Some(counter.work())),
+        contact: contact_metadata(context.materials, &study.laws, &study.bodies, None),
+        laws: study.laws.iter().map(|law| law.label.clone()).collect(),
+        loads: loads.clone(),
         unit: plan.unit,
-        realisations: plan.realisations,
-        sigma: plan.sigma,
-        gradient: plan.gradient,
-        hurst: plan.hurst,
+        realisations: study.surfaces.first().map_or(0, |surface| surface.realisations),
+        common: plan.common.clone(),
+        axis: plan.axis,
+        has_reference: plan.compare.reference.is_some(),
         points,
     })
 }
 
-fn of_point(context: &RunContext, plan: &CausesPlan, point: &PointPlan) -> Result<GridPoint, InputError> {
-    let one = |realisation: usize| {
-        let stream = format!("skewness {} wavelengths {} {realisation}", point.skewness, point.wavelengths);
-        let found = of_surface(plan, point, context.stream_seed(&stream)).map_err(|error| {
-            let what = format!("skewness {}, wavelengths {}", point.skewness, point.wavelengths);
-            InputError::file(&context.source.path, format!("a surface of {what}: {error}"))
-        });
-        context.progress.advance(1.0);
-        found
-    };
-    let all = (1..=plan.realisations).map(one).collect::<Result<Vec<One>, _>>()?;
-    let mean =
-        |of: fn(&Reached) -> f64| all.iter().map(|one| of(&one.reached)).sum::<f64>() / all.len() as f64;
-    let at_load = |index: usize| {
-        let reached = || all.iter().filter_map(|one| one.at[index].as_ref());
-        let exceeded = reached().fold(Exceeded::default(), |union, (exceeded, _)| union.union(*exceeded));
-        // Beyond the valid range of one, the point has none of the load.
-        let is_valid = exceeded.is_none() && reached().count() == all.len();
-        let each: Vec<Vec<Attribution>> = reached().map(|(_, found)| vec![found.clone()]).collect();
-        let attribution = is_valid.then(|| Attribution::over(&each).into_iter().next()).flatten();
-        AtLoad { load: plan.loads[index], exceeded, attribution }
-    };
-    Ok(GridPoint {
-        skewness: point.skewness,
-        kurtosis: point.kurtosis(),
-        wavelengths: point.wavelengths,
-        pixel: point.generator.pixel[0],
-        points: point.generator.points[0],
-        reached: Reached {
-            asperities: mean(|one| one.asperities),
-            skewness: mean(|one| one.skewness),
-            kurtosis: mean(|one| one.kurtosis),
-            alpha: mean(|one| one.alpha),
-            gradient: mean(|one| one.gradient),
-            asperity_skewness: mean(|one| one.asperity_skewness),
-            radius_cv: mean(|one| one.radius_cv),
-            height_radius_correlation: mean(|one| one.height_radius_correlation),
-            plasticity_index: mean(|one| one.plasticity_index),
-        },
-        at: (0..plan.loads.len()).map(at_load).collect(),
-    })
+/// What is kept of the results on the surfaces of a point.
+fn surfaces(results: &SurfaceResults, loads: &[f64]) -> GridSurfaces {
+    let of_law = |case: &CaseStudy| loads.iter().map(|&load| at_load(case, load)).collect();
+    GridSurfaces {
+        points: results.surface.map.as_ref().map_or(0, |map| map.points[0]),
+        reached: reached(results),
+        at: results.cases.iter().map(of_law).collect(),
+    }
 }
 
-/// One surface, its five-point summits and both models on them.
-fn of_surface(plan: &CausesPlan, point: &PointPlan, seed: [u8; 32]) -> Result<One, String> {
-    let seeds = Seeds { process: seed, plateau: seed };
-    let (map, _) = point.generator.surface(seeds).map_err(|error: MapError| error.to_string())?;
-    let roughness = RoughnessParameters::new(&map);
-    let summits = find(&map, Neighbours::Four, Detail::default());
-    let radii = summits.curvatures.iter().map(|curvature| curvature.recip()).collect();
-    let [width, length] = [0, 1].map(|axis| map.pixel()[axis] * map.points()[axis] as f64);
-    let set = AsperitySet::new(summits.heights, radii, width * length).map_err(|error| error.to_string())?;
-    let statistics = Statistics::new(&set);
-    let population = Population {
-        radius: statistics.mean_radius,
-        sigma: statistics.sigma,
-        density: set.density(),
-        heights: Heights::GAUSSIAN,
-    };
-    let plane = ReferencePlane::from(&statistics);
-    let contact: &dyn MicroContact = &*plan.law.contact;
-    let statistical = Statistical::new(contact, population.clone());
-    let deterministic = Deterministic::new(contact, set.spheres(), plane);
-    let pairs = pairs_at(&statistical, &deterministic, &plan.loads);
-    let rearranged = Rearranged::new(Inputs {
-        asperities: set.spheres(),
-        plane,
-        mean_shape: Shape::sphere(population.radius),
-        other_shape: Some(Shape::sphere(statistics.radius_of_mean_curvature)),
-        population,
-        reporting_plane: ReferencePlane { mean: 0.0, sigma: statistics.sigma },
+fn reached(results: &SurfaceResults) -> Reached {
+    let all = &results.realisations;
+    let mean = |of: &dyn Fn(usize) -> f64| (0..all.len()).map(of).sum::<f64>() / all.len() as f64;
+    let statistics = |k: usize| &all[k].statistics;
+    let roughness = |k: usize| all[k].roughness.as_ref();
+    let plasticity_index =
+        |k: usize| results.cases.iter().find_map(|case| case.realisations[k].plasticity_index).unwrap_or(0.0);
+    Reached {
+        pixel: results.surface.map.as_ref().map_or(0.0, |map| map.pixel[0]),
+        asperities: mean(&|k| all[k].asperities as f64),
+        skewness: mean(&|k| roughness(k).and_then(|map| map.moments.ssk).unwrap_or(0.0)),
+        kurtosis: mean(&|k| roughness(k).and_then(|map| map.moments.sku).unwrap_or(0.0)),
+        alpha: mean(&|k| roughness(k).and_then(|map| map.alpha()).unwrap_or(0.0)),
+        gradient: mean(&|k| roughness(k).map_or(0.0, |map| map.rms_slope())),
+        asperity_skewness: mean(&|k| statistics(k).skewness.unwrap_or(0.0)),
+        radius_cv: mean(&|k| statistics(k).radius_cv),
+        height_radius_correlation: mean(&|k| statistics(k).height_radius_correlation.unwrap_or(0.0)),
+        plasticity_index: mean(&plasticity_index),
+    }
+}
+
+fn at_load(case: &CaseStudy, load: f64) -> AtLoad {
+    let verdicts = &case.verdicts;
+    let on_each = case.realisations.iter().filter_map(|realisation| {
+        let pairs = &realisation.comparison.pairs;
+        pairs.iter().find(|pair| pair.pairing == Pairing::Load && pair.target == load)
     });
-    let at = |pair: &Option<Pair>| {
-        let pair = (*pair)?;
-        let attribution = rearranged.at_loads(contact, &[pair]).attributions(None).into_iter().next()?;
-        Some((pair.exceeded(), attribution))
-    };
-    let moments = roughness.moments;
-    Ok(One {
-        reached: Reached {
-            asperities: set.count() as f64,
-            skewness: moments.ssk.unwrap_or(0.0),
-            kurtosis: moments.sku.unwrap_or(0.0),
-            alpha: roughness.alpha().unwrap_or(0.0),
-            gradient: roughness.rms_slope(),
-            asperity_skewness: statistics.skewness.unwrap_or(0.0),
-            radius_cv: statistics.radius_cv,
-            height_radius_correlation: statistics.height_radius_correlation.unwrap_or(0.0),
-            plasticity_index: plasticity_index(contact, statistics.sigma, statistics.mean_radius)
-                .unwrap_or(0.0),
-        },
-        at: pairs.iter().map(at).collect(),
-    })
+    let exceeded = on_each.fold(Exceeded::default(), |union, pair| union.union(pair.exceeded()));
+    let attribution: Option<&Attribution> = verdicts.attribution.iter().find(|at| at.load == load);
+    AtLoad {
+        load,
+        exceeded,
+        attribution: attribution.filter(|_| exceeded.is_none()).cloned(),
+        quantities: QUANTITIES.map(|quantity| quantity_at_load(verdicts, load, quantity, exceeded)),
+    }
+}
+
+fn quantity_at_load(
+    verdicts: &Verdicts,
+    load: f64,
+    quantity: ComparedQuantity,
+    exceeded: Exceeded,
+) -> QuantityAtLoad {
+    let accepted: &Accepted = &verdicts.accepted;
+    let difference = verdicts.differences.iter().find(|at| at.load == load);
+    let difference = difference.and_then(|at| at.estimates[quantity as usize]).filter(|_| exceeded.is_none());
+    let judged =
+        difference.map(|estimate| (estimate, Verdict::from_estimate(&estimate, accepted.band(quantity))));
+    let reference = verdicts.reference.as_ref();
+    let against = reference.and_then(|reference| {
+        let [statistical, deterministic] = &reference.against.models;
+        let of = |all: &[asperity::compare::Difference]| {
+            all.iter().find(|at| at.load == load)?.estimates[quantity as usize]
+        };
+        Some([of(statistical)?, of(deterministic)?, of(&reference.against.nearness)?])
+    });
+    let nearer = reference.and_then(|reference| {
+        let holds_load = |[from, to]: [f64; 2]| (from..=to).contains(&load);
+        let mut stretches = reference.nearer.iter().filter(|stretch| stretch.quantity == quantity);
+        stretches.find(|stretch| holds_load(stretch.loads)).cloned()
+    });
+    QuantityAtLoad { difference: judged, against: against.filter(|_| nearer.is_some()), nearer }
 }

@@ -15,7 +15,7 @@ mod run;
 mod series;
 pub mod spec;
 
-pub use run::run as run_compare;
+pub use run::{each_surface, run as run_compare};
 
 use std::path::PathBuf;
 

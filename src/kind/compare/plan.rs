@@ -4,7 +4,7 @@ use std::fmt;
 use std::path::PathBuf;
 
 use asperity::analytical::AnalyticalLine;
-use asperity::compare::{Controls, ModelKind};
+use asperity::compare::{Control, Controls, ModelKind};
 use asperity::study::Setup;
 use asperity::surface::AnalysisDepth;
 use asperity_contact_framework::RunContext;
@@ -12,7 +12,7 @@ use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 
 use super::lines::lines;
 use super::reference::ReferencePlan;
-use super::reference::plan::{Resolved, reference};
+use super::reference::plan::{ReferenceKeys, Resolved, reference};
 use super::spec::{CompareSpec, Models};
 use crate::study_plan::{StudyKeys, StudyPlan};
 use crate::surface::SurfacePlan;
@@ -86,7 +86,7 @@ pub(super) fn plan(file: &SpecFile, table: &Spanned<CompareSpec>) -> Result<Comp
     let mut study = StudyPlan::new(file, keys(table))?;
     let [rough, _] = &study.pair;
     let resolved = Resolved { rough, flats: &study.flats, laws: &study.laws, surfaces: &study.surfaces };
-    let reference = reference(file, raw, &resolved)?.map(Box::new);
+    let reference = reference(file, &reference_keys(raw), &resolved)?.map(Box::new);
     let warnings: Vec<String> =
         reference.iter().flat_map(|reference| reference.warnings(&study.surfaces)).collect();
     study.implausible.extend(warnings);
@@ -121,6 +121,19 @@ fn keys(table: &Spanned<CompareSpec>) -> StudyKeys<'_> {
             tolerances: raw.tolerance.0,
         },
         load_keys: [raw.pressure.as_ref().map(Spanned::span), raw.force.as_ref().map(Spanned::span)],
+    }
+}
+
+fn reference_keys(raw: &CompareSpec) -> ReferenceKeys<'_> {
+    let pressures = raw.pressure.as_ref().map(|sweep| (Control::Pressure, sweep.get_ref().loads()));
+    let forces = raw.force.as_ref().map(|sweep| (Control::Force, sweep.get_ref().loads()));
+    let loads = pressures.into_iter().chain(forces);
+    ReferenceKeys {
+        models: raw.models.as_ref(),
+        reference: raw.reference.as_ref(),
+        separations: raw.separation.as_ref().map(|sweep| sweep.0.len()),
+        loads: loads.map(|(control, (values, is_listed))| (control, values, is_listed)).collect(),
+        bodies: [&raw.rough.get_ref().0, raw.flat.get_ref()],
     }
 }
 

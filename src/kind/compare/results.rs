@@ -112,7 +112,7 @@ impl SurfaceResults {
             asperities: facts.asperities,
             nominal_area: facts.nominal_area,
             statistics: facts.statistics,
-            moments: facts.moments,
+            moments: facts.roughness.map(|roughness| roughness.moments),
             surface: (realisation == 1).then_some(&self.surface),
             plasticity_index: self
                 .cases

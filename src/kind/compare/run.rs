@@ -35,25 +35,8 @@ pub fn run(
     counter: &Counter,
 ) -> Result<CompareResults, InputError> {
     let start = Instant::now();
-    let realisations = compare.study.surfaces.iter().map(|surface| surface.realisations as u64);
-    context.progress.steps(realisations.sum());
-    let mut run = Run {
-        context,
-        compare,
-        setup: compare.setup(context),
-        counter,
-        files: files_of(&compare.study.surfaces, counter),
-        timing: Timing::default(),
-        papers: papers_of(&compare.study.laws),
-    };
-    let surfaces: Result<Vec<SurfaceResults>, InputError> =
-        compare.study.surfaces.iter().map(|surface| run.surface(surface)).collect();
-    let surfaces = surfaces?;
-    let Run { mut timing, mut papers, .. } = run;
-    if let Some(reference) = compare.reference.as_deref() {
-        papers.extend(Solver::papers(reference.solutions.iter().any(|solution| solution.cap.is_some())));
-    }
-    papers.extend(compare.lines.iter().map(|line| line.paper()));
+    let Ran { results: surfaces, mut timing, mut papers } =
+        each_surface(context, compare, counter, |_, results| results)?;
     timing.total = start.elapsed();
     let layer_metadata = layer_metadata(context, &compare.study, &mut papers)?;
     let contact =
@@ -78,6 +61,49 @@ pub fn run(
         }),
         described: described.map(|file| Described { file: file.clone(), spec: context.source.text.clone() }),
     })
+}
+
+/// What was made of the results on each surface, and what all of them took.
+pub struct Ran<T> {
+    /// Surface by surface, in the order of the plan.
+    pub results: Vec<T>,
+    /// Of all surfaces.
+    pub timing: Timing,
+    /// References of laws, models, surfaces and solver.
+    pub papers: Vec<Paper>,
+}
+
+/// Runs a comparison surface by surface, and keeps what `keep` makes of the results on each.
+///
+/// # Errors
+/// The first of `keep`.
+pub fn each_surface<T>(
+    context: &RunContext,
+    compare: &ComparePlan,
+    counter: &Counter,
+    keep: impl Fn(&SurfacePlan, Result<SurfaceResults, InputError>) -> Result<T, InputError>,
+) -> Result<Ran<T>, InputError> {
+    let realisations = compare.study.surfaces.iter().map(|surface| surface.realisations as u64);
+    context.progress.steps(realisations.sum());
+    let mut run = Run {
+        context,
+        compare,
+        setup: compare.setup(context),
+        counter,
+        files: files_of(&compare.study.surfaces, counter),
+        timing: Timing::default(),
+        papers: papers_of(&compare.study.laws),
+    };
+    let surfaces = compare.study.surfaces.iter();
+    let results: Result<Vec<T>, InputError> =
+        surfaces.map(|surface| keep(surface, run.surface(surface))).collect();
+    let results = results?;
+    let Run { timing, mut papers, .. } = run;
+    if let Some(reference) = compare.reference.as_deref() {
+        papers.extend(Solver::papers(reference.solutions.iter().any(|solution| solution.cap.is_some())));
+    }
+    papers.extend(compare.lines.iter().map(|line| line.paper()));
+    Ok(Ran { results, timing, papers })
 }
 
 /// A comparison under way.

@@ -157,6 +157,13 @@ pub struct LogSweep<D> {
     kind: PhantomData<D>,
 }
 
+impl<D: Dimension> LogSweep<D> {
+    /// The values, and whether they are listed one by one.
+    pub fn loads(&self) -> (&[f64], bool) {
+        (&self.values, self.is_listed)
+    }
+}
+
 impl<D: Dimension> TryFrom<Written<D, Positive>> for LogSweep<D> {
     type Error = String;
 

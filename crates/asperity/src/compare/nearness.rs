@@ -9,7 +9,7 @@ use super::reference::{ReferenceCurve, ReferencePoint};
 use super::sampling::jackknife_error;
 use super::verdict::{Accepted, Verdict};
 use super::{ModelKind, Pair, Pairing};
-use crate::model::{ReferencePlane, Response};
+use crate::model::{Limit, ReferencePlane, Response};
 
 /// The distances of both models from the reference, load by load.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -202,6 +202,9 @@ pub struct NearerStretch {
     pub quantity: ComparedQuantity,
     /// From and to, Pa.
     pub loads: [f64; 2],
+    /// The one limit of admissible loads that is exceeded, where the comparison is homogeneous in the heights: it holds of lower
+    /// surfaces of the same shape.
+    pub beyond: Option<Limit>,
     /// The nearer model, by more than [`NEARER`]; `None` where that cannot be told of such surfaces, or both are as near.
     pub nearer: Option<ModelKind>,
     /// The nearer model on this very surface, whatever another sample of it would give; `None` where the reference is not
@@ -216,18 +219,28 @@ pub struct NearerStretch {
 }
 
 impl NearerStretch {
-    /// The stretches of all quantities over the valid loads; `against` is sorted by load.
-    pub fn all(against: &AgainstReference, accepted: &Accepted) -> Vec<Self> {
-        ComparedQuantity::ALL.into_iter().flat_map(|quantity| Self::of(quantity, against, accepted)).collect()
+    /// The stretches of all quantities over the admissible loads; `against` is sorted by load. Where the comparison `is_homogeneous`
+    /// (elastic contacts on a homogeneous half-space, whose laws scale with the heights), loads at which only strains are large have
+    /// stretches of their own.
+    pub fn all(against: &AgainstReference, accepted: &Accepted, is_homogeneous: bool) -> Vec<Self> {
+        let of = |quantity| Self::of(quantity, against, accepted, is_homogeneous);
+        ComparedQuantity::ALL.into_iter().flat_map(of).collect()
     }
 
-    fn of(quantity: ComparedQuantity, against: &AgainstReference, accepted: &Accepted) -> Vec<Self> {
+    fn of(
+        quantity: ComparedQuantity,
+        against: &AgainstReference,
+        accepted: &Accepted,
+        is_homogeneous: bool,
+    ) -> Vec<Self> {
         let band = accepted.band(quantity);
         let index = quantity as usize;
         let [statistical, deterministic] = &against.models;
         let valid = statistical.iter().zip(deterministic).zip(&against.nearness);
         let each: Vec<Self> = valid
-            .filter(|(_, at)| at.exceeded().is_none())
+            .filter(|(_, at)| {
+                at.exceeded().is_none() || is_homogeneous && at.exceeded().is_at_most(Limit::LargeStrain)
+            })
             .filter_map(|((s, d), at)| {
                 let (estimates, nearness) =
                     ([s.estimates[index]?, d.estimates[index]?], at.estimates[index]?);
@@ -241,6 +254,7 @@ impl NearerStretch {
                 Some(Self {
                     quantity,
                     loads: [at.load; 2],
+                    beyond: at.exceeded().limits().next(),
                     nearer: nearness.interval().and_then(side),
                     nearer_here: side([contrast - bound, contrast + bound]),
                     verdicts: estimates.map(|estimate| Verdict::from_estimate(&estimate, band)),
@@ -249,7 +263,7 @@ impl NearerStretch {
                 })
             })
             .collect();
-        let key = |one: &Self| (one.nearer, one.nearer_here, one.verdicts, one.verdicts_here);
+        let key = |one: &Self| (one.beyond, one.nearer, one.nearer_here, one.verdicts, one.verdicts_here);
         let alike = |a: &Self, b: &Self| key(a) == key(b);
         each.chunk_by(alike).map(Self::joined).collect()
     }
@@ -422,7 +436,7 @@ mod tests {
         };
         let [s, d] = &whole.models;
         let bare = AgainstReference { models: [strip(s), strip(d)], nearness: strip(&whole.nearness) };
-        let first = &NearerStretch::all(&bare, &ACCEPTED)[0];
+        let first = &NearerStretch::all(&bare, &ACCEPTED, false)[0];
         assert_eq!((first.nearer, first.nearer_here), (None, Some(ModelKind::Deterministic)));
         assert_eq!((first.verdicts, first.loads), ([Verdict::CannotTell; 2], [1e6, 4e6]));
     }

@@ -80,6 +80,11 @@ impl Exceeded {
         self == Self::default()
     }
 
+    /// Whether the result is within all limits but, perhaps, this one.
+    pub fn is_at_most(self, limit: Limit) -> bool {
+        self.limits().all(|exceeded| exceeded == limit)
+    }
+
     /// The limits exceeded.
     pub fn limits(self) -> impl Iterator<Item = Limit> {
         Limit::ALL.into_iter().filter(move |limit| self.0[*limit as usize])

@@ -11,7 +11,8 @@ pub struct ReferenceVerdicts {
     pub against: AgainstReference,
     /// The verdicts on the statistical and on the deterministic model: quantity by quantity, by growing load.
     pub stretches: [Vec<Stretch>; 2],
-    /// Loads at which both stand alike: quantity by quantity, by growing load.
+    /// Loads at which both stand alike: quantity by quantity, by growing load; of elastic contacts on a homogeneous half-space also
+    /// loads at which only strains are large.
     pub nearer: Vec<NearerStretch>,
     /// Whether sum or reference yields: the cap is not the law.
     pub yields: bool,
@@ -32,7 +33,7 @@ impl ReferenceVerdicts {
         let is_layered = cases().any(|case| case.thickness.is_some_and(|t| t > 0.0 && t.is_finite()));
         (!against.nearness.is_empty()).then(|| Self {
             stretches: [0, 1].map(|model| Stretch::all(&against.models[model], accepted)),
-            nearer: NearerStretch::all(&against, accepted),
+            nearer: NearerStretch::all(&against, accepted, !yields && !is_layered),
             against,
             yields,
             is_layered,

@@ -5,7 +5,7 @@ use crate::compare::{
     AgainstReference, Attribution, Comparison, Difference, Gaps, Pair, Pairing, ReferenceCurve,
     ReferencePoint,
 };
-use crate::topography::Moments;
+use crate::topography::RoughnessParameters;
 use crate::{Population, Statistics};
 
 /// One realisation of a surface.
@@ -20,7 +20,7 @@ pub struct RealisationFacts {
     /// What d is measured in, m.
     pub sigma: f64,
     /// Of the map that they were found on.
-    pub moments: Option<Moments>,
+    pub roughness: Option<RoughnessParameters>,
     /// Input of the statistical model.
     pub population: Population,
     /// The statistical model.

@@ -172,7 +172,7 @@ pub fn run_surface<'a>(
         nominal_area: area,
         statistics: surface.reported_statistics(),
         sigma: surface.plane.sigma,
-        moments: surface.map.as_ref().map(|map| map.roughness.moments),
+        roughness: surface.map.as_ref().map(|map| map.roughness),
         population: population.clone(),
         model: setup.statistical.clone(),
     };

@@ -14,7 +14,7 @@ use asperity_contact_framework::input::{InputError, SpecFile, Whole, materials};
 use asperity_contact_framework::report::format::{number, quantity};
 
 use super::spec::{CapSpec, ReferenceSpec};
-use crate::kind::compare::spec::CompareSpec;
+use crate::kind::compare::spec::Models;
 use crate::layer::thickness_words;
 use crate::surface::SurfacePlan;
 
@@ -196,6 +196,20 @@ const ERROR: f64 = 1e-6;
 /// The most loads of a sweep.
 const MOST_LOADS: u64 = 1000;
 
+/// The keys of a kind that say which models run, and at which loads.
+pub struct ReferenceKeys<'a> {
+    /// What runs.
+    pub models: Option<&'a Spanned<Models>>,
+    /// How the boundary elements run.
+    pub reference: Option<&'a Spanned<ReferenceSpec>>,
+    /// Number of the separations of a sweep, where there is one.
+    pub separations: Option<usize>,
+    /// Pressures and forces, and whether they are listed one by one.
+    pub loads: Vec<(Control, &'a [f64], bool)>,
+    /// Names of the rough body and the flat.
+    pub bodies: [&'a str; 2],
+}
+
 /// What the reference is resolved with.
 pub struct Resolved<'a> {
     /// The rough body.
@@ -208,22 +222,24 @@ pub struct Resolved<'a> {
     pub surfaces: &'a [SurfacePlan],
 }
 
-/// Resolves the reference of `[compare]`; `None` where none is asked for.
+/// Resolves the reference; `None` where none is asked for.
+///
+/// # Errors
+/// Keys of a reference that does not run; surfaces, loads or a largest pressure that it cannot run with.
 pub fn reference(
     file: &SpecFile,
-    raw: &CompareSpec,
+    keys: &ReferenceKeys,
     resolved: &Resolved,
 ) -> Result<Option<ReferencePlan>, InputError> {
-    let models = raw.models.as_ref().filter(|models| models.get_ref().has_reference);
-    let Some(models) = models else {
-        let Some(reference) = &raw.reference else { return Ok(None) };
+    let Some(models) = keys.models.filter(|models| models.get_ref().has_reference) else {
+        let Some(reference) = keys.reference else { return Ok(None) };
         let message = "found keys of the reference, which does not run; allowed: \"reference\" among the models (models = \
                        [\"statistical\", \"deterministic\", \"reference\"]), or no `reference`";
         return Err(file.source.error_at(reference.span(), message));
     };
     let refuse = |span: Range<usize>, message: String| Err(file.source.error_at(span, message));
     let default = ReferenceSpec::default();
-    let spec = raw.reference.as_ref().map_or(&default, Spanned::get_ref);
+    let spec = keys.reference.map_or(&default, Spanned::get_ref);
     if let Some(surface) = resolved.surfaces.iter().find(|surface| surface.map_points().is_none()) {
         let message = format!(
             "found the reference on surface {} ({}), which has no height map; allowed: surfaces made by [surface.NAME.generate] or \
@@ -233,7 +249,7 @@ pub fn reference(
         );
         return refuse(models.span(), message);
     }
-    if models.get_ref().kinds.is_empty() && raw.separation.is_some() {
+    if models.get_ref().kinds.is_empty() && keys.separations.is_some() {
         let span = file.source.value_at(&["compare", "separation"]).map_or(models.span(), |(span, _)| span);
         let message = "found separations, and only the reference, which runs at loads; allowed: `pressure` or `force`, or a \
                        model beside it, at whose loads it then runs";
@@ -254,7 +270,7 @@ pub fn reference(
     };
     let cap = spec.cap.as_ref();
     if let Some(given) = cap.filter(|cap| *cap.get_ref() == CapSpec::Hardness) {
-        refuse_cap(file, raw, resolved, given.span())?;
+        refuse_cap(file, keys.bodies, resolved, given.span())?;
     }
     let mut plan = ReferencePlan {
         loads,
@@ -262,25 +278,14 @@ pub fn reference(
         boundary: spec.boundary,
         refine,
         prescribed: Vec::new(),
-        separations: raw.separation.as_ref().map_or(0, |sweep| sweep.0.len()),
+        separations: keys.separations.unwrap_or(0),
         solutions: Vec::new(),
         serves: Vec::new(),
         elastic: Vec::new(),
-        key: raw.reference.as_ref().map_or_else(|| models.span(), Spanned::span),
+        key: keys.reference.map_or_else(|| models.span(), Spanned::span),
     };
-    let sweeps = [
-        (
-            Control::Pressure,
-            raw.pressure.as_ref().map(|sweep| (&sweep.get_ref().values, sweep.get_ref().is_listed)),
-        ),
-        (
-            Control::Force,
-            raw.force.as_ref().map(|sweep| (&sweep.get_ref().values, sweep.get_ref().is_listed)),
-        ),
-    ];
-    for (control, sweep) in sweeps {
-        let Some((values, is_listed)) = sweep else { continue };
-        let chosen = if is_listed { values.clone() } else { spread_over(values, loads) };
+    for &(control, values, is_listed) in &keys.loads {
+        let chosen = if is_listed { values.to_vec() } else { spread_over(values, loads) };
         plan.prescribed.extend(chosen.into_iter().map(|value| (control, value)));
     }
     for (law, (thickness, flat)) in resolved.laws.iter().zip(resolved.flats.iter().cycle()) {
@@ -348,7 +353,7 @@ fn homogeneous(flat: &Flat) -> Option<&Material> {
 /// Refuses a cap that is asked for under a layer, or where no body has a hardness.
 fn refuse_cap(
     file: &SpecFile,
-    raw: &CompareSpec,
+    bodies: [&str; 2],
     resolved: &Resolved,
     span: Range<usize>,
 ) -> Result<(), InputError> {
@@ -365,7 +370,7 @@ fn refuse_cap(
             let message = format!(
                 "found \"hardness\", but no `{}` in {}; allowed: cap = \"none\", or hardness = \"...\" with a unit of pressure in a material",
                 Property::Hardness.key(),
-                materials(&raw.rough.get_ref().0, raw.flat.get_ref())
+                materials(bodies[0], bodies[1])
             );
             return Err(file.source.error_at(span, message));
         }

@@ -1,5 +1,6 @@
 //! `reference_curves.csv`: what was solved; `nearer_to_reference.csv`: which model is nearer to the reference.
 
+use asperity::Limit;
 use asperity::compare::{ModelKind, NearerStretch, ReferenceCurve};
 use asperity_contact_framework::columns;
 use asperity_contact_framework::report::table::{Column, Row};
@@ -82,6 +83,7 @@ impl Row for NearerRow<'_> {
             to_pa["Pa", prefix("M"), label("to"), input] = row.stretch.loads[1], "Highest nominal pressure of the stretch.";
             nearer["text", label("nearer, on such surfaces")] = row.stretch.nearer.map(ModelKind::name), "The nearer model, with the sampling error of such surfaces; empty where it cannot be told or both are as near.";
             nearer_on_this_map["text"] = row.stretch.nearer_here.filter(|_| row.is_one_map).map(ModelKind::name), "The same on this very map; empty over several realisations.";
+            limits["text"] = row.stretch.beyond.map(Limit::name), "`large-strain` where the loads exceed that limit of admissible loads alone, and contacts are elastic on a homogeneous half-space: the comparison is homogeneous in the heights and holds for lower surfaces of the same shape. Else empty.";
         });
         columns
     }
