@@ -47,6 +47,7 @@ pub struct Experiment {
     kind: &'static str,
     notes: String,
     figure: Option<Size>,
+    is_long: bool,
     seed: u64,
     materials: IndexMap<String, Material>,
     origins: IndexMap<String, MaterialOrigin>,
@@ -126,15 +127,33 @@ impl Experiment {
     fn new(spec: SpecFile, stem: String, kind: &'static str, planned: Planned) -> Result<Self, InputError> {
         let materials = spec.materials().map(|(name, body)| (name.get_ref().clone(), *body)).collect();
         let origins = spec.origins();
-        let SpecFile { source, title, notes, figure, seed, .. } = spec;
+        let SpecFile { source, title, notes, figure, is_long, seed, .. } = spec;
         check_memory(&*planned.plan, &source)?;
         let described = None;
-        Ok(Self { source, stem, title, kind, notes, figure, seed, materials, origins, planned, described })
+        Ok(Self {
+            source,
+            stem,
+            title,
+            kind,
+            notes,
+            figure,
+            is_long,
+            seed,
+            materials,
+            origins,
+            planned,
+            described,
+        })
     }
 
     /// The file whose surfaces it only describes; `None` of an experiment that does more.
     pub fn described_file(&self) -> Option<PathBuf> {
         self.described.clone()
+    }
+
+    /// Whether it runs only where it is named or long runs are asked for.
+    pub fn is_long(&self) -> bool {
+        self.is_long
     }
 
     /// Its spec.
@@ -249,6 +268,7 @@ impl Experiment {
             input_sha256,
             notes,
             figure: *figure,
+            is_long: self.is_long,
             seed: *seed,
             materials,
             origins,

@@ -273,6 +273,8 @@ pub struct RunContext<'a> {
     pub notes: &'a str,
     /// The size of its figures in print; `None` of figures for the page only.
     pub figure: Option<Size>,
+    /// Whether it runs only where it is named or long runs are asked for.
+    pub is_long: bool,
     /// Every random number is drawn from it.
     pub seed: u64,
     /// The bodies of the spec, in file order.
@@ -301,6 +303,7 @@ impl RunContext<'_> {
             input_sha256: self.input_sha256.to_owned(),
             seed: self.seed,
             figure: self.figure,
+            is_long: self.is_long,
             origins: self.origins.clone(),
             papers,
             timing,

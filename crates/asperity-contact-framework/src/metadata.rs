@@ -26,6 +26,8 @@ pub struct Metadata {
     pub input_sha256: String,
     /// The size of its figures in print; `None` of figures for the page only.
     pub figure: Option<Size>,
+    /// Whether it runs only where it is named or long runs are asked for.
+    pub is_long: bool,
     /// Every random number came from it.
     pub seed: u64,
     /// The materials whose values are from the library.

@@ -30,6 +30,8 @@ struct Summary<'a> {
     of_kind: Map<String, Value>,
     warnings: Vec<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    run: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     work: Option<Work>,
     papers: Vec<&'static str>,
     /// SHA-256 of the files that version control keeps.
@@ -37,6 +39,9 @@ struct Summary<'a> {
     committed: IndexMap<&'a str, String>,
     files: Vec<&'a str>,
 }
+
+/// The value of `run` of an experiment that runs only where it is named or long runs are asked for.
+pub(crate) const LONG: &str = "long";
 
 /// A material whose values are from the library: its name there, and the source of each value.
 #[derive(Serialize)]
@@ -92,6 +97,7 @@ pub(super) fn summary(
             .collect(),
         of_kind,
         warnings: outcome.warnings(),
+        run: metadata.is_long.then_some(LONG),
         work: metadata.work,
         papers: metadata.papers.iter().map(|paper| paper.full).collect(),
         committed,

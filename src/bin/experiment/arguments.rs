@@ -170,7 +170,7 @@ impl From<FileArguments> for FileOptions {
 /// Extent of a run.
 #[derive(Args)]
 pub struct Extent {
-    /// Include cases that take minutes and gigabytes: the largest sets of a precision experiment
+    /// Include what takes minutes and gigabytes: specs with `run = "long"`, the largest sets of a precision experiment
     #[arg(long)]
     pub full: bool,
 }

@@ -67,11 +67,17 @@ impl From<ReportError> for Failure {
 fn main() -> ExitCode {
     let cli = Cli::parse();
     let outcome = match cli.command {
-        None => specs_in(Path::new(SPECS)).and_then(|files| run(&files, &cli.extent, &cli.options)),
+        None => specs_in(Path::new(SPECS)).and_then(|files| {
+            let experiments = read_all(&files, &cli.extent)?;
+            let is_run = |experiment: &Experiment| cli.extent.full || !experiment.is_long();
+            run(&experiments.into_iter().filter(is_run).collect::<Vec<_>>(), &cli.options)
+        }),
         Some(Command::Run { files, extent, options, part: Some(part), parts }) => {
             run_parts(&files, &extent, &options, part, &parts)
         }
-        Some(Command::Run { files, extent, options, .. }) => run(&files, &extent, &options),
+        Some(Command::Run { files, extent, options, .. }) => {
+            read_all(&files, &extent).and_then(|experiments| run(&experiments, &options))
+        }
         Some(Command::Merge { files, parts, options }) => merge(&files, &parts, &options),
         Some(Command::List { out }) => list(&out),
         Some(Command::Check { files, extent }) => check(&files, &extent),
@@ -168,9 +174,8 @@ fn read_all(files: &[PathBuf], extent: &Extent) -> Result<Vec<Experiment>, Failu
     if errors.is_empty() { Ok(experiments) } else { Err(Failure::Input(errors.join("\nerror: "))) }
 }
 
-fn run(files: &[PathBuf], extent: &Extent, options: &RunOptions) -> Result<(), Failure> {
+fn run(experiments: &[Experiment], options: &RunOptions) -> Result<(), Failure> {
     set_threads(options)?;
-    let experiments = read_all(files, extent)?;
     let mut store = open_store(options)?;
     let mut failures: Vec<Failure> =
         experiments.iter().filter_map(|experiment| run_one(experiment, &mut store, options).err()).collect();
@@ -447,7 +452,12 @@ fn list(out: &Path) -> Result<(), Failure> {
                 let is_current = store.is_current(stem, &experiment.key()?)
                     || store.is_committed(stem, &experiment.input()?);
                 let state = if is_current { "up to date" } else { "to run" };
-                print(format_args!("{:<28} {state:<11} {}", experiment.stem(), experiment.title()));
+                let extent = if experiment.is_long() { "long" } else { "" };
+                print(format_args!(
+                    "{:<28} {state:<11} {extent:<5} {}",
+                    experiment.stem(),
+                    experiment.title()
+                ));
             }
             Err(error) => print(format_args!("{:<28} invalid     {error}", file.display())),
         }
@@ -499,8 +509,11 @@ fn materials(name: Option<&str>) -> Result<(), Failure> {
 }
 
 fn verify(fresh: &Path, committed: &Path) -> Result<(), Failure> {
-    let differences = verify::differences(fresh, committed, KINDS)
+    let verify::Verified { differences, not_run } = verify::verified(fresh, committed, KINDS)
         .map_err(|error| Failure::Run(format!("{} and {}: {error}", fresh.display(), committed.display())))?;
+    if !not_run.is_empty() {
+        print(format_args!("not compared, long runs that were not made again: {}", not_run.join(", ")));
+    }
     if differences.is_empty() {
         print(format_args!("{} agrees with {}", fresh.display(), committed.display()));
         return Ok(());

@@ -71,12 +71,13 @@ pub fn leading_causes(results: &CausesResults, condition: [usize; 2]) -> Figure 
 pub fn verdicts(results: &CausesResults, condition: [usize; 2]) -> Figure {
     map(results, "Verdicts", "difference", |point, quantity| {
         let (estimate, verdict) = point.quantity(condition, quantity)?.difference?;
-        let (colour, name) = match verdict {
-            Verdict::Within => (Colour::Reference, "within what is accepted"),
-            Verdict::Beyond => (Colour::Deterministic, "beyond it"),
-            Verdict::CannotTell => (Colour::Neutral, "cannot tell"),
-        };
-        Some((colour, name, reported(quantity, estimate.contrast)))
+        let text = reported(quantity, estimate.contrast);
+        Some(match verdict {
+            Some(Verdict::Within) => (Colour::Reference, "within what is accepted", text),
+            Some(Verdict::Beyond) => (Colour::Deterministic, "beyond it", text),
+            Some(Verdict::CannotTell) => (Colour::Neutral, "cannot tell", text),
+            None => (Colour::Others, "(load not admissible)", format!("({text})")),
+        })
     })
 }
 

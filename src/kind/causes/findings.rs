@@ -145,7 +145,7 @@ impl VerdictCounts {
         let mut counts = Self::default();
         let verdicts = results.conditions().flat_map(|condition| {
             let at = results.points.iter().filter_map(move |point| point.quantity(condition, quantity));
-            at.filter_map(|at| at.difference.map(|(_, verdict)| verdict)).collect::<Vec<_>>()
+            at.filter_map(|at| at.difference?.1).collect::<Vec<_>>()
         });
         for verdict in verdicts {
             counts.compared += 1;

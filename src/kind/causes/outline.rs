@@ -159,7 +159,7 @@ const LEADING: GridMap = GridMap {
 const VERDICTS: GridMap = GridMap {
     file: "verdicts",
     draw: verdicts,
-    caption: "Statistical minus deterministic model against what is accepted. Empty: no such surface, or load not admissible",
+    caption: "Statistical minus deterministic model against what is accepted. Empty: no such surface",
 };
 
 const NEARER: GridMap = GridMap {

@@ -110,8 +110,8 @@ pub struct AtLoad {
 /// How far the models are apart in one quantity, and from the reference, means over the surfaces.
 #[derive(Debug, Clone, Default)]
 pub struct QuantityAtLoad {
-    /// The difference between the models, with its verdict.
-    pub difference: Option<(Estimate, Verdict)>,
+    /// The difference between the models; its verdict where the load is admissible on all surfaces.
+    pub difference: Option<(Estimate, Option<Verdict>)>,
     /// Statistical and deterministic model less the reference, and the difference of their magnitudes.
     pub against: Option<[Estimate; 3]>,
     /// Where the reference was run: which model is nearer, as far as it can be told.

@@ -30,8 +30,8 @@ impl CauseRow<'_> {
         self.point.quantity(self.condition, self.quantity)
     }
 
-    fn difference(&self) -> Option<&(Estimate, Verdict)> {
-        self.at()?.difference.as_ref()
+    fn difference(&self) -> Option<(Estimate, Option<Verdict>)> {
+        self.at()?.difference
     }
 
     /// Of statistical and deterministic model less the reference, and of their magnitudes.
@@ -87,7 +87,7 @@ impl Row for CauseRow<'_> {
             law["text"] = &*row.results.laws[row.condition[0]], "Contact law.";
             pressure_pa["Pa", prefix("M"), input] = row.results.loads[row.condition[1]], "Nominal pressure.";
             quantity["text"] = row.quantity.name(), "What is compared: `separation` or `area` (real contact area).";
-            difference["1", signed, scale(1.0)] = row.parts().map(Contributions::gap), "Statistical minus deterministic: of the separation in sigma of the asperities; of the area the logarithm of the ratio of both.";
+            difference["1", signed, scale(1.0)] = row.difference().map(|(estimate, _)| estimate.contrast), "Statistical minus deterministic: of the separation in sigma of the asperities; of the area the logarithm of the ratio of both. Also at loads that are not admissible (`limits`).";
             from_heights["1", signed, scale(1.0)] = row.mean(Cause::Heights), "Part of the difference from the height distribution, mean over the orders of replacement. The parts add up to the difference.";
             from_radii["1", signed, scale(1.0)] = row.mean(Cause::Radii), "Part from the spread of radii.";
             from_correlation["1", signed, scale(1.0)] = row.mean(Cause::Correlation), "Part from the correlation of heights and radii.";
@@ -105,7 +105,7 @@ impl Row for CauseRow<'_> {
             leading_cause["text"] = row.parts().map(|parts| parts.leading().map_or("none", Cause::name)), "The leading cause: `heights`, `radii`, `correlation`, or `none`.";
             low["1", signed, scale(1.0)] = row.difference().and_then(|(estimate, _)| estimate.interval()).map(|ends| ends[0]), "Lower end of the 95 % interval of the difference, from the scatter of the surfaces.";
             high["1", signed, scale(1.0)] = row.difference().and_then(|(estimate, _)| estimate.interval()).map(|ends| ends[1]), "Upper end of that interval.";
-            verdict["text", verdict] = row.difference().map(|(_, verdict)| verdict.name()), "Whether the difference is `within` what is accepted, `beyond` it, or `cannot-tell`.";
+            verdict["text", verdict] = row.difference().and_then(|(_, verdict)| verdict).map(Verdict::name), "Whether the difference is `within` what is accepted, `beyond` it, or `cannot-tell`; empty where the load is not admissible.";
             statistical_from_reference["1", signed, scale(1.0)] = row.against(0).map(|estimate| estimate.contrast), "Statistical model less the reference, in the unit of `difference`; with what follows empty where no reference was run.";
             deterministic_from_reference["1", signed, scale(1.0)] = row.against(1).map(|estimate| estimate.contrast), "Deterministic model less the reference.";
             farther["1", signed, scale(1.0), label("statistical farther by")] = row.against(2).map(|estimate| estimate.contrast), "How much farther the statistical model is from the reference than the deterministic one: the difference of the magnitudes.";

@@ -24,7 +24,7 @@ pub(super) fn run(context: &RunContext, plan: &CausesPlan) -> Result<CausesResul
     let (counter, study) = (Counter::default(), &plan.compare.study);
     let loads = &study.controls.pressures;
     let ran = each_surface(context, &plan.compare, &counter, |_, results| {
-        Ok(results.map(|results| surfaces(&results, loads)).map_err(|error| error.to_string()))
+        Ok(results.map(|results| surfaces(&results, loads)).map_err(|error| error.message().to_owned()))
     })?;
     let mut made: Vec<Option<Result<GridSurfaces, String>>> = ran.results.into_iter().map(Some).collect();
     let points = plan.points.iter().map(|point| {
@@ -107,9 +107,10 @@ fn quantity_at_load(
 ) -> QuantityAtLoad {
     let accepted: &Accepted = &verdicts.accepted;
     let difference = verdicts.differences.iter().find(|at| at.load == load);
-    let difference = difference.and_then(|at| at.estimates[quantity as usize]).filter(|_| exceeded.is_none());
-    let judged =
-        difference.map(|estimate| (estimate, Verdict::from_estimate(&estimate, accepted.band(quantity))));
+    let judged = difference.and_then(|at| at.estimates[quantity as usize]).map(|estimate| {
+        let verdict = Verdict::from_estimate(&estimate, accepted.band(quantity));
+        (estimate, exceeded.is_none().then_some(verdict))
+    });
     let reference = verdicts.reference.as_ref();
     let against = reference.and_then(|reference| {
         let [statistical, deterministic] = &reference.against.models;

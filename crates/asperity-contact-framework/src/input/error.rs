@@ -33,6 +33,11 @@ impl InputError {
     pub fn file(file: &Path, message: impl fmt::Display) -> Self {
         Self { file: file.to_owned(), place: Place::File, message: message.to_string() }
     }
+
+    /// What was found and what is allowed, without the place.
+    pub fn message(&self) -> &str {
+        &self.message
+    }
 }
 
 impl fmt::Display for InputError {

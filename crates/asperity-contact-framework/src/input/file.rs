@@ -32,6 +32,8 @@ pub struct SpecFile {
     pub seed: u64,
     /// The size of its figures in print; `None` of figures for the page only.
     pub figure: Option<Size>,
+    /// Whether it runs only where it is named or long runs are asked for.
+    pub is_long: bool,
     materials: IndexMap<Spanned<String>, MaterialSpec>,
     /// Names and positions of the other tables, in file order.
     tables: Vec<(String, Range<usize>)>,
@@ -55,13 +57,28 @@ struct CommonKeys {
     /// Figures in a size for print; with the feature `print` of the program as PNG and PDF, too.
     #[schemars(extend("x-default" = "SVG as wide as the page", "examples" = [{ "width": "85 mm", "font": "8 pt" }]))]
     figure: Option<FigureSpec>,
+    /// Whether `experiment` without a file runs it: always, or only with `--full`.
+    #[serde(default)]
+    #[schemars(extend("examples" = ["long"]))]
+    run: RunSpec,
     /// The bodies by name.
     #[serde(default)]
     material: IndexMap<Spanned<String>, MaterialSpec>,
 }
 
+/// When a spec runs that no command names.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+enum RunSpec {
+    /// With all others.
+    #[default]
+    Always,
+    /// Only with `--full`: it takes minutes.
+    Long,
+}
+
 /// Names of the fields of [`CommonKeys`].
-const COMMON: [&str; 5] = ["title", "notes", "seed", "figure", "material"];
+const COMMON: [&str; 6] = ["title", "notes", "seed", "figure", "run", "material"];
 
 impl SpecFile {
     /// Reads a spec that may hold, besides the common keys, the tables named in `tables`.
@@ -100,7 +117,7 @@ impl SpecFile {
             document.get_mut().remove(name.as_str());
         }
         let keys = CommonKeys::deserialize(Deserializer::from(document));
-        let CommonKeys { title, notes, seed, figure, material } =
+        let CommonKeys { title, notes, seed, figure, run, material } =
             keys.map_err(|error| source.parse_error(&error))?;
         Ok(Self {
             source,
@@ -108,6 +125,7 @@ impl SpecFile {
             notes,
             seed: seed.0,
             figure: figure.map(|figure| figure.size()),
+            is_long: run == RunSpec::Long,
             materials: material,
             tables: found,
         })

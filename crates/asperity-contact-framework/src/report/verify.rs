@@ -14,6 +14,7 @@ use super::digest::DigestRow;
 use super::table::{Comparison, Heading, Row, Schema};
 use super::text;
 use crate::kind::AnyKind;
+use crate::summary::LONG;
 
 /// Relative tolerance of a number.
 const TOLERANCE: f64 = 1e-9;
@@ -23,22 +24,40 @@ const SUMMARY: &str = "summary.json";
 /// Keys of a summary that are not compared: the hashes of files whose content is compared, and the names of all files.
 const NOT_COMPARED: [&str; 2] = ["committed", "files"];
 
-/// Differences between the reports in `fresh` and those in `committed`, one line each; empty if
-/// nothing does.
+/// What a comparison of two folders found.
+#[derive(Debug, Default)]
+pub struct Verified {
+    /// Differences, one line each.
+    pub differences: Vec<String>,
+    /// Committed reports of long runs that were not made again.
+    pub not_run: Vec<String>,
+}
+
+/// Differences between the reports in `fresh` and those in `committed`; long runs need not have been made again.
 ///
 /// # Errors
 /// A folder or file that cannot be read.
-pub fn differences(fresh: &Path, committed: &Path, kinds: &[&dyn AnyKind]) -> io::Result<Vec<String>> {
-    let mut lines = Vec::new();
+pub fn verified(fresh: &Path, committed: &Path, kinds: &[&dyn AnyKind]) -> io::Result<Verified> {
+    let (mut lines, mut not_run) = (Vec::new(), Vec::new());
     let (new, old) = (reports(fresh)?, reports(committed)?);
     for name in new.symmetric_difference(&old) {
-        let place = if new.contains(name) { "is not committed" } else { "was not made again" };
-        lines.push(format!("{name}: {place}"));
+        if new.contains(name) {
+            lines.push(format!("{name}: is not committed"));
+        } else if summary(&committed.join(name))?["run"] == LONG {
+            not_run.push(name.clone());
+        } else {
+            lines.push(format!("{name}: was not made again"));
+        }
     }
     for name in new.intersection(&old) {
         lines.extend(Report::read(&fresh.join(name), &committed.join(name), name, kinds)?.differences()?);
     }
-    Ok(lines)
+    Ok(Verified { differences: lines, not_run })
+}
+
+/// The summary in the folder of a report.
+fn summary(folder: &Path) -> io::Result<Value> {
+    Ok(serde_json::from_slice(&fs::read(folder.join(SUMMARY))?)?)
 }
 
 /// Names of the folders that hold a `summary.json`.
@@ -68,10 +87,7 @@ struct Report<'a> {
 impl<'a> Report<'a> {
     fn read(new: &'a Path, old: &'a Path, name: &'a str, kinds: &[&dyn AnyKind]) -> io::Result<Self> {
         let folders = [new, old];
-        let read = |folder: &Path| -> io::Result<Value> {
-            Ok(serde_json::from_slice(&fs::read(folder.join(SUMMARY))?)?)
-        };
-        let summaries = [read(new)?, read(old)?];
+        let summaries = [summary(new)?, summary(old)?];
         let kind = kinds.iter().find(|kind| summaries[1]["kind"] == kind.name());
         let mut schemas = kind.map(|kind| kind.tables()).unwrap_or_default();
         schemas.push(Schema::of::<DigestRow>());

@@ -375,7 +375,7 @@ mod tests {
         against: &AgainstReference,
         quantity: ComparedQuantity,
     ) -> Vec<(Option<ModelKind>, [Verdict; 2])> {
-        let all = NearerStretch::all(against, &ACCEPTED);
+        let all = NearerStretch::all(against, &ACCEPTED, false);
         let of = all.iter().filter(|stretch| stretch.quantity == quantity);
         of.map(|stretch| (stretch.nearer, stretch.verdicts)).collect()
     }
@@ -399,6 +399,29 @@ mod tests {
         assert_eq!(nearer(&found, separation), [(None, [Within, Within])]);
         // Equally far.
         assert_eq!(nearer(&found, ComparedQuantity::Area), [(None, [Within, Within])]);
+    }
+
+    /// At loads at which only strains are large elastic contacts on a half-space are compared, marked; others are not.
+    #[test]
+    fn large_strains_leave_a_comparison_that_is_homogeneous_in_the_heights() {
+        let mut found = against([2.3, 2.05, 2.0], [1.2e-3, 0.9e-3, 1e-3], false, 0.0);
+        let [statistical, deterministic] = &mut found.models;
+        for at in statistical.iter_mut().chain(deterministic).chain(&mut found.nearness) {
+            let sharing = at.sharing.as_mut().unwrap();
+            sharing.large_strain_share = if at.load > LOADS[0] { 0.5 } else { 0.0 };
+        }
+        let stretches = |is_homogeneous| {
+            let all = NearerStretch::all(&found, &ACCEPTED, is_homogeneous);
+            let of_area = all.into_iter().filter(|stretch| stretch.quantity == ComparedQuantity::Area);
+            of_area.map(|stretch| (stretch.loads, stretch.beyond)).collect::<Vec<_>>()
+        };
+        assert_eq!(stretches(false), [([LOADS[0]; 2], None)]);
+        let beyond = ([LOADS[1], LOADS[2]], Some(Limit::LargeStrain));
+        assert_eq!(stretches(true), [([LOADS[0]; 2], None), beyond]);
+        for at in &mut found.nearness {
+            at.sharing.as_mut().unwrap().effective_contacts = 20.0;
+        }
+        assert_eq!(NearerStretch::all(&found, &ACCEPTED, true), []);
     }
 
     #[test]

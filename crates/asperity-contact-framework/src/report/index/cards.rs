@@ -50,9 +50,10 @@ fn card(entry: &Entry) -> String {
     };
     let data = entry.data();
     format!(
-        "<li data-kind=\"{kind}\" data-surfaces=\"{surfaces}\">\n<h2><a href=\"{name}/report.html\">{title}</a></h2>\n{figure}\
+        "<li data-kind=\"{kind}\" data-surfaces=\"{surfaces}\">\n<h2><a href=\"{name}/{page}\">{title}</a></h2>\n{figure}\
          <p class=\"answer\">{answer}</p>\n<p class=\"facts\">[{kind}]{warnings}; <a href=\"{name}/{data}\">{data}</a></p>\n</li>\n",
         kind = escape(&entry.kind),
+        page = entry.page(),
         surfaces = surfaces.join("\n"),
         answer = escape(&entry.answer),
     )

@@ -36,6 +36,9 @@ struct Entry {
     /// Name of its folder.
     #[serde(skip)]
     name: String,
+    /// Whether its HTML page is there.
+    #[serde(skip)]
+    has_html: bool,
     program: String,
     title: String,
     #[serde(default)]
@@ -57,6 +60,11 @@ struct Entry {
 }
 
 impl Entry {
+    /// The page that is there: a long run that was not made here has only what is committed.
+    fn page(&self) -> &'static str {
+        if self.has_html { "report.html" } else { "report.md" }
+    }
+
     /// Its surfaces with what is known of each.
     fn surfaces(&self) -> impl Iterator<Item = (&String, &Value)> {
         self.surfaces.as_object().into_iter().flat_map(Map::iter)
@@ -84,7 +92,8 @@ impl Index {
             let summary = fs::read(entry.path().join("summary.json")).ok()?;
             let found: Entry = serde_json::from_slice(&summary).ok()?;
             let name = entry.file_name().into_string().ok()?;
-            (found.program == PROGRAM && !name.starts_with('.')).then_some(Entry { name, ..found })
+            let has_html = entry.path().join("report.html").is_file();
+            (found.program == PROGRAM && !name.starts_with('.')).then_some(Entry { name, has_html, ..found })
         };
         let folders = fs::read_dir(directory).into_iter().flatten().flatten();
         let mut entries: Vec<Entry> = folders.filter_map(read).collect();

@@ -101,7 +101,7 @@ fn report(kind: &str, facts: &str, files: &[(&str, &str)]) -> tempfile::TempDir 
 }
 
 fn count(new: &tempfile::TempDir, old: &tempfile::TempDir) -> usize {
-    differences(new.path(), old.path(), &KINDS).unwrap().len()
+    verified(new.path(), old.path(), &KINDS).unwrap().differences.len()
 }
 
 #[test]
@@ -211,11 +211,15 @@ fn pages_and_pictures_out_of_date_are_noticed_except_of_times() {
 fn a_report_or_file_that_is_missing_is_said() {
     let old = report("points", "{}", &[("report.md", "a")]);
     let fresh = tempfile::tempdir().unwrap();
-    assert_eq!(differences(fresh.path(), old.path(), &KINDS).unwrap(), ["one: was not made again"]);
+    assert_eq!(verified(fresh.path(), old.path(), &KINDS).unwrap().differences, ["one: was not made again"]);
+    let long = report("points", "{}", &[]);
+    fs::write(long.path().join("one").join(SUMMARY), r#"{"kind": "points", "run": "long"}"#).unwrap();
+    let found = verified(fresh.path(), long.path(), &KINDS).unwrap();
+    assert!(found.differences.is_empty() && found.not_run == ["one"], "{found:?}");
     let without = report("points", "{}", &[]);
-    let lines = differences(without.path(), old.path(), &KINDS).unwrap();
+    let lines = verified(without.path(), old.path(), &KINDS).unwrap().differences;
     assert_eq!(lines, ["one/report.md: is missing"]);
     fs::remove_file(old.path().join("one/report.md")).unwrap();
     let new = report("points", "{}", &[("report.md", "a")]);
-    assert_eq!(differences(new.path(), old.path(), &KINDS).unwrap(), ["one/report.md: is missing"]);
+    assert_eq!(verified(new.path(), old.path(), &KINDS).unwrap().differences, ["one/report.md: is missing"]);
 }
