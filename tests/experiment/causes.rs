@@ -46,19 +46,92 @@ fn the_height_distribution_leads_on_skewed_surfaces_only() {
     assert_eq!(heights["skewness_at_every_bandwidth"], "-1");
     assert!(leads.iter().all(|row| row["cause"] != "radii"), "{leads:?}");
     let page = outcome.outline().markdown();
-    assert!(page.contains("in separation of 4 cases: height distribution 2,"), "{page}");
+    assert!(page.contains("in separation, radii in 0 and heights in 2 of 4 cases"), "{page}");
 }
 
-/// Where some surface is beyond the valid range, the point has no contributions, and the page says why.
+/// Spread and correlation of the radii add up to what the radii contribute, whose interval holds the orders of replacement; only the
+/// spread depends on which mean radius the statistical model takes.
 #[test]
-fn points_beyond_the_valid_range_are_not_divided() {
+fn radii_contribute_by_spread_and_correlation() {
+    let outcome = run(CAUSES).unwrap();
+    for row in table(&*outcome, "causes.csv").unwrap() {
+        let radii = number(&row, "from_radii_and_correlation");
+        let [spread, correlation] = ["from_radii", "from_correlation"].map(|name| number(&row, name));
+        assert!((radii - spread - correlation).abs() < 1e-9, "{row:?}");
+        for part in ["from_heights", "from_radii_and_correlation"] {
+            let [low, high] = ["low", "high"].map(|end| number(&row, &format!("{part}_{end}")));
+            assert!(low <= number(&row, part) && number(&row, part) <= high, "{row:?}");
+        }
+        if row["quantity"] == "area" {
+            let shift = number(&row, "from_radii_with_other_mean_radius") - spread;
+            assert!(shift < -0.02, "{row:?}");
+        }
+    }
+    let leads = table(&*outcome, "leads.csv").unwrap();
+    let counts = |quantity: &str, column: &str| {
+        let row = leads.iter().find(|row| row["quantity"] == quantity).unwrap();
+        row[column].parse::<usize>().unwrap()
+    };
+    assert_eq!(counts("separation", "heights_exceed_points"), 2);
+    assert!(counts("area", "radii_larger_points") >= counts("area", "radii_exceed_points"));
+}
+
+/// Beside the reference each point has the distances of both models and the nearer one; without it none.
+#[test]
+fn a_reference_says_which_model_is_nearer() {
+    let small =
+        CAUSES.replace("points = 512", "points = 256").replace("realisations = 3", "realisations = 2");
+    let with = format!("models = [\"statistical\", \"deterministic\", \"reference\"]\n{small}");
+    let outcome = run(&with.replace("gradient = 0.03", "gradient = 0.01")).unwrap();
+    let rows = table(&*outcome, "causes.csv").unwrap();
+    let compared: Vec<_> = rows.iter().filter(|row| !row["farther"].is_empty()).collect();
+    assert!(!compared.is_empty());
+    for row in &compared {
+        let [s, d] =
+            ["statistical", "deterministic"].map(|model| number(row, &format!("{model}_from_reference")));
+        assert!((s - d - number(row, "difference")).abs() < 1e-9, "{row:?}");
+        assert!((number(row, "farther_low")..=number(row, "farther_high")).contains(&number(row, "farther")));
+        let nearer = match &*row["nearer"] {
+            "statistical" => number(row, "farther_high") < 0.0,
+            "deterministic" => number(row, "farther_low") > 0.0,
+            other => other.is_empty(),
+        };
+        assert!(nearer, "{row:?}");
+    }
+    assert!(outcome.outline().markdown().contains("nearer to boundary elements"));
+    let without = table(&*run(CAUSES).unwrap(), "causes.csv").unwrap();
+    assert!(without.iter().all(|row| row["farther"].is_empty() && row["nearer"].is_empty()));
+}
+
+/// Points that no surface has are empty with the reason, others have surfaces with the summits asked for.
+#[test]
+fn a_grid_of_moments_is_empty_where_no_surface_has_the_summits() {
+    let outcome = run(
+        "skewness = [-1, 0]\nkurtosis = [1.5, 4.5]\npressure = [\"2 MPa\"]\nrealisations = 2\npoints = 512\ncut-off-pixels = 8\n\
+         hurst = 0.8\nsummits = { radius = \"1.6 um\", sigma = \"260 nm\", density = \"9e10 /m^2\" }\n",
+    )
+    .unwrap();
+    let rows = table(&*outcome, "causes.csv").unwrap();
+    let at = |skewness: &str, kurtosis: &str| {
+        rows.iter().find(|row| row["skewness"] == skewness && row["kurtosis"] == kurtosis).unwrap()
+    };
+    assert!(at("-1", "1.5")["without_surface"].contains("no heights have them"));
+    assert!(at("0", "4.5")["without_surface"].contains("density * radius * sigma"));
+    let made = at("-1", "4.5");
+    assert!(made["without_surface"].is_empty() && number(made, "asperities") > 100.0, "{made:?}");
+    assert!(outcome.outline().markdown().contains("of 4 points of the grid have surfaces"));
+}
+
+/// Where a load is not admissible on some surface, the point has no contributions, and the page says why.
+#[test]
+fn points_beyond_the_limits_are_not_divided() {
     let outcome = run(&CAUSES.replace("loads = [0.005]", "loads = [1e-6]")).unwrap();
     for row in table(&*outcome, "causes.csv").unwrap() {
-        assert!(row["leading_cause"].is_empty() && row["difference"].is_empty(), "{row:?}");
+        assert!(row["leading_cause"].is_empty() && row["verdict"].is_empty(), "{row:?}");
         assert!(row["limits"].contains("few-contacts"), "{row:?}");
     }
     assert_eq!(table(&*outcome, "leads.csv").unwrap().len(), 0);
-    assert!(outcome.outline().markdown().contains("in separation of 0 cases"));
+    assert!(outcome.outline().markdown().contains("radii in 0 and heights in 0 of 0 cases"));
 }
 
 #[test]
@@ -76,6 +149,12 @@ fn a_grid_that_cannot_be_made_is_refused() {
             "wavelengths = [0.5, 4]",
             "a roll-off wavelength that is at least the cut-off's",
         ),
+        (
+            "wavelengths = [2, 4]",
+            "kurtosis = [3, 4]",
+            "allowed: sigma, gradient and wavelengths, or summits and kurtosis",
+        ),
+        ("loads = [0.005]", "pressure = \"1 MPa\"", "allowed with sigma and gradient: loads"),
         ("realisations = 3", "realisations = 1", "found 1; allowed: 2 to 1000 realisations"),
         ("cut-off-pixels = 8", "cut-off-pixels = 1", "pixel"),
         ("hurst = 0.8", "hurst = 1.5", "found a Hurst exponent of 1.5; allowed: 0 to 1"),

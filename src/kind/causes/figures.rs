@@ -74,9 +74,9 @@ pub fn verdicts(results: &CausesResults, condition: [usize; 2]) -> Figure {
         let text = reported(quantity, estimate.contrast);
         Some(match verdict {
             Some(Verdict::Within) => (Colour::Reference, "within what is accepted", text),
-            Some(Verdict::Beyond) => (Colour::Deterministic, "beyond it", text),
+            Some(Verdict::Beyond) => (Colour::Deterministic, "beyond what is accepted", text),
             Some(Verdict::CannotTell) => (Colour::Neutral, "cannot tell", text),
-            None => (Colour::Others, "(load not admissible)", format!("({text})")),
+            None => (Colour::Others, "load not admissible", text),
         })
     })
 }
@@ -96,10 +96,10 @@ pub fn nearer(results: &CausesResults, condition: [usize; 2]) -> Figure {
     })
 }
 
-/// A contrast in sigma or percent, with two digits.
+/// A contrast in sigma with one decimal, or in percent: what fits into a cell.
 fn reported(quantity: ComparedQuantity, contrast: f64) -> String {
     match quantity {
-        ComparedQuantity::Separation => format!("{contrast:+.2}").replace('-', "−"),
+        ComparedQuantity::Separation => format!("{contrast:+.1}").replace('-', "−"),
         _ => format!("{:+.0}", 100.0 * quantity.reported(contrast)).replace('-', "−"),
     }
 }

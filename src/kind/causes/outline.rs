@@ -51,7 +51,9 @@ impl Outcome for CausesResults {
             maps(page, self, &LEADING);
             page.view(&tables.view::<LeadRow>()).note(include_str!("notes/leads.md"));
         });
-        page.details(2, "Contributions over the skewness", |page| over_skewness(page, self));
+        if self.axis == Axis::Bandwidth {
+            page.details(2, "Contributions over the skewness", |page| over_skewness(page, self));
+        }
         page.details(2, "Surfaces, means over the realisations", |page| {
             let first = tables.view::<CauseRow>().columns(SURFACE);
             page.view(&first.first_of_each(&["skewness", "wavelengths", "kurtosis"]));
