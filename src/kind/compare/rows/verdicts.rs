@@ -53,7 +53,7 @@ impl Row for VerdictRow<'_> {
             accepted["1"] = row.stretch.accepted, "The largest difference that is accepted.";
             area_needed_m2["m²", prefix("m"), label("needs a surface of")] = row.area_needed, "Nominal area at which half of a stretch that cannot be told would be; empty of others.";
             cause["text", label("leading cause")] = row.cause.map(LeadingCause::name), "The leading cause of the largest difference: `heights`, `radii`, `correlation` or, against the reference, `interaction`.";
-            depends_on["text", label("depends on")] = row.depends_on.clone(), "Choices in the analysis of the map that reverse the verdict on this quantity.";
+            depends_on["text", label("depends on")] = row.depends_on.clone(), "Choices in the analysis of the map that reverse the verdict on this quantity; `spikes` also where a verdict is left open without points that may be wrong.";
         });
         columns
     }
