@@ -225,6 +225,7 @@ impl SurfacePlan {
         let is_periodic = raw.periodic || in_memory.is_some_and(|map| map.boundary() == Boundary::Periodic);
         let preparation = Preparation {
             removes_spikes: raw.outliers == Outliers::Remove,
+            removes_suspects: false,
             aligned: raw.align_lines,
             level: raw.level.unwrap_or(if is_periodic { Level::None } else { Level::default() }),
             filter,

@@ -1,7 +1,9 @@
 //! Windows of an endless rough surface, treated as measured maps.
 
 use asperity::numeric::stream_seed;
-use asperity::topography::generate::{Process, Seeds, SurfaceGenerator};
+use asperity::study::StudyError;
+use asperity::surface::NoAsperities;
+use asperity::topography::generate::{Plateau, Process, Seeds, SurfaceGenerator};
 use asperity::topography::spectrum::SpectrumError;
 use asperity::topography::summits::{Detail, Neighbours, find};
 use asperity::topography::{Level, Undetermined};
@@ -11,12 +13,25 @@ use asperity::{
 };
 
 use super::WINDOWS_PER_MAP;
+use super::patches::Patches;
+
+/// The roughness of an endless surface.
+#[derive(Debug, Clone)]
+pub struct Roughness {
+    /// The process.
+    pub process: Process,
+    /// A finer one that truncates its summits.
+    pub plateau: Option<Plateau>,
+    /// How its amplitude varies from place to place.
+    pub patches: Option<Patches>,
+}
 
 /// A random process of which square windows are seen, as a measurement sees a part of a surface.
 #[derive(Debug, Clone)]
 pub struct EndlessProcess {
     name: String,
     generator: SurfaceGenerator,
+    patches: Option<Patches>,
     seed: u64,
 }
 
@@ -29,6 +44,12 @@ pub enum Unusable {
     /// A window that cannot be levelled.
     #[error("a window {0}")]
     Level(#[from] Undetermined),
+    /// A window without asperities.
+    #[error("a window {0}")]
+    Search(#[from] NoAsperities),
+    /// Models that cannot be compared on a window.
+    #[error(transparent)]
+    Study(#[from] StudyError),
     /// Asperities that form no set.
     #[error(transparent)]
     Set(#[from] SetError),
@@ -85,22 +106,25 @@ impl WindowAsperities {
 }
 
 impl EndlessProcess {
-    /// A process called `name` of which windows of `points` x `points` with `pixel` (m) are seen. They are cut from periodic
+    /// A surface called `name` of which windows of `points` x `points` with `pixel` (m) are seen. They are cut from periodic
     /// maps of twice the side, so that a window does not show the period.
     ///
     /// # Errors
     /// A spectrum that the maps do not resolve.
     pub fn new(
         name: &str,
-        process: Process,
+        roughness: Roughness,
         points: usize,
         pixel: f64,
         seed: u64,
     ) -> Result<Self, SpectrumError> {
-        let generator =
-            SurfaceGenerator { points: [2 * points; 2], pixel: [pixel; 2], process, plateau: None };
+        let Roughness { process, plateau, patches } = roughness;
+        let generator = SurfaceGenerator { points: [2 * points; 2], pixel: [pixel; 2], process, plateau };
         generator.check()?;
-        Ok(Self { name: name.to_owned(), generator, seed })
+        if let Some(patches) = &patches {
+            patches.check(generator.points, generator.pixel)?;
+        }
+        Ok(Self { name: name.to_owned(), generator, patches, seed })
     }
 
     /// The seed of one stream of random numbers of this process.
@@ -113,18 +137,24 @@ impl EndlessProcess {
     /// # Errors
     /// See [`Unusable`].
     pub fn windows(&self, map: &str) -> Result<Vec<HeightMap>, Unusable> {
-        let seeds = Seeds { process: self.seed(map), plateau: self.seed("plateau") };
-        let (map, _) = self.generator.surface(seeds)?;
+        let stream = |of: &str| self.seed(&format!("{of} of {map}"));
+        let (map, _) =
+            self.generator.surface(Seeds { process: self.seed(map), plateau: stream("plateau") })?;
+        let pixel = map.pixel();
+        let mut heights = map.into_heights();
+        if let Some(patches) = &self.patches {
+            patches.modulate(&mut heights, self.generator.points, pixel, stream("patches"));
+        }
         let side = self.generator.points[0];
         let points = side / 2;
         let window = |index: usize| {
             let (first_x, first_y) = (index / 2 * points, index % 2 * points);
             let row = |x: usize| {
                 let start = (first_x + x) * side + first_y;
-                &map.heights()[start..start + points]
+                &heights[start..start + points]
             };
             let heights = (0..points).flat_map(row).copied().collect();
-            let window = HeightMap::new([points; 2], map.pixel(), heights, f64::EPSILON)?;
+            let window = HeightMap::new([points; 2], pixel, heights, f64::EPSILON)?;
             Ok(Level::Plane.apply(&window)?)
         };
         (0..WINDOWS_PER_MAP).map(window).collect()

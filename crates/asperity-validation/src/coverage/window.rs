@@ -1,16 +1,17 @@
 //! Both models on one window, with the intervals that the program claims there.
 
 use asperity::compare::{
-    CONTACTS_PER_GROUP, CaseSampling, ComparedQuantity, Difference, Division, Estimate, GROUPS, LeftOut,
-    OneStep, Pair, jackknife_error, jackknife_quantile, pairs_at,
+    Accepted, CONTACTS_PER_GROUP, CaseSampling, ComparedQuantity, Difference, Division, Estimate, GROUPS,
+    LeftOut, OneStep, Pair, Verdict, jackknife_error, jackknife_quantile, pairs_at,
 };
-use asperity::topography::{Autocorrelation, Blocks, CorrelationLengths};
+use asperity::topography::{Blocks, CorrelationLengths};
 use asperity::{
     AsperitySet, Deterministic, HeightMap, Heights, MicroContact, Model, Population, ReferencePlane,
     Response, Shape, Statistical, Statistics, Total,
 };
 
 use super::process::{Controls, Unusable, WindowAsperities};
+use super::verdicts::WindowVerdict;
 
 /// A quantity with an interval.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -64,8 +65,32 @@ pub struct WindowResults {
     /// The larger correlation length of x and y over the side of the window; infinite where the autocorrelation does not
     /// decay.
     pub correlation: f64,
+    /// Whether its roughness is found to be patchy.
+    pub is_patchy: bool,
+    /// Whether each load is admissible.
+    pub admissible: Vec<bool>,
     /// For each load the quantities in the order of [`CoveredQuantity::ALL`]; `None` where one has no value.
     pub estimates: Vec<[Option<QuantityEstimate>; 5]>,
+}
+
+impl WindowResults {
+    /// The verdicts at admissible loads.
+    pub fn verdicts(&self) -> Vec<WindowVerdict> {
+        let at_load = |(load, estimates): (usize, &[Option<QuantityEstimate>; 5])| {
+            let verdict = |quantity: ComparedQuantity| {
+                let estimate = estimates[quantity as usize].filter(|_| self.admissible[load])?.estimate;
+                Some(WindowVerdict {
+                    load,
+                    quantity,
+                    contrast: estimate.contrast,
+                    verdict: Verdict::from_estimate(&estimate, Accepted::DEFAULT.band(quantity)),
+                    depends_on: Vec::new(),
+                })
+            };
+            ComparedQuantity::ALL.map(verdict).into_iter().flatten().collect::<Vec<_>>()
+        };
+        self.estimates.iter().enumerate().flat_map(at_load).collect()
+    }
 }
 
 /// What is done with each window.
@@ -126,10 +151,8 @@ impl WindowTask<'_> {
     /// See [`Unusable`].
     pub fn run(&self, window: &HeightMap, seed: Option<[u8; 32]>) -> Result<WindowResults, Unusable> {
         let WindowAsperities { set, positions } = WindowAsperities::from_summits(window)?;
-        let correlation = Autocorrelation::from_map(window, 0.0)
-            .map_or(CorrelationLengths { lengths: [f64::INFINITY; 2] }, |all| {
-                CorrelationLengths::from_autocorrelation(&all)
-            });
+        let correlation = CorrelationLengths::from_map(window, 0.0)
+            .map_or(CorrelationLengths::NONE, |(lengths, _)| lengths);
         let blocks = Blocks::new(window.points(), window.pixel(), correlation).ok();
         let of_blocks = |blocks: &Blocks| Division::of_blocks(blocks, &positions, blocks.shares(window));
         let results = self.results(&set);
@@ -138,9 +161,12 @@ impl WindowTask<'_> {
         let draws = seed.and_then(|seed| Division::independent(set.count(), seed));
         let independent = draws.map(|draws| self.groups(&set, &draws, &step));
         let side = window.pixel()[0] * window.points()[0] as f64;
+        let (admissible, estimates) = self.estimates(&results, groups, independent, set.nominal_area());
         Ok(WindowResults {
             correlation: correlation.lengths[0].max(correlation.lengths[1]) / side,
-            estimates: self.estimates(&results, groups, independent, set.nominal_area()),
+            is_patchy: correlation.patches.is_some(),
+            admissible,
+            estimates,
         })
     }
 
@@ -150,10 +176,13 @@ impl WindowTask<'_> {
         groups: Option<Groups>,
         independent: Option<Groups>,
         area: f64,
-    ) -> Vec<[Option<QuantityEstimate>; 5]> {
+    ) -> (Vec<bool>, Vec<[Option<QuantityEstimate>; 5]>) {
         let pairs: Option<Vec<Pair>> = results.pairs.iter().copied().collect();
         // Differences are numbered by the loads that are reached.
-        let Some(pairs) = pairs else { return vec![[None; 5]; self.controls.loads.len()] };
+        let Some(pairs) = pairs else {
+            let count = self.controls.loads.len();
+            return (vec![false; count], vec![[None; 5]; count]);
+        };
         let of_groups = |groups: &Option<Groups>| groups.as_ref().map(|groups| groups.left_out.clone());
         let sampling = CaseSampling {
             groups: of_groups(&groups),
@@ -172,7 +201,7 @@ impl WindowTask<'_> {
                 independent_error: independent.as_ref().and_then(|groups| groups.error(full, value)),
             }
         };
-        let at_load = |(index, difference): (usize, Difference)| {
+        let at_load = |(index, difference): (usize, &Difference)| {
             let pair = &pairs[index];
             let [s, d] = &results.at_separations[index];
             CoveredQuantity::ALL.map(|quantity| {
@@ -200,7 +229,9 @@ impl WindowTask<'_> {
                 })
             })
         };
-        Difference::at_loads(&pairs, &sampling).into_iter().enumerate().map(at_load).collect()
+        let differences = Difference::at_loads(&pairs, &sampling);
+        let admissible = differences.iter().map(|at| at.exceeded().is_none()).collect();
+        (admissible, differences.iter().enumerate().map(at_load).collect())
     }
 
     /// The state from which groups are left out, at those loads that both models reach.

@@ -2,12 +2,14 @@
 
 use asperity::compare::{CONTACTS_PER_GROUP, Estimate, GROUPS};
 use asperity::contact_law::named;
+use asperity::study::LawContact;
+use asperity::topography::fitness::Check;
 use asperity::topography::generate::{Process, SpectrumOf};
 use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
-use asperity::{Flat, Heights, Material, MicroContact};
+use asperity::{Heights, Material};
 use asperity_validation::coverage::{
-    Controls, Coverage, CoveredQuantity, EndlessProcess, QuantityEstimate, Unusable, WindowResults,
-    WindowTask, windows_of,
+    Controls, Coverage, CoveredQuantity, EndlessProcess, ExaminedWindow, Maps, Patches, PlantedSpikes,
+    QuantityEstimate, Roughness, StudyTask, Unusable, WindowResults, WindowTask, spiked_windows, windows_of,
 };
 
 const PIXEL: f64 = 1e-6;
@@ -42,9 +44,9 @@ fn intervals_that_hold_the_mean_are_counted() {
     assert_eq!(none.error_over_scatter(&none.independent), None);
 }
 
-fn steel() -> Box<dyn MicroContact> {
+fn steel() -> LawContact {
     let steel = Material::new(210e9, 0.3, Some(7.6e9), None).unwrap();
-    named("hertz").unwrap().interface(&steel, &Flat::Bare(steel)).unwrap()
+    LawContact::bare(named("hertz").unwrap(), &steel, &steel).unwrap()
 }
 
 fn process(name: &str, points: usize, roll_off: f64, cut_off: f64) -> EndlessProcess {
@@ -52,15 +54,23 @@ fn process(name: &str, points: usize, roll_off: f64, cut_off: f64) -> EndlessPro
     let shape = SpectrumShape::SelfAffine { hurst: 0.8, roll_off, cut_off };
     let spectrum = Spectrum::new(shape, Lay::default()).unwrap();
     let process = Process { spectrum, of: SpectrumOf::Gaussian, sigma: 1e-7, heights: Heights::GAUSSIAN };
-    EndlessProcess::new(name, process, points, PIXEL, 5).unwrap()
+    let patches = (name == "patchy").then(|| Patches::new(0.5, 20.0 * PIXEL).unwrap());
+    EndlessProcess::new(name, Roughness { process, plateau: None, patches }, points, PIXEL, 5).unwrap()
 }
 
-/// Two maps of a process at loads of `contacts`.
+/// Two maps of a process at loads of `contacts`, of which the first is studied.
+fn examined(process: &EndlessProcess, contacts: &[f64]) -> (Controls, Vec<ExaminedWindow>) {
+    let law = steel();
+    let controls = process.controls(&*law.contact, contacts).unwrap();
+    let task = WindowTask { contact: &*law.contact, controls: controls.clone() };
+    let study = StudyTask { law: &law, loads: &controls.loads, seed: 1 };
+    let windows = windows_of(process, (&task, &study), Maps { count: 2, studied: 1 }, || ()).unwrap();
+    (controls, windows)
+}
+
 fn results(process: &EndlessProcess, contacts: &[f64]) -> (Controls, Vec<WindowResults>) {
-    let contact = steel();
-    let controls = process.controls(&*contact, contacts).unwrap();
-    let task = WindowTask { contact: &*contact, controls: controls.clone() };
-    (controls, windows_of(process, &task, 2, || ()).unwrap())
+    let (controls, windows) = examined(process, contacts);
+    (controls, windows.into_iter().map(|window| window.results).collect())
 }
 
 #[test]
@@ -100,10 +110,61 @@ fn long_waves_have_no_interval() {
 
 #[test]
 fn windows_without_contacts_or_summits_are_refused() {
-    let contact = steel();
+    let contact = steel().contact;
     let too_many = process("short", 128, 10.0, 3.0).controls(&*contact, &[50.0, 1e5]).unwrap_err();
     assert!(matches!(too_many, Unusable::FewContacts { wanted: 1e5, .. }), "{too_many}");
     let few = process("smooth", 64, 60.0, 60.0).controls(&*contact, &[50.0]).unwrap_err();
     assert!(matches!(few, Unusable::FewSummits(_)), "{few}");
     assert!(few.to_string().starts_with("a window has "), "{few}");
+}
+
+#[test]
+fn patchy_windows_have_no_interval() {
+    let (_, windows) = results(&process("patchy", 256, 10.0, 3.0), &[200.0]);
+    assert!(windows.iter().all(|window| window.is_patchy));
+    for estimate in windows.iter().flat_map(|window| &window.estimates).flatten() {
+        assert_eq!(estimate.unwrap().estimate.error, None);
+    }
+}
+
+/// The first map is studied: there the verdicts are those of the windows, with what they depend on.
+#[test]
+fn verdicts_of_studied_windows_are_those_of_the_windows() {
+    let (_, windows) = examined(&process("short", 256, 10.0, 3.0), &[100.0, 200.0]);
+    let mut decided = 0;
+    for (index, window) in windows.iter().enumerate() {
+        assert_eq!(window.studied.is_some(), index < 4);
+        assert_eq!(window.findings.len() > 2, index < 4, "all checks, or spikes and lines");
+        assert!(window.findings.iter().all(|finding| !finding.is_blocking()), "{:?}", window.findings);
+        let Some(studied) = &window.studied else { continue };
+        let own = window.results.verdicts();
+        assert_eq!(studied.len(), own.len());
+        for (studied, own) in studied.iter().zip(&own) {
+            assert_eq!(
+                (studied.load, studied.quantity, studied.verdict),
+                (own.load, own.quantity, own.verdict)
+            );
+            assert!((studied.contrast - own.contrast).abs() < 1e-6);
+            decided += 1;
+        }
+    }
+    assert!(decided > 0);
+}
+
+#[test]
+fn high_spikes_are_found_and_low_ones_are_suspected() {
+    let process = process("spiked", 256, 12.0, 4.0);
+    let law = steel();
+    let controls = process.controls(&*law.contact, &[150.0]).unwrap();
+    let study = StudyTask { law: &law, loads: &controls.loads, seed: 1 };
+    let planted = [4.0, 12.0].map(|deviations| PlantedSpikes { count: 20, deviations });
+    let windows = spiked_windows(&process, &study, 1, &planted, || ()).unwrap();
+    for studies in &windows {
+        let found = |k: usize| {
+            let mut spikes = studies[k].findings.iter().filter(|one| one.check == Check::Spikes);
+            spikes.next().is_some_and(|one| !one.has_passed())
+        };
+        assert_eq!([found(0), found(1), found(2)], [false, false, true]);
+        assert!(!studies[0].verdicts.is_empty() && studies[2].verdicts.is_empty());
+    }
 }

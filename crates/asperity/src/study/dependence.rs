@@ -61,19 +61,26 @@ impl Side {
 }
 
 impl Dependence {
-    /// Of the map's own `differences` in a case, and of those under other treatments.
+    /// Of the map's own `differences` in a case, and of those under other treatments: for each choice and quantity the one at which the
+    /// answers are furthest apart.
     pub fn all(differences: &[Difference], treated: &[Treated], accepted: &Accepted) -> Vec<Self> {
         let each = Choice::ALL
             .into_iter()
             .flat_map(|choice| ComparedQuantity::ALL.map(|quantity| (choice, quantity)));
-        each.filter_map(|(choice, quantity)| Self::new(choice, quantity, differences, treated, accepted))
-            .collect()
+        let width = |found: &Self| found.contrasts[1] - found.contrasts[0];
+        let furthest = |(choice, quantity)| {
+            let at_load = |own| Self::at_load(choice, quantity, own, treated, accepted);
+            differences.iter().filter_map(at_load).max_by(|a, b| width(a).total_cmp(&width(b)))
+        };
+        each.filter_map(furthest).collect()
     }
 
-    fn new(
+    /// At the load of one of the map's `own` differences: where two treatments give opposite answers, or one leaves open what the
+    /// map's own decides.
+    pub fn at_load(
         choice: Choice,
         quantity: ComparedQuantity,
-        differences: &[Difference],
+        own: &Difference,
         treated: &[Treated],
         accepted: &Accepted,
     ) -> Option<Self> {
@@ -82,32 +89,105 @@ impl Dependence {
             let estimate = at.estimates[quantity as usize].filter(|_| at.exceeded().is_none())?;
             Some(Answer { treatment, estimate, side: Side::from_estimate(&estimate, band) })
         };
-        let treated = || treated.iter().enumerate().filter(|(_, one)| one.treatment.choice() == choice);
-        let at_load = |own: &Difference| {
-            let others = treated().filter_map(|(place, one): (usize, &Treated)| {
-                let at = one.differences.iter().find(|at| at.load == own.load)?;
-                answer(Some(place), at)
-            });
-            let answers: Vec<Answer> = answer(None, own).into_iter().chain(others).collect();
-            let by_contrast = |a: &&Answer, b: &&Answer| a.estimate.contrast.total_cmp(&b.estimate.contrast);
-            let lowest = answers.iter().min_by(by_contrast)?;
-            let highest = answers.iter().max_by(by_contrast)?;
-            let is_apart = lowest.side != highest.side
-                && ![lowest.side, highest.side].contains(&Side::Open)
-                // Without intervals a difference at the edge of what is accepted decides nothing, nor does one between parts of
-                // the map, which are other samples.
-                && ([lowest, highest].iter().all(|one| one.estimate.interval().is_some())
-                    || (choice != Choice::Part
-                        && highest.estimate.contrast - lowest.estimate.contrast > band[1]));
-            is_apart.then_some(Self {
-                choice,
-                quantity,
-                load: own.load,
-                treatments: [lowest.treatment, highest.treatment],
-                contrasts: [lowest.estimate.contrast, highest.estimate.contrast],
-            })
+        let treated = treated.iter().enumerate().filter(|(_, one)| one.treatment.choice() == choice);
+        let others = treated.filter_map(|(place, one)| {
+            let at = one.differences.iter().find(|at| at.load == own.load)?;
+            answer(Some(place), at)
+        });
+        let own_answer = answer(None, own);
+        let answers: Vec<Answer> = own_answer.into_iter().chain(others).collect();
+        let by_contrast = |a: &&Answer, b: &&Answer| a.estimate.contrast.total_cmp(&b.estimate.contrast);
+        let lowest = *answers.iter().min_by(by_contrast)?;
+        let highest = *answers.iter().max_by(by_contrast)?;
+        let between = |[a, b]: [Answer; 2]| Self {
+            choice,
+            quantity,
+            load: own.load,
+            treatments: [a, b].map(|answer| answer.treatment),
+            contrasts: [a, b].map(|answer| answer.estimate.contrast),
         };
-        let width = |found: &Self| found.contrasts[1] - found.contrasts[0];
-        differences.iter().filter_map(at_load).max_by(|a, b| width(a).total_cmp(&width(b)))
+        if lowest.is_opposite(&highest, choice, band) {
+            return Some(between([lowest, highest]));
+        }
+        let own_answer = own_answer.filter(|_| choice.leaves_open())?;
+        let opened = answers.iter().filter(|answer| own_answer.is_opened_by(answer, band));
+        let distance = |answer: &Answer| (answer.estimate.contrast - own_answer.estimate.contrast).abs();
+        let furthest = *opened.max_by(|a, b| distance(a).total_cmp(&distance(b)))?;
+        let mut pair = [own_answer, furthest];
+        pair.sort_by(|a, b| a.estimate.contrast.total_cmp(&b.estimate.contrast));
+        Some(between(pair))
+    }
+}
+
+impl Answer {
+    /// Whether `higher` is another answer than this lower one.
+    fn is_opposite(&self, higher: &Self, choice: Choice, band: [f64; 2]) -> bool {
+        self.side != higher.side
+            && ![self.side, higher.side].contains(&Side::Open)
+            // Without intervals a difference at the edge of what is accepted decides nothing, nor does one between parts of the map,
+            // which are other samples.
+            && ([self, higher].iter().all(|one| one.estimate.interval().is_some())
+                || (choice != Choice::Part
+                    && higher.estimate.contrast - self.estimate.contrast > band[1]))
+    }
+
+    /// Whether this answer rests on an interval which, moved to the difference of `other`, would cross an edge of the `band`: an
+    /// interval that is only wider, because the treatment leaves fewer contacts, opens nothing.
+    fn is_opened_by(&self, other: &Self, band: [f64; 2]) -> bool {
+        let moved = Estimate { contrast: other.estimate.contrast, ..self.estimate };
+        self.estimate.interval().is_some()
+            && self.side != Side::Open
+            && Side::from_estimate(&moved, band) == Side::Open
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::MeanRadius;
+    use crate::model::LoadSharing;
+
+    /// A separation that differs by `contrast`, with an interval of twice `error` on both sides.
+    fn at(contrast: f64, error: f64) -> Difference {
+        let estimate =
+            Estimate { contrast, error: Some(error), quantile: 2.0, bound: 0.0, independent_error: None };
+        let sharing = LoadSharing { effective_contacts: 90.0, largest_share: 0.01, large_strain_share: 0.0 };
+        Difference {
+            load: 1.0,
+            sharing: Some(sharing),
+            area_ratio: 0.01,
+            estimates: [Some(estimate), None, None],
+            area_needed: None,
+        }
+    }
+
+    /// What the verdict on `own` depends on, if `treatment` gives `other`; 0.1 sigma are accepted.
+    fn dependence(own: &Difference, treatment: Treatment, other: Difference) -> Option<[f64; 2]> {
+        let treated = [Treated { treatment, differences: vec![other] }];
+        let quantity = ComparedQuantity::Separation;
+        Dependence::at_load(treatment.choice(), quantity, own, &treated, &Accepted::DEFAULT)
+            .map(|found| found.contrasts)
+    }
+
+    #[test]
+    fn opposite_answers_are_a_dependence_on_any_choice() {
+        let radius = Treatment::MeanRadius(MeanRadius::InverseMeanCurvature);
+        for treatment in [radius, Treatment::SuspectsRemoved(3), Treatment::Half(0)] {
+            assert_eq!(dependence(&at(0.2, 0.01), treatment, at(0.05, 0.01)), Some([0.05, 0.2]));
+            assert_eq!(dependence(&at(0.2, 0.01), treatment, at(0.25, 0.01)), None);
+            assert_eq!(dependence(&at(0.11, 0.02), treatment, at(0.05, 0.01)), None, "the own is open");
+        }
+    }
+
+    #[test]
+    fn points_that_may_be_wrong_open_a_verdict_that_others_do_not() {
+        let (decided, open) = (at(0.2, 0.01), at(0.11, 0.01));
+        assert_eq!(dependence(&decided, Treatment::SuspectsRemoved(3), open.clone()), Some([0.11, 0.2]));
+        assert_eq!(dependence(&decided, Treatment::SpikesRemoved, open.clone()), Some([0.11, 0.2]));
+        assert_eq!(dependence(&decided, Treatment::Half(1), open.clone()), None);
+        assert_eq!(dependence(&decided, Treatment::ShortWaves(None), open.clone()), None);
+        assert_eq!(dependence(&open, Treatment::SuspectsRemoved(3), open.clone()), None);
+        // The interval is wider, but the difference has not moved.
+        assert_eq!(dependence(&decided, Treatment::SuspectsRemoved(3), at(0.2, 0.09)), None);
     }
 }

@@ -13,7 +13,7 @@
 //! | `attribution`, `causes` | the differences divided among their causes |
 //! | `verdicts`, `reference` | whether the integral may replace the sum; which model is nearer to the reference |
 //! | `ranking` | the other statistical models |
-//! | `treatment`, `dependence` | other treatments of a measured map, and the verdicts that depend on them |
+//! | `treatment`, `robustness`, `dependence` | other treatments of a measured map, both models under them, and the verdicts that depend on them |
 //! | `layer`, `threshold` | what a layer changes |
 
 mod attribution;
@@ -26,6 +26,7 @@ mod models;
 mod ranking;
 mod reference;
 mod results;
+mod robustness;
 mod run;
 mod sampling;
 mod setup;
@@ -44,6 +45,7 @@ pub use models::SurfaceModels;
 pub use ranking::{Against, Largest, Ranked, Ranking, Standing, is_within, rank};
 pub use reference::ReferenceVerdicts;
 pub use results::{CaseResults, RealisationFacts, RealisationResults};
+pub use robustness::{TreatedCases, under_treatments};
 pub use run::{StudyError, decreases, differ, models_of, run_surface, study, verdicts};
 pub use sampling::sampling;
 pub use setup::Setup;

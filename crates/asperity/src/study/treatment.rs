@@ -18,7 +18,7 @@ pub enum Choice {
     MeanRadius,
     /// The form removed.
     Level,
-    /// Whether spikes are removed.
+    /// Whether spikes, and points that could be some, are removed.
     Spikes,
     /// The part of the map.
     Part,
@@ -28,6 +28,12 @@ impl Choice {
     /// All choices.
     pub const ALL: [Self; 6] =
         [Self::ShortWaves, Self::Summits, Self::MeanRadius, Self::Level, Self::Spikes, Self::Part];
+
+    /// Whether a verdict depends on the choice already where another treatment leaves it open. Points that may be wrong decide nothing;
+    /// other treatments move a difference by parts of its interval on any surface, and halves of a map are other samples.
+    pub const fn leaves_open(self) -> bool {
+        matches!(self, Self::Spikes)
+    }
 
     /// The name in summaries.
     pub const fn name(self) -> &'static str {
@@ -55,6 +61,8 @@ pub enum Treatment {
     Level(Level),
     /// Spikes removed.
     SpikesRemoved,
+    /// This many single points removed that are as narrow as spikes, but lower.
+    SuspectsRemoved(usize),
     /// One half of the map, 0 or 1.
     Half(usize),
 }
@@ -73,7 +81,11 @@ impl Treatment {
         all.extend(own.level.previous().map(Self::Level));
         all.extend(own.level.next().map(Self::Level));
         all.extend(short_waves(own.filter, map).into_iter().map(Self::ShortWaves));
-        all.extend(map.spikes.as_ref().filter(|spikes| spikes.left.count() > 0).map(|_| Self::SpikesRemoved));
+        if let Some(spikes) = &map.spikes {
+            all.extend((spikes.left.count() > 0).then_some(Self::SpikesRemoved));
+            let suspects = spikes.left.suspects.len();
+            all.extend((suspects > 0).then_some(Self::SuspectsRemoved(suspects)));
+        }
         all.extend([0, 1].map(Self::Half));
         all
     }
@@ -85,7 +97,7 @@ impl Treatment {
             Self::Summits(_) => Choice::Summits,
             Self::MeanRadius(_) => Choice::MeanRadius,
             Self::Level(_) => Choice::Level,
-            Self::SpikesRemoved => Choice::Spikes,
+            Self::SpikesRemoved | Self::SuspectsRemoved(_) => Choice::Spikes,
             Self::Half(_) => Choice::Part,
         }
     }
@@ -101,6 +113,7 @@ impl Treatment {
             Self::MeanRadius(_) => own,
             Self::Level(level) => Preparation { level, ..own },
             Self::SpikesRemoved => Preparation { removes_spikes: true, ..own },
+            Self::SuspectsRemoved(_) => Preparation { removes_suspects: true, ..own },
             Self::Half(half) => Preparation { half: Some(half), ..own },
         }
     }

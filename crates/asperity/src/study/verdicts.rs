@@ -42,12 +42,12 @@ pub enum Basis {
         count: usize,
         /// Sides of a block, m.
         sides: [f64; 2],
-        /// Sides of a block in correlation lengths of the heights.
+        /// Sides of a block in correlation lengths, of heights or of the amplitude of the roughness.
         lengths: [f64; 2],
     },
     /// A map too small for blocks: no interval.
     TooSmall {
-        /// Correlation lengths of the heights along x and y, m; infinite where the correlation does not decay.
+        /// Correlation lengths, of heights or of the amplitude of the roughness, along x and y, m; infinite where the correlation does not decay.
         correlation: [f64; 2],
     },
     /// Independent asperities, in groups of which each is left out in turn.
@@ -75,9 +75,9 @@ impl Basis {
             Independence::Blocks(blocks) => Self::Blocks {
                 count: blocks.counts[0] * blocks.counts[1],
                 sides: blocks.sides,
-                lengths: [0, 1].map(|axis| blocks.sides[axis] / blocks.correlation.lengths[axis]),
+                lengths: [0, 1].map(|axis| blocks.sides[axis] / blocks.correlation.longest()[axis]),
             },
-            Independence::TooSmall(error) => Self::TooSmall { correlation: error.correlation.lengths },
+            Independence::TooSmall(error) => Self::TooSmall { correlation: error.correlation.longest() },
             Independence::Asperities | Independence::Realisations => Self::Asperities,
         }
     }

@@ -26,12 +26,12 @@ pub struct MapBlocks {
     pub counts: [usize; 2],
     /// Sides of a block, m.
     pub sides: [f64; 2],
-    /// Correlation lengths of the heights.
+    /// Correlation lengths of the map.
     pub correlation: CorrelationLengths,
 }
 
 impl Independence {
-    /// Of a levelled, filtered map with the `correlation` of its heights, and its summits with their positions.
+    /// Of a levelled, filtered map with its `correlation` lengths, and its summits with their positions.
     pub(super) fn of_map(map: &dyn Rows, correlation: CorrelationLengths, summits: &Summits) -> Self {
         let (points, pixel) = (map.points(), map.pixel());
         let blocks = match Blocks::new(points, pixel, correlation) {

@@ -97,7 +97,7 @@ pub struct MapFacts {
     pub offsets: Option<LineOffsets>,
     /// Whether it may carry a verdict, check by check; empty where nothing was checked.
     pub fitness: Vec<Finding>,
-    /// Correlation lengths of its heights, where they were needed.
+    /// Its correlation lengths, where they were needed.
     pub correlation: Option<CorrelationLengths>,
     /// Of a random surface, what it was made by.
     pub generation: Option<GenerationFacts>,

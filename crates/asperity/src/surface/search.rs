@@ -53,6 +53,8 @@ pub enum NoAsperities {
 pub struct Preparation {
     /// Whether spikes become missing points.
     pub removes_spikes: bool,
+    /// Whether single points that are as narrow as spikes, but lower, become missing points.
+    pub removes_suspects: bool,
     /// The axis along which lines are aligned.
     pub aligned: Option<Lines>,
     /// The form removed.
@@ -70,6 +72,7 @@ impl Preparation {
     pub fn none(neighbours: Neighbours) -> Self {
         Self {
             removes_spikes: false,
+            removes_suspects: false,
             aligned: None,
             level: Level::None,
             filter: None,
@@ -164,21 +167,7 @@ impl SummitSearch<'_> {
         let halves = Window::halves(raw);
         let raw: &dyn Rows = self.preparation.half.map_or(raw, |half| &halves[half]);
         let is_checked = self.depth != AnalysisDepth::Asperities;
-        let mut removed = Vec::new();
-        let mut left = None;
-        if self.generation.is_none() && (is_checked || self.preparation.removes_spikes) {
-            progress.stage("spikes", 2.0);
-            let passes = if self.preparation.removes_spikes { PASSES } else { 0 };
-            for pass in 0..=passes {
-                let found = Spikes::find(&Without { map: raw, points: &removed });
-                if pass == passes || found.count() == 0 {
-                    left = Some(found);
-                    break;
-                }
-                removed.extend(found.points);
-                removed.sort_unstable();
-            }
-        }
+        let (removed, left) = if self.generation.is_none() { self.spikes(raw) } else { (Vec::new(), None) };
         let without = Without { map: raw, points: &removed };
         let aligned = self.preparation.aligned.map(|lines| AlignedLines::new(&without, lines));
         let cleaned: &dyn Rows = aligned.as_ref().map_or(&without as &dyn Rows, |aligned| aligned);
@@ -215,10 +204,8 @@ impl SummitSearch<'_> {
             progress.stage("correlation", 1.0);
             let points = left.as_ref().map_or(&[][..], |left| &left.points);
             let found = correlation_of(&Without { map, points }, roughness.moments.mean);
-            correlation = Some(
-                found.as_ref().map_or(CorrelationLengths::NONE, CorrelationLengths::from_autocorrelation),
-            );
-            aspect = found.and_then(|found| found.aspect);
+            aspect = found.as_ref().and_then(|(_, heights)| heights.aspect);
+            correlation = Some(found.map_or(CorrelationLengths::NONE, |(lengths, _)| lengths));
         }
         let independence = match correlation.filter(|_| self.divides) {
             Some(correlation) => Independence::of_map(map, correlation, &summits),
@@ -244,6 +231,32 @@ impl SummitSearch<'_> {
         }
         let ellipses = summits.principal.iter().copied().map(Ellipse::of_summit).collect();
         Ok(SearchedMap { set: set.with_ellipses(ellipses)?, facts, independence, prepared })
+    }
+
+    /// The points of a measured map that are removed as spikes, ascending, and the spikes that are left; `None` where they are not
+    /// searched.
+    fn spikes(&self, raw: &dyn Rows) -> (Vec<usize>, Option<Spikes>) {
+        let Preparation { removes_spikes, removes_suspects, .. } = self.preparation;
+        let mut removed = Vec::new();
+        if self.depth == AnalysisDepth::Asperities && !removes_spikes && !removes_suspects {
+            return (removed, None);
+        }
+        self.progress.stage("spikes", 2.0);
+        let mut left = Spikes::find(raw);
+        let passes = if removes_spikes { PASSES } else { 0 };
+        for _ in 0..passes {
+            if left.count() == 0 {
+                break;
+            }
+            removed.append(&mut left.points);
+            removed.sort_unstable();
+            left = Spikes::find(&Without { map: raw, points: &removed });
+        }
+        if removes_suspects {
+            removed.append(&mut left.suspects);
+            removed.sort_unstable();
+        }
+        (removed, Some(left))
     }
 
     fn facts(
@@ -312,11 +325,11 @@ fn fitness(map: &dyn Rows, facts: &MapFacts, summits: &Summits, aspect: Option<f
     examined.findings(measured.as_ref())
 }
 
-/// The autocorrelation of a coarse map of the heights.
-fn correlation_of(map: &dyn Rows, mean: f64) -> Option<Autocorrelation> {
+/// The correlation lengths of a coarse map, and the autocorrelation of its heights.
+fn correlation_of(map: &dyn Rows, mean: f64) -> Option<(CorrelationLengths, Autocorrelation)> {
     /// Points along an axis of the coarse map.
     const MOST: usize = 1024;
-    Autocorrelation::from_map(&thumbnail(map, MOST), mean)
+    CorrelationLengths::from_map(&thumbnail(map, MOST), mean)
 }
 
 #[cfg(test)]

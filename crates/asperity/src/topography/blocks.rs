@@ -1,9 +1,6 @@
 //! Division of a map into blocks that are long compared with its correlation length.
 
-use super::{Autocorrelation, Rows, Strip, strips};
-
-/// The correlation length is the lag at which the autocorrelation has decayed to this value.
-const DECAY: f64 = 0.2;
+use super::{CorrelationLengths, Rows, Strip, strips};
 
 /// The smallest number of blocks.
 pub const MIN_BLOCKS: usize = 16;
@@ -11,29 +8,6 @@ pub const MIN_BLOCKS: usize = 16;
 /// The smallest side of a block in correlation lengths: about three of the longest waves of a self-affine surface. The
 /// experiment `[coverage]` shows that intervals from such blocks hold.
 pub const BLOCK_LENGTHS: f64 = 9.0;
-
-/// Correlation lengths of a map along x and y.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct CorrelationLengths {
-    /// Along x and y, m; infinite where the autocorrelation does not decay within half of the map.
-    pub lengths: [f64; 2],
-}
-
-impl CorrelationLengths {
-    /// Of heights whose correlation does not decay.
-    pub const NONE: Self = Self { lengths: [f64::INFINITY; 2] };
-
-    /// The lags at which `autocorrelation` has decayed to 0.2 along x and y.
-    pub fn from_autocorrelation(autocorrelation: &Autocorrelation) -> Self {
-        let decay = |points: &[(f64, f64)]| {
-            let first = points.iter().position(|&(_, value)| value < DECAY)?;
-            let [before, after] = [first.checked_sub(1)?, first].map(|k| points[k]);
-            Some(before.0 + (after.0 - before.0) * (before.1 - DECAY) / (before.1 - after.1))
-        };
-        let axis = |points: &[(f64, f64)]| decay(points).unwrap_or(f64::INFINITY);
-        Self { lengths: [axis(&autocorrelation.along_x), axis(&autocorrelation.along_y)] }
-    }
-}
 
 /// A division of a map of `points` into equal blocks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -46,7 +20,7 @@ pub struct Blocks {
 
 impl Blocks {
     /// At least [`MIN_BLOCKS`] blocks of a map of `points` with `pixel` (m), as few and as long as possible: each of a side
-    /// of at least [`BLOCK_LENGTHS`] correlation lengths.
+    /// of at least [`BLOCK_LENGTHS`] correlation lengths, of the heights and of the amplitude of the roughness.
     ///
     /// # Errors
     /// The map is too small.
@@ -55,9 +29,10 @@ impl Blocks {
         pixel: [f64; 2],
         correlation: CorrelationLengths,
     ) -> Result<Self, TooSmall> {
+        let longest = correlation.longest();
         let sides = [0, 1].map(|axis| points[axis] as f64 * pixel[axis]);
         // In units of the shortest block allowed.
-        let lengths = [0, 1].map(|axis| sides[axis] / (BLOCK_LENGTHS * correlation.lengths[axis]));
+        let lengths = [0, 1].map(|axis| sides[axis] / (BLOCK_LENGTHS * longest[axis]));
         let along_x = 1..=(lengths[0].floor() as usize).clamp(1, points[0]);
         let of = |nx: usize| {
             let ny = MIN_BLOCKS.div_ceil(nx);
@@ -69,7 +44,7 @@ impl Blocks {
         let best = along_x.take(MIN_BLOCKS).filter_map(of).max_by(|a, b| a.1.total_cmp(&b.1));
         best.map(|(counts, _)| Self { points, counts }).ok_or_else(|| {
             let side = (MIN_BLOCKS as f64).sqrt() * BLOCK_LENGTHS;
-            let shortest = correlation.lengths.map(|length| side * length);
+            let shortest = longest.map(|length| side * length);
             TooSmall { correlation, area_needed: shortest[0] * shortest[1] }
         })
     }
@@ -123,7 +98,7 @@ mod tests {
     use crate::topography::HeightMap;
 
     fn lengths(x: f64, y: f64) -> CorrelationLengths {
-        CorrelationLengths { lengths: [x, y] }
+        CorrelationLengths { lengths: [x, y], patches: None }
     }
 
     #[test]
@@ -136,20 +111,11 @@ mod tests {
         assert_eq!(counts([640, 480], 10.0, 10.0), Ok([5, 4]));
         let error = counts([512, 512], 30.0, 30.0).unwrap_err();
         assert!((error.area_needed - (4.0 * BLOCK_LENGTHS * 30.0).powi(2)).abs() < 1e-6);
+        // Roughness whose amplitude varies over longer distances.
+        let patchy = CorrelationLengths { patches: Some([30.0, 5.0]), ..lengths(10.0, 10.0) };
+        let counts_of = |points| Blocks::new(points, [1.0; 2], patchy).map(|blocks| blocks.counts).ok();
+        assert_eq!([counts_of([512, 512]), counts_of([1200, 512])], [None, Some([4, 4])]);
         assert_eq!(counts([512, 512], f64::INFINITY, f64::INFINITY).unwrap_err().area_needed, f64::INFINITY);
-    }
-
-    #[test]
-    fn the_correlation_length_is_where_the_autocorrelation_is_a_fifth() {
-        let along_x = vec![(0.0, 1.0), (1.0, 0.6), (2.0, 0.1), (3.0, 0.4)];
-        let along_y = vec![(0.0, 1.0), (1.0, 0.9)];
-        let found = CorrelationLengths::from_autocorrelation(&Autocorrelation {
-            along_x,
-            along_y,
-            length: None,
-            aspect: None,
-        });
-        assert!((found.lengths[0] - 1.8).abs() < 1e-15 && found.lengths[1] == f64::INFINITY);
     }
 
     #[test]

@@ -9,7 +9,8 @@
 //! | [`summits`] | summits and their curvatures |
 //! | [`RoughnessParameters`], [`Moments`], [`Drops`] | height and spectral moments, the autocorrelation at neighbours |
 //! | [`RadialSpectrum`], [`Autocorrelation`] | power spectrum and autocorrelation of a map |
-//! | [`Blocks`] | division of a map into blocks that are long compared with its correlation length |
+//! | [`CorrelationLengths`] | of the heights, and of the amplitude of a roughness that is patchy |
+//! | [`Blocks`] | division of a map into blocks that are long compared with its correlation lengths |
 //! | [`theory`] | the summits of a Gaussian surface of given spectral moments or autocorrelation |
 //! | [`Quantisation`] | height steps of the instrument |
 //! | [`fitness`] | whether a map may carry a verdict: spikes, form, lines, steps, resolution |
@@ -17,6 +18,7 @@
 
 mod blocks;
 mod correlation;
+mod correlation_lengths;
 mod filter;
 pub mod fitness;
 mod fourier;
@@ -42,8 +44,9 @@ use crate::memory::zeros;
 use crate::npy;
 use crate::numeric::is_positive;
 use crate::numeric::parallel::for_each_row;
-pub use blocks::{BLOCK_LENGTHS, Blocks, CorrelationLengths, MIN_BLOCKS, TooSmall};
+pub use blocks::{BLOCK_LENGTHS, Blocks, MIN_BLOCKS, TooSmall};
 pub use correlation::{Autocorrelation, RadialSpectrum};
+pub use correlation_lengths::CorrelationLengths;
 pub use filter::{Filter, FilterError};
 pub use level::{Form, Level, Levelled, Undetermined};
 pub use part::{Sampled, Window, thumbnail};

@@ -55,7 +55,7 @@ impl Row for CaseRow<'_> {
             groups["count"] = row.groups(), "Number of blocks or realisations.";
             block_x_m["m"] = row.block(|sides, _| sides[0]), "Side of a block along x.";
             block_y_m["m"] = row.block(|sides, _| sides[1]), "Side of a block along y.";
-            block_lengths["1"] = row.block(|_, lengths| lengths[0].min(lengths[1])), "Shorter side of a block over the correlation length of the heights.";
+            block_lengths["1"] = row.block(|_, lengths| lengths[0].min(lengths[1])), "Shorter side of a block over the correlation length, of the heights or, where it is longer, of the amplitude of the roughness.";
             error_over_independent["1"] = row.verdicts.over_independent, "Standard error of the separation's difference over that of independent asperities: the median over the admissible loads.";
             points["count"] = row.counts.points, "Points of the curves of the first realisation.";
             few_contacts["count"] = row.counts.beyond(Limit::FewContacts), "Of them with fewer than 30 effective contacts.";

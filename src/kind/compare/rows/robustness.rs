@@ -77,6 +77,8 @@ pub fn words(treatment: Treatment) -> String {
         Treatment::MeanRadius(mean) => format!("{} mean radius", mean.name()),
         Treatment::Level(level) => format!("level {}", level.name()),
         Treatment::SpikesRemoved => "spikes removed".to_owned(),
+        Treatment::SuspectsRemoved(1) => "1 narrow point removed".to_owned(),
+        Treatment::SuspectsRemoved(count) => format!("{count} narrow points removed"),
         Treatment::Half(half) => format!("half {} of the map", half + 1),
     }
 }

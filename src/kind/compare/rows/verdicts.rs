@@ -54,7 +54,7 @@ impl Row for VerdictRow<'_> {
             area_needed_m2["m²", prefix("m"), label("needs a surface of")] = row.area_needed, "Nominal area at which half of a stretch that cannot be told would be; empty of others.";
             cause["text", label("leading cause")] = row.cause.and_then(StatedCause::leading).map(LeadingCause::name), "The leading cause of the largest difference: `heights`, `radii` (their spread), `correlation` or, against the reference, `interaction`. Empty unless its 95 % interval, all orders of replacement included, is apart from those of the others.";
             largest_on_map["text", label("largest on this map")] = row.cause.and_then(StatedCause::largest_on_surface).map(LeadingCause::name), "Where no cause leads, the cause with the largest contribution on the one surface that was compared; empty unless it is the same in every order of replacement.";
-            depends_on["text", label("depends on")] = row.depends_on.clone(), "Choices in the analysis of the map that reverse the verdict on this quantity.";
+            depends_on["text", label("depends on")] = row.depends_on.clone(), "Choices in the analysis of the map that reverse the verdict on this quantity; `spikes` also where a verdict is left open without points that may be wrong.";
         });
         columns
     }

@@ -1,7 +1,7 @@
-//! Coverage against effective contacts.
+//! Coverage against effective contacts, and wrong verdicts by process.
 
 use super::results::{BAND, CaseResults, CoverageResults};
-use crate::coverage::Coverage;
+use crate::coverage::{Coverage, VerdictCount};
 use asperity::numeric::extremes;
 use asperity_plot::{Axis, Colour, Figure, Layer, Legend, Marker, Plot};
 
@@ -71,4 +71,55 @@ fn plot(results: &CoverageResults, title: &str, kinds: &[Series]) -> Plot {
     series.into_iter().fold(plot, |plot, (k, name, points, marker)| {
         plot.with(Layer::points(points, marker).coloured(Colour::Series(k)).named(name))
     })
+}
+
+/// The share of decided verdicts that may be wrong, %.
+const ALLOWED: f64 = 5.0;
+
+/// Wrong shares (%) of decided verdicts and of windows.
+fn shares(count: &VerdictCount) -> Option<(f64, f64)> {
+    Some((100.0 * count.wrong_share()?, 100.0 * count.wrong_window_share()?))
+}
+
+/// In how many processes more decided verdicts than allowed are wrong, and what a point is.
+pub fn wrong_verdicts_caption(results: &CoverageResults) -> String {
+    let more = |of: fn(&CaseResults) -> &VerdictCount| {
+        let shares = results.cases.iter().filter_map(|case| shares(of(case)));
+        let (over, all) =
+            shares.fold((0, 0), |(over, all), (share, _)| (over + usize::from(share > ALLOWED), all + 1));
+        format!("{over} of {all}")
+    };
+    let robust = if results.cases.iter().any(|case| case.robust.windows > 0) {
+        format!(", with robustness in {}", more(|case| &case.robust))
+    } else {
+        String::new()
+    };
+    format!(
+        "More than 5 % of the decided verdicts are wrong in {} processes{robust}. A point is a process: circles are verdicts by themselves in all \
+         windows, crosses those that depend on no choice in the analysis, in the windows studied.",
+        more(|case| &case.verdicts),
+    )
+}
+
+pub fn wrong_verdicts(results: &CoverageResults) -> Figure {
+    let plot = Plot::new(
+        "",
+        Axis::linear("decided verdicts that are wrong (%)"),
+        Axis::linear("windows with a wrong verdict (%)"),
+    )
+    .height(260.0)
+    .legend(Legend::Below)
+    .with_zero()
+    .with(Layer::at_x(ALLOWED, "5 %"));
+    let kinds: [(fn(&CaseResults) -> &VerdictCount, Marker, &str); 2] = [
+        (|case| &case.verdicts, Marker::Circle, ""),
+        (|case| &case.robust, Marker::Cross, ", with robustness"),
+    ];
+    let series = results.cases.iter().enumerate().flat_map(|(k, case)| {
+        kinds.iter().filter_map(move |(count, marker, part)| {
+            let layer = Layer::points([shares(count(case))?], *marker);
+            Some(layer.coloured(Colour::Series(k)).named(format!("{}{part}", case.name)))
+        })
+    });
+    Figure::column("Wrong verdicts by process", vec![series.fold(plot, Plot::with)])
 }

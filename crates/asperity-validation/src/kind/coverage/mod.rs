@@ -13,7 +13,8 @@ use asperity_contact_framework::report::table::Schema;
 use asperity_contact_framework::{Kind, Reads};
 use asperity_contact_framework::{Memory, Plan, RunContext};
 
-use plan::CoveragePlan;
+use crate::coverage::WINDOWS_PER_MAP;
+use plan::{CasePlan, CoveragePlan};
 use results::CoverageResults;
 
 /// `[coverage]`
@@ -30,7 +31,13 @@ impl Kind for IntervalCoverage {
     }
 
     fn tables() -> Vec<Schema> {
-        vec![Schema::of::<rows::ProcessRow>(), Schema::of::<rows::CoverageRow>()]
+        vec![
+            Schema::of::<rows::ProcessRow>(),
+            Schema::of::<rows::CoverageRow>(),
+            Schema::of::<rows::VerdictRow>(),
+            Schema::of::<rows::CheckRow>(),
+            Schema::of::<rows::SpikeRow>(),
+        ]
     }
 }
 
@@ -38,8 +45,8 @@ impl Plan for CoveragePlan {
     type Outcome = CoverageResults;
 
     fn memory(&self) -> Memory {
-        /// The map, its windows, and what the autocorrelation of one takes.
-        const BYTES_PER_POINT: u128 = 40;
+        /// The map, its patches, its windows, and what the autocorrelation of one takes.
+        const BYTES_PER_POINT: u128 = 48;
         let map = (2 * self.windows.points as u128).pow(2);
         Memory { bytes: map * BYTES_PER_POINT * rayon::current_num_threads() as u128, key: None }
     }
@@ -52,8 +59,17 @@ impl Plan for CoveragePlan {
         /// Separations per load, most of them in its search.
         const SEPARATIONS: f64 = 10.0;
         let summits = (self.windows.side() / self.windows.cut_off).powi(2) / SQUARES_PER_SUMMIT;
-        let loads: usize = self.cases.iter().map(|case| case.contacts.len()).sum();
-        ((self.windows.count() * loads) as f64 * summits * EVALUATIONS * SEPARATIONS) as u128
+        /// Times a window costs under all treatments.
+        const TREATMENTS: f64 = 6.0;
+        let of_maps = |case: &CasePlan, maps: f64| (WINDOWS_PER_MAP * case.contacts.len()) as f64 * maps;
+        let studied = self.windows.studied_maps as f64;
+        let own: f64 =
+            self.cases.iter().map(|case| of_maps(case, case.maps as f64 + TREATMENTS * studied)).sum();
+        let spiked = self.spikes.as_ref().map_or(0.0, |spikes| {
+            let studies = (spikes.maps * (1 + spikes.planted.len())) as f64;
+            of_maps(&self.cases[spikes.case], TREATMENTS * studies)
+        });
+        ((own + spiked) * summits * EVALUATIONS * SEPARATIONS) as u128
     }
 
     fn run(&self, context: &RunContext) -> Result<CoverageResults, InputError> {

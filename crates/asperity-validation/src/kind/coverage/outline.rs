@@ -13,10 +13,10 @@ use asperity_contact_framework::report::table::{Table, Tables};
 use asperity_contact_framework::{Outcome, fields};
 use serde_json::{Map, Value};
 
-use super::figures::{caption, coverage};
+use super::figures::{caption, coverage, wrong_verdicts, wrong_verdicts_caption};
 use super::results::{CaseResults, CoverageResults};
-use super::rows::{CoverageRow, ProcessRow, tables};
-use crate::coverage::{Coverage, CoveredQuantity};
+use super::rows::{CheckRow, CoverageRow, ProcessRow, SpikeRow, VerdictRow, tables};
+use crate::coverage::{Coverage, CoveredQuantity, VerdictCount};
 
 impl Outcome for CoverageResults {
     fn metadata(&self) -> &Metadata {
@@ -33,12 +33,22 @@ impl Outcome for CoverageResults {
 
     fn page(&self, tables: &Tables) -> Page {
         let mut page = Page::new(&self.metadata.title);
-        page.lead(&answer(&self.cases, self.windows.count()));
+        page.lead(&answer(&self.cases));
         page.figure("coverage.svg", coverage(self), &caption(&self.cases));
         sections::warnings(&mut page, &self.warnings());
         page.heading(2, "Coverage by process");
         page.view(&tables.view::<ProcessRow>().without(&SETUP[1..]));
         sections::notes(&mut page, &self.metadata);
+        page.heading(2, "Wrong verdicts");
+        page.paragraph(&wrong(&self.total(|case| &case.verdicts), &self.total(|case| &case.robust)));
+        page.figure("wrong-verdicts.svg", wrong_verdicts(self), &wrong_verdicts_caption(self));
+        page.view(&tables.view::<VerdictRow>());
+        page.heading(2, "Fitness checks of windows without faults");
+        page.view(&tables.view::<CheckRow>().without(&["blocked"]));
+        if self.spikes.is_some() {
+            page.heading(2, "Planted spikes");
+            page.view(&tables.view::<SpikeRow>());
+        }
         for quantity in CoveredQuantity::ALL {
             let title = format!("Coverage: {}", capitalised(&quantity.name().replace('-', " ")));
             page.details(2, &title, |page| {
@@ -71,7 +81,8 @@ impl Outcome for CoverageResults {
     }
 }
 
-const SETUP: &[&str] = &["case", "heights", "roll_off_m", "waves_per_block", "correlation_lengths_per_block"];
+const SETUP: &[&str] =
+    &["case", "heights", "roughness", "roll_off_m", "waves_per_block", "correlation_lengths_per_block"];
 
 const COVERAGE: &[&str] = &[
     "case",
@@ -85,8 +96,30 @@ const COVERAGE: &[&str] = &[
     "independent_coverage",
 ];
 
-/// How often claimed intervals hold the truth, where at least 90 % of `windows` have one.
-fn answer(cases: &[CaseResults], windows: usize) -> String {
+/// How many decided verdicts are wrong, `alone` and where they are robust.
+fn wrong(alone: &VerdictCount, robust: &VerdictCount) -> String {
+    let share = |of: Option<f64>| of.map_or("none".to_owned(), percent);
+    let first = format!(
+        "Of {} decided verdicts in {} windows, {} are wrong, and {} of the windows have a wrong one.",
+        count(alone.decided),
+        count(alone.windows),
+        share(alone.wrong_share()),
+        share(alone.wrong_window_share()),
+    );
+    if robust.windows == 0 {
+        return first;
+    }
+    format!(
+        "{first} Where verdicts count only if they depend on no choice in the analysis, {} of {} are wrong, in {} of {} windows.",
+        share(robust.wrong_share()),
+        count(robust.decided),
+        share(robust.wrong_window_share()),
+        count(robust.windows),
+    )
+}
+
+/// How often claimed intervals hold the truth, where at least 90 % of the windows have one.
+fn answer(cases: &[CaseResults]) -> String {
     let claimed = || cases.iter().flat_map(CaseResults::claimed);
     let Some([low, high]) = extremes(claimed().map(|(_, coverage)| coverage)) else {
         return "**No combination of process, load and quantity has intervals in 90 % of the windows.**"
@@ -99,11 +132,10 @@ fn answer(cases: &[CaseResults], windows: usize) -> String {
     let errors = claimed().filter_map(|((_, coverage), _)| coverage.claimed.coverage_error());
     format!(
         "**95 % intervals cover the truth in {:.1} to {:.1} % of the windows**: {verdict}. Counted: {} combinations of process, load and \
-         quantity with intervals in at least 90 % of {} windows (standard error at most {}).",
+         quantity with intervals in at least 90 % of the windows (standard error at most {}).",
         100.0 * low,
         100.0 * high,
         claimed().count(),
-        count(windows),
         percent(errors.fold(0.0, f64::max)),
     )
 }
@@ -159,21 +191,35 @@ mod tests {
             coverages: vec![(CoveredQuantity::AreaOfSum, coverage)],
         };
         let (roll_off, correlation, heights) = (1e-5, 1e-6, Heights::GAUSSIAN);
-        CaseResults { name: name.to_owned(), roll_off, heights, correlation, loads: vec![load] }
+        CaseResults {
+            name: name.to_owned(),
+            roll_off,
+            roughness: String::new(),
+            heights,
+            windows: 1000,
+            patchy: 0.0,
+            correlation,
+            loads: vec![load],
+            verdicts: VerdictCount::default(),
+            studied: VerdictCount::default(),
+            robust: VerdictCount::default(),
+            blocked: 0,
+            checks: Vec::new(),
+        }
     }
 
     #[test]
     fn coverage_outside_the_band_is_named() {
         let cases =
             [case("good", 1000, 950, 0.01), case("poor", 1000, 920, 0.01), case("wide", 950, 945, 0.2)];
-        let lead = answer(&cases, 1000);
+        let lead = answer(&cases);
         assert!(
             lead.contains(
                 "92.0 to 99.5 % of the windows**: 2 are outside 93 to 97 %. Counted: 3 combinations"
             ),
             "{lead}"
         );
-        assert!(answer(&cases[..1], 1000).contains("**: all are within 93 to 97 %. Counted: 1 "));
+        assert!(answer(&cases[..1]).contains("**: all are within 93 to 97 %. Counted: 1 "));
         assert_eq!(warnings(&cases[..1]), [""; 0]);
         let warnings = warnings(&cases);
         assert_eq!(warnings.len(), 3);
@@ -184,9 +230,20 @@ mod tests {
     }
 
     #[test]
+    fn wrong_verdicts_are_stated_with_robustness_where_it_was_examined() {
+        let alone = VerdictCount { windows: 100, wrong_windows: 8, verdicts: 900, decided: 400, wrong: 20 };
+        let said = wrong(&alone, &VerdictCount::default());
+        assert!(said.ends_with(
+            "Of 400 decided verdicts in 100 windows, 5 % are wrong, and 8 % of the windows have a wrong one."
+        ));
+        let robust = VerdictCount { windows: 10, wrong_windows: 0, verdicts: 90, decided: 30, wrong: 0 };
+        assert!(wrong(&alone, &robust).ends_with("0 % of 30 are wrong, in 0 % of 10 windows."), "{said}");
+    }
+
+    #[test]
     fn intervals_in_a_part_of_the_windows_are_kept_apart() {
         let cases = [case("part", 500, 400, 0.01), case("few", 40, 10, 0.01), case("none", 0, 0, 0.01)];
-        assert!(answer(&cases, 1000).starts_with("**No combination of process"));
+        assert!(answer(&cases).starts_with("**No combination of process"));
         let in_part = cases.iter().flat_map(CaseResults::claimed_in_part);
         assert!(in_part.map(|(_, coverage)| coverage).eq([0.8]));
     }

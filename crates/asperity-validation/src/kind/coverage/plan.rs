@@ -2,23 +2,31 @@
 
 use std::fmt;
 
-use super::spec::{CaseSpec, CoverageSpec};
-use crate::coverage::{EndlessProcess, WINDOWS_PER_MAP};
+use super::spec::{CaseSpec, CoverageSpec, SpikesSpec};
+use crate::coverage::{EndlessProcess, Patches, PlantedSpikes, Roughness, WINDOWS_PER_MAP};
 use asperity::study::LawContact;
-use asperity::topography::generate::{Process, SpectrumOf};
+use asperity::topography::generate::{Plateau, Process, SpectrumOf};
 use asperity::topography::spectrum::{Lay, Spectrum, SpectrumError, SpectrumShape};
 use asperity::{Flat, Heights};
 use asperity_contact_framework::contact::Bodies;
+use asperity_contact_framework::report::format::input_quantity;
 
 use asperity_contact_framework::input::quantity::Pure;
 use asperity_contact_framework::input::sweep::LogSweep;
-use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
+use asperity_contact_framework::input::{InputError, Spanned, SpecFile, Whole};
 
 /// Points along a side: fewer hold no 16 blocks with summits, and of more the program examines every other one for the
 /// correlation length.
 const POINTS: [u64; 2] = [64, 1024];
 /// Windows of a case.
 const WINDOWS: [u64; 2] = [8, 100_000];
+/// Windows with spikes, and how many of them.
+const SPIKED_WINDOWS: [u64; 2] = [4, 100_000];
+const SPIKES: [u64; 2] = [1, 10_000];
+/// Heights of spikes in robust standard deviations.
+const DEVIATIONS: [f64; 2] = [1.0, 1000.0];
+/// Standard deviations of the logarithm of an amplitude.
+const MODULATIONS: [f64; 2] = [0.0, 1.0];
 /// Effective contacts of a load.
 const CONTACTS: [f64; 2] = [1.0, 1e6];
 
@@ -29,6 +37,19 @@ pub struct CoveragePlan {
     pub law: LawContact,
     pub windows: WindowPlan,
     pub cases: Vec<CasePlan>,
+    pub spikes: Option<SpikesPlan>,
+    /// The seed of the spec.
+    pub seed: u64,
+}
+
+/// Spikes planted in windows of a case.
+pub struct SpikesPlan {
+    /// Index of the case.
+    pub case: usize,
+    /// Every number with every height.
+    pub planted: Vec<PlantedSpikes>,
+    /// Maps, of which each gives [`WINDOWS_PER_MAP`] windows.
+    pub maps: usize,
 }
 
 /// The windows of every case.
@@ -44,19 +65,14 @@ pub struct WindowPlan {
     pub hurst: f64,
     /// Shortest wavelength, m.
     pub cut_off: f64,
-    /// Number of maps, of which each gives [`WINDOWS_PER_MAP`].
-    pub maps: usize,
+    /// Number of maps of each case whose windows are studied under other treatments.
+    pub studied_maps: usize,
 }
 
 impl WindowPlan {
     /// Side of a window, m.
     pub fn side(&self) -> f64 {
         self.points as f64 * self.pixel
-    }
-
-    /// Windows of each case.
-    pub fn count(&self) -> usize {
-        self.maps * WINDOWS_PER_MAP
     }
 }
 
@@ -66,12 +82,33 @@ pub struct CasePlan {
     pub name: String,
     /// Longest wavelength of the power law, m.
     pub roll_off: f64,
+    /// Wavelengths along x over those along y.
+    pub elongation: f64,
     /// Distribution of the heights.
     pub heights: Heights,
+    /// Whether a finer roughness truncates the summits.
+    pub has_plateau: bool,
+    /// How the amplitude varies from place to place.
+    pub patches: Option<Patches>,
+    /// Number of maps, of which each gives [`WINDOWS_PER_MAP`] windows.
+    pub maps: usize,
     /// Effective contacts of the loads.
     pub contacts: Vec<f64>,
     /// The process.
     pub process: EndlessProcess,
+}
+
+impl CasePlan {
+    /// What the roughness is, besides its heights, in words; empty where it is isotropic and homogeneous.
+    pub fn roughness(&self) -> String {
+        let elongation = (self.elongation != 1.0).then(|| format!("elongated {}:1", self.elongation));
+        let plateau = self.has_plateau.then(|| "truncated by a finer roughness".to_owned());
+        let patches = self.patches.as_ref();
+        let patches = patches.map(|of| {
+            format!("patchy, modulation {} over {}", of.modulation, input_quantity(of.length, "m"))
+        });
+        [elongation, plateau, patches].into_iter().flatten().collect::<Vec<String>>().join(", ")
+    }
 }
 
 impl fmt::Display for CoveragePlan {
@@ -80,7 +117,8 @@ impl fmt::Display for CoveragePlan {
         let Bodies { rough, flat } = &self.bodies;
         writeln!(f, "  {rough} on {flat}, law {}, {}", self.law.label, names.join(", "))?;
         let WindowPlan { points, .. } = self.windows;
-        writeln!(f, "  {} windows of {points} x {points} points of each", self.windows.count())
+        let maps: usize = self.cases.iter().map(|case| case.maps).sum();
+        writeln!(f, "  {} windows of {points} x {points} points", maps * WINDOWS_PER_MAP)
     }
 }
 
@@ -109,15 +147,55 @@ pub(super) fn plan(file: &SpecFile, table: &Spanned<CoverageSpec>) -> Result<Cov
         sigma: raw.sigma.value(),
         hurst: raw.hurst.get_ref().value(),
         cut_off: raw.cut_off.get_ref().value(),
-        maps: (file.whole_within(&raw.windows, WINDOWS, "windows")? as usize).div_ceil(WINDOWS_PER_MAP),
+        studied_maps: match &raw.robustness {
+            Some(count) => maps(file.whole_within(count, [0, WINDOWS[1]], "windows")?),
+            None => 0,
+        },
     };
     let cases = raw.case.get_ref().iter();
     let cases = cases.map(|(name, case)| case_plan(file, raw, &windows, name.get_ref(), case));
+    let cases = cases.collect::<Result<Vec<CasePlan>, _>>()?;
+    let spikes = raw.spikes.as_ref().map(|spikes| spikes_plan(file, spikes.get_ref(), &cases)).transpose()?;
     Ok(CoveragePlan {
         bodies: Bodies { rough: rough.clone(), flat: flat.clone() },
         law,
         windows,
-        cases: cases.collect::<Result<_, _>>()?,
+        cases,
+        spikes,
+        seed: file.seed,
+    })
+}
+
+/// The maps that give so many windows.
+fn maps(windows: u64) -> usize {
+    (windows as usize).div_ceil(WINDOWS_PER_MAP)
+}
+
+fn spikes_plan(file: &SpecFile, raw: &SpikesSpec, cases: &[CasePlan]) -> Result<SpikesPlan, InputError> {
+    let named = cases.iter().position(|case| case.name == *raw.case.get_ref());
+    let case = named.ok_or_else(|| {
+        let names: Vec<&str> = cases.iter().map(|case| case.name.as_str()).collect();
+        let message = format!("found \"{}\"; allowed: {}", raw.case.get_ref(), names.join(", "));
+        file.source.error_at(raw.case.span(), message)
+    })?;
+    let counts = raw.counts.get_ref().iter().map(|&Whole(count)| count);
+    let deviations = raw.deviations.get_ref().iter().map(|of| of.value());
+    if let Some(count) = counts.clone().find(|count| !(SPIKES[0]..=SPIKES[1]).contains(count)) {
+        let message = format!("found {count}; allowed: {} to {} spikes", SPIKES[0], SPIKES[1]);
+        return Err(file.source.error_at(raw.counts.span(), message));
+    }
+    if let Some(of) = deviations.clone().find(|of| !(DEVIATIONS[0]..=DEVIATIONS[1]).contains(of)) {
+        let [least, most] = DEVIATIONS;
+        let message = format!("found {of}; allowed: {least} to {most} robust standard deviations");
+        return Err(file.source.error_at(raw.deviations.span(), message));
+    }
+    let with = |count: u64| {
+        deviations.clone().map(move |deviations| PlantedSpikes { count: count as usize, deviations })
+    };
+    Ok(SpikesPlan {
+        case,
+        planted: counts.flat_map(with).collect(),
+        maps: maps(file.whole_within(&raw.windows, SPIKED_WINDOWS, "windows")?),
     })
 }
 
@@ -138,12 +216,28 @@ fn case_plan(
     }
     let &WindowPlan { hurst, cut_off, sigma, points, pixel, .. } = windows;
     let heights = case.heights.as_ref().map_or(Heights::GAUSSIAN, |heights| heights.0.clone());
-    let shape = SpectrumShape::SelfAffine { hurst, roll_off, cut_off };
-    let process = Spectrum::new(shape, Lay::default()).and_then(|spectrum| {
-        let process = Process { spectrum, of: SpectrumOf::Gaussian, sigma, heights: heights.clone() };
-        EndlessProcess::new(name, process, points, pixel, file.seed)
-    });
-    let process = process.map_err(|error| {
+    let elongation = case.elongation.as_ref().map_or(1.0, |elongation| elongation.get_ref().value());
+    let process = |roll_off: f64, sigma: f64, heights: &Heights, lay: Lay| {
+        let spectrum = Spectrum::new(SpectrumShape::SelfAffine { hurst, roll_off, cut_off }, lay)?;
+        Ok(Process { spectrum, of: SpectrumOf::Gaussian, sigma, heights: heights.clone() })
+    };
+    let patches = patches(file, case)?;
+    let make = || {
+        let plateau = case.plateau.as_ref().map(|plateau| {
+            let plateau = plateau.get_ref();
+            let (roll_off, sigma) = (plateau.roll_off.value(), plateau.sigma.value());
+            let process = process(roll_off, sigma, &Heights::GAUSSIAN, Lay::default())?;
+            Ok::<_, SpectrumError>(Plateau { process, height: plateau.height.value() })
+        });
+        let lay = Lay { elongation, angle: 0.0 };
+        let roughness = Roughness {
+            process: process(roll_off, sigma, &heights, lay)?,
+            plateau: plateau.transpose()?,
+            patches,
+        };
+        EndlessProcess::new(name, roughness, points, pixel, file.seed)
+    };
+    let process = make().map_err(|error: SpectrumError| {
         let span = match error {
             SpectrumError::Hurst(_) => raw.hurst.span(),
             SpectrumError::BelowPixel { .. } => raw.cut_off.span(),
@@ -151,8 +245,30 @@ fn case_plan(
         };
         file.source.error_at(span, error)
     })?;
-    let contacts = contacts(file, &case.contacts)?;
-    Ok(CasePlan { name: name.to_owned(), roll_off, heights, contacts, process })
+    Ok(CasePlan {
+        name: name.to_owned(),
+        roll_off,
+        elongation,
+        heights,
+        has_plateau: case.plateau.is_some(),
+        patches,
+        maps: maps(file.whole_within(case.windows.as_ref().unwrap_or(&raw.windows), WINDOWS, "windows")?),
+        contacts: contacts(file, &case.contacts)?,
+        process,
+    })
+}
+
+fn patches(file: &SpecFile, case: &CaseSpec) -> Result<Option<Patches>, InputError> {
+    let Some(table) = &case.patches else { return Ok(None) };
+    let raw = table.get_ref();
+    let modulation = raw.modulation.get_ref().value();
+    if !(MODULATIONS[0]..=MODULATIONS[1]).contains(&modulation) {
+        let [least, most] = MODULATIONS;
+        let message = format!("found {modulation}; allowed: {least} to {most}");
+        return Err(file.source.error_at(raw.modulation.span(), message));
+    }
+    let patches = Patches::new(modulation, raw.length.value());
+    patches.map(Some).map_err(|error| file.source.error_at(table.span(), error))
 }
 
 fn contacts(file: &SpecFile, raw: &Spanned<LogSweep<Pure>>) -> Result<Vec<f64>, InputError> {

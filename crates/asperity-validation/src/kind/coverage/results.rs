@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::plan::WindowPlan;
-use crate::coverage::{Coverage, CoveredQuantity};
+use crate::coverage::{CheckCount, Coverage, CoveredQuantity, PlantedSpikes, VerdictCount};
 use asperity::Heights;
 use asperity_contact_framework::contact::ContactMetadata;
 use asperity_contact_framework::metadata::Metadata;
@@ -28,6 +28,8 @@ pub struct CoverageResults {
     /// What all cases share.
     pub windows: WindowPlan,
     pub cases: Vec<CaseResults>,
+    /// Windows of the process of a case with spikes planted in them: first those without.
+    pub spikes: Option<SpikesResults>,
 }
 
 /// Coverage in the windows of one random process.
@@ -37,10 +39,50 @@ pub struct CaseResults {
     pub name: String,
     /// Longest wavelength of the power law, m.
     pub roll_off: f64,
+    /// What the roughness is, besides its heights, in words; empty where it is isotropic and homogeneous.
+    pub roughness: String,
     pub heights: Heights,
+    /// Windows.
+    pub windows: usize,
+    /// Share of the windows whose roughness is found to be patchy.
+    pub patchy: f64,
     /// Median over the windows of the larger correlation length of x and y, m; infinite where that of most does not decay.
     pub correlation: f64,
     pub loads: Vec<LoadCoverage>,
+    /// Verdicts in all windows.
+    pub verdicts: VerdictCount,
+    /// Verdicts in the windows that were also studied under other treatments.
+    pub studied: VerdictCount,
+    /// The same, of which those that depend on a choice are not counted as decided.
+    pub robust: VerdictCount,
+    /// Of the windows studied, those that a fitness check blocks.
+    pub blocked: usize,
+    /// Fitness checks, none of which should find a fault.
+    pub checks: Vec<CheckCount>,
+}
+
+/// Windows with spikes.
+#[derive(Debug, Clone)]
+pub struct SpikesResults {
+    /// Name of the case whose process the windows are of.
+    pub case: String,
+    /// First without spikes, then for each number and height of them.
+    pub each: Vec<SpikedResults>,
+}
+
+/// Verdicts in windows with spikes of one number and height.
+#[derive(Debug, Clone)]
+pub struct SpikedResults {
+    /// The spikes; `None` of the same windows without.
+    pub planted: Option<PlantedSpikes>,
+    /// Windows in which spikes are found, so that no verdict is given.
+    pub found: usize,
+    /// Verdicts in all windows; none in those in which spikes are found.
+    pub verdicts: VerdictCount,
+    /// The same, of which those that depend on the removal of narrow points are not counted as decided.
+    pub without_suspects: VerdictCount,
+    /// The same of those that depend on any choice.
+    pub robust: VerdictCount,
 }
 
 /// Coverage at one load.
@@ -52,6 +94,13 @@ pub struct LoadCoverage {
     pub separation: f64,
     /// Quantities that have values in at least two windows.
     pub coverages: Vec<(CoveredQuantity, Coverage)>,
+}
+
+impl CoverageResults {
+    /// Sums over all cases.
+    pub fn total(&self, of: fn(&CaseResults) -> &VerdictCount) -> VerdictCount {
+        self.cases.iter().fold(VerdictCount::default(), |sum, case| sum.plus(of(case)))
+    }
 }
 
 impl CaseResults {

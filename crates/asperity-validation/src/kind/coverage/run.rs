@@ -2,10 +2,16 @@
 
 use std::time::Instant;
 
-use super::plan::{CasePlan, CoveragePlan};
-use super::results::{CaseResults, CoverageResults, LoadCoverage};
-use crate::coverage::{Coverage, CoveredQuantity, QuantityEstimate, WindowTask, windows_of};
+use super::plan::{CasePlan, CoveragePlan, SpikesPlan};
+use super::results::{CaseResults, CoverageResults, LoadCoverage, SpikedResults, SpikesResults};
+use crate::coverage::{
+    CheckCount, Controls, Coverage, CoveredQuantity, ExaminedWindow, Maps, PlantedSpikes, QuantityEstimate,
+    StudiedWindow, StudyTask, VerdictCount, WindowTask, WindowVerdict, spiked_windows, windows_of,
+};
+use asperity::compare::ComparedQuantity;
 use asperity::numeric::median;
+use asperity::study::Choice;
+use asperity::topography::fitness::{Check, Finding};
 use asperity::{Heights, literature};
 use asperity_contact_framework::RunContext;
 use asperity_contact_framework::contact::{contact_metadata, papers_of};
@@ -14,10 +20,12 @@ use asperity_contact_framework::metadata::Timing;
 
 pub(super) fn run(context: &RunContext, plan: &CoveragePlan) -> Result<CoverageResults, InputError> {
     let start = Instant::now();
-    let steps = plan.windows.maps * plan.cases.len();
+    let steps: usize = plan.cases.iter().map(|case| case.maps).sum();
     context.progress.stage("maps", steps as f64);
     let cases = plan.cases.iter().map(|case| run_case(context, plan, case));
-    let cases: Vec<CaseResults> = cases.collect::<Result<_, _>>()?;
+    let cases: Vec<(CaseResults, Controls)> = cases.collect::<Result<_, _>>()?;
+    let spikes = plan.spikes.as_ref().map(|spikes| run_spikes(context, plan, spikes, &cases)).transpose()?;
+    let cases: Vec<CaseResults> = cases.into_iter().map(|(case, _)| case).collect();
     let laws = std::slice::from_ref(&plan.law);
     let mut papers = papers_of(laws);
     papers.push(literature::BUSING_1999);
@@ -31,35 +39,129 @@ pub(super) fn run(context: &RunContext, plan: &CoveragePlan) -> Result<CoverageR
         law: plan.law.label.clone(),
         windows: plan.windows,
         cases,
+        spikes,
     })
 }
 
-fn run_case(context: &RunContext, plan: &CoveragePlan, case: &CasePlan) -> Result<CaseResults, InputError> {
-    let refuse = |error| InputError::file(&context.source.path, format!("case {}: {error}", case.name));
+fn refuse(context: &RunContext, case: &CasePlan, error: impl std::fmt::Display) -> InputError {
+    InputError::file(&context.source.path, format!("case {}: {error}", case.name))
+}
+
+fn run_case(
+    context: &RunContext,
+    plan: &CoveragePlan,
+    case: &CasePlan,
+) -> Result<(CaseResults, Controls), InputError> {
+    let refuse = |error| refuse(context, case, error);
     let contact = &*plan.law.contact;
     let controls = case.process.controls(contact, &case.contacts).map_err(refuse)?;
-    let task = WindowTask { contact, controls };
+    let task = WindowTask { contact, controls: controls.clone() };
+    let study = StudyTask { law: &plan.law, loads: &controls.loads, seed: plan.seed };
+    let maps = Maps { count: case.maps, studied: plan.windows.studied_maps };
     let done = || context.progress.advance(1.0);
-    let windows = windows_of(&case.process, &task, plan.windows.maps, done).map_err(refuse)?;
-    let mut correlations: Vec<f64> = windows.iter().map(|window| window.correlation).collect();
+    let windows = windows_of(&case.process, (&task, &study), maps, done).map_err(refuse)?;
     let coverage = |load: usize, (k, quantity): (usize, CoveredQuantity)| {
-        let estimates = windows.iter().filter_map(|window| window.estimates[load][k]);
+        let estimates = windows.iter().filter_map(|window| window.results.estimates[load][k]);
         Some((quantity, Coverage::new(&estimates.collect::<Vec<QuantityEstimate>>())?))
     };
-    let controls = task.controls.loads.iter().zip(&task.controls.separations).enumerate();
-    let loads = controls.map(|(index, (&load, &separation))| {
-        let quantities = CoveredQuantity::ALL.into_iter().enumerate();
-        LoadCoverage {
-            load,
-            separation,
-            coverages: quantities.filter_map(|quantity| coverage(index, quantity)).collect(),
-        }
-    });
-    Ok(CaseResults {
+    let at_loads = controls.loads.iter().zip(&controls.separations).enumerate();
+    let loads: Vec<LoadCoverage> = at_loads
+        .map(|(index, (&load, &separation))| {
+            let quantities = CoveredQuantity::ALL.into_iter().enumerate();
+            LoadCoverage {
+                load,
+                separation,
+                coverages: quantities.filter_map(|quantity| coverage(index, quantity)).collect(),
+            }
+        })
+        .collect();
+    Ok((case_results(plan, case, &windows, loads), controls))
+}
+
+fn case_results(
+    plan: &CoveragePlan,
+    case: &CasePlan,
+    windows: &[ExaminedWindow],
+    loads: Vec<LoadCoverage>,
+) -> CaseResults {
+    let mut correlations: Vec<f64> = windows.iter().map(|window| window.results.correlation).collect();
+    let truths = truths(&loads);
+    let all: Vec<Vec<WindowVerdict>> = windows.iter().map(|window| window.results.verdicts()).collect();
+    let is_blocked = |window: &&ExaminedWindow| window.findings.iter().any(Finding::is_blocking);
+    let studied: Vec<&ExaminedWindow> = windows.iter().filter(|window| window.studied.is_some()).collect();
+    let of_studied = || studied.iter().filter_map(|window| window.studied.as_deref());
+    let findings: Vec<Vec<Finding>> = windows.iter().map(|window| window.findings.clone()).collect();
+    let patchy = windows.iter().filter(|window| window.results.is_patchy).count();
+    CaseResults {
         name: case.name.clone(),
         roll_off: case.roll_off,
+        roughness: case.roughness(),
         heights: case.heights.clone(),
+        windows: windows.len(),
+        patchy: patchy as f64 / windows.len() as f64,
         correlation: median(&mut correlations).unwrap_or(f64::INFINITY) * plan.windows.side(),
-        loads: loads.collect(),
-    })
+        verdicts: count(all.iter().map(Vec::as_slice), &truths, |_| true),
+        studied: count(of_studied(), &truths, |_| true),
+        robust: count(of_studied(), &truths, |verdict| verdict.depends_on.is_empty()),
+        blocked: studied.iter().copied().filter(is_blocked).count(),
+        checks: CheckCount::all(&findings),
+        loads,
+    }
+}
+
+/// The mean differences of a process at each load.
+fn truths(loads: &[LoadCoverage]) -> Vec<[Option<f64>; 3]> {
+    let truth = |load: &LoadCoverage, quantity: ComparedQuantity| {
+        let of = CoveredQuantity::Difference(quantity);
+        load.coverages.iter().find(|(covered, _)| *covered == of).map(|(_, coverage)| coverage.truth)
+    };
+    loads.iter().map(|load| ComparedQuantity::ALL.map(|quantity| truth(load, quantity))).collect()
+}
+
+fn count<'a>(
+    windows: impl Iterator<Item = &'a [WindowVerdict]>,
+    truths: &[[Option<f64>; 3]],
+    counted: impl Fn(&WindowVerdict) -> bool,
+) -> VerdictCount {
+    let mut count = VerdictCount::default();
+    windows.for_each(|verdicts| count.add(verdicts, truths, &counted));
+    count
+}
+
+fn run_spikes(
+    context: &RunContext,
+    plan: &CoveragePlan,
+    spikes: &SpikesPlan,
+    cases: &[(CaseResults, Controls)],
+) -> Result<SpikesResults, InputError> {
+    let case = &plan.cases[spikes.case];
+    let (results, controls) = &cases[spikes.case];
+    context.progress.stage("spikes", spikes.maps as f64);
+    let study = StudyTask { law: &plan.law, loads: &controls.loads, seed: plan.seed };
+    let done = || context.progress.advance(1.0);
+    let windows = spiked_windows(&case.process, &study, spikes.maps, &spikes.planted, done)
+        .map_err(|error| refuse(context, case, error))?;
+    let truths = truths(&results.loads);
+    let planted = std::iter::once(None).chain(spikes.planted.iter().copied().map(Some));
+    let each = planted.enumerate().map(|(place, planted)| spiked(&windows, place, planted, &truths));
+    Ok(SpikesResults { case: case.name.clone(), each: each.collect() })
+}
+
+/// The study at `place` of each window.
+fn spiked(
+    windows: &[Vec<StudiedWindow>],
+    place: usize,
+    planted: Option<PlantedSpikes>,
+    truths: &[[Option<f64>; 3]],
+) -> SpikedResults {
+    let is_found = |finding: &Finding| finding.check == Check::Spikes && !finding.has_passed();
+    let of = || windows.iter().map(|window| &window[place]);
+    let verdicts = || of().map(|window| window.verdicts.as_slice());
+    SpikedResults {
+        planted,
+        found: of().filter(|window| window.findings.iter().any(is_found)).count(),
+        verdicts: count(verdicts(), truths, |_| true),
+        without_suspects: count(verdicts(), truths, |one| !one.depends_on.contains(&Choice::Spikes)),
+        robust: count(verdicts(), truths, |one| one.depends_on.is_empty()),
+    }
 }

@@ -146,15 +146,26 @@ fn share(lines: &[Steps]) -> f64 {
 fn has_single_offset(lines: &[Steps]) -> bool {
     /// The standard deviation of a Gaussian variable over the mean of its magnitude.
     const MEAN_NORMAL: f64 = 1.2533;
+    /// A step that is an offset differs from the mean of the steps beside it by at least this share of itself. On the flank of a
+    /// high summit the next steps are nearly as large: the experiment `[coverage]` finds no offset on maps of exponential heights.
+    const ALONE: f64 = 0.75;
     let firsts: Vec<[f64; 2]> = lines.iter().filter_map(|steps| steps.first).collect();
     let mut medians: Vec<f64> = firsts.iter().map(|at| at[0]).collect();
     let mut scales: Vec<f64> = firsts.iter().map(|at| at[1]).collect();
     let (Some(middle), Some(scatter)) = (median(&mut medians), typical(&mut scales)) else { return false };
-    let offsets: Vec<f64> = medians.iter().map(|step| (step - middle).abs()).collect();
-    let largest = offsets.iter().copied().fold(0.0, f64::max);
+    let offsets: Vec<f64> = firsts.iter().map(|at| at[0] - middle).collect();
     // Of the mean, because most medians are equal on height steps: a few large ones hardly raise it.
-    let usual = MEAN_NORMAL * offsets.iter().sum::<f64>() / offsets.len() as f64;
-    largest > LARGEST_OFFSET * usual && largest > NORMAL * scatter
+    let usual = MEAN_NORMAL * offsets.iter().map(|offset| offset.abs()).sum::<f64>() / offsets.len() as f64;
+    let is_alone = |k: usize| {
+        let beside = [k.checked_sub(1), Some(k + 1)];
+        let beside = beside.into_iter().flatten().filter_map(|k| offsets.get(k));
+        let mean = beside.clone().sum::<f64>() / beside.count().max(1) as f64;
+        (offsets[k] - mean).abs() >= ALONE * offsets[k].abs()
+    };
+    (0..offsets.len()).any(|k| {
+        let offset = offsets[k].abs();
+        offset > LARGEST_OFFSET * usual && offset > NORMAL * scatter && is_alone(k)
+    })
 }
 
 named_enum! {
@@ -273,6 +284,9 @@ mod tests {
             let found = shares(surface(cut_off, elongation));
             assert!(found.iter().all(|share| *share < PASSED), "{cut_off} {elongation}: {found:?}");
         }
+        // A steep ridge, whose flanks the grid resolves.
+        let ridge = with(&surface(4.0, 1.0), |i, _| 8.0 * (-((i as f64 - 100.0) / 4.0).powi(2)).exp());
+        assert!(shares(ridge).iter().all(|share| *share < PASSED));
         // Grooves along y that the grid resolves.
         let grooves = with(&surface(4.0, 1.0), |i, _| 3.0 * (i as f64 / 3.0).sin());
         assert!(shares(grooves).iter().all(|share| *share < PASSED));

@@ -14,8 +14,27 @@ const REACH: isize = 4;
 const MOST_POINTS: usize = 36;
 
 /// A spike deviates from the local height by at least this many robust standard deviations of all such deviations. On
-/// Gaussian surfaces the largest is 5; the heaviest tails tested (exponential heights) reach more, but not with steep walls.
+/// Gaussian surfaces the largest is 6; the heaviest tails tested (exponential heights) reach more, but not with steep walls.
 const LEAST_DEVIATION: f64 = 15.0;
+
+/// The same of a single point that is narrower than the shortest waves of the map.
+const LEAST_NARROW_DEVIATION: f64 = 6.0;
+
+/// A single point that deviates by less, but by at least this, is suspect: a verdict must not depend on it.
+const LEAST_SUSPECT_DEVIATION: f64 = 2.5;
+
+/// The most points that are suspect, the highest ones.
+const MOST_SUSPECTS: usize = 100;
+
+/// A single point is narrower than the shortest waves if the part of its deviation that is one pixel wide along both axes
+/// ([`Local::narrow`]) is at least this share of it. Of summits whose shortest waves are three pixels long the share is at most 0.1 on
+/// Gaussian surfaces, 0.5 with exponential heights, where one deviates by more than 4 robust standard deviations; that of
+/// a wrong point is about 1.
+const LEAST_NARROWNESS: f64 = 0.7;
+
+/// The grid resolves the shortest waves if the robust standard deviation of the parts that are one pixel wide is at most this share of that of
+/// the deviations: 0.04 to 0.14 with waves of three to four pixels, 0.24 with two, 0.5 with noise or height steps.
+const RESOLVED: f64 = 0.2;
 
 /// A spike falls by at least this share of its height, on average, within the one pixel around it. Summits that the grid
 /// resolves fall by at most 0.5 of it there, sharp pits of a measured surface by 0.6, spikes of a single point by all of it.
@@ -31,7 +50,8 @@ const SAMPLED: usize = 200;
 ///
 /// A deviation is that of a point from the median of the 9 x 9 points around it. A spike is the set of connected points around
 /// a local extremum whose deviation is above half of the extremum's A. A exceeds 15 robust standard deviations of the
-/// deviations of the map, and from the points of the set to those around it the deviation falls by 0.7 A on average.
+/// deviations of the map, or 6 where a single point is narrower than waves that the grid resolves; and from the points of the set to those
+/// around it the deviation falls by 0.7 A on average.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Spikes {
     /// Indices of the points, ascending, the y index running fastest.
@@ -40,25 +60,38 @@ pub struct Spikes {
     pub peaks: Vec<usize>,
     /// The largest deviation of a spike, m.
     pub largest: f64,
+    /// Single points that are as narrow as spikes but lower: at most the hundred highest above or below their surroundings; ascending.
+    pub suspects: Vec<usize>,
 }
 
 impl Spikes {
     /// The spikes of `map` as measured; bit-identical for any number of threads.
     pub fn find(map: &dyn Rows) -> Self {
-        let scale = scale(map);
+        let scale = Scale::new(map);
         let mut all = Self::default();
-        if scale <= 0.0 {
+        if scale.deviation <= 0.0 {
             return all;
         }
-        for part in strips(map, HALO as usize, |strip| Local::new(map, &strip).spikes(scale)) {
+        let mut suspects = Vec::new();
+        for (part, suspect) in strips(map, HALO as usize, |strip| Local::new(map, &strip).spikes(&scale)) {
             all.points.extend(part.points);
             all.peaks.extend(part.peaks);
             all.largest = all.largest.max(part.largest);
+            suspects.extend(suspect);
         }
         all.points.sort_unstable();
         all.points.dedup();
         all.peaks.sort_unstable();
+        suspects.sort_by(|a: &(usize, f64), b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
+        all.suspects = suspects.into_iter().take(MOST_SUSPECTS).map(|(point, _)| point).collect();
+        all.suspects.sort_unstable();
         all
+    }
+
+    /// Robust standard deviation (m) of the deviations of the points of `map` from the medians around them, in which those of spikes are
+    /// measured.
+    pub fn scale(map: &dyn Rows) -> f64 {
+        Scale::new(map).deviation
     }
 
     /// Number of spikes.
@@ -67,33 +100,45 @@ impl Spikes {
     }
 }
 
-/// Robust standard deviation of the deviations from local medians, m; at least a fifth of that of the differences between
-/// neighbours, because a point of a smooth slope is the median of those around it.
-fn scale(map: &dyn Rows) -> f64 {
-    let strides = map.points().map(|count| count.div_ceil(SAMPLED));
-    let sampled = |strip: Strip| {
-        let local = Local::new(map, &strip);
-        let rows =
-            (0..strip.count as isize).filter(|k| (strip.first + *k as usize).is_multiple_of(strides[0]));
-        let points = rows.flat_map(|k| (0..local.columns).step_by(strides[1]).map(move |j| [k, j as isize]));
-        let at = |[row, column]: Point| {
-            let deviation = local.deviation([row, column])?.abs();
-            let step = local.height([row, column + 1])? - local.height([row, column])?;
-            Some([deviation, step.abs()])
+/// What deviations are measured in.
+struct Scale {
+    /// Robust standard deviation of the deviations from local medians, m; at least a fifth of that of the differences between
+    /// neighbours, because a point of a smooth slope is the median of those around it.
+    deviation: f64,
+    /// Whether the grid resolves the shortest waves.
+    is_resolved: bool,
+}
+
+impl Scale {
+    /// From a sample of the points.
+    fn new(map: &dyn Rows) -> Self {
+        let strides = map.points().map(|count| count.div_ceil(SAMPLED));
+        let sampled = |strip: Strip| {
+            let local = Local::new(map, &strip);
+            let rows =
+                (0..strip.count as isize).filter(|k| (strip.first + *k as usize).is_multiple_of(strides[0]));
+            let points =
+                rows.flat_map(|k| (0..local.columns).step_by(strides[1]).map(move |j| [k, j as isize]));
+            let at = |[row, column]: Point| {
+                let deviation = local.deviation([row, column])?.abs();
+                let step = local.height([row, column + 1])? - local.height([row, column])?;
+                Some([deviation, step.abs(), local.narrow([row, column])?.abs()])
+            };
+            points.filter_map(at).collect::<Vec<[f64; 3]>>()
         };
-        points.filter_map(at).collect::<Vec<[f64; 2]>>()
-    };
-    let sample = strips(map, REACH as usize, sampled).concat();
-    if sample.is_empty() {
-        return 0.0;
+        let sample = strips(map, REACH as usize, sampled).concat();
+        if sample.is_empty() {
+            return Self { deviation: 0.0, is_resolved: false };
+        }
+        let robust = |which: usize| {
+            let mut values: Vec<f64> = sample.iter().map(|at| at[which]).collect();
+            // On height steps most may be zero.
+            let mean = values.iter().sum::<f64>() / values.len() as f64;
+            median(&mut values).filter(|middle| *middle > 0.0).map_or(mean, |middle| NORMAL * middle)
+        };
+        let deviation = robust(0);
+        Self { deviation: deviation.max(0.2 * robust(1)), is_resolved: robust(2) <= RESOLVED * deviation }
     }
-    let robust = |which: usize| {
-        let mut values: Vec<f64> = sample.iter().map(|at| at[which]).collect();
-        // On height steps most may be zero.
-        let mean = values.iter().sum::<f64>() / values.len() as f64;
-        median(&mut values).filter(|middle| *middle > 0.0).map_or(mean, |middle| NORMAL * middle)
-    };
-    robust(0).max(0.2 * robust(1))
 }
 
 /// The points around a strip, by row (from the first of the strip) and column.
@@ -133,28 +178,69 @@ impl<'a> Local<'a> {
         Some(z - median(&mut window[..count])?)
     }
 
-    fn spikes(&self, scale: f64) -> Spikes {
+    /// The part of the height of a point (m) that is one pixel wide along both axes: a quarter of its second difference along x of
+    /// the second differences along y, which is the height of a single point on a plane. `None` at a border or beside a missing
+    /// point.
+    fn narrow(&self, [row, column]: Point) -> Option<f64> {
+        let rows = [-1, 0, 1].map(|step| self.strip.row(row + step));
+        let first = usize::try_from(column - 1).ok()?;
+        let [before, at, after] = rows.map(|row| row?.get(first..first + 3).map(second));
+        Some(0.25 * (before? - 2.0 * at? + after?)).filter(|narrow| !narrow.is_nan())
+    }
+
+    /// The spikes that have their peaks in the strip, and the suspects with their deviations (m).
+    fn spikes(&self, scale: &Scale) -> (Spikes, Vec<(usize, f64)>) {
         let mut found = Spikes::default();
+        let mut suspects = Vec::new();
         let mut deviations = BTreeMap::new();
         let mut peaks = BTreeSet::new();
-        for point in self.walls(LEAST_WALL * LEAST_DEVIATION * scale) {
-            let mut at = |point: Point| *deviations.entry(point).or_insert_with(|| self.deviation(point));
-            let Some(deviation) = at(point).filter(|deviation| deviation.abs() > LEAST_DEVIATION * scale)
+        let mut at = |point: Point| *deviations.entry(point).or_insert_with(|| self.deviation(point));
+        let mut add = |points: Vec<Point>, peak: Point, height: f64| {
+            found.peaks.extend(self.index(peak));
+            found.largest = found.largest.max(height);
+            found.points.extend(points.into_iter().filter_map(|point| self.index(point)));
+        };
+        for point in self.walls(LEAST_WALL * LEAST_DEVIATION * scale.deviation) {
+            let Some(deviation) =
+                at(point).filter(|deviation| deviation.abs() > LEAST_DEVIATION * scale.deviation)
             else {
                 continue;
             };
-            let sign = deviation.signum();
-            let mut above = |point: Point| at(point).map(|deviation| sign * deviation);
+            let mut above = |point: Point| at(point).map(|other| deviation.signum() * other);
             let peak = climb(point, &mut above);
             if !(0..self.strip.count as isize).contains(&peak[0]) || !peaks.insert(peak) {
                 continue;
             }
-            let Some((points, height)) = group(peak, &mut above) else { continue };
-            found.peaks.extend(self.index(peak));
-            found.largest = found.largest.max(height);
-            found.points.extend(points.into_iter().filter_map(|point| self.index(point)));
+            if let Some((points, height)) = group(peak, &mut above) {
+                add(points, peak, height);
+            }
         }
-        found
+        for (point, narrow) in self.narrow_points(scale) {
+            let mut above = |point: Point| at(point).map(|deviation| narrow.signum() * deviation);
+            let Some((points, height)) = group(point, &mut above) else { continue };
+            let is_narrow = points.len() == 1 && narrow.abs() >= LEAST_NARROWNESS * height;
+            if !is_narrow || peaks.contains(&point) {
+                continue;
+            }
+            if height > LEAST_NARROW_DEVIATION * scale.deviation {
+                add(points, point, height);
+            } else if height > LEAST_SUSPECT_DEVIATION * scale.deviation {
+                suspects.extend(self.index(point).map(|point| (point, height)));
+            }
+        }
+        (found, suspects)
+    }
+
+    /// The points of the strip that may be narrow suspects, with the part of their heights (m) that is one pixel wide; none where
+    /// the grid does not resolve the shortest waves.
+    fn narrow_points(&self, scale: &Scale) -> Vec<(Point, f64)> {
+        let least = LEAST_NARROWNESS * LEAST_SUSPECT_DEVIATION * scale.deviation;
+        let rows = if scale.is_resolved { 0..self.strip.count as isize } else { 0..0 };
+        let points = rows.flat_map(|row| (1..self.columns as isize - 1).map(move |column| [row, column]));
+        points
+            .filter_map(|point| Some((point, self.narrow(point)?)))
+            .filter(|(_, narrow)| narrow.abs() >= least)
+            .collect()
     }
 
     /// The points on both sides of each step of at least `height` (m) between neighbours; a spike that has its peak in the
@@ -188,6 +274,11 @@ impl<'a> Local<'a> {
         let column = usize::try_from(column).ok().filter(|column| *column < self.columns)?;
         Some(row * self.columns + column)
     }
+}
+
+/// The second difference of three heights.
+fn second(heights: &[f64]) -> f64 {
+    heights[0] - 2.0 * heights[1] + heights[2]
 }
 
 /// The eight neighbours of a point.
@@ -308,6 +399,38 @@ mod tests {
             planted.sort_unstable();
             assert_eq!(found.points, planted, "{cut_off}");
             assert!(found.largest > 9.0 && found.largest < 18.0, "{}", found.largest);
+        }
+    }
+
+    /// Points 6 robust standard deviations high and more are found where the grid resolves the waves, lower ones suspected; on a clean
+    /// map none is.
+    #[test]
+    fn low_points_narrower_than_the_waves_are_found_or_suspected() {
+        let raised = |cut_off: f64, deviations: f64| {
+            let mut heights = surface(cut_off, 1);
+            let clean = map(heights.clone());
+            let scale = Spikes::scale(&clean);
+            let planted: Vec<usize> = (0..20).map(|k| (9 * k + 7) * 150 + 5 * k + 20).collect();
+            for &point in &planted {
+                let mut around: Vec<f64> =
+                    (0..81).map(|k| clean.heights()[point + 150 * (k / 9) + k % 9 - 4 * 150 - 4]).collect();
+                heights[point] = median(&mut around).unwrap() + deviations * scale;
+            }
+            let found = Spikes::find(&map(heights));
+            assert!(found.points.iter().chain(&found.suspects).all(|point| planted.contains(point)));
+            [found.count(), found.suspects.len()]
+        };
+        for cut_off in [3.0, 4.0, 8.0] {
+            assert_eq!(raised(cut_off, 12.0), [20, 0], "{cut_off}");
+            let [spikes, suspects] = raised(cut_off, 5.0);
+            assert!(spikes == 0 && suspects > 10, "{cut_off} {spikes} {suspects}");
+        }
+        assert_eq!(raised(2.0, 10.0), [0, 0], "as narrow as the waves");
+        assert_eq!(raised(2.0, 17.0)[0], 20);
+        for (cut_off, seed) in [(3.0, 2), (4.0, 3), (8.0, 4)] {
+            let clean = surface(cut_off, seed);
+            let tailed = clean.iter().map(|z| (0.8 * z).exp()).collect();
+            assert_eq!([clean, tailed].map(|z| Spikes::find(&map(z)).suspects.len()), [0; 2], "{cut_off}");
         }
     }
 
