@@ -74,6 +74,12 @@ impl Blocks {
         })
     }
 
+    /// Both halves of a map of `points` with `pixel` (m), divided along its longer side.
+    pub fn halves(points: [usize; 2], pixel: [f64; 2]) -> Self {
+        let is_along_y = points[1] as f64 * pixel[1] > points[0] as f64 * pixel[0];
+        Self { points, counts: if is_along_y { [1, 2] } else { [2, 1] } }
+    }
+
     /// The share of each block in the points of `map` that are present.
     pub fn shares(&self, map: &dyn Rows) -> Vec<f64> {
         let count = |strip: Strip| {
@@ -150,6 +156,15 @@ mod tests {
             aspect: None,
         });
         assert!((found.lengths[0] - 1.8).abs() < 1e-15 && found.lengths[1] == f64::INFINITY);
+    }
+
+    #[test]
+    fn the_longer_side_is_halved() {
+        let halves = |points, pixel| Blocks::halves(points, pixel);
+        assert_eq!(halves([4, 6], [1.0, 1.0]).counts, [1, 2]);
+        let along_x = halves([4, 6], [2.0, 1.0]);
+        assert_eq!(along_x.counts, [2, 1]);
+        assert_eq!([0, 11, 12, 23].map(|point| along_x.of_point(point)), [0, 0, 1, 1]);
     }
 
     #[test]

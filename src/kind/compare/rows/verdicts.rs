@@ -6,6 +6,7 @@ use asperity_contact_framework::columns;
 use asperity_contact_framework::report::table::{Column, Row};
 
 use super::{CaseKey, SurfaceCase, case_columns};
+use crate::kind::compare::reference::ElasticCase;
 use crate::kind::compare::results::CompareResults;
 use crate::model_tables::REFERENCE;
 
@@ -19,6 +20,7 @@ pub(crate) struct VerdictRow<'a> {
     area_needed: Option<f64>,
     cause: Option<LeadingCause>,
     depends_on: Vec<String>,
+    elastic: Option<&'a ElasticCase>,
 }
 
 impl VerdictRow<'_> {
@@ -54,6 +56,7 @@ impl Row for VerdictRow<'_> {
             area_needed_m2["m²", prefix("m"), label("needs a surface of")] = row.area_needed, "Nominal area at which half of a stretch that cannot be told would be; empty of others.";
             cause["text", label("leading cause")] = row.cause.map(LeadingCause::name), "The leading cause of the largest difference: `heights`, `radii`, `correlation` or, against the reference, `interaction`.";
             depends_on["text", label("depends on")] = row.depends_on.clone(), "Choices in the analysis of the map that reverse the verdict on this quantity.";
+            elastic_reference["text", label("elastic reference")] = row.elastic.map(|elastic| elastic.reason.name()), "Against the reference: why it stays elastic although the law yields, as in `nearer_to_reference.csv`; empty otherwise.";
         });
         columns
     }
@@ -61,10 +64,10 @@ impl Row for VerdictRow<'_> {
 
 /// The rows, case by case; those against the reference last.
 pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = VerdictRow<'_>> {
-    SurfaceCase::all(results).flat_map(of_case)
+    SurfaceCase::all(results).flat_map(|case| of_case(case, results.elastic_reference(case)))
 }
 
-fn of_case(case: SurfaceCase<'_>) -> Vec<VerdictRow<'_>> {
+fn of_case<'a>(case: SurfaceCase<'a>, elastic: Option<&'a ElasticCase>) -> Vec<VerdictRow<'a>> {
     let verdicts = case.verdicts();
     let mut rows = Vec::new();
     for stretch in &verdicts.stretches {
@@ -77,6 +80,7 @@ fn of_case(case: SurfaceCase<'_>) -> Vec<VerdictRow<'_>> {
             area_needed: verdicts.area_needed(stretch),
             cause: verdicts.cause(stretch),
             depends_on: dependences.map(|one| one.choice.name().to_owned()).collect(),
+            elastic: None,
         });
     }
     let Some(reference) = &verdicts.reference else { return rows };
@@ -91,6 +95,7 @@ fn of_case(case: SurfaceCase<'_>) -> Vec<VerdictRow<'_>> {
             area_needed: verdicts.area_needed(stretch),
             cause: verdicts.cause_against_reference(kind, stretch),
             depends_on: Vec::new(),
+            elastic,
         }));
     }
     rows
