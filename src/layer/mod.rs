@@ -6,4 +6,4 @@ mod warning;
 
 pub use plan::{LayerPlan, layer, thickness_words};
 pub use spec::LayerSpec;
-pub use warning::rule_warning;
+pub use warning::{hardness_warning, rule_warning};

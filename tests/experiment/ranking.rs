@@ -16,9 +16,11 @@ fn map(heights: &str) -> String {
 }
 
 fn run(compare: &str, surface: &str) -> Result<Box<dyn Outcome>, String> {
+    let sweep = "pressure = { from = \"1 MPa\", to = \"60 MPa\", points = 7 }";
+    let pressure = if compare.contains("pressure") { "" } else { sweep };
     let spec = format!(
         "title = \"t\"\nseed = 3\n{}[compare]\nrough = \"steel\"\nflat = \"steel\"\nlaw = \"zmc\"\n\
-         pressure = {{ from = \"1 MPa\", to = \"60 MPa\", points = 7 }}\nrobustness = false\n{compare}\n{surface}",
+         {pressure}\nrobustness = false\n{compare}\n{surface}",
         steel!(),
     );
     let folder = tempfile::tempdir().unwrap();
@@ -46,11 +48,6 @@ fn the_joint_density_is_enough_on_a_gaussian_surface_and_not_on_a_skewed_one() {
     let rows = table(&*skewed, "ranking.csv").unwrap();
     assert!(difference(&rows, "five-point", "separation").abs() > 0.3);
     assert!(difference(&rows, "own, in-contact", "separation").abs() < 0.1);
-    let standing = |outcome: &dyn Outcome, quantity: &str| {
-        let rows = table(outcome, "statistical_models.csv").unwrap();
-        let is_it = |row: &&Row| row["quantity"] == quantity && row["against"] == "deterministic";
-        rows.iter().find(is_it).unwrap().clone()
-    };
     let row = standing(&*gaussian, "area");
     assert!(row["within"].contains("five-point") && !row["cheapest_within"].is_empty(), "{row:?}");
     let row = standing(&*skewed, "separation");
@@ -127,4 +124,65 @@ fn a_ranking_is_made_where_it_is_read() {
         assert!(table(&*outcome, "ranking.csv").is_none(), "{compare}");
         assert!(!outcome.outline().markdown().contains("Which statistical model is enough"), "{compare}");
     }
+}
+
+/// The row of a quantity against the sum.
+fn standing(outcome: &dyn Outcome, quantity: &str) -> Row {
+    let rows = table(outcome, "statistical_models.csv").unwrap();
+    let is_it = |row: &&Row| row["quantity"] == quantity && row["against"] == "deterministic";
+    rows.iter().find(is_it).unwrap().clone()
+}
+
+/// In sample and held out.
+fn differences(outcome: &dyn Outcome, model: &str, quantity: &str) -> [f64; 2] {
+    let rows = table(outcome, "ranking.csv").unwrap();
+    let is_it = |row: &&Row| row["model"] == model && row["quantity"] == quantity;
+    let row = rows.iter().find(is_it).unwrap();
+    ["from_deterministic", "held_out_from_deterministic"].map(|name| number(row, name).abs())
+}
+
+/// The same asperities tell little of other asperities where few carry the load, and enough where many do.
+#[test]
+fn a_fitted_model_is_judged_on_asperities_that_it_was_not_taken_from() {
+    let model = "own, in-contact";
+    let strict = "accept = { separation = 0.05 }";
+    let few = run(strict, &map("heights.johnson = { skewness = -1, kurtosis = 4.5 }")).unwrap();
+    let [in_sample, held_out] = differences(&*few, model, "separation");
+    assert!(in_sample < 0.05 && held_out > 0.05, "{in_sample} {held_out}");
+    let row = standing(&*few, "separation");
+    assert!(row["within_in_sample"].contains(model) && !row["within"].contains(model), "{row:?}");
+    assert_eq!(row["fitted_judged_on"], "halves of the map");
+    assert!(few.outline().markdown().contains("in sample only"));
+
+    let many = format!("[surface.p.population]\n{}count = 200000\n", case_1!());
+    let many = run(strict, &many).unwrap();
+    let [in_sample, held_out] = differences(&*many, model, "separation");
+    assert!(in_sample < 0.05 && held_out < 0.05, "{in_sample} {held_out}");
+    assert_ne!(in_sample, held_out);
+    let row = standing(&*many, "separation");
+    assert!(row["within"].contains(model) && !row["within_in_sample"].contains(model), "{row:?}");
+    assert_eq!(row["fitted_judged_on"], "random halves");
+    // What is held out is what the seed draws, and the same again.
+    let again = run("", &format!("[surface.p.population]\n{}count = 200000\n", case_1!())).unwrap();
+    assert_eq!(differences(&*again, model, "separation"), [in_sample, held_out]);
+}
+
+/// Loads that only the whole surface holds enough contacts for leave nothing to judge on.
+#[test]
+fn a_fitted_model_without_other_asperities_is_in_sample_only() {
+    let small = |count: usize, realisations: usize| {
+        let draw = format!("count = {count}\nrealisations = {realisations}\n");
+        run("pressure = \"15 MPa\"", &format!("[surface.p.population]\n{}{draw}", case_1!())).unwrap()
+    };
+    // Some 45 effective contacts, of which a half has less than 30.
+    let one = small(1200, 1);
+    let row = standing(&*one, "area");
+    assert_eq!((&*row["fitted_judged_on"], &*row["judged_from_pa"]), ("in sample only", ""), "{row:?}");
+    assert!(!row["within"].contains("own") && !row["nearest"].contains("own"), "{row:?}");
+    let several = small(1200, 3);
+    let row = standing(&*several, "area");
+    assert_eq!(row["fitted_judged_on"], "realisations");
+    assert_eq!(number(&row, "judged_from_pa"), 15e6);
+    let [in_sample, held_out] = differences(&*several, "own, arithmetic", "area");
+    assert!(held_out > in_sample, "{in_sample} {held_out}");
 }

@@ -85,6 +85,15 @@ fn the_tutorial_holds_what_it_says() {
         let stated: f64 = percent.split(" %").next().unwrap().rsplit(' ').next().unwrap().parse().unwrap();
         assert!((100.0 * elastic(model, thickness) - stated).abs() <= 0.5, "{percent}");
     }
-    assert!(elastic("deterministic", "5e-7") - elastic("deterministic", "5e-8") < 0.05);
+    let growth = elastic("deterministic", "2e-6") - elastic("deterministic", "2e-7");
+    assert!((100.0 * growth - 3.0).abs() <= 0.5, "{growth}");
+    let mut header = curves.lines().next().unwrap().split(',');
+    let column = header.position(|name| name == "contact_radius_over_thickness").unwrap();
+    let widest = |thickness: &str| {
+        let rows = curves.lines().map(|line| line.split(',').collect::<Vec<_>>());
+        let rows = rows.filter(|row| row[3] == thickness).filter_map(|row| row[column].parse::<f64>().ok());
+        rows.reduce(f64::max).unwrap()
+    };
+    assert!(widest("1e-7") > 1.0 && widest("2e-7") < 1.0, "wider than the layer below 200 nm only");
     assert!(elastic("statistical", "2e-8") > 0.9995);
 }

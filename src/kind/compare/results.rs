@@ -10,7 +10,7 @@ use asperity_contact_framework::contact::ContactMetadata;
 use asperity_contact_framework::metadata::Metadata;
 
 use super::reference::{ContactView, ElasticCase};
-use crate::layer::rule_warning;
+use crate::layer::{hardness_warning, rule_warning};
 use crate::surface::rows::SurfaceRow;
 use crate::surface::warnings;
 
@@ -78,7 +78,23 @@ impl CompareResults {
                 .as_ref()
                 .and_then(|layer| rule_warning(layer.check.as_ref()?, &layer.name, layer.rule)),
         );
+        let layer = self.contact.layer.as_ref();
+        lines.extend(layer.and_then(|layer| hardness_warning(&layer.name, self.contact_ratios())));
         lines
+    }
+
+    /// Each finite thickness (m) under which contacts may yield, with the largest mean contact radius over it: at prescribed loads, and at
+    /// admissible ones of a separation sweep.
+    fn contact_ratios(&self) -> impl Iterator<Item = (f64, f64)> {
+        let cases = self.surfaces.iter().flat_map(|surface| &surface.cases).map(CaseStudy::first);
+        cases.filter(|case| case.plasticity_index.is_some()).filter_map(|case| {
+            let thickness = case.thickness.filter(|t| *t > 0.0 && t.is_finite())?;
+            let points = case.comparison.curves.iter().zip(case.comparison.exceeded());
+            let points =
+                points.filter(|(point, exceeded)| point.prescribed_pressure.is_some() || exceeded.is_none());
+            let radii = points.filter_map(|(point, _)| point.response.mean_contact_radius());
+            Some((thickness, radii.reduce(f64::max)? / thickness))
+        })
     }
 }
 

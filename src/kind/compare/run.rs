@@ -155,9 +155,6 @@ impl<'a> Run<'a> {
         let prepared = surface.prepared.take();
         let sampled = Sampled { samplings, is_viewed: true };
         let contacts = self.reference(plan, &surface, prepared, &mut first.cases, &sampled)?;
-        let rankings = rank(setup, &surface, &first.cases);
-        let ranked = rankings.first().map_or(&[][..], |ranking| &ranking.models);
-        self.papers.extend(ranked.iter().flat_map(|ranked| ranked.model.papers()));
         let treatments =
             robustness::treatments(context, compare, &factory, &surface, &first.cases, self.counter);
         context.progress.step();
@@ -170,6 +167,9 @@ impl<'a> Run<'a> {
         self.papers.extend(compare.study.statistical.papers());
         let (realisations, mut cases) =
             CaseStudy::all(&surface, realisations, compare.study.accept.on(surface.plane.sigma));
+        let rankings = rank(setup, &surface, &cases);
+        let ranked = rankings.first().map_or(&[][..], |ranking| &ranking.models);
+        self.papers.extend(ranked.iter().flat_map(|ranked| ranked.model.papers()));
         for (case, ranking) in cases.iter_mut().zip(rankings) {
             case.ranking = Some(ranking).filter(|ranking| !ranking.models.is_empty());
         }

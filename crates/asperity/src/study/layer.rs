@@ -1,5 +1,6 @@
 //! What a layer changes on one surface.
 
+use crate::Exceeded;
 use crate::compare::ModelKind;
 use crate::sphere::Decrease;
 
@@ -36,7 +37,10 @@ pub struct Threshold {
     pub kind: ModelKind,
     /// The nominal pressure, Pa.
     pub pressure: f64,
-    /// The thickness, m: infinite where no layer has an effect, `None` where the thinnest one tested has.
+    /// The limits that one of the models exceeds at that pressure without the layer: the load is then not admissible, and has no threshold.
+    pub exceeded: Exceeded,
+    /// The thickness, m: infinite where no layer has an effect, `None` where the thinnest one tested has, and where the load is not
+    /// admissible.
     pub thickness: Option<f64>,
 }
 

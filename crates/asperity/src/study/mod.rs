@@ -12,7 +12,7 @@
 //! | `sampling` | sampling errors, from groups of asperities left out |
 //! | `attribution`, `causes` | the differences divided among their causes |
 //! | `verdicts`, `reference` | whether the integral may replace the sum; which model is nearer to the reference |
-//! | `ranking` | the other statistical models |
+//! | `ranking`, `held_out` | the other statistical models; fitted ones on asperities that they were not taken from |
 //! | `treatment`, `robustness`, `dependence` | other treatments of a measured map, both models under them, and the verdicts that depend on them |
 //! | `layer`, `threshold` | what a layer changes |
 
@@ -20,6 +20,7 @@ mod attribution;
 mod case;
 mod causes;
 mod dependence;
+mod held_out;
 mod law;
 mod layer;
 mod models;
@@ -39,10 +40,11 @@ pub use attribution::attribute;
 pub use case::CaseStudy;
 pub use causes::{LeadingCause, StatedCause};
 pub use dependence::{Dependence, Treated};
+pub use held_out::HeldOut;
 pub use law::LawContact;
 pub use layer::{DecreaseResults, LawFindings, LayerFindings, Threshold};
 pub use models::SurfaceModels;
-pub use ranking::{Against, Largest, Ranked, Ranking, Standing, is_within, rank};
+pub use ranking::{Against, Largest, LargestErrors, Ranked, Ranking, Standing, is_within, rank};
 pub use reference::ReferenceVerdicts;
 pub use results::{CaseResults, RealisationFacts, RealisationResults};
 pub use robustness::{TreatedCases, under_treatments};

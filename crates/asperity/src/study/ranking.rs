@@ -1,10 +1,15 @@
-//! How far each statistical model of a surface is from the sum and from the reference, and what it costs.
+//! How far each statistical model of a surface is from the sum and from the reference, and what it costs. Models that are fitted to the
+//! asperities are judged on others.
 
+use super::case::CaseStudy;
+use super::held_out::{self, Halves, HeldOut};
 use super::law::LawContact;
-use crate::compare::{Accepted, ComparedQuantity, Pair, Pairing, ReferenceCurve, of_each_decade};
+use crate::compare::{
+    Accepted, ComparedQuantity, Pair, Pairing, ReferenceCurve, ReferencePoint, of_each_decade,
+};
 use crate::distribution::HeightsError;
 use crate::work::{CountedContact, Counter};
-use crate::{Response, reached_at};
+use crate::{Model, Response, reached_at};
 
 use super::models::SurfaceModels;
 use super::results::CaseResults;
@@ -37,15 +42,24 @@ impl Against {
 /// The largest contrast of a model, with its load, Pa.
 pub type Largest = Option<(f64, f64)>;
 
+/// The largest differences of a model in each of [`ComparedQuantity::ALL`].
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct LargestErrors {
+    /// From the sum.
+    pub from_sum: [Largest; 3],
+    /// From the reference; `None` where there is none.
+    pub from_reference: [Largest; 3],
+}
+
 /// A model on one surface under one law.
 #[derive(Debug, Clone)]
 pub struct Ranked {
     /// The model.
     pub model: StatisticalModel,
-    /// The largest difference from the sum in each of [`ComparedQuantity::ALL`].
-    pub from_sum: [Largest; 3],
-    /// The largest difference from the reference; `None` where there is none.
-    pub from_reference: [Largest; 3],
+    /// On the asperities that it was taken from.
+    pub in_sample: LargestErrors,
+    /// On asperities that it was not taken from: of a model that [is fitted](StatisticalModel::is_fitted), where there are such.
+    pub held_out: Option<LargestErrors>,
     /// Contacts evaluated per load.
     pub evaluations: f64,
 }
@@ -61,6 +75,10 @@ pub struct Ranking {
     pub sum_from_reference: [Largest; 3],
     /// The loads at which the models were compared, Pa.
     pub loads: Vec<f64>,
+    /// What fitted models are judged on; `None` where there are no other asperities, or no load is admissible on them.
+    pub judged_on: Option<HeldOut>,
+    /// The lowest and the highest load at which they are, Pa.
+    pub judged_loads: Option<[f64; 2]>,
 }
 
 /// How the models stand in one quantity.
@@ -68,10 +86,12 @@ pub struct Ranking {
 pub struct Standing<'a> {
     /// The quantity.
     pub quantity: ComparedQuantity,
-    /// The models that are compared, with their largest contrasts.
+    /// The models that are judged, with their largest contrasts.
     pub compared: Vec<(&'a Ranked, f64)>,
     /// Those within what is accepted.
     pub within: Vec<(&'a Ranked, f64)>,
+    /// Fitted models that are within what is accepted on the asperities that they were taken from only.
+    pub within_in_sample: Vec<&'a Ranked>,
 }
 
 impl Standing<'_> {
@@ -87,13 +107,36 @@ impl Standing<'_> {
     }
 }
 
-impl Ranked {
+impl LargestErrors {
     /// The largest difference in a quantity.
     pub fn largest(&self, against: Against, quantity: ComparedQuantity) -> Largest {
         match against {
             Against::Sum => self.from_sum[quantity as usize],
             Against::Reference => self.from_reference[quantity as usize],
         }
+    }
+
+    /// The larger ones of two; `None` where one of them is.
+    pub(super) fn larger(&self, other: &Self) -> Self {
+        let larger = |a: &[Largest; 3], b: &[Largest; 3]| {
+            ComparedQuantity::ALL
+                .map(|quantity| largest(quantity, [a, b].map(|all| all[quantity as usize]).into_iter()))
+        };
+        Self {
+            from_sum: larger(&self.from_sum, &other.from_sum),
+            from_reference: larger(&self.from_reference, &other.from_reference),
+        }
+    }
+}
+
+impl Ranked {
+    /// The difference that the model is judged by. Of a fitted model it is the larger one of those in sample and held out, and `None`
+    /// without the latter.
+    pub fn judged(&self, against: Against, quantity: ComparedQuantity) -> Largest {
+        if !self.model.is_fitted() {
+            return self.in_sample.largest(against, quantity);
+        }
+        self.in_sample.larger(self.held_out.as_ref()?).largest(against, quantity)
     }
 }
 
@@ -114,13 +157,20 @@ impl Ranking {
         quantity: ComparedQuantity,
         accepted: &Accepted,
     ) -> Standing<'_> {
+        let is_within = |contrast: f64| is_within(accepted, quantity, contrast);
         let compared: Vec<(&Ranked, f64)> = self
             .models
             .iter()
-            .filter_map(|ranked| Some((ranked, ranked.largest(against, quantity)?.0)))
+            .filter_map(|ranked| Some((ranked, ranked.judged(against, quantity)?.0)))
             .collect();
-        let is_within = |(_, contrast): &&(&Ranked, f64)| is_within(accepted, quantity, *contrast);
-        Standing { quantity, within: compared.iter().filter(is_within).copied().collect(), compared }
+        let within: Vec<_> = compared.iter().copied().filter(|(_, contrast)| is_within(*contrast)).collect();
+        let is_carried = |ranked: &Ranked| within.iter().any(|(other, _)| other.model == ranked.model);
+        let is_within_in_sample = |ranked: &&Ranked| {
+            let in_sample = ranked.in_sample.largest(against, quantity);
+            !is_carried(ranked) && in_sample.is_some_and(|(contrast, _)| is_within(contrast))
+        };
+        let within_in_sample = self.models.iter().filter(is_within_in_sample).collect();
+        Standing { quantity, compared, within, within_in_sample }
     }
 }
 
@@ -129,8 +179,9 @@ pub fn is_within(accepted: &Accepted, quantity: ComparedQuantity, contrast: f64)
     quantity.reported(contrast).abs() <= accepted.limit(quantity)
 }
 
-/// The ranking of each case of a surface; nothing where only one model was run, or no ranking is asked for.
-pub fn rank(setup: Setup, surface: &Surface, cases: &[CaseResults]) -> Vec<Ranking> {
+/// The ranking of each case of a surface, which is the first of its realisations; nothing where only one model was run, or no ranking is
+/// asked for.
+pub fn rank(setup: Setup, surface: &Surface, cases: &[CaseStudy]) -> Vec<Ranking> {
     if !(setup.has_both_models() && setup.is_ranked) {
         return Vec::new();
     }
@@ -140,29 +191,30 @@ pub fn rank(setup: Setup, surface: &Surface, cases: &[CaseResults]) -> Vec<Ranki
     if !all.contains(&selected) {
         all.insert(0, selected);
     }
+    let halves = if surface.realisations == 1 { Halves::new(setup, surface) } else { None };
+    let halves = halves.as_ref().and_then(|halves| halves.models(setup, &all));
     let models = |model: &StatisticalModel| SurfaceModels::new(surface, model, setup.law_specs, false);
     let built: Vec<_> = all.into_iter().map(|model| (models(&model), model)).collect();
-    let of_case = |(law, case): (&LawContact, &CaseResults)| {
-        let ranking = of_case(&built, law, case);
+    let of_case = |(law, case): (&LawContact, &CaseStudy)| {
+        let mut ranking = in_sample(&built, law, case.first());
+        if let [_, others @ ..] = &case.realisations[..]
+            && !others.is_empty()
+        {
+            held_out::on_realisations(&mut ranking, &built, law, others);
+        } else if let Some(halves) = &halves {
+            halves.judge(&mut ranking, law, case.first());
+        }
         setup.progress.advance(1.0);
         ranking
     };
     setup.laws.iter().zip(cases).map(of_case).collect()
 }
 
-fn of_case(
-    built: &[(Result<SurfaceModels, HeightsError>, StatisticalModel)],
-    law: &LawContact,
-    case: &CaseResults,
-) -> Ranking {
-    let at_load =
-        case.comparison.pairs.iter().filter(|pair| pair.pairing == Pairing::Load && pair.is_valid());
-    let valid: Vec<Pair> = at_load.copied().collect();
-    let mut pairs = of_each_decade(ascending(&valid), |pair| pair.target, PER_DECADE);
-    // The loads of the reference, too.
-    let has_reference = |pair: &&Pair| case.reference_of(pair).is_some();
-    pairs.extend(valid.iter().filter(has_reference).copied());
-    let pairs = ascending(&pairs);
+/// A model with what it is on a surface, where it applies.
+pub(super) type BuiltModel<'a> = (Result<SurfaceModels<'a>, HeightsError>, StatisticalModel);
+
+fn in_sample(built: &[BuiltModel], law: &LawContact, case: &CaseResults) -> Ranking {
+    let pairs = ranked_pairs(case);
     let loads: Vec<f64> = pairs.iter().map(|pair| pair.target).collect();
     let mut ranking = Ranking { loads: loads.clone(), ..Ranking::default() };
     if loads.is_empty() {
@@ -178,22 +230,30 @@ fn of_case(
         };
         let counter = Counter::default();
         let contact = CountedContact::new(&*law.contact, &counter);
-        let responses = reached_at(&*models.statistical(&contact, &law.spec), &loads);
+        let responses = responses(&*models.statistical(&contact, &law.spec), &loads);
         let work = counter.work();
-        let responses: Vec<Option<Response>> =
-            responses.into_iter().map(|reached| reached.map(|reached| reached.response)).collect();
         ranking.models.push(Ranked {
             model: model.clone(),
-            from_sum: ComparedQuantity::ALL.map(|quantity| from_sum(quantity, case, &pairs, &responses)),
-            from_reference: ComparedQuantity::ALL
-                .map(|quantity| from_reference(quantity, case.reference.as_ref(), &loads, &responses)),
+            in_sample: errors(case, &pairs, &responses),
+            held_out: None,
             evaluations: (work.nodes + work.single_contacts) as f64 / loads.len() as f64,
         });
     }
     let sums: Vec<Option<Response>> = pairs.iter().map(|pair| Some(pair.deterministic)).collect();
     ranking.sum_from_reference = ComparedQuantity::ALL
-        .map(|quantity| from_reference(quantity, case.reference.as_ref(), &loads, &sums));
+        .map(|quantity| from_reference(quantity, case.reference.as_ref(), &pairs, &sums));
     ranking
+}
+
+/// The pairs of a case at which models are compared: at admissible loads three per decade, and those of the reference.
+pub(super) fn ranked_pairs(case: &CaseResults) -> Vec<Pair> {
+    let at_load =
+        case.comparison.pairs.iter().filter(|pair| pair.pairing == Pairing::Load && pair.is_valid());
+    let admissible: Vec<Pair> = at_load.copied().collect();
+    let mut pairs = of_each_decade(ascending(&admissible), |pair| pair.target, PER_DECADE);
+    let has_reference = |pair: &&Pair| case.reference_of(pair).is_some();
+    pairs.extend(admissible.iter().filter(has_reference).copied());
+    ascending(&pairs)
 }
 
 fn ascending(pairs: &[Pair]) -> Vec<Pair> {
@@ -203,10 +263,26 @@ fn ascending(pairs: &[Pair]) -> Vec<Pair> {
     pairs
 }
 
-/// The largest of contrasts with their loads; `None` where one is missing.
-fn largest(contrasts: impl Iterator<Item = Option<(f64, f64)>>) -> Largest {
+/// A model at loads (Pa); `None` where it does not reach one.
+pub(super) fn responses(model: &dyn Model, loads: &[f64]) -> Vec<Option<Response>> {
+    reached_at(model, loads).into_iter().map(|reached| reached.map(|reached| reached.response)).collect()
+}
+
+/// The largest differences of the `responses` of a model from the sum of `pairs` of a case, and from its reference.
+pub(super) fn errors(case: &CaseResults, pairs: &[Pair], responses: &[Option<Response>]) -> LargestErrors {
+    LargestErrors {
+        from_sum: ComparedQuantity::ALL.map(|quantity| from_sum(quantity, case, pairs, responses)),
+        from_reference: ComparedQuantity::ALL
+            .map(|quantity| from_reference(quantity, case.reference.as_ref(), pairs, responses)),
+    }
+}
+
+/// The contrast, of those with their loads, that is largest as it is reported: what is accepted is a relative difference, not a logarithm.
+/// `None` where one is missing.
+fn largest(quantity: ComparedQuantity, contrasts: impl Iterator<Item = Option<(f64, f64)>>) -> Largest {
+    let size = |at: &(f64, f64)| quantity.reported(at.0).abs();
     let all: Option<Vec<(f64, f64)>> = contrasts.collect();
-    all?.into_iter().max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()))
+    all?.into_iter().max_by(|a, b| size(a).total_cmp(&size(b)))
 }
 
 fn from_sum(
@@ -220,24 +296,28 @@ fn from_sum(
         at.is_some_and(|at| at.estimates[quantity as usize].is_some())
     };
     let compared = pairs.iter().zip(responses).filter(|(pair, _)| is_compared(pair.target));
-    largest(compared.map(|(pair, response)| {
-        let pair = Pair { statistical: (*response)?, ..*pair };
-        Some((quantity.contrast(&pair)?, pair.target))
-    }))
+    largest(
+        quantity,
+        compared.map(|(pair, response)| {
+            let pair = Pair { statistical: (*response)?, ..*pair };
+            Some((quantity.contrast(&pair)?, pair.target))
+        }),
+    )
 }
 
 fn from_reference(
     quantity: ComparedQuantity,
     reference: Option<&ReferenceCurve>,
-    loads: &[f64],
+    pairs: &[Pair],
     responses: &[Option<Response>],
 ) -> Largest {
     let reference = reference?;
-    let compared = loads
+    let compared = pairs
         .iter()
         .zip(responses)
-        .filter_map(|(&load, response)| Some((load, response, reference.at_load(load)?)));
-    largest(
-        compared.map(|(load, response, point)| Some((point.contrast(quantity, response.as_ref()?)?, load))),
-    )
+        .filter_map(|(pair, response)| Some((pair.target, response, reference.at_load(pair.target)?)));
+    let contrast = |(load, response, point): (f64, &Option<Response>, &ReferencePoint)| {
+        Some((point.contrast(quantity, response.as_ref()?)?, load))
+    };
+    largest(quantity, compared.map(contrast))
 }

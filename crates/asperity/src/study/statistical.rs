@@ -100,6 +100,15 @@ impl StatisticalModel {
         Self { heights, ..self.clone() }
     }
 
+    /// Whether it takes more from the asperities than the model of the paper, which takes a mean radius, a standard deviation and a
+    /// density: a fitted shape of the height density, the heights themselves, or the radius by height. Joint densities take three moments
+    /// of a map.
+    pub fn is_fitted(&self) -> bool {
+        let has_fitted_heights =
+            self.heights.as_ref().is_some_and(|heights| HeightModel::FITTED.contains(heights));
+        self.joint.is_none() && (has_fitted_heights || self.mean_radius == MeanRadius::InContact)
+    }
+
     /// The name in tables: the heights and the radius, or the joint density.
     pub fn name(&self) -> String {
         let heights = self.heights.as_ref().map_or("gaussian", HeightModel::name);

@@ -49,6 +49,8 @@ pub struct Surface {
     pub prepared: Option<PreparedMap>,
     /// What its sampling error rests on.
     pub independence: Independence,
+    /// Both halves of the map that it was found on, where it is divided for a sampling error.
+    pub halves: Option<Division>,
     /// Number of realisations of this surface.
     pub realisations: usize,
     /// Caveats.
@@ -196,6 +198,7 @@ impl Surface {
             map: None,
             prepared: None,
             independence: Independence::Asperities,
+            halves: None,
             realisations: 1,
             warnings: Vec::new(),
         }

@@ -1,5 +1,6 @@
 //! From a height map to asperities: preparation, checks, and the search for summits.
 
+use crate::compare::Division;
 use crate::progress::{Progress, Silent};
 use crate::topography::fitness::{
     AlignedLines, Examined, Finding, LineOffsets, Lines, Measured, Spikes, Without, step_over_drop,
@@ -7,7 +8,7 @@ use crate::topography::fitness::{
 use crate::topography::generate::SigmaOf;
 use crate::topography::summits::{Detail, Neighbours, Summits, find};
 use crate::topography::{
-    Autocorrelation, CorrelationLengths, Filter, FilterError, Level, Levelled, Quantisation,
+    Autocorrelation, Blocks, CorrelationLengths, Filter, FilterError, Level, Levelled, Quantisation,
     RoughnessParameters, Rows, Undetermined, Watched, Window, theory, thumbnail,
 };
 use crate::{AsperitySet, Ellipse, HeightMap, ReferencePlane, SetError, Statistics};
@@ -107,6 +108,7 @@ struct SearchedMap {
     set: AsperitySet,
     facts: MapFacts,
     independence: Independence,
+    halves: Option<Division>,
     /// The prepared map, where it is kept.
     prepared: Option<PreparedMap>,
 }
@@ -137,7 +139,7 @@ impl SummitSearch<'_> {
     /// # Errors
     /// A map on which no asperities are found.
     pub fn surface(&self, name: &str, map: &dyn Rows) -> Result<Surface, NoAsperities> {
-        let SearchedMap { set, facts, independence, prepared } = self.asperities(map)?;
+        let SearchedMap { set, facts, independence, halves, prepared } = self.asperities(map)?;
         let (set, origin) = set.near_zero();
         let statistics = Statistics::new(&set);
         let height = (origin + statistics.mean_height).abs() + facts.roughness.moments.sq;
@@ -152,6 +154,7 @@ impl SummitSearch<'_> {
         surface.mean_plane = Some(mean);
         surface.map = Some(facts);
         surface.independence = independence;
+        surface.halves = halves;
         surface.prepared = prepared;
         if surface.separations_of() == SigmaOf::Surface {
             surface.plane = plane;
@@ -211,6 +214,10 @@ impl SummitSearch<'_> {
             Some(correlation) => Independence::of_map(map, correlation, &summits),
             None => Independence::Realisations,
         };
+        let halves = (self.divides && is_checked).then(|| {
+            let halves = Blocks::halves(map.points(), map.pixel());
+            Division::of_blocks(&halves, &summits.positions, halves.shares(map))
+        });
         let spikes = left.map(|left| SpikeFacts { removed: removed.len(), left });
         let mut facts = self.facts(&without, map, roughness, &summits, spikes);
         facts.correlation = correlation;
@@ -227,10 +234,10 @@ impl SummitSearch<'_> {
         let radii = summits.curvatures.iter().map(|curvature| curvature.recip()).collect();
         let set = AsperitySet::new(summits.heights, radii, dx * dy * summits.tested as f64)?;
         if !self.as_ellipses {
-            return Ok(SearchedMap { set, facts, independence, prepared });
+            return Ok(SearchedMap { set, facts, independence, halves, prepared });
         }
         let ellipses = summits.principal.iter().copied().map(Ellipse::of_summit).collect();
-        Ok(SearchedMap { set: set.with_ellipses(ellipses)?, facts, independence, prepared })
+        Ok(SearchedMap { set: set.with_ellipses(ellipses)?, facts, independence, halves, prepared })
     }
 
     /// The points of a measured map that are removed as spikes, ascending, and the spikes that are left; `None` where they are not

@@ -49,6 +49,12 @@ impl Blocks {
         })
     }
 
+    /// Both halves of a map of `points` with `pixel` (m), divided along its longer side.
+    pub fn halves(points: [usize; 2], pixel: [f64; 2]) -> Self {
+        let is_along_y = points[1] as f64 * pixel[1] > points[0] as f64 * pixel[0];
+        Self { points, counts: if is_along_y { [1, 2] } else { [2, 1] } }
+    }
+
     /// The share of each block in the points of `map` that are present.
     pub fn shares(&self, map: &dyn Rows) -> Vec<f64> {
         let count = |strip: Strip| {
@@ -116,6 +122,15 @@ mod tests {
         let counts_of = |points| Blocks::new(points, [1.0; 2], patchy).map(|blocks| blocks.counts).ok();
         assert_eq!([counts_of([512, 512]), counts_of([1200, 512])], [None, Some([4, 4])]);
         assert_eq!(counts([512, 512], f64::INFINITY, f64::INFINITY).unwrap_err().area_needed, f64::INFINITY);
+    }
+
+    #[test]
+    fn the_longer_side_is_halved() {
+        let halves = |points, pixel| Blocks::halves(points, pixel);
+        assert_eq!(halves([4, 6], [1.0, 1.0]).counts, [1, 2]);
+        let along_x = halves([4, 6], [2.0, 1.0]);
+        assert_eq!(along_x.counts, [2, 1]);
+        assert_eq!([0, 11, 12, 23].map(|point| along_x.of_point(point)), [0, 0, 1, 1]);
     }
 
     #[test]

@@ -49,7 +49,8 @@ impl Outcome for CompareResults {
     fn page(&self, tables: &Tables) -> Page {
         let mut page = Page::new(&self.metadata.title);
         let series = Series::all(self);
-        page.lead(&escape_around_code(&answer(self)));
+        let answer = [Some(answer(self)), self.elastic_reference_note()];
+        page.lead(&escape_around_code(&answer.into_iter().flatten().collect::<Vec<_>>().join(" ")));
         common::warnings(&mut page, &self.warnings());
         main_figure(&mut page, self, &series);
         sections::results(&mut page, tables);

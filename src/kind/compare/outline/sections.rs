@@ -128,7 +128,8 @@ pub fn layer(page: &mut Page, results: &CompareResults, tables: &Tables) {
             for (layer, check) in layer.filter_map(|layer| Some((layer, layer.check.as_ref()?))) {
                 page.paragraph(&format!(
                     "The layer modulus is {} times the substrate modulus, {} the range {} to {} in which the model `gao` is accurate \
-                     (Perriot and Barthel 2004); this experiment uses `{}`.",
+                     (Perriot and Barthel 2004); this experiment uses `{}`. This \
+                     concerns the modulus, not the effective hardness.",
                     number(check.modulus_ratio),
                     if check.is_good() { "within" } else { "outside" },
                     GOOD_RATIO[0],

@@ -74,6 +74,17 @@ pub enum ElasticReason {
     Asked,
 }
 
+impl ElasticReason {
+    /// The name in tables.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Layer => "layer",
+            Self::NoHardness => "no-hardness",
+            Self::Asked => "asked",
+        }
+    }
+}
+
 impl fmt::Display for ElasticCase {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let Self { law, thickness, reason } = self;

@@ -6,6 +6,7 @@ use asperity_contact_framework::columns;
 use asperity_contact_framework::report::table::{Column, Row};
 
 use super::{CaseKey, SurfaceCase, case_columns};
+use crate::kind::compare::reference::ElasticCase;
 use crate::kind::compare::results::CompareResults;
 
 /// The reference on one surface under one law and thickness, over all realisations.
@@ -68,6 +69,7 @@ pub(crate) struct NearerRow<'a> {
     stretch: &'a NearerStretch,
     /// Whether one surface was compared, not several realisations.
     is_one_map: bool,
+    elastic: Option<&'a ElasticCase>,
 }
 
 impl Row for NearerRow<'_> {
@@ -84,6 +86,7 @@ impl Row for NearerRow<'_> {
             nearer["text", label("nearer, on such surfaces")] = row.stretch.nearer.map(ModelKind::name), "The nearer model, with the sampling error of such surfaces; empty where it cannot be told or both are as near.";
             nearer_on_this_map["text"] = row.stretch.nearer_here.filter(|_| row.is_one_map).map(ModelKind::name), "The same on this very map; empty over several realisations.";
             limits["text"] = row.stretch.beyond.map(Limit::name), "`large-strain` where the loads exceed that limit of admissible loads alone, and contacts are elastic on a homogeneous half-space: the comparison is homogeneous in the heights and holds for lower surfaces of the same shape. Else empty.";
+            elastic_reference["text", label("elastic reference")] = row.elastic.map(|elastic| elastic.reason.name()), "Why the reference stays elastic although the law yields, so that the row leaves yielding out: `layer` (of finite thickness), `no-hardness` or `asked` by the spec; empty where it does not, or the law does not yield.";
         });
         columns
     }
@@ -95,6 +98,7 @@ pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = NearerRow<'
         let verdicts = case.verdicts();
         let stretches = verdicts.reference.iter().flat_map(|reference| &reference.nearer);
         let is_one_map = verdicts.has_one_surface();
-        stretches.map(move |stretch| NearerRow { key: case.key(), stretch, is_one_map })
+        let elastic = results.elastic_reference(case);
+        stretches.map(move |stretch| NearerRow { key: case.key(), stretch, is_one_map, elastic })
     })
 }

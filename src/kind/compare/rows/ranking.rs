@@ -1,7 +1,7 @@
 //! `ranking.csv`: how far each statistical model is from the sum and from the reference.
 
 use asperity::compare::ComparedQuantity;
-use asperity::study::{Against, Largest, Ranked};
+use asperity::study::{Against, HeldOut, Largest, Ranked};
 use asperity_contact_framework::columns;
 use asperity_contact_framework::report::table::{Column, Row};
 
@@ -15,6 +15,7 @@ pub(crate) struct RankingRow<'a> {
     ranked: &'a Ranked,
     quantity: ComparedQuantity,
     accepted: f64,
+    judged_on: Option<HeldOut>,
 }
 
 impl RankingRow<'_> {
@@ -26,14 +27,27 @@ impl RankingRow<'_> {
         largest.map(|(_, load)| load)
     }
 
-    fn largest(&self, against: Against) -> Largest {
-        self.ranked.largest(against, self.quantity)
+    fn in_sample(&self, against: Against) -> Largest {
+        self.ranked.in_sample.largest(against, self.quantity)
+    }
+
+    fn held_out(&self, against: Against) -> Largest {
+        self.ranked.held_out.as_ref()?.largest(against, self.quantity)
+    }
+
+    /// What the row's figures from the sum were found on.
+    fn judged_on(&self) -> &'static str {
+        if !self.ranked.model.is_fitted() {
+            return "not fitted";
+        }
+        let judged_on = self.judged_on.filter(|_| self.held_out(Against::Sum).is_some());
+        judged_on.map_or("in sample only", HeldOut::name)
     }
 }
 
 impl Row for RankingRow<'_> {
     const FILE: &'static str = "ranking.csv";
-    const ROWS: &'static str = "One row for each surface, law, layer thickness, statistical model that applies and quantity, on the first realisation: the largest difference of the model from the sum, and from the reference where one was run, over the valid loads (three per decade, and those of the reference).";
+    const ROWS: &'static str = "One row for each surface, law, layer thickness, statistical model that applies and quantity, on the first realisation: the largest difference of the model from the sum, and from the reference where one was run, over the admissible loads (three per decade, and those of the reference). Models that are fitted to the asperities are judged by the larger one of their differences in sample and held out.";
 
     fn columns() -> Vec<Column<Self>> {
         let mut columns = case_columns(|row: &Self| row.key);
@@ -41,10 +55,15 @@ impl Row for RankingRow<'_> {
             nayak_alpha["1"] = row.alpha, "Nayak's bandwidth parameter of the map; empty without a map.";
             model["text"] = row.ranked.model.name(), "The statistical model: its heights and its radius, or `nayak-greenwood` or `five-point`, joint densities of height and curvature.";
             quantity["text"] = row.quantity.name(), "What is compared: `separation`, `area` (real contact area) or `stiffness`.";
-            from_deterministic["1", signed, scale(1.0)] = row.reported(row.largest(Against::Sum)), "The difference from the deterministic model that is largest in magnitude: of the separation in sigma, of area and stiffness relative to it; empty where the model does not reach a load.";
-            from_deterministic_at_pa["Pa"] = RankingRow::load(row.largest(Against::Sum)), "The nominal pressure of that difference.";
-            from_reference["1", signed, scale(1.0)] = row.reported(row.largest(Against::Reference)), "The same from the reference; empty where none was run.";
-            from_reference_at_pa["Pa"] = RankingRow::load(row.largest(Against::Reference)), "The nominal pressure of that difference.";
+            from_deterministic["1", label("from deterministic, in sample"), signed, scale(1.0)] = row.reported(row.in_sample(Against::Sum)), "In sample, on the asperities that the model was taken from: the difference from the deterministic model that is largest in magnitude, of the separation in sigma, of area and stiffness relative to it; empty where the model does not reach a load.";
+            from_deterministic_at_pa["Pa"] = RankingRow::load(row.in_sample(Against::Sum)), "The nominal pressure of that difference.";
+            held_out_from_deterministic["1", label("from deterministic, held out"), signed, scale(1.0)] = row.reported(row.held_out(Against::Sum)), "Of a fitted model (fitted or own heights, or the radius in contact) on asperities that it was not taken from: the larger one from each half on the other, or the largest on the other realisations; empty of other models, and where no load is admissible there.";
+            held_out_from_deterministic_at_pa["Pa"] = RankingRow::load(row.held_out(Against::Sum)), "The nominal pressure of that difference.";
+            judged_on["text"] = row.judged_on(), "What a fitted model is held out on: `halves of the map`, `random halves`, `realisations`; `in sample only` where there is nothing, and the model is then never enough; `not fitted` of other models.";
+            from_reference["1", label("from reference, in sample"), signed, scale(1.0)] = row.reported(row.in_sample(Against::Reference)), "In sample, from the reference; empty where none was run.";
+            from_reference_at_pa["Pa"] = RankingRow::load(row.in_sample(Against::Reference)), "The nominal pressure of that difference.";
+            held_out_from_reference["1", label("from reference, held out"), signed, scale(1.0)] = row.reported(row.held_out(Against::Reference)), "Of a fitted model from the references of the other realisations; empty without these: the reference of a map is none of its halves.";
+            held_out_from_reference_at_pa["Pa"] = RankingRow::load(row.held_out(Against::Reference)), "The nominal pressure of that difference.";
             accepted["1"] = row.accepted, "The largest difference that is accepted.";
             contacts_per_load["1"] = row.ranked.evaluations, "Contacts evaluated per load, the search for the separation included: what the model costs.";
         });
@@ -57,14 +76,18 @@ pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = RankingRow<
     SurfaceCase::all(results).flat_map(|case| {
         let alpha = case.surface.surface.map.as_ref().and_then(|map| map.roughness.alpha());
         let accepted = case.verdicts().accepted;
-        let models = case.case.ranking.iter().flat_map(|ranking| &ranking.models);
-        models.flat_map(move |ranked| {
+        let models =
+            case.case.ranking.iter().flat_map(move |ranking| {
+                ranking.models.iter().map(move |ranked| (ranked, ranking.judged_on))
+            });
+        models.flat_map(move |(ranked, judged_on)| {
             ComparedQuantity::ALL.map(|quantity| RankingRow {
                 key: case.key(),
                 alpha,
                 ranked,
                 quantity,
                 accepted: accepted.limit(quantity),
+                judged_on,
             })
         })
     })

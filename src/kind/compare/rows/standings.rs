@@ -1,11 +1,12 @@
 //! `statistical_models.csv`: which statistical model is enough.
 
 use asperity::compare::ComparedQuantity;
-use asperity::study::{Against, Standing, StatisticalModel};
+use asperity::study::{Against, HeldOut, Standing, StatisticalModel};
 use asperity_contact_framework::columns;
 use asperity_contact_framework::report::table::{Column, Row};
 
 use super::{CaseKey, SurfaceCase, case_columns};
+use crate::kind::compare::reference::ElasticCase;
 use crate::kind::compare::results::CompareResults;
 
 /// How the statistical models stand in one quantity on one surface.
@@ -15,10 +16,26 @@ pub(crate) struct StandingRow<'a> {
     against: Against,
     accepted: f64,
     standing: Standing<'a>,
+    judged_on: Option<HeldOut>,
+    judged_loads: Option<[f64; 2]>,
     inapplicable: &'a [(StatisticalModel, String)],
+    elastic: Option<&'a ElasticCase>,
 }
 
 impl StandingRow<'_> {
+    /// What fitted models are judged on: of the reference other realisations only.
+    fn judged_on(&self) -> Option<HeldOut> {
+        let is_judged = |judged_on: &HeldOut| {
+            self.against == Against::Sum || matches!(judged_on, HeldOut::Realisations(_))
+        };
+        self.judged_on.filter(is_judged)
+    }
+
+    /// The lowest or the highest load of that, Pa.
+    fn judged_load(&self, end: usize) -> Option<f64> {
+        self.judged_on().and(self.judged_loads).map(|loads| loads[end])
+    }
+
     fn nearest_difference(&self) -> Option<f64> {
         self.standing.nearest().map(|(_, contrast)| self.standing.quantity.reported(contrast))
     }
@@ -36,10 +53,15 @@ impl Row for StandingRow<'_> {
             quantity["text"] = row.standing.quantity.name(), "What is compared: `separation`, `area` (real contact area) or `stiffness`.";
             against["text"] = row.against.name(), "What the models are compared with: `deterministic` or `reference`.";
             accepted["1"] = row.accepted, "The largest difference that is accepted.";
-            within["text"] = row.standing.within.iter().map(|(ranked, _)| ranked.model.name()).collect::<Vec<_>>(), "The models within what is accepted, the simplest first.";
+            within["text"] = row.standing.within.iter().map(|(ranked, _)| ranked.model.name()).collect::<Vec<_>>(), "The models within what is accepted, the simplest first; fitted ones (fitted or own heights, or the radius in contact) on asperities too that they were not taken from.";
             cheapest_within["text"] = row.standing.cheapest().map(|(ranked, _)| ranked.model.name()), "The one that evaluates the fewest contacts.";
-            nearest["text"] = row.standing.nearest().map(|(ranked, _)| ranked.model.name()), "The model with the smallest largest difference.";
+            within_in_sample["text", label("in sample only")] = row.standing.within_in_sample.iter().map(|ranked| ranked.model.name()).collect::<Vec<_>>(), "Fitted models that are within it on the asperities that they were taken from only, which carries no conclusion.";
+            fitted_judged_on["text", label("fitted models judged on")] = row.judged_on().map_or("in sample only", HeldOut::name), "What fitted models are held out on: `halves of the map`, `random halves`, `realisations`; `in sample only` where there is nothing.";
+            judged_from_pa["Pa", prefix("M"), label("from"), input] = row.judged_load(0), "The lowest load of that, which is admissible there.";
+            judged_to_pa["Pa", prefix("M"), label("to"), input] = row.judged_load(1), "The highest load of that.";
+            nearest["text"] = row.standing.nearest().map(|(ranked, _)| ranked.model.name()), "The model with the smallest largest difference, among those that are judged.";
             nearest_difference["1", signed, scale(1.0)] = row.nearest_difference(), "Its largest difference: of the separation in sigma, else relative.";
+            elastic_reference["text", label("elastic reference")] = row.elastic.map(|elastic| elastic.reason.name()), "Against the reference: why it stays elastic although the law yields, as in `nearer_to_reference.csv`; empty otherwise.";
             inapplicable["text"] = row.inapplicable.iter().map(|(model, reason)| format!("{} ({reason})", model.name())).collect::<Vec<_>>(), "The models that do not apply to the surface, and why.";
         });
         columns
@@ -51,6 +73,7 @@ pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = StandingRow
     SurfaceCase::all(results).flat_map(|case| {
         let alpha = case.surface.surface.map.as_ref().and_then(|map| map.roughness.alpha());
         let accepted = &case.verdicts().accepted;
+        let elastic = results.elastic_reference(case);
         case.case.ranking.iter().flat_map(move |ranking| {
             let each = ranking
                 .against()
@@ -62,7 +85,10 @@ pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = StandingRow
                 against,
                 accepted: accepted.limit(quantity),
                 standing: ranking.standing(against, quantity, accepted),
+                judged_on: ranking.judged_on,
+                judged_loads: ranking.judged_loads,
                 inapplicable: &ranking.inapplicable,
+                elastic: elastic.filter(|_| against == Against::Reference),
             })
         })
     })

@@ -6,6 +6,7 @@ use asperity_contact_framework::columns;
 use asperity_contact_framework::report::table::{Column, Row};
 
 use super::{CaseKey, SurfaceCase, case_columns};
+use crate::kind::compare::reference::ElasticCase;
 use crate::kind::compare::results::CompareResults;
 use crate::model_tables::REFERENCE;
 
@@ -19,6 +20,7 @@ pub(crate) struct VerdictRow<'a> {
     area_needed: Option<f64>,
     cause: Option<StatedCause>,
     depends_on: Vec<String>,
+    elastic: Option<&'a ElasticCase>,
 }
 
 impl VerdictRow<'_> {
@@ -55,6 +57,7 @@ impl Row for VerdictRow<'_> {
             cause["text", label("leading cause")] = row.cause.and_then(StatedCause::leading).map(LeadingCause::name), "The leading cause of the largest difference: `heights`, `radii` (their spread), `correlation` or, against the reference, `interaction`. Empty unless its 95 % interval, all orders of replacement included, is apart from those of the others.";
             largest_on_map["text", label("largest on this map")] = row.cause.and_then(StatedCause::largest_on_surface).map(LeadingCause::name), "Where no cause leads, the cause with the largest contribution on the one surface that was compared; empty unless it is the same in every order of replacement.";
             depends_on["text", label("depends on")] = row.depends_on.clone(), "Choices in the analysis of the map that reverse the verdict on this quantity; `spikes` also where a verdict is left open without points that may be wrong.";
+            elastic_reference["text", label("elastic reference")] = row.elastic.map(|elastic| elastic.reason.name()), "Against the reference: why it stays elastic although the law yields, as in `nearer_to_reference.csv`; empty otherwise.";
         });
         columns
     }
@@ -62,10 +65,10 @@ impl Row for VerdictRow<'_> {
 
 /// The rows, case by case; those against the reference last.
 pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = VerdictRow<'_>> {
-    SurfaceCase::all(results).flat_map(of_case)
+    SurfaceCase::all(results).flat_map(|case| of_case(case, results.elastic_reference(case)))
 }
 
-fn of_case(case: SurfaceCase<'_>) -> Vec<VerdictRow<'_>> {
+fn of_case<'a>(case: SurfaceCase<'a>, elastic: Option<&'a ElasticCase>) -> Vec<VerdictRow<'a>> {
     let verdicts = case.verdicts();
     let mut rows = Vec::new();
     for stretch in &verdicts.stretches {
@@ -78,6 +81,7 @@ fn of_case(case: SurfaceCase<'_>) -> Vec<VerdictRow<'_>> {
             area_needed: verdicts.area_needed(stretch),
             cause: verdicts.cause(stretch),
             depends_on: dependences.map(|one| one.choice.name().to_owned()).collect(),
+            elastic: None,
         });
     }
     let Some(reference) = &verdicts.reference else { return rows };
@@ -92,6 +96,7 @@ fn of_case(case: SurfaceCase<'_>) -> Vec<VerdictRow<'_>> {
             area_needed: verdicts.area_needed(stretch),
             cause: verdicts.cause_against_reference(kind, stretch),
             depends_on: Vec::new(),
+            elastic,
         }));
     }
     rows

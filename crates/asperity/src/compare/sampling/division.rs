@@ -29,11 +29,20 @@ impl Division {
 
     /// Random groups of `count` independent asperities, of equal number within one; `None` for fewer than two in each.
     pub fn independent(count: usize, seed: [u8; 32]) -> Option<Self> {
-        let mut group: Vec<u16> = (0..count).map(|index| (index % GROUPS) as u16).collect();
+        Self::random(count, GROUPS, seed)
+    }
+
+    /// Both halves of `count` independent asperities at random; `None` for fewer than two in each.
+    pub fn random_halves(count: usize, seed: [u8; 32]) -> Option<Self> {
+        Self::random(count, 2, seed)
+    }
+
+    fn random(count: usize, groups: usize, seed: [u8; 32]) -> Option<Self> {
+        let mut group: Vec<u16> = (0..count).map(|index| (index % groups) as u16).collect();
         group.shuffle(&mut ChaCha8Rng::from_seed(seed));
-        let share = |k: usize| (count + GROUPS - 1 - k) / GROUPS;
-        let shares = (0..GROUPS).map(|k| share(k) as f64 / count as f64).collect();
-        (count >= 2 * GROUPS).then_some(Self { group, shares })
+        let share = |k: usize| (count + groups - 1 - k) / groups;
+        let shares = (0..groups).map(|k| share(k) as f64 / count as f64).collect();
+        (count >= 2 * groups).then_some(Self { group, shares })
     }
 
     /// The share of each group in the nominal area.
@@ -86,6 +95,16 @@ mod tests {
         assert_eq!(kept, [GROUPS - 1; 100]);
         assert_ne!(division, Division::independent(count, [2; 32]).unwrap());
         assert_eq!(Division::independent(31, [1; 32]), None);
+    }
+
+    #[test]
+    fn random_halves_are_equal_and_disjoint() {
+        let division = Division::random_halves(101, [1; 32]).unwrap();
+        let parts = [0, 1].map(|half| division.only(&set(101), half).unwrap());
+        assert_eq!(parts.each_ref().map(AsperitySet::count), [51, 50]);
+        assert_eq!(parts[0].heights(), division.without(&set(101), 1).unwrap().heights());
+        assert!(parts[0].heights().iter().all(|z| !parts[1].heights().contains(z)));
+        assert_eq!(Division::random_halves(3, [1; 32]), None);
     }
 
     #[test]

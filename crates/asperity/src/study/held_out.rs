@@ -1,0 +1,147 @@
+//! Fitted statistical models on asperities that they were not taken from: the other half of a surface, or its other realisations.
+
+use super::law::LawContact;
+use super::models::SurfaceModels;
+use super::ranking::{BuiltModel, LargestErrors, Ranking, errors, ranked_pairs, responses};
+use super::results::CaseResults;
+use super::setup::Setup;
+use super::statistical::StatisticalModel;
+use crate::Response;
+use crate::compare::{Division, Pair};
+use crate::numeric::stream_seed;
+use crate::surface::Surface;
+
+/// Asperities that fitted models are judged on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum HeldOut {
+    /// The other half of the map, both ways.
+    MapHalves,
+    /// The other half of independent asperities at random, both ways.
+    RandomHalves,
+    /// So many other realisations of the surface.
+    Realisations(usize),
+}
+
+impl HeldOut {
+    /// The name in tables.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::MapHalves => "halves of the map",
+            Self::RandomHalves => "random halves",
+            Self::Realisations(_) => "realisations",
+        }
+    }
+}
+
+/// Both halves of a surface.
+pub(super) struct Halves {
+    judged_on: HeldOut,
+    surfaces: [Surface; 2],
+}
+
+/// The models on both halves of a surface.
+pub(super) struct HalfModels<'a> {
+    judged_on: HeldOut,
+    /// For the sums.
+    sums: [SurfaceModels<'a>; 2],
+    /// Fitted models that apply to both halves.
+    fitted: Vec<(StatisticalModel, [SurfaceModels<'a>; 2])>,
+}
+
+impl Halves {
+    /// Of a map along its longer side, of other surfaces at random; `None` where a half has no asperities.
+    pub(super) fn new(setup: Setup, surface: &Surface) -> Option<Self> {
+        let (division, judged_on) = match &surface.halves {
+            Some(halves) => (halves.clone(), HeldOut::MapHalves),
+            None => {
+                let seed = stream_seed(setup.seed, &format!("halves of {}", surface.name));
+                (Division::random_halves(surface.set.count(), seed)?, HeldOut::RandomHalves)
+            }
+        };
+        let surfaces = [surface.without(&division, 1)?, surface.without(&division, 0)?];
+        Some(Self { judged_on, surfaces })
+    }
+
+    /// The sums over both halves, and the fitted ones of `models` of each.
+    pub(super) fn models(&self, setup: Setup, models: &[StatisticalModel]) -> Option<HalfModels<'_>> {
+        let laws = setup.law_specs;
+        let on_both = |model: &StatisticalModel, is_summed: bool| {
+            let [first, second] = &self.surfaces;
+            let on_half = |half| SurfaceModels::new(half, model, laws, is_summed).ok();
+            Some([on_half(first)?, on_half(second)?])
+        };
+        let fitted = models.iter().filter(|model| model.is_fitted());
+        Some(HalfModels {
+            judged_on: self.judged_on,
+            sums: on_both(&StatisticalModel::default(), true)?,
+            fitted: fitted.filter_map(|model| Some((model.clone(), on_both(model, false)?))).collect(),
+        })
+    }
+}
+
+impl HalfModels<'_> {
+    /// Adds to the ranking of a case the larger error of the fitted models of each half on the other one: at the loads of the ranking
+    /// that are admissible to the sums over both halves. Nothing where no load is.
+    pub(super) fn judge(&self, ranking: &mut Ranking, law: &LawContact, case: &CaseResults) {
+        let pairs = ranked_pairs(case);
+        let loads: Vec<f64> = pairs.iter().map(|pair| pair.target).collect();
+        let sums = self.sums.each_ref().map(|models| {
+            let sum = models.deterministic(&*law.contact, &law.spec);
+            sum.map_or_else(|| vec![None; loads.len()], |sum| responses(&sum, &loads))
+        });
+        let is_admissible = |sum: &Option<Response>| sum.is_some_and(|sum| sum.exceeded().is_none());
+        let admissible: Vec<usize> =
+            (0..loads.len()).filter(|&k| sums.iter().all(|sums| is_admissible(&sums[k]))).collect();
+        if admissible.is_empty() {
+            return;
+        }
+        let pairs = sums.map(|sums| -> Vec<Pair> {
+            let pair = |&k: &usize| Some(Pair { deterministic: sums[k]?, ..pairs[k] });
+            admissible.iter().filter_map(pair).collect()
+        });
+        let loads: Vec<f64> = admissible.iter().map(|&k| loads[k]).collect();
+        let errors = |models: &SurfaceModels, pairs: &[Pair]| {
+            let responses = responses(&*models.statistical(&*law.contact, &law.spec), &loads);
+            // A reference of the whole map is none of a half.
+            LargestErrors { from_reference: [None; 3], ..errors(case, pairs, &responses) }
+        };
+        ranking.judged_on = Some(self.judged_on);
+        ranking.judged_loads = loads.first().zip(loads.last()).map(|(&low, &high)| [low, high]);
+        for ranked in &mut ranking.models {
+            let models = self.fitted.iter().find(|(model, _)| *model == ranked.model);
+            ranked.held_out = models.map(|(_, [a, b])| errors(a, &pairs[1]).larger(&errors(b, &pairs[0])));
+        }
+    }
+}
+
+/// Adds to the ranking of a case the largest error of the fitted models of the first realisation on all `others`, each at its own
+/// admissible loads. Nothing where one of them has none.
+pub(super) fn on_realisations(
+    ranking: &mut Ranking,
+    built: &[BuiltModel],
+    law: &LawContact,
+    others: &[CaseResults],
+) {
+    let pairs: Vec<Vec<Pair>> = others.iter().map(ranked_pairs).collect();
+    if pairs.iter().any(Vec::is_empty) {
+        return;
+    }
+    let mut loads: Vec<f64> = pairs.iter().flatten().map(|pair| pair.target).collect();
+    loads.sort_by(f64::total_cmp);
+    loads.dedup();
+    let judged = |models: &SurfaceModels| {
+        let all = responses(&*models.statistical(&*law.contact, &law.spec), &loads);
+        let at_load = |pair: &Pair| loads.iter().position(|load| *load == pair.target).and_then(|k| all[k]);
+        let each = others.iter().zip(&pairs).map(|(case, pairs)| {
+            let responses: Vec<Option<Response>> = pairs.iter().map(at_load).collect();
+            errors(case, pairs, &responses)
+        });
+        each.reduce(|a, b| a.larger(&b))
+    };
+    ranking.judged_on = Some(HeldOut::Realisations(others.len()));
+    ranking.judged_loads = loads.first().zip(loads.last()).map(|(&low, &high)| [low, high]);
+    for ranked in ranking.models.iter_mut().filter(|ranked| ranked.model.is_fitted()) {
+        let models = built.iter().find(|(_, model)| *model == ranked.model);
+        ranked.held_out = models.and_then(|(models, _)| judged(models.as_ref().ok()?));
+    }
+}
