@@ -61,7 +61,7 @@ fn the_columns_add_up_to_the_difference() {
         assert!((sum("log_area_from") - ratio.ln()).abs() < 1e-10);
         let of_load =
             rows.iter().filter(|row| row["pressure_pa"] == pair["target"] && row["quantity"] == "separation");
-        for row in of_load.clone() {
+        for row in of_load.clone().filter(|row| row["cause"] != "radii-and-correlation") {
             let cause = format!("separation_from_{}", row["cause"]);
             assert_eq!(row["contribution"], pair[&cause]);
             let orders =
@@ -73,7 +73,7 @@ fn the_columns_add_up_to_the_difference() {
                     && number(row, "contribution") < number(row, "high")
             );
         }
-        assert_eq!(of_load.count(), 3);
+        assert_eq!(of_load.count(), 4);
     }
 }
 

@@ -99,7 +99,10 @@ pub(super) fn plan(file: &SpecFile, table: &Spanned<CausesSpec>) -> Result<Cause
     if surfaces.is_empty() {
         let reasons: Vec<&str> =
             points.iter().filter_map(|point| Some(&**point.surface.as_ref().err()?)).collect();
-        let message = format!("found a grid without a surface: {}", reasons.first().unwrap_or(&"no point"));
+        let reason = reasons.first().unwrap_or(&"no point");
+        let message = format!(
+            "found no point of the grid that has a surface ({reason}); allowed: moments of which at least one has"
+        );
         return Err(file.source.error_at(raw.skewness.span(), message));
     }
     let keys = StudyKeys {

@@ -90,7 +90,12 @@ impl<'a> GridProcess<'a> {
                 self.check_wavelengths(file, wavelengths.span(), &rows)?;
                 rows
             }
-            Scale::Summits { kurtosis, .. } => ascending(file, kurtosis, Quantity::value, 2)?,
+            Scale::Summits { target, kurtosis } => {
+                // What no heights mend is refused; moments that cannot be had leave a point empty.
+                self.way(Heights::GAUSSIAN, None)
+                    .map_err(|message| file.source.error_at(target.span(), message))?;
+                ascending(file, kurtosis, Quantity::value, 2)?
+            }
         };
         let point = |row: f64, skewness: f64| {
             let (kurtosis, wavelengths) = match self.axis() {

@@ -1,6 +1,6 @@
 //! One surface under one law and thickness: its answer, figures and tables.
 
-use asperity::compare::Comparison;
+use asperity::compare::{ComparedQuantity, Comparison, of_each_decade};
 use asperity::study::RealisationFacts;
 use asperity::topography::generate::SigmaOf;
 use asperity_contact_framework::report::format::{input_quantity, number, percent};
@@ -14,7 +14,7 @@ use crate::kind::compare::figures::curves::{self, Setting};
 use crate::kind::compare::figures::{causes, contact, differences as figure, filter, lines};
 use crate::kind::compare::names::{stem, subject, under};
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
-use crate::kind::compare::rows::{LineRow, RobustnessRow, SpreadRow, SurfaceCase, is_single};
+use crate::kind::compare::rows::{AttributionRow, LineRow, RobustnessRow, SpreadRow, SurfaceCase, is_single};
 use crate::model_tables::PairRow;
 
 /// Loads per decade in tables.
@@ -151,6 +151,10 @@ fn by_load<'t>(tables: &'t Tables, case: SurfaceCase) -> View<'t> {
     pairs.each_decade("target", PER_DECADE).label("target", "nominal pressure").unit("target", "Pa", "M")
 }
 
+/// What is shown of the contributions.
+const PARTS: &[&str] =
+    &["pressure_pa", "quantity", "cause", "contribution", "low", "high", "with_other_mean_radius"];
+
 fn why(page: &mut Page, tables: &Tables, case: SurfaceCase, stem: &str, units: &Units) {
     let verdicts = case.verdicts();
     if let Some(reason) = case.surface.realisations[0].model.undivided() {
@@ -168,16 +172,14 @@ fn why(page: &mut Page, tables: &Tables, case: SurfaceCase, stem: &str, units: &
             "Contributions of heights, radii and their correlation to the difference between the models at equal load.",
         );
     }
-    page.view(&by_load(tables, case).columns(&[
-        "target",
-        "difference_separation_over_sigma",
-        "separation_from_heights",
-        "separation_from_radii",
-        "separation_from_correlation",
-        "log_area_from_heights",
-        "log_area_from_radii",
-        "log_area_from_correlation",
-    ]));
+    for quantity in [ComparedQuantity::Separation, ComparedQuantity::Area] {
+        let loads: Vec<f64> = verdicts.divided(quantity).map(|(load, _)| load).collect();
+        let loads = of_each_decade(loads, |load| *load, 1.0);
+        let parts = case.rows(tables.view::<AttributionRow>()).only("quantity", quantity.name());
+        let parts =
+            parts.filter("pressure_pa", |cell| cell.number().is_some_and(|load| loads.contains(&load)));
+        page.view(&parts.unit("pressure_pa", "Pa", "M").columns(PARTS));
+    }
     page.note(include_str!("notes/causes.md"));
 }
 

@@ -16,6 +16,7 @@ mod spread;
 mod standings;
 mod verdicts;
 
+pub(crate) use attribution::AttributionRow;
 pub(crate) use cases::CaseRow;
 pub(crate) use layer::{DecreaseRow, RuleRow, ThresholdRow};
 pub(crate) use lines::LineRow;
@@ -34,7 +35,6 @@ use asperity_contact_framework::report::table::{Column, Schema, Table};
 use super::results::{CompareResults, SurfaceResults};
 use crate::model_tables::{CAUSES, CurveRow, PairRow, REFERENCE};
 use crate::surface::rows as surface_rows;
-use attribution::AttributionRow;
 use differences::DifferenceRow;
 use ranking::RankingRow;
 use reference::ReferenceRow;

@@ -85,7 +85,7 @@ impl Row for NearerRow<'_> {
             to_pa["Pa", prefix("M"), label("to"), input] = row.stretch.loads[1], "Highest nominal pressure of the stretch.";
             nearer["text", label("nearer, on such surfaces")] = row.stretch.nearer.map(ModelKind::name), "The nearer model, with the sampling error of such surfaces; empty where it cannot be told or both are as near.";
             nearer_on_this_map["text"] = row.stretch.nearer_here.filter(|_| row.is_one_map).map(ModelKind::name), "The same on this very map; empty over several realisations.";
-            limits["text"] = row.stretch.beyond.map(Limit::name), "`large-strain` where the loads exceed that limit of admissible loads alone, and contacts are elastic on a homogeneous half-space: the comparison is homogeneous in the heights and holds for lower surfaces of the same shape. Else empty.";
+            limits["text"] = row.stretch.beyond.map(Limit::name), "The limit of admissible loads that is exceeded: `large-strain` where the loads exceed that one alone, and contacts are elastic on a homogeneous half-space: the comparison is homogeneous in the heights and holds for lower surfaces of the same shape. Else empty.";
             elastic_reference["text", label("elastic reference")] = row.elastic.map(|elastic| elastic.reason.name()), "Why the reference stays elastic although the law yields, so that the row leaves yielding out: `layer` (of finite thickness), `no-hardness` or `asked` by the spec; empty where it does not, or the law does not yield.";
         });
         columns
