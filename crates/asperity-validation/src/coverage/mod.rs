@@ -41,7 +41,7 @@ pub const WINDOWS_PER_MAP: usize = 4;
 pub struct ExaminedWindow {
     /// Both models on it.
     pub results: WindowResults,
-    /// Its fitness checks: all where it was studied, else those for spikes and line offsets.
+    /// Its fitness checks: all where it was studied, those for spikes and line offsets where it was checked.
     pub findings: Vec<Finding>,
     /// Its verdicts under other treatments, where these were studied.
     pub studied: Option<Vec<WindowVerdict>>,
@@ -54,6 +54,8 @@ pub struct Maps {
     pub count: usize,
     /// The first maps are studied under other treatments, this many.
     pub studied: usize,
+    /// The first maps are checked for spikes and line offsets, this many.
+    pub checked: usize,
 }
 
 /// Results of all windows of some maps, in their order; `done` is called after each map.
@@ -75,7 +77,8 @@ pub fn windows_of(
             let studied = if map < maps.studied { Some(study.run(window)?) } else { None };
             let (findings, studied) = match studied {
                 Some(studied) => (studied.findings, Some(studied.verdicts)),
-                None => (quick_findings(window), None),
+                None if map < maps.checked => (quick_findings(window), None),
+                None => (Vec::new(), None),
             };
             Ok(ExaminedWindow { results, findings, studied })
         };
@@ -86,6 +89,24 @@ pub fn windows_of(
     let windows: Result<Vec<Vec<ExaminedWindow>>, Unusable> =
         (0..maps.count).into_par_iter().map(of_map).collect();
     Ok(windows?.into_iter().flatten().collect())
+}
+
+/// Checks for spikes and line offsets of all windows of some `maps`; `done` is called after each map.
+///
+/// # Errors
+/// A window that cannot be levelled.
+pub fn checked_windows(
+    process: &EndlessProcess,
+    maps: std::ops::Range<usize>,
+    done: impl Fn() + Sync,
+) -> Result<Vec<Vec<Finding>>, Unusable> {
+    let of_map = |map: usize| -> Result<Vec<Vec<Finding>>, Unusable> {
+        let findings = process.windows(&format!("map {map}"))?.iter().map(quick_findings).collect();
+        done();
+        Ok(findings)
+    };
+    let findings: Result<Vec<Vec<Vec<Finding>>>, Unusable> = maps.into_par_iter().map(of_map).collect();
+    Ok(findings?.into_iter().flatten().collect())
 }
 
 /// For each of the windows of `maps` maps that are used for nothing else, its study without spikes and with each of `planted`; `done` is called after

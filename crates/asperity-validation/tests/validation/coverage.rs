@@ -64,7 +64,8 @@ fn examined(process: &EndlessProcess, contacts: &[f64]) -> (Controls, Vec<Examin
     let controls = process.controls(&*law.contact, contacts).unwrap();
     let task = WindowTask { contact: &*law.contact, controls: controls.clone() };
     let study = StudyTask { law: &law, loads: &controls.loads, seed: 1 };
-    let windows = windows_of(process, (&task, &study), Maps { count: 2, studied: 1 }, || ()).unwrap();
+    let windows =
+        windows_of(process, (&task, &study), Maps { count: 2, studied: 1, checked: 2 }, || ()).unwrap();
     (controls, windows)
 }
 

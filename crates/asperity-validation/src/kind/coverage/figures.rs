@@ -111,15 +111,14 @@ pub fn wrong_verdicts(results: &CoverageResults) -> Figure {
     .legend(Legend::Below)
     .with_zero()
     .with(Layer::at_x(ALLOWED, "5 %"));
-    let kinds: [(fn(&CaseResults) -> &VerdictCount, Marker, &str); 2] = [
-        (|case| &case.verdicts, Marker::Circle, ""),
-        (|case| &case.robust, Marker::Cross, ", with robustness"),
-    ];
+    let points = |k: usize, case: &CaseResults, count: &VerdictCount, marker: Marker, part: &str| {
+        let layer = Layer::points([shares(count)?], marker);
+        Some(layer.coloured(Colour::Series(k)).named(format!("{}{part}", case.name)))
+    };
     let series = results.cases.iter().enumerate().flat_map(|(k, case)| {
-        kinds.iter().filter_map(move |(count, marker, part)| {
-            let layer = Layer::points([shares(count(case))?], *marker);
-            Some(layer.coloured(Colour::Series(k)).named(format!("{}{part}", case.name)))
-        })
+        let alone = points(k, case, &case.verdicts, Marker::Circle, "");
+        let robust = points(k, case, &case.robust, Marker::Cross, ", with robustness");
+        alone.into_iter().chain(robust)
     });
     Figure::column("Wrong verdicts by process", vec![series.fold(plot, Plot::with)])
 }

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::spec::{CaseSpec, CoverageSpec, SpikesSpec};
+use super::spec::{CaseSpec, CoverageSpec, PlateauSpec, SpikesSpec};
 use crate::coverage::{EndlessProcess, Patches, PlantedSpikes, Roughness, WINDOWS_PER_MAP};
 use asperity::study::LawContact;
 use asperity::topography::generate::{Plateau, Process, SpectrumOf};
@@ -92,6 +92,8 @@ pub struct CasePlan {
     pub patches: Option<Patches>,
     /// Number of maps, of which each gives [`WINDOWS_PER_MAP`] windows.
     pub maps: usize,
+    /// Number of maps whose windows are checked for spikes and line offsets.
+    pub checked_maps: usize,
     /// Effective contacts of the loads.
     pub contacts: Vec<f64>,
     /// The process.
@@ -147,10 +149,7 @@ pub(super) fn plan(file: &SpecFile, table: &Spanned<CoverageSpec>) -> Result<Cov
         sigma: raw.sigma.value(),
         hurst: raw.hurst.get_ref().value(),
         cut_off: raw.cut_off.get_ref().value(),
-        studied_maps: match &raw.robustness {
-            Some(count) => maps(file.whole_within(count, [0, WINDOWS[1]], "windows")?),
-            None => 0,
-        },
+        studied_maps: optional_maps(file, raw.robustness.as_ref())?,
     };
     let cases = raw.case.get_ref().iter();
     let cases = cases.map(|(name, case)| case_plan(file, raw, &windows, name.get_ref(), case));
@@ -169,6 +168,10 @@ pub(super) fn plan(file: &SpecFile, table: &Spanned<CoverageSpec>) -> Result<Cov
 /// The maps that give so many windows.
 fn maps(windows: u64) -> usize {
     (windows as usize).div_ceil(WINDOWS_PER_MAP)
+}
+
+fn optional_maps(file: &SpecFile, windows: Option<&Spanned<Whole>>) -> Result<usize, InputError> {
+    windows.map_or(Ok(0), |count| Ok(maps(file.whole_within(count, [0, WINDOWS[1]], "windows")?)))
 }
 
 fn spikes_plan(file: &SpecFile, raw: &SpikesSpec, cases: &[CasePlan]) -> Result<SpikesPlan, InputError> {
@@ -221,20 +224,19 @@ fn case_plan(
         let spectrum = Spectrum::new(SpectrumShape::SelfAffine { hurst, roll_off, cut_off }, lay)?;
         Ok(Process { spectrum, of: SpectrumOf::Gaussian, sigma, heights: heights.clone() })
     };
-    let patches = patches(file, case)?;
+    let plateau = case.plateau.as_ref().map(|plateau| {
+        let PlateauSpec { sigma, roll_off, height } = plateau.get_ref();
+        let (length, sigma) = (roll_off.get_ref().value(), sigma.value());
+        let process = process(length, sigma, &Heights::GAUSSIAN, Lay::default())
+            .and_then(|process| process.spectrum.check([2 * points; 2], [pixel; 2]).map(|()| process))
+            .map_err(|error| file.source.error_at(roll_off.span(), error))?;
+        Ok::<_, InputError>(Plateau { process, height: height.value() })
+    });
+    let (plateau, patches) = (plateau.transpose()?, patches(file, case, windows)?);
     let make = || {
-        let plateau = case.plateau.as_ref().map(|plateau| {
-            let plateau = plateau.get_ref();
-            let (roll_off, sigma) = (plateau.roll_off.value(), plateau.sigma.value());
-            let process = process(roll_off, sigma, &Heights::GAUSSIAN, Lay::default())?;
-            Ok::<_, SpectrumError>(Plateau { process, height: plateau.height.value() })
-        });
         let lay = Lay { elongation, angle: 0.0 };
-        let roughness = Roughness {
-            process: process(roll_off, sigma, &heights, lay)?,
-            plateau: plateau.transpose()?,
-            patches,
-        };
+        let process = process(roll_off, sigma, &heights, lay)?;
+        let roughness = Roughness { process, plateau, patches };
         EndlessProcess::new(name, roughness, points, pixel, file.seed)
     };
     let process = make().map_err(|error: SpectrumError| {
@@ -253,22 +255,25 @@ fn case_plan(
         has_plateau: case.plateau.is_some(),
         patches,
         maps: maps(file.whole_within(case.windows.as_ref().unwrap_or(&raw.windows), WINDOWS, "windows")?),
+        checked_maps: optional_maps(file, case.checked.as_ref().or(raw.checked.as_ref()))?,
         contacts: contacts(file, &case.contacts)?,
         process,
     })
 }
 
-fn patches(file: &SpecFile, case: &CaseSpec) -> Result<Option<Patches>, InputError> {
+fn patches(file: &SpecFile, case: &CaseSpec, windows: &WindowPlan) -> Result<Option<Patches>, InputError> {
     let Some(table) = &case.patches else { return Ok(None) };
     let raw = table.get_ref();
+    let &WindowPlan { points, pixel, .. } = windows;
     let modulation = raw.modulation.get_ref().value();
     if !(MODULATIONS[0]..=MODULATIONS[1]).contains(&modulation) {
         let [least, most] = MODULATIONS;
         let message = format!("found {modulation}; allowed: {least} to {most}");
         return Err(file.source.error_at(raw.modulation.span(), message));
     }
-    let patches = Patches::new(modulation, raw.length.value());
-    patches.map(Some).map_err(|error| file.source.error_at(table.span(), error))
+    let patches = Patches::new(modulation, raw.length.get_ref().value())
+        .and_then(|patches| patches.check([2 * points; 2], [pixel; 2]).map(|()| patches));
+    patches.map(Some).map_err(|error| file.source.error_at(raw.length.span(), error))
 }
 
 fn contacts(file: &SpecFile, raw: &Spanned<LogSweep<Pure>>) -> Result<Vec<f64>, InputError> {

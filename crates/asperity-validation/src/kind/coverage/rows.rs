@@ -153,7 +153,7 @@ impl Row for CheckRow<'_> {
     fn columns() -> Vec<Column<Self>> {
         columns! { row: Self =>
             case["text"] = row.case, "Case.";
-            check["text"] = row.count.check.name(), "Fitness check; `spikes` and `lines` are examined in all windows, the others in those that were studied under other treatments.";
+            check["text"] = row.count.check.name(), "Fitness check; those but `spikes` and `lines` are examined in the windows that were studied under other treatments.";
             windows["count"] = row.count.windows, "Windows.";
             failed["count"] = row.count.failed, "Windows in which the check fails.";
             blocked["count"] = row.count.blocked, "Windows in which it fails so that no verdict is given.";

@@ -6,7 +6,8 @@ use super::plan::{CasePlan, CoveragePlan, SpikesPlan};
 use super::results::{CaseResults, CoverageResults, LoadCoverage, SpikedResults, SpikesResults};
 use crate::coverage::{
     CheckCount, Controls, Coverage, CoveredQuantity, ExaminedWindow, Maps, PlantedSpikes, QuantityEstimate,
-    StudiedWindow, StudyTask, VerdictCount, WindowTask, WindowVerdict, spiked_windows, windows_of,
+    StudiedWindow, StudyTask, VerdictCount, WindowTask, WindowVerdict, checked_windows, spiked_windows,
+    windows_of,
 };
 use asperity::compare::ComparedQuantity;
 use asperity::numeric::median;
@@ -20,7 +21,7 @@ use asperity_contact_framework::metadata::Timing;
 
 pub(super) fn run(context: &RunContext, plan: &CoveragePlan) -> Result<CoverageResults, InputError> {
     let start = Instant::now();
-    let steps: usize = plan.cases.iter().map(|case| case.maps).sum();
+    let steps: usize = plan.cases.iter().map(|case| case.maps.max(case.checked_maps)).sum();
     context.progress.stage("maps", steps as f64);
     let cases = plan.cases.iter().map(|case| run_case(context, plan, case));
     let cases: Vec<(CaseResults, Controls)> = cases.collect::<Result<_, _>>()?;
@@ -57,9 +58,11 @@ fn run_case(
     let controls = case.process.controls(contact, &case.contacts).map_err(refuse)?;
     let task = WindowTask { contact, controls: controls.clone() };
     let study = StudyTask { law: &plan.law, loads: &controls.loads, seed: plan.seed };
-    let maps = Maps { count: case.maps, studied: plan.windows.studied_maps };
+    let maps = Maps { count: case.maps, studied: plan.windows.studied_maps, checked: case.checked_maps };
     let done = || context.progress.advance(1.0);
     let windows = windows_of(&case.process, (&task, &study), maps, done).map_err(refuse)?;
+    let mut findings: Vec<Vec<Finding>> = windows.iter().map(|window| window.findings.clone()).collect();
+    findings.extend(checked_windows(&case.process, case.maps..case.checked_maps, done).map_err(refuse)?);
     let coverage = |load: usize, (k, quantity): (usize, CoveredQuantity)| {
         let estimates = windows.iter().filter_map(|window| window.results.estimates[load][k]);
         Some((quantity, Coverage::new(&estimates.collect::<Vec<QuantityEstimate>>())?))
@@ -75,13 +78,13 @@ fn run_case(
             }
         })
         .collect();
-    Ok((case_results(plan, case, &windows, loads), controls))
+    Ok((case_results(plan, case, (&windows, &findings), loads), controls))
 }
 
 fn case_results(
     plan: &CoveragePlan,
     case: &CasePlan,
-    windows: &[ExaminedWindow],
+    (windows, findings): (&[ExaminedWindow], &[Vec<Finding>]),
     loads: Vec<LoadCoverage>,
 ) -> CaseResults {
     let mut correlations: Vec<f64> = windows.iter().map(|window| window.results.correlation).collect();
@@ -90,7 +93,6 @@ fn case_results(
     let is_blocked = |window: &&ExaminedWindow| window.findings.iter().any(Finding::is_blocking);
     let studied: Vec<&ExaminedWindow> = windows.iter().filter(|window| window.studied.is_some()).collect();
     let of_studied = || studied.iter().filter_map(|window| window.studied.as_deref());
-    let findings: Vec<Vec<Finding>> = windows.iter().map(|window| window.findings.clone()).collect();
     let patchy = windows.iter().filter(|window| window.results.is_patchy).count();
     CaseResults {
         name: case.name.clone(),
@@ -104,7 +106,7 @@ fn case_results(
         studied: count(of_studied(), &truths, |_| true),
         robust: count(of_studied(), &truths, |verdict| verdict.depends_on.is_empty()),
         blocked: studied.iter().copied().filter(is_blocked).count(),
-        checks: CheckCount::all(&findings),
+        checks: CheckCount::all(findings),
         loads,
     }
 }

@@ -45,6 +45,9 @@ pub struct CoverageSpec {
     /// How many of them are also studied under other treatments, as measured maps are.
     #[schemars(extend("x-range" = "0 to 100000", "default" = 0, "examples" = [100]))]
     pub robustness: Option<Spanned<Whole>>,
+    /// How many windows of each case are checked for spikes and line offsets, of which they have none.
+    #[schemars(extend("x-range" = "0 to 100000", "default" = 0, "examples" = [500]))]
+    pub checked: Option<Spanned<Whole>>,
     /// Spikes planted in windows of a case.
     #[schemars(extend("x-default" = "none"))]
     pub spikes: Option<Spanned<SpikesSpec>>,
@@ -57,7 +60,7 @@ pub struct CoverageSpec {
 #[serde(
     deny_unknown_fields,
     rename_all = "kebab-case",
-    expecting = "a table { roll-off, elongation, heights, plateau, patches, windows, contacts }"
+    expecting = "a table { roll-off, elongation, heights, plateau, patches, windows, checked, contacts }"
 )]
 pub struct CaseSpec {
     /// Longest wavelength of the power law.
@@ -78,6 +81,9 @@ pub struct CaseSpec {
     /// Windows of this case.
     #[schemars(extend("x-range" = "8 to 100000", "x-default" = "`windows` of `[coverage]`", "examples" = [3000]))]
     pub windows: Option<Spanned<Whole>>,
+    /// Windows of this case that are checked.
+    #[schemars(extend("x-range" = "0 to 100000", "x-default" = "`checked` of `[coverage]`", "examples" = [3000]))]
+    pub checked: Option<Spanned<Whole>>,
     /// Effective contacts of the sum in the mean of the windows of a pilot map: a load for each.
     #[schemars(extend("x-range" = "1 to 1e6", "examples" = [[30, 100]]))]
     pub contacts: Spanned<LogSweep<Pure>>,
@@ -92,7 +98,7 @@ pub struct PlateauSpec {
     pub sigma: Quantity<Length>,
     /// Its longest wavelength.
     #[schemars(extend("examples" = ["12 um"]))]
-    pub roll_off: Quantity<Length>,
+    pub roll_off: Spanned<Quantity<Length>>,
     /// Height of its mean plane above that of the surface that it truncates.
     #[schemars(extend("examples" = ["30 nm"]))]
     pub height: Quantity<Length, Finite>,
@@ -107,7 +113,7 @@ pub struct PatchesSpec {
     pub modulation: Spanned<Quantity<Pure, Finite>>,
     /// Correlation length l of the amplitude: at most a fifth of the side of a window.
     #[schemars(extend("examples" = ["40 um"]))]
-    pub length: Quantity<Length>,
+    pub length: Spanned<Quantity<Length>>,
 }
 
 /// Spikes of one point, planted in windows that are used for nothing else: each number of them with each height.

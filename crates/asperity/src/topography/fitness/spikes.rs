@@ -44,7 +44,7 @@ const LEAST_WALL: f64 = 0.7;
 const HALO: isize = 2 * MOST_POINTS as isize + REACH;
 
 /// Points along each axis of the sample that the scale of deviations is taken from.
-const SAMPLED: usize = 200;
+const SAMPLED: usize = 100;
 
 /// The spikes of a map: groups of at most 36 points that stand above or below their surroundings by steep walls on all sides.
 ///
