@@ -100,7 +100,7 @@ impl Experiment {
         if is_spec && *options != FileOptions::default() {
             return Err(InputError::file(
                 path,
-                "is a spec, which defines its surfaces completely; --pixel, --unit, --outliers, --align-lines, --level, --s, --l, \
+                "is a spec, which defines its surfaces completely; --pixel, --unit, --outliers, --align-lines, --tip, --level, --s, --l, \
                  --neighbours and --material are allowed only with a measured file",
             ));
         }

@@ -17,7 +17,7 @@ use super::fitness;
 use super::plan::{Origin, SurfacePlan};
 use super::read_error::{list_message, spec_message};
 use super::spec::DrawSpec;
-use asperity::surface::AnalysisDepth;
+use asperity::surface::{AnalysisDepth, Independence};
 use asperity::surface::{MapFacts, Surface};
 use asperity::surface::{NoAsperities, Preparation, SummitSearch};
 
@@ -139,7 +139,7 @@ impl<'a> SurfaceFactory<'a> {
         let refuse = |error: &dyn std::fmt::Display| source.error_at(key.clone(), error);
         let start = Instant::now();
         match &self.plan.origin {
-            Origin::List { path, given, nominal_area, .. } => {
+            Origin::List { path, given, nominal_area, is_independent, .. } => {
                 self.progress.stage("reading", 1.0);
                 let list = match source.content_in_memory(path) {
                     Some(InMemory::List(list)) => AsperityList::clone(list),
@@ -147,6 +147,11 @@ impl<'a> SurfaceFactory<'a> {
                 };
                 timing.read += start.elapsed();
                 let (contradictions, count) = (list.contradictions(), list.count());
+                let independence = match list.places() {
+                    _ if *is_independent => (Independence::Asperities, None),
+                    Some(places) => Independence::of_places(list.heights(), places),
+                    None => (Independence::Unstated, None),
+                };
                 let (set, origin) = list.set(*nominal_area).map_err(|error| refuse(&error))?.near_zero();
                 let statistics = Statistics::new(&set);
                 if statistics.sigma == 0.0 {
@@ -158,6 +163,10 @@ impl<'a> SurfaceFactory<'a> {
                 }
                 let mut surface = Surface::new(name, set, statistics);
                 surface.origin = origin;
+                (surface.independence, surface.halves) = independence;
+                if matches!(surface.independence, Independence::Unstated) {
+                    surface.warnings.push(UNSTATED.to_owned());
+                }
                 if contradictions > 0 {
                     surface.warnings.push(format!(
                         "{contradictions} of {count} radii are outside the range from 1/kx to 1/ky: laws for spheres use the radius, \
@@ -240,6 +249,11 @@ impl<'a> SurfaceFactory<'a> {
         }
     }
 }
+
+/// What a list without `independent` and places lacks.
+const UNSTATED: &str = "neighbouring asperities of a surface are alike, and nothing says that those of this list are not: no interval is \
+     claimed and no verdict given. `independent = true` next to `file` says that they are independent draws, whose scatter gives \
+     intervals; columns `x` and `y` in the file divide them into blocks instead.";
 
 /// The ratio is 1.2 for Gaussian heights, and 1.5 for those of machined surfaces.
 const FEW_FLAT_TOPS: f64 = 4.0;

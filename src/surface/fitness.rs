@@ -88,6 +88,10 @@ pub fn measured(measure: Measure) -> &'static str {
         Measure::DensityOverTheory => "density of summits over five-point theory",
         Measure::CurvatureOverTheory => "curvature of summits over five-point theory",
         Measure::GrowthRise => "that growth less the growth at S filters of 4 and 8 pixels",
+        Measure::RadiusOverTip => {
+            "mean radius of the summits, of all or of the 30 highest, over that of the tip"
+        }
+        Measure::Untraced => "share of points higher than the tip can trace",
         Measure::LengthOverSide => "correlation length over side of the map (geometric mean of x and y)",
         Measure::Slope => "r.m.s. slope",
     }
@@ -96,7 +100,7 @@ pub fn measured(measure: Measure) -> &'static str {
 fn value(measure: Measure, value: f64) -> String {
     match measure {
         Measure::Spikes => count(value as usize),
-        Measure::FormShare | Measure::LineOffsets => percent(value),
+        Measure::FormShare | Measure::LineOffsets | Measure::Untraced => percent(value),
         _ => number(value),
     }
 }
@@ -165,6 +169,10 @@ fn fault(finding: &Finding, map: &MapFacts) -> String {
                 "the curvature of summits is {found} times that of a Gaussian surface with the same differences between neighbours"
             )
         }
+        Measure::RadiusOverTip => format!(
+            "the summits are nearly as sharp as the tip (mean radius {found} times that of the tip), so that their radii depend on it"
+        ),
+        Measure::Untraced => format!("{found} of the points lie higher than a tip of this radius can trace"),
         Measure::LengthOverSide => {
             format!(
                 "the map holds few independent patches: the heights stay correlated over {found} of its side (geometric mean over x \
@@ -210,6 +218,8 @@ pub fn remedy(finding: &Finding, map: &MapFacts) -> String {
              the instrument"
                 .to_owned()
         }
+        Measure::RadiusOverTip => "a sharper tip, or its radius measured to a tenth".to_owned(),
+        Measure::Untraced => "`tip`: it is sharper than stated, or noise stands out, which an S filter removes".to_owned(),
         Measure::LengthOverSide => format!("a larger map, or an L filter such as {}", l()),
         Measure::Slope if finding.is_blocking() => {
             "`unit` or `pixel`: heights and pixel size are probably in different units".to_owned()

@@ -23,6 +23,8 @@ pub struct FileOptions {
     pub outliers: Option<String>,
     /// The axis along which lines are set to the same mean height.
     pub align_lines: Option<String>,
+    /// Radius of the stylus or tip.
+    pub tip: Option<String>,
     /// The material of both bodies, of the library.
     pub material: Option<String>,
 }
@@ -72,6 +74,7 @@ impl FileOptions {
                 value.as_ref().map(|value| (format!("{key} = {}", quoted(value)), typed(key, value))),
             );
         }
+        lines.extend(self.tip.as_ref().map(|tip| (format!("tip = {}", length(tip)), typed("tip", tip))));
         let indices = [("s", &self.s), ("l", &self.l)];
         let given = || indices.iter().filter_map(|(key, value)| value.as_ref().map(|value| (*key, value)));
         if given().next().is_some() {

@@ -45,6 +45,7 @@ pub(super) enum Origin {
         given: ListOptions,
         rows: usize,
         nominal_area: f64,
+        is_independent: bool,
     },
     Population {
         population: Population,
@@ -151,7 +152,8 @@ impl SurfacePlan {
                 source.error_at(key, list_message(&path, &error))
             })?,
         };
-        Ok(Origin::List { path, given, rows, nominal_area: raw.nominal_area.value() })
+        let nominal_area = raw.nominal_area.value();
+        Ok(Origin::List { path, given, rows, nominal_area, is_independent: raw.independent })
     }
 
     fn population(
@@ -227,6 +229,7 @@ impl SurfacePlan {
             removes_spikes: raw.outliers == Outliers::Remove,
             removes_suspects: false,
             aligned: raw.align_lines,
+            tip: raw.tip.map(|radius| radius.value()),
             level: raw.level.unwrap_or(if is_periodic { Level::None } else { Level::default() }),
             filter,
             neighbours: raw.neighbours,
@@ -354,6 +357,8 @@ impl SurfacePlan {
         /// A copy of a random surface, which its spectrum is made from.
         const BYTES_PER_POINT_OF_SPECTRUM: u128 = 8;
         const BYTES_PER_HEIGHT: u128 = 8;
+        /// Both erosions of a map by a tip, with the apexes of each.
+        const BYTES_PER_ERODED_POINT: u128 = 72;
         /// What is found of a summit, room for a fifth more, and the models' copies.
         const BYTES_PER_SUMMIT: u128 = 200;
         /// Its curvatures, and the ordered copy of the spheres that stand for it.
@@ -370,7 +375,9 @@ impl SurfacePlan {
                 // The map as read stays until its last treatment.
                 let raw = if is_on_disk { 0 } else { area(points) };
                 let reading = raw * BYTES_PER_READ_POINT;
-                reading.max(raw * BYTES_PER_HEIGHT + own.max(treated) + analysis) + summits
+                let eroding =
+                    if preparation.tip.is_some() { area(points) * BYTES_PER_ERODED_POINT } else { 0 };
+                reading.max(raw * BYTES_PER_HEIGHT + own.max(treated) + analysis + eroding) + summits
             }
             Origin::Generated(generation) => {
                 let depth = match depth {

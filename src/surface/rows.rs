@@ -150,6 +150,10 @@ impl Row for MapRow<'_> {
             missing_points["count"] = row.map.roughness.missing, "Points without a height.";
             removed_spikes["count", label("points removed as spikes")] = row.map.spikes.as_ref().map(|spikes| spikes.removed).filter(|&removed| removed > 0), "Points that were removed as spikes.";
             aligned_lines["text", label("lines set to equal mean height, along")] = row.map.aligned.map(|lines| lines.name()), "The axis along which lines were set to equal mean height.";
+            tip_radius_m["m", label("eroded by a tip of radius"), input] = row.map.tip.map(|tip| tip.reach.radius), "Radius of the stylus or tip that the map was eroded by; this and the next columns are empty without one.";
+            tip_unreached_share["1", label("points that it did not touch alone"), percent] = row.map.tip.map(|tip| tip.reach.unreached), "Share of the points at which the tip touched the surface elsewhere from the same place: the surface may lie lower there.";
+            tip_untraced_share["1", label("points higher than it can trace"), percent] = row.map.tip.map(|tip| tip.reach.untraced), "Share of the points that lie higher than this tip can have traced any surface, by more than the grid and 1 % of Sq.";
+            tip_largest_correction_m["m", label("largest height taken off")] = row.map.tip.map(|tip| tip.reach.largest), "The largest height that the erosion took off.";
             level["text", label("levelled by")] = row.map.level.name(), "The form that was removed.";
             filter["text", label("Gaussian filter (ISO 16610-61)")] = row.map.filter.map(|filter| filter.to_string()), "Gaussian filter (ISO 16610-61) with its nesting indices.";
             sa_m["m", label("Sa")] = row.moments().sa, "Arithmetic mean height.";

@@ -73,14 +73,22 @@ impl TryFrom<Kinds> for SurfaceSpec {
 /// A list of asperities: a text with columns height and radius, or an n x 2 `.npy`; for elliptic laws with kx and
 /// ky too.
 #[derive(Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a table { file, nominal-area, unit }")]
+#[serde(
+    deny_unknown_fields,
+    rename_all = "kebab-case",
+    expecting = "a table { file, nominal-area, unit, independent }"
+)]
 pub struct ListSpec {
-    /// Text with the columns height and radius (kx and ky for elliptic laws), or an n x 2 (n x 4) `.npy`; relative to the spec.
+    /// Text with the columns height and radius (kx and ky for elliptic laws; x and y where they are known), or an n x 2 (n x 4) `.npy`; relative to the spec.
     #[schemars(extend("examples" = ["asperities.csv"]))]
     pub file: Spanned<PathBuf>,
     /// Unit of heights and radii, reciprocal unit of curvatures; only where the file names none.
     #[schemars(extend("default" = "m", "examples" = ["um"]))]
     pub unit: Option<Spanned<UnitSpec>>,
+    /// Whether the asperities are independent draws, so that their scatter gives intervals. Those of a surface are not; with the columns x and y they are divided into blocks.
+    #[serde(default)]
+    #[schemars(extend("default" = false, "examples" = [true]))]
+    pub independent: bool,
     /// Nominal area that the asperities are from.
     #[schemars(extend("examples" = ["1 mm^2"]))]
     pub nominal_area: Quantity<Area>,
@@ -179,6 +187,9 @@ pub struct FileSpec {
     /// The axis along which lines of the scan are set to the same mean height.
     #[schemars(extend("x-default" = "none", "examples" = ["x"]))]
     pub align_lines: Option<Lines>,
+    /// Radius of the stylus or tip that traced the map: what it added to the summits is eroded.
+    #[schemars(extend("x-default" = "none", "examples" = ["5 um"]))]
+    pub tip: Option<Quantity<Length>>,
     /// Form that is removed.
     #[schemars(extend("x-default" = "plane; none of a periodic map", "examples" = ["quadratic"]))]
     pub level: Option<Level>,

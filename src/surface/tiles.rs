@@ -186,14 +186,14 @@ impl SurfaceTiles {
 
 /// Refuses a map whose tiles would need the whole of it.
 fn check_local(map: &MapPlan) -> Result<(), String> {
-    let Preparation { removes_spikes, aligned, level, .. } = map.preparation;
+    let Preparation { removes_spikes, aligned, tip, level, .. } = map.preparation;
     if map.is_periodic {
         return Err("found a periodic map; allowed in [tiled]: a map with borders".to_owned());
     }
-    if removes_spikes || aligned.is_some() {
+    if removes_spikes || aligned.is_some() || tip.is_some() {
         return Err(
-            "found outliers = \"remove\" or align-lines, which need the whole map; allowed in [tiled]: a map without spikes and with aligned \
-             lines"
+            "found outliers = \"remove\", align-lines or tip, which need the whole map; allowed in [tiled]: a map without spikes, with \
+             aligned lines and as traced"
                 .to_owned(),
         );
     }
@@ -275,7 +275,7 @@ impl OpenTiles<'_> {
             (Division::Population { tiles, .. }, Origin::Population { population, count, draw, .. }, _) => {
                 self.drawn(population, *count, *draw, tile / tiles + 1, block)
             }
-            (_, Origin::List { path, given, rows, nominal_area }, _) => {
+            (_, Origin::List { path, given, rows, nominal_area, .. }, _) => {
                 let stretch = block * BLOCK..((block + 1) * BLOCK).min(*rows);
                 let share = nominal_area * stretch.len() as f64 / *rows as f64;
                 let list = self.rows(path, stretch, *given)?;

@@ -38,7 +38,10 @@ fn run(folder: &Path, compare: &str, surfaces: &str) -> Box<dyn Outcome> {
 }
 
 fn surface(name: &str, file: &str, count: usize) -> String {
-    format!("[surface.{name}.asperities]\nfile = \"{file}\"\nnominal-area = {:e}\n", count as f64 / 6e10)
+    format!(
+        "[surface.{name}.asperities]\nfile = \"{file}\"\nnominal-area = {:e}\nindependent = true\n",
+        count as f64 / 6e10
+    )
 }
 
 #[test]

@@ -19,7 +19,7 @@ fn warnings(hardness: &str, strength: &str, kind: &str, list: &str) -> Vec<Strin
 fn compare(law: &str) -> String {
     format!(
         "[compare]\nrough = \"steel\"\nflat = \"steel\"\nlaw = {law}\nseparation = {{ values = [1] }}\n\
-         [surface.a.asperities]\nfile = \"list.csv\"\nnominal-area = \"1e-8 m^2\"\n"
+         [surface.a.asperities]\nfile = \"list.csv\"\nnominal-area = \"1e-8 m^2\"\nindependent = true\n"
     )
 }
 

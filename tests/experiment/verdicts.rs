@@ -191,7 +191,9 @@ fn a_spike_is_no_valid_contact() {
     write("spiked.csv", 2.8e-7);
     write("even.csv", 1e-8);
     let list = |name: &str| {
-        format!("[surface.{name}.asperities]\nfile = \"{name}.csv\"\nnominal-area = \"1e-6 m^2\"\n")
+        format!(
+            "[surface.{name}.asperities]\nfile = \"{name}.csv\"\nnominal-area = \"1e-6 m^2\"\nindependent = true\n"
+        )
     };
     let loads = "pressure = { values = [\"200 kPa\"] }";
     let results: CompareResults =

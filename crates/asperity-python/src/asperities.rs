@@ -28,6 +28,10 @@ use crate::spec::toml_of;
 ///     The area that they are from in m^2.
 /// curvatures : array_like, shape (2, n), optional
 ///     Principal curvatures kx and ky in 1/m, for laws for ellipses.
+/// places : array_like, shape (2, n), optional
+///     Their places x and y in m, which divide them into blocks for intervals.
+/// independent : bool
+///     Whether they are independent draws, whose scatter gives intervals. Neighbouring asperities of a surface are not.
 ///
 /// Raises
 /// ------
@@ -44,6 +48,10 @@ pub struct Asperities {
     pub heights: Array,
     pub radii: Array,
     pub curvatures: Option<Array>,
+    pub places: Option<Array>,
+    /// Whether they are independent draws.
+    #[pyo3(get)]
+    pub independent: bool,
     /// The area that they are from in m^2.
     #[pyo3(get)]
     pub nominal_area: f64,
@@ -56,11 +64,17 @@ impl Asperities {
     }
 
     fn list(&self) -> AsperityList {
-        let curvatures = self.curvatures.as_ref().map(|both| {
-            let (kx, ky) = both.values().split_at(self.heights.values().len());
-            [kx.to_vec(), ky.to_vec()]
-        });
-        AsperityList::new(self.heights.values().to_vec(), self.radii.values().to_vec(), curvatures)
+        let both = |array: &Array| {
+            let (first, second) = array.values().split_at(self.heights.values().len());
+            [first.to_vec(), second.to_vec()]
+        };
+        let curvatures = self.curvatures.as_ref().map(both);
+        let list =
+            AsperityList::new(self.heights.values().to_vec(), self.radii.values().to_vec(), curvatures);
+        match &self.places {
+            Some(places) => list.at_places(both(places)),
+            None => list,
+        }
     }
 
     /// A copy in the frame of its lowest height where all are far from zero; with ellipses where they are known.
@@ -77,24 +91,32 @@ impl Asperities {
 #[pymethods]
 impl Asperities {
     #[new]
-    #[pyo3(signature = (heights, radii, nominal_area, *, curvatures=None))]
+    #[pyo3(signature = (heights, radii, nominal_area, *, curvatures=None, places=None, independent=false))]
     fn new(
         heights: &Bound<PyAny>,
         radii: &Bound<PyAny>,
         nominal_area: f64,
         curvatures: Option<&Bound<PyAny>>,
+        places: Option<&Bound<PyAny>>,
+        independent: bool,
     ) -> PyResult<Self> {
         let (heights, radii) = (Array::new(heights, 1, "heights")?, Array::new(radii, 1, "radii")?);
-        let curvatures = curvatures.map(|both| Array::new(both, 2, "curvatures")).transpose()?;
-        if let Some(found) = curvatures.as_ref().map(Array::shape)
-            && found != [2, heights.values().len()]
-        {
-            let allowed = heights.values().len();
-            return Err(refuse(format!(
-                "curvatures: found the shape {found:?}; allowed: [2, {allowed}], kx and ky"
-            )));
+        let both = |given: Option<&Bound<PyAny>>, name: &str, columns: &str| {
+            let Some(given) = given else { return Ok(None) };
+            let (array, count) = (Array::new(given, 2, name)?, heights.values().len());
+            let found = array.shape();
+            if found != [2, count] {
+                let message = format!("{name}: found the shape {found:?}; allowed: [2, {count}], {columns}");
+                return Err(refuse(message));
+            }
+            Ok(Some(array))
+        };
+        let curvatures = both(curvatures, "curvatures", "kx and ky")?;
+        let places = both(places, "places", "x and y")?;
+        if places.as_ref().is_some_and(|places| places.values().iter().any(|place| !place.is_finite())) {
+            return Err(refuse("places: found one that is not finite; allowed: finite numbers, m"));
         }
-        let made = Self { heights, radii, curvatures, nominal_area };
+        let made = Self { heights, radii, curvatures, places, independent, nominal_area };
         made.spheres().map_err(refuse)?;
         if made.curvatures.is_some() {
             made.set().map_err(refuse)?;
@@ -118,6 +140,12 @@ impl Asperities {
     #[getter]
     fn curvatures(&self, py: Python) -> Option<Py<PyArrayDyn<f64>>> {
         self.curvatures.as_ref().map(|both| both.object(py))
+    }
+
+    /// Places x and y in m, shape (2, n), or None.
+    #[getter]
+    fn places(&self, py: Python) -> Option<Py<PyArrayDyn<f64>>> {
+        self.places.as_ref().map(|both| both.object(py))
     }
 
     /// Asperities per nominal area in 1/m^2.

@@ -184,10 +184,26 @@ pub fn make_surface(
         }
         None => None,
     };
+    let places = surface.prepared.as_ref().map(|prepared| {
+        let ([_, ny], pixel) = (prepared.map.points(), prepared.map.pixel());
+        let place = |axis: usize, at: usize| (at as f64 + 0.5) * pixel[axis];
+        let x = prepared.positions.iter().map(|&point| place(0, point / ny));
+        x.chain(prepared.positions.iter().map(|&point| place(1, point % ny))).collect::<Vec<f64>>()
+    });
+    let places = match places {
+        Some(both) => {
+            let both = both.into_pyarray(py).reshape([2, count])?;
+            Some(Array::new(both.as_any(), 2, "places")?)
+        }
+        None => None,
+    };
     let asperities = Asperities {
         heights: array(heights, "heights")?,
         radii: array(set.radii().to_vec(), "radii")?,
         curvatures,
+        places,
+        // Drawn from a population.
+        independent: surface.nominal.is_some(),
         nominal_area: set.nominal_area(),
     };
     let (map, positions) = match surface.prepared {

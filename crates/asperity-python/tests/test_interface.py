@@ -143,6 +143,8 @@ def test_tables_are_mappings_with_units():
         (lambda: asperity.Asperities([1.0], [0.0], 1), "radius 0 m; allowed: positive"),
         (lambda: asperity.Asperities([1.0], [1.0], 0), "nominal area 0"),
         (lambda: asperity.Asperities([1.0], [1.0], 1, curvatures=[[1.0]]), "curvatures: found the shape"),
+        (lambda: asperity.Asperities([1.0], [1.0], 1, places=[[1.0]]), "places: found the shape"),
+        (lambda: asperity.Asperities([1.0], [1.0], 1, places=[[1.0], [np.inf]]), "places: found one that is not finite"),
         (lambda: asperity.Population(1e-5, -1, 1e10), "sigma: found -1; allowed: positive"),
         (lambda: asperity.Population(1e-5, 1e-8, 1e10, "x"), 'heights: found "x"; allowed: "gaussian"'),
         (lambda: asperity.deterministic(CONTACT, asperities()), "found no separation and no pressure"),

@@ -63,6 +63,18 @@ pub const SILVERMAN_1986: Paper = Paper {
     full: "Silverman, B. W. (1986). Density Estimation for Statistics and Data Analysis. Chapman and Hall, London.",
 };
 
+/// What a tip can have reached of a measured map.
+pub const VILLARRUBIA_1997: Paper = Paper {
+    short: "Villarrubia 1997",
+    full: "Villarrubia, J. S. (1997). Algorithms for scanned probe microscope image simulation, surface reconstruction, and tip estimation. Journal of Research of the National Institute of Standards and Technology 102(4), 425-454. doi:10.6028/jres.102.030",
+};
+
+/// The lower envelope of parabolas.
+pub const FELZENSZWALB_HUTTENLOCHER_2012: Paper = Paper {
+    short: "Felzenszwalb and Huttenlocher 2012",
+    full: "Felzenszwalb, P. F., Huttenlocher, D. P. (2012). Distance transforms of sampled functions. Theory of Computing 8, 415-428. doi:10.4086/toc.2012.v008a019",
+};
+
 /// The areal Gaussian filter.
 pub const ISO_16610_61: Paper = Paper {
     short: "ISO 16610-61:2015",

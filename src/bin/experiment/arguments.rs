@@ -142,6 +142,9 @@ pub struct FileArguments {
     /// Axis along which lines of the scan are set to the same mean height: x, y
     #[arg(long, allow_hyphen_values = true)]
     align_lines: Option<String>,
+    /// Radius of the stylus or tip that traced the map, which is eroded: "5 um"
+    #[arg(long, allow_hyphen_values = true)]
+    tip: Option<String>,
     /// Form to remove: none, mean, plane, quadratic, cubic
     #[arg(long, allow_hyphen_values = true)]
     level: Option<String>,
@@ -161,9 +164,9 @@ pub struct FileArguments {
 
 impl From<FileArguments> for FileOptions {
     fn from(arguments: FileArguments) -> Self {
-        let FileArguments { pixel, unit, outliers, align_lines, level, s, l, neighbours, material } =
+        let FileArguments { pixel, unit, outliers, align_lines, tip, level, s, l, neighbours, material } =
             arguments;
-        Self { pixel, unit, outliers, align_lines, level, s, l, neighbours, material }
+        Self { pixel, unit, outliers, align_lines, tip, level, s, l, neighbours, material }
     }
 }
 

@@ -71,7 +71,14 @@ class Interface:
 
 class Asperities:
     def __new__(
-        cls, heights: ArrayLike, radii: ArrayLike, nominal_area: float, *, curvatures: ArrayLike | None = None
+        cls,
+        heights: ArrayLike,
+        radii: ArrayLike,
+        nominal_area: float,
+        *,
+        curvatures: ArrayLike | None = None,
+        places: ArrayLike | None = None,
+        independent: bool = False,
     ) -> Asperities: ...
     @property
     def heights(self) -> NDArray[np.float64]: ...
@@ -79,6 +86,10 @@ class Asperities:
     def radii(self) -> NDArray[np.float64]: ...
     @property
     def curvatures(self) -> NDArray[np.float64] | None: ...
+    @property
+    def places(self) -> NDArray[np.float64] | None: ...
+    @property
+    def independent(self) -> bool: ...
     @property
     def nominal_area(self) -> float: ...
     @property

@@ -131,7 +131,8 @@ def _table(name: str, surface: Surface) -> tuple[dict[str, Any], dict[str, Any]]
         return {"file": {**table["file"], "path": path}}, {path: raw}
     if isinstance(surface, Asperities):
         path = f"list {name}"
-        return {"asperities": {"file": path, "nominal-area": surface.nominal_area}}, {path: surface}
+        table = {"file": path, "nominal-area": surface.nominal_area, "independent": surface.independent}
+        return {"asperities": table}, {path: surface}
     if isinstance(surface, Mapping):
         return {_hyphens(key): value for key, value in surface.items()}, {}
     raise ValueError(

@@ -47,6 +47,8 @@ class Topography:
         Whether spikes become missing points.
     align_lines : {"x", "y"}, optional
         The axis along which lines of the scan are set to the same mean height.
+    tip : float, optional
+        Radius of the stylus or tip that traced the map in m: what it added to the summits is eroded.
     level : {"none", "plane", "quadratic", "cubic"}, optional
         Form that is removed; by default a plane, and nothing of a periodic map.
     s, l : float, optional
@@ -83,7 +85,7 @@ class Topography:
         self._begin(_asperity.Map(heights, pixel), periodic, preparation)
 
     def _begin(self, raw: _asperity.Map, periodic: bool, preparation: dict[str, Any]) -> None:
-        allowed = {"outliers", "align_lines", "level", "s", "l", "neighbours"}
+        allowed = {"outliers", "align_lines", "tip", "level", "s", "l", "neighbours"}
         if unknown := set(preparation) - allowed:
             raise ValueError(f"found {', '.join(sorted(unknown))}; allowed: {', '.join(sorted(allowed))}")
         self._raw = raw
@@ -181,7 +183,7 @@ class Topography:
         return self._surface.map.heights()
 
     def find_summits(self) -> Asperities:
-        """The summits of the prepared map: heights and radii in m, with their principal curvatures in 1/m."""
+        """The summits of the prepared map: heights, radii and places in m, with their principal curvatures in 1/m."""
         return self._surface.asperities
 
     @property

@@ -41,7 +41,7 @@ pub fn sampling(
         Independence::Asperities => (independent.clone(), None),
         Independence::Blocks(blocks) => (Some(left_out(&blocks.division)), None),
         Independence::TooSmall(error) => (None, Some(error.area_needed)),
-        Independence::Realisations => (None, None),
+        Independence::Unstated | Independence::Realisations => (None, None),
     };
     let of = |left_out: &Option<Vec<LeftOut>>, case: usize| left_out.as_ref().map(|all| all[case].clone());
     let of_case = |case| CaseSampling {

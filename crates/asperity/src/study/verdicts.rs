@@ -50,6 +50,8 @@ pub enum Basis {
         /// Correlation lengths, of heights or of the amplitude of the roughness, along x and y, m; infinite where the correlation does not decay.
         correlation: [f64; 2],
     },
+    /// A list that is not said to be one of independent draws, and has no places: no interval.
+    Unstated,
     /// Independent asperities, in groups of which each is left out in turn.
     Asperities,
     /// The scatter of realisations.
@@ -61,7 +63,7 @@ impl Basis {
     pub const fn name(&self) -> &'static str {
         match self {
             Self::Blocks { .. } => "blocks",
-            Self::TooSmall { .. } => "none",
+            Self::TooSmall { .. } | Self::Unstated => "none",
             Self::Asperities => "independent",
             Self::Realisations(_) => "realisations",
         }
@@ -78,6 +80,7 @@ impl Basis {
                 lengths: [0, 1].map(|axis| blocks.sides[axis] / blocks.correlation.longest()[axis]),
             },
             Independence::TooSmall(error) => Self::TooSmall { correlation: error.correlation.longest() },
+            Independence::Unstated => Self::Unstated,
             Independence::Asperities | Independence::Realisations => Self::Asperities,
         }
     }

@@ -18,6 +18,7 @@ use crate::topography::generate::{SigmaOf, SurfaceGenerator, Target};
 use crate::topography::spectrum::{Lay, SpectrumShape};
 use crate::topography::summits::Neighbours;
 use crate::topography::theory::Expected;
+use crate::topography::tip::TipReach;
 use crate::topography::{CorrelationLengths, Filter, Level, Quantisation, RoughnessParameters};
 use crate::{
     AsperitySet, Ellipticity, HeightMap, Heights, MeanRadius, Paper, Population, ReferencePlane, Statistics,
@@ -95,6 +96,8 @@ pub struct MapFacts {
     pub quantisation: Option<Quantisation>,
     /// Of a measured map, its spikes.
     pub spikes: Option<SpikeFacts>,
+    /// Of a map that was eroded by the tip of the instrument, what the tip has reached.
+    pub tip: Option<TipFacts>,
     /// Of a measured map that was checked, the offsets between its lines.
     pub offsets: Option<LineOffsets>,
     /// Whether it may carry a verdict, check by check; empty where nothing was checked.
@@ -114,6 +117,15 @@ pub struct SpikeFacts {
     pub removed: usize,
     /// Those that are there.
     pub left: Spikes,
+}
+
+/// What the tip of an instrument has reached of a map.
+#[derive(Debug, Clone, Copy)]
+pub struct TipFacts {
+    /// Of the whole map.
+    pub reach: TipReach,
+    /// Mean radius of the summits of the prepared map, of all or of the highest, whichever is smaller, m.
+    pub radius: f64,
 }
 
 /// What a random surface was made by.
@@ -160,6 +172,9 @@ impl MapFacts {
 
     fn papers(&self) -> Vec<Paper> {
         let mut papers = vec![literature::GREENWOOD_1984, literature::NAYAK_1971];
+        if self.tip.is_some() {
+            papers.extend([literature::VILLARRUBIA_1997, literature::FELZENSZWALB_HUTTENLOCHER_2012]);
+        }
         if self.filter.is_some() {
             papers.push(literature::ISO_16610_61);
         }

@@ -7,14 +7,16 @@ use crate::topography::fitness::{
 };
 use crate::topography::generate::SigmaOf;
 use crate::topography::summits::{Detail, Neighbours, Summits, find};
+use crate::topography::tip::eroded;
 use crate::topography::{
     Autocorrelation, Blocks, CorrelationLengths, Filter, FilterError, Level, Levelled, Quantisation,
     RoughnessParameters, Rows, Undetermined, Watched, Window, theory, thumbnail,
 };
-use crate::{AsperitySet, Ellipse, HeightMap, ReferencePlane, SetError, Statistics};
+use crate::{AsperitySet, Ellipse, HeightMap, MIN_CONTACTS, ReferencePlane, SetError, Statistics};
 
 use super::{
     AnalysisDepth, GenerationFacts, Independence, MapFacts, MapOverview, PreparedMap, SpikeFacts, Surface,
+    TipFacts,
 };
 
 /// A map on which no asperities are found.
@@ -58,6 +60,8 @@ pub struct Preparation {
     pub removes_suspects: bool,
     /// The axis along which lines are aligned.
     pub aligned: Option<Lines>,
+    /// Radius of the stylus or tip whose traces are eroded, m.
+    pub tip: Option<f64>,
     /// The form removed.
     pub level: Level,
     /// The filters.
@@ -75,6 +79,7 @@ impl Preparation {
             removes_spikes: false,
             removes_suspects: false,
             aligned: None,
+            tip: None,
             level: Level::None,
             filter: None,
             neighbours,
@@ -174,6 +179,11 @@ impl SummitSearch<'_> {
         let without = Without { map: raw, points: &removed };
         let aligned = self.preparation.aligned.map(|lines| AlignedLines::new(&without, lines));
         let cleaned: &dyn Rows = aligned.as_ref().map_or(&without as &dyn Rows, |aligned| aligned);
+        let eroded = self.preparation.tip.map(|radius| {
+            progress.stage("tip", 1.0);
+            eroded(cleaned, radius)
+        });
+        let cleaned: &dyn Rows = eroded.as_ref().map_or(cleaned, |(map, _)| map);
         progress.stage("levelling", 1.0);
         let levelled = Levelled { map: cleaned, form: self.preparation.level.form(cleaned)? };
         let filtered = match self.preparation.filter {
@@ -221,6 +231,8 @@ impl SummitSearch<'_> {
         let spikes = left.map(|left| SpikeFacts { removed: removed.len(), left });
         let mut facts = self.facts(&without, map, roughness, &summits, spikes);
         facts.correlation = correlation;
+        facts.tip =
+            eroded.as_ref().map(|(_, reach)| TipFacts { reach: *reach, radius: sharper_radius(&summits) });
         if is_checked {
             progress.stage("fitness checks", 4.0);
             facts.offsets = facts.spikes.is_some().then(|| LineOffsets::new(map));
@@ -297,6 +309,7 @@ impl SummitSearch<'_> {
             spikes,
             fitness: Vec::new(),
             offsets: None,
+            tip: None,
             correlation: None,
             generation: self.generation.clone(),
             whole: MapOverview::new(
@@ -328,8 +341,23 @@ fn fitness(map: &dyn Rows, facts: &MapFacts, summits: &Summits, aspect: Option<f
         spikes: spikes.left.count(),
         offsets: facts.offsets.unwrap_or_default(),
         step_over_drop: step_over_drop(map, &quantisation, facts.filter.as_ref()),
+        tip: facts.tip.map(|tip| [tip.radius / tip.reach.radius, tip.reach.untraced]),
     });
     examined.findings(measured.as_ref())
+}
+
+/// The smaller one of the mean radii (m) of all summits and of the highest, as few as carry an admissible load.
+fn sharper_radius(summits: &Summits) -> f64 {
+    let mut by_height: Vec<(f64, f64)> = summits
+        .heights
+        .iter()
+        .zip(&summits.curvatures)
+        .map(|(&z, curvature)| (z, curvature.recip()))
+        .collect();
+    by_height.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.total_cmp(&b.1)));
+    let mean =
+        |radii: &[(f64, f64)]| radii.iter().map(|(_, radius)| radius).sum::<f64>() / radii.len() as f64;
+    mean(&by_height).min(mean(&by_height[..by_height.len().min(MIN_CONTACTS as usize)]))
 }
 
 /// The correlation lengths of a coarse map, and the autocorrelation of its heights.

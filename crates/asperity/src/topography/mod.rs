@@ -6,6 +6,7 @@
 //! | [`read`] | measured maps, one file per format |
 //! | [`thumbnail`], [`Sampled`], [`Window`] | a coarse map of a map; every n-th point of it; a part of it |
 //! | [`Level`], [`Filter`] | removing the form; Gaussian S and L filters |
+//! | [`tip`] | what the stylus or tip of the instrument could not reach |
 //! | [`summits`] | summits and their curvatures |
 //! | [`RoughnessParameters`], [`Moments`], [`Drops`] | height and spectral moments, the autocorrelation at neighbours |
 //! | [`RadialSpectrum`], [`Autocorrelation`] | power spectrum and autocorrelation of a map |
@@ -34,6 +35,7 @@ mod rows;
 pub mod spectrum;
 pub mod summits;
 pub mod theory;
+pub mod tip;
 
 use std::fs::File;
 use std::io;

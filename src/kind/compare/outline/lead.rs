@@ -66,6 +66,9 @@ fn open(stretch: &Stretch, verdicts: &Verdicts) -> String {
             let needed = (growth * now as f64).ceil().max(now as f64 + 1.0);
             format!(" (needs about {} realisations, now {now})", number(needed))
         }
+        (Basis::Unstated, ..) => {
+            " (no interval: the list needs `independent = true`, or columns `x` and `y`)".to_owned()
+        }
         (_, _, Some(area)) => {
             let least = if stretch.area_needed.is_some() { "at least" } else { "about" };
             let [area, now] = [area, verdicts.area].map(nominal_area);

@@ -14,11 +14,21 @@ pub enum ListColumn {
     Kx,
     /// The other one, 1/m.
     Ky,
+    /// Place along x, m.
+    X,
+    /// Place along y, m.
+    Y,
 }
 
 impl ListColumn {
-    /// All columns in the order of an array; the first two suffice for spheres.
-    pub(super) const ALL: &'static [Self] = &[Self::Height, Self::Radius, Self::Kx, Self::Ky];
+    /// The columns of an array in their order; the first two suffice for spheres.
+    pub(super) const OF_ARRAY: &'static [Self] = &[Self::Height, Self::Radius, Self::Kx, Self::Ky];
+
+    /// Those that a text may have besides, both or neither.
+    pub(super) const PLACES: [Self; 2] = [Self::X, Self::Y];
+
+    /// Number of all columns.
+    pub(super) const COUNT: usize = 6;
 
     /// The name in a header.
     pub const fn name(self) -> &'static str {
@@ -27,16 +37,19 @@ impl ListColumn {
             Self::Radius => "radius",
             Self::Kx => "kx",
             Self::Ky => "ky",
+            Self::X => "x",
+            Self::Y => "y",
         }
     }
 
     /// The column of this name, in any case.
     pub(super) fn named(name: &str) -> Option<Self> {
-        Self::ALL.iter().copied().find(|column| column.name().eq_ignore_ascii_case(name))
+        let mut all = Self::OF_ARRAY.iter().copied().chain(Self::PLACES);
+        all.find(|column| column.name().eq_ignore_ascii_case(name))
     }
 
     const fn is_length(self) -> bool {
-        matches!(self, Self::Height | Self::Radius)
+        !matches!(self, Self::Kx | Self::Ky)
     }
 
     const fn si_unit(self) -> &'static str {
@@ -77,14 +90,14 @@ impl ListColumn {
     /// Whether an SI value is valid.
     pub(super) fn allows(self, value: f64) -> bool {
         match self {
-            Self::Height => value.abs() <= LARGEST,
+            Self::Height | Self::X | Self::Y => value.abs() <= LARGEST,
             Self::Radius | Self::Kx | Self::Ky => is_positive(value),
         }
     }
 
     pub(super) const fn allowed(self) -> &'static str {
         match self {
-            Self::Height => "a finite number (at most 1e30 m)",
+            Self::Height | Self::X | Self::Y => "a finite number (at most 1e30 m)",
             Self::Radius => "a positive finite number (1e-30 to 1e30 m)",
             Self::Kx | Self::Ky => "a positive finite number (1e-30 to 1e30 per metre)",
         }

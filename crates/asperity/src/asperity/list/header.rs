@@ -63,7 +63,9 @@ pub(super) struct Header {
     pub width: usize,
     /// The number of the line, from 1.
     pub line: usize,
-    /// For each column of the file its place among the needed ones, and how many of its unit of length are a metre.
+    /// The columns that are read: the needed ones, and the places of the asperities where the file has both.
+    pub columns: Vec<ListColumn>,
+    /// For each column of the file its place among those, and how many of its unit of length are a metre.
     pub places: Vec<Option<(usize, f64)>>,
 }
 
@@ -85,7 +87,13 @@ impl Header {
             names.join(", ")
         };
         let mut places: Vec<Option<(usize, f64)>> = vec![None; named.len()];
-        for (rank, &wanted) in needed.iter().enumerate() {
+        let is_there =
+            |column: &ListColumn| named.iter().any(|(name, _)| ListColumn::named(name) == Some(*column));
+        let mut columns = needed.to_vec();
+        if ListColumn::PLACES.iter().all(is_there) {
+            columns.extend(ListColumn::PLACES);
+        }
+        for (rank, &wanted) in columns.iter().enumerate() {
             let mut of_name = (0..named.len()).filter(|&k| ListColumn::named(&named[k].0) == Some(wanted));
             let Some(place) = of_name.next() else {
                 return Err(ListError::Column { column: wanted, needed, found: found() });
@@ -105,7 +113,7 @@ impl Header {
             };
             places[place] = Some((rank, per_metre));
         }
-        Ok(Self { separator, width: named.len(), line, places })
+        Ok(Self { separator, width: named.len(), line, columns, places })
     }
 
     /// Whether a line is a row of numbers rather than names.

@@ -1,5 +1,5 @@
 //! Reading a list of asperities: a text with the columns `height` and `radius`, or an n x 2 `.npy`; for ellipses,
-//! followed by `kx` and `ky`.
+//! followed by `kx` and `ky`. A text may have their places `x` and `y` besides.
 
 mod column;
 mod header;
@@ -151,12 +151,12 @@ pub struct ListOptions {
 impl ListOptions {
     /// The columns that are needed.
     fn needed(self) -> &'static [ListColumn] {
-        &ListColumn::ALL[..if self.as_ellipses { 4 } else { 2 }]
+        &ListColumn::OF_ARRAY[..if self.as_ellipses { 4 } else { 2 }]
     }
 }
 
-/// The values of each of [`ListColumn::ALL`], per asperity; empty if not requested.
-type Columns = [Vec<f64>; ListColumn::ALL.len()];
+/// The values of each [`ListColumn`], per asperity; empty if not requested.
+type Columns = [Vec<f64>; ListColumn::COUNT];
 
 /// A list of asperities as read from a file.
 #[derive(Debug, Clone, PartialEq)]
@@ -165,6 +165,8 @@ pub struct AsperityList {
     radii: Vec<f64>,
     /// kx and ky.
     curvatures: Option<[Vec<f64>; 2]>,
+    /// Places along x and y, m.
+    places: Option<[Vec<f64>; 2]>,
 }
 
 impl AsperityList {
@@ -185,15 +187,16 @@ impl AsperityList {
         if npy::is_npy(path)? {
             found = read_npy(path, needed, options)?;
         } else {
-            text::rows(path, needed, options, |row| {
-                found.iter_mut().zip(row).for_each(|(column, &value)| column.push(value));
+            text::rows(path, needed, options, |columns, row| {
+                columns.iter().zip(row).for_each(|(&column, &value)| found[column as usize].push(value));
             })?;
         }
-        let [heights, radii, kx, ky] = found;
+        let [heights, radii, kx, ky, x, y] = found;
         if heights.is_empty() {
             return Err(ListError::Empty);
         }
-        Ok(Self { heights, radii, curvatures: options.as_ellipses.then_some([kx, ky]) })
+        let places = (!x.is_empty()).then_some([x, y]);
+        Ok(Self { heights, radii, curvatures: options.as_ellipses.then_some([kx, ky]), places })
     }
 
     /// Checks every row of a file without keeping it, and returns their number. Of an `.npy` of more than 1e8 rows only the
@@ -206,7 +209,7 @@ impl AsperityList {
         if npy::is_npy(path)? {
             check_npy(path, needed, options)
         } else {
-            text::rows(path, needed, options, |_| {})
+            text::rows(path, needed, options, |_, _| {})
         }
     }
 
@@ -222,20 +225,31 @@ impl AsperityList {
         if rows.is_empty() {
             return Err(ListError::Empty);
         }
-        let [heights, radii, kx, ky] = rows_of(&array, rows, needed, options)?;
-        Ok(Self { heights, radii, curvatures: options.as_ellipses.then_some([kx, ky]) })
+        let [heights, radii, kx, ky, ..] = rows_of(&array, rows, needed, options)?;
+        Ok(Self { heights, radii, curvatures: options.as_ellipses.then_some([kx, ky]), places: None })
     }
 
     /// The list with these columns, in m and 1/m: heights, radii, and the principal curvatures kx and ky of ellipses.
     /// [`Self::set`] checks them.
     pub fn new(heights: Vec<f64>, radii: Vec<f64>, curvatures: Option<[Vec<f64>; 2]>) -> Self {
-        Self { heights, radii, curvatures }
+        Self { heights, radii, curvatures, places: None }
     }
 
-    /// Its columns: heights, radii, and kx and ky where it has them.
+    /// The same list with the places of its asperities along x and y, m: as many as rows.
+    #[must_use]
+    pub fn at_places(self, places: [Vec<f64>; 2]) -> Self {
+        Self { places: Some(places), ..self }
+    }
+
+    /// The places of its asperities along x and y, m, where they are known.
+    pub fn places(&self) -> Option<[&[f64]; 2]> {
+        self.places.as_ref().map(|places| places.each_ref().map(Vec::as_slice))
+    }
+
+    /// Its columns: heights, radii, and kx and ky, and x and y, where it has them.
     pub fn columns(&self) -> impl Iterator<Item = &[f64]> {
-        let curvatures = self.curvatures.iter().flatten().map(Vec::as_slice);
-        [self.heights.as_slice(), &self.radii].into_iter().chain(curvatures)
+        let others = self.curvatures.iter().chain(&self.places).flatten().map(Vec::as_slice);
+        [self.heights.as_slice(), &self.radii].into_iter().chain(others)
     }
 
     /// Whether it has principal curvatures.
@@ -253,6 +267,11 @@ impl AsperityList {
             *radius * kx.max(**ky) < 1.0 - ROUNDING || *radius * kx.min(**ky) > 1.0 + ROUNDING
         };
         self.radii.iter().zip(kx.iter().zip(ky)).filter(contradicts).count()
+    }
+
+    /// Heights, m.
+    pub fn heights(&self) -> &[f64] {
+        &self.heights
     }
 
     /// Number of rows.
@@ -351,7 +370,7 @@ fn piece(
 
 /// An array of ellipses may also be read as spheres.
 fn check_shape(rows: usize, columns: usize, needed: &'static [ListColumn]) -> Result<(), ListError> {
-    if columns == needed.len() || columns == ListColumn::ALL.len() {
+    if columns == needed.len() || columns == ListColumn::OF_ARRAY.len() {
         return Ok(());
     }
     Err(ListError::Shape { rows, columns, needed })

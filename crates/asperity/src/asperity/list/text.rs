@@ -8,7 +8,8 @@ use std::path::Path;
 use super::header::{Header, Separator};
 use super::{ListColumn, ListError, ListOptions};
 
-/// Reads each row in SI, its values in the order of `needed`, and returns the number of rows.
+/// Reads each row in SI, with the columns of its values (those `needed`, and the places where the file has them), and returns the number of
+/// rows.
 ///
 /// # Errors
 /// See [`ListError`].
@@ -16,14 +17,14 @@ pub(super) fn rows(
     path: &Path,
     needed: &'static [ListColumn],
     options: ListOptions,
-    mut keep: impl FnMut(&[f64]),
+    mut keep: impl FnMut(&[ListColumn], &[f64]),
 ) -> Result<usize, ListError> {
     let mut file = BufReader::with_capacity(1 << 16, File::open(path)?);
     let mut bytes = Vec::new();
     let mut header: Option<Header> = None;
     let mut comment: Option<(usize, String)> = None;
     let mut marks = DecimalMarks::default();
-    let mut values = vec![0.0; needed.len()];
+    let mut values = vec![0.0; ListColumn::COUNT];
     let mut count = 0;
     for line in 1.. {
         bytes.clear();
@@ -58,8 +59,8 @@ pub(super) fn rows(
                 continue;
             }
         };
-        row(text, line, header, needed, &mut marks, &mut values)?;
-        keep(&values);
+        row(text, line, header, &mut marks, &mut values)?;
+        keep(&header.columns, &values);
         count += 1;
     }
     match (header, count) {
@@ -110,7 +111,6 @@ fn row(
     text: &str,
     line: usize,
     header: &Header,
-    needed: &'static [ListColumn],
     marks: &mut DecimalMarks,
     values: &mut [f64],
 ) -> Result<(), ListError> {
@@ -121,7 +121,7 @@ fn row(
             found = k + 1;
         }
         let Some(Some((rank, per_metre))) = header.places.get(k) else { continue };
-        let column = needed[*rank];
+        let column = header.columns[*rank];
         let value = marks.number(cell, line, header.separator).map(|value| column.si(value, *per_metre));
         match value.filter(|&value| column.allows(value)) {
             Some(value) => values[*rank] = value,

@@ -38,6 +38,8 @@ named_enum! {
         CoarsePixel = "coarse-pixel",
         /// Pixels so fine that noise makes the summits.
         FinePixel = "fine-pixel",
+        /// Summits as sharp as the tip of the instrument.
+        Tip = "tip",
         /// Waves as long as the map.
         LongWaves = "long-waves",
         /// Slopes beyond the theory of small slopes.
@@ -70,6 +72,10 @@ pub enum Measure {
     DensityOverTheory,
     /// The same of their mean curvature.
     CurvatureOverTheory,
+    /// Mean radius of the summits, of all or of the highest, over that of the tip.
+    RadiusOverTip,
+    /// Share of points higher than the tip can have traced.
+    Untraced,
     /// Correlation length of the heights over the side of the map: geometric mean over both axes.
     LengthOverSide,
     /// Root mean square slope.
@@ -90,6 +96,8 @@ impl Measure {
             Self::GrowthRise => "curvature-growth-rise",
             Self::DensityOverTheory => "density-over-theory",
             Self::CurvatureOverTheory => "curvature-over-theory",
+            Self::RadiusOverTip => "summit-radius-over-tip",
+            Self::Untraced => "untraced-share",
             Self::LengthOverSide => "correlation-length-over-side",
             Self::Slope => "rms-slope",
         }
@@ -122,6 +130,10 @@ impl Measure {
             // Resolved random surfaces of exponential heights have 0.71 to 1.6 of theory, of skewness -1.5 and kurtosis 7 0.41 to
             // 0.97; measured maps with pits, terraces or grooves 0.2 to 0.5.
             Self::DensityOverTheory | Self::CurvatureOverTheory => Factor(2.0),
+            // Traced radii are larger by the tip's: a tip that is a fifth blunter than it is said to be then changes radii by a tenth.
+            Self::RadiusOverTip => AtLeast(2.0),
+            // Noise and spikes stand out of what a tip can trace, and so do all summits if it is said to be blunter than it is.
+            Self::Untraced => AtMost(0.01),
             // A hundred independent patches.
             Self::LengthOverSide => AtMost(0.1),
             // Terms of second order in the slope, which contact mechanics of half-spaces leaves out, reach a tenth.
@@ -189,6 +201,8 @@ impl Finding {
             Measure::CurvatureGrowth
             | Measure::DensityOverTheory
             | Measure::CurvatureOverTheory
+            | Measure::RadiusOverTip
+            | Measure::Untraced
             | Measure::AspectRatio => false,
             Measure::Slope => self.value > STEEP,
             _ => true,
@@ -245,6 +259,8 @@ pub struct Measured {
     pub offsets: LineOffsets,
     /// The step over the median drop, see [`step_over_drop`].
     pub step_over_drop: Option<f64>,
+    /// The radius of the summits over that of the tip, and the share of points that the tip cannot have traced; where a tip is given.
+    pub tip: Option<[f64; 2]>,
 }
 
 impl Examined<'_> {
@@ -291,6 +307,8 @@ impl Examined<'_> {
                 Check::FinePixel,
                 &[(Measure::NoiseGrowth, at_pixel), (Measure::GrowthRise, rise)],
             ));
+            let tip = |k: usize| measured.and_then(|measured| measured.tip).map(|tip| tip[k]);
+            all.extend(worst(Check::Tip, &[(Measure::RadiusOverTip, tip(0)), (Measure::Untraced, tip(1))]));
             let length = self.correlation.map(|correlation| self.length_over_side(correlation));
             all.extend(worst(Check::LongWaves, &[(Measure::LengthOverSide, length)]));
         }

@@ -1,0 +1,123 @@
+//! What is taken as independent in a list of asperities: the same summits as a map, as a list with and without places, and as draws.
+
+use std::fmt::Write;
+
+use asperity::Heights;
+use asperity::surface::{Independence, Preparation, SummitSearch, Surface};
+use asperity::topography::generate::{Process, Seeds, SpectrumOf, SurfaceGenerator};
+use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
+use asperity::topography::summits::Neighbours;
+use asperity_contact_framework::Outcome;
+use asperity_contact_framework::progress::Silent;
+use asperity_experiment::Experiment;
+
+use crate::Report;
+use crate::results::table;
+
+/// The summits of a random surface of waves up to `roll_off` (m) on a map of 512 µm.
+fn surface(roll_off: f64) -> Surface {
+    let shape = SpectrumShape::SelfAffine { hurst: 0.8, roll_off, cut_off: 4e-6 };
+    let spectrum = Spectrum::new(shape, Lay::default()).unwrap();
+    let process = Process { spectrum, of: SpectrumOf::Heights, sigma: 1e-7, heights: Heights::GAUSSIAN };
+    let generator = SurfaceGenerator { points: [512; 2], pixel: [1e-6; 2], process, plateau: None };
+    let (map, _) = generator.surface(Seeds { process: [3; 32], plateau: [0; 32] }).unwrap();
+    let search = SummitSearch::new(Preparation::none(Neighbours::Four));
+    SummitSearch { keeps_map: true, ..search }.surface("map", &map).unwrap()
+}
+
+/// A list of its summits with the places in µm, and without.
+fn lists(surface: &Surface) -> [String; 2] {
+    let prepared = surface.prepared.as_ref().unwrap();
+    let [_, ny] = prepared.map.points();
+    let mut lists = ["height [m], radius [m], x [um], y [um]\n".to_owned(), "height,radius\n".to_owned()];
+    let both = surface.set.heights().iter().zip(surface.set.radii());
+    for ((z, radius), place) in both.zip(&prepared.positions) {
+        writeln!(lists[0], "{z:e},{radius:e},{},{}", place / ny, place % ny).unwrap();
+        writeln!(lists[1], "{z:e},{radius:e}").unwrap();
+    }
+    lists
+}
+
+fn run(surface: &Surface) -> Box<dyn Outcome> {
+    let folder = tempfile::tempdir().unwrap();
+    let [with_places, plain] = lists(surface);
+    let list = |name: &str, content: &str, key: &str| {
+        std::fs::write(folder.path().join(format!("{name}.csv")), content).unwrap();
+        let area = surface.set.nominal_area();
+        format!("[surface.{name}.asperities]\nfile = \"{name}.csv\"\nnominal-area = {area:e}\n{key}\n")
+    };
+    let surfaces = list("places", &with_places, "")
+        + &list("plain", &plain, "")
+        + &list("drawn", &with_places, "independent = true");
+    let spec = format!(
+        "title = \"t\"\n{}[compare]\nrough = \"steel\"\nflat = \"steel\"\nlaw = \"zmc\"\n\
+         pressure = {{ from = \"5 MPa\", to = \"60 MPa\", points = 5 }}\n{surfaces}",
+        steel!()
+    );
+    let path = folder.path().join("lists.toml");
+    std::fs::write(&path, spec).unwrap();
+    Experiment::read(&path).unwrap().run(&Silent).unwrap()
+}
+
+fn basis(outcome: &dyn Outcome, surface: &str) -> String {
+    let rows = table(outcome, "cases.csv").unwrap();
+    rows.iter().find(|row| row["surface"] == surface).unwrap()["basis"].clone()
+}
+
+/// Short waves leave enough blocks, of similar sides; waves as long as the map leave none, whichever way the summits are given.
+#[test]
+fn a_list_with_places_is_divided_as_its_map_is() {
+    let short = surface(16e-6);
+    let of_list = |surface: &Surface| {
+        let prepared = surface.prepared.as_ref().unwrap();
+        let place = |axis: usize| {
+            let at = move |&place: &usize| if axis == 0 { place / 512 } else { place % 512 };
+            prepared.positions.iter().map(move |place| at(place) as f64 * 1e-6).collect::<Vec<f64>>()
+        };
+        Independence::of_places(surface.set.heights(), [&place(0), &place(1)])
+    };
+    let (Independence::Blocks(map), (Independence::Blocks(list), Some(halves))) =
+        (&short.independence, &of_list(&short))
+    else {
+        panic!("{:?}", short.independence)
+    };
+    for axis in 0..2 {
+        let ratio = list.correlation.lengths[axis] / map.correlation.lengths[axis];
+        assert!((0.8..3.0).contains(&ratio), "{ratio}");
+    }
+    let half = halves.only(&short.set, 0).unwrap().count() as f64 / short.set.count() as f64;
+    assert!((half - 0.5).abs() < 0.05, "{half}");
+    let outcome = run(&short);
+    assert_eq!(
+        ["places", "plain", "drawn"].map(|name| basis(&*outcome, name)),
+        ["blocks", "none", "independent"]
+    );
+
+    let long = surface(500e-6);
+    assert!(matches!(long.independence, Independence::TooSmall(_)));
+    assert!(matches!(of_list(&long).0, Independence::TooSmall(_)));
+    let outcome = run(&long);
+    assert_eq!(
+        ["places", "plain", "drawn"].map(|name| basis(&*outcome, name)),
+        ["none", "none", "independent"]
+    );
+    // Only what is said to be drawn carries a verdict.
+    let rows = table(&*outcome, "verdicts.csv").unwrap();
+    let told = |name: &str| {
+        rows.iter().any(|row| row["surface"] == name && ["within", "beyond"].contains(&&*row["verdict"]))
+    };
+    assert_eq!(["places", "plain", "drawn"].map(told), [false, false, true]);
+    let limits: Vec<_> = rows.iter().filter(|row| row["surface"] == "plain").collect();
+    assert!(!limits.is_empty() && limits.iter().all(|row| row["low"].is_empty()));
+}
+
+#[test]
+fn a_list_of_which_nothing_is_said_names_the_key() {
+    let outcome = run(&surface(16e-6));
+    let warnings = outcome.warnings();
+    let [warning] = &warnings[..] else { panic!("{warnings:?}") };
+    assert!(warning.contains("plain") && warning.contains("`independent = true`"), "{warning}");
+    assert!(warning.contains("columns `x` and `y`"), "{warning}");
+    let page = outcome.outline().markdown();
+    assert!(page.contains("independent draws, whose scatter gives intervals"), "{page}");
+}
