@@ -4,11 +4,13 @@
 //! |---|---|
 //! | `spec` | `reference = { ... }` |
 //! | `plan` | its loads, the contacts that it solves, time and memory |
-//! | `run` | the solver on a realisation of a surface, and its results in the terms of the models |
+//! | `run` | the solver on a realisation of a surface |
+//! | `point` | a contact in the terms of the models, with bounds of its errors |
 //! | `view` | a part of the contact, and the distribution of pressures |
 //! | `tables` | `reference.csv` |
 
 pub mod plan;
+mod point;
 mod run;
 mod spec;
 mod view;
