@@ -79,7 +79,7 @@ impl Row for CurveRow {
             area_ratio["1"] = row.either(|point| point.response.area_ratio.total(), |point| point.area_ratio), "Real contact area over nominal area, never clamped; for the reference corrected for the perimeter of the contacts.";
             contact_density_per_m2["1/m²"] = row.model(|response| response.contact_density), "Contacts per nominal area.";
             mean_real_pressure_pa["Pa", prefix("M")] = row.either(|point| point.response.mean_real_pressure(), ReferencePoint::mean_real_pressure), "Load over real contact area; empty where there is no contact.";
-            stiffness_pa_per_m["Pa/m"] = row.either(|point| Some(point.response.stiffness), |point| point.stiffness), "Contact stiffness -dp/dd per nominal area; jumps of a law are excluded for the sum and included for the integral; for the reference from the neighbouring loads, empty where one is further than a factor of 3.";
+            stiffness_pa_per_m["Pa/m"] = row.either(|point| Some(point.response.stiffness), |point| point.stiffness), "Contact stiffness -dp/dd per nominal area; jumps of a law are excluded for the sum and included for the integral; for the reference of the points in contact below the cap, held fixed; empty with a finite boundary and where there are none.";
             elastic_load_share["1", label("elastic"), percent] = row.model_value(|response| share(&response.pressure, 0)), "Share of the load in elastic contacts; empty where there is no contact.";
             elastic_plastic_load_share["1", label("elastic-plastic"), percent] = row.model_value(|response| share(&response.pressure, 1)), "Share of the load in elastic-plastic contacts.";
             plastic_load_share["1", label("plastic"), percent] = row.model_value(|response| share(&response.pressure, 2)), "Share of the load in plastic contacts.";
@@ -307,7 +307,7 @@ impl Row for PairRow {
             reference_area_ratio["1", part(REFERENCE)] = row.reference(|point| Some(point.area_ratio)), "Reference: real contact area over nominal area, corrected for the perimeter of the contacts.";
             reference_mean_real_pressure_pa["Pa", prefix("M"), part(REFERENCE)] = row.reference(ReferencePoint::mean_real_pressure), "Reference: load over real contact area.";
             reference_pressure_pa["Pa", prefix("M"), part(REFERENCE)] = row.reference(|point| Some(point.pressure)), "Reference: nominal pressure.";
-            reference_stiffness_pa_per_m["Pa/m", part(REFERENCE)] = row.reference(|point| point.stiffness), "Reference: contact stiffness -dp/dd per nominal area, from the neighbouring loads.";
+            reference_stiffness_pa_per_m["Pa/m", part(REFERENCE)] = row.reference(|point| point.stiffness), "Reference: contact stiffness -dp/dd per nominal area, of the points in contact below the cap, held fixed.";
             separation_from_interaction["1", part(REFERENCE)] = row.missed(|deterministic, point| Some(deterministic.separation_over_sigma - point.separation_over_sigma?)), "Deterministic model minus reference: what the sum leaves out, in separation over sigma. Interaction of the asperities and their shape; where a law yields or under a layer, the difference between that law and the reference, too.";
             log_area_from_interaction["1", part(REFERENCE)] = row.missed(|deterministic, point| Some((deterministic.area_ratio.total() / point.area_ratio).ln()).filter(|log| log.is_finite())), "The same of the real contact area: ln(deterministic/reference).";
         });

@@ -162,10 +162,15 @@ fn at_light_loads_it_is_near_the_sum() {
         assert!(number(reference, "raw_area_ratio") > number(reference, "area_ratio"));
         assert!(number(solved, "dual_gap") <= 1e-6);
     }
-    // Only the middle load has neighbours on both sides.
-    assert!(reference[0]["stiffness_pa_per_m"].is_empty() && reference[2]["stiffness_pa_per_m"].is_empty());
-    let [far, near] = [&reference, &sum].map(|rows| number(&rows[1], "stiffness_pa_per_m"));
-    assert!((far / near - 1.0).abs() < 0.3, "{far} {near}");
+    // At every load, and between the slopes to its neighbours.
+    let [d, p] = ["separation_m", "pressure_pa"].map(|name| column(&reference, name));
+    let slope = |k: usize| (p[k + 1] - p[k]) / (d[k] - d[k + 1]);
+    let stiffness = column(&reference, "stiffness_pa_per_m");
+    assert!(stiffness[0] < slope(0) && slope(0) < stiffness[1], "{stiffness:?}");
+    assert!(stiffness[1] < slope(1) && slope(1) < stiffness[2], "{stiffness:?}");
+    for (far, sum) in stiffness.iter().zip(&sum) {
+        assert!((far / number(sum, "stiffness_pa_per_m") - 1.0).abs() < 0.3, "{far}");
+    }
 }
 
 #[test]

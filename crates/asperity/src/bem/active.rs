@@ -28,6 +28,17 @@ impl Points {
         all
     }
 
+    /// The points of a map, by their index, that `is_member` holds for.
+    pub fn selected([nx, ny]: [usize; 2], is_member: impl Fn(usize) -> bool + Sync) -> Self {
+        let mut points = Self::none([nx, ny]);
+        points.rows_mut().enumerate().for_each(|(i, words)| {
+            for j in (0..ny).filter(|j| is_member(i * ny + j)) {
+                words[j / 64] |= 1 << (j % 64);
+            }
+        });
+        points
+    }
+
     /// Bytes for a map.
     pub fn memory([nx, ny]: [usize; 2]) -> u128 {
         (nx * ny.div_ceil(64) * size_of::<u64>()) as u128

@@ -15,13 +15,16 @@ use crate::topography::Blocks;
 const BORDER: f64 = (PI - 1.0 + LN_2) / 24.0;
 
 /// A pressure this close to the cap counts as at it.
-const AT_CAP: f64 = 1.0 - 1e-12;
+pub(super) const AT_CAP: f64 = 1.0 - 1e-12;
 
 /// Pressures and gap at one load.
 #[derive(Debug, Clone)]
 pub struct Contact {
     pub(super) points: [usize; 2],
+    /// m.
+    pub(super) pixel: [f64; 2],
     pub(super) boundary: Boundary,
+    pub(super) is_layered: bool,
     pub(super) cap: f64,
     pub(super) pressures: Vec<f64>,
     pub(super) mean_gap: f64,
@@ -97,19 +100,29 @@ impl Contact {
     /// Pairs of neighbours of which one is in contact below the cap and the other is not: sides of pixels that make up the
     /// border of the contact, where the pressure falls to zero.
     pub fn border(&self) -> usize {
+        self.sides(|a, b| self.is_border(a, b)).into_iter().sum()
+    }
+
+    /// Pairs of neighbours of which one is in contact and the other is not, along x and along y: also where the contact is at the cap.
+    pub fn outline(&self) -> [usize; 2] {
+        self.sides(|a, b| (a > 0.0) != (b > 0.0))
+    }
+
+    /// Pairs of neighbours along x and along y that `differ`, by their pressures.
+    fn sides(&self, differ: impl Fn(f64, f64) -> bool + Sync) -> [usize; 2] {
         let [nx, ny] = self.points;
         let wraps = self.boundary.wraps();
         let row = |i: usize| &self.pressures[i * ny..][..ny];
         let of_row = |i: usize| {
-            let differ = |a: f64, b: f64| usize::from(self.is_border(a, b));
+            let differ = |a: f64, b: f64| usize::from(differ(a, b));
             let here = row(i);
             let along: usize = here.windows(2).map(|pair| differ(pair[0], pair[1])).sum();
             let around = if wraps { differ(here[0], here[ny - 1]) } else { 0 };
             let next = if i + 1 < nx { Some(i + 1) } else { wraps.then_some(0) };
             let across = next.map_or(0, |next| here.iter().zip(row(next)).map(|(&a, &b)| differ(a, b)).sum());
-            along + around + across
+            [across, along + around]
         };
-        (0..nx).into_par_iter().map(of_row).sum()
+        (0..nx).into_par_iter().map(of_row).reduce(|| [0; 2], |a, b| [a[0] + b[0], a[1] + b[1]])
     }
 
     /// Whether neighbours with the pressures `a` and `b` (Pa) make up the border.

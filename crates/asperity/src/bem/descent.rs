@@ -15,7 +15,7 @@ use super::projection::project;
 use crate::memory::zeros;
 
 /// Rows of one task.
-const ROWS: usize = 8;
+pub const ROWS: usize = 8;
 
 /// A grid of heights with the response to pressures on it.
 pub struct Grid<'a> {
@@ -59,9 +59,10 @@ pub struct Descent {
 
 /// Sums over the points of one row, added in the order of the rows.
 #[derive(Clone, Copy)]
-struct Sums<const N: usize>([f64; N]);
+pub struct Sums<const N: usize>(pub [f64; N]);
 
-fn total<const N: usize>(rows: &[Sums<N>]) -> [f64; N] {
+/// Their sum, row by row.
+pub fn total<const N: usize>(rows: &[Sums<N>]) -> [f64; N] {
     rows.iter().fold([0.0; N], |mut total, row| {
         total.iter_mut().zip(row.0).for_each(|(total, value)| *total += value);
         total
@@ -269,12 +270,7 @@ impl State<'_> {
         let &Contact { count, mean_gap, .. } = contact;
         let (grid, gaps, active) = (self.grid, &self.gaps, &self.active);
         let (response, direction) = (&self.response, &self.direction);
-        let Stencil { x, y, corner } = grid.stencil;
-        // Active points alone have a residual.
-        let residual = |words: &[u64], i: usize, j: usize| {
-            if words[j / 64] >> (j % 64) & 1 == 1 { gaps[i * ny + j] - mean_gap } else { 0.0 }
-        };
-        let edge = |beyond: usize, opposite: usize| if grid.wraps { opposite } else { beyond };
+        let residual = |k: usize| gaps[k] - mean_gap;
         let z = &mut self.buffers.columns[..nx * ny];
         let rows: Vec<Sums<4>> = z
             .par_chunks_mut(ny)
@@ -283,26 +279,14 @@ impl State<'_> {
             .enumerate()
             .with_min_len(ROWS)
             .map(|(i, ((z, direction), response))| {
-                let up = if i == 0 { edge(0, nx - 1) } else { i - 1 };
-                let down = if i + 1 == nx { edge(i, 0) } else { i + 1 };
-                let [above, here, below] = [up, i, down].map(|i| active.row(i));
                 let mut sums = [0.0; 4];
-                for j in members(here) {
-                    let left = if j == 0 { edge(0, ny - 1) } else { j - 1 };
-                    let right = if j + 1 == ny { edge(j, 0) } else { j + 1 };
-                    let beside = residual(here, i, left) + residual(here, i, right);
-                    let over = residual(above, up, j) + residual(below, down, j);
-                    let corners = residual(above, up, left)
-                        + residual(above, up, right)
-                        + residual(below, down, left)
-                        + residual(below, down, right);
-                    let value = residual(here, i, j) + x * over + y * beside + corner * corners;
+                grid.stencil.apply_row(grid.points, grid.wraps, active, i, residual, |j, value| {
                     z[j] = value;
                     sums[0] += value;
                     sums[1] += value * response[j];
                     sums[2] += response[j];
                     sums[3] += direction[j];
-                }
+                });
                 Sums(sums)
             })
             .collect();

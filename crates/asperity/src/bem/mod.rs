@@ -27,14 +27,17 @@ mod compliance;
 mod contact;
 mod convolution;
 mod descent;
+mod grid_error;
 mod influence;
 mod levels;
 mod missing;
+mod patch;
 mod preconditioner;
 mod projection;
 mod refine;
 mod row;
 mod solver;
+mod tangent;
 
 use std::ops::RangeInclusive;
 
@@ -42,8 +45,10 @@ use crate::named_enum;
 
 pub use compliance::ElasticPair;
 pub use contact::Contact;
+pub use grid_error::GridError;
 pub use refine::refined;
 pub use solver::{MOST_MISSING, Solver};
+pub use tangent::Tangent;
 
 named_enum! {
     /// What lies beyond the border of the map.

@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use super::active::{Points, members};
 use super::compliance::ElasticPair;
 
 /// Wave numbers along each axis at which the compliance is sampled.
@@ -40,5 +41,34 @@ impl Stencil {
         let neighbours = -(2.0 * (x + y) + 4.0 * corner);
         let scale = if neighbours > 1.0 - LEAST { (1.0 - LEAST) / neighbours } else { 1.0 };
         Self { x: scale * x, y: scale * y, corner: scale * corner }
+    }
+
+    /// The inverse applied to a field on a grid that is zero outside `active`: `each` sees every point of row `i` in it, with the
+    /// value there. `field` gives the field at the points in `active`.
+    pub fn apply_row(
+        &self,
+        [nx, ny]: [usize; 2],
+        wraps: bool,
+        active: &Points,
+        i: usize,
+        field: impl Fn(usize) -> f64,
+        mut each: impl FnMut(usize, f64),
+    ) {
+        let edge = |beyond: usize, opposite: usize| if wraps { opposite } else { beyond };
+        let up = if i == 0 { edge(0, nx - 1) } else { i - 1 };
+        let down = if i + 1 == nx { edge(i, 0) } else { i + 1 };
+        let [above, here, below] = [up, i, down].map(|i| active.row(i));
+        let at = |words: &[u64], i: usize, j: usize| {
+            if words[j / 64] >> (j % 64) & 1 == 1 { field(i * ny + j) } else { 0.0 }
+        };
+        for j in members(here) {
+            let left = if j == 0 { edge(0, ny - 1) } else { j - 1 };
+            let right = if j + 1 == ny { edge(j, 0) } else { j + 1 };
+            let beside = at(here, i, left) + at(here, i, right);
+            let over = at(above, up, j) + at(below, down, j);
+            let corners =
+                at(above, up, left) + at(above, up, right) + at(below, down, left) + at(below, down, right);
+            each(j, at(here, i, j) + self.x * over + self.y * beside + self.corner * corners);
+        }
     }
 }

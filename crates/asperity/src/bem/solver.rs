@@ -10,7 +10,9 @@ use super::convolution::Convolution;
 use super::descent::{Descent, Grid, Target};
 use super::levels::{coarser, coarser_points, finer};
 use super::missing::filled;
+use super::patch::PatchGrid;
 use super::preconditioner::Stencil;
+use super::tangent::Tangent;
 use super::{Boundary, Options, SolverError};
 use crate::literature::{self, Paper};
 use crate::numeric::is_positive;
@@ -49,11 +51,14 @@ const BRACKET: f64 = 8.0;
 pub struct Solver<'a> {
     /// The map, then every second point of it, and so on.
     levels: Vec<Level<'a>>,
+    /// m.
+    pixel: [f64; 2],
     boundary: Boundary,
     error: f64,
     cap: f64,
     interpolated: usize,
     reduced_modulus: f64,
+    is_layered: bool,
 }
 
 struct Level<'a> {
@@ -131,7 +136,9 @@ impl<'a> Solver<'a> {
             levels.push(Level::new(heights.into(), points, pixel, pair, boundary));
         }
         let reduced_modulus = pair.reduced_modulus();
-        Ok(Self { levels, boundary, error, cap: cap.unwrap_or(f64::INFINITY), interpolated, reduced_modulus })
+        let (pixel, cap) = (map.pixel(), cap.unwrap_or(f64::INFINITY));
+        let is_layered = pair.is_layered();
+        Ok(Self { levels, pixel, boundary, error, cap, interpolated, reduced_modulus, is_layered })
     }
 
     /// Missing points that were interpolated.
@@ -180,7 +187,9 @@ impl<'a> Solver<'a> {
         let mean_gap = sum_of(gaps.len(), open) / gaps.len() as f64;
         Ok(Contact {
             points: self.levels[0].points,
+            pixel: self.pixel,
             boundary: self.boundary,
+            is_layered: self.is_layered,
             cap: self.cap,
             mean_gap,
             approach: level,
@@ -190,6 +199,19 @@ impl<'a> Solver<'a> {
             steps,
             convolutions,
         })
+    }
+
+    /// How `contact`, one of this solver, changes with the load: a linear solution on its points in contact below the cap. `None`
+    /// where there are no such points, and in full contact of a map that repeats, which moves without a change of its gap.
+    pub fn tangent(&self, contact: &Contact) -> Option<Tangent> {
+        let Level { points, convolution, stencil, .. } = &self.levels[0];
+        if self.boundary != Boundary::Finite && contact.pressures.iter().all(|&p| p > 0.0) {
+            return None;
+        }
+        let grid =
+            PatchGrid { points: *points, convolution, stencil: *stencil, wraps: self.boundary.wraps() };
+        let response = grid.respond(&Tangent::patch(contact), self.error, STEPS)?;
+        Some(Tangent::new(contact, response))
     }
 
     /// The contact at a mean gap (m) that is positive and below that of a single point in contact, by a search over
@@ -247,12 +269,12 @@ impl<'a> Solver<'a> {
     /// Bytes that a solver for a map of `points` needs beside the map.
     pub fn memory(points: [usize; 2], boundary: Boundary) -> u128 {
         let count = (points[0] * points[1]) as u128;
-        // Pressures, gaps, direction, its response and the transform; of a finite map, which is transformed as four, the
-        // waves by rows and columns.
+        // Pressures, gaps, direction, its response and the transform, beside the pressures of the contact whose tangent is found; of
+        // a finite map, which is transformed as four, the waves by rows and columns.
         let (arrays, response): (u128, u128) = match boundary {
-            Boundary::Periodic => (20, 1),
-            Boundary::Mirrored => (20, 4),
-            Boundary::Finite => (32, 4),
+            Boundary::Periodic => (24, 1),
+            Boundary::Mirrored => (24, 4),
+            Boundary::Finite => (36, 4),
         };
         // Rows of an odd number of points do not hold their own waves.
         let arrays =

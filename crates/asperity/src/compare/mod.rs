@@ -30,7 +30,7 @@ pub use influence::{AtLoad, DETECTABLE, Effect, Group, Influence, Measure, Under
 pub use limit::{Exact, HeightSampling, LimitCase, LimitPoint, LimitQuantity, LimitSets, convergence};
 pub use modulus_check::{GOOD_RATIO, ModulusCheck, ModulusError, ModulusFindings, apart};
 pub use nearness::{AgainstReference, NEARER, NearerStretch};
-pub use reference::{BlockShare, LARGEST_LOAD_RATIO, ReferenceCurve, ReferencePoint, Stiffness, stiffnesses};
+pub use reference::{BlockShare, ReferenceCurve, ReferencePoint};
 pub use sampling::{Division, GROUPS, OneStep, jackknife_error, jackknife_quantile, student_quantile};
 pub use slope::{ErrorSlope, SlopeFit};
 pub use spread::{Realisation, Scatter, Spread, spread};

@@ -163,8 +163,7 @@ impl ReferenceCurve {
         [all, rest]: [ReferencePlane; 2],
     ) -> [Option<f64>; 3] {
         let [low, high] = neighbours.map(|k| &self.points[k]);
-        let of = |k: usize| self.blocks[k][block];
-        let (point, part) = (&self.points[k], of(k));
+        let (point, part) = (&self.points[k], self.blocks[k][block]);
         let without = |whole: f64, part: f64| Some((whole - part) / (1.0 - share)).filter(|rest| *rest > 0.0);
         let log_ratio = (high.pressure / low.pressure).ln();
         let Some(pressure) = without(point.pressure, part.pressure).filter(|_| log_ratio > 0.0) else {
@@ -180,10 +179,7 @@ impl ReferenceCurve {
             (absolute - rest.mean) / rest.sigma + step * slope
         });
         let area = without(point.area_ratio, part.area_ratio).zip(slope(1));
-        // What the block adds to the load between both neighbours is its part of the stiffness.
-        let [light, heavy] = neighbours.map(of);
-        let of_stiffness = (heavy.pressure - light.pressure) / (high.pressure - low.pressure);
-        let stiffness = of_reference(point)[2].zip(without(1.0, of_stiffness)).zip(slope(2));
+        let stiffness = of_reference(point)[2].zip(without(1.0, part.stiffness_share)).zip(slope(2));
         [
             separation,
             area.map(|(area, slope)| area.ln() + step * slope),
@@ -343,6 +339,7 @@ mod tests {
         let block = |k: usize, b: usize| BlockShare {
             pressure: share(b) * LOADS[k],
             area_ratio: share(b) * areas[2] * LOADS[k] / 1e6,
+            stiffness_share: share(b),
         };
         let curve = ReferenceCurve {
             boundary: Boundary::Periodic,

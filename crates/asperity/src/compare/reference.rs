@@ -29,7 +29,8 @@ pub struct ReferencePoint {
     pub raw_area_ratio: f64,
     /// Points at the largest pressure over all points.
     pub capped_area_ratio: f64,
-    /// -dp/dd, Pa/m, from the neighbouring loads; `None` where these are not close enough, see [`stiffnesses`].
+    /// -dp/dd of its fixed contact points ([`Tangent`](crate::bem::Tangent)), Pa/m; `None` where there is no separation, and
+    /// where no point may change its pressure.
     pub stiffness: Option<f64>,
     /// Bounds of the errors of solver and discretisation, of d/sigma, ln(area) and ln(stiffness).
     pub bounds: State,
@@ -66,6 +67,8 @@ pub struct BlockShare {
     pub pressure: f64,
     /// Its part of the area ratio.
     pub area_ratio: f64,
+    /// The part of an increase of the load that it carries, hence of the stiffness: 1 over all blocks; 0 without a stiffness.
+    pub stiffness_share: f64,
 }
 
 /// The reference on one surface under one law and thickness.
@@ -89,89 +92,5 @@ impl ReferenceCurve {
     /// The result at the nominal pressure `pressure` (Pa).
     pub fn at_load(&self, pressure: f64) -> Option<&ReferencePoint> {
         self.points.iter().find(|point| point.pressure == pressure)
-    }
-}
-
-/// The largest ratio of neighbouring loads between which a stiffness is formed: d is nearly straight over ln p, but not over
-/// decades.
-pub const LARGEST_LOAD_RATIO: f64 = 3.0;
-
-/// The part of the logarithm of the slopes towards both neighbours that bounds the error of the slope between them: that of
-/// a parabola is none.
-const SLOPE_ERROR: f64 = 0.25;
-
-/// A stiffness from neighbouring loads.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Stiffness {
-    /// -dp/dd, Pa/m.
-    pub stiffness: f64,
-    /// Bound of the error of its logarithm.
-    pub bound: f64,
-}
-
-/// Loads whose ratio is smaller are not neighbours: the error of the solver would be seen in the slope.
-const SMALLEST_LOAD_RATIO: f64 = 1.05;
-
-/// The stiffness -dp/dd (Pa/m) at each of the ascending `pressures` (Pa) reached at `separations` (m): the slope of the
-/// parabola of d over ln p through the load and its neighbours. `None` where there is no neighbour within a factor of
-/// [`LARGEST_LOAD_RATIO`] on both sides, as at the first and the last load, and where the separation does not decrease.
-pub fn stiffnesses(pressures: &[f64], separations: &[f64]) -> Vec<Option<Stiffness>> {
-    let points: Vec<(f64, f64)> = pressures.iter().copied().zip(separations.iter().copied()).collect();
-    let is_neighbour = |ratio: f64| {
-        const ROUNDING: f64 = 1e-12;
-        (SMALLEST_LOAD_RATIO..=LARGEST_LOAD_RATIO * (1.0 + ROUNDING)).contains(&ratio)
-    };
-    let at = |(k, &(p, d)): (usize, &(f64, f64))| {
-        let &(p0, d0) = points[..k].iter().rev().find(|(lower, _)| p / lower >= SMALLEST_LOAD_RATIO)?;
-        let &(p1, d1) = points[k + 1..].iter().find(|(higher, _)| higher / p >= SMALLEST_LOAD_RATIO)?;
-        if !(is_neighbour(p / p0) && is_neighbour(p1 / p)) {
-            return None;
-        }
-        let (back, ahead) = ((p / p0).ln(), (p1 / p).ln());
-        let slope = (ahead / back * (d - d0) + back / ahead * (d1 - d)) / (back + ahead);
-        let steepening = ((d1 - d) / ahead) / ((d - d0) / back);
-        (slope < 0.0 && steepening > 0.0)
-            .then(|| Stiffness { stiffness: -p / slope, bound: SLOPE_ERROR * steepening.ln().abs() })
-    };
-    points.iter().enumerate().map(at).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_stiffness_is_exact_for_a_parabola_in_the_logarithm_of_the_load() {
-        let pressures = [1e6, 1.5e6, 2.5e6, 4e6, 1.3e7];
-        let d = |p: f64| -1e-8 * p.ln() - 2e-10 * p.ln() * p.ln();
-        let separations = pressures.map(d);
-        let found = stiffnesses(&pressures, &separations);
-        for (k, &p) in pressures.iter().enumerate() {
-            let exact = p / (1e-8 + 4e-10 * p.ln());
-            match found[k] {
-                // The ends, and the neighbour of a wide step.
-                None => assert!(k == 0 || k >= 3, "{k}"),
-                Some(Stiffness { stiffness, .. }) => {
-                    assert!((stiffness / exact - 1.0).abs() < 1e-9, "{k}: {stiffness} {exact}")
-                }
-            }
-        }
-        assert_eq!(found.iter().flatten().count(), 2);
-        // A load beside another is no neighbour of it, and has the stiffness there.
-        let close = [1e6, 1.5e6, 1.5e6 * (1.0 + 1e-9), 2.5e6];
-        let found = stiffnesses(&close, &close.map(d));
-        let exact = 1.5e6 / (1e-8 + 4e-10 * 1.5e6_f64.ln());
-        assert!(
-            [1, 2].iter().all(|&k| (found[k].unwrap().stiffness / exact - 1.0).abs() < 1e-6),
-            "{found:?}"
-        );
-    }
-
-    #[test]
-    fn there_is_none_for_one_load_wide_steps_or_a_separation_that_grows() {
-        assert_eq!(stiffnesses(&[1e6], &[1e-9]), [None]);
-        assert_eq!(stiffnesses(&[1e6, 1e7, 1e8], &[3e-9, 2e-9, 1e-9]), [None; 3]);
-        assert_eq!(stiffnesses(&[1e6, 2e6, 3e6], &[1e-9, 2e-9, 3e-9]), [None; 3]);
-        assert!(stiffnesses(&[1e6, 2e6, 4e6], &[3e-9, 2e-9, 1e-9])[1].is_some());
     }
 }

@@ -5,12 +5,14 @@
 //! | `spec` | `reference = { ... }` |
 //! | `plan` | its loads, the contacts that it solves, time and memory |
 //! | `elastic` | where it is elastic although the law yields |
-//! | `run` | the solver on a realisation of a surface, and its results in the terms of the models |
+//! | `run` | the solver on a realisation of a surface |
+//! | `point` | a contact in the terms of the models, with bounds of its errors |
 //! | `view` | a part of the contact, and the distribution of pressures |
 //! | `tables` | `reference.csv` |
 
 mod elastic;
 pub mod plan;
+mod point;
 mod run;
 mod spec;
 mod view;

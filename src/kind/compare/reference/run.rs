@@ -5,10 +5,8 @@ use std::collections::BTreeMap;
 use std::time::Instant;
 
 use asperity::HeightMap;
-use asperity::bem::{Boundary, Contact, ElasticPair, MOST_MISSING, Options, Solver, SolverError, refined};
-use asperity::compare::{
-    BlockShare, ComparedQuantity, Control, ModelKind, ReferenceCurve, ReferencePoint, Stiffness, stiffnesses,
-};
+use asperity::bem::{Boundary, ElasticPair, MOST_MISSING, Options, Solver, SolverError, refined};
+use asperity::compare::{BlockShare, Control, ModelKind, ReferenceCurve, ReferencePoint};
 use asperity::progress::Silent;
 use asperity::study::CaseResults;
 use asperity::surface::{Independence, PreparedMap, Surface};
@@ -18,6 +16,7 @@ use asperity_contact_framework::input::InputError;
 use asperity_contact_framework::metadata::Timing;
 
 use super::plan::{ReferencePlan, Solution, spread_over};
+use super::point::SolvedContact;
 use super::view::{ContactView, SumAtLoad};
 use crate::kind::compare::plan::ComparePlan;
 use crate::layer::thickness_words;
@@ -137,23 +136,20 @@ impl ReferenceRun<'_> {
                 context.progress.advance(1.0);
                 continue;
             }
-            let contact = solver.at_pressure(pressure, context.progress).map_err(|error| refuse(&error))?;
-            let at_own = own.as_ref().map(|solver| solver.at_pressure(pressure, &Silent)).transpose();
+            let found =
+                SolvedContact::new(&solver, pressure, context.progress).map_err(|error| refuse(&error))?;
+            let at_own = own.as_ref().map(|solver| SolvedContact::new(solver, pressure, &Silent)).transpose();
             let at_own = at_own.map_err(|error| refuse(&error))?;
-            let found = point(pressure, &contact, at_own.as_ref(), self.surface, boundary, pair.is_layered());
-            solved.points.insert(pressure.to_bits(), found);
-            if let Some(own) = &at_own {
-                solved.coarse_gaps.insert(pressure.to_bits(), own.mean_gap());
-            }
-            let of_block = |[pressure, area_ratio]: [f64; 2]| BlockShare { pressure, area_ratio };
-            let sums = blocks.as_ref().map(|blocks| contact.block_sums(blocks)).unwrap_or_default();
-            solved.blocks.insert(pressure.to_bits(), sums.into_iter().map(of_block).collect());
-            let is_nearer = |view: &ContactView| ContactView::distance(&contact) < view.distance;
+            let bits = pressure.to_bits();
+            solved.points.insert(bits, found.point(pressure, at_own.as_ref(), self.surface));
+            let shares = blocks.as_ref().map(|blocks| found.block_shares(blocks));
+            solved.blocks.insert(bits, shares.unwrap_or_default());
+            let contact = &found.contact;
+            let is_nearer = |view: &ContactView| ContactView::distance(contact) < view.distance;
             if self.is_viewed && view.as_ref().is_none_or(is_nearer) {
-                view = Some(ContactView::new(self, solution, pressure, &contact, sum_at(pressure)));
+                view = Some(ContactView::new(self, solution, pressure, contact, sum_at(pressure)));
             }
         }
-        solved.set_stiffnesses();
         Ok((solved, view))
     }
 }
@@ -208,8 +204,6 @@ fn missing(map: &HeightMap) -> usize {
 struct Solved {
     interpolated: usize,
     points: BTreeMap<u64, ReferencePoint>,
-    /// Mean gaps of the map as it is, m, where a finer one is solved.
-    coarse_gaps: BTreeMap<u64, f64>,
     blocks: BTreeMap<u64, Vec<BlockShare>>,
     unreached: Vec<f64>,
 }
@@ -231,73 +225,5 @@ impl Solved {
             blocks: if blocks.iter().any(Vec::is_empty) { Vec::new() } else { blocks },
             unreached: loads.iter().filter(is_unreached).map(|load| load.pressure).collect(),
         }
-    }
-
-    /// Sets the stiffnesses from the neighbouring loads.
-    fn set_stiffnesses(&mut self) {
-        let measured = self.points.values().map(|point| Some((point.pressure, point.separation?)));
-        let (pressures, separations): (Vec<f64>, Vec<f64>) = measured.flatten().unzip();
-        // The slopes do not depend on the plane from which gaps are measured.
-        let coarse: Vec<f64> = self.coarse_gaps.values().copied().collect();
-        let coarse =
-            if coarse.len() == pressures.len() { stiffnesses(&pressures, &coarse) } else { Vec::new() };
-        for (k, (point, stiffness)) in
-            self.points.values_mut().zip(stiffnesses(&pressures, &separations)).enumerate()
-        {
-            if let Some(Stiffness { stiffness, bound }) = stiffness {
-                let other = coarse.get(k).copied().flatten();
-                let of_grid = other.map_or(0.0, |other| (other.stiffness / stiffness).ln().abs());
-                point.stiffness = Some(stiffness);
-                point.bounds[ComparedQuantity::Stiffness as usize] = bound + of_grid;
-            }
-        }
-    }
-}
-
-/// The part of the correction for the perimeter that bounds its error: it removes at least 0.73 of the error of spheres and of
-/// self-affine surfaces with 2 to 16 points per shortest wave.
-const CORRECTION_ERROR: f64 = 0.3;
-
-/// The same under a layer and where all points in contact are at the cap (in proportion where some are): the pressure does not
-/// fall to zero as on an elastic half-space, and the area lies between the corrected and the counted one.
-const UNSURE_CORRECTION_ERROR: f64 = 1.0;
-
-/// The contact at a nominal pressure (Pa) in the terms of the models, with that of another resolution.
-fn point(
-    pressure: f64,
-    contact: &Contact,
-    other: Option<&Contact>,
-    surface: &Surface,
-    boundary: Boundary,
-    is_layered: bool,
-) -> ReferencePoint {
-    let (mean_gap, sigma) = (contact.mean_gap(), surface.plane.sigma);
-    let offset = surface.plane_above_mean_plane().filter(|_| boundary != Boundary::Finite);
-    let separation = offset.map(|offset| mean_gap - offset);
-    let (area, raw) = (contact.area_ratio(), contact.raw_area_ratio());
-    // The dual gap is relative to the standard deviation of the heights.
-    let roughness = surface.map.as_ref().map_or(sigma, |map| map.roughness.moments.sq);
-    let unsure = if is_layered { 1.0 } else { contact.capped_area_ratio() / raw };
-    let part = CORRECTION_ERROR + unsure * (UNSURE_CORRECTION_ERROR - CORRECTION_ERROR);
-    let between = other.map_or([0.0; 2], |other| {
-        [(other.mean_gap() - mean_gap).abs() / sigma, (other.area_ratio() / area).ln().abs()]
-    });
-    let of_grid = [between[0], between[1].max(part * (raw / area - 1.0))];
-    ReferencePoint {
-        control: Control::Pressure,
-        target: pressure,
-        pressure,
-        mean_gap,
-        undeformed_gap: contact.undeformed_gap(),
-        separation,
-        separation_over_sigma: separation.map(|d| d / sigma),
-        area_ratio: area,
-        raw_area_ratio: raw,
-        capped_area_ratio: contact.capped_area_ratio(),
-        stiffness: None,
-        bounds: [of_grid[0] + contact.error * roughness / sigma, of_grid[1] + contact.error, 0.0],
-        error: contact.error,
-        steps: contact.steps,
-        convolutions: contact.convolutions,
     }
 }

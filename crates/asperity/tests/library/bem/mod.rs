@@ -2,9 +2,11 @@
 
 mod active_set;
 mod convergence;
+mod grid_error;
 mod hertz;
 mod layered_sphere;
 mod solver;
+mod tangent;
 mod westergaard;
 
 use asperity::topography::generate::{Process, Seeds, SpectrumOf, SurfaceGenerator};

@@ -1,0 +1,172 @@
+//! The pressures under which a fixed set of points moves as one: K p = level on the patch, no pressure elsewhere, mean 1.
+//!
+//! Of a contact it is the derivative of the pressures by the load at a fixed patch, and its level that of the approach. With
+//! the potential of a current in place of the displacement it would be the current density through the patch.
+
+use rayon::prelude::*;
+
+use super::active::{Points, members};
+use super::convolution::{Buffers, Convolution};
+use super::descent::{ROWS, Sums, total};
+use super::preconditioner::Stencil;
+use crate::memory::zeros;
+
+/// The steps whose gains of energy exceed what all further ones gain: on rough surfaces a hundred times.
+const LOOK_BACK: usize = 2;
+
+/// A grid with the response to loads on it.
+pub struct PatchGrid<'a> {
+    pub points: [usize; 2],
+    pub convolution: &'a Convolution,
+    pub stencil: Stencil,
+    /// Whether a point on the border has its neighbours at the opposite one.
+    pub wraps: bool,
+}
+
+/// A patch that moves as one.
+#[derive(Debug, Clone)]
+pub struct PatchResponse {
+    /// Pressure at each point over the mean pressure of the grid.
+    pub pressures: Vec<f64>,
+    /// Displacement at each point over the mean pressure, m/Pa.
+    pub displacements: Vec<f64>,
+    /// p K p over the points, m/Pa: the displacement of the patch, from above, with an error of second order in that of the pressures.
+    pub level: f64,
+    /// What the last steps gained of it, relative: an estimate of its error from above.
+    pub error: f64,
+    pub steps: usize,
+    /// Points of the patch.
+    pub count: usize,
+}
+
+/// The state of conjugate gradients.
+struct State<'a> {
+    grid: &'a PatchGrid<'a>,
+    patch: &'a Points,
+    /// Points of the patch.
+    count: f64,
+    pressures: Vec<f64>,
+    displacements: Vec<f64>,
+    direction: Vec<f64>,
+    response: Vec<f64>,
+    buffers: Buffers,
+}
+
+impl PatchGrid<'_> {
+    /// Minimises p K p over the pressures on `patch` with a mean of 1 over the grid, from uniform ones, until the last steps gained
+    /// less than the part `error`, or after `steps`. `None` for a patch without points.
+    pub fn respond(&self, patch: &Points, error: f64, steps: usize) -> Option<PatchResponse> {
+        let all = self.points[0] * self.points[1];
+        let count = (0..self.points[0]).map(|i| members(patch.row(i)).count()).sum::<usize>();
+        if count == 0 {
+            return None;
+        }
+        let mut state = State {
+            grid: self,
+            patch,
+            count: count as f64,
+            pressures: zeros(all),
+            displacements: zeros(all),
+            direction: zeros(all),
+            response: zeros(all),
+            buffers: self.convolution.buffers(),
+        };
+        let mut level = state.start(all as f64 / count as f64) / all as f64;
+        let (mut gains, mut product) = (Vec::new(), 0.0);
+        let gained = |gains: &[f64]| gains.iter().rev().take(LOOK_BACK).sum::<f64>();
+        while gains.len() < LOOK_BACK || (gains.len() < steps && gained(&gains) > error * level) {
+            product = state.turn(product);
+            // Of the solution nothing but rounding is left.
+            let gain = if product > 0.0 { state.advance(product) / all as f64 } else { 0.0 };
+            level -= gain;
+            gains.push(gain);
+        }
+        Some(PatchResponse {
+            pressures: state.pressures,
+            displacements: state.displacements,
+            level,
+            error: gained(&gains) / level,
+            steps: gains.len(),
+            count,
+        })
+    }
+}
+
+impl State<'_> {
+    fn width(&self) -> usize {
+        self.grid.points[1]
+    }
+
+    /// Uniform pressures on the patch and their displacements; the sum of the products of both.
+    fn start(&mut self, pressure: f64) -> f64 {
+        let ny = self.width();
+        let patch = self.patch;
+        self.pressures.par_chunks_mut(ny).zip(patch.rows()).for_each(|(row, words)| {
+            members(words).for_each(|j| row[j] = pressure);
+        });
+        let rows = self.grid.convolution.apply(
+            |i, row| members(patch.row(i)).for_each(|j| row[j] = pressure),
+            &mut self.displacements,
+            &mut self.buffers,
+            |i, row| Sums([members(patch.row(i)).map(|j| pressure * row[j]).sum()]),
+        );
+        total(&rows)[0]
+    }
+
+    /// The next direction; the residual times the preconditioned one, which was `last` before.
+    fn turn(&mut self, last: f64) -> f64 {
+        let ny = self.width();
+        let (grid, patch, count, displacements) = (self.grid, self.patch, self.count, &self.displacements);
+        let rows = displacements.par_chunks(ny).zip(patch.rows()).with_min_len(ROWS);
+        let sums: Vec<Sums<1>> =
+            rows.map(|(row, words)| Sums([members(words).map(|j| row[j]).sum()])).collect();
+        let mean = total(&sums)[0] / count;
+        let z = &mut self.buffers.columns[..displacements.len()];
+        let rows: Vec<Sums<2>> = z
+            .par_chunks_mut(ny)
+            .enumerate()
+            .with_min_len(ROWS)
+            .map(|(i, z)| {
+                let mut sums = [0.0; 2];
+                let residual = |k: usize| displacements[k] - mean;
+                grid.stencil.apply_row(grid.points, grid.wraps, patch, i, residual, |j, value| {
+                    z[j] = value;
+                    sums[0] += value;
+                    sums[1] += value * residual(i * ny + j);
+                });
+                Sums(sums)
+            })
+            .collect();
+        // The residual has no mean, so that the mean of z does not count in their product.
+        let [z_sum, product] = total(&rows);
+        let z_mean = z_sum / count;
+        let beta = if last > 0.0 { product / last } else { 0.0 };
+        let z = &*z;
+        let rows = self.direction.par_chunks_mut(ny).zip(z.par_chunks(ny)).zip(patch.rows());
+        rows.with_min_len(ROWS).for_each(|((direction, z), words)| {
+            members(words).for_each(|j| direction[j] = z[j] - z_mean + beta * direction[j]);
+        });
+        product
+    }
+
+    /// Goes to the minimum along the direction, the slope there being minus `product`; what p K p loses.
+    fn advance(&mut self, product: f64) -> f64 {
+        let ny = self.width();
+        let (direction, patch) = (&self.direction, self.patch);
+        let rows = self.grid.convolution.apply(
+            |i, row| members(patch.row(i)).for_each(|j| row[j] = direction[i * ny + j]),
+            &mut self.response,
+            &mut self.buffers,
+            |i, row| Sums([members(patch.row(i)).map(|j| direction[i * ny + j] * row[j]).sum()]),
+        );
+        let step = product / total(&rows)[0];
+        let response = &self.response;
+        let rows = self.pressures.par_chunks_mut(ny).zip(self.displacements.par_chunks_mut(ny)).enumerate();
+        rows.with_min_len(ROWS).for_each(|(i, (pressures, displacements))| {
+            let at = i * ny;
+            displacements.iter_mut().zip(&response[at..]).for_each(|(u, r)| *u -= step * r);
+            members(patch.row(i)).for_each(|j| pressures[j] -= step * direction[at + j]);
+        });
+        step * product
+    }
+}

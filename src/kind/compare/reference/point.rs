@@ -1,0 +1,94 @@
+//! A contact at one load in the terms of the models, with bounds of its errors.
+
+use asperity::bem::{Boundary, Contact, GridError, Solver, SolverError, Tangent};
+use asperity::compare::{BlockShare, Control, ReferencePoint};
+use asperity::progress::Progress;
+use asperity::surface::Surface;
+use asperity::topography::Blocks;
+
+/// A contact, and how it changes with the load.
+pub struct SolvedContact {
+    pub contact: Contact,
+    /// `None` where no point may change its pressure.
+    pub tangent: Option<Tangent>,
+}
+
+impl SolvedContact {
+    /// At a nominal pressure (Pa).
+    ///
+    /// # Errors
+    /// Those of the solver.
+    pub fn new(solver: &Solver, pressure: f64, progress: &dyn Progress) -> Result<Self, SolverError> {
+        let contact = solver.at_pressure(pressure, progress)?;
+        let tangent = solver.tangent(&contact);
+        Ok(Self { contact, tangent })
+    }
+
+    /// What each block contributes.
+    pub fn block_shares(&self, blocks: &Blocks) -> Vec<BlockShare> {
+        let sums = self.contact.block_sums(blocks);
+        let shares = self.tangent.as_ref().map(|tangent| tangent.block_shares(blocks));
+        let of_block = |(block, [pressure, area_ratio]): (usize, [f64; 2])| BlockShare {
+            pressure,
+            area_ratio,
+            stiffness_share: shares.as_ref().map_or(0.0, |shares| shares[block]),
+        };
+        sums.into_iter().enumerate().map(of_block).collect()
+    }
+
+    /// In the terms of the models, with the same load on `other` points.
+    pub fn point(&self, pressure: f64, other: Option<&Self>, surface: &Surface) -> ReferencePoint {
+        let contact = &self.contact;
+        let (mean_gap, sigma) = (contact.mean_gap(), surface.plane.sigma);
+        let is_comparable = contact.boundary() != Boundary::Finite;
+        let offset = surface.plane_above_mean_plane().filter(|_| is_comparable);
+        let separation = offset.map(|offset| mean_gap - offset);
+        let stiffness = self.stiffness().filter(|_| separation.is_some());
+        ReferencePoint {
+            control: Control::Pressure,
+            target: pressure,
+            pressure,
+            mean_gap,
+            undeformed_gap: contact.undeformed_gap(),
+            separation,
+            separation_over_sigma: separation.map(|d| d / sigma),
+            area_ratio: contact.area_ratio(),
+            raw_area_ratio: contact.raw_area_ratio(),
+            capped_area_ratio: contact.capped_area_ratio(),
+            stiffness,
+            bounds: self.bounds(pressure, other, surface),
+            error: contact.error,
+            steps: contact.steps,
+            convolutions: contact.convolutions,
+        }
+    }
+
+    /// Bounds of the errors of solver and grid, of d/sigma, ln(area) and ln(stiffness): where `other` points were solved too, no
+    /// less than the differences between both.
+    fn bounds(&self, pressure: f64, other: Option<&Self>, surface: &Surface) -> [f64; 3] {
+        let (contact, sigma) = (&self.contact, surface.plane.sigma);
+        let grid = GridError::new(contact);
+        // How far the flat moves while the load grows by its logarithm; without a stiffness less than down to the mean plane.
+        let reach = self.stiffness().map_or(contact.mean_gap(), |stiffness| pressure / stiffness);
+        let apart = |of: &dyn Fn(&Self) -> Option<f64>| -> f64 {
+            let [own, other] = [Some(self), other].map(|solved| solved.and_then(of));
+            own.zip(other).map_or(0.0, |(own, other)| (own - other).abs())
+        };
+        let gap = apart(&|solved| Some(solved.contact.mean_gap())).max(grid.load * reach);
+        let area = apart(&|solved| Some(solved.contact.area_ratio().ln())).max(grid.area);
+        let stiffness = apart(&|solved| solved.stiffness().map(f64::ln)).max(grid.stiffness);
+        // The dual gap is relative to the standard deviation of the heights.
+        let roughness = surface.map.as_ref().map_or(sigma, |map| map.roughness.moments.sq);
+        let of_tangent = self.tangent.as_ref().map_or(0.0, |tangent| tangent.error);
+        [
+            (gap + contact.error * roughness) / sigma,
+            area + contact.error,
+            stiffness + contact.error + of_tangent,
+        ]
+    }
+
+    /// -dp/dd, Pa/m.
+    fn stiffness(&self) -> Option<f64> {
+        self.tangent.as_ref().map(Tangent::stiffness).filter(|stiffness| *stiffness > 0.0)
+    }
+}
