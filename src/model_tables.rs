@@ -88,11 +88,11 @@ impl Row for CurveRow {
             plastic_area_share["1"] = row.model_value(|response| share(&response.area_ratio, 2)), "Share of the real contact area in plastic contacts.";
             pressure_standard_error_pa["Pa"] = row.model_value(|response| Some(response.sampling?.pressure)), "Standard error of the nominal pressure of the sum at fixed separation, for independent asperities; empty for the integral.";
             area_ratio_standard_error["1"] = row.model_value(|response| Some(response.sampling?.area_ratio)), "Standard error of the area ratio of the sum, likewise.";
-            beyond_model["true/false"] = row.model(Response::is_beyond_model), "Whether the area ratio exceeds 0.05, where neighbouring asperities interact and no asperity model is valid; empty for the reference.";
+            beyond_model["true/false"] = row.model(Response::is_beyond_model), "Whether the area ratio exceeds 0.05, where neighbouring asperities interact and no asperity model holds; empty for the reference.";
             effective_contacts["1"] = row.model_value(|response| Some(response.sharing?.effective_contacts)), "Effective contacts of the sum: 1 over the sum of squared load shares; empty for the integral and without contact.";
             largest_load_share["1"] = row.model_value(|response| Some(response.sharing?.largest_share)), "Share of the load in the most heavily loaded contact of the sum.";
             large_strain_load_share["1"] = row.model_value(|response| Some(response.sharing?.large_strain_share)), "Share of the load of the sum in contacts whose radius exceeds 0.3 of the asperity radius.";
-            limits["text"] = limits(row.exceeded()), "Limits of the valid range that one of the models exceeds at this control point, separated by spaces: `few-contacts` (fewer than 30 effective), `dominant-contact` (more than 10 % of the load in one), `interaction` (area ratio above 0.05), `large-strain` (more than 10 % of the load in contacts whose radius exceeds 0.3 of the asperity radius); empty within the valid range, and for the reference.";
+            limits["text"] = limits(row.exceeded()), "Limits of admissible loads that one of the models exceeds at this control point, separated by spaces: `few-contacts` (fewer than 30 effective), `dominant-contact` (more than 10 % of the load in one), `interaction` (area ratio above 0.05), `large-strain` (more than 10 % of the load in contacts whose radius exceeds 0.3 of the asperity radius); empty admissible, and for the reference.";
             contact_radius_over_thickness["1", label("a/t")] = row.radius_over_thickness(), "Mean contact radius over the thickness of the layer; empty without a layer of finite thickness and without contact.";
             raw_area_ratio["1"] = row.either(|_| None, |point| Some(point.raw_area_ratio)), "Points in contact over all points of the reference; empty for the models.";
         });
@@ -295,8 +295,8 @@ impl Row for PairRow {
         columns.extend(ModelValues::columns().iter().flat_map(Self::compared));
         columns.extend(columns! { row: Self =>
             plasticity_index["1"] = row.plasticity_index, "Plasticity index (E*/H)(sigma/R)^0.5 of Greenwood and Williamson (1966); empty where nothing yields.";
-            beyond_model["true/false"] = row.pair.is_beyond_model(), "Whether either area ratio exceeds 0.05, where neighbouring asperities interact and no asperity model is valid.";
-            limits["text"] = limits(row.pair.exceeded()), "Limits of the valid range that one of the models exceeds, as in `curves.csv`.";
+            beyond_model["true/false"] = row.pair.is_beyond_model(), "Whether either area ratio exceeds 0.05, where neighbouring asperities interact and no asperity model holds.";
+            limits["text"] = limits(row.pair.exceeded()), "Limits of admissible loads that one of the models exceeds, as in `curves.csv`.";
             separation_from_heights["1", part(CAUSES)] = row.contribution(ComparedQuantity::Separation, Cause::Heights), "Contribution of the height distribution to the difference in separation over sigma at equal load: the mean over three orders in which heights, radii and their correlation are changed from those of the statistical to those of the deterministic model. The three contributions add up to the difference. Empty where fewer than 30 effective contacts or one with more than 10 % of the load carry it, and at equal separation.";
             separation_from_radii["1", part(CAUSES)] = row.contribution(ComparedQuantity::Separation, Cause::Radii), "The same of the spread of radii.";
             separation_from_correlation["1", part(CAUSES)] = row.contribution(ComparedQuantity::Separation, Cause::Correlation), "The same of the correlation of heights and radii; with equal radii, of replacing a sum by its integral.";

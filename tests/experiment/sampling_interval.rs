@@ -51,7 +51,7 @@ fn a_finely_sampled_surface_has_limits() {
 fn without_a_valid_load_no_gap_is_given() {
     let outcome = run(256, 8.0, "pressure = [\"1 Pa\"]\nintervals = [1, 2, 4]\ns-filter = []");
     let page = outcome.outline().markdown();
-    assert!(page.contains("at no length is a load within the valid range of both models."), "{page}");
+    assert!(page.contains("at no length is a load admissible for both models."), "{page}");
     assert!(!page.contains("Gap between the models at"));
 }
 
@@ -90,7 +90,7 @@ fn tables_hold_every_scale_and_parts_that_add_up() {
     assert_eq!(gaps.len(), 7 * 2 * 2);
     let mut divided = 0;
     for row in &gaps {
-        // No number beyond the valid range.
+        // No number not admissible.
         assert_eq!(row["limits"].is_empty(), !row["difference"].is_empty(), "{row:?}");
         if row["limits"].is_empty() && row["quantity"] == "separation" {
             let parts = ["from_heights", "from_radii", "from_correlation"].map(|part| number(&row[part]));

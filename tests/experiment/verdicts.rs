@@ -202,7 +202,7 @@ fn a_spike_is_no_valid_contact() {
         |k: usize| -> Vec<Limit> { verdicts(&results, k).differences[0].exceeded().limits().collect() };
     assert!(exceeded(0).contains(&Limit::DominantContact) && exceeded(0).contains(&Limit::FewContacts));
     assert_eq!(exceeded(1), []);
-    assert!(verdicts(&results, 0).valid.stretches.is_empty());
+    assert!(verdicts(&results, 0).admissible.stretches.is_empty());
     let share = verdicts(&results, 0).differences[0].sharing.unwrap().largest_share;
     assert!(share > 0.3, "{share}");
 }
@@ -215,8 +215,8 @@ fn large_strains_end_the_valid_range() {
     let found = verdicts(&results, 0);
     let limits = |load: usize| found.differences[load].exceeded().limits().collect::<Vec<_>>();
     assert!(limits(12).contains(&Limit::LargeStrain));
-    let [_, highest] = *found.valid.stretches.last().unwrap();
-    assert!(highest < 5e7 && found.valid.above.limits().any(|limit| limit == Limit::LargeStrain));
+    let [_, highest] = *found.admissible.stretches.last().unwrap();
+    assert!(highest < 5e7 && found.admissible.above.limits().any(|limit| limit == Limit::LargeStrain));
     let blunt = compared(LOADS, &population("blunt", 30_000, ""));
     let at_all =
         verdicts(&blunt, 0).differences.iter().flat_map(|at| at.exceeded().limits().collect::<Vec<_>>());

@@ -218,7 +218,7 @@ mod tests {
             .with(Layer::band([(1.0, 0.0, 2.0), (2.0, 1.0, f64::NAN)]).named("sum"))
             .with(Layer::line([(1.0, 1.000000049), (2.0, 1.5)]).named("sum").coloured(Colour::Deterministic))
             .with(Layer::at_y(0.0, "none"))
-            .with(Layer::region_x(3.0, f64::INFINITY, "not valid"))
+            .with(Layer::region_x(3.0, f64::INFINITY, "not admissible"))
     }
 
     #[test]

@@ -317,8 +317,8 @@ impl Interface {
     ) -> PyResult<Bound<'py, PyDict>> {
         let py = indentation.py();
         let indentation = Array::list(indentation, "indentation")?;
-        let is_valid = |value: f64| value > 0.0 && value.is_finite();
-        if !is_valid(radius) {
+        let is_admissible = |value: f64| value > 0.0 && value.is_finite();
+        if !is_admissible(radius) {
             return Err(refuse(format!("radius: found {radius}; allowed: positive and finite, m")));
         }
         if !(1.0..=1e6).contains(&curvature_ratio) {

@@ -39,9 +39,9 @@
 //! | the micro-contact | [`Interface::bare`]; [`Flat::under`] for a flat that may be layered |
 //! | asperities | a [`Population`] with a height distribution ([`distribution`]), an [`AsperitySet`] from lists, or the summits of a [`HeightMap`] ([`topography`]) |
 //! | the models | [`Statistical`] and [`Deterministic`] implement [`Model`]: [`Model::respond`] at a separation, [`at_pressure`] at a load, [`respond_within`] for a curve to a tolerance |
-//! | the result | [`Response`]: contacts, area, pressure, stiffness, shares of the regimes, standard errors for independent asperities, [`LoadSharing`]; the limits of the valid range that it exceeds: [`Response::exceeded`] |
+//! | the result | [`Response`]: contacts, area, pressure, stiffness, shares of the regimes, standard errors for independent asperities, [`LoadSharing`]; the limits of admissible loads that it exceeds: [`Response::exceeded`] |
 //! | one asperity | [`sphere`]: its curve, its critical indentations |
-//! | comparison of both models | [`compare`]: pairs at equal load and separation, [`Difference`](compare::Difference) with its 95 % interval, [`ValidRange`](compare::ValidRange), [`Stretch`](compare::Stretch) of loads with one [`Verdict`](compare::Verdict) |
+//! | comparison of both models | [`compare`]: pairs at equal load and separation, [`Difference`](compare::Difference) with its 95 % interval, [`AdmissibleRange`](compare::AdmissibleRange), [`Stretch`](compare::Stretch) of loads with one [`Verdict`](compare::Verdict) |
 //! | a surface with all that is known of it | [`surface`]: its asperities, the fitness of its map, blocks; [`study`]: both models on it, with sampling errors, causes and verdicts; [`study::verdicts`] does all of it |
 //! | the map itself | [`bem`]: boundary elements without asperities; [`analytical`]: closed results from its r.m.s. gradient |
 //! | files and units | [`topography::read`], [`AsperityList::read`], [`npy`], [`units`] |
@@ -55,7 +55,7 @@
 //!   **asperity** height; the models take it as d/sigma, in units of the standard deviation of the asperity heights
 //!   ([`ReferencePlane`]). Indentation w = z - d is positive in contact.
 //! - Loads and areas of a surface are per nominal area: a pressure and an area ratio. The area ratio is never clamped;
-//!   beyond [`INTERACTION`] neighbouring asperities interact and asperity models are not valid. The other limits are
+//!   beyond [`INTERACTION`] neighbouring asperities interact and asperity models do not hold. The other limits are
 //!   [`MIN_CONTACTS`] effective contacts, [`LARGEST_LOAD_SHARE`] and [`LARGE_STRAIN_SHARE`]; results beyond a
 //!   [`Limit`] are returned, not rejected.
 //! - Invalid input is rejected by the constructors, with an error that states what was found and what is allowed

@@ -32,8 +32,8 @@ pub struct ReadLoads {
 pub struct ReadAnswer {
     /// Nominal pressure, Pa.
     pub pressure: f64,
-    /// Whether the model is within its valid range in each realisation.
-    pub is_valid: bool,
+    /// Whether the model is within its admissible range in each realisation.
+    pub is_admissible: bool,
 }
 
 impl ReadLoads {
@@ -43,8 +43,8 @@ impl ReadLoads {
     }
 
     /// Whether both answers are valid.
-    pub fn is_valid(&self) -> bool {
-        self.answers.iter().all(|answer| answer.is_valid)
+    pub fn is_admissible(&self) -> bool {
+        self.answers.iter().all(|answer| answer.is_admissible)
     }
 }
 
@@ -97,13 +97,13 @@ fn mean_load(case: &CaseStudy, kind: ModelKind, separation: f64) -> Option<ReadA
     let responses = responses?;
     let sum: f64 = responses.iter().map(|response| response.pressure.total()).sum();
     // An integral has no single contacts: the limits of both models hold.
-    let is_valid = case.realisations.iter().all(|results| {
+    let is_admissible = case.realisations.iter().all(|results| {
         let both = [ModelKind::Statistical, ModelKind::Deterministic];
         both.into_iter()
             .filter_map(|kind| response(results, kind, separation))
             .all(|response| response.exceeded().is_none())
     });
-    Some(ReadAnswer { pressure: sum / responses.len() as f64, is_valid })
+    Some(ReadAnswer { pressure: sum / responses.len() as f64, is_admissible })
 }
 
 fn response(results: &CaseResults, kind: ModelKind, separation: f64) -> Option<Response> {

@@ -1,7 +1,7 @@
 //! One surface under one law: a case for each layer thickness.
 
 use asperity::Exceeded;
-use asperity::compare::ValidRange;
+use asperity::compare::AdmissibleRange;
 use asperity::study::{CaseResults, CaseStudy, LawFindings, LayerFindings, Verdicts};
 use asperity_contact_framework::report::format::thickness;
 
@@ -57,8 +57,8 @@ impl<'a> Series<'a> {
     }
 
     /// The admissible loads of each case.
-    pub fn valid(&self) -> impl Iterator<Item = &'a ValidRange> {
-        self.verdicts.iter().map(|verdicts| &verdicts.valid)
+    pub fn valid(&self) -> impl Iterator<Item = &'a AdmissibleRange> {
+        self.verdicts.iter().map(|verdicts| &verdicts.admissible)
     }
 
     /// Cases with a layer of finite thickness.

@@ -157,7 +157,7 @@ fn ordinate(measure: Measure, difference: f64) -> f64 {
     }
 }
 
-/// Axis range for the elastic-plastic laws and the models at valid loads; limiting cases may lie outside.
+/// Axis range for the elastic-plastic laws and the models at admissible loads; limiting cases may lie outside.
 fn range(results: &LawsResults, influence: &Influence, measure: Measure) -> Option<[f64; 2]> {
     /// Above and below, of the range.
     const MARGIN: f64 = 0.15;
@@ -175,7 +175,7 @@ fn range(results: &LawsResults, influence: &Influence, measure: Measure) -> Opti
     (margin > 0.0).then_some([low - margin, high + margin])
 }
 
-/// " Outside the axes of the area: hertz (0.1 to 0.4).": the laws whose sums are at all valid loads, and between which
+/// " Outside the axes of the area: hertz (0.1 to 0.4).": the laws whose sums are at all admissible loads, and between which
 /// values. Empty if there is none.
 pub fn outside(results: &LawsResults, influence: &Influence) -> String {
     let of_measure = |measure| {
@@ -207,10 +207,10 @@ fn beside(results: &LawsResults, influence: &Influence, measure: Measure, plot: 
     if let (Some(&lowest), Some(&highest)) = (counting.first(), counting.last()) {
         let loads = || influence.loads.iter().map(|at| at.pressure / MEGA);
         if loads().any(|load| load < lowest) {
-            plot = plot.with(Layer::region_x(0.0, lowest, "not valid"));
+            plot = plot.with(Layer::region_x(0.0, lowest, "not admissible"));
         }
         if loads().any(|load| load > highest) {
-            plot = plot.with(Layer::region_x(highest, f64::INFINITY, "not valid"));
+            plot = plot.with(Layer::region_x(highest, f64::INFINITY, "not admissible"));
         }
     }
     let name = format!("{}, integral", influence.laws[0]);

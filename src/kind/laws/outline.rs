@@ -141,7 +141,7 @@ impl Finding {
             Self::Decided(Dominant::Equal) => ["both equally", ""],
             Self::Decided(Dominant::Undecided) => ["cannot be told", " (within the sampling uncertainty)"],
             Self::NoInterval => ["cannot be told", " (no sampling interval is claimed)"],
-            Self::NoLoad => ["not evaluated", " (no load is valid under every law)"],
+            Self::NoLoad => ["not evaluated", " (no load is admissible under every law)"],
         }
     }
 }
@@ -185,7 +185,7 @@ fn on_surface(page: &mut Page, results: &LawsResults, tables: &Tables, surface: 
     let Some(influence) = results.first_influence(name) else { return };
     page.heading(2, &format!("{name}: contact law or summation method?"));
     if influence.dominances.is_empty() {
-        page.paragraph("No load is within the valid range under every law, so the effects are not compared.");
+        page.paragraph("No load is admissible under every law, so the effects are not compared.");
     }
     page.figure(
         &format!("{name}-law-or-model.svg"),
@@ -193,7 +193,7 @@ fn on_surface(page: &mut Page, results: &LawsResults, tables: &Tables, surface: 
         &format!(
             "The contact law matters more where the coloured lines lie further apart than the black line from zero (or one). All at equal \
              load, relative to the sum under {}; bands: 1.96 standard errors of the difference between the models; shaded: loads beyond \
-             the valid range.{}",
+             the admissible range.{}",
             influence.influence.laws[0],
             figures::outside(results, &influence.influence),
         ),
@@ -284,7 +284,7 @@ mod tests {
         assert_eq!(
             answer(Measure::Area, &some).unwrap(),
             "**What matters more for real area**: the contact law on b and c; cannot be told on a (no sampling interval is claimed); \
-             not evaluated on d (no load is valid under every law)."
+             not evaluated on d (no load is admissible under every law)."
         );
         let many = findings(&["a", "b", "c", "d"].map(|name| (name, LAW)));
         assert!(answer(Measure::Area, &many).unwrap().ends_with("the contact law on 4 surfaces."));

@@ -101,8 +101,8 @@ impl Row for InfluenceRow<'_> {
         let mut columns = influence_columns(|row: &Self| (row.surface, row.measure));
         columns.extend(columns! { row: Self =>
             pressure_pa["Pa"] = row.at_load.pressure, "Nominal pressure.";
-            counts["true/false", label("admissible")] = row.at_load.exceeded.is_none(), "Whether the load is within the valid range under every law.";
-            limits["text"] = limits(row.at_load.exceeded), "Limits of the valid range that are exceeded under some law, as in `curves.csv`.";
+            counts["true/false", label("admissible")] = row.at_load.exceeded.is_none(), "Whether the load is admissible under every law.";
+            limits["text"] = limits(row.at_load.exceeded), "Limits of admissible loads that are exceeded under some law, as in `curves.csv`.";
             fewest_contacts["1", scale(1.0)] = row.at_load.fewest_contacts, "Fewest effective contacts of the deterministic model under any law.";
             all_laws_statistical["1", scale(1.0), label("all laws, integral")] = row.spread(Group::All, ModelKind::Statistical), "Highest over lowest of all laws under the statistical model.";
             all_laws_deterministic["1", scale(1.0), label("all laws, sum")] = row.spread(Group::All, ModelKind::Deterministic), "Highest over lowest of all laws under the deterministic model.";
@@ -183,7 +183,7 @@ impl ChoiceRow<'_> {
 
 impl Row for ChoiceRow<'_> {
     const FILE: &'static str = "influence_of_laws.csv";
-    const ROWS: &'static str = "One row for each surface, realisation, measure and law: the largest differences over the loads that are valid under every law, of separations in sigma, of areas relative.";
+    const ROWS: &'static str = "One row for each surface, realisation, measure and law: the largest differences over the loads that are admissible under every law, of separations in sigma, of areas relative.";
     const RECORDS: Option<&'static str> = Some("influence_of_laws");
 
     fn columns() -> Vec<Column<Self>> {
@@ -229,13 +229,13 @@ impl<'a> DominanceRow<'a> {
 
 impl Row for DominanceRow<'_> {
     const FILE: &'static str = "law_or_summation.csv";
-    const ROWS: &'static str = "One row for each surface, realisation and measure with a load that is valid under every law: means over these loads, of separations in sigma, of areas relative.";
+    const ROWS: &'static str = "One row for each surface, realisation and measure with a load that is admissible under every law: means over these loads, of separations in sigma, of areas relative.";
     const RECORDS: Option<&'static str> = Some("law_or_summation");
 
     fn columns() -> Vec<Column<Self>> {
         let mut columns = influence_columns(|row: &Self| (row.surface, row.dominance.measure));
         columns.extend(columns! { row: Self =>
-            loads["count"] = row.surface.influence.counting().count(), "Loads that are valid under every law.";
+            loads["count"] = row.surface.influence.counting().count(), "Loads that are admissible under every law.";
             matters_more["text", label("matters more")] = row.dominance.dominant().name(), "What matters more: `contact-law`, `summation-method`, `equal` (their effects differ by less than 5 %) or `cannot-tell` (the difference between the models is not larger than two standard errors, or has none).";
             laws["text"] = row.dominance.group.name(), "The laws of the range: `elastic-plastic` or `all`.";
             law_range["1", label("range over the laws"), scale(1.0)] = row.reported(row.dominance.law.mean), "Mean range of these laws under the deterministic model; of areas, the largest over the smallest, minus 1.";

@@ -52,7 +52,7 @@ pub fn asperities(surface: &SurfaceResults) -> Figure {
     Figure::row("Asperities against the length that is varied", vec![density, radii])
 }
 
-/// The gap in separation and area and its parts; `None` where fewer than two lengths are within the valid range.
+/// The gap in separation and area and its parts; `None` where fewer than two lengths are admissible.
 pub fn gap(series: &Series, load: usize) -> Option<Figure> {
     let panels: Vec<Plot> =
         QUANTITIES.into_iter().filter_map(|quantity| panel(series, load, quantity)).collect();

@@ -4,7 +4,7 @@ use asperity::compare::{ComparedQuantity, Contributions, Estimate};
 
 use super::results::{Series, SurfaceResults};
 
-/// The gap between the models at a scale within the valid range.
+/// The gap between the models at a scale admissible.
 pub struct Gap<'a> {
     /// Sampling interval or nesting index, m.
     pub length: f64,
@@ -23,7 +23,7 @@ pub fn gaps(series: &Series, load: usize, quantity: ComparedQuantity) -> Vec<Gap
     gaps.collect()
 }
 
-/// The load of a page, as an index: the highest of those at which most scales are within the valid range, and of these most have
+/// The load of a page, as an index: the highest of those at which most scales are admissible, and of these most have
 /// intervals. `None` where no scale is valid at any load.
 pub fn main_load(surface: &SurfaceResults, loads: &[f64]) -> Option<usize> {
     let rank = |load: usize| {

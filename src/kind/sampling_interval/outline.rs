@@ -95,7 +95,10 @@ fn outcomes(series: &Series, load: Option<f64>) -> String {
     let main: Vec<&Trend> = series.trends.iter().filter(is_main).collect();
     let mut items: Vec<String> = main.iter().copied().map(item).collect();
     if main.iter().all(|trend| trend.load.is_none()) {
-        items.push("deterministic area beyond the valid range at one of the three finest lengths".to_owned());
+        items.push(
+            "deterministic area at loads that are not admissible at one of the three finest lengths"
+                .to_owned(),
+        );
     }
     let (name, variation) = (escape(&series.surface), series.variation.label());
     match &series.scales[..] {
@@ -108,7 +111,7 @@ fn outcomes(series: &Series, load: Option<f64>) -> String {
 }
 
 const NO_GAP: &str =
-    "The gap between the models is not given: at no length is a load within the valid range of both models.";
+    "The gap between the models is not given: at no length is a load admissible for both models.";
 
 fn surface_section(page: &mut Page, tables: &Tables, results: &IntervalResults, surface: &SurfaceResults) {
     let name = surface.surface.name.as_str();
@@ -205,7 +208,7 @@ mod tests {
             "**a, sampling interval from 2 µm to 1 µm**: density +100 % (no limit); mean radius 0 % (limit)";
         let at_load = format!("{line}; deterministic area at 1 MPa 0 % (limit).");
         assert_eq!(outcomes(&intervals, Some(1e6)), at_load);
-        let beyond = "deterministic area beyond the valid range at one of the three finest lengths";
+        let beyond = "deterministic area at loads that are not admissible at one of the three finest lengths";
         assert_eq!(outcomes(&intervals, None), format!("{line}; {beyond}."));
         let none = series(Variation::Filter, Vec::new());
         let line = "**a, S nesting index**: no asperities at one of the three finest lengths.";

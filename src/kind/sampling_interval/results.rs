@@ -109,7 +109,7 @@ pub struct BlocksLeftOut {
 }
 
 impl ScaleResults {
-    /// The difference between the models in a quantity at the load of index `load`, within the valid range.
+    /// The difference between the models in a quantity at the load of index `load`, admissible.
     pub fn difference(&self, load: usize, quantity: ComparedQuantity) -> Option<Estimate> {
         let difference = self.case.differences.get(load).filter(|at| at.exceeded().is_none())?;
         difference.estimates[quantity as usize]
@@ -121,7 +121,7 @@ impl ScaleResults {
         self.case.attribution.get(load)?.contributions(quantity)
     }
 
-    /// A quantity, at the load of index `load` where it depends on one, or its logarithm; `None` beyond the valid range.
+    /// A quantity, at the load of index `load` where it depends on one, or its logarithm; `None` not admissible.
     fn value(&self, quantity: TrendQuantity, load: usize) -> Option<f64> {
         let difference = |compared| self.difference(load, compared);
         let pair = || difference(ComparedQuantity::Area).and_then(|_| self.case.comparison.pairs.get(load));

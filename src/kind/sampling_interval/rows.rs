@@ -112,7 +112,7 @@ impl Row for GapRow<'_> {
             quantity["text"] = row.quantity.name(), "What is compared: `separation` or `area` (real contact area).";
             statistical["1"] = row.value(&row.pair().statistical), "Statistical model: separation over sigma, or real contact area over nominal area.";
             deterministic["1"] = row.value(&row.pair().deterministic), "Deterministic model: the same.";
-            difference["1", signed] = row.difference().map(|difference| row.quantity.reported(difference.contrast)), "Statistical minus deterministic: of the separation in sigma, of the area relative to the deterministic one; empty beyond the valid range.";
+            difference["1", signed] = row.difference().map(|difference| row.quantity.reported(difference.contrast)), "Statistical minus deterministic: of the separation in sigma, of the area relative to the deterministic one; empty where the load is not admissible.";
             low["1", signed] = row.end(0), "Lower end of the pointwise 95 % interval of the difference; empty where none is claimed.";
             high["1", signed] = row.end(1), "Upper end of the interval.";
             difference_m["m", signed] = row.difference().filter(|_| row.quantity == ComparedQuantity::Separation).map(|difference| difference.contrast * row.results.sigma), "Difference in separation as a length; empty for areas.";
@@ -126,7 +126,7 @@ impl Row for GapRow<'_> {
             from_correlation_low["1", signed] = row.end_of(Cause::Correlation, 0), "The same of the correlation.";
             from_correlation_high["1", signed] = row.end_of(Cause::Correlation, 1), "Upper end of that interval.";
             effective_contacts["1"] = row.at_load().sharing.map(|sharing| sharing.effective_contacts), "Effective contacts of the deterministic model.";
-            limits["text"] = limits(row.at_load().exceeded()), "Limits of the valid range that are exceeded, as in `curves.csv`.";
+            limits["text"] = limits(row.at_load().exceeded()), "Limits of admissible loads that are exceeded, as in `curves.csv`.";
         });
         columns
     }
@@ -191,7 +191,7 @@ impl Row for LeadRow<'_> {
         columns.extend(columns! { row: Self =>
             pressure_pa["Pa", input] = row.pressure, "Nominal pressure.";
             quantity["text", label("gap in")] = row.quantity.name(), "What is compared: `separation` or `area` (real contact area).";
-            lengths["count"] = row.gaps.len(), "Sampling intervals or nesting indices within the valid range.";
+            lengths["count"] = row.gaps.len(), "Sampling intervals or nesting indices at which the load is admissible.";
             smallest_difference["1", label("from"), signed, scale(1.0)] = row.differences().fold(f64::INFINITY, f64::min), "Smallest difference over the lengths, as in `sampling_interval_gaps.csv`.";
             largest_difference["1", label("to"), signed, scale(1.0)] = row.differences().fold(f64::NEG_INFINITY, f64::max), "Largest such difference.";
             sign["text", verdict] = sign(&row.gaps), "Whether the difference is of the same sign at all lengths: `kept`, `changes` (two intervals lie on either side of zero) or `cannot-tell` (an interval holds zero); empty of a single length.";

@@ -90,7 +90,7 @@ fn answer(law: &LawResults) -> String {
     let largest = judged.iter().max_by(|a, b| excess(a).total_cmp(&excess(b)));
     let Some(largest) = largest else {
         return format!(
-            "**{name}**: the sum has no interval at any separation within the valid range: its heights are at the quantiles, or fewer than \
+            "**{name}**: the sum has no interval at any separation whose load is admissible: its heights are at the quantiles, or fewer than \
              eight tiles carry load."
         );
     };

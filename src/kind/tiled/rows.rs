@@ -44,9 +44,9 @@ impl<'a> SeparationRow<'a> {
         self.error.and_then(|error| self.over_sum(error))
     }
 
-    /// Whether the integral is in the 95 % interval of the sum; `None` without one, or beyond the valid range.
+    /// Whether the integral is in the 95 % interval of the sum; `None` without one, or not admissible.
     pub fn is_within(&self) -> Option<bool> {
-        let (ratio, error) = (self.ratio()?, self.relative_error().filter(|_| self.pair.is_valid())?);
+        let (ratio, error) = (self.ratio()?, self.relative_error().filter(|_| self.pair.is_admissible())?);
         Some((ratio - 1.0).abs() <= INTERVAL * error)
     }
 }
@@ -66,8 +66,8 @@ impl Row for SeparationRow<'_> {
             statistical_pressure_pa["Pa", label("pressure of the integral")] = row.pair.statistical.pressure.total(), "Nominal pressure of the integral.";
             statistical_over_deterministic_pressure["1", label("integral over sum")] = row.ratio(), "The second over the first.";
             deterministic_area_ratio["1", label("area ratio of the sum")] = row.pair.deterministic.area_ratio.total(), "Real contact area of the sum over nominal area.";
-            within_interval["true/false", label("in the interval")] = row.is_within(), "Whether the integral lies in the 95 % interval of the sum; empty without one and beyond the valid range.";
-            limits["text"] = limits(row.pair.exceeded()), "Limits of the valid range that are exceeded, as in `curves.csv`.";
+            within_interval["true/false", label("in the interval")] = row.is_within(), "Whether the integral lies in the 95 % interval of the sum; empty without one and where the load is not admissible.";
+            limits["text"] = limits(row.pair.exceeded()), "Limits of admissible loads that are exceeded, as in `curves.csv`.";
         }
     }
 }

@@ -85,12 +85,12 @@ impl SetError {
 const BLOCK: usize = 4096;
 
 /// The index of the first value that is not valid; whole blocks are checked without a branch per value.
-fn first_without(values: &[f64], is_valid: impl Fn(f64) -> bool + Sync) -> Option<usize> {
+fn first_without(values: &[f64], is_admissible: impl Fn(f64) -> bool + Sync) -> Option<usize> {
     let arch = Arch::new();
     let is_whole =
-        |block: &[f64]| arch.dispatch(|| block.iter().fold(true, |all, &value| all & is_valid(value)));
+        |block: &[f64]| arch.dispatch(|| block.iter().fold(true, |all, &value| all & is_admissible(value)));
     let bad = values.par_chunks(BLOCK).position_first(|block| !is_whole(block))?;
-    let first = values[bad * BLOCK..].iter().position(|&value| !is_valid(value))?;
+    let first = values[bad * BLOCK..].iter().position(|&value| !is_admissible(value))?;
     Some(bad * BLOCK + first)
 }
 

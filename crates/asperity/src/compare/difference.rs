@@ -175,7 +175,7 @@ pub struct CaseSampling {
 }
 
 impl Difference {
-    /// The limits of the valid range that are exceeded.
+    /// The limits of admissible loads that are exceeded.
     pub fn exceeded(&self) -> Exceeded {
         Exceeded::new(self.sharing.as_ref(), self.area_ratio)
     }

@@ -18,7 +18,7 @@ named_enum! {
     }
 }
 
-/// The effects of contact law and summation method on one measure, over the valid loads.
+/// The effects of contact law and summation method on one measure, over the admissible loads.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Dominance {
     /// The quantity compared.
@@ -40,7 +40,7 @@ pub struct Dominance {
 const EQUAL: f64 = 1.05;
 
 impl Dominance {
-    /// The effects on one measure; `None` if no load is valid or fewer than two laws are compared.
+    /// The effects on one measure; `None` if no load is admissible or fewer than two laws are compared.
     pub fn new(influence: &Influence, measure: Measure) -> Option<Self> {
         let group = influence.group();
         Some(Self {

@@ -43,7 +43,7 @@ impl Gap {
     }
 }
 
-/// The largest gaps over the pairs within the valid range.
+/// The largest gaps over the pairs at admissible loads.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Gaps {
     /// Number of valid pairs.
@@ -62,7 +62,7 @@ impl Gaps {
     pub fn largest(pairs: &[Pair]) -> Self {
         /// In sigma, or relative to the quantity: above the tolerance of load control.
         const ROUNDING: f64 = 1e-10;
-        let counted: Vec<&Pair> = pairs.iter().filter(|pair| pair.is_valid()).collect();
+        let counted: Vec<&Pair> = pairs.iter().filter(|pair| pair.is_admissible()).collect();
         let largest = |gap_of: &dyn Fn(&Pair) -> Gap, pairing, size: fn(&Gap) -> f64| {
             counted
                 .iter()

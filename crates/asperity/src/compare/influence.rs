@@ -84,7 +84,7 @@ pub struct AtLoad {
     pub pressure: f64,
     /// The smallest effective number of contacts over the laws.
     pub fewest_contacts: f64,
-    /// The limits of the valid range that are exceeded under some law.
+    /// The limits of admissible loads that are exceeded under some law.
     pub exceeded: Exceeded,
     /// A/A_nom of the deterministic model under the first law.
     pub area_ratio: f64,
@@ -156,7 +156,7 @@ impl AtLoad {
     }
 }
 
-/// A difference over the valid loads.
+/// A difference over the admissible loads.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Effect {
     /// Mean magnitude.
@@ -192,12 +192,12 @@ impl Influence {
         }
     }
 
-    /// The valid loads.
+    /// The admissible loads.
     pub fn counting(&self) -> impl Iterator<Item = &AtLoad> {
         self.loads.iter().filter(|at| at.exceeded.is_none())
     }
 
-    /// Mean and largest magnitude of a difference over the valid loads; `None` if it is known at none.
+    /// Mean and largest magnitude of a difference over the admissible loads; `None` if it is known at none.
     pub fn effect(&self, difference: impl Fn(&AtLoad) -> Option<f64>) -> Option<Effect> {
         let known: Vec<(f64, f64)> =
             self.counting().filter_map(|at| Some((at.pressure, difference(at)?))).collect();

@@ -35,7 +35,7 @@ pub use sampling::{Division, GROUPS, OneStep, jackknife_error, jackknife_quantil
 pub use slope::{ErrorSlope, SlopeFit};
 pub use spread::{Realisation, Scatter, Spread, spread};
 pub use threshold::threshold;
-pub use validity::{PointCounts, ValidRange};
+pub use validity::{AdmissibleRange, PointCounts};
 pub use verdict::{Accepted, Stretch, Verdict};
 
 use std::time::{Duration, Instant};
@@ -172,7 +172,7 @@ impl Pair {
         Self { pairing: Pairing::Separation, target, statistical, deterministic }
     }
 
-    /// The limits of the valid range that either model exceeds.
+    /// The limits of admissible loads that either model exceeds.
     pub fn exceeded(&self) -> Exceeded {
         self.statistical.exceeded().union(self.deterministic.exceeded())
     }
@@ -182,8 +182,8 @@ impl Pair {
         self.statistical.is_beyond_model() || self.deterministic.is_beyond_model()
     }
 
-    /// Whether a finding may rest on it: it is within the valid range of both models.
-    pub fn is_valid(&self) -> bool {
+    /// Whether a finding may rest on it: its load is admissible for both models.
+    pub fn is_admissible(&self) -> bool {
         self.exceeded().is_none()
     }
 }
@@ -244,7 +244,7 @@ pub fn of_each_decade<T>(items: impl IntoIterator<Item = T>, load: impl Fn(&T) -
 }
 
 impl Comparison {
-    /// The limits of the valid range that are exceeded at each point of the curves: by either model, where both were run.
+    /// The limits of admissible loads that are exceeded at each point of the curves: by either model, where both were run.
     pub fn exceeded(&self) -> impl Iterator<Item = Exceeded> {
         let of_both = self.curves.len() / 2;
         let is_paired =

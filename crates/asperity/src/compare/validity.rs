@@ -1,14 +1,14 @@
-//! The valid range of loads, and the numbers of points beyond it.
+//! The admissible range of loads, and the numbers of points beyond it.
 
 use std::iter::Sum;
 
 use super::{Comparison, Control};
 use crate::model::{Exceeded, Limit};
 
-/// The loads at which the models are valid.
+/// The loads that are admissible.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct ValidRange {
-    /// First and last load (Pa) of each stretch of neighbouring valid loads, ascending.
+pub struct AdmissibleRange {
+    /// First and last load (Pa) of each stretch of neighbouring admissible loads, ascending.
     pub stretches: Vec<[f64; 2]>,
     /// The limits exceeded at the next lower load; of all loads together where none is valid.
     pub below: Exceeded,
@@ -16,16 +16,19 @@ pub struct ValidRange {
     pub above: Exceeded,
 }
 
-impl ValidRange {
+impl AdmissibleRange {
     /// Of loads (Pa), in any order, and the limits exceeded at each.
     pub fn new(loads: impl IntoIterator<Item = (f64, Exceeded)>) -> Self {
         let mut loads: Vec<(f64, Exceeded)> = loads.into_iter().collect();
         loads.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let is_valid = |at: &(f64, Exceeded)| at.1.is_none();
-        let valid = loads.chunk_by(|a, b| is_valid(a) == is_valid(b)).filter(|stretch| is_valid(&stretch[0]));
+        let is_admissible = |at: &(f64, Exceeded)| at.1.is_none();
+        let valid = loads
+            .chunk_by(|a, b| is_admissible(a) == is_admissible(b))
+            .filter(|stretch| is_admissible(&stretch[0]));
         let stretches: Vec<[f64; 2]> =
             valid.map(|stretch| [stretch[0].0, stretch[stretch.len() - 1].0]).collect();
-        let (Some(first), Some(last)) = (loads.iter().position(is_valid), loads.iter().rposition(is_valid))
+        let (Some(first), Some(last)) =
+            (loads.iter().position(is_admissible), loads.iter().rposition(is_admissible))
         else {
             let all = loads.iter().fold(Exceeded::default(), |all, at| all.union(at.1));
             return Self { stretches, below: all, above: Exceeded::default() };
@@ -110,7 +113,7 @@ mod tests {
             let at = |&(load, contacts, area_ratio): &(f64, f64, f64)| {
                 (load, Exceeded::new(sharing(contacts).as_ref(), area_ratio))
             };
-            ValidRange::new(loads.iter().map(at))
+            AdmissibleRange::new(loads.iter().map(at))
         };
         let found = range(&[
             (5.0, 90.0, 0.01),

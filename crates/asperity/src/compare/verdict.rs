@@ -65,7 +65,7 @@ impl Verdict {
     }
 }
 
-/// Neighbouring valid loads with one verdict on one quantity; beyond what is accepted, on one side.
+/// Neighbouring admissible loads with one verdict on one quantity; beyond what is accepted, on one side.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stretch {
     /// The quantity.
@@ -76,7 +76,7 @@ pub struct Stretch {
     pub loads: [f64; 2],
     /// What is accepted, as in [`Accepted`].
     pub accepted: f64,
-    /// The load (Pa) of the largest difference, and its contrast; `None` where no load is valid.
+    /// The load (Pa) of the largest difference, and its contrast; `None` where no load is admissible.
     pub largest: Option<(f64, Estimate)>,
     /// The smallest and the largest contrast.
     pub range: Option<[f64; 2]>,
@@ -142,7 +142,7 @@ impl Stretch {
         }
     }
 
-    /// Of a stretch of valid loads with one verdict.
+    /// Of a stretch of admissible loads with one verdict.
     fn over(
         quantity: ComparedQuantity,
         verdict: Verdict,
@@ -244,7 +244,7 @@ mod tests {
             at(1.0, 90.0, 0.01, Some(0.01)),
             at(2.0, 90.0, -0.02, Some(0.01)),
             at(4.0, 90.0, 0.11, Some(0.01)),
-            // Beyond the valid range.
+            // Beyond the admissible range.
             at(0.5, 12.0, 0.01, Some(0.01)),
         ];
         use Verdict::{Beyond, CannotTell, Within};

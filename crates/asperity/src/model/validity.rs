@@ -10,7 +10,7 @@ pub const MIN_CONTACTS: f64 = 30.0;
 /// The largest share of the load in one contact.
 pub const LARGEST_LOAD_SHARE: f64 = 0.1;
 
-/// The area ratio beyond which neighbouring asperities interact and asperity models are not valid.
+/// The area ratio beyond which neighbouring asperities interact and asperity models do not hold.
 pub const INTERACTION: f64 = 0.05;
 
 /// The largest share of the load in contacts at large strain.
@@ -41,7 +41,7 @@ impl LoadSharing {
     }
 }
 
-/// A limit of the valid range.
+/// A limit of admissible loads.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Limit {
     /// At least [`MIN_CONTACTS`] effective contacts.

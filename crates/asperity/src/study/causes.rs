@@ -61,13 +61,13 @@ impl Verdicts {
         self.attribution.iter().find(|at| at.load == load)?.contributions(quantity)
     }
 
-    /// The loads of the valid range at which a quantity is divided, by growing load, with the contributions.
+    /// The loads of the admissible range at which a quantity is divided, by growing load, with the contributions.
     pub fn divided(&self, quantity: ComparedQuantity) -> impl Iterator<Item = (f64, &Contributions)> {
-        let is_valid =
+        let is_admissible =
             |load: f64| self.differences.iter().any(|at| at.load == load && at.exceeded().is_none());
         let divided =
             self.attribution.iter().filter_map(move |at| Some((at.load, at.contributions(quantity)?)));
-        divided.filter(move |(load, _)| is_valid(*load))
+        divided.filter(move |(load, _)| is_admissible(*load))
     }
 
     /// The cause of the largest difference of a stretch between the models, unless it is known to be within what is accepted.

@@ -1,6 +1,6 @@
 //! Verdicts on one surface under one law and thickness.
 
-use crate::compare::{Accepted, Attribution, Comparison, Difference, Stretch, ValidRange, Verdict};
+use crate::compare::{Accepted, AdmissibleRange, Attribution, Comparison, Difference, Stretch, Verdict};
 
 use super::reference::ReferenceVerdicts;
 use super::results::CaseResults;
@@ -16,8 +16,8 @@ pub struct Verdicts {
     pub attribution: Vec<Attribution>,
     /// What is accepted.
     pub accepted: Accepted,
-    /// The loads at which the models are valid.
-    pub valid: ValidRange,
+    /// The loads that are admissible.
+    pub admissible: AdmissibleRange,
     /// The verdicts: quantity by quantity, by growing load.
     pub stretches: Vec<Stretch>,
     /// What the intervals rest on.
@@ -102,10 +102,10 @@ impl Verdicts {
         Self {
             accepted,
             attribution,
-            valid: if differences.is_empty() {
+            admissible: if differences.is_empty() {
                 of_one_model(&realisations[0].comparison)
             } else {
-                ValidRange::new(differences.iter().map(|at| (at.load, at.exceeded())))
+                AdmissibleRange::new(differences.iter().map(|at| (at.load, at.exceeded())))
             },
             stretches: Stretch::all(&differences, &accepted),
             basis: Basis::new(surface, realisations.len()),
@@ -118,11 +118,11 @@ impl Verdicts {
     }
 }
 
-/// Where one model was run, its valid range.
-fn of_one_model(comparison: &Comparison) -> ValidRange {
+/// Where one model was run, its admissible range.
+fn of_one_model(comparison: &Comparison) -> AdmissibleRange {
     let points = comparison.curves.iter().zip(comparison.exceeded());
     let loads = points.map(|(point, exceeded)| (point.response.pressure.total(), exceeded));
-    ValidRange::new(loads.filter(|(load, _)| *load > 0.0))
+    AdmissibleRange::new(loads.filter(|(load, _)| *load > 0.0))
 }
 
 impl Verdicts {

@@ -36,7 +36,7 @@ fn panel(verdicts: &Verdicts, units: &Units, quantity: ComparedQuantity) -> Plot
     });
     let axis = units.pressure().range(ends[0] / MARGIN, ends[1] * MARGIN);
     let mut plot = Plot::new(capitalised(quantity_name(quantity)), axis, y).height(240.0);
-    for region in invalid(&verdicts.valid, 1e-6) {
+    for region in invalid(&verdicts.admissible, 1e-6) {
         plot = plot.with(region);
     }
     let stacked = Cause::ALL.into_iter().zip(&parts);

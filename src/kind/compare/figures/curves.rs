@@ -3,7 +3,7 @@
 use super::axes::Units;
 use super::differences::invalid;
 use crate::presentation::regime_colour;
-use asperity::compare::{Comparison, CurvePoint, ModelKind, ReferencePoint, ValidRange};
+use asperity::compare::{AdmissibleRange, Comparison, CurvePoint, ModelKind, ReferencePoint};
 use asperity::study::CaseResults;
 use asperity::{INTERACTION, Limit, Regime};
 use asperity_contact_framework::report::format::capitalised;
@@ -49,8 +49,8 @@ pub struct Setting<'a> {
     pub name: &'a str,
     /// Both models and the reference.
     pub case: &'a CaseResults,
-    /// The loads at which both models are valid.
-    pub valid: &'a ValidRange,
+    /// The loads that are admissible.
+    pub valid: &'a AdmissibleRange,
     /// Of the axes.
     pub units: Units,
     /// What the figures show, in words.
@@ -217,7 +217,7 @@ pub fn regimes(setting: &Setting) -> Option<Figure> {
     let panel = |(kind, shares): (ModelKind, Shares)| {
         let axis = setting.units.load_ratio().range(ends[0], ends[1]);
         let plot = shares_of_load(&format!("{} model", capitalised(kind.name())), axis, shares.into_iter());
-        // Regions lie below the shares: the edges of the valid range are lines.
+        // Regions lie below the shares: the edges of the admissible range are lines.
         let edges = setting.valid.stretches.iter().flatten().map(|load| load / setting.units.modulus);
         let edges = edges.filter(|edge| (ends[0] * 1.01..ends[1] / 1.01).contains(edge));
         edges.fold(plot, |plot, edge| plot.with(Layer::at_x(edge, "")))

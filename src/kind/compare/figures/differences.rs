@@ -1,7 +1,7 @@
 //! The figures behind the verdicts: differences between the models, and between each and the reference, against load, with
 //! what is accepted.
 
-use asperity::compare::{AgainstReference, ComparedQuantity, Difference, Estimate, ValidRange};
+use asperity::compare::{AdmissibleRange, AgainstReference, ComparedQuantity, Difference, Estimate};
 use asperity::study::Verdicts;
 use asperity_contact_framework::report::format::capitalised;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
@@ -81,7 +81,7 @@ pub fn against_reference(
     figure(finding, verdicts, units, &curves)
 }
 
-/// The differences between the models on several surfaces, laws or thicknesses, at valid loads; `finding` is what the figure
+/// The differences between the models on several surfaces, laws or thicknesses, at admissible loads; `finding` is what the figure
 /// shows, in words. Nothing where there is none.
 pub fn of_cases(cases: &[(String, &Verdicts)], finding: &str) -> Option<Figure> {
     let panels = PANELS.map(|compared| {
@@ -101,9 +101,9 @@ pub fn of_cases(cases: &[(String, &Verdicts)], finding: &str) -> Option<Figure> 
         {
             plot = plot.with(Layer::region_y(-first, *first, "accepted").coloured(Colour::Series(2)));
         }
-        // A case without valid loads has no line, and no name in the legend.
+        // A case without admissible loads has no line, and no name in the legend.
         let shown =
-            cases.iter().enumerate().filter(|(_, (_, verdicts))| !verdicts.valid.stretches.is_empty());
+            cases.iter().enumerate().filter(|(_, (_, verdicts))| !verdicts.admissible.stretches.is_empty());
         for (index, (case, verdicts)) in shown {
             let valid = verdicts.differences.iter().filter(|at| at.exceeded().is_none());
             let line: Vec<(f64, f64)> = valid
@@ -121,8 +121,8 @@ pub fn of_cases(cases: &[(String, &Verdicts)], finding: &str) -> Option<Figure> 
         }
         plot
     });
-    let has_valid = cases.iter().any(|(_, verdicts)| !verdicts.valid.stretches.is_empty());
-    has_valid.then(|| Figure::row(finding, panels.into()))
+    let has_admissible = cases.iter().any(|(_, verdicts)| !verdicts.admissible.stretches.is_empty());
+    has_admissible.then(|| Figure::row(finding, panels.into()))
 }
 
 /// More cases are shown in the colours of an order.
@@ -146,7 +146,7 @@ fn panel(verdicts: &Verdicts, units: &Units, curves: &[Curve], compared: Compare
     let [low, high] =
         ends.fold([-VIEW * accepted, VIEW * accepted], |[low, high], end| [low.min(end), high.max(end)]);
     let room = 0.05 * (high - low);
-    let [from, to] = shown_loads(&verdicts.valid, tested);
+    let [from, to] = shown_loads(&verdicts.admissible, tested);
     let mut plot = Plot::new(
         capitalised(quantity_name(compared)),
         units.pressure().range(from, to),
@@ -154,7 +154,7 @@ fn panel(verdicts: &Verdicts, units: &Units, curves: &[Curve], compared: Compare
     )
     .height(210.0)
     .with(Layer::region_y(-accepted, accepted, "accepted").coloured(Colour::Series(2)));
-    for region in invalid(&verdicts.valid, 1e-6) {
+    for region in invalid(&verdicts.admissible, 1e-6) {
         plot = plot.with(region);
     }
     plot = plot.with_zero();
@@ -195,8 +195,8 @@ pub const MARGIN: f64 = 1.3;
 const VIEW: f64 = 1.5;
 
 /// Loads (MPa) that a figure shows of those tested: the valid ones, and some beyond them.
-fn shown_loads(valid: &ValidRange, tested: [f64; 2]) -> [f64; 2] {
-    /// So far beyond the valid loads, as a ratio.
+fn shown_loads(valid: &AdmissibleRange, tested: [f64; 2]) -> [f64; 2] {
+    /// So far beyond the admissible loads, as a ratio.
     const BEYOND: f64 = 4.0;
     let all = [tested[0] / MARGIN, tested[1] * MARGIN];
     let ends = valid.stretches.iter().flatten().map(|load| megapascals(*load));
@@ -209,9 +209,9 @@ pub fn megapascals(pressure: f64) -> f64 {
     1e-6 * pressure
 }
 
-/// The loads beyond the valid range as shaded regions of an axis that shows the pressure (Pa) times `scale`.
-pub fn invalid(valid: &ValidRange, scale: f64) -> Vec<Layer> {
-    const LABEL: &str = "not valid";
+/// The loads that are not admissible as shaded regions of an axis that shows the pressure (Pa) times `scale`.
+pub fn invalid(valid: &AdmissibleRange, scale: f64) -> Vec<Layer> {
+    const LABEL: &str = "not admissible";
     let mut ends = vec![0.0];
     ends.extend(valid.stretches.iter().flatten().map(|load| load * scale));
     ends.push(f64::INFINITY);

@@ -19,15 +19,15 @@ pub fn by_load(series: &Series) -> Figure {
         let kinds = &series.findings.models;
         for &kind in kinds {
             let points = curve(&case.comparison, kind);
-            // Beyond the valid range a line is thin.
+            // Beyond the admissible range a line is thin.
             let lines = |value: fn(&Response) -> f64| {
                 let shown = |p: &&CurvePoint| (p.response.pressure.total() / modulus, value(&p.response));
-                let is_valid = |p: &&&CurvePoint| {
+                let is_admissible = |p: &&&CurvePoint| {
                     let load = p.response.pressure.total();
                     valid.stretches.iter().any(|[from, to]| (*from..=*to).contains(&load))
                 };
                 let all = Layer::line(points.iter().map(shown).collect::<Vec<_>>()).coloured(colour).thin();
-                let inside = points.iter().filter(is_valid).map(shown).collect::<Vec<_>>();
+                let inside = points.iter().filter(is_admissible).map(shown).collect::<Vec<_>>();
                 let inside = Layer::line(inside).coloured(colour);
                 [all, inside].map(|line| {
                     if kind == ModelKind::Statistical && kinds.len() > 1 {
@@ -75,7 +75,7 @@ fn with_styles(plot: Plot, series: &Series) -> Plot {
     if has_reference { plot.with_key("reference", Dash::DashDot) } else { plot }
 }
 
-/// Both models minus the reference against load, by thickness, at valid loads: area and separation. Nothing where no load was
+/// Both models minus the reference against load, by thickness, at admissible loads: area and separation. Nothing where no load was
 /// compared.
 pub fn against_reference(series: &Series) -> Option<Figure> {
     let panel = |quantity: ComparedQuantity, title: &str, label: &str, unit: f64| {
@@ -135,7 +135,7 @@ pub fn by_thickness(series: &Series) -> Figure {
 }
 
 /// Circles on the curves.
-const VALID: &str = "within the valid range";
+const VALID: &str = "admissible";
 
 /// Markers at the ends of the thickness axis.
 const LIMITS: &str = "uncoated (left), bulk layer material (right)";

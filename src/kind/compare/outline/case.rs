@@ -223,7 +223,7 @@ fn curves(page: &mut Page, results: &CompareResults, case: SurfaceCase, name: &s
         case.case.realisations.iter().skip(1).map(|other| &other.comparison).collect();
     let verdicts = case.verdicts();
     let units = Units::new(results, surface);
-    let setting = Setting { name, case: case.first(), valid: &verdicts.valid, units, finding: "" };
+    let setting = Setting { name, case: case.first(), valid: &verdicts.admissible, units, finding: "" };
     let [beside_separation, beside_area] = lines::layers(results, surface, case.first());
     let file = |figure: &str| format!("{stem}-{figure}.svg");
     page.figure(

@@ -18,7 +18,7 @@ pub const ORDER: [ComparedQuantity; 3] =
 /// The answer on one surface under one law and thickness: of each quantity its widest stretch of load with a conclusion, or the
 /// widest where there is none.
 pub fn answer(verdicts: &Verdicts, surface: &Surface) -> String {
-    if verdicts.valid.stretches.is_empty() {
+    if verdicts.admissible.stretches.is_empty() {
         return if_fit(surface, none_admissible(verdicts));
     }
     let widest = |compared: ComparedQuantity| {
@@ -91,7 +91,7 @@ fn nominal_area(area: f64) -> String {
 
 /// Why no load carries a verdict.
 fn none_admissible(verdicts: &Verdicts) -> String {
-    let limits: Vec<String> = verdicts.valid.below.limits().map(limit_words).collect();
+    let limits: Vec<String> = verdicts.admissible.below.limits().map(limit_words).collect();
     format!("Cannot be told at any load of this experiment: {}.", alternatives(&limits))
 }
 
@@ -166,7 +166,7 @@ pub fn count(all: &[&Verdicts]) -> String {
 mod tests {
     use super::*;
     use asperity::LoadSharing;
-    use asperity::compare::{Accepted, Difference, Estimate, ValidRange};
+    use asperity::compare::{Accepted, AdmissibleRange, Difference, Estimate};
 
     /// Verdicts on a surface of 1 mm² from contrasts and standard errors of the area at 1 and 10 MPa.
     fn verdicts(contacts: f64, contrasts: [f64; 2], error: Option<f64>) -> Verdicts {
@@ -189,7 +189,7 @@ mod tests {
         let differences: Vec<Difference> = [1e6, 1e7].into_iter().zip(contrasts).map(at_load).collect();
         Verdicts {
             stretches: Stretch::all(&differences, &accepted),
-            valid: ValidRange::new(differences.iter().map(|at| (at.load, at.exceeded()))),
+            admissible: AdmissibleRange::new(differences.iter().map(|at| (at.load, at.exceeded()))),
             differences,
             attribution: Vec::new(),
             accepted,

@@ -20,7 +20,7 @@ pub(crate) struct CaseRow<'a> {
 
 impl CaseRow<'_> {
     fn end(&self, end: fn(&[[f64; 2]]) -> Option<f64>) -> Option<f64> {
-        end(&self.verdicts.valid.stretches)
+        end(&self.verdicts.admissible.stretches)
     }
 
     fn groups(&self) -> Option<usize> {
@@ -49,8 +49,8 @@ impl Row for CaseRow<'_> {
             nominal_area_m2["m²", prefix("m")] = row.verdicts.area, "Nominal area of one realisation.";
             admissible_from_pa["Pa", prefix("M"), input] = row.end(|all| all.first().map(|loads| loads[0])), "Lowest nominal pressure at which both models are within their limits; empty where there is none.";
             admissible_to_pa["Pa", prefix("M"), label("to"), input] = row.end(|all| all.last().map(|loads| loads[1])), "Highest such pressure.";
-            limits_below["text"] = limits(row.verdicts.valid.below), "Limits that are exceeded at lower loads, as in `curves.csv`.";
-            limits_above["text"] = limits(row.verdicts.valid.above), "Limits that are exceeded at higher loads.";
+            limits_below["text"] = limits(row.verdicts.admissible.below), "Limits that are exceeded at lower loads, as in `curves.csv`.";
+            limits_above["text"] = limits(row.verdicts.admissible.above), "Limits that are exceeded at higher loads.";
             basis["text", label("intervals from")] = row.verdicts.basis.name(), "What the intervals rest on: `blocks` of a map, `realisations`, `independent` asperities, or `none` of a map too small for blocks and of a list that is not said to be one of independent draws.";
             groups["count"] = row.groups(), "Number of blocks or realisations.";
             block_x_m["m"] = row.block(|sides, _| sides[0]), "Side of a block along x.";

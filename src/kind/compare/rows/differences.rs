@@ -25,7 +25,7 @@ impl DifferenceRow<'_> {
         self.estimate.interval().map(|ends| self.quantity.reported(ends[index]))
     }
 
-    /// `None` beyond the valid range.
+    /// `None` where the load is not admissible.
     fn verdict(&self) -> Option<&'static str> {
         let verdict = Verdict::from_estimate(&self.estimate, self.verdicts.accepted.band(self.quantity));
         self.at_load.exceeded().is_none().then(|| self.verdicts.name(verdict))
@@ -52,9 +52,9 @@ impl Row for DifferenceRow<'_> {
             standard_error["1"] = row.estimate.error, "Standard error of the difference, of area and stiffness of the logarithm of the ratio; empty where no interval is claimed.";
             independent_standard_error["1"] = row.estimate.independent_error, "The same for asperities taken as independent draws.";
             accepted["1"] = row.verdicts.accepted.limit(row.quantity), "The largest difference that is accepted.";
-            verdict["text", verdict] = row.verdict(), "Whether the interval lies inside what is accepted (`within`), outside (`beyond`) or neither (`cannot-tell`); `blocked` where the surface failed a fitness check; empty beyond the valid range.";
+            verdict["text", verdict] = row.verdict(), "Whether the interval lies inside what is accepted (`within`), outside (`beyond`) or neither (`cannot-tell`); `blocked` where the surface failed a fitness check; empty where the load is not admissible.";
             effective_contacts["1"] = row.at_load.sharing.map(|sharing| sharing.effective_contacts), "Effective contacts of the deterministic model; over several realisations the mean.";
-            limits["text"] = limits(row.at_load.exceeded()), "Limits of the valid range that are exceeded, as in `curves.csv`.";
+            limits["text"] = limits(row.at_load.exceeded()), "Limits of admissible loads that are exceeded, as in `curves.csv`.";
         });
         columns
     }

@@ -25,7 +25,7 @@ impl Row for ReadingRow {
             pressure_with_asperity_sigma_pa["Pa", prefix("M"), label("pressure, asperity reading")] = row.0.answers[0].pressure, "Nominal pressure with sigma and d of the asperities.";
             pressure_with_surface_sigma_pa["Pa", prefix("M"), label("pressure, surface reading")] = row.0.answers[1].pressure, "Nominal pressure with sigma and d of the surface.";
             ratio["1"] = row.0.ratio(), "The second over the first.";
-            valid["true/false"] = row.0.is_valid(), "Whether both models are within their valid range under both readings, in every realisation.";
+            valid["true/false"] = row.0.is_admissible(), "Whether the load is admissible for both models under both readings, in every realisation.";
         }
     }
 }

@@ -38,7 +38,7 @@ impl Row for RobustnessRow<'_> {
             treatment["text"] = words(row.treated.treatment), "How it is made.";
             quantity["text"] = row.quantity.name(), "What is compared: `separation`, `area` (real contact area) or `stiffness`.";
             at_pa["Pa", prefix("M"), label("at")] = row.at_load.load, "Nominal pressure.";
-            valid["true/false"] = row.at_load.exceeded().is_none(), "Whether the load is within the valid range under this treatment.";
+            valid["true/false"] = row.at_load.exceeded().is_none(), "Whether the load is admissible under this treatment.";
             difference["1", signed, scale(1.0)] = row.quantity.reported(row.estimate.contrast), "The difference: of the separation in sigma, of area and stiffness relative to the deterministic model.";
             low["1", label("95 % interval from"), signed, scale(1.0)] = row.end(0), "Lower end of its 95 % interval; empty where none is claimed.";
             high["1", label("to"), signed, scale(1.0)] = row.end(1), "Upper end of the interval.";

@@ -61,9 +61,9 @@ pub fn page(directory: &Path, entries: &[Entry]) -> String {
     let data = serde_json::to_string(&cases).unwrap_or_default().replace('<', "\\u003c");
     let body = format!(
         "<h1>Compare curves of several reports</h1>\n\
-         <p>Both models over load on the surfaces, laws and layers that you choose, at valid loads. <a href=\"index.html\">All reports</a>.</p>\n\
+         <p>Both models over load on the surfaces, laws and layers that you choose, at admissible loads. <a href=\"index.html\">All reports</a>.</p>\n\
          <noscript><p>The curves are drawn by a script, which does not run here; each report shows its own.</p></noscript>\n\
-         <figure id=\"comparison\"><figcaption>Solid: deterministic model and difference; dashed: statistical model. Valid loads only, first \
+         <figure id=\"comparison\"><figcaption>Solid: deterministic model and difference; dashed: statistical model. Admissible loads only, first \
          realisation.</figcaption></figure>\n\
          <form class=\"filter\" hidden>\n<label>Along x <select id=\"along\"><option value=\"0\">nominal pressure (MPa)</option>\
          <option value=\"1\">load ratio P/(Aₙₒₘ E*)</option></select></label>\n\

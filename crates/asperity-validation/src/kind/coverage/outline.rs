@@ -140,7 +140,7 @@ fn answer(cases: &[CaseResults]) -> String {
     )
 }
 
-/// Coverages outside the band, then cases beyond the valid range.
+/// Coverages outside the band, then cases without admissible loads.
 fn warnings(cases: &[CaseResults]) -> Vec<String> {
     let outside = cases.iter().flat_map(|case| {
         case.outside().map(|((quantity, Coverage { contacts, claimed, .. }), coverage)| {

@@ -89,7 +89,7 @@ pub(super) fn measured(path: &Path) -> Result<Measured, ReadError> {
             if let Some(valid) = valid {
                 let valid = archive.linked(&valid, count.div_ceil(8))?;
                 let bits = valid.iter().flat_map(|byte| (0..8).map(move |bit| byte >> bit & 1 == 1));
-                for (value, _) in values.iter_mut().zip(bits).filter(|(_, is_valid)| !is_valid) {
+                for (value, _) in values.iter_mut().zip(bits).filter(|(_, is_admissible)| !is_admissible) {
                     *value = f64::NAN;
                 }
             }
