@@ -11,6 +11,7 @@ use asperity_contact_framework::RunContext;
 use asperity_contact_framework::input::{InMemory, InputError, Source};
 use asperity_contact_framework::metadata::Timing;
 use asperity_contact_framework::progress::{Progress, Silent};
+use asperity_contact_framework::report::format::quantity;
 
 use super::files::Files;
 use super::fitness;
@@ -147,6 +148,7 @@ impl<'a> SurfaceFactory<'a> {
                 };
                 timing.read += start.elapsed();
                 let (contradictions, count) = (list.contradictions(), list.count());
+                let spread = list.places().and_then(|places| misplaced(places, *nominal_area));
                 let independence = match list.places() {
                     _ if *is_independent => (Independence::Asperities, None),
                     Some(places) => Independence::of_places(list.heights(), places),
@@ -164,6 +166,7 @@ impl<'a> SurfaceFactory<'a> {
                 let mut surface = Surface::new(name, set, statistics);
                 surface.origin = origin;
                 (surface.independence, surface.halves) = independence;
+                surface.warnings.extend(spread);
                 if matches!(surface.independence, Independence::Unstated) {
                     surface.warnings.push(UNSTATED.to_owned());
                 }
@@ -254,6 +257,27 @@ impl<'a> SurfaceFactory<'a> {
 const UNSTATED: &str = "neighbouring asperities of a surface are alike, and nothing says that those of this list are not: no interval is \
      claimed and no verdict given. `independent = true` next to `file` says that they are independent draws, whose scatter gives \
      intervals; columns `x` and `y` in the file divide them into blocks instead.";
+
+/// Warns where the rectangle that holds the places of a list (m) is not about the nominal area (m^2).
+fn misplaced(places: [&[f64]; 2], nominal_area: f64) -> Option<String> {
+    /// Beyond this ratio, either way, one of them is in another unit.
+    const FACTOR: f64 = 4.0;
+    let side = |places: &[f64]| {
+        let (low, high) = places
+            .iter()
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &at| (low.min(at), high.max(at)));
+        high - low
+    };
+    let held = side(places[0]) * side(places[1]);
+    let ratio = held / nominal_area;
+    (!(FACTOR.recip()..=FACTOR).contains(&ratio)).then(|| {
+        format!(
+            "the columns x and y span {}, the nominal area is {}: one of them is probably in another unit.",
+            quantity(held, "m²"),
+            quantity(nominal_area, "m²")
+        )
+    })
+}
 
 /// The ratio is 1.2 for Gaussian heights, and 1.5 for those of machined surfaces.
 const FEW_FLAT_TOPS: f64 = 4.0;

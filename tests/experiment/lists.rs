@@ -39,8 +39,14 @@ fn lists(surface: &Surface) -> [String; 2] {
 }
 
 fn run(surface: &Surface) -> Box<dyn Outcome> {
+    run_with_places_in(surface, "um")
+}
+
+/// The same where the places are said to be in another unit.
+fn run_with_places_in(surface: &Surface, unit: &str) -> Box<dyn Outcome> {
     let folder = tempfile::tempdir().unwrap();
     let [with_places, plain] = lists(surface);
+    let with_places = with_places.replace("[um]", &format!("[{unit}]"));
     let list = |name: &str, content: &str, key: &str| {
         std::fs::write(folder.path().join(format!("{name}.csv")), content).unwrap();
         let area = surface.set.nominal_area();
@@ -120,4 +126,12 @@ fn a_list_of_which_nothing_is_said_names_the_key() {
     assert!(warning.contains("columns `x` and `y`"), "{warning}");
     let page = outcome.outline().markdown();
     assert!(page.contains("independent draws, whose scatter gives intervals"), "{page}");
+}
+
+#[test]
+fn places_in_another_unit_are_noticed() {
+    let warnings = |unit: &str| run_with_places_in(&surface(16e-6), unit).warnings();
+    let are_noticed =
+        |warnings: &[String]| warnings.iter().any(|warning| warning.contains("the columns x and y span"));
+    assert!(are_noticed(&warnings("mm")) && !are_noticed(&warnings("um")));
 }

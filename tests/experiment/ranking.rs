@@ -151,7 +151,7 @@ fn a_fitted_model_is_judged_on_asperities_that_it_was_not_taken_from() {
     assert!(in_sample < 0.05 && held_out > 0.05, "{in_sample} {held_out}");
     let row = standing(&*few, "separation");
     assert!(row["within_in_sample"].contains(model) && !row["within"].contains(model), "{row:?}");
-    assert_eq!(row["fitted_judged_on"], "halves of the map");
+    assert_eq!(row["fitted_judged_on"], "halves of the surface");
     assert!(few.outline().markdown().contains("in sample only"));
 
     let many = format!("[surface.p.population]\n{}count = 200000\n", case_1!());

@@ -126,6 +126,30 @@ def test_models_on_a_generated_surface(by_program):
                 assert np.array_equal(values, numbers(rows, name), equal_nan=True), (model, name)
 
 
+def test_asperities_are_independent_only_where_that_is_said():
+    surface = asperity.generate(256, pixel=1e-6, sigma=50e-9, spectrum=SPECTRUM, seed=7)
+    summits = surface.find_summits()
+    contact = asperity.Interface(steel(), steel())
+    drawn = asperity.draw(20_000, radius=20e-6, sigma=48e-9, density=6e10)
+    assert (drawn.independent, summits.independent, summits.places.shape) == (True, False, (2, len(summits)))
+    plain = asperity.Asperities(drawn.heights, drawn.radii, drawn.nominal_area)
+    said = asperity.Asperities(drawn.heights, drawn.radii, drawn.nominal_area, independent=True)
+    results = asperity.compare({"plain": plain, "said": said, "drawn": drawn, "summits": summits}, contact, pressures=[2e7])
+    basis = dict(zip(results.tables["cases"]["surface"], results.tables["cases"]["basis"]))
+    assert basis == {"plain": "none", "said": "independent", "drawn": "independent", "summits": basis["summits"]}
+    assert basis["summits"] in ("blocks", "none")
+    assert [warning for warning in results.warnings if "plain" in warning and "independent = true" in warning]
+    assert not [warning for warning in results.warnings if "said" in warning]
+
+
+def test_the_tip_is_an_option_of_a_topography():
+    surface = asperity.generate(128, pixel=1e-6, sigma=50e-9, spectrum=SPECTRUM, seed=7)
+    traced = asperity.Topography(surface.raw_heights, 1e-6, periodic=True)
+    eroded = traced.prepared_with(tip=5e-6)
+    assert eroded.roughness["tip_radius_m"] == 5e-6 and traced.roughness["tip_radius_m"] is None
+    assert np.nanmax(eroded.heights - traced.heights) <= 1e-15
+
+
 def test_the_reference_alone(report):
     spec = SPEC.replace("separation = [2.5, 1.5, 0.5]\n", "").replace('"statistical", "deterministic", ', "")
     by_program = report(spec, "reference")

@@ -14,7 +14,7 @@ use crate::surface::Surface;
 /// Asperities that fitted models are judged on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HeldOut {
-    /// The other half of the map, both ways.
+    /// The other half of a map, or of a list with places, along its longer side; both ways.
     MapHalves,
     /// The other half of independent asperities at random, both ways.
     RandomHalves,
@@ -26,7 +26,7 @@ impl HeldOut {
     /// The name in tables.
     pub const fn name(self) -> &'static str {
         match self {
-            Self::MapHalves => "halves of the map",
+            Self::MapHalves => "halves of the surface",
             Self::RandomHalves => "random halves",
             Self::Realisations(_) => "realisations",
         }

@@ -50,7 +50,7 @@ pub struct Surface {
     pub prepared: Option<PreparedMap>,
     /// What its sampling error rests on.
     pub independence: Independence,
-    /// Both halves of the map that it was found on, where it is divided for a sampling error.
+    /// Both halves of the map that it was found on, or of a list with places, where it is divided for a sampling error.
     pub halves: Option<Division>,
     /// Number of realisations of this surface.
     pub realisations: usize,

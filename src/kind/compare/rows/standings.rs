@@ -56,7 +56,7 @@ impl Row for StandingRow<'_> {
             within["text"] = row.standing.within.iter().map(|(ranked, _)| ranked.model.name()).collect::<Vec<_>>(), "The models within what is accepted, the simplest first; fitted ones (fitted or own heights, or the radius in contact) on asperities too that they were not taken from.";
             cheapest_within["text"] = row.standing.cheapest().map(|(ranked, _)| ranked.model.name()), "The one that evaluates the fewest contacts.";
             within_in_sample["text", label("in sample only")] = row.standing.within_in_sample.iter().map(|ranked| ranked.model.name()).collect::<Vec<_>>(), "Fitted models that are within it on the asperities that they were taken from only, which carries no conclusion.";
-            fitted_judged_on["text", label("fitted models judged on")] = row.judged_on().map_or("in sample only", HeldOut::name), "What fitted models are held out on: `halves of the map`, `random halves`, `realisations`; `in sample only` where there is nothing.";
+            fitted_judged_on["text", label("fitted models judged on")] = row.judged_on().map_or("in sample only", HeldOut::name), "What fitted models are held out on: `halves of the surface`, `random halves`, `realisations`; `in sample only` where there is nothing.";
             judged_from_pa["Pa", prefix("M"), label("from"), input] = row.judged_load(0), "The lowest load of that, which is admissible there.";
             judged_to_pa["Pa", prefix("M"), label("to"), input] = row.judged_load(1), "The highest load of that.";
             nearest["text"] = row.standing.nearest().map(|(ranked, _)| ranked.model.name()), "The model with the smallest largest difference, among those that are judged.";
