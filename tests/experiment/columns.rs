@@ -137,6 +137,9 @@ sigma = "100 nm"
 hurst = 0.8
 cut-off = "3 um"
 windows = 8
+robustness = 4
+checked = 8
+spikes = { case = "short", counts = [3], deviations = [5], windows = 4 }
 [coverage.case.short]
 roll-off = "6 um"
 contacts = { values = [20, 80] }

@@ -126,7 +126,7 @@ impl Row for VerdictRow<'_> {
     fn columns() -> Vec<Column<Self>> {
         columns! { row: Self =>
             case["text"] = row.case, "Case, or `all`.";
-            robustness["text"] = row.robustness, "`none`: verdicts by themselves, in all windows; `none, windows studied`: the same in the windows that were studied under other treatments; `examined`: there, verdicts that depend on a choice are not counted as decided, and windows that a fitness check blocks have none.";
+            robustness["text"] = row.robustness, "Whether robustness counts. `none`: verdicts by themselves, in all windows; `none, windows studied`: the same in the windows that were studied under other treatments; `examined`: there, verdicts that depend on a choice are not counted as decided, and windows that a fitness check blocks have none.";
             windows["count"] = row.count.windows, "Windows.";
             blocked["count"] = row.blocked, "Of them those that a fitness check blocks.";
             verdicts["count"] = row.count.verdicts, "Verdicts: quantities at admissible loads.";
