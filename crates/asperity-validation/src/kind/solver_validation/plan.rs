@@ -24,8 +24,8 @@ const SURFACE_POINTS: RangeInclusive<f64> = 64.0..=8192.0;
 /// Pressures on a rough surface, over E* or over E* g.
 const PRESSURES: RangeInclusive<f64> = 1e-6..=10.0;
 
-/// Points along the side of the fine grid: at least four shortest waves.
-const FINE_POINTS: RangeInclusive<f64> = 128.0..=8192.0;
+/// Points along the side of the fine grid: at least eight shortest waves.
+const FINE_POINTS: RangeInclusive<f64> = 256.0..=8192.0;
 /// Pressures over E* g, below the cap.
 const BELOW_CAP: RangeInclusive<f64> = 1e-6..=0.19;
 

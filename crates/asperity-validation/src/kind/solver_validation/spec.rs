@@ -74,7 +74,7 @@ pub struct EnsembleSpec {
 #[serde(deny_unknown_fields, expecting = "a table { points, realisations, pressure, error }")]
 pub struct GridSpec {
     /// Points along a side of the fine grid, a multiple of 32; there are 32 in the shortest wave.
-    #[schemars(extend("x-range" = "128 to 8192", "examples" = [1024]))]
+    #[schemars(extend("x-range" = "256 to 8192", "examples" = [1024]))]
     pub points: Spanned<Whole>,
     /// Surfaces of each case.
     #[schemars(extend("x-range" = "2 to 1000", "examples" = [8]))]
