@@ -227,6 +227,7 @@ hertz.pixels = 4
 sinusoid = { points = 16, pressure = 0.3 }
 layered-sphere.pixels = 4
 ensemble = { points = [200, 240], realisations = 2, pressure = [0.1, 0.15], error = 1e-3 }
+grid = { points = 256, realisations = 2, pressure = 0.1, error = 1e-3 }
 work = { points = 64, pressure = 0.1, error = 1e-3 }
 "#;
 

@@ -311,7 +311,9 @@ fn one_load_is_answered_beside_both_models() {
             number(row, "force_n") / number(row, "real_area_m2") / number(row, "mean_real_pressure_pa");
         assert!((ratio - 1.0).abs() < 1e-9, "{row:?}");
     }
-    assert!(rows[2]["contacts"].is_empty() && rows[2]["stiffness_n_per_m"].is_empty());
+    assert!(rows[2]["contacts"].is_empty());
+    let [sum, reference] = [1, 2].map(|model| number(&rows[model], "stiffness_n_per_m"));
+    assert!((reference / sum - 1.0).abs() < 0.3, "{reference} {sum}");
     assert!(outcome.outline().markdown().contains("## Results"));
 }
 

@@ -9,9 +9,11 @@
 //! | `surfaces` | self-affine surfaces of a given r.m.s. gradient |
 //! | `published` | the published ensemble |
 //! | `ensemble` | area, gap and kappa of the ensemble |
+//! | `grid` | errors by the grid against the bounds that are stated |
 //! | `work` | steps and convolutions against points |
 
 pub mod ensemble;
+pub mod grid;
 pub mod published;
 mod spheres;
 mod surfaces;

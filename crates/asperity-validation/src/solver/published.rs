@@ -60,6 +60,7 @@ pub const ENSEMBLE: SelfAffine = SelfAffine {
     roll_off: TAU / WAVE_NUMBERS[0],
     cut_off: TAU / WAVE_NUMBERS[1],
     gradient: 0.2766,
+    elongation: 1.0,
 };
 
 /// The published area at a pressure, if there is one.

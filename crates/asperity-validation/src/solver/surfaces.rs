@@ -20,6 +20,8 @@ pub struct SelfAffine {
     pub cut_off: f64,
     /// Root mean square of the gradient of each surface.
     pub gradient: f64,
+    /// Lengths along x over those along y.
+    pub elongation: f64,
 }
 
 /// A surface that cannot be made.
@@ -43,10 +45,10 @@ impl SelfAffine {
     }
 
     fn generator(&self, points: usize) -> Result<SurfaceGenerator, SpectrumError> {
-        let Self { side, hurst, roll_off, cut_off, .. } = *self;
+        let Self { side, hurst, roll_off, cut_off, elongation, .. } = *self;
         let shape = SpectrumShape::SelfAffine { hurst, roll_off, cut_off };
         let process = Process {
-            spectrum: Spectrum::new(shape, Lay::default())?,
+            spectrum: Spectrum::new(shape, Lay { elongation, ..Lay::default() })?,
             of: SpectrumOf::Heights,
             sigma: 1.0,
             heights: Heights::GAUSSIAN,
@@ -115,7 +117,14 @@ mod tests {
 
     #[test]
     fn a_surface_is_the_same_on_more_points() {
-        let process = SelfAffine { side: 2.0, hurst: 0.8, roll_off: 2.0, cut_off: 0.25, gradient: 0.3 };
+        let process = SelfAffine {
+            side: 2.0,
+            hurst: 0.8,
+            roll_off: 2.0,
+            cut_off: 0.25,
+            gradient: 0.3,
+            elongation: 1.0,
+        };
         let [coarse, fine] = [32, 64].map(|points| process.surface(points, [5; 32]).unwrap());
         for k in 0..32 * 32 {
             let same = fine.heights()[2 * (k / 32) * 64 + 2 * (k % 32)];

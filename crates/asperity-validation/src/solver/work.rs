@@ -40,7 +40,7 @@ impl WorkTask {
     /// A surface whose waves reach from the side to 8 points; g = 1.
     pub fn process(points: usize) -> SelfAffine {
         let cut_off = POINTS_PER_WAVE / points as f64;
-        SelfAffine { side: 1.0, hurst: 0.8, roll_off: 1.0, cut_off, gradient: 1.0 }
+        SelfAffine { side: 1.0, hurst: 0.8, roll_off: 1.0, cut_off, gradient: 1.0, elongation: 1.0 }
     }
 }
 

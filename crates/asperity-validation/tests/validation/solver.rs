@@ -2,6 +2,7 @@
 
 use asperity::progress::Silent;
 use asperity_validation::solver::ensemble::{EnsemblePoint, EnsembleTask, ensemble};
+use asperity_validation::solver::grid::{GRIDS, GridCase, GridTask, MAY_EXCEED, grid_errors};
 use asperity_validation::solver::published::PUBLISHED;
 use asperity_validation::solver::work::{WorkTask, work};
 use asperity_validation::solver::{
@@ -96,4 +97,24 @@ fn work_grows_with_the_points() {
     let contacts = work(&task, [3; 32], &Silent).unwrap();
     assert!(contacts.iter().all(|point| point.error <= 1e-7 && point.convolutions >= point.steps));
     assert!(contacts[1].convolutions > contacts[0].convolutions, "{contacts:?}");
+}
+
+/// The long form is the experiment `solver-validation`.
+#[test]
+fn few_errors_by_the_grid_exceed_their_bounds() {
+    let task = GridTask { points: 512, realisations: 3, pressures: vec![0.004, 0.02], error: 1e-6 };
+    let found = grid_errors(&task, |realisation| [realisation as u8 + 40; 32], &Silent).unwrap();
+    assert_eq!(found.len(), GridCase::ALL.len() * GRIDS.len());
+    let contacts: usize = found.iter().map(|point| point.contacts).sum();
+    assert_eq!(contacts, found.len() * 6);
+    for quantity in 0..3 {
+        let exceeded: usize = found.iter().map(|point| point.checks[quantity].exceeded).sum();
+        assert!(exceeded as f64 <= MAY_EXCEED * contacts as f64, "{quantity}: {exceeded} of {contacts}");
+        // On the coarsest grids the bounds are at most six times the errors.
+        let coarse = found.iter().filter(|point| point.points == [2, 2]);
+        let checks = coarse.map(|point| point.checks[quantity]);
+        for check in checks {
+            assert!(check.bound < 6.0 * check.error, "{quantity}: {check:?}");
+        }
+    }
 }

@@ -102,12 +102,12 @@ impl fmt::Display for ElasticCase {
 
 /// Wall time of a load at an error of 1e-6 on two cores, per point of the map, s (docs/theory.md, section 9): of a periodic map
 /// 34 convolutions of 8 ns, of a mirrored one 46 of 11 ns and more where waves of two pixels are left in it, of a finite patch
-/// 46 of 22 ns.
+/// 46 of 22 ns; and a third more for the stiffness.
 const fn seconds_per_point(boundary: Boundary) -> f64 {
     match boundary {
-        Boundary::Periodic => 2.8e-7,
-        Boundary::Mirrored => 7e-7,
-        Boundary::Finite => 1e-6,
+        Boundary::Periodic => 3.7e-7,
+        Boundary::Mirrored => 9e-7,
+        Boundary::Finite => 1.3e-6,
     }
 }
 
@@ -173,7 +173,7 @@ impl ReferencePlan {
                 "reference on surface {}: {} points per shortest wave{why}, fewer than {ENOUGH}: its area depends on the grid. With 4 \
                  points the counted area was 10 to 26 % too large in our measurements, most at light loads, and 1 to 7 % too small \
                  once corrected for the perimeter; with fewer the error is larger. `reference = {{ refine = 2 }}` solves on twice the \
-                 points and gives an error bar.",
+                 points and adds the difference to the error bar.",
                 surface.name,
                 number(points),
             ))

@@ -27,7 +27,7 @@ pub struct ReferenceSpec {
     /// What lies beyond the border of the map.
     #[schemars(extend("x-default" = "periodic on generated and periodic maps, else mirrored", "examples" = ["mirrored"]))]
     pub boundary: Option<Boundary>,
-    /// Points along an axis for each of the map; 2 gives an error bar.
+    /// Points along an axis for each of the map; with 2 the map itself is solved too, and the difference is part of the error bar.
     #[schemars(extend("x-range" = "1 to 2", "default" = 1, "examples" = [2]))]
     pub refine: Option<Spanned<Whole>>,
 }

@@ -5,9 +5,11 @@ use asperity_contact_framework::report::format::{
 };
 
 use super::results::{
-    ERRORS, ErrorRow, LOWEST_ORDER, PUBLISHED_WITHIN, SolverResults, errors, growth, is_near, order,
+    ERRORS, ErrorRow, GRID_QUANTITIES, LOWEST_ORDER, PUBLISHED_WITHIN, SolverResults, errors, exceeded,
+    growth, is_near, order,
 };
 use crate::solver::ensemble::{EnsemblePoint, Mean, bush_gibson_thomas, persson};
+use crate::solver::grid::{GridPoint, MAY_EXCEED};
 use crate::solver::work::WorkPoint;
 use crate::solver::{Benchmark, BenchmarkQuantity, Problem};
 
@@ -26,6 +28,7 @@ pub fn claims(results: &SolverResults) -> Vec<String> {
     }));
     claims.extend(area_claim(extrapolated));
     claims.extend(extrapolated.first().map(kappa_claim));
+    claims.extend(grid_claim(&results.grid));
     claims.extend(work_claim(&results.work));
     claims
 }
@@ -94,6 +97,19 @@ fn kappa_claim(lightest: &EnsemblePoint) -> String {
     )
 }
 
+/// How many errors by the grid exceed the bounds that the reference states.
+fn grid_claim(grid: &[GridPoint]) -> Option<String> {
+    let parts = exceeded(grid)?;
+    let contacts: usize = grid.iter().map(|point| point.contacts).sum();
+    let of = |(quantity, part): (&str, f64)| format!("{} of the errors of the {quantity}", percent(part));
+    let parts: Vec<String> = GRID_QUANTITIES.into_iter().zip(parts).map(of).collect();
+    Some(format!(
+        "**Grid**: of {contacts} contacts on coarse grids, {} exceed the bound that the reference states (allowed: {}).",
+        listed(&parts),
+        percent(MAY_EXCEED),
+    ))
+}
+
 fn work_claim(work: &[WorkPoint]) -> Option<String> {
     let WorkPoint { points, pressure, convolutions, error, .. } =
         work.iter().max_by_key(|point| point.convolutions)?;
@@ -112,6 +128,7 @@ fn work_claim(work: &[WorkPoint]) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::solver::grid::{GridCase, GridCheck};
 
     fn benchmark(
         problem: Problem,
@@ -171,6 +188,23 @@ mod tests {
             "{}",
             kappa_claim(&near)
         );
+    }
+
+    #[test]
+    fn parts_beyond_the_bounds_of_the_grid() {
+        let check = |exceeded: usize| GridCheck { exceeded, error: 0.1, bound: 0.1 };
+        let point = GridPoint {
+            case: GridCase::Isotropic,
+            points: [4, 4],
+            contacts: 40,
+            checks: [1, 0, 2].map(check),
+        };
+        let claim = grid_claim(&[point]).unwrap();
+        assert!(
+            claim.contains("of 40 contacts on coarse grids, 2.5 % of the errors of the area, "),
+            "{claim}"
+        );
+        assert_eq!(grid_claim(&[]), None);
     }
 
     #[test]

@@ -17,6 +17,7 @@ use asperity_contact_framework::{Memory, Plan, RunContext};
 
 use crate::kind::boundary_elements::contact_memory;
 use crate::solver::ensemble::EnsembleTask;
+use crate::solver::grid::{GridCase, GridTask};
 use crate::solver::work::WorkTask;
 use crate::solver::{LAYERED_CASES, sphere_points};
 use plan::SolverPlan;
@@ -48,7 +49,11 @@ impl Plan for SolverPlan {
         let spheres = spheres.map(|&pixels| contact_memory(sphere_points(pixels), Boundary::Finite));
         let of_ensemble = self.ensemble.iter().flat_map(|task| &task.points);
         let of_work = self.work.iter().flat_map(|task| &task.points);
-        let rough = of_ensemble.chain(of_work).map(|&points| contact_memory(points, Boundary::Periodic));
+        let of_grid = self.grid.iter().map(|task| &task.points);
+        let rough = of_ensemble
+            .chain(of_work)
+            .chain(of_grid)
+            .map(|&points| contact_memory(points, Boundary::Periodic));
         Memory { bytes: spheres.chain(rough).max().unwrap_or(0), key: None }
     }
 
@@ -62,7 +67,14 @@ impl Plan for SolverPlan {
         let of_ensemble =
             |task: &EnsembleTask| points(&task.points, task.realisations * task.pressures.len());
         let of_work = |task: &WorkTask| points(&task.points, task.pressures.len());
-        let rough = self.ensemble.as_ref().map_or(0, of_ensemble) + self.work.as_ref().map_or(0, of_work);
+        // A fine grid, and coarser ones with about a fifth as many points.
+        let of_grid = |task: &GridTask| {
+            let contacts = GridCase::ALL.len() * task.realisations * task.pressures.len();
+            points(&[task.points], contacts) * 6 / 5
+        };
+        let rough = self.ensemble.as_ref().map_or(0, of_ensemble)
+            + self.grid.as_ref().map_or(0, of_grid)
+            + self.work.as_ref().map_or(0, of_work);
         CONVOLUTIONS * (25 * (points(&self.hertz, 1) + layered) + rough)
     }
 

@@ -12,9 +12,13 @@ use serde_json::{Map, Value, json};
 
 use super::claims::claims;
 use super::figures;
-use super::results::{Deviation, ErrorRow, PUBLISHED_WITHIN, SolverResults, fitted_order, order, warnings};
+use super::results::{
+    Deviation, ErrorRow, PUBLISHED_WITHIN, SolverResults, exceeded, fitted_order, grid_warnings, order,
+    warnings,
+};
 use super::rows::{AreaRow, tables};
 use crate::solver::ensemble::{EnsemblePoint, EnsembleResults};
+use crate::solver::grid::GridPoint;
 use crate::solver::published::{ENSEMBLE, RMS_HEIGHT};
 use crate::solver::work::WorkPoint;
 use crate::solver::{Benchmark, BenchmarkQuantity, Problem};
@@ -25,7 +29,9 @@ impl Outcome for SolverResults {
     }
 
     fn warnings(&self) -> Vec<String> {
-        warnings(&self.benchmarks, self.ensemble.as_ref())
+        let mut warnings = warnings(&self.benchmarks, self.ensemble.as_ref());
+        warnings.extend(grid_warnings(&self.grid));
+        warnings
     }
 
     fn tables(&self) -> Vec<Table> {
@@ -39,6 +45,12 @@ impl Outcome for SolverResults {
         known_solutions(&mut page, self, tables);
         if let Some(ensemble) = &self.ensemble {
             published_ensemble(&mut page, ensemble, tables);
+        }
+        let grid = tables.view::<&GridPoint>();
+        if !grid.is_empty() {
+            page.heading(2, "Bounds of the errors by the grid")
+                .note(include_str!("notes/grid.md"))
+                .view(&grid);
         }
         section(
             &mut page,
@@ -68,6 +80,7 @@ impl Outcome for SolverResults {
         let facts = json!({
             "order_of_indentation": order(&self.benchmarks),
             "ensemble": ensemble,
+            "parts_beyond_grid_bounds": exceeded(&self.grid),
             "most_convolutions": self.work.iter().map(|point| point.convolutions).max(),
         });
         Ok(Map::from_iter([("solver_validation".to_owned(), facts)]))
@@ -197,6 +210,7 @@ mod tests {
     use super::super::results::{ERRORS, MOST_SAMPLING};
     use super::*;
     use crate::solver::DUAL_GAP;
+    use crate::solver::grid::{CAP, ELONGATION, FINE};
     use crate::solver::work::POINTS_PER_WAVE;
 
     #[test]
@@ -227,7 +241,9 @@ mod tests {
             include_str!("notes/deviations.md").contains(&format!("at most {} %", 100.0 * MOST_SAMPLING))
         );
         assert!(include_str!("notes/ensemble.md").contains(&format!("g = {} of", ENSEMBLE.gradient)));
+        assert!(include_str!("notes/grid.md").contains(&format!("on {FINE} points per shortest wave")));
         // In the meanings of columns.
         assert_eq!((PUBLISHED_WITHIN, ERRORS), (0.05, 2.0));
+        assert_eq!((CAP, ELONGATION), (0.2, 3.0));
     }
 }

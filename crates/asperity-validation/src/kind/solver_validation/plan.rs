@@ -3,10 +3,11 @@
 use std::fmt;
 use std::ops::RangeInclusive;
 
-use super::spec::{EnsembleSpec, SinusoidSpec, SolverSpec, WorkSpec};
+use super::spec::{EnsembleSpec, GridSpec, SinusoidSpec, SolverSpec, WorkSpec};
 use crate::kind::boundary_elements::{PIXELS, check_range, range_words, whole};
 use crate::solver::LAYERED_CASES;
 use crate::solver::ensemble::EnsembleTask;
+use crate::solver::grid::{FINE, GRIDS, GridCase, GridTask};
 use crate::solver::published::ENSEMBLE;
 use crate::solver::work::WorkTask;
 use asperity::bem::Options;
@@ -23,6 +24,11 @@ const SURFACE_POINTS: RangeInclusive<f64> = 64.0..=8192.0;
 /// Pressures on a rough surface, over E* or over E* g.
 const PRESSURES: RangeInclusive<f64> = 1e-6..=10.0;
 
+/// Points along the side of the fine grid: at least eight shortest waves.
+const FINE_POINTS: RangeInclusive<f64> = 256.0..=8192.0;
+/// Pressures over E* g, below the cap.
+const BELOW_CAP: RangeInclusive<f64> = 1e-6..=0.19;
+
 /// What is run.
 pub struct SolverPlan {
     /// Pixels per contact radius of Hertz's contact.
@@ -31,6 +37,7 @@ pub struct SolverPlan {
     /// Pixels per contact radius of the spheres on a layer.
     pub layered: Option<usize>,
     pub ensemble: Option<EnsembleTask>,
+    pub grid: Option<GridTask>,
     pub work: Option<WorkTask>,
 }
 
@@ -45,7 +52,7 @@ pub struct SinusoidTask {
 
 impl fmt::Display for SolverPlan {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let Self { hertz, sinusoid, layered, ensemble, work } = self;
+        let Self { hertz, sinusoid, layered, ensemble, grid, work } = self;
         let lines = [
             (!hertz.is_empty()).then(|| format!("Hertz at {hertz:?} pixels per contact radius")),
             sinusoid.as_ref().map(|SinusoidTask { points, shares }| {
@@ -59,6 +66,12 @@ impl fmt::Display for SolverPlan {
                 let loads = pressures.len();
                 format!("{realisations} surfaces of the published ensemble on {points:?} points a side, {loads} loads")
             }),
+            grid.as_ref().map(|GridTask { points, realisations, pressures, .. }| {
+                let (cases, grids, loads) = (GridCase::ALL.len(), GRIDS.len(), pressures.len());
+                format!(
+                    "{cases} x {realisations} surfaces on {points} points a side and {grids} coarser grids, {loads} loads"
+                )
+            }),
             work.as_ref().map(|WorkTask { points, pressures, .. }| {
                 format!("work on {points:?} points a side, {} loads", pressures.len())
             }),
@@ -69,7 +82,7 @@ impl fmt::Display for SolverPlan {
 
 /// Reads `[solver-validation]`.
 pub(super) fn plan(file: &SpecFile, table: &Spanned<SolverSpec>) -> Result<SolverPlan, InputError> {
-    let SolverSpec { hertz, sinusoid, layered_sphere, ensemble, work } = table.get_ref();
+    let SolverSpec { hertz, sinusoid, layered_sphere, ensemble, grid, work } = table.get_ref();
     let hertz = hertz.as_ref().map(|spec| counts(file, &spec.pixels, PIXELS, "{} pixels per contact radius"));
     let layered = layered_sphere.as_ref().map(|spec| -> Result<usize, InputError> {
         let pixels = spec.pixels.get_ref().0;
@@ -83,11 +96,13 @@ pub(super) fn plan(file: &SpecFile, table: &Spanned<SolverSpec>) -> Result<Solve
         sinusoid: sinusoid.as_ref().map(|spec| sinusoid_task(file, spec)).transpose()?,
         layered: layered.transpose()?,
         ensemble: ensemble.as_ref().map(|spec| ensemble_task(file, spec)).transpose()?,
+        grid: grid.as_ref().map(|spec| grid_task(file, spec)).transpose()?,
         work: work.as_ref().map(|spec| work_task(file, spec)).transpose()?,
     };
-    if is_empty && ensemble.is_none() && work.is_none() {
+    if is_empty && ensemble.is_none() && grid.is_none() && work.is_none() {
         let message = "found no problem; allowed: at least one of [solver-validation.hertz], [solver-validation.sinusoid], \
-                       [solver-validation.layered-sphere], [solver-validation.ensemble] and [solver-validation.work]";
+                       [solver-validation.layered-sphere], [solver-validation.ensemble], [solver-validation.grid] and \
+                       [solver-validation.work]";
         return Err(file.source.error_at(table.span(), message));
     }
     Ok(plan)
@@ -109,6 +124,21 @@ fn ensemble_task(file: &SpecFile, spec: &EnsembleSpec) -> Result<EnsembleTask, I
         points,
         realisations: file.several(&spec.realisations, "surfaces")?,
         pressures: ascending(file, &spec.pressure, PRESSURES, "{} of E*")?,
+        error: error(file, &spec.error)?,
+    })
+}
+
+fn grid_task(file: &SpecFile, spec: &GridSpec) -> Result<GridTask, InputError> {
+    let points = spec.points.get_ref().0;
+    check_range(file, spec.points.span(), &[points as f64], &FINE_POINTS, "{} points along a side")?;
+    if !points.is_multiple_of(FINE as u64) {
+        let message = format!("found {points} points along a side; allowed: a multiple of {FINE}");
+        return Err(file.source.error_at(spec.points.span(), message));
+    }
+    Ok(GridTask {
+        points: points as usize,
+        realisations: file.several(&spec.realisations, "surfaces")?,
+        pressures: ascending(file, &spec.pressure, BELOW_CAP, "{} of E* times the r.m.s. gradient")?,
         error: error(file, &spec.error)?,
     })
 }

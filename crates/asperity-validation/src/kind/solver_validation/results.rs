@@ -1,6 +1,7 @@
 //! The results, and what follows from them: the largest errors, differences from published areas, warnings.
 
 use crate::solver::ensemble::{EnsemblePoint, EnsembleResults, Mean};
+use crate::solver::grid::{GridPoint, MAY_EXCEED};
 use crate::solver::published::{PublishedArea, published};
 use crate::solver::work::WorkPoint;
 use crate::solver::{Benchmark, BenchmarkQuantity, Problem, Profile};
@@ -33,6 +34,8 @@ pub struct SolverResults {
     /// Pressures of a wave, load by load.
     pub wave_profiles: Vec<Profile>,
     pub ensemble: Option<EnsembleResults>,
+    /// Case by case, grid by grid.
+    pub grid: Vec<GridPoint>,
     pub work: Vec<WorkPoint>,
 }
 
@@ -55,6 +58,28 @@ pub fn fitted_order(benchmarks: &[Benchmark], problem: Problem, quantity: Benchm
     let errors = errors(benchmarks).filter(|errors| errors.problem() == problem);
     let points = errors.filter_map(|errors| Some((errors.points() as f64, errors.error(quantity)?.abs())));
     SlopeFit::through(points).map(|fit| -fit.slope)
+}
+
+/// The quantities of [`GridPoint`], in a sentence.
+pub const GRID_QUANTITIES: [&str; 3] = ["area", "separation", "stiffness"];
+
+/// The part of all contacts on coarse grids whose error exceeds its bound, by quantity; none without contacts.
+pub fn exceeded(grid: &[GridPoint]) -> Option<[f64; 3]> {
+    let contacts: usize = grid.iter().map(|point| point.contacts).sum();
+    let part = |quantity: usize| {
+        grid.iter().map(|point| point.checks[quantity].exceeded).sum::<usize>() as f64 / contacts as f64
+    };
+    (contacts > 0).then(|| [0, 1, 2].map(part))
+}
+
+/// Bounds by the grid that too many errors exceed, a line each.
+pub fn grid_warnings(grid: &[GridPoint]) -> Vec<String> {
+    let parts = exceeded(grid).into_iter().flat_map(|parts| GRID_QUANTITIES.into_iter().zip(parts));
+    let line = |(quantity, part): (&str, f64)| {
+        let (part, allowed) = (percent(part), percent(MAY_EXCEED));
+        format!("grid: {part} of the errors of the {quantity} exceed their bound; allowed: {allowed}")
+    };
+    parts.filter(|(_, part)| *part > MAY_EXCEED).map(line).collect()
 }
 
 /// Bounds that are exceeded, a line each.
@@ -194,6 +219,7 @@ pub fn growth(work: &[WorkPoint]) -> Option<[f64; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::solver::grid::{GridCase, GridCheck};
 
     fn indentation(points: usize, error: f64, allowed: f64) -> Benchmark {
         Benchmark {
@@ -252,6 +278,22 @@ mod tests {
         // Two standard errors of 2 %; too much to rank kinds of area by.
         let scattered = ensemble(0.92, 0.0016);
         assert!(deviations(&scattered).is_empty() && warnings(&[], Some(&scattered)).is_empty());
+    }
+
+    #[test]
+    fn a_twentieth_of_the_errors_by_the_grid_may_exceed_their_bounds() {
+        let check = |exceeded: usize| GridCheck { exceeded, error: 0.1, bound: 0.1 };
+        let point = |exceeded: [usize; 3]| GridPoint {
+            case: GridCase::Isotropic,
+            points: [4, 4],
+            contacts: 20,
+            checks: exceeded.map(check),
+        };
+        let grid = [point([1, 0, 1]), point([1, 0, 2])];
+        assert_eq!(exceeded(&grid), Some([0.05, 0.0, 0.075]));
+        let lines = grid_warnings(&grid);
+        assert_eq!(lines, ["grid: 7.5 % of the errors of the stiffness exceed their bound; allowed: 5 %"]);
+        assert!(exceeded(&[]).is_none() && grid_warnings(&grid[..1]).is_empty());
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 use super::results::{Deviation, ErrorRow, SolverResults, deviations, errors, is_near};
 use crate::solver::ensemble::EnsemblePoint;
+use crate::solver::grid::GridPoint;
 use crate::solver::published::{ENSEMBLE, published};
 use crate::solver::work::WorkPoint;
 use crate::solver::{Benchmark, BenchmarkQuantity};
@@ -117,6 +118,30 @@ impl Row for Deviation {
     }
 }
 
+impl Row for &GridPoint {
+    const FILE: &'static str = "grid.csv";
+    const ROWS: &'static str = "One row for each case and coarse grid: errors against 32 points per shortest wave, and the bounds that the reference states.";
+    const RECORDS: Option<&'static str> = Some("grid");
+
+    fn columns() -> Vec<Column<Self>> {
+        columns! { row: Self =>
+            grid_case["text", label("surfaces")] = row.case.name(), "Surfaces and contact: `isotropic`, `elongated` (lengths along x three times those along y) or `capped` (isotropic, pressures up to 0.2 E* g).";
+            points_per_wave_x["count", label("points per wave, x")] = row.points[0], "Points along x per shortest wave; of elongated surfaces per shortest wave across the lay.";
+            points_per_wave_y["count", label("y")] = row.points[1], "The same along y.";
+            contacts["count"] = row.contacts, "Surfaces times loads.";
+            area_exceeded["count", label("area: beyond bound")] = row.checks[0].exceeded, "Contacts whose error of ln(corrected area) exceeds its bound.";
+            area_error["1", label("95 % of errors")] = row.checks[0].error, "Error of ln(corrected area) that 95 % of the contacts do not exceed.";
+            area_bound["1", label("mean bound")] = row.checks[0].bound, "Mean of the bounds.";
+            separation_exceeded["count", label("separation: beyond bound")] = row.checks[1].exceeded, "Contacts whose error of the mean gap exceeds its bound.";
+            separation_error["1", label("95 % of errors")] = row.checks[1].error, "Error of the mean gap over the r.m.s. height that 95 % of the contacts do not exceed.";
+            separation_bound["1", label("mean bound")] = row.checks[1].bound, "Mean of the bounds over the r.m.s. height.";
+            stiffness_exceeded["count", label("stiffness: beyond bound")] = row.checks[2].exceeded, "Contacts whose error of ln(stiffness) exceeds its bound.";
+            stiffness_error["1", label("95 % of errors")] = row.checks[2].error, "Error of ln(stiffness) that 95 % of the contacts do not exceed.";
+            stiffness_bound["1", label("mean bound")] = row.checks[2].bound, "Mean of the bounds.";
+        }
+    }
+}
+
 impl Row for &WorkPoint {
     const FILE: &'static str = "work.csv";
     const ROWS: &'static str = "One row for each map and load: what solving it took on the finest grid.";
@@ -141,6 +166,7 @@ pub(super) fn schemas() -> Vec<Schema> {
         Schema::of::<AreaRow>(),
         Schema::of::<Deviation>(),
         Schema::of::<&EnsemblePoint>(),
+        Schema::of::<&GridPoint>(),
         Schema::of::<&WorkPoint>(),
     ]
 }
@@ -156,6 +182,7 @@ pub(super) fn tables(results: &SolverResults) -> Vec<Table> {
         Table::new(extrapolated().map(AreaRow)),
         Table::new(ensemble.map(deviations).unwrap_or_default()),
         Table::new(on_grids.chain(extrapolated())),
+        Table::new(&results.grid),
         Table::new(&results.work),
     ];
     tables.into_iter().filter(|table| table.rows() > 0).collect()

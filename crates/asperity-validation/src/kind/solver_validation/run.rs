@@ -5,6 +5,7 @@ use std::time::Instant;
 use super::plan::{SinusoidTask, SolverPlan};
 use super::results::SolverResults;
 use crate::solver::ensemble::ensemble;
+use crate::solver::grid::{GridCase, grid_errors};
 use crate::solver::work::work;
 use crate::solver::{
     Benchmark, LAYERED_CASES, Profile, Unsolved, full_contact, hertz, hertz_profile, layered,
@@ -29,6 +30,12 @@ pub(super) fn run(context: &RunContext, plan: &SolverPlan) -> Result<SolverResul
         ensemble(task, seed, context.progress)
     });
     let ensemble = ensemble.transpose().map_err(refuse)?;
+    let grid = plan.grid.as_ref().map(|task| {
+        context.progress.stage("grids", (GridCase::ALL.len() * task.realisations) as f64);
+        let seed = |realisation: usize| context.stream_seed(&format!("solver grid {realisation}"));
+        grid_errors(task, seed, context.progress)
+    });
+    let grid = grid.transpose().map_err(refuse)?.unwrap_or_default();
     let contacts = plan.work.as_ref().map(|task| {
         context.progress.stage("work", (task.points.len() * task.pressures.len()) as f64);
         work(task, context.stream_seed("solver work"), context.progress)
@@ -48,6 +55,7 @@ pub(super) fn run(context: &RunContext, plan: &SolverPlan) -> Result<SolverResul
         hertz_profile,
         wave_profiles,
         ensemble,
+        grid,
         work,
     })
 }

@@ -20,6 +20,8 @@ pub struct SolverSpec {
     pub layered_sphere: Option<LayeredSpec>,
     /// A published ensemble of rough surfaces.
     pub ensemble: Option<EnsembleSpec>,
+    /// Errors by the grid against the bounds that the reference states.
+    pub grid: Option<GridSpec>,
     /// Iterations and convolutions per load.
     pub work: Option<WorkSpec>,
 }
@@ -62,6 +64,23 @@ pub struct EnsembleSpec {
     pub realisations: Spanned<Whole>,
     /// Nominal pressures over E*.
     #[schemars(extend("x-range" = "1e-6 to 10", "examples" = [[0.001, 0.01]]))]
+    pub pressure: Spanned<LogSweep<Pure>>,
+    /// Relative dual gap at which an iteration ends.
+    #[schemars(extend("x-range" = "1e-12 to 0.01", "examples" = [1e-6]))]
+    pub error: Spanned<Quantity<Pure>>,
+}
+
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, expecting = "a table { points, realisations, pressure, error }")]
+pub struct GridSpec {
+    /// Points along a side of the fine grid, a multiple of 32; there are 32 in the shortest wave.
+    #[schemars(extend("x-range" = "256 to 8192", "examples" = [1024]))]
+    pub points: Spanned<Whole>,
+    /// Surfaces of each case.
+    #[schemars(extend("x-range" = "2 to 1000", "examples" = [8]))]
+    pub realisations: Spanned<Whole>,
+    /// Nominal pressures over E* times the root mean square gradient; below 0.2, the cap of one of the cases.
+    #[schemars(extend("x-range" = "1e-6 to 0.19", "examples" = [[0.002, 0.02]]))]
     pub pressure: Spanned<LogSweep<Pure>>,
     /// Relative dual gap at which an iteration ends.
     #[schemars(extend("x-range" = "1e-12 to 0.01", "examples" = [1e-6]))]
