@@ -143,7 +143,7 @@ fn differences(outcome: &dyn Outcome, model: &str, quantity: &str) -> [f64; 2] {
 
 /// The same asperities tell little of other asperities where few carry the load, and enough where many do.
 #[test]
-fn a_fitted_model_is_judged_on_asperities_that_it_was_not_taken_from() {
+fn a_fitted_model_is_tested_on_asperities_that_it_was_not_taken_from() {
     let model = "own, in-contact";
     let strict = "accept = { separation = 0.05 }";
     let few = run(strict, &map("heights.johnson = { skewness = -1, kurtosis = 4.5 }")).unwrap();
@@ -151,7 +151,7 @@ fn a_fitted_model_is_judged_on_asperities_that_it_was_not_taken_from() {
     assert!(in_sample < 0.05 && held_out > 0.05, "{in_sample} {held_out}");
     let row = standing(&*few, "separation");
     assert!(row["within_in_sample"].contains(model) && !row["within"].contains(model), "{row:?}");
-    assert_eq!(row["fitted_judged_on"], "halves of the surface");
+    assert_eq!(row["fitted_tested_on"], "halves of the surface");
     assert!(few.outline().markdown().contains("in sample only"));
 
     let many = format!("[surface.p.population]\n{}count = 200000\n", case_1!());
@@ -161,13 +161,13 @@ fn a_fitted_model_is_judged_on_asperities_that_it_was_not_taken_from() {
     assert_ne!(in_sample, held_out);
     let row = standing(&*many, "separation");
     assert!(row["within"].contains(model) && !row["within_in_sample"].contains(model), "{row:?}");
-    assert_eq!(row["fitted_judged_on"], "random halves");
+    assert_eq!(row["fitted_tested_on"], "random halves");
     // What is held out is what the seed draws, and the same again.
     let again = run("", &format!("[surface.p.population]\n{}count = 200000\n", case_1!())).unwrap();
     assert_eq!(differences(&*again, model, "separation"), [in_sample, held_out]);
 }
 
-/// Loads that only the whole surface holds enough contacts for leave nothing to judge on.
+/// Loads that only the whole surface holds enough contacts for leave nothing to test on.
 #[test]
 fn a_fitted_model_without_other_asperities_is_in_sample_only() {
     let small = |count: usize, realisations: usize| {
@@ -177,12 +177,12 @@ fn a_fitted_model_without_other_asperities_is_in_sample_only() {
     // Some 45 effective contacts, of which a half has less than 30.
     let one = small(1200, 1);
     let row = standing(&*one, "area");
-    assert_eq!((&*row["fitted_judged_on"], &*row["judged_from_pa"]), ("in sample only", ""), "{row:?}");
+    assert_eq!((&*row["fitted_tested_on"], &*row["tested_from_pa"]), ("in sample only", ""), "{row:?}");
     assert!(!row["within"].contains("own") && !row["nearest"].contains("own"), "{row:?}");
     let several = small(1200, 3);
     let row = standing(&*several, "area");
-    assert_eq!(row["fitted_judged_on"], "realisations");
-    assert_eq!(number(&row, "judged_from_pa"), 15e6);
+    assert_eq!(row["fitted_tested_on"], "realisations");
+    assert_eq!(number(&row, "tested_from_pa"), 15e6);
     let [in_sample, held_out] = differences(&*several, "own, arithmetic", "area");
     assert!(held_out > in_sample, "{in_sample} {held_out}");
 }

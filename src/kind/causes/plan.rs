@@ -50,8 +50,8 @@ pub struct PointPlan {
     pub kurtosis: f64,
     /// Longest over shortest wavelength; `None` where it follows from the summits.
     pub wavelengths: Option<f64>,
-    /// Its surfaces among those of the plan, or why there are none.
-    pub surface: Result<usize, String>,
+    /// Why it has no surfaces; those of the others are the surfaces of the plan, in the same order.
+    pub without_surface: Option<String>,
 }
 
 impl fmt::Display for CausesPlan {
@@ -88,18 +88,17 @@ pub(super) fn plan(file: &SpecFile, table: &Spanned<CausesSpec>) -> Result<Cause
     let mut points = process.points(file, raw)?;
     let mut surfaces = Vec::new();
     for point in &mut points {
-        let made = point.heights().and_then(|heights| process.way(heights, point.wavelengths));
-        point.surface = made.map(|way| {
-            let key = process.key();
-            let generation = Generation { way, neighbours: Neighbours::Four, key: key.clone() };
-            surfaces.push(SurfacePlan::generated(point.name(), key, realisations, false, generation));
-            surfaces.len() - 1
-        });
+        let key = process.key();
+        match point.heights().and_then(|heights| process.way(heights, point.wavelengths)) {
+            Ok(way) => {
+                let generation = Generation { way, neighbours: Neighbours::Four, key: key.clone() };
+                surfaces.push(SurfacePlan::generated(point.name(), key, realisations, false, generation));
+            }
+            Err(reason) => point.without_surface = Some(reason),
+        }
     }
     if surfaces.is_empty() {
-        let reasons: Vec<&str> =
-            points.iter().filter_map(|point| Some(&**point.surface.as_ref().err()?)).collect();
-        let reason = reasons.first().unwrap_or(&"no point");
+        let reason = points.iter().find_map(|point| point.without_surface.as_deref()).unwrap_or_default();
         let message = format!(
             "found no point of the grid that has a surface ({reason}); allowed: moments of which at least one has"
         );

@@ -102,7 +102,7 @@ impl<'a> GridProcess<'a> {
                 Axis::Bandwidth => (gamma_kurtosis(skewness), Some(row)),
                 Axis::Kurtosis => (row, None),
             };
-            PointPlan { skewness, kurtosis, wavelengths, surface: Err(String::new()) }
+            PointPlan { skewness, kurtosis, wavelengths, without_surface: None }
         };
         let each = rows.iter().flat_map(|&row| skewnesses.iter().map(move |&skewness| (row, skewness)));
         Ok(each.map(|(row, skewness)| point(row, skewness)).collect())

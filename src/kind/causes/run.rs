@@ -23,17 +23,18 @@ pub(super) fn run(context: &RunContext, plan: &CausesPlan) -> Result<CausesResul
     let start = Instant::now();
     let (counter, study) = (Counter::default(), &plan.compare.study);
     let loads = &study.controls.pressures;
-    let ran = each_surface(context, &plan.compare, &counter, |_, results| {
+    let ran = each_surface(context, &plan.compare, &counter, |results| {
         Ok(results.map(|results| surfaces(&results, loads)).map_err(|error| error.message().to_owned()))
     })?;
-    let mut made: Vec<Option<Result<GridSurfaces, String>>> = ran.results.into_iter().map(Some).collect();
-    let points = plan.points.iter().map(|point| {
-        let surfaces = match &point.surface {
-            Ok(index) => made[*index].take().unwrap_or_else(|| Err(String::new())),
-            Err(reason) => Err(reason.clone()),
+    // In the order of the points that have surfaces.
+    let mut made = ran.results.into_iter();
+    let points = plan.points.iter().filter_map(|point| {
+        let surfaces = match &point.without_surface {
+            None => made.next()?,
+            Some(reason) => Err(reason.clone()),
         };
         let (skewness, kurtosis, wavelengths) = (point.skewness, point.kurtosis, point.wavelengths);
-        GridPoint { skewness, kurtosis, wavelengths, surfaces }
+        Some(GridPoint { skewness, kurtosis, wavelengths, surfaces })
     });
     let points = points.collect();
     let mut timing = ran.timing;
@@ -107,7 +108,7 @@ fn quantity_at_load(
 ) -> QuantityAtLoad {
     let accepted: &Accepted = &verdicts.accepted;
     let difference = verdicts.differences.iter().find(|at| at.load == load);
-    let judged = difference.and_then(|at| at.estimates[quantity as usize]).map(|estimate| {
+    let with_verdict = difference.and_then(|at| at.estimates[quantity as usize]).map(|estimate| {
         let verdict = Verdict::from_estimate(&estimate, accepted.band(quantity));
         (estimate, exceeded.is_none().then_some(verdict))
     });
@@ -124,5 +125,5 @@ fn quantity_at_load(
         let mut stretches = reference.nearer.iter().filter(|stretch| stretch.quantity == quantity);
         stretches.find(|stretch| holds_load(stretch.loads)).cloned()
     });
-    QuantityAtLoad { difference: judged, against: against.filter(|_| nearer.is_some()), nearer }
+    QuantityAtLoad { difference: with_verdict, against: against.filter(|_| nearer.is_some()), nearer }
 }

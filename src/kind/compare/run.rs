@@ -36,7 +36,7 @@ pub fn run(
 ) -> Result<CompareResults, InputError> {
     let start = Instant::now();
     let Ran { results: surfaces, mut timing, mut papers } =
-        each_surface(context, compare, counter, |_, results| results)?;
+        each_surface(context, compare, counter, |results| results)?;
     timing.total = start.elapsed();
     let layer_metadata = layer_metadata(context, &compare.study, &mut papers)?;
     let contact =
@@ -81,7 +81,7 @@ pub fn each_surface<T>(
     context: &RunContext,
     compare: &ComparePlan,
     counter: &Counter,
-    keep: impl Fn(&SurfacePlan, Result<SurfaceResults, InputError>) -> Result<T, InputError>,
+    keep: impl Fn(Result<SurfaceResults, InputError>) -> Result<T, InputError>,
 ) -> Result<Ran<T>, InputError> {
     let realisations = compare.study.surfaces.iter().map(|surface| surface.realisations as u64);
     context.progress.steps(realisations.sum());
@@ -95,8 +95,7 @@ pub fn each_surface<T>(
         papers: papers_of(&compare.study.laws),
     };
     let surfaces = compare.study.surfaces.iter();
-    let results: Result<Vec<T>, InputError> =
-        surfaces.map(|surface| keep(surface, run.surface(surface))).collect();
+    let results: Result<Vec<T>, InputError> = surfaces.map(|surface| keep(run.surface(surface))).collect();
     let results = results?;
     let Run { timing, mut papers, .. } = run;
     if let Some(reference) = compare.reference.as_deref() {

@@ -1,6 +1,7 @@
 //! Fitness checks of windows that have no fault.
 
 use asperity::topography::fitness::{Check, Finding};
+use statrs::distribution::{Beta, ContinuousCDF};
 
 /// How often a check finds a fault where there is none.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,31 +40,11 @@ impl CheckCount {
     }
 }
 
-/// The share at which at most `count` of `of` are found with a probability of 5 % (Clopper and Pearson 1934).
+/// The share at which at most `count` of `of` are found with a probability of 5 % (Clopper and Pearson 1934): a quantile of the beta
+/// distribution.
 pub fn upper_limit(count: usize, of: usize) -> f64 {
-    /// Halvings of the range: to rounding.
-    const STEPS: u32 = 60;
-    if count >= of {
-        return 1.0;
-    }
-    let at_most = |share: f64| {
-        let (success, failure) = (share.ln(), (-share).ln_1p());
-        let mut choose = 0.0f64;
-        (0..=count)
-            .map(|k| {
-                if k > 0 {
-                    choose += ((of - k + 1) as f64 / k as f64).ln();
-                }
-                (choose + k as f64 * success + (of - k) as f64 * failure).exp()
-            })
-            .sum::<f64>()
-    };
-    let [mut low, mut high] = [0.0, 1.0];
-    for _ in 0..STEPS {
-        let middle = 0.5 * (low + high);
-        if at_most(middle) > 0.05 { low = middle } else { high = middle }
-    }
-    high
+    let distribution = Beta::new(count as f64 + 1.0, of as f64 - count as f64);
+    distribution.map_or(1.0, |distribution| distribution.inverse_cdf(0.95))
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! How far a contact is from that of the same waves on a finer grid, judged by the outline of the contact.
+//! How far a contact is from that of the same waves on a finer grid, estimated from the outline of the contact.
 //!
 //! The border lies somewhere between a point in contact and its neighbour, and only there a grid errs in first order. M sides of pixels
 //! along the axis that has more of them, per point in contact, say how narrow the contacts are: 2/M points on average. The

@@ -11,7 +11,7 @@ use crate::compare::{Division, Pair};
 use crate::numeric::stream_seed;
 use crate::surface::Surface;
 
-/// Asperities that fitted models are judged on.
+/// Asperities that fitted models are tested on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HeldOut {
     /// The other half of a map, or of a list with places, along its longer side; both ways.
@@ -35,13 +35,13 @@ impl HeldOut {
 
 /// Both halves of a surface.
 pub(super) struct Halves {
-    judged_on: HeldOut,
+    tested_on: HeldOut,
     surfaces: [Surface; 2],
 }
 
 /// The models on both halves of a surface.
 pub(super) struct HalfModels<'a> {
-    judged_on: HeldOut,
+    tested_on: HeldOut,
     /// For the sums.
     sums: [SurfaceModels<'a>; 2],
     /// Fitted models that apply to both halves.
@@ -51,7 +51,7 @@ pub(super) struct HalfModels<'a> {
 impl Halves {
     /// Of a map along its longer side, of other surfaces at random; `None` where a half has no asperities.
     pub(super) fn new(setup: Setup, surface: &Surface) -> Option<Self> {
-        let (division, judged_on) = match &surface.halves {
+        let (division, tested_on) = match &surface.halves {
             Some(halves) => (halves.clone(), HeldOut::MapHalves),
             None => {
                 let seed = stream_seed(setup.seed, &format!("halves of {}", surface.name));
@@ -59,7 +59,7 @@ impl Halves {
             }
         };
         let surfaces = [surface.without(&division, 1)?, surface.without(&division, 0)?];
-        Some(Self { judged_on, surfaces })
+        Some(Self { tested_on, surfaces })
     }
 
     /// The sums over both halves, and the fitted ones of `models` of each.
@@ -72,7 +72,7 @@ impl Halves {
         };
         let fitted = models.iter().filter(|model| model.is_fitted());
         Some(HalfModels {
-            judged_on: self.judged_on,
+            tested_on: self.tested_on,
             sums: on_both(&StatisticalModel::default(), true)?,
             fitted: fitted.filter_map(|model| Some((model.clone(), on_both(model, false)?))).collect(),
         })
@@ -82,7 +82,7 @@ impl Halves {
 impl HalfModels<'_> {
     /// Adds to the ranking of a case the larger error of the fitted models of each half on the other one: at the loads of the ranking
     /// that are admissible to the sums over both halves. Nothing where no load is.
-    pub(super) fn judge(&self, ranking: &mut Ranking, law: &LawContact, case: &CaseResults) {
+    pub(super) fn hold_out(&self, ranking: &mut Ranking, law: &LawContact, case: &CaseResults) {
         let pairs = ranked_pairs(case);
         let loads: Vec<f64> = pairs.iter().map(|pair| pair.target).collect();
         let sums = self.sums.each_ref().map(|models| {
@@ -105,8 +105,8 @@ impl HalfModels<'_> {
             // A reference of the whole map is none of a half.
             LargestErrors { from_reference: [None; 3], ..errors(case, pairs, &responses) }
         };
-        ranking.judged_on = Some(self.judged_on);
-        ranking.judged_loads = loads.first().zip(loads.last()).map(|(&low, &high)| [low, high]);
+        ranking.tested_on = Some(self.tested_on);
+        ranking.tested_loads = loads.first().zip(loads.last()).map(|(&low, &high)| [low, high]);
         for ranked in &mut ranking.models {
             let models = self.fitted.iter().find(|(model, _)| *model == ranked.model);
             ranked.held_out = models.map(|(_, [a, b])| errors(a, &pairs[1]).larger(&errors(b, &pairs[0])));
@@ -129,7 +129,7 @@ pub(super) fn on_realisations(
     let mut loads: Vec<f64> = pairs.iter().flatten().map(|pair| pair.target).collect();
     loads.sort_by(f64::total_cmp);
     loads.dedup();
-    let judged = |models: &SurfaceModels| {
+    let largest = |models: &SurfaceModels| {
         let all = responses(&*models.statistical(&*law.contact, &law.spec), &loads);
         let at_load = |pair: &Pair| loads.iter().position(|load| *load == pair.target).and_then(|k| all[k]);
         let each = others.iter().zip(&pairs).map(|(case, pairs)| {
@@ -138,10 +138,10 @@ pub(super) fn on_realisations(
         });
         each.reduce(|a, b| a.larger(&b))
     };
-    ranking.judged_on = Some(HeldOut::Realisations(others.len()));
-    ranking.judged_loads = loads.first().zip(loads.last()).map(|(&low, &high)| [low, high]);
+    ranking.tested_on = Some(HeldOut::Realisations(others.len()));
+    ranking.tested_loads = loads.first().zip(loads.last()).map(|(&low, &high)| [low, high]);
     for ranked in ranking.models.iter_mut().filter(|ranked| ranked.model.is_fitted()) {
         let models = built.iter().find(|(_, model)| *model == ranked.model);
-        ranked.held_out = models.and_then(|(models, _)| judged(models.as_ref().ok()?));
+        ranked.held_out = models.and_then(|(models, _)| largest(models.as_ref().ok()?));
     }
 }

@@ -1,5 +1,5 @@
 //! How far each statistical model of a surface is from the sum and from the reference, and what it costs. Models that are fitted to the
-//! asperities are judged on others.
+//! asperities are tested on others.
 
 use super::case::CaseStudy;
 use super::held_out::{self, Halves, HeldOut};
@@ -75,10 +75,10 @@ pub struct Ranking {
     pub sum_from_reference: [Largest; 3],
     /// The loads at which the models were compared, Pa.
     pub loads: Vec<f64>,
-    /// What fitted models are judged on; `None` where there are no other asperities, or no load is admissible on them.
-    pub judged_on: Option<HeldOut>,
+    /// What fitted models are tested on; `None` where there are no other asperities, or no load is admissible on them.
+    pub tested_on: Option<HeldOut>,
     /// The lowest and the highest load at which they are, Pa.
-    pub judged_loads: Option<[f64; 2]>,
+    pub tested_loads: Option<[f64; 2]>,
 }
 
 /// How the models stand in one quantity.
@@ -86,7 +86,7 @@ pub struct Ranking {
 pub struct Standing<'a> {
     /// The quantity.
     pub quantity: ComparedQuantity,
-    /// The models that are judged, with their largest contrasts.
+    /// The models that are compared, with their largest contrasts.
     pub compared: Vec<(&'a Ranked, f64)>,
     /// Those within what is accepted.
     pub within: Vec<(&'a Ranked, f64)>,
@@ -130,9 +130,9 @@ impl LargestErrors {
 }
 
 impl Ranked {
-    /// The difference that the model is judged by. Of a fitted model it is the larger one of those in sample and held out, and `None`
+    /// The difference by which the model is ranked. Of a fitted model it is the larger one of those in sample and held out, and `None`
     /// without the latter.
-    pub fn judged(&self, against: Against, quantity: ComparedQuantity) -> Largest {
+    pub fn ranked_by(&self, against: Against, quantity: ComparedQuantity) -> Largest {
         if !self.model.is_fitted() {
             return self.in_sample.largest(against, quantity);
         }
@@ -161,7 +161,7 @@ impl Ranking {
         let compared: Vec<(&Ranked, f64)> = self
             .models
             .iter()
-            .filter_map(|ranked| Some((ranked, ranked.judged(against, quantity)?.0)))
+            .filter_map(|ranked| Some((ranked, ranked.ranked_by(against, quantity)?.0)))
             .collect();
         let within: Vec<_> = compared.iter().copied().filter(|(_, contrast)| is_within(*contrast)).collect();
         let is_carried = |ranked: &Ranked| within.iter().any(|(other, _)| other.model == ranked.model);
@@ -202,7 +202,7 @@ pub fn rank(setup: Setup, surface: &Surface, cases: &[CaseStudy]) -> Vec<Ranking
         {
             held_out::on_realisations(&mut ranking, &built, law, others);
         } else if let Some(halves) = &halves {
-            halves.judge(&mut ranking, law, case.first());
+            halves.hold_out(&mut ranking, law, case.first());
         }
         setup.progress.advance(1.0);
         ranking

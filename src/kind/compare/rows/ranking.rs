@@ -15,7 +15,7 @@ pub(crate) struct RankingRow<'a> {
     ranked: &'a Ranked,
     quantity: ComparedQuantity,
     accepted: f64,
-    judged_on: Option<HeldOut>,
+    tested_on: Option<HeldOut>,
 }
 
 impl RankingRow<'_> {
@@ -36,18 +36,18 @@ impl RankingRow<'_> {
     }
 
     /// What the row's figures from the sum were found on.
-    fn judged_on(&self) -> &'static str {
+    fn tested_on(&self) -> &'static str {
         if !self.ranked.model.is_fitted() {
             return "not fitted";
         }
-        let judged_on = self.judged_on.filter(|_| self.held_out(Against::Sum).is_some());
-        judged_on.map_or("in sample only", HeldOut::name)
+        let tested_on = self.tested_on.filter(|_| self.held_out(Against::Sum).is_some());
+        tested_on.map_or("in sample only", HeldOut::name)
     }
 }
 
 impl Row for RankingRow<'_> {
     const FILE: &'static str = "ranking.csv";
-    const ROWS: &'static str = "One row for each surface, law, layer thickness, statistical model that applies and quantity, on the first realisation: the largest difference of the model from the sum, and from the reference where one was run, over the admissible loads (three per decade, and those of the reference). Models that are fitted to the asperities are judged by the larger one of their differences in sample and held out.";
+    const ROWS: &'static str = "One row for each surface, law, layer thickness, statistical model that applies and quantity, on the first realisation: the largest difference of the model from the sum, and from the reference where one was run, over the admissible loads (three per decade, and those of the reference). Models that are fitted to the asperities are ranked by the larger one of their differences in sample and held out.";
 
     fn columns() -> Vec<Column<Self>> {
         let mut columns = case_columns(|row: &Self| row.key);
@@ -59,7 +59,7 @@ impl Row for RankingRow<'_> {
             from_deterministic_at_pa["Pa"] = RankingRow::load(row.in_sample(Against::Sum)), "The nominal pressure of that difference.";
             held_out_from_deterministic["1", label("from deterministic, held out"), signed, scale(1.0)] = row.reported(row.held_out(Against::Sum)), "Of a fitted model (fitted or own heights, or the radius in contact) on asperities that it was not taken from: the larger one from each half on the other, or the largest on the other realisations; empty of other models, and where no load is admissible there.";
             held_out_from_deterministic_at_pa["Pa"] = RankingRow::load(row.held_out(Against::Sum)), "The nominal pressure of that difference.";
-            judged_on["text"] = row.judged_on(), "What a fitted model is held out on: `halves of the surface`, `random halves`, `realisations`; `in sample only` where there is nothing, and the model is then never enough; `not fitted` of other models.";
+            tested_on["text"] = row.tested_on(), "What a fitted model is held out on: `halves of the surface`, `random halves`, `realisations`; `in sample only` where there is nothing, and the model is then never enough; `not fitted` of other models.";
             from_reference["1", label("from reference, in sample"), signed, scale(1.0)] = row.reported(row.in_sample(Against::Reference)), "In sample, from the reference; empty where none was run.";
             from_reference_at_pa["Pa"] = RankingRow::load(row.in_sample(Against::Reference)), "The nominal pressure of that difference.";
             held_out_from_reference["1", label("from reference, held out"), signed, scale(1.0)] = row.reported(row.held_out(Against::Reference)), "Of a fitted model from the references of the other realisations; empty without these: the reference of a map is none of its halves.";
@@ -78,16 +78,16 @@ pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = RankingRow<
         let accepted = case.verdicts().accepted;
         let models =
             case.case.ranking.iter().flat_map(move |ranking| {
-                ranking.models.iter().map(move |ranked| (ranked, ranking.judged_on))
+                ranking.models.iter().map(move |ranked| (ranked, ranking.tested_on))
             });
-        models.flat_map(move |(ranked, judged_on)| {
+        models.flat_map(move |(ranked, tested_on)| {
             ComparedQuantity::ALL.map(|quantity| RankingRow {
                 key: case.key(),
                 alpha,
                 ranked,
                 quantity,
                 accepted: accepted.limit(quantity),
-                judged_on,
+                tested_on,
             })
         })
     })

@@ -16,24 +16,24 @@ pub(crate) struct StandingRow<'a> {
     against: Against,
     accepted: f64,
     standing: Standing<'a>,
-    judged_on: Option<HeldOut>,
-    judged_loads: Option<[f64; 2]>,
+    tested_on: Option<HeldOut>,
+    tested_loads: Option<[f64; 2]>,
     inapplicable: &'a [(StatisticalModel, String)],
     elastic: Option<&'a ElasticCase>,
 }
 
 impl StandingRow<'_> {
-    /// What fitted models are judged on: of the reference other realisations only.
-    fn judged_on(&self) -> Option<HeldOut> {
-        let is_judged = |judged_on: &HeldOut| {
-            self.against == Against::Sum || matches!(judged_on, HeldOut::Realisations(_))
+    /// What fitted models are tested on: of the reference other realisations only.
+    fn tested_on(&self) -> Option<HeldOut> {
+        let is_tested = |tested_on: &HeldOut| {
+            self.against == Against::Sum || matches!(tested_on, HeldOut::Realisations(_))
         };
-        self.judged_on.filter(is_judged)
+        self.tested_on.filter(is_tested)
     }
 
     /// The lowest or the highest load of that, Pa.
-    fn judged_load(&self, end: usize) -> Option<f64> {
-        self.judged_on().and(self.judged_loads).map(|loads| loads[end])
+    fn tested_load(&self, end: usize) -> Option<f64> {
+        self.tested_on().and(self.tested_loads).map(|loads| loads[end])
     }
 
     fn nearest_difference(&self) -> Option<f64> {
@@ -56,10 +56,10 @@ impl Row for StandingRow<'_> {
             within["text"] = row.standing.within.iter().map(|(ranked, _)| ranked.model.name()).collect::<Vec<_>>(), "The models within what is accepted, the simplest first; fitted ones (fitted or own heights, or the radius in contact) on asperities too that they were not taken from.";
             cheapest_within["text"] = row.standing.cheapest().map(|(ranked, _)| ranked.model.name()), "The one that evaluates the fewest contacts.";
             within_in_sample["text", label("in sample only")] = row.standing.within_in_sample.iter().map(|ranked| ranked.model.name()).collect::<Vec<_>>(), "Fitted models that are within it on the asperities that they were taken from only, which carries no conclusion.";
-            fitted_judged_on["text", label("fitted models judged on")] = row.judged_on().map_or("in sample only", HeldOut::name), "What fitted models are held out on: `halves of the surface`, `random halves`, `realisations`; `in sample only` where there is nothing.";
-            judged_from_pa["Pa", prefix("M"), label("from"), input] = row.judged_load(0), "The lowest load of that, which is admissible there.";
-            judged_to_pa["Pa", prefix("M"), label("to"), input] = row.judged_load(1), "The highest load of that.";
-            nearest["text"] = row.standing.nearest().map(|(ranked, _)| ranked.model.name()), "The model with the smallest largest difference, among those that are judged.";
+            fitted_tested_on["text", label("fitted models tested on")] = row.tested_on().map_or("in sample only", HeldOut::name), "What fitted models are held out on: `halves of the surface`, `random halves`, `realisations`; `in sample only` where there is nothing.";
+            tested_from_pa["Pa", prefix("M"), label("from"), input] = row.tested_load(0), "The lowest load of that, which is admissible there.";
+            tested_to_pa["Pa", prefix("M"), label("to"), input] = row.tested_load(1), "The highest load of that.";
+            nearest["text"] = row.standing.nearest().map(|(ranked, _)| ranked.model.name()), "The model with the smallest largest difference, among those that are compared.";
             nearest_difference["1", signed, scale(1.0)] = row.nearest_difference(), "Its largest difference: of the separation in sigma, else relative.";
             elastic_reference["text", label("elastic reference")] = row.elastic.map(|elastic| elastic.reason.name()), "Against the reference: why it stays elastic although the law yields, as in `nearer_to_reference.csv`; empty otherwise.";
             inapplicable["text"] = row.inapplicable.iter().map(|(model, reason)| format!("{} ({reason})", model.name())).collect::<Vec<_>>(), "The models that do not apply to the surface, and why.";
@@ -85,8 +85,8 @@ pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = StandingRow
                 against,
                 accepted: accepted.limit(quantity),
                 standing: ranking.standing(against, quantity, accepted),
-                judged_on: ranking.judged_on,
-                judged_loads: ranking.judged_loads,
+                tested_on: ranking.tested_on,
+                tested_loads: ranking.tested_loads,
                 inapplicable: &ranking.inapplicable,
                 elastic: elastic.filter(|_| against == Against::Reference),
             })
