@@ -98,6 +98,7 @@ fn in_region(area: &Rect, direction: Direction, size: (f64, f64)) -> Vec<(Rect, 
             (middle, inner.top),
             (inner.left, bottom),
             (right, bottom),
+            (middle, bottom),
         ]
         .map(|(left, top)| (Rect::new(left, top, size.0, size.1), upright))
     };

@@ -152,12 +152,13 @@ fn panel(verdicts: &Verdicts, units: &Units, curves: &[Curve], compared: Compare
         units.pressure().range(from, to),
         axis(compared, units).range(low - room, high + room),
     )
-    .height(210.0)
-    .with(Layer::region_y(-accepted, accepted, "accepted").coloured(Colour::Series(2)));
+    .height(210.0);
     for region in invalid(&verdicts.admissible, 1e-6) {
         plot = plot.with(region);
     }
-    plot = plot.with_zero();
+    // After the narrow regions: its label has more places.
+    plot =
+        plot.with(Layer::region_y(-accepted, accepted, "accepted").coloured(Colour::Series(2))).with_zero();
     for curve in curves.iter().filter(|curve| curve.has_intervals) {
         let band = curve.estimates(compared).filter_map(|(at, found)| {
             let [low, high] = found.interval()?;
