@@ -159,6 +159,25 @@ mod tests {
         }
     }
 
+    /// Waves of one length in all directions correlate over many of it, positively and negatively, and so do their magnitudes.
+    #[test]
+    fn long_correlations_of_the_heights_are_no_patches() {
+        const WAVES: usize = 48;
+        let wave = |k: usize| {
+            let direction = std::f64::consts::TAU * (k as f64 + 0.5) / WAVES as f64;
+            let phase = std::f64::consts::TAU * (k as f64 * 0.754_877_666_246_692_7).fract();
+            // Whole numbers of waves on the map, so that its border tells nothing.
+            let [x, y] = [direction.cos(), direction.sin()].map(|part| (20.0 * part).round());
+            move |i: usize, j: usize| {
+                (std::f64::consts::TAU * (x * i as f64 + y * j as f64) / POINTS[0] as f64 + phase).cos()
+            }
+        };
+        let waves: Vec<_> = (0..WAVES).map(wave).collect();
+        let height = |k: usize| waves.iter().map(|wave| wave(k / POINTS[1], k % POINTS[1])).sum::<f64>();
+        let heights: Vec<f64> = (0..POINTS[0] * POINTS[1]).map(height).collect();
+        assert_eq!(patches(heights), None);
+    }
+
     #[test]
     fn the_correlation_length_is_where_the_autocorrelation_is_a_fifth() {
         let along_x = vec![(0.0, 1.0), (1.0, 0.6), (2.0, 0.1), (3.0, 0.4)];
