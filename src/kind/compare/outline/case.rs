@@ -180,7 +180,6 @@ fn why(page: &mut Page, tables: &Tables, case: SurfaceCase, stem: &str, units: &
             parts.filter("pressure_pa", |cell| cell.number().is_some_and(|load| loads.contains(&load)));
         page.view(&parts.unit("pressure_pa", "Pa", "M").columns(PARTS));
     }
-    page.note(include_str!("notes/causes.md"));
 }
 
 fn robustness(page: &mut Page, tables: &Tables, case: SurfaceCase, stem: &str) {

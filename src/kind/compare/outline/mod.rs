@@ -66,6 +66,7 @@ impl Outcome for CompareResults {
         }
         if series.is_empty() {
             SurfaceCase::all(self).for_each(|case| case::section(&mut page, self, tables, case));
+            sections::causes(&mut page, self);
         }
         for surface in &self.surfaces {
             page.heading(2, &format!("Surface {}", surface.surface.name));

@@ -148,6 +148,15 @@ pub fn layer(page: &mut Page, results: &CompareResults, tables: &Tables) {
     }
 }
 
+/// How the differences are divided among their causes, once for all cases.
+pub fn causes(page: &mut Page, results: &CompareResults) {
+    if results.is_attributed() {
+        page.details(2, "How causes are told apart", |page| {
+            page.note(include_str!("notes/causes.md"));
+        });
+    }
+}
+
 /// σ and d read as those of the asperities, or of the surface.
 pub fn readings(page: &mut Page, tables: &Tables) {
     let view = tables.view::<ReadingRow>();

@@ -102,9 +102,12 @@ pub fn wrong_verdicts_caption(results: &CoverageResults) -> String {
 }
 
 pub fn wrong_verdicts(results: &CoverageResults) -> Figure {
+    let all = results.cases.iter().flat_map(|case| [&case.verdicts, &case.robust]);
+    let largest = all.filter_map(shares).map(|(share, _)| share).fold(ALLOWED, f64::max);
     let plot = Plot::new(
         "",
-        Axis::linear("decided verdicts that are wrong (%)"),
+        // The bound is in view, whatever the shares are.
+        Axis::linear("decided verdicts that are wrong (%)").range(-0.1, 1.1 * largest),
         Axis::linear("windows with a wrong verdict (%)"),
     )
     .height(260.0)
