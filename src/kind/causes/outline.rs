@@ -61,6 +61,7 @@ impl Outcome for CausesResults {
         for quantity in QUANTITIES {
             page.details(2, &format!("All numbers: {}", quantity_name(quantity)), |page| {
                 let view = tables.view::<CauseRow>().only("quantity", quantity.name());
+                let view = view.filter("without_surface", |cell| cell.text().is_empty());
                 page.view(&view.clone().columns(CONTRIBUTIONS));
                 page.view(&view.columns(DISTANCES));
             });
@@ -100,6 +101,7 @@ const SURFACE: &[&str] = &[
     "radius_cv",
     "height_radius_correlation",
     "plasticity_index",
+    "without_surface",
 ];
 
 const CONTRIBUTIONS: &[&str] = &[
@@ -136,7 +138,6 @@ const DISTANCES: &[&str] = &[
     "farther_high",
     "nearer",
     "is_homogeneous",
-    "without_surface",
 ];
 
 /// A map of the grid for each law and load.
