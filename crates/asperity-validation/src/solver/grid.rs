@@ -26,12 +26,29 @@ named_enum! {
     /// The surfaces and their contact.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum GridCase {
-        /// Isotropic, elastic.
+        /// Isotropic, elastic, periodic.
         Isotropic = "isotropic",
-        /// Elongated along x, elastic.
+        /// Elongated along x, elastic, periodic.
         Elongated = "elongated",
-        /// Isotropic, with a cap.
+        /// A quarter of an isotropic surface, mirrored, elastic.
+        Mirrored = "mirrored",
+        /// A quarter of an elongated surface, mirrored, elastic.
+        MirroredElongated = "mirrored elongated",
+        /// Isotropic, with a cap, periodic.
         Capped = "capped",
+    }
+}
+
+impl GridCase {
+    const fn boundary(self) -> Boundary {
+        match self {
+            Self::Mirrored | Self::MirroredElongated => Boundary::Mirrored,
+            Self::Isotropic | Self::Elongated | Self::Capped => Boundary::Periodic,
+        }
+    }
+
+    const fn elongation(self) -> f64 {
+        if matches!(self, Self::Elongated | Self::MirroredElongated) { ELONGATION } else { 1.0 }
     }
 }
 
@@ -92,21 +109,21 @@ type Sample = [[f64; 2]; 3];
 impl GridTask {
     /// The surfaces of a case; g = 1.
     pub fn process(&self, case: GridCase) -> SelfAffine {
-        let elongation = if case == GridCase::Elongated { ELONGATION } else { 1.0 };
         // A little longer than 32 points: two points per wave are just more than enough.
         let cut_off = 1.04 * FINE as f64 / self.points as f64;
-        SelfAffine { side: 1.0, hurst: 0.8, roll_off: 0.25, cut_off, gradient: 1.0, elongation }
+        SelfAffine { side: 1.0, hurst: 0.8, roll_off: 0.25, cut_off, gradient: 1.0, elongation: case.elongation() }
     }
 
     /// `None` where no point may change its pressure.
     fn samples(
         &self,
         map: &HeightMap,
+        case: GridCase,
         height: f64,
-        cap: Option<f64>,
     ) -> Result<Vec<Option<Sample>>, Unsolved> {
         let pair = unit_pair()?;
-        let options = Options { boundary: Boundary::Periodic, error: self.error, cap };
+        let cap = (case == GridCase::Capped).then_some(CAP);
+        let options = Options { boundary: case.boundary(), error: self.error, cap };
         let solver = Solver::new(map, &pair, &options)?;
         let sample = |&pressure: &f64| -> Result<Option<Sample>, Unsolved> {
             let contact = solver.at_pressure(pressure, &Silent)?;
@@ -134,15 +151,15 @@ pub fn grid_errors(
 ) -> Result<Vec<GridPoint>, Unsolved> {
     let mut points = Vec::new();
     for case in GridCase::ALL {
-        let cap = (case == GridCase::Capped).then_some(CAP);
         let mut contacts: Vec<[Vec<[f64; 2]>; 3]> = vec![Default::default(); GRIDS.len()];
         for realisation in 0..task.realisations {
-            let fine = task.process(case).surface(task.points, seed(realisation))?;
+            let surface = task.process(case).surface(2 * task.points, seed(realisation))?;
+            let fine = centres(&surface, case, [1, 1])?;
             let height = rms(fine.heights());
-            let exact = task.samples(&fine, height, cap)?;
+            let exact = task.samples(&fine, case, height)?;
             for (contacts, grid) in contacts.iter_mut().zip(GRIDS) {
-                let coarse = thinned(&fine, grid.map(|points| FINE / points))?;
-                let found = task.samples(&coarse, height, cap)?;
+                let coarse = centres(&surface, case, grid.map(|points| FINE / points))?;
+                let found = task.samples(&coarse, case, height)?;
                 for (found, exact) in found.iter().zip(&exact) {
                     let Some((found, exact)) = found.as_ref().zip(exact.as_ref()) else { continue };
                     for (quantity, contacts) in contacts.iter_mut().enumerate() {
@@ -168,14 +185,18 @@ fn rms(heights: &[f64]) -> f64 {
     (heights.iter().map(|z| z * z).sum::<f64>() / heights.len() as f64).sqrt()
 }
 
-/// Every `steps`th point along x and y.
-fn thinned(map: &HeightMap, steps: [usize; 2]) -> Result<HeightMap, Unsolved> {
-    let [nx, ny] = map.points();
-    let row = |i: usize| map.heights()[i * ny..][..ny].iter().step_by(steps[1]).copied();
-    let heights = (0..nx).step_by(steps[0]).flat_map(row).collect();
-    let points = [nx / steps[0], ny / steps[1]];
-    let pixel = [0, 1].map(|axis| map.pixel()[axis] * steps[axis] as f64);
-    Ok(HeightMap::new(points, pixel, heights, 0.0)?.periodic())
+/// The map of a case whose pixels are `steps` pixels of the fine grid, from a surface on twice as many points as that: pixels
+/// of all sizes fill the same rectangle, which heights at their centres need points between those of the fine grid.
+fn centres(surface: &HeightMap, case: GridCase, steps: [usize; 2]) -> Result<HeightMap, Unsolved> {
+    let [nx, ny] = surface.points();
+    let part = if case.boundary() == Boundary::Mirrored { 2 } else { 1 };
+    let points = [nx / (2 * part * steps[0]), ny / (2 * part * steps[1])];
+    let centre = |pixel: usize, axis: usize| (2 * pixel + 1) * steps[axis];
+    let row = |i: usize| (0..points[1]).map(move |j| surface.heights()[centre(i, 0) * ny + centre(j, 1)]);
+    let heights = (0..points[0]).flat_map(row).collect();
+    let pixel = [0, 1].map(|axis| surface.pixel()[axis] * (2 * steps[axis]) as f64);
+    let map = HeightMap::new(points, pixel, heights, 0.0)?;
+    Ok(if part == 1 { map.periodic() } else { map })
 }
 
 #[cfg(test)]

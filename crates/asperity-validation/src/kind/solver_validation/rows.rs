@@ -125,7 +125,7 @@ impl Row for &GridPoint {
 
     fn columns() -> Vec<Column<Self>> {
         columns! { row: Self =>
-            grid_case["text", label("surfaces")] = row.case.name(), "Surfaces and contact: `isotropic`, `elongated` (lengths along x three times those along y) or `capped` (isotropic, pressures up to 0.2 E* g).";
+            grid_case["text", label("surfaces")] = row.case.name(), "Surfaces and contact: `isotropic`, `elongated` (lengths along x three times those along y), a quarter of such a surface `mirrored`, or `capped` (isotropic, pressures up to 0.2 E* g).";
             points_per_wave_x["count", label("points per wave, x")] = row.points[0], "Points along x per shortest wave; of elongated surfaces per shortest wave across the lay.";
             points_per_wave_y["count", label("y")] = row.points[1], "The same along y.";
             contacts["count"] = row.contacts, "Surfaces times loads.";
