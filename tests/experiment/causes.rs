@@ -43,10 +43,10 @@ fn the_height_distribution_leads_on_skewed_surfaces_only() {
     let heights =
         leads.iter().find(|row| row["quantity"] == "separation" && row["cause"] == "heights").unwrap();
     assert_eq!((&*heights["points"], &*heights["points_divided"]), ("2", "4"));
-    assert_eq!(heights["skewness_at_every_bandwidth"], "-1");
+    assert_eq!(heights["skewness_in_every_row"], "-1");
     assert!(leads.iter().all(|row| row["cause"] != "radii"), "{leads:?}");
     let page = outcome.outline().markdown();
-    assert!(page.contains("in separation, radii in 1 and heights in 2 of 4 cases"), "{page}");
+    assert!(page.contains("Skewness below 0: separation radii 0, heights 2 of 2;"), "{page}");
 }
 
 /// Spread and correlation of the radii add up to what the radii contribute, whose interval holds the orders of replacement; only the
@@ -134,7 +134,7 @@ fn points_beyond_the_limits_are_not_divided() {
         assert!(row["limits"].contains("few-contacts"), "{row:?}");
     }
     assert_eq!(table(&*outcome, "leads.csv").unwrap().len(), 0);
-    assert!(outcome.outline().markdown().contains("radii in 0 and heights in 0 of 0 cases"));
+    assert!(outcome.outline().markdown().contains("separation radii 0, heights 0 of 0;"));
 }
 
 #[test]

@@ -41,12 +41,17 @@ fn edges(values: &[f64]) -> Vec<f64> {
 /// What a cell of a map says: its colour, the name of the colour, and its text.
 type Cell = (Colour, &'static str, String);
 
+/// A difference that needs no cause.
+const WITHIN: (Colour, &str) = (Colour::Reference, "within what is accepted");
+
 /// Heights against radii, whose spread and correlation count together.
 pub fn heights_or_radii(results: &CausesResults, condition: [usize; 2]) -> Figure {
     map(results, "Heights or radii", "difference", |point, quantity| {
         let parts = point.parts(condition, quantity)?;
         let heights = parts.of_cause(Cause::Heights);
-        let (colour, name) = if heights.exceeds(&parts.radii) {
+        let (colour, name) = if point.unaccepted(condition, quantity).is_none() {
+            WITHIN
+        } else if heights.exceeds(&parts.radii) {
             (Colour::Heights, "heights contribute more")
         } else if parts.radii.exceeds(heights) {
             (Colour::Radii, "radii (spread and correlation) contribute more")
@@ -62,7 +67,10 @@ pub fn leading_causes(results: &CausesResults, condition: [usize; 2]) -> Figure 
     map(results, "Leading causes", "difference", |point, quantity| {
         let parts = point.parts(condition, quantity)?;
         let none = (Colour::Neutral, "none leads");
-        let (colour, name) = parts.leading().map_or(none, |cause| (cause_colour(cause), cause.label()));
+        let (colour, name) = match point.unaccepted(condition, quantity) {
+            None => WITHIN,
+            Some(parts) => parts.leading().map_or(none, |cause| (cause_colour(cause), cause.label())),
+        };
         Some((colour, name, reported(quantity, parts.gap())))
     })
 }
@@ -73,7 +81,7 @@ pub fn verdicts(results: &CausesResults, condition: [usize; 2]) -> Figure {
         let (estimate, verdict) = point.quantity(condition, quantity)?.difference?;
         let text = reported(quantity, estimate.contrast);
         Some(match verdict {
-            Some(Verdict::Within) => (Colour::Reference, "within what is accepted", text),
+            Some(Verdict::Within) => (WITHIN.0, WITHIN.1, text),
             Some(Verdict::Beyond) => (Colour::Deterministic, "beyond what is accepted", text),
             Some(Verdict::CannotTell) => (Colour::Neutral, "cannot tell", text),
             None => (Colour::Others, "load not admissible", text),

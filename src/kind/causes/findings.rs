@@ -1,8 +1,8 @@
-//! Which cause leads where.
+//! Which cause leads where, how often the models agree, and which is nearer to the reference.
 
 use asperity::compare::{Cause, ComparedQuantity, Contribution, Contributions, ModelKind, Verdict};
 
-use super::results::{CausesResults, QUANTITIES};
+use super::results::{CausesResults, GridPoint, QUANTITIES, QuantityAtLoad};
 
 /// One quantity at one load.
 #[derive(Debug)]
@@ -11,7 +11,7 @@ pub struct Findings {
     pub quantity: ComparedQuantity,
     /// Indices of law and load.
     pub condition: [usize; 2],
-    /// Points of the grid whose difference is divided.
+    /// Points of the grid whose difference is divided, unless it is known to be within what is accepted.
     pub divided: usize,
     /// Causes that lead somewhere, the most frequent first, and last `None` for points where none does.
     pub leads: Vec<Lead>,
@@ -32,30 +32,40 @@ pub struct Lead {
     pub cause: Option<Cause>,
     /// Number of points.
     pub points: usize,
-    /// Skewnesses at which it leads at every bandwidth that is divided.
-    pub at_every_bandwidth: Vec<f64>,
+    /// Skewnesses at which it leads in every row of the grid.
+    pub in_every_row: Vec<f64>,
 }
 
 impl Findings {
     /// Law by law, load by load, quantity by quantity.
     pub fn all(results: &CausesResults) -> Vec<Self> {
-        let quantities = |condition| QUANTITIES.map(|quantity| Self::new(results, quantity, condition));
+        let quantities =
+            |condition| QUANTITIES.map(|quantity| Self::new(results, quantity, condition, &|_| true));
         results.conditions().flat_map(quantities).collect()
     }
 
-    fn new(results: &CausesResults, quantity: ComparedQuantity, condition: [usize; 2]) -> Self {
-        let divided: Vec<(f64, Option<Cause>, f64)> = results
-            .points
+    /// Of the points whose skewness is in a class.
+    pub fn new(
+        results: &CausesResults,
+        quantity: ComparedQuantity,
+        condition: [usize; 2],
+        is_in_class: &dyn Fn(f64) -> bool,
+    ) -> Self {
+        let in_class: Vec<&GridPoint> =
+            results.points.iter().filter(|point| is_in_class(point.skewness)).collect();
+        let parts = |point: &'_ GridPoint| point.unaccepted(condition, quantity).copied();
+        let divided: Vec<(f64, Option<Cause>, f64)> = in_class
             .iter()
             .filter_map(|point| {
-                let parts = point.parts(condition, quantity)?;
+                let parts = parts(point)?;
                 Some((point.skewness, parts.leading(), parts.share(Cause::Radii)))
             })
             .collect();
         let lead = |cause: Option<Cause>| {
             let leads_at = |skewness: f64| {
-                let mut column = divided.iter().filter(|(at, _, _)| *at == skewness);
-                column.all(|(_, leading, _)| *leading == cause)
+                let column = in_class.iter().filter(|point| point.skewness == skewness);
+                let leading = column.map(|point| parts(point).map(|parts| parts.leading()));
+                leading.into_iter().all(|leading| leading == Some(cause))
             };
             let mut skewnesses: Vec<f64> =
                 divided.iter().filter(|(_, leading, _)| *leading == cause).map(|(at, _, _)| *at).collect();
@@ -63,7 +73,7 @@ impl Findings {
             skewnesses.sort_by(f64::total_cmp);
             skewnesses.dedup();
             skewnesses.retain(|&skewness| leads_at(skewness));
-            Lead { cause, points, at_every_bandwidth: skewnesses }
+            Lead { cause, points, in_every_row: skewnesses }
         };
         let mut leads: Vec<Lead> = Cause::ALL.into_iter().map(|cause| lead(Some(cause))).collect();
         leads.sort_by_key(|lead| std::cmp::Reverse(lead.points));
@@ -73,12 +83,7 @@ impl Findings {
         let share_of_radii = (!divided.is_empty())
             .then(|| [shares().fold(f64::INFINITY, f64::min), shares().fold(0.0, f64::max)]);
         let count = |holds: &dyn Fn(&Contributions) -> bool| {
-            results
-                .points
-                .iter()
-                .filter_map(|point| point.parts(condition, quantity))
-                .filter(|parts| holds(parts))
-                .count()
+            in_class.iter().filter_map(|point| parts(point)).filter(|parts| holds(parts)).count()
         };
         let heights = |parts: &Contributions| *parts.of_cause(Cause::Heights);
         let size = |part: &Contribution| part.mean.contrast.abs();
@@ -100,12 +105,12 @@ impl Findings {
 pub struct NearerCounts {
     /// Points at which it can be compared.
     pub compared: usize,
+    /// Of these, points beyond small strains, which stand for lower surfaces of the same shape.
+    pub beyond_small_strains: usize,
     /// Where the statistical model is nearer.
     pub statistical: usize,
     /// Where the deterministic model is nearer.
     pub deterministic: usize,
-    /// Both are within what is accepted of the reference.
-    pub both_within: usize,
 }
 
 impl NearerCounts {
@@ -119,9 +124,9 @@ impl NearerCounts {
                     continue;
                 };
                 counts.compared += 1;
+                counts.beyond_small_strains += usize::from(stretch.beyond.is_some());
                 counts.statistical += usize::from(stretch.nearer == Some(ModelKind::Statistical));
                 counts.deterministic += usize::from(stretch.nearer == Some(ModelKind::Deterministic));
-                counts.both_within += usize::from(stretch.verdicts == [Verdict::Within; 2]);
             }
         }
         counts
@@ -129,14 +134,16 @@ impl NearerCounts {
 }
 
 /// How often the integral may replace the sum in one quantity, over all laws, loads and points.
-#[derive(Debug, Default, PartialEq, Eq)]
+#[derive(Debug, Default, PartialEq)]
 pub struct VerdictCounts {
-    /// Points at which the models are compared.
+    /// Points and loads at which the models are compared.
     pub compared: usize,
     /// Where they agree within what is accepted.
     pub within: usize,
     /// Where they differ by more.
     pub beyond: usize,
+    /// The smallest and the largest difference, as a contrast; `None` without points.
+    pub range: Option<[f64; 2]>,
 }
 
 impl VerdictCounts {
@@ -145,9 +152,15 @@ impl VerdictCounts {
         let mut counts = Self::default();
         let verdicts = results.conditions().flat_map(|condition| {
             let at = results.points.iter().filter_map(move |point| point.quantity(condition, quantity));
-            at.filter_map(|at| at.difference?.1).collect::<Vec<_>>()
+            let judged = |at: &QuantityAtLoad| {
+                let (estimate, verdict) = at.difference?;
+                Some((estimate.contrast, verdict?))
+            };
+            at.filter_map(judged).collect::<Vec<_>>()
         });
-        for verdict in verdicts {
+        for (contrast, verdict) in verdicts {
+            let [low, high] = counts.range.unwrap_or([contrast; 2]);
+            counts.range = Some([low.min(contrast), high.max(contrast)]);
             counts.compared += 1;
             counts.within += usize::from(verdict == Verdict::Within);
             counts.beyond += usize::from(verdict == Verdict::Beyond);

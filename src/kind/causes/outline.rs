@@ -1,8 +1,10 @@
 //! The page: which cause leads where, a map for each load, the contributions over the skewness, and all numbers.
 
+use asperity::compare::ComparedQuantity;
+use asperity::topography::fitness::LARGEST_SLOPE;
 use asperity_contact_framework::contact::ContactSummary;
 use asperity_contact_framework::metadata::Metadata;
-use asperity_contact_framework::report::format::{input_quantity, number};
+use asperity_contact_framework::report::format::{input_quantity, number, signed};
 use asperity_contact_framework::report::page::Page;
 use asperity_contact_framework::report::sections;
 use asperity_contact_framework::report::table::{Table, Tables};
@@ -13,7 +15,7 @@ use serde_json::{Map, Value, json};
 use super::figures::{contributions, heights_or_radii, leading_causes, nearer, verdicts};
 use super::findings::{Findings, NearerCounts, VerdictCounts};
 use super::plan::Axis;
-use super::results::{CausesResults, QUANTITIES};
+use super::results::{CausesResults, GridPoint, QUANTITIES};
 use super::rows::{CauseRow, LeadRow, tables};
 use crate::presentation::quantity_name;
 
@@ -23,7 +25,9 @@ impl Outcome for CausesResults {
     }
 
     fn warnings(&self) -> Vec<String> {
-        self.contact.caveats.clone()
+        let mut warnings = self.contact.caveats.clone();
+        warnings.extend(steep(self));
+        warnings
     }
 
     fn tables(&self) -> Vec<Table> {
@@ -50,6 +54,9 @@ impl Outcome for CausesResults {
         page.details(2, "Which cause leads how often", |page| {
             maps(page, self, &LEADING);
             page.view(&tables.view::<LeadRow>()).note(include_str!("notes/leads.md"));
+            if self.axis == Axis::Bandwidth {
+                page.note(include_str!("notes/bandwidth.md"));
+            }
         });
         if self.axis == Axis::Bandwidth {
             page.details(2, "Contributions over the skewness", |page| over_skewness(page, self));
@@ -62,8 +69,8 @@ impl Outcome for CausesResults {
             page.details(2, &format!("All numbers: {}", quantity_name(quantity)), |page| {
                 let view = tables.view::<CauseRow>().only("quantity", quantity.name());
                 let view = view.filter("without_surface", |cell| cell.text().is_empty());
-                page.view(&view.clone().columns(CONTRIBUTIONS));
-                page.view(&view.columns(DISTANCES));
+                page.view(&view.clone().columns(CONTRIBUTIONS).without_constant(&["law"]));
+                page.view(&view.columns(DISTANCES).without_constant(&["law"]));
             });
         }
         sections::notes(&mut page, &self.metadata);
@@ -106,7 +113,9 @@ const SURFACE: &[&str] = &[
 
 const CONTRIBUTIONS: &[&str] = &[
     "skewness",
+    "kurtosis",
     "nayak_alpha",
+    "law",
     "pressure_pa",
     "difference",
     "from_heights",
@@ -150,25 +159,25 @@ struct GridMap {
 const HEIGHTS_OR_RADII: GridMap = GridMap {
     file: "heights-or-radii",
     draw: heights_or_radii,
-    caption: "Heights against radii, with the difference between the models in each cell. Empty: load not admissible",
+    caption: "Heights against radii, with the difference between the models in each cell. Empty: load not admissible on every surface",
 };
 
 const LEADING: GridMap = GridMap {
     file: "causes",
     draw: leading_causes,
-    caption: "Leading of the three causes. Grey: none leads; empty: load not admissible",
+    caption: "Leading of the three causes. Grey: none leads; empty: load not admissible on every surface",
 };
 
 const VERDICTS: GridMap = GridMap {
     file: "verdicts",
     draw: verdicts,
-    caption: "Statistical minus deterministic model against what is accepted. Empty: no such surface",
+    caption: "Statistical minus deterministic model against what is accepted. Empty: no such surface was made",
 };
 
 const NEARER: GridMap = GridMap {
     file: "nearer",
     draw: nearer,
-    caption: "Which model is nearer to boundary elements. A cell: statistical | deterministic model less the reference. Empty: load not admissible",
+    caption: "Which model is nearer to boundary elements. A cell: statistical | deterministic model less the reference. Empty: not compared, since the load is not admissible or the area of the reference exceeds 5 %",
 };
 
 fn maps(page: &mut Page, results: &CausesResults, map: &GridMap) {
@@ -192,8 +201,12 @@ fn of_nearness(results: &CausesResults) -> String {
     let of_law = |law: usize| {
         let of_quantity = |quantity| {
             let counts = NearerCounts::new(results, quantity, law);
+            let strained = match counts.beyond_small_strains {
+                0 => String::new(),
+                count => format!(" ({count} beyond small strains)"),
+            };
             format!(
-                "{} integral {}, sum {} of {}",
+                "{} integral {}, sum {} of {}{strained}",
                 quantity_name(quantity),
                 counts.statistical,
                 counts.deterministic,
@@ -204,50 +217,86 @@ fn of_nearness(results: &CausesResults) -> String {
     };
     let laws: Vec<String> = (0..results.laws.len()).map(of_law).collect();
     format!(
-        "How often each model is nearer to boundary elements, where that can be told. {}. Elsewhere it cannot be told, or both are as near.",
+        "How often each model is nearer to boundary elements, by 95 % intervals point by point. {}. Elsewhere it cannot be told, or both are as near.",
         laws.join(". ")
     )
 }
 
-/// How often the integral may replace the sum.
+/// How often the integral may replace the sum, and how far both are apart.
 fn of_verdicts(results: &CausesResults) -> String {
-    let of_quantity = |quantity| {
+    let of_quantity = |quantity: ComparedQuantity| {
         let counts = VerdictCounts::new(results, quantity);
+        let (unit, size) = if quantity == ComparedQuantity::Separation { ("σ", 1.0) } else { ("%", 100.0) };
+        let range = counts.range.map_or_else(String::new, |range| {
+            let [low, high] = range.map(|contrast| signed(size * quantity.reported(contrast)));
+            format!(" ({low} to {high} {unit})")
+        });
         format!(
-            "{} {} within, {} beyond, of {}",
+            "{} {} within, {} beyond, of {}{range}",
             quantity_name(quantity),
             counts.within,
             counts.beyond,
             counts.compared
         )
     };
-    let made = results.points.iter().filter(|point| point.surfaces.is_ok()).count();
+    let made = || results.points.iter().filter(|point| point.surfaces.is_ok());
+    let is_admissible = |point: &&GridPoint| {
+        results.conditions().any(|condition| point.at(condition).is_some_and(|at| at.exceeded.is_none()))
+    };
     format!(
-        "{made} of {} points of the grid have surfaces with what is asked for. Their verdicts at all admissible loads: {}.",
+        "{} of {} points of the grid have surfaces with what is asked for, {} of these at admissible loads. The verdicts at those points and loads: {}.",
+        made().count(),
         results.points.len(),
+        made().filter(is_admissible).count(),
         QUANTITIES.map(of_quantity).join("; ")
     )
 }
 
-/// How often radii and heights contribute more than the other, over all loads.
+/// The name of some skewnesses, and whether one belongs to them.
+type Class = (&'static str, fn(f64) -> bool);
+
+/// How often radii and heights contribute more than the other, by the sign of the skewness.
 fn of_causes(results: &CausesResults) -> String {
-    let findings = Findings::all(results);
-    let of_quantity = |quantity| {
-        let all: Vec<&Findings> = findings.iter().filter(|findings| findings.quantity == quantity).collect();
-        let count = |of: fn(&Findings) -> usize| all.iter().map(|findings| of(findings)).sum::<usize>();
-        format!(
-            "in {}, radii in {} and heights in {} of {} cases",
-            quantity_name(quantity),
-            count(|findings| findings.radii_exceed),
-            count(|findings| findings.heights_exceed),
-            count(|findings| findings.divided)
-        )
+    let of_class = |(name, is_in_class): Class| {
+        let of_quantity = |quantity| {
+            let all: Vec<Findings> = results
+                .conditions()
+                .map(|condition| Findings::new(results, quantity, condition, &is_in_class))
+                .collect();
+            let count = |of: fn(&Findings) -> usize| all.iter().map(of).sum::<usize>();
+            format!(
+                "{} radii {}, heights {} of {}",
+                quantity_name(quantity),
+                count(|findings| findings.radii_exceed),
+                count(|findings| findings.heights_exceed),
+                count(|findings| findings.divided)
+            )
+        };
+        format!("Skewness {name}: {}", QUANTITIES.map(of_quantity).join("; "))
     };
+    let classes: [Class; 3] = [("below 0", |s| s < 0.0), ("0", |s| s == 0.0), ("above 0", |s| s > 0.0)];
+    let has_points = |class: &Class| results.points.iter().any(|point| class.1(point.skewness));
+    let classes: Vec<String> = classes.into_iter().filter(has_points).map(of_class).collect();
     format!(
-        "Which contributes more to the difference between the models, with 95 % intervals apart: {}. Radii: their spread and their \
-         correlation with the heights together.",
-        QUANTITIES.map(of_quantity).join("; ")
+        "Where the models differ by more than is known to be accepted, which contributes more, with 95 % intervals apart. {}. Radii: their \
+         spread and their correlation with the heights together.",
+        classes.join(". ")
     )
+}
+
+/// How many points have slopes that a measured map would be cautioned for.
+fn steep(results: &CausesResults) -> Option<String> {
+    let gradients =
+        || results.points.iter().filter_map(|point| Some(point.surfaces.as_ref().ok()?.reached.gradient));
+    let steep = gradients().filter(|gradient| *gradient > LARGEST_SLOPE).count();
+    (steep > 0).then(|| {
+        format!(
+            "{steep} of {} points have an r.m.s. gradient above {} (at most {}): the laws assume small slopes",
+            gradients().count(),
+            number(LARGEST_SLOPE),
+            number(gradients().fold(0.0, f64::max))
+        )
+    })
 }
 
 impl CausesResults {

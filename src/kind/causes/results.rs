@@ -119,6 +119,11 @@ pub struct QuantityAtLoad {
 }
 
 impl QuantityAtLoad {
+    /// Whether the models are known to agree within what is accepted.
+    pub fn is_within(&self) -> bool {
+        self.difference.is_some_and(|(_, verdict)| verdict == Some(Verdict::Within))
+    }
+
     /// The nearer model, where it can be told.
     pub fn nearer_model(&self) -> Option<ModelKind> {
         self.nearer.as_ref()?.nearer
@@ -134,6 +139,12 @@ impl GridPoint {
     /// The parts of the difference in a quantity.
     pub fn parts(&self, condition: [usize; 2], quantity: ComparedQuantity) -> Option<&Contributions> {
         self.at(condition)?.attribution.as_ref()?.contributions(quantity)
+    }
+
+    /// The parts of the difference in a quantity, unless it is known to be within what is accepted: such a difference needs no cause.
+    pub fn unaccepted(&self, condition: [usize; 2], quantity: ComparedQuantity) -> Option<&Contributions> {
+        let is_within = self.quantity(condition, quantity)?.is_within();
+        self.parts(condition, quantity).filter(|_| !is_within)
     }
 
     /// How far the models are apart in a quantity.

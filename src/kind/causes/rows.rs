@@ -102,13 +102,13 @@ impl Row for CauseRow<'_> {
             from_radii_and_correlation_low["1", signed, scale(1.0)] = row.end(radii, 0), "The same of both together.";
             from_radii_and_correlation_high["1", signed, scale(1.0)] = row.end(radii, 1), "Upper end of that interval.";
             limits["text"] = row.point.at(row.condition).map(|at| limits(at.exceeded)), "Limits of admissible loads that are exceeded on some of the surfaces, as in `curves.csv`.";
-            leading_cause["text"] = row.parts().map(|parts| parts.leading().map_or("none", Cause::name)), "The leading cause: `heights`, `radii`, `correlation`, or `none`.";
+            leading_cause["text"] = row.point.unaccepted(row.condition, row.quantity).map(|parts| parts.leading().map_or("none", Cause::name)), "The leading cause: `heights`, `radii`, `correlation`, or `none`; empty where the difference is within what is accepted.";
             low["1", signed, scale(1.0)] = row.difference().and_then(|(estimate, _)| estimate.interval()).map(|ends| ends[0]), "Lower end of the 95 % interval of the difference, from the scatter of the surfaces.";
             high["1", signed, scale(1.0)] = row.difference().and_then(|(estimate, _)| estimate.interval()).map(|ends| ends[1]), "Upper end of that interval.";
             verdict["text", verdict] = row.difference().and_then(|(_, verdict)| verdict).map(Verdict::name), "Whether the difference is `within` what is accepted, `beyond` it, or `cannot-tell`; empty where the load is not admissible.";
             statistical_from_reference["1", signed, scale(1.0)] = row.against(0).map(|estimate| estimate.contrast), "Statistical model less the reference, in the unit of `difference`; with what follows empty where no reference was run.";
             deterministic_from_reference["1", signed, scale(1.0)] = row.against(1).map(|estimate| estimate.contrast), "Deterministic model less the reference.";
-            farther["1", signed, scale(1.0), label("statistical farther by")] = row.against(2).map(|estimate| estimate.contrast), "How much farther the statistical model is from the reference than the deterministic one: the difference of the magnitudes.";
+            farther["1", signed, scale(1.0), label("statistical farther by")] = row.against(2).map(|estimate| estimate.contrast), "How much farther the statistical model is from the reference than the deterministic one: the difference of the magnitudes. The intervals hold point by point, not for all points together.";
             farther_low["1", signed, scale(1.0)] = row.against(2).and_then(|estimate| estimate.interval()).map(|ends| ends[0]), "Lower end of its 95 % interval, with the bound of the error of the reference.";
             farther_high["1", signed, scale(1.0)] = row.against(2).and_then(|estimate| estimate.interval()).map(|ends| ends[1]), "Upper end of that interval.";
             nearer["text", label("nearer to the reference")] = row.at().and_then(QuantityAtLoad::nearer_model).map(ModelKind::name), "The model that is nearer to the reference by more than a tenth of what is accepted; empty where it cannot be told or both are as near.";
@@ -137,8 +137,8 @@ impl Row for LeadRow<'_> {
             quantity["text"] = row.findings.quantity.name(), "What is compared: `separation` or `area` (real contact area).";
             cause["text", label("leading cause")] = row.lead.cause.map_or("none", Cause::name), "The cause: `heights`, `radii`, `correlation`, or `none`.";
             points["count"] = row.lead.points, "Points of the grid at which it leads.";
-            points_divided["count", label("of")] = row.findings.divided, "Points whose difference is divided: the load is admissible on all surfaces.";
-            skewness_at_every_bandwidth["text", label("at every bandwidth for a skewness of")] = row.lead.at_every_bandwidth.iter().map(|&skewness| input_number(skewness)).collect::<Vec<_>>(), "Skewnesses at which it leads at every bandwidth that is divided.";
+            points_divided["count", label("of")] = row.findings.divided, "Points whose difference is divided (the load is admissible on all surfaces) and not within what is accepted.";
+            skewness_in_every_row["text", label("in every row for a skewness of")] = row.lead.in_every_row.iter().map(|&skewness| input_number(skewness)).collect::<Vec<_>>(), "Skewnesses at which it leads in every row of the grid, none of which is left out.";
             smallest_share_of_radii["1", percent] = row.findings.share_of_radii.map(|[low, _]| low), "Smallest share of the spread of radii in the contributions, taken by magnitude, over the points.";
             largest_share_of_radii["1", percent] = row.findings.share_of_radii.map(|[_, high]| high), "Largest such share.";
             radii_larger_points["count", label("radii together larger than heights")] = row.findings.radii_larger, "Points at which spread and correlation of the radii together contribute more than the heights, by magnitude of the means.";

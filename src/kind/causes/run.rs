@@ -2,10 +2,10 @@
 
 use std::time::Instant;
 
-use asperity::Exceeded;
 use asperity::compare::{Accepted, Attribution, ComparedQuantity, Pairing, Verdict};
 use asperity::study::{CaseStudy, Verdicts};
 use asperity::work::Counter;
+use asperity::{Exceeded, Limit};
 use asperity_contact_framework::RunContext;
 use asperity_contact_framework::contact::contact_metadata;
 use asperity_contact_framework::input::InputError;
@@ -123,7 +123,12 @@ fn quantity_at_load(
     let nearer = reference.and_then(|reference| {
         let holds_load = |[from, to]: [f64; 2]| (from..=to).contains(&load);
         let mut stretches = reference.nearer.iter().filter(|stretch| stretch.quantity == quantity);
-        stretches.find(|stretch| holds_load(stretch.loads)).cloned()
+        let mut found = stretches.find(|stretch| holds_load(stretch.loads)).cloned()?;
+        // Admissible on all surfaces, not in their mean.
+        let is_homogeneous = !reference.yields && !reference.is_layered;
+        let is_compared = exceeded.is_none() || is_homogeneous && exceeded.is_at_most(Limit::LargeStrain);
+        found.beyond = exceeded.limits().next();
+        is_compared.then_some(found)
     });
     QuantityAtLoad { difference: with_verdict, against: against.filter(|_| nearer.is_some()), nearer }
 }

@@ -3,6 +3,8 @@
 use asperity::compare::{Accepted, ComparedQuantity, Verdict};
 use asperity::study::Choice;
 
+use super::checks::upper_limit;
+
 /// The verdict on one quantity at an admissible load of one window.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WindowVerdict {
@@ -41,6 +43,8 @@ impl WindowVerdict {
 pub struct VerdictCount {
     /// Windows.
     pub windows: usize,
+    /// Windows in which a verdict decides.
+    pub deciding_windows: usize,
     /// Windows in which a verdict is wrong.
     pub wrong_windows: usize,
     /// Verdicts: quantities at admissible loads.
@@ -63,6 +67,7 @@ impl VerdictCount {
         let outcomes: Vec<bool> = outcomes.filter_map(|verdict| verdict.is_wrong(truths)).collect();
         let wrong = outcomes.iter().filter(|is_wrong| **is_wrong).count();
         self.windows += 1;
+        self.deciding_windows += usize::from(!outcomes.is_empty());
         self.wrong_windows += usize::from(wrong > 0);
         self.verdicts += verdicts.len();
         self.decided += outcomes.len();
@@ -74,6 +79,7 @@ impl VerdictCount {
     pub fn plus(self, other: &Self) -> Self {
         Self {
             windows: self.windows + other.windows,
+            deciding_windows: self.deciding_windows + other.deciding_windows,
             wrong_windows: self.wrong_windows + other.wrong_windows,
             verdicts: self.verdicts + other.verdicts,
             decided: self.decided + other.decided,
@@ -86,9 +92,14 @@ impl VerdictCount {
         (self.decided > 0).then(|| self.wrong as f64 / self.decided as f64)
     }
 
-    /// The share of windows in which a verdict is wrong; `None` without a window.
+    /// The share of the windows that decide something in which a verdict is wrong; `None` without such a window.
     pub fn wrong_window_share(&self) -> Option<f64> {
-        (self.windows > 0).then(|| self.wrong_windows as f64 / self.windows as f64)
+        (self.deciding_windows > 0).then(|| self.wrong_windows as f64 / self.deciding_windows as f64)
+    }
+
+    /// The upper 95 % limit of that share.
+    pub fn wrong_window_limit(&self) -> Option<f64> {
+        (self.deciding_windows > 0).then(|| upper_limit(self.wrong_windows, self.deciding_windows))
     }
 
     /// The share of verdicts that decide; `None` without a verdict.
@@ -145,5 +156,9 @@ mod tests {
         assert_eq!((both.windows, both.verdicts, both.decided, both.wrong), (2, 6, 3, 1));
         assert_eq!(both.decided_share(), Some(0.5));
         assert_eq!(VerdictCount::default().wrong_share(), None);
+        // A window that decides nothing cannot be wrong.
+        let open = count(|_| false);
+        assert_eq!((open.windows, open.deciding_windows, open.wrong_window_share()), (1, 0, None));
+        assert_eq!(all.plus(&open).wrong_window_share(), Some(1.0));
     }
 }

@@ -111,16 +111,18 @@ impl GridTask {
     pub fn process(&self, case: GridCase) -> SelfAffine {
         // A little longer than 32 points: two points per wave are just more than enough.
         let cut_off = 1.04 * FINE as f64 / self.points as f64;
-        SelfAffine { side: 1.0, hurst: 0.8, roll_off: 0.25, cut_off, gradient: 1.0, elongation: case.elongation() }
+        SelfAffine {
+            side: 1.0,
+            hurst: 0.8,
+            roll_off: 0.25,
+            cut_off,
+            gradient: 1.0,
+            elongation: case.elongation(),
+        }
     }
 
     /// `None` where no point may change its pressure.
-    fn samples(
-        &self,
-        map: &HeightMap,
-        case: GridCase,
-        height: f64,
-    ) -> Result<Vec<Option<Sample>>, Unsolved> {
+    fn samples(&self, map: &HeightMap, case: GridCase, height: f64) -> Result<Vec<Option<Sample>>, Unsolved> {
         let pair = unit_pair()?;
         let cap = (case == GridCase::Capped).then_some(CAP);
         let options = Options { boundary: case.boundary(), error: self.error, cap };

@@ -42,8 +42,8 @@ impl GridError {
         let correction = raw / contact.area_ratio() - 1.0;
         let part = 0.15 + 0.6 * elongation.powi(4) + 0.5 * unsure;
         Self {
-            area: part * correction + 0.8 * of_border + 0.02 * narrowness.powi(4),
-            load: 0.014 * narrowness.powi(4) + 0.15 * (narrowness * of_border + of_free),
+            area: part * correction + of_border + 0.02 * narrowness.powi(4),
+            load: 0.018 * narrowness.powi(4) + 0.2 * (narrowness * of_border + of_free),
             stiffness: 0.03 * correction + 0.9 * of_border + 0.005 * narrowness.powi(4) + 1.5 * of_free,
         }
     }

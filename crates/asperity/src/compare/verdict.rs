@@ -124,8 +124,9 @@ impl Stretch {
                         .limits()
                         .all(|limit| matches!(limit, Limit::FewContacts | Limit::DominantContact))
                 };
-                let needed = sorted.iter().filter(is_few).filter_map(|at| at.area_needed);
-                let needed = needed.fold(f64::INFINITY, f64::min);
+                let mut needed: Vec<f64> =
+                    sorted.iter().filter(is_few).filter_map(|at| at.area_needed).collect();
+                let is_half = 2 * needed.len() >= sorted.len();
                 vec![Self {
                     quantity,
                     verdict: Verdict::CannotTell,
@@ -135,7 +136,7 @@ impl Stretch {
                     range: None,
                     bounds: None,
                     growth: None,
-                    area_needed: Some(needed).filter(|area| area.is_finite()),
+                    area_needed: median(&mut needed).filter(|area| is_half && area.is_finite()),
                 }]
             }
             _ => found,
@@ -277,6 +278,10 @@ mod tests {
         assert_eq!(of(ComparedQuantity::Separation, &loads), [(Verdict::CannotTell, [1.0, 2.0])]);
         let stretch = &Stretch::all(&loads, &ACCEPTED)[0];
         assert_eq!((stretch.largest, stretch.area_needed), (None, Some(3.0)));
+        // No area cures what most loads lack.
+        let interacting = Difference { area_ratio: 0.2, ..loads[1].clone() };
+        let mostly = [interacting.clone(), loads[1].clone(), interacting];
+        assert_eq!(Stretch::all(&mostly, &ACCEPTED)[0].area_needed, None);
         assert_eq!(Stretch::all(&[], &ACCEPTED), []);
     }
 

@@ -1,8 +1,7 @@
 //! Why the models differ, and why they differ from the reference.
 
 use crate::compare::{
-    Cause, ComparedQuantity, Contribution, Contributions, Estimate, ModelKind, Stretch, Verdict, largest,
-    leading,
+    Cause, ComparedQuantity, Contribution, Contributions, Estimate, Stretch, Verdict, largest, leading,
 };
 
 use super::verdicts::Verdicts;
@@ -12,8 +11,9 @@ use super::verdicts::Verdicts;
 pub enum LeadingCause {
     /// One between the statistical and the deterministic model.
     Between(Cause),
-    /// What the sum leaves out beside the reference: interaction and shape of the asperities.
-    Interaction,
+    /// What the sum leaves out beside the reference: interaction and shape of the asperities, under a cap also the law, and under a
+    /// layer also the rule of the effective modulus.
+    LeftOut,
 }
 
 impl LeadingCause {
@@ -21,7 +21,7 @@ impl LeadingCause {
     pub fn name(self) -> &'static str {
         match self {
             Self::Between(cause) => cause.name(),
-            Self::Interaction => "interaction",
+            Self::LeftOut => "left-out",
         }
     }
 
@@ -29,7 +29,7 @@ impl LeadingCause {
     pub fn label(self) -> &'static str {
         match self {
             Self::Between(cause) => cause.label(),
-            Self::Interaction => "what the sum leaves out",
+            Self::LeftOut => "what the sum leaves out",
         }
     }
 }
@@ -73,14 +73,18 @@ impl Verdicts {
     /// The cause of the largest difference of a stretch between the models, unless it is known to be within what is accepted.
     pub fn cause(&self, stretch: &Stretch) -> Option<StatedCause> {
         let (_, parts) = self.largest_divided(stretch)?;
-        self.stated(&Cause::ALL.map(|cause| (LeadingCause::Between(cause), *parts.of_cause(cause))))
+        let causes = Cause::ALL.map(|cause| (LeadingCause::Between(cause), *parts.of_cause(cause)));
+        self.stated(&parts.total, &causes)
     }
 
-    /// The part that leads, or that is the largest on the one surface that was compared.
-    fn stated(&self, parts: &[(LeadingCause, Contribution)]) -> Option<StatedCause> {
+    /// The part of a difference that leads, or that is the largest on the one surface that was compared; none on one that is not fit.
+    fn stated(&self, total: &Estimate, parts: &[(LeadingCause, Contribution)]) -> Option<StatedCause> {
+        if self.is_blocked {
+            return None;
+        }
         let on_surface =
-            || largest(parts).filter(|_| self.has_one_surface()).map(StatedCause::LargestOnSurface);
-        leading(parts).map(StatedCause::Leading).or_else(on_surface)
+            || largest(total, parts).filter(|_| self.has_one_surface()).map(StatedCause::LargestOnSurface);
+        leading(total, parts).map(StatedCause::Leading).or_else(on_surface)
     }
 
     /// The load of the largest difference of a stretch that is divided, with the contributions; `None` where the stretch is within
@@ -94,16 +98,14 @@ impl Verdicts {
         in_stretch.max_by(|a, b| a.1.gap().abs().total_cmp(&b.1.gap().abs()))
     }
 
-    /// The same of a stretch of a model against the reference. What the sum leaves out is all of its own difference.
-    pub fn cause_against_reference(&self, model: ModelKind, stretch: &Stretch) -> Option<StatedCause> {
-        let (load, _) = stretch.largest.filter(|_| stretch.verdict != Verdict::Within)?;
-        let missed = (LeadingCause::Interaction, self.missed(stretch.quantity, load)?.into());
-        if model == ModelKind::Deterministic {
-            return self.stated(&[missed]);
-        }
+    /// The same of a stretch of the statistical model against the reference. The difference of the sum is not divided: all of it is
+    /// what the sum leaves out.
+    pub fn cause_against_reference(&self, stretch: &Stretch) -> Option<StatedCause> {
+        let (load, total) = stretch.largest.filter(|_| stretch.verdict != Verdict::Within)?;
+        let missed = (LeadingCause::LeftOut, self.missed(stretch.quantity, load)?.into());
         let between = self.contributions(stretch.quantity, load)?;
         let causes = Cause::ALL.map(|cause| (LeadingCause::Between(cause), *between.of_cause(cause)));
-        self.stated(&std::iter::once(missed).chain(causes).collect::<Vec<_>>())
+        self.stated(&total, &std::iter::once(missed).chain(causes).collect::<Vec<_>>())
     }
 
     /// The sum minus the reference at a load (Pa), where both are there.

@@ -9,7 +9,7 @@ use crate::compare::{
 };
 use crate::distribution::HeightsError;
 use crate::work::{CountedContact, Counter};
-use crate::{Model, Response, reached_at};
+use crate::{INTERACTION, Model, Response, reached_at};
 
 use super::models::SurfaceModels;
 use super::results::CaseResults;
@@ -312,10 +312,11 @@ fn from_reference(
     responses: &[Option<Response>],
 ) -> Largest {
     let reference = reference?;
+    let admissible = |load: f64| reference.at_load(load).filter(|point| point.area_ratio <= INTERACTION);
     let compared = pairs
         .iter()
         .zip(responses)
-        .filter_map(|(pair, response)| Some((pair.target, response, reference.at_load(pair.target)?)));
+        .filter_map(|(pair, response)| Some((pair.target, response, admissible(pair.target)?)));
     let contrast = |(load, response, point): (f64, &Option<Response>, &ReferencePoint)| {
         Some((point.contrast(quantity, response.as_ref()?)?, load))
     };

@@ -136,7 +136,7 @@ impl Verdicts {
         !matches!(self.basis, Basis::Realisations(_))
     }
 
-    /// The area (m^2) of surface at which a stretch that cannot be told would be, where that can be said.
+    /// The least area (m^2) of surface at which a stretch that cannot be told could be; `None` where that cannot be said.
     pub fn area_needed(&self, stretch: &Stretch) -> Option<f64> {
         let now = match self.basis {
             Basis::Realisations(count) => self.area * count as f64,

@@ -1,6 +1,6 @@
 //! One surface under one law and thickness: its answer, figures and tables.
 
-use asperity::compare::{ComparedQuantity, Comparison, of_each_decade};
+use asperity::compare::{ComparedQuantity, Comparison, Difference, of_each_decade};
 use asperity::study::RealisationFacts;
 use asperity::topography::generate::SigmaOf;
 use asperity_contact_framework::report::format::{input_quantity, number, percent};
@@ -90,8 +90,8 @@ pub fn differences(page: &mut Page, results: &CompareResults, case: SurfaceCase)
         &format!("{}-differences.svg", stem(case.surface, &case.first().law)),
         figure::differences(&name, verdicts, &units),
         &format!(
-            "{name}: statistical minus deterministic model at equal load, with 95 % intervals. Green: accepted; grey: loads that are \
-             not admissible."
+            "{name}: statistical minus deterministic model at equal load, {}. Green: accepted; grey: loads that are not admissible.",
+            intervals(&verdicts.differences),
         ),
     );
 }
@@ -130,6 +130,16 @@ pub fn section(page: &mut Page, results: &CompareResults, tables: &Tables, case:
     });
 }
 
+/// Which intervals a figure of `differences` shows.
+fn intervals(differences: &[Difference]) -> &'static str {
+    let has_interval = |at: &Difference| at.estimates.iter().flatten().any(|one| one.interval().is_some());
+    if differences.iter().any(has_interval) {
+        "with 95 % intervals where they are claimed"
+    } else {
+        "no interval is claimed"
+    }
+}
+
 /// Both models minus the reference; nothing where none was run, and of one load.
 fn against_reference(page: &mut Page, case: SurfaceCase, name: &str, stem: &str, units: &Units) {
     let verdicts = case.verdicts();
@@ -140,7 +150,10 @@ fn against_reference(page: &mut Page, case: SurfaceCase, name: &str, stem: &str,
         page.figure(
             &format!("{stem}-against-reference.svg"),
             drawn.headed(title.as_str()),
-            "Each model minus the reference at equal load, with 95 % intervals. Green: accepted; grey: loads that are not admissible.",
+            &format!(
+                "Each model minus the reference at equal load, {}. Green: accepted; grey: loads that are not admissible.",
+                intervals(&reference.against.models.concat()),
+            ),
         );
     });
 }

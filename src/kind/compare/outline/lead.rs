@@ -150,6 +150,20 @@ pub fn count(all: &[&Verdicts]) -> String {
     let within = counted(&|verdicts, compared| {
         has(verdicts, compared, Verdict::Within) && !has(verdicts, compared, Verdict::Beyond)
     });
+    let is_open = |verdicts: &Verdicts, compared: ComparedQuantity| {
+        !has(verdicts, compared, Verdict::Beyond) && !has(verdicts, compared, Verdict::Within)
+    };
+    let open = if all.iter().any(|verdicts| ORDER.iter().any(|&compared| is_open(verdicts, compared))) {
+        let open = counted(&is_open);
+        let more = counted(&|verdicts, compared| {
+            is_open(verdicts, compared) && differs_on_surface(verdicts, compared)
+        });
+        format!(
+            " Cannot be told of such surfaces at any load: {open}; on the compared surface itself the models differ by more than is accepted for {more} of these."
+        )
+    } else {
+        String::new()
+    };
     let blocked = match all.iter().filter(|verdicts| verdicts.is_blocked).count() {
         0 => String::new(),
         count => {
@@ -157,9 +171,17 @@ pub fn count(all: &[&Verdicts]) -> String {
         }
     };
     format!(
-        "Of {} cases, beyond what is accepted at some load: {beyond}. Within it wherever that can be told: {within}.{blocked}",
+        "Of {} cases, beyond what is accepted at some load: {beyond}. Within it wherever that can be told: {within}.{open}{blocked}",
         all.len()
     )
+}
+
+/// Whether the models differ by more than is accepted on the compared surface, at some admissible load.
+fn differs_on_surface(verdicts: &Verdicts, compared: ComparedQuantity) -> bool {
+    let accepted = verdicts.accepted.limit(compared);
+    let admissible = verdicts.differences.iter().filter(|at| at.exceeded().is_none());
+    let mut differences = admissible.filter_map(|at| at.estimates[compared as usize]);
+    differences.any(|estimate| compared.reported(estimate.contrast).abs() > accepted)
 }
 
 #[cfg(test)]
@@ -232,6 +254,10 @@ mod tests {
         let text = count(&[&beyond, &within, &within]);
         assert!(text.contains("at some load: real contact area 1, separation 0"), "{text}");
         assert!(text.contains("can be told: real contact area 2, separation 0"), "{text}");
+        let open = verdicts(90.0, [0.2, 0.01], None);
+        let text = count(&[&within, &open]);
+        assert!(text.contains("at any load: real contact area 1, separation 2"), "{text}");
+        assert!(text.contains("is accepted for real contact area 1, separation 0 and stiffness 0"), "{text}");
         let blocked = Verdicts { is_blocked: true, ..within };
         assert!(count(&[&beyond, &blocked]).contains("1 are on maps that fail a fitness check"));
     }

@@ -87,13 +87,13 @@ pub fn reference(page: &mut Page, results: &CompareResults, tables: &Tables) {
     });
 }
 
-/// Which statistical model is enough.
+/// Which statistical models are within what is accepted.
 pub fn models(page: &mut Page, tables: &Tables) {
     let view = tables.view::<StandingRow>();
     if view.is_empty() {
         return;
     }
-    page.details(2, "Which statistical model is enough?", |page| {
+    page.details(2, "Which statistical models are within what is accepted on this surface?", |page| {
         by_quantity_of_models(page, &view);
         page.note(include_str!("notes/models.md"));
     });
@@ -119,7 +119,8 @@ fn by_quantity_of_models(page: &mut Page, view: &View) {
 pub fn layer(page: &mut Page, results: &CompareResults, tables: &Tables) {
     let thresholds = tables.view::<ThresholdRow>().without_constant(&CASE[..2]);
     if !thresholds.is_empty() {
-        page.heading(2, "Below which thickness does the layer have no effect?").view(&thresholds);
+        page.heading(2, "Up to which thickness does the layer change the model's area by at most 5 %?")
+            .view(&thresholds);
     }
     let rules = tables.view::<RuleRow>();
     if !rules.is_empty() {

@@ -10,7 +10,7 @@ use super::{CaseKey, case_columns};
 use crate::kind::compare::results::CompareResults;
 use crate::model_tables::limits;
 
-/// Up to which thickness a layer has no effect.
+/// Up to which thickness a layer changes the area of a model by at most 5 %.
 pub(crate) struct ThresholdRow<'a> {
     surface: &'a str,
     threshold: &'a Threshold,
@@ -18,7 +18,7 @@ pub(crate) struct ThresholdRow<'a> {
 
 impl Row for ThresholdRow<'_> {
     const FILE: &'static str = "layer_thresholds.csv";
-    const ROWS: &'static str = "One row for each surface, law, model and load: the thickness below which the layer has no effect, so that at equal load the real contact area is within 5 % of the uncoated one; found to within 1 %, on the first realisation. A load that is not admissible has none.";
+    const ROWS: &'static str = "One row for each surface, law, model and load: the thickness up to which the layer changes the real contact area of the model at equal load by at most 5 %; found to within 1 %, on the first realisation. It is one of the model with its rule of the effective modulus and hardness. A load that is not admissible has none.";
     const RECORDS: Option<&'static str> = Some("layer_thresholds");
 
     fn columns() -> Vec<Column<Self>> {
@@ -27,7 +27,7 @@ impl Row for ThresholdRow<'_> {
             law["text"] = row.threshold.law.as_str(), "Contact law of an asperity.";
             model["text"] = row.threshold.kind.name(), "Model: `statistical` or `deterministic`.";
             pressure_pa["Pa", prefix("M"), label("nominal pressure"), input] = row.threshold.pressure, "Nominal pressure.";
-            thickness_m["m", label("no effect up to")] = row.threshold.thickness, "The thickness; inf where no layer has an effect; empty where even the thinnest one tested has, and at a load that is not admissible.";
+            thickness_m["m", label("at most 5 % up to")] = row.threshold.thickness, "The thickness; inf where every layer changes the area by less; empty where even the thinnest one tested changes it by more, and at a load that is not admissible.";
             limits["text", label("not admissible")] = limits(row.threshold.exceeded), "Limits that one of the models exceeds at the load without the layer, as in `curves.csv`; empty at an admissible load.";
         }
     }

@@ -1,7 +1,7 @@
 //! `reference_curves.csv`: what was solved; `nearer_to_reference.csv`: which model is nearer to the reference.
 
 use asperity::Limit;
-use asperity::compare::{ModelKind, NearerStretch, ReferenceCurve};
+use asperity::compare::{ModelKind, NearerStretch, ReferenceCurve, Verdict};
 use asperity_contact_framework::columns;
 use asperity_contact_framework::report::table::{Column, Row};
 
@@ -69,6 +69,7 @@ pub(crate) struct NearerRow<'a> {
     stretch: &'a NearerStretch,
     /// Whether one surface was compared, not several realisations.
     is_one_map: bool,
+    is_blocked: bool,
     elastic: Option<&'a ElasticCase>,
 }
 
@@ -83,8 +84,9 @@ impl Row for NearerRow<'_> {
             quantity["text"] = row.stretch.quantity.name(), "What is compared: `separation`, `area` (real contact area) or `stiffness`.";
             from_pa["Pa", prefix("M"), label("from"), input] = row.stretch.loads[0], "Lowest nominal pressure of the stretch.";
             to_pa["Pa", prefix("M"), label("to"), input] = row.stretch.loads[1], "Highest nominal pressure of the stretch.";
-            nearer["text", label("nearer, on such surfaces")] = row.stretch.nearer.map(ModelKind::name), "The nearer model, with the sampling error of such surfaces; empty where it cannot be told or both are as near.";
-            nearer_on_this_map["text"] = row.stretch.nearer_here.filter(|_| row.is_one_map).map(ModelKind::name), "The same on this very map; empty over several realisations.";
+            nearer["text", label("nearer, on such surfaces")] = row.stretch.nearer.filter(|_| !row.is_blocked).map(ModelKind::name), "The nearer model, with the sampling error of such surfaces; empty where it cannot be told, or both are as near; and on a blocked map.";
+            nearer_on_this_map["text"] = row.stretch.nearer_here.filter(|_| row.is_one_map && !row.is_blocked).map(ModelKind::name), "The same on this very map; empty over several realisations.";
+            both_beyond["true/false", label("both beyond")] = row.stretch.verdicts_here == [Verdict::Beyond; 2], "Whether both models differ from the reference on this map (over realisations: in the mean) by more than is accepted, so that the nearer one is not good either.";
             limits["text"] = row.stretch.beyond.map(Limit::name), "The limit of admissible loads that is exceeded: `large-strain` where the loads exceed that one alone, and contacts are elastic on a homogeneous half-space: the comparison is homogeneous in the heights and holds for lower surfaces of the same shape. Else empty.";
             elastic_reference["text", label("elastic reference")] = row.elastic.map(|elastic| elastic.reason.name()), "Why the reference stays elastic although the law yields, so that the row leaves yielding out: `layer` (of finite thickness), `no-hardness` or `asked` by the spec; empty where it does not, or the law does not yield.";
         });
@@ -99,6 +101,12 @@ pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = NearerRow<'
         let stretches = verdicts.reference.iter().flat_map(|reference| &reference.nearer);
         let is_one_map = verdicts.has_one_surface();
         let elastic = results.elastic_reference(case);
-        stretches.map(move |stretch| NearerRow { key: case.key(), stretch, is_one_map, elastic })
+        stretches.map(move |stretch| NearerRow {
+            key: case.key(),
+            stretch,
+            is_one_map,
+            is_blocked: verdicts.is_blocked,
+            elastic,
+        })
     })
 }

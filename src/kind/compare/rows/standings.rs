@@ -1,4 +1,4 @@
-//! `statistical_models.csv`: which statistical model is enough.
+//! `statistical_models.csv`: which statistical models are within what is accepted on the surface that was compared.
 
 use asperity::compare::ComparedQuantity;
 use asperity::study::{Against, HeldOut, Standing, StatisticalModel};
@@ -16,6 +16,7 @@ pub(crate) struct StandingRow<'a> {
     against: Against,
     accepted: f64,
     standing: Standing<'a>,
+    is_blocked: bool,
     tested_on: Option<HeldOut>,
     tested_loads: Option<[f64; 2]>,
     inapplicable: &'a [(StatisticalModel, String)],
@@ -43,7 +44,7 @@ impl StandingRow<'_> {
 
 impl Row for StandingRow<'_> {
     const FILE: &'static str = "statistical_models.csv";
-    const ROWS: &'static str = "One row for each surface, law, layer thickness, quantity and what the statistical models are compared with, on the first realisation: which of the models of `ranking.csv` are enough.";
+    const ROWS: &'static str = "One row for each surface, law, layer thickness, quantity and what the statistical models are compared with, on the first realisation: which of the models of `ranking.csv` differ by no more than is accepted on this very surface, without an interval.";
     const RECORDS: Option<&'static str> = Some("statistical_models");
 
     fn columns() -> Vec<Column<Self>> {
@@ -54,7 +55,7 @@ impl Row for StandingRow<'_> {
             against["text"] = row.against.name(), "What the models are compared with: `deterministic` or `reference`.";
             accepted["1"] = row.accepted, "The largest difference that is accepted.";
             within["text"] = row.standing.within.iter().map(|(ranked, _)| ranked.model.name()).collect::<Vec<_>>(), "The models within what is accepted, the simplest first; fitted ones (fitted or own heights, or the radius in contact) on asperities too that they were not taken from.";
-            cheapest_within["text"] = row.standing.cheapest().map(|(ranked, _)| ranked.model.name()), "The one that evaluates the fewest contacts.";
+            cheapest_within["text"] = row.standing.cheapest().filter(|_| !row.is_blocked).map(|(ranked, _)| ranked.model.name()), "The one that evaluates the fewest contacts; empty on a blocked map.";
             within_in_sample["text", label("in sample only")] = row.standing.within_in_sample.iter().map(|ranked| ranked.model.name()).collect::<Vec<_>>(), "Fitted models that are within it on the asperities that they were taken from only, which carries no conclusion.";
             fitted_tested_on["text", label("fitted models tested on")] = row.tested_on().map_or("in sample only", HeldOut::name), "What fitted models are held out on: `halves of the surface`, `random halves`, `realisations`; `in sample only` where there is nothing.";
             tested_from_pa["Pa", prefix("M"), label("from"), input] = row.tested_load(0), "The lowest load of that, which is admissible there.";
@@ -75,6 +76,7 @@ pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = StandingRow
         let accepted = &case.verdicts().accepted;
         let elastic = results.elastic_reference(case);
         case.case.ranking.iter().flat_map(move |ranking| {
+            let is_blocked = case.verdicts().is_blocked;
             let each = ranking
                 .against()
                 .iter()
@@ -85,6 +87,7 @@ pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = StandingRow
                 against,
                 accepted: accepted.limit(quantity),
                 standing: ranking.standing(against, quantity, accepted),
+                is_blocked,
                 tested_on: ranking.tested_on,
                 tested_loads: ranking.tested_loads,
                 inapplicable: &ranking.inapplicable,

@@ -53,9 +53,9 @@ impl Row for VerdictRow<'_> {
             high["1", label("to"), signed, scale(1.0)] = row.end(1), "Upper end of the interval.";
             at_pa["Pa", prefix("M"), label("at")] = row.stretch.largest.map(|(load, _)| load), "Nominal pressure of the largest difference.";
             accepted["1"] = row.stretch.accepted, "The largest difference that is accepted.";
-            area_needed_m2["m²", prefix("m"), label("needs a surface of")] = row.area_needed, "Nominal area at which half of a stretch that cannot be told would be; empty of others.";
-            cause["text", label("leading cause")] = row.cause.and_then(StatedCause::leading).map(LeadingCause::name), "The leading cause of the largest difference: `heights`, `radii` (their spread), `correlation` or, against the reference, `interaction`. Empty unless its 95 % interval, all orders of replacement included, is apart from those of the others.";
-            largest_on_map["text", label("largest on this map")] = row.cause.and_then(StatedCause::largest_on_surface).map(LeadingCause::name), "Where no cause leads, the cause with the largest contribution on the one surface that was compared; empty unless it is the same in every order of replacement.";
+            area_needed_m2["m²", prefix("m"), label("needs at least")] = row.area_needed, "Nominal area at which half of the loads of a stretch that cannot be told have an interval, or one that no longer crosses the edge of the band; more where another sample differs more. Empty of other stretches, and where contacts are not what is missing. A blocked map must be fit first.";
+            cause["text", label("leading cause there")] = row.cause.and_then(StatedCause::leading).map(LeadingCause::name), "The leading cause of the largest difference, not of the whole stretch: `heights`, `radii` (their spread), `correlation` or, of the statistical model against the reference, `left-out` (what the sum leaves out: interaction and shape of the asperities, under a cap also the law, under a layer also the rule of the effective modulus). Empty unless the 95 % interval of the difference excludes zero and that of the cause, all orders of replacement included, is apart from those of the others; and on a blocked map.";
+            largest_on_map["text", label("largest on this map, there")] = row.cause.and_then(StatedCause::largest_on_surface).map(LeadingCause::name), "Where no cause leads, the cause with the largest contribution to that difference on the one surface that was compared; empty unless it is the same in every order of replacement and wherever the reference lies in its bounds.";
             depends_on["text", label("depends on")] = row.depends_on.clone(), "Choices in the analysis of the map that reverse the verdict on this quantity; `spikes` also where a verdict is left open without points that may be wrong.";
             elastic_reference["text", label("elastic reference")] = row.elastic.map(|elastic| elastic.reason.name()), "Against the reference: why it stays elastic although the law yields, as in `nearer_to_reference.csv`; empty otherwise.";
         });
@@ -94,7 +94,9 @@ fn of_case<'a>(case: SurfaceCase<'a>, elastic: Option<&'a ElasticCase>) -> Vec<V
             names: [kind.name(), REFERENCE],
             verdict: verdicts.name(stretch.verdict),
             area_needed: verdicts.area_needed(stretch),
-            cause: verdicts.cause_against_reference(kind, stretch),
+            // The difference of the sum has one part only.
+            cause:
+                (kind == ModelKind::Statistical).then(|| verdicts.cause_against_reference(stretch)).flatten(),
             depends_on: Vec::new(),
             elastic,
         }));

@@ -41,6 +41,7 @@ impl Outcome for CoverageResults {
         sections::notes(&mut page, &self.metadata);
         page.heading(2, "Wrong verdicts");
         page.paragraph(&wrong(&self.total(|case| &case.verdicts), &self.total(|case| &case.robust)));
+        page.paragraph(&worst(&self.cases));
         page.figure("wrong-verdicts.svg", wrong_verdicts(self), &wrong_verdicts_caption(self));
         page.view(&tables.view::<VerdictRow>());
         page.heading(2, "Fitness checks of windows without faults");
@@ -100,22 +101,42 @@ const COVERAGE: &[&str] = &[
 fn wrong(alone: &VerdictCount, robust: &VerdictCount) -> String {
     let share = |of: Option<f64>| of.map_or("none".to_owned(), percent);
     let first = format!(
-        "Of {} decided verdicts in {} windows, {} are wrong, and {} of the windows have a wrong one.",
+        "Of {} decided verdicts {} are wrong; of the {} windows that decide anything {} have a wrong one.",
         count(alone.decided),
-        count(alone.windows),
         share(alone.wrong_share()),
+        count(alone.deciding_windows),
         share(alone.wrong_window_share()),
     );
     if robust.windows == 0 {
         return first;
     }
     format!(
-        "{first} Where verdicts count only if they depend on no choice in the analysis, {} of {} are wrong, in {} of {} windows.",
+        "{first} Where verdicts count only if they depend on no choice in the analysis, {} of {} are wrong, in {} of {} windows (upper 95 % \
+         limit {}).",
         share(robust.wrong_share()),
         count(robust.decided),
         share(robust.wrong_window_share()),
-        count(robust.windows),
+        count(robust.deciding_windows),
+        share(robust.wrong_window_limit()),
     )
+}
+
+/// The processes with the largest shares of wrong verdicts, by themselves.
+fn worst(cases: &[CaseResults]) -> String {
+    let largest = |share: fn(&VerdictCount) -> Option<f64>| {
+        let shares = cases.iter().filter_map(|case| Some((share(&case.verdicts)?, case)));
+        shares.max_by(|a, b| a.0.total_cmp(&b.0))
+    };
+    match (largest(VerdictCount::wrong_share), largest(VerdictCount::wrong_window_share)) {
+        (Some((verdicts, of_verdicts)), Some((windows, of_windows))) => format!(
+            "Most are wrong: of verdicts {} ({}), of windows {} ({}).",
+            percent(verdicts),
+            escape(&of_verdicts.name),
+            percent(windows),
+            escape(&of_windows.name),
+        ),
+        _ => String::new(),
+    }
 }
 
 /// How often claimed intervals hold the truth, where at least 90 % of the windows have one.
@@ -129,10 +150,19 @@ fn answer(cases: &[CaseResults]) -> String {
         0 => "all are within 93 to 97 %".to_owned(),
         outside => format!("{outside} are outside 93 to 97 %"),
     };
+    let in_part = || cases.iter().flat_map(CaseResults::claimed_in_part).map(|(_, coverage)| coverage);
+    let part = extremes(in_part()).map_or_else(String::new, |[low, high]| {
+        format!(
+            " Where fewer windows have one ({} combinations): {:.1} to {:.1} %.",
+            in_part().count(),
+            100.0 * low,
+            100.0 * high
+        )
+    });
     let errors = claimed().filter_map(|((_, coverage), _)| coverage.claimed.coverage_error());
     format!(
         "**95 % intervals cover the truth in {:.1} to {:.1} % of the windows**: {verdict}. Counted: {} combinations of process, load and \
-         quantity with intervals in at least 90 % of the windows (standard error at most {}).",
+         quantity with intervals in at least 90 % of the windows (standard error at most {}).{part}",
         100.0 * low,
         100.0 * high,
         claimed().count(),
@@ -231,19 +261,38 @@ mod tests {
 
     #[test]
     fn wrong_verdicts_are_stated_with_robustness_where_it_was_examined() {
-        let alone = VerdictCount { windows: 100, wrong_windows: 8, verdicts: 900, decided: 400, wrong: 20 };
+        let alone = VerdictCount {
+            windows: 100,
+            deciding_windows: 80,
+            wrong_windows: 8,
+            verdicts: 900,
+            decided: 400,
+            wrong: 20,
+        };
         let said = wrong(&alone, &VerdictCount::default());
         assert!(said.ends_with(
-            "Of 400 decided verdicts in 100 windows, 5 % are wrong, and 8 % of the windows have a wrong one."
+            "Of 400 decided verdicts 5 % are wrong; of the 80 windows that decide anything 10 % have a wrong one."
         ));
-        let robust = VerdictCount { windows: 10, wrong_windows: 0, verdicts: 90, decided: 30, wrong: 0 };
-        assert!(wrong(&alone, &robust).ends_with("0 % of 30 are wrong, in 0 % of 10 windows."), "{said}");
+        let robust = VerdictCount {
+            windows: 10,
+            deciding_windows: 9,
+            verdicts: 90,
+            decided: 30,
+            ..VerdictCount::default()
+        };
+        assert!(
+            wrong(&alone, &robust)
+                .ends_with("0 % of 30 are wrong, in 0 % of 9 windows (upper 95 % limit 28.3 %)."),
+            "{said}"
+        );
     }
 
     #[test]
     fn intervals_in_a_part_of_the_windows_are_kept_apart() {
         let cases = [case("part", 500, 400, 0.01), case("few", 40, 10, 0.01), case("none", 0, 0, 0.01)];
         assert!(answer(&cases).starts_with("**No combination of process"));
+        let both = [case("all", 1000, 950, 0.01), case("part", 500, 400, 0.01)];
+        assert!(answer(&both).ends_with("Where fewer windows have one (1 combinations): 80.0 to 80.0 %."));
         let in_part = cases.iter().flat_map(CaseResults::claimed_in_part);
         assert!(in_part.map(|(_, coverage)| coverage).eq([0.8]));
     }

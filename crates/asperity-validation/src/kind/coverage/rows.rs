@@ -129,12 +129,14 @@ impl Row for VerdictRow<'_> {
             robustness["text"] = row.robustness, "Whether robustness counts. `none`: verdicts by themselves, in all windows; `none, windows studied`: the same in the windows that were studied under other treatments; `examined`: there, verdicts that depend on a choice are not counted as decided, and windows that a fitness check blocks have none.";
             windows["count"] = row.count.windows, "Windows.";
             blocked["count"] = row.blocked, "Of them those that a fitness check blocks.";
+            deciding_windows["count", label("windows that decide")] = row.count.deciding_windows, "Windows with a decided verdict.";
             verdicts["count"] = row.count.verdicts, "Verdicts: quantities at admissible loads.";
             decided["count"] = row.count.decided, "Verdicts that are `within` or `beyond`.";
             wrong["count"] = row.count.wrong, "Decided verdicts that are wrong: the mean over all windows is on another side of what is accepted.";
             wrong_share["1", label("wrong, of decided"), percent] = row.count.wrong_share(), "Share of the decided verdicts that are wrong.";
             wrong_windows["count"] = row.count.wrong_windows, "Windows with a wrong verdict.";
-            wrong_window_share["1", label("windows with a wrong verdict"), percent] = row.count.wrong_window_share(), "Their share of the windows.";
+            wrong_window_share["1", label("windows with a wrong verdict"), percent] = row.count.wrong_window_share(), "Their share of the windows that decide.";
+            wrong_window_upper["1", label("upper 95 % limit"), percent] = row.count.wrong_window_limit(), "Upper 95 % limit of this share (binomial).";
         }
     }
 }

@@ -72,6 +72,12 @@ pub fn exceeded(grid: &[GridPoint]) -> Option<[f64; 3]> {
     (contacts > 0).then(|| [0, 1, 2].map(part))
 }
 
+/// The kind of surface and grid on which the largest part of the errors of a quantity exceeds its bound.
+pub fn worst(grid: &[GridPoint], quantity: usize) -> Option<&GridPoint> {
+    let part = |point: &GridPoint| point.checks[quantity].exceeded as f64 / point.contacts as f64;
+    grid.iter().max_by(|a, b| part(a).total_cmp(&part(b)))
+}
+
 /// Bounds by the grid that too many errors exceed, a line each.
 pub fn grid_warnings(grid: &[GridPoint]) -> Vec<String> {
     let parts = exceeded(grid).into_iter().flat_map(|parts| GRID_QUANTITIES.into_iter().zip(parts));

@@ -175,7 +175,11 @@ impl<'a> QuantityStates<'a> {
             let by_order = divided(&values);
             Some(Cause::ALL.map(|cause| over_orders(&by_order, &[cause])))
         });
+        let gap = |values: &[f64; STATES]| {
+            values[Arrangement::Statistical as usize] - values[Arrangement::Deterministic as usize]
+        };
         Contributions {
+            total: self.estimate(gap),
             causes: Cause::ALL.map(|cause| self.contribution(&[cause])),
             radii: self.contribution(&[Cause::Radii, Cause::Correlation]),
             with_other_radius,

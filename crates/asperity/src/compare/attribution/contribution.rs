@@ -58,6 +58,8 @@ impl Contribution {
 /// The difference in one quantity at one load, divided among its causes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contributions {
+    /// The difference.
+    pub total: Estimate,
     /// Of each of [`Cause::ALL`]; in every order and in the mean they add up to the difference.
     pub causes: [Contribution; 3],
     /// Of the radii: their spread and their correlation with the heights together.
@@ -84,19 +86,19 @@ impl Contributions {
         if all > 0.0 { self.part(cause).abs() / all } else { 0.0 }
     }
 
-    /// The difference that the contributions add up to.
+    /// The difference itself.
     pub fn gap(&self) -> f64 {
-        Cause::ALL.into_iter().map(|cause| self.part(cause)).sum()
+        self.total.contrast
     }
 
     /// The cause that leads; see [`leading`].
     pub fn leading(&self) -> Option<Cause> {
-        leading(&Cause::ALL.map(|cause| (cause, *self.of_cause(cause))))
+        leading(&self.total, &Cause::ALL.map(|cause| (cause, *self.of_cause(cause))))
     }
 
     /// The cause with the largest contribution on this very surface; see [`largest`].
     pub fn largest(&self) -> Option<Cause> {
-        largest(&Cause::ALL.map(|cause| (cause, *self.of_cause(cause))))
+        largest(&self.total, &Cause::ALL.map(|cause| (cause, *self.of_cause(cause))))
     }
 
     /// The mean contributions over realisations (at least two).
@@ -110,6 +112,7 @@ impl Contributions {
             })
         };
         Self {
+            total: Estimate::over(&each.iter().map(|one| one.total).collect::<Vec<_>>()),
             causes: Cause::ALL.map(|cause| over(&|one| *one.of_cause(cause))),
             radii: over(&|one| one.radii),
             with_other_radius: others.map(mean_of),
@@ -117,10 +120,11 @@ impl Contributions {
     }
 }
 
-/// The part that leads: of the `parts` in the direction of their sum the largest one, where its 95 % interval, all orders of
-/// replacement included, lies beyond zero and beyond the intervals of all others. None leads where a part has no interval.
-pub fn leading<T: Copy>(parts: &[(T, Contribution)]) -> Option<T> {
-    let direction = direction(parts)?;
+/// The part that leads: of the `parts` in the direction of the difference the largest one, where its 95 % interval, all orders of
+/// replacement included, lies beyond zero and beyond the intervals of all others. None leads where a part has no interval, or the
+/// interval of the difference, which is the `total` of the parts, leaves its sign open.
+pub fn leading<T: Copy>(total: &Estimate, parts: &[(T, Contribution)]) -> Option<T> {
+    let direction = direction(total.interval()?)?;
     let along = |(name, part): &(T, Contribution)| {
         let [low, high] = part.interval()?;
         Some(if direction > 0.0 { (*name, low, high) } else { (*name, -high, -low) })
@@ -132,20 +136,26 @@ pub fn leading<T: Copy>(parts: &[(T, Contribution)]) -> Option<T> {
     (low > next).then_some(first)
 }
 
-/// The part that is the largest in the direction of the sum of the `parts` in every order of replacement: what holds of the very
-/// surface that was compared, whatever another sample of it would give.
-pub fn largest<T: Copy>(parts: &[(T, Contribution)]) -> Option<T> {
-    let direction = direction(parts)?;
-    let size = |place: usize, order: usize| direction * parts[place].1.by_order[order].contrast;
-    let in_order = |order: usize| (0..parts.len()).max_by(|&a, &b| size(a, order).total_cmp(&size(b, order)));
-    let first = in_order(0)?;
-    (1..ORDERS).all(|order| in_order(order) == Some(first)).then_some(parts[first].0)
+/// The part that is the largest in the direction of the difference in every order of replacement, by more than the bounds of errors:
+/// what holds of the very surface that was compared, whatever another sample of it would give.
+pub fn largest<T: Copy>(total: &Estimate, parts: &[(T, Contribution)]) -> Option<T> {
+    let direction = direction(total.here().interval()?)?;
+    let is_largest_in = |first: usize, order: usize| {
+        let part = |place: usize| {
+            let Estimate { contrast, bound, .. } = parts[place].1.by_order[order];
+            (direction * contrast, bound)
+        };
+        let (size, bound) = part(first);
+        let smaller = |other: usize| part(other).0 + part(other).1 < size - bound;
+        size > bound && (0..parts.len()).all(|other| other == first || smaller(other))
+    };
+    let is_largest = |first: &usize| (0..ORDERS).all(|order| is_largest_in(*first, order));
+    (0..parts.len()).find(is_largest).map(|first| parts[first].0)
 }
 
-/// The sign of the sum of the parts; `None` where they cancel.
-fn direction<T>(parts: &[(T, Contribution)]) -> Option<f64> {
-    let sum: f64 = parts.iter().map(|(_, part)| part.mean.contrast).sum();
-    (sum != 0.0).then(|| sum.signum())
+/// The sign that all values of an interval share.
+fn direction([low, high]: [f64; 2]) -> Option<f64> {
+    (low > 0.0 || high < 0.0).then(|| low.signum())
 }
 
 impl From<Estimate> for Contribution {
@@ -168,13 +178,26 @@ mod tests {
         estimate(contrast, error).into()
     }
 
+    /// The sum of the parts, well known.
+    fn total(parts: &[Contribution; 3]) -> Estimate {
+        estimate(parts.iter().map(|part| part.mean.contrast).sum(), Some(1e-3))
+    }
+
+    fn leading_of(parts: [Contribution; 3]) -> Option<&'static str> {
+        leading(&total(&parts), &named(parts))
+    }
+
+    fn largest_of(parts: [Contribution; 3]) -> Option<&'static str> {
+        largest(&total(&parts), &named(parts))
+    }
+
     fn named(parts: [Contribution; 3]) -> Vec<(&'static str, Contribution)> {
         ["a", "b", "c"].into_iter().zip(parts).collect()
     }
 
     #[test]
     fn the_leading_part_is_apart_from_all_others() {
-        let of = |parts: [(f64, f64); 3]| leading(&named(parts.map(|(size, error)| part(size, Some(error)))));
+        let of = |parts: [(f64, f64); 3]| leading_of(parts.map(|(size, error)| part(size, Some(error))));
         assert_eq!(of([(0.2, 0.01), (0.1, 0.01), (-0.05, 0.01)]), Some("a"));
         // The largest one is against the direction of the sum.
         assert_eq!(of([(-0.2, 0.01), (0.3, 0.01), (-0.25, 0.01)]), Some("c"));
@@ -187,9 +210,36 @@ mod tests {
     #[test]
     fn without_an_interval_no_part_leads() {
         let sure = part(0.0, Some(0.0));
-        assert_eq!(leading(&named([part(0.2, None), part(0.01, None), sure])), None);
-        assert_eq!(leading(&named([part(0.2, Some(0.01)), part(0.01, None), sure])), None);
-        assert_eq!(leading(&named([part(0.2, Some(0.01)), part(0.01, Some(0.01)), sure])), Some("a"));
+        assert_eq!(leading_of([part(0.2, None), part(0.01, None), sure]), None);
+        assert_eq!(leading_of([part(0.2, Some(0.01)), part(0.01, None), sure]), None);
+        assert_eq!(leading_of([part(0.2, Some(0.01)), part(0.01, Some(0.01)), sure]), Some("a"));
+    }
+
+    /// 0.3 and -0.29: which of them leads would change with the sign of what they leave.
+    #[test]
+    fn nothing_leads_where_the_sign_of_the_difference_is_open() {
+        let parts = named([part(0.3, Some(0.01)), part(-0.29, Some(0.01)), part(0.0, Some(0.0))]);
+        assert_eq!(leading(&estimate(0.01, Some(0.004)), &parts), Some("a"));
+        assert_eq!(leading(&estimate(0.01, Some(0.006)), &parts), None);
+        assert_eq!(leading(&estimate(0.01, None), &parts), None);
+    }
+
+    /// Without an interval, but known within a bound, as the reference is.
+    #[test]
+    fn the_largest_part_is_so_within_the_bounds_of_errors() {
+        let of = |bound: f64| {
+            let bounded = |contrast| Estimate { bound, ..estimate(contrast, None) };
+            let parts = [bounded(0.2).into(), part(0.1, None), part(-0.15, None)];
+            largest(&bounded(0.15), &named(parts))
+        };
+        assert_eq!(of(0.09), Some("a"));
+        // Another part may be as large.
+        assert_eq!(of(0.11), None);
+        let alone = |contrast: f64| {
+            let all = Estimate { bound: 0.02, ..estimate(contrast, None) };
+            largest(&all, &[("a", all.into())])
+        };
+        assert_eq!((alone(0.03), alone(0.01)), (Some("a"), None));
     }
 
     /// Contributions of 0.677, 0.677 and 0.325 sigma with a mean of 0.56 +- 0.048: the interval holds all of them.
@@ -203,8 +253,8 @@ mod tests {
         assert!((low - 0.265).abs() < 1e-12 && (high - 0.737).abs() < 1e-12, "{low} {high}");
         assert_eq!(first.range(), [0.325, 0.677]);
         let second = part(0.3, Some(0.02));
-        assert_eq!(leading(&named([first, second, part(0.0, Some(0.0))])), None);
-        assert_eq!(leading(&named([first, part(0.2, Some(0.02)), part(0.0, Some(0.0))])), Some("a"));
+        assert_eq!(leading_of([first, second, part(0.0, Some(0.0))]), None);
+        assert_eq!(leading_of([first, part(0.2, Some(0.02)), part(0.0, Some(0.0))]), Some("a"));
     }
 
     #[test]
@@ -223,10 +273,10 @@ mod tests {
             mean: estimate(sizes.iter().sum::<f64>() / 3.0, None),
         };
         let none = part(0.0, None);
-        assert_eq!(largest(&named([orders([0.3, 0.3, 0.2]), orders([0.1, 0.1, 0.19]), none])), Some("a"));
-        assert_eq!(largest(&named([orders([0.3, 0.3, 0.1]), orders([0.1, 0.1, 0.2]), none])), None);
+        assert_eq!(largest_of([orders([0.3, 0.3, 0.2]), orders([0.1, 0.1, 0.19]), none]), Some("a"));
+        assert_eq!(largest_of([orders([0.3, 0.3, 0.1]), orders([0.1, 0.1, 0.2]), none]), None);
         // In the direction of the sum.
-        assert_eq!(largest(&named([orders([0.3, 0.3, 0.3]), orders([-0.4, -0.4, -0.4]), none])), Some("b"));
-        assert_eq!(largest(&named([none; 3])), None);
+        assert_eq!(largest_of([orders([0.3, 0.3, 0.3]), orders([-0.4, -0.4, -0.4]), none]), Some("b"));
+        assert_eq!(largest_of([none; 3]), None);
     }
 }

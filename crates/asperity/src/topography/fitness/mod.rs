@@ -137,10 +137,13 @@ impl Measure {
             // A hundred independent patches.
             Self::LengthOverSide => AtMost(0.1),
             // Terms of second order in the slope, which contact mechanics of half-spaces leaves out, reach a tenth.
-            Self::Slope => AtMost(0.3),
+            Self::Slope => AtMost(LARGEST_SLOPE),
         }
     }
 }
+
+/// The largest r.m.s. slope that passes.
+pub const LARGEST_SLOPE: f64 = 0.3;
 
 /// The values that pass.
 #[derive(Debug, Clone, Copy, PartialEq)]
