@@ -164,6 +164,14 @@ fn planted_faults_are_found_and_their_remedies_give_the_verdict_back() {
     };
     assert!(blocked("spikes").iter().all(|is_blocked| *is_blocked) && !blocked("spikes").is_empty());
     assert!(blocked("good").iter().all(|is_blocked| !is_blocked));
+    // A blocked map gets neither a cause nor a model to use.
+    let said = |table: &str, column: &str, name: &str| {
+        let rows = summary[table].as_array().unwrap().iter().filter(|row| row["surface"] == name);
+        rows.filter(|row| !row[column].is_null()).count()
+    };
+    for [table, column] in [["statistical_models", "cheapest_within"], ["verdicts", "largest_on_map"]] {
+        assert!(said(table, column, "good") > 0 && said(table, column, "spikes") == 0, "{table}, {column}");
+    }
     let page = (&results as &dyn Outcome).outline().markdown();
     assert!(
         page.contains("are on maps that fail a fitness check: no conclusion until those are fit."),
