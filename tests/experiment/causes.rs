@@ -125,6 +125,19 @@ fn a_grid_of_moments_is_empty_where_no_surface_has_the_summits() {
     assert!(outcome.outline().markdown().contains("of 4 points of the grid have surfaces"));
 }
 
+/// A difference that is accepted is divided, but counts for no cause.
+#[test]
+fn differences_within_what_is_accepted_need_no_cause() {
+    let outcome = run(&format!("{CAUSES}accept = {{ separation = 9, area = \"99 %\" }}\n")).unwrap();
+    for row in table(&*outcome, "causes.csv").unwrap() {
+        assert!(row["verdict"] == "within" && row["leading_cause"].is_empty(), "{row:?}");
+        assert!(!row["from_heights"].is_empty(), "{row:?}");
+    }
+    assert_eq!(table(&*outcome, "leads.csv").unwrap().len(), 0);
+    let page = outcome.outline().markdown();
+    assert!(page.contains("Skewness below 0: separation radii 0, heights 0 of 0;"), "{page}");
+}
+
 /// Where a load is not admissible on some surface, the point has no contributions, and the page says why.
 #[test]
 fn points_beyond_the_limits_are_not_divided() {

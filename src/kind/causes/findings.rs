@@ -45,46 +45,35 @@ impl Findings {
     }
 
     /// Of the points whose skewness is in a class.
-    pub fn new(
-        results: &CausesResults,
+    pub fn new<'a>(
+        results: &'a CausesResults,
         quantity: ComparedQuantity,
         condition: [usize; 2],
         is_in_class: &dyn Fn(f64) -> bool,
     ) -> Self {
-        let in_class: Vec<&GridPoint> =
-            results.points.iter().filter(|point| is_in_class(point.skewness)).collect();
-        let parts = |point: &'_ GridPoint| point.unaccepted(condition, quantity).copied();
-        let divided: Vec<(f64, Option<Cause>, f64)> = in_class
-            .iter()
-            .filter_map(|point| {
-                let parts = parts(point)?;
-                Some((point.skewness, parts.leading(), parts.share(Cause::Radii)))
-            })
-            .collect();
+        let in_class = || results.points.iter().filter(|point| is_in_class(point.skewness));
+        let divided = |point: &'a GridPoint| Some((point.skewness, point.unaccepted(condition, quantity)?));
+        let divided: Vec<(f64, &Contributions)> = in_class().filter_map(divided).collect();
         let lead = |cause: Option<Cause>| {
-            let leads_at = |skewness: f64| {
-                let column = in_class.iter().filter(|point| point.skewness == skewness);
-                let leading = column.map(|point| parts(point).map(|parts| parts.leading()));
-                leading.into_iter().all(|leading| leading == Some(cause))
-            };
-            let mut skewnesses: Vec<f64> =
-                divided.iter().filter(|(_, leading, _)| *leading == cause).map(|(at, _, _)| *at).collect();
-            let points = skewnesses.len();
-            skewnesses.sort_by(f64::total_cmp);
-            skewnesses.dedup();
-            skewnesses.retain(|&skewness| leads_at(skewness));
-            Lead { cause, points, in_every_row: skewnesses }
+            let with_it: Vec<f64> =
+                divided.iter().filter(|(_, parts)| parts.leading() == cause).map(|(at, _)| *at).collect();
+            let rows = |skewness: f64| in_class().filter(|point| point.skewness == skewness).count();
+            let mut in_every_row = with_it.clone();
+            in_every_row.sort_by(f64::total_cmp);
+            in_every_row.dedup();
+            in_every_row
+                .retain(|&skewness| with_it.iter().filter(|at| **at == skewness).count() == rows(skewness));
+            Lead { cause, points: with_it.len(), in_every_row }
         };
         let mut leads: Vec<Lead> = Cause::ALL.into_iter().map(|cause| lead(Some(cause))).collect();
         leads.sort_by_key(|lead| std::cmp::Reverse(lead.points));
         leads.push(lead(None));
         leads.retain(|lead| lead.points > 0);
-        let shares = || divided.iter().map(|(_, _, share)| *share);
+        let shares = || divided.iter().map(|(_, parts)| parts.share(Cause::Radii));
         let share_of_radii = (!divided.is_empty())
             .then(|| [shares().fold(f64::INFINITY, f64::min), shares().fold(0.0, f64::max)]);
-        let count = |holds: &dyn Fn(&Contributions) -> bool| {
-            in_class.iter().filter_map(|point| parts(point)).filter(|parts| holds(parts)).count()
-        };
+        let count =
+            |holds: &dyn Fn(&Contributions) -> bool| divided.iter().filter(|(_, parts)| holds(parts)).count();
         let heights = |parts: &Contributions| *parts.of_cause(Cause::Heights);
         let size = |part: &Contribution| part.mean.contrast.abs();
         Self {
