@@ -141,11 +141,11 @@ impl VerdictCounts {
         let mut counts = Self::default();
         let verdicts = results.conditions().flat_map(|condition| {
             let at = results.points.iter().filter_map(move |point| point.quantity(condition, quantity));
-            let judged = |at: &QuantityAtLoad| {
+            let with_verdict = |at: &QuantityAtLoad| {
                 let (estimate, verdict) = at.difference?;
                 Some((estimate.contrast, verdict?))
             };
-            at.filter_map(judged).collect::<Vec<_>>()
+            at.filter_map(with_verdict).collect::<Vec<_>>()
         });
         for (contrast, verdict) in verdicts {
             let [low, high] = counts.range.unwrap_or([contrast; 2]);

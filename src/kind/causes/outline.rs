@@ -159,13 +159,13 @@ struct GridMap {
 const HEIGHTS_OR_RADII: GridMap = GridMap {
     file: "heights-or-radii",
     draw: heights_or_radii,
-    caption: "Heights against radii, with the difference between the models in each cell. Empty: load not admissible on every surface",
+    caption: "Heights against radii, with the difference between the models in each cell. Empty: load not admissible on some surface",
 };
 
 const LEADING: GridMap = GridMap {
     file: "causes",
     draw: leading_causes,
-    caption: "Leading of the three causes. Grey: none leads; empty: load not admissible on every surface",
+    caption: "Leading of the three causes. Grey: none leads; empty: load not admissible on some surface",
 };
 
 const VERDICTS: GridMap = GridMap {

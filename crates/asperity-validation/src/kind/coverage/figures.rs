@@ -33,14 +33,16 @@ fn claimed_in_part(case: &CaseResults) -> Vec<(f64, f64)> {
 }
 
 fn independent(case: &CaseResults) -> Vec<(f64, f64)> {
-    let point = |coverage: &Coverage| Some((coverage.contacts, 100.0 * coverage.independent.coverage()?));
-    case.coverages().filter_map(|(_, coverage)| point(coverage)).collect()
+    case.coverages().filter_map(|(_, coverage)| of_independent(coverage)).collect()
 }
 
 /// The same as [`independent`], of what [`claimed`] counts.
 fn independent_where_claimed(case: &CaseResults) -> Vec<(f64, f64)> {
-    let share = |coverage: &Coverage| Some((coverage.contacts, 100.0 * coverage.independent.coverage()?));
-    case.claimed().filter_map(|((_, coverage), _)| share(coverage)).collect()
+    case.claimed().filter_map(|((_, coverage), _)| of_independent(coverage)).collect()
+}
+
+fn of_independent(coverage: &Coverage) -> Option<(f64, f64)> {
+    Some((coverage.contacts, 100.0 * coverage.independent.coverage()?))
 }
 
 pub fn coverage(results: &CoverageResults) -> Figure {
