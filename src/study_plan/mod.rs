@@ -157,6 +157,7 @@ impl StudyPlan {
             statistical: &self.statistical,
             is_attributed: true,
             is_ranked: false,
+            generates: true,
             controls: &self.controls,
             seed: context.seed,
             progress: context.progress,

@@ -46,21 +46,17 @@ pub fn failures(map: &MapFacts) -> Vec<String> {
     in_order(map).into_iter().map(sentence).collect()
 }
 
-/// The faults that keep a map from carrying a verdict, with the remedies in spec syntax; `None` where there are none.
-pub fn blocked_by(surface: &Surface) -> Option<String> {
+/// The one thing to do next to a map that may not carry a verdict: its first fault with the remedy; `None` where there is none.
+pub fn next_step(surface: &Surface) -> Option<String> {
     let map = surface.map.as_ref()?;
-    let faults: Vec<String> = in_order(map)
-        .into_iter()
-        .map(|finding| format!("{} ({})", fault(finding, map), remedy(finding, map)))
-        .collect();
-    match &faults[..] {
-        [] => None,
-        [only] => Some(only.clone()),
-        [first, ..] => Some(format!(
-            "{first}; then check again, because one fault can cause the others: {}",
-            faults[1..].join("; ")
-        )),
-    }
+    let blocking = in_order(map);
+    let first = blocking.first()?;
+    let others = match blocking.len() - 1 {
+        0 => String::new(),
+        1 => "; one more check fails, perhaps of the same fault".to_owned(),
+        count => format!("; {count} more checks fail, perhaps of the same fault"),
+    };
+    Some(format!("{} ({}){others}", remedy(first, map), fault(first, map)))
 }
 
 /// The blocking checks in the order in which their faults are to be remedied.

@@ -81,8 +81,10 @@ pub fn verdicts(results: &CausesResults, condition: [usize; 2]) -> Figure {
         let (estimate, verdict) = point.quantity(condition, quantity)?.difference?;
         let text = reported(quantity, estimate.contrast);
         Some(match verdict {
-            Some(Verdict::Within) => (WITHIN.0, WITHIN.1, text),
-            Some(Verdict::Beyond) => (Colour::Deterministic, "beyond what is accepted", text),
+            Some(Verdict::Within | Verdict::VeryLikelyWithin) => (WITHIN.0, WITHIN.1, text),
+            Some(Verdict::Beyond | Verdict::VeryLikelyBeyond) => {
+                (Colour::Deterministic, "beyond what is accepted", text)
+            }
             Some(Verdict::CannotTell) => (Colour::Neutral, "cannot tell", text),
             None => (Colour::Others, "load not admissible", text),
         })

@@ -55,7 +55,14 @@ mod tests {
     #[test]
     fn a_sign_is_kept_or_changes_only_beyond_the_intervals() {
         let gap = |&(contrast, error): &(f64, Option<f64>)| {
-            let difference = Estimate { contrast, error, quantile: 1.0, bound: 0.0, independent_error: None };
+            let difference = Estimate {
+                contrast,
+                error,
+                quantile: 1.0,
+                bound: 0.0,
+                independent_error: None,
+                support: asperity::compare::Support::Sampled,
+            };
             Gap { length: 1.0, difference, parts: None }
         };
         let sign = |gaps: &[(f64, Option<f64>)]| sign(&gaps.iter().map(gap).collect::<Vec<_>>());

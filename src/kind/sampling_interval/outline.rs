@@ -18,7 +18,7 @@ use super::results::{IntervalResults, QUANTITIES, Series, SurfaceResults, Variat
 use super::rows::{GapRow, LeadRow, LimitRow, ScaleRow, tables};
 use super::trend::Trend;
 use crate::presentation::{limits_note, quantity_name};
-use crate::surface::fitness::blocked_by;
+use crate::surface::fitness::next_step;
 use crate::surface::{section, warnings};
 
 impl Outcome for IntervalResults {
@@ -67,10 +67,10 @@ impl Outcome for IntervalResults {
 
 /// Which of the main quantities have a limit on a surface that is varied so; for a map that is not fit, why, once.
 fn answer(results: &IntervalResults, surface: &SurfaceResults, variation: Variation) -> Option<String> {
-    if let Some(faults) = blocked_by(&surface.surface) {
+    if let Some(step) = next_step(&surface.surface) {
         return (variation == Variation::Interval).then(|| {
             format!(
-                "**{}**: no conclusion is drawn, because its map is not fit: {faults}.",
+                "**{}**: no conclusion is drawn, because its map is not fit. Next step: {step}.",
                 escape(&surface.surface.name)
             )
         });

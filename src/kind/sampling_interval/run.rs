@@ -122,7 +122,7 @@ impl Variants<'_> {
         let facts = self.surface.map.as_ref();
         let surface = facts.and_then(|facts| self.factory.derived(map, facts));
         let surface = &surface.ok_or("no summit is left, or all are equally high")?;
-        let setup = Setup { progress: &Silent, ..self.plan.study.setup(self.context) };
+        let setup = Setup { progress: &Silent, generates: false, ..self.plan.study.setup(self.context) };
         let results = study(setup, surface, self.counter).map_err(|error| match error {
             StudyError::Inapplicable(error) => error.to_string(),
             StudyError::NotReached(_, error) => error.to_string(),

@@ -2,7 +2,7 @@
 
 mod figures;
 
-use crate::surface::fitness::blocked_by;
+use crate::surface::fitness::next_step;
 use crate::surface::rows::{self, FitnessRow, MapRow, ProcessRow, SurfaceRow, TargetRow, TheoryRow};
 use asperity::surface::{MapFacts, Surface};
 use asperity_contact_framework::report::format::{count, number, percent, quantity};
@@ -55,10 +55,10 @@ pub fn sentence(surface: &Surface) -> String {
         });
         format!("Sq = {}{shape}; ", quantity(moments.sq, "m"))
     });
-    let fitness = match (surface.map.is_some(), blocked_by(surface)) {
+    let fitness = match (surface.map.is_some(), next_step(surface)) {
         (false, _) => String::new(),
         (true, None) => " No check of the map blocks a verdict.".to_owned(),
-        (true, Some(faults)) => format!(" The map carries no verdict until it is fit: {faults}."),
+        (true, Some(step)) => format!(" The map carries no verdict until it is fit. Next step: {step}."),
     };
     format!(
         "{roughness}{} asperities ({} /m²) of mean radius {}, their heights with σ = {}.{fitness}",

@@ -54,6 +54,7 @@ impl StudyTask<'_> {
             statistical: &StatisticalModel::default(),
             is_attributed: false,
             is_ranked: false,
+            generates: false,
             controls: &Controls::at_pressures(self.loads.to_vec()),
             seed: self.seed,
             progress: &Silent,

@@ -30,9 +30,11 @@ impl WindowVerdict {
         let band = Accepted::DEFAULT.band(self.quantity);
         let is_inside = (band[0]..=band[1]).contains(&truth);
         match self.verdict {
-            Verdict::Within => Some(!is_inside),
+            Verdict::Within | Verdict::VeryLikelyWithin => Some(!is_inside),
             // Beyond on the other side is wrong, too.
-            Verdict::Beyond => Some(is_inside || (self.contrast < band[0]) != (truth < band[0])),
+            Verdict::Beyond | Verdict::VeryLikelyBeyond => {
+                Some(is_inside || (self.contrast < band[0]) != (truth < band[0]))
+            }
             Verdict::CannotTell => None,
         }
     }

@@ -2,7 +2,7 @@
 
 use asperity::compare::{
     Accepted, CONTACTS_PER_GROUP, CaseSampling, ComparedQuantity, Difference, Division, Estimate, GROUPS,
-    LeftOut, OneStep, Pair, Verdict, jackknife_error, jackknife_quantile, pairs_at,
+    LeftOut, OneStep, Pair, Support, Verdict, jackknife_error, jackknife_quantile, pairs_at,
 };
 use asperity::topography::{Blocks, CorrelationLengths};
 use asperity::{
@@ -188,7 +188,7 @@ impl WindowTask<'_> {
             groups: of_groups(&groups),
             independent: of_groups(&independent),
             area,
-            area_needed: None,
+            ..CaseSampling::default()
         };
         let claim = |at: &Response, full: f64, value: &dyn Fn(&Results) -> Option<f64>| {
             let contacts = at.sharing.map_or(0.0, |sharing| sharing.effective_contacts);
@@ -199,6 +199,7 @@ impl WindowTask<'_> {
                 quantile: enough.map_or(f64::INFINITY, |groups| jackknife_quantile(groups.results.len())),
                 bound: 0.0,
                 independent_error: independent.as_ref().and_then(|groups| groups.error(full, value)),
+                support: Support::Sampled,
             }
         };
         let at_load = |(index, difference): (usize, &Difference)| {

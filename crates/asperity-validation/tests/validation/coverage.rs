@@ -1,6 +1,6 @@
 //! Coverage of intervals: made-up intervals, and windows of small processes.
 
-use asperity::compare::{CONTACTS_PER_GROUP, Estimate, GROUPS};
+use asperity::compare::{CONTACTS_PER_GROUP, Estimate, GROUPS, Support};
 use asperity::contact_law::named;
 use asperity::study::LawContact;
 use asperity::topography::fitness::Check;
@@ -15,7 +15,8 @@ use asperity_validation::coverage::{
 const PIXEL: f64 = 1e-6;
 
 fn estimate(contrast: f64, error: Option<f64>, independent_error: Option<f64>) -> QuantityEstimate {
-    let estimate = Estimate { contrast, error, quantile: 2.0, bound: 0.0, independent_error };
+    let estimate =
+        Estimate { contrast, error, quantile: 2.0, bound: 0.0, independent_error, support: Support::Sampled };
     QuantityEstimate { estimate, independent_error, contacts: 100.0, area_ratio: 0.01 }
 }
 

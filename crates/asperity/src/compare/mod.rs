@@ -9,6 +9,7 @@ mod influence;
 mod limit;
 mod modulus_check;
 mod nearness;
+mod on_map;
 mod reference;
 mod sampling;
 mod slope;
@@ -22,7 +23,7 @@ pub use attribution::{
     largest, leading,
 };
 pub use difference::{
-    CONTACTS_PER_GROUP, CaseSampling, ComparedQuantity, Difference, Estimate, LeftOut, State,
+    CONTACTS_PER_GROUP, CaseSampling, ComparedQuantity, Difference, Estimate, LeftOut, State, Support,
 };
 pub use dominance::{Dominance, Dominant};
 pub use gap::{Gap, GapQuantity, Gaps};
@@ -30,8 +31,11 @@ pub use influence::{AtLoad, DETECTABLE, Effect, Group, Influence, Measure, Under
 pub use limit::{Exact, HeightSampling, LimitCase, LimitPoint, LimitQuantity, LimitSets, convergence};
 pub use modulus_check::{GOOD_RATIO, ModulusCheck, ModulusError, ModulusFindings, apart};
 pub use nearness::{AgainstReference, NEARER, NearerStretch};
+pub use on_map::OnMap;
 pub use reference::{BlockShare, ReferenceCurve, ReferencePoint};
-pub use sampling::{Division, GROUPS, OneStep, jackknife_error, jackknife_quantile, student_quantile};
+pub use sampling::{
+    Division, GROUPS, Generated, NotModelled, OneStep, jackknife_error, jackknife_quantile, student_quantile,
+};
 pub use slope::{ErrorSlope, SlopeFit};
 pub use spread::{Realisation, Scatter, Spread, spread};
 pub use threshold::threshold;
@@ -170,6 +174,11 @@ impl Pair {
     pub fn at_separation(statistical: Response, deterministic: Response) -> Self {
         let target = deterministic.separation_over_sigma;
         Self { pairing: Pairing::Separation, target, statistical, deterministic }
+    }
+
+    /// The states of the statistical and of the deterministic model; `None` where one has no contact.
+    pub fn states(&self) -> Option<[State; 2]> {
+        Some([sampling::state(&self.statistical)?.0, sampling::state(&self.deterministic)?.0])
     }
 
     /// The limits of admissible loads that either model exceeds.

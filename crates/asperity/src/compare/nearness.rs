@@ -4,7 +4,7 @@
 //! all three. Without a block the flat stays where it is; the reference of the rest is what the other blocks carry there,
 //! brought back to the load along the slopes between its loads. That neglects how a block deforms the others.
 
-use super::difference::{CaseSampling, ComparedQuantity, Difference, Estimate, LeftOut};
+use super::difference::{CaseSampling, ComparedQuantity, Difference, Estimate, LeftOut, Support};
 use super::reference::{ReferenceCurve, ReferencePoint};
 use super::sampling::jackknife_error;
 use super::verdict::{Accepted, Verdict};
@@ -83,6 +83,7 @@ impl AgainstReference {
                     quantile: of_both.quantile,
                     bound,
                     independent_error: None,
+                    support: Support::Sampled,
                 };
                 for model in 0..2 {
                     let contrast = contrasts[model];

@@ -14,6 +14,8 @@ pub struct AdmissibleRange {
     pub below: Exceeded,
     /// The limits exceeded at the next higher load.
     pub above: Exceeded,
+    /// Where no load is admissible, the limit that binds: the one without which most loads would be, or which most loads exceed.
+    pub binding: Option<Limit>,
 }
 
 impl AdmissibleRange {
@@ -31,15 +33,26 @@ impl AdmissibleRange {
             (loads.iter().position(is_admissible), loads.iter().rposition(is_admissible))
         else {
             let all = loads.iter().fold(Exceeded::default(), |all, at| all.union(at.1));
-            return Self { stretches, below: all, above: Exceeded::default() };
+            return Self { stretches, below: all, above: Exceeded::default(), binding: binding(&loads) };
         };
         let exceeded = |at: Option<&(f64, Exceeded)>| at.map_or(Exceeded::default(), |at| at.1);
         Self {
             stretches,
             below: exceeded(first.checked_sub(1).and_then(|k| loads.get(k))),
             above: exceeded(loads.get(last + 1)),
+            binding: None,
         }
     }
+}
+
+/// The limit that binds among loads of which none is admissible.
+fn binding(loads: &[(f64, Exceeded)]) -> Option<Limit> {
+    let count =
+        |holds: &dyn Fn(Exceeded) -> bool| loads.iter().filter(|(_, exceeded)| holds(*exceeded)).count();
+    let rank = |limit: &Limit| {
+        (count(&|at| at.is_at_most(*limit)), count(&|at| at.limits().any(|exceeded| exceeded == *limit)))
+    };
+    Limit::ALL.into_iter().max_by_key(rank).filter(|_| !loads.is_empty())
 }
 
 /// Numbers of points of one or several comparisons.

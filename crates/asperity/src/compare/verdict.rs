@@ -1,6 +1,6 @@
 //! Verdicts: whether the difference between both models is within what the user accepts, by quantity and stretch of load.
 
-use super::difference::{ComparedQuantity, Difference, Estimate};
+use super::difference::{ComparedQuantity, Difference, Estimate, Support};
 use crate::model::Limit;
 use crate::named_enum;
 use crate::numeric::median;
@@ -49,18 +49,83 @@ named_enum! {
         Within = "within",
         /// It is outside.
         Beyond = "beyond",
-        /// It is across the edge of the band, or there is none.
+        /// A model-based interval is inside the accepted band, but not one of twice its width.
+        VeryLikelyWithin = "very-likely-within",
+        /// A model-based interval is outside, but not one of twice its width; or, without an interval, the difference is ten times what is
+        /// accepted and of one sign on each half of the map.
+        VeryLikelyBeyond = "very-likely-beyond",
+        /// The interval is across the edge of the band, or there is none.
         CannotTell = "cannot-tell",
     }
 }
 
 impl Verdict {
     /// Of an estimate against the band `[low, high]` of contrasts.
-    pub fn from_estimate(estimate: &Estimate, [low, high]: [f64; 2]) -> Self {
-        match estimate.interval() {
-            Some([from, to]) if low <= from && to <= high => Self::Within,
-            Some([from, to]) if to < low || high < from => Self::Beyond,
-            _ => Self::CannotTell,
+    pub fn from_estimate(estimate: &Estimate, band: [f64; 2]) -> Self {
+        let Some(half) = estimate.half_width() else {
+            return match estimate.support {
+                Support::Halves(least) if is_far_beyond(estimate.contrast, least, band) => {
+                    Self::VeryLikelyBeyond
+                }
+                _ => Self::CannotTell,
+            };
+        };
+        let is_generated = estimate.support == Support::Generated;
+        let decisive = if is_generated { GENERATED_WIDTH * half } else { half };
+        match (Side::of(estimate.contrast, decisive, band), Side::of(estimate.contrast, half, band)) {
+            (Some(Side::Inside), _) => Self::Within,
+            (Some(Side::Outside), _) => Self::Beyond,
+            (None, Some(Side::Inside)) => Self::VeryLikelyWithin,
+            (None, Some(Side::Outside)) => Self::VeryLikelyBeyond,
+            (None, None) => Self::CannotTell,
+        }
+    }
+
+    /// Whether it says on which side of what is accepted the difference lies, surely or very likely.
+    pub fn is_told(self) -> bool {
+        self != Self::CannotTell
+    }
+
+    /// Whether the difference is beyond what is accepted, surely or very likely.
+    pub fn is_beyond(self) -> bool {
+        matches!(self, Self::Beyond | Self::VeryLikelyBeyond)
+    }
+
+    /// Whether it is within, surely or very likely.
+    pub fn is_within(self) -> bool {
+        matches!(self, Self::Within | Self::VeryLikelyWithin)
+    }
+}
+
+/// By how much wider than itself a model-based interval must be on one side of the edge for a verdict.
+const GENERATED_WIDTH: f64 = 2.0;
+
+/// How many times what is accepted a difference without an interval must be on all halves of the map, on the scale of contrasts.
+const FAR_BEYOND: f64 = 10.0;
+
+/// Whether a contrast, and the least magnitude of those of its sign on the halves of the map, are far beyond the band.
+fn is_far_beyond(contrast: f64, least: f64, [low, high]: [f64; 2]) -> bool {
+    let edge = if contrast > 0.0 { high } else { -low };
+    contrast.abs().min(least) >= FAR_BEYOND * edge
+}
+
+/// Where an interval lies.
+#[derive(Clone, Copy)]
+enum Side {
+    Inside,
+    Outside,
+}
+
+impl Side {
+    /// Of the contrasts within `half` of one; `None` across an edge of the band.
+    fn of(contrast: f64, half: f64, [low, high]: [f64; 2]) -> Option<Self> {
+        let (from, to) = (contrast - half, contrast + half);
+        if low <= from && to <= high {
+            Some(Self::Inside)
+        } else if to < low || high < from {
+            Some(Self::Outside)
+        } else {
+            None
         }
     }
 }
@@ -110,7 +175,7 @@ impl Stretch {
         // A difference beyond on one side is another answer than one beyond on the other.
         let side = |at: &&Difference| {
             let contrast = at.estimates[quantity as usize].map_or(0.0, |estimate| estimate.contrast);
-            verdict(at) == Some(Verdict::Beyond) && contrast < 0.0
+            verdict(at).is_some_and(Verdict::is_beyond) && contrast < 0.0
         };
         let stretches = sorted.chunk_by(|a, b| (verdict(a), side(a)) == (verdict(b), side(b)));
         let found: Vec<Self> = stretches
@@ -192,7 +257,14 @@ mod tests {
     const ACCEPTED: Accepted = Accepted { separation: 0.1, area: 0.1, stiffness: 0.2 };
 
     fn estimate(contrast: f64, error: Option<f64>) -> Option<Estimate> {
-        Some(Estimate { contrast, error, quantile: 2.0, bound: 0.0, independent_error: None })
+        Some(Estimate {
+            contrast,
+            error,
+            quantile: 2.0,
+            bound: 0.0,
+            independent_error: None,
+            support: Support::Sampled,
+        })
     }
 
     /// One load with the same contrast and error of separation and area.
@@ -206,6 +278,7 @@ mod tests {
             }),
             area_ratio: 0.01,
             estimates: [estimate(contrast, error), estimate(contrast, error), None],
+            of_models: [None; 2],
             area_needed: error.is_none().then_some(3.0),
         }
     }
@@ -214,6 +287,38 @@ mod tests {
         let all = Stretch::all(differences, &ACCEPTED);
         let of = all.iter().filter(|stretch| stretch.quantity == quantity);
         of.map(|stretch| (stretch.verdict, stretch.loads)).collect()
+    }
+
+    /// A model-based interval decides at twice its width.
+    #[test]
+    fn a_model_based_interval_is_likely_before_it_decides() {
+        let band = ACCEPTED.band(ComparedQuantity::Separation);
+        let verdict = |contrast, error| {
+            let sampled = estimate(contrast, Some(error)).unwrap();
+            Verdict::from_estimate(&Estimate { support: Support::Generated, ..sampled }, band)
+        };
+        assert_eq!(verdict(0.05, 0.01), Verdict::Within);
+        assert_eq!(verdict(0.05, 0.02), Verdict::VeryLikelyWithin);
+        assert_eq!(verdict(0.05, 0.03), Verdict::CannotTell);
+        assert_eq!(verdict(-0.2, 0.03), Verdict::VeryLikelyBeyond);
+        assert_eq!(verdict(-0.2, 0.02), Verdict::Beyond);
+        assert_eq!(verdict(-0.15, 0.03), Verdict::CannotTell);
+    }
+
+    /// Ten times what is accepted, on the map and on each of its halves.
+    #[test]
+    fn without_an_interval_only_a_difference_far_beyond_on_all_halves_is_told() {
+        let verdict = |quantity, contrast, least| {
+            let unknown = Estimate { support: Support::Halves(least), ..estimate(contrast, None).unwrap() };
+            Verdict::from_estimate(&unknown, ACCEPTED.band(quantity))
+        };
+        use ComparedQuantity::{Area, Separation};
+        assert_eq!(verdict(Separation, 1.2, 1.01), Verdict::VeryLikelyBeyond);
+        assert_eq!(verdict(Separation, 1.2, 0.99), Verdict::CannotTell);
+        assert_eq!(verdict(Separation, 0.9, 1.2), Verdict::CannotTell);
+        assert_eq!(verdict(Area, 1.1, 1.0), Verdict::VeryLikelyBeyond);
+        assert_eq!(verdict(Area, -1.1, 1.0), Verdict::CannotTell, "the lower edge is further away");
+        assert_eq!(verdict(Area, -1.1, 1.06), Verdict::VeryLikelyBeyond);
     }
 
     #[test]

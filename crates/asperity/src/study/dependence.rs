@@ -145,18 +145,26 @@ impl Answer {
 mod tests {
     use super::*;
     use crate::MeanRadius;
+    use crate::compare::Support;
     use crate::model::LoadSharing;
 
     /// A separation that differs by `contrast`, with an interval of twice `error` on both sides.
     fn at(contrast: f64, error: f64) -> Difference {
-        let estimate =
-            Estimate { contrast, error: Some(error), quantile: 2.0, bound: 0.0, independent_error: None };
+        let estimate = Estimate {
+            contrast,
+            error: Some(error),
+            quantile: 2.0,
+            bound: 0.0,
+            independent_error: None,
+            support: Support::Sampled,
+        };
         let sharing = LoadSharing { effective_contacts: 90.0, largest_share: 0.01, large_strain_share: 0.0 };
         Difference {
             load: 1.0,
             sharing: Some(sharing),
             area_ratio: 0.01,
             estimates: [Some(estimate), None, None],
+            of_models: [None; 2],
             area_needed: None,
         }
     }

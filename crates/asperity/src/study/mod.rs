@@ -8,18 +8,22 @@
 //! | `law` | a law on two bodies |
 //! | `run` | both models on one realisation |
 //! | `results` | a realisation, and a case on it |
+//! | `at_load` | what the models say at one load |
 //! | `case` | a case over all realisations: verdicts, ranking, treatments |
 //! | `sampling` | sampling errors, from groups of asperities left out |
+//! | `generated` | both models on surfaces of a process that was fitted to a small map, and on its halves |
 //! | `attribution`, `causes` | the differences divided among their causes |
 //! | `verdicts`, `reference` | whether the integral may replace the sum; which model is nearer to the reference |
 //! | `ranking`, `held_out` | the other statistical models; fitted ones on asperities that they were not taken from |
 //! | `treatment`, `robustness`, `dependence` | other treatments of a measured map, both models under them, and the verdicts that depend on them |
 //! | `layer`, `threshold` | what a layer changes |
 
+mod at_load;
 mod attribution;
 mod case;
 mod causes;
 mod dependence;
+mod generated;
 mod held_out;
 mod law;
 mod layer;
@@ -36,6 +40,7 @@ mod threshold;
 mod treatment;
 mod verdicts;
 
+pub use at_load::{LoadResults, ModelResult, Reading};
 pub use attribution::attribute;
 pub use case::CaseStudy;
 pub use causes::{LeadingCause, StatedCause};

@@ -2,7 +2,7 @@
 
 use super::statistical::StatisticalModel;
 use crate::compare::{
-    AgainstReference, Attribution, Comparison, Difference, Gaps, Pair, Pairing, ReferenceCurve,
+    AgainstReference, Attribution, Comparison, Difference, Gaps, NotModelled, Pair, Pairing, ReferenceCurve,
     ReferencePoint,
 };
 use crate::topography::RoughnessParameters;
@@ -53,6 +53,8 @@ pub struct CaseResults {
     pub gaps: Gaps,
     /// The differences at equal load, in the order of the pairs, with their sampling uncertainty.
     pub differences: Vec<Difference>,
+    /// Why there is no model-based interval on a small map; `None` where there is one, and on other surfaces.
+    pub not_modelled: Option<NotModelled>,
     /// The differences divided among their causes, in the order of the pairs at equal load; empty where none is asked for.
     pub attribution: Vec<Attribution>,
     /// The reference; `None` where none is asked for.

@@ -48,6 +48,7 @@ pub fn under_treatments(
             controls: &controls,
             statistical: &model,
             is_attributed: false,
+            generates: false,
             progress: &Silent,
             ..setup
         };

@@ -78,6 +78,7 @@ pub fn verdicts(
         statistical: &StatisticalModel::default(),
         is_attributed: true,
         is_ranked: false,
+        generates: true,
         controls: &controls,
         seed: 0,
         progress: &Silent,
@@ -160,6 +161,7 @@ pub fn run_surface<'a>(
             plasticity_index: plasticity_index(contact, population.sigma, population.radius),
             gaps: Gaps::largest(&comparison.pairs),
             differences: Vec::new(),
+            not_modelled: None,
             attribution: Vec::new(),
             reference: None,
             against_reference: AgainstReference::default(),
@@ -190,6 +192,8 @@ pub fn differ(
     const JUMP: f64 = 0.01;
     for ((case, law), sampling) in cases.iter_mut().zip(laws).zip(samplings) {
         case.differences = Difference::at_loads(&case.comparison.pairs, sampling);
+        case.not_modelled =
+            sampling.generated.as_ref().and_then(|generated| generated.as_ref().err().copied());
         let shape = models.mean_shape(&law.spec);
         if boundaries(&*law.contact, shape).iter().any(|at| at.load_jump().abs() > JUMP) {
             let stiffnesses =

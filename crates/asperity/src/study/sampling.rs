@@ -1,5 +1,6 @@
 //! Both models on a surface with groups of its asperities left out, from which sampling errors follow.
 
+use super::generated::{generated, on_halves};
 use super::law::LawContact;
 use crate::Total;
 use crate::compare::{CaseSampling, Division, LeftOut, OneStep, Pair, Pairing, State};
@@ -43,12 +44,18 @@ pub fn sampling(
         Independence::TooSmall(error) => (None, Some(error.area_needed)),
         Independence::Unstated | Independence::Realisations => (None, None),
     };
+    let generated = generated(setup, surface, cases);
+    let halves = on_halves(setup, surface, models, cases);
     let of = |left_out: &Option<Vec<LeftOut>>, case: usize| left_out.as_ref().map(|all| all[case].clone());
     let of_case = |case| CaseSampling {
         groups: of(&groups, case),
         independent: of(&independent, case),
         area: surface.set.nominal_area(),
         area_needed,
+        generated: generated
+            .as_ref()
+            .map(|all| all.as_ref().map(|all| all[case].clone()).map_err(|reason| *reason)),
+        halves: halves[case].clone(),
     };
     (0..steps.len()).map(of_case).collect()
 }

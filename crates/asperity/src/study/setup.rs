@@ -24,6 +24,8 @@ pub struct Setup<'a> {
     pub is_ranked: bool,
     /// What the surface is pressed to.
     pub controls: &'a Controls,
+    /// Whether surfaces are generated for the sampling error of a map that is too small for blocks.
+    pub generates: bool,
     /// The seed of the spec.
     pub seed: u64,
     /// Whoever watches.

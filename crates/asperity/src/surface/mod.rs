@@ -14,7 +14,7 @@ pub use search::{NoAsperities, Preparation, SummitSearch};
 use crate::compare::Division;
 use crate::distribution::{HeightModel, HeightsError};
 use crate::topography::fitness::{Finding, LineOffsets, Lines, Spikes};
-use crate::topography::generate::{SigmaOf, SurfaceGenerator, Target};
+use crate::topography::generate::{FittedProcess, SigmaOf, SurfaceGenerator, Target, Unfitted};
 use crate::topography::spectrum::{Lay, SpectrumShape};
 use crate::topography::summits::Neighbours;
 use crate::topography::theory::Expected;
@@ -52,10 +52,21 @@ pub struct Surface {
     pub independence: Independence,
     /// Both halves of the map that it was found on, or of a list with places, where it is divided for a sampling error.
     pub halves: Option<Division>,
+    /// What stands for other samples of a measured map that is too small for blocks.
+    pub small: Option<Box<SmallMap>>,
     /// Number of realisations of this surface.
     pub realisations: usize,
     /// Caveats.
     pub warnings: Vec<String>,
+}
+
+/// What stands for other samples of a measured map that is too small for blocks.
+#[derive(Debug)]
+pub struct SmallMap {
+    /// A process fitted to the map, or why none is.
+    pub process: Result<FittedProcess, Unfitted>,
+    /// Its halves, divided along x and along y.
+    pub halves: [Division; 2],
 }
 
 /// What is known of a height map.
@@ -214,6 +225,7 @@ impl Surface {
             prepared: None,
             independence: Independence::Asperities,
             halves: None,
+            small: None,
             realisations: 1,
             warnings: Vec::new(),
         }

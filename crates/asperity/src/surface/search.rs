@@ -5,7 +5,7 @@ use crate::progress::{Progress, Silent};
 use crate::topography::fitness::{
     AlignedLines, Examined, Finding, LineOffsets, Lines, Measured, Spikes, Without, step_over_drop,
 };
-use crate::topography::generate::SigmaOf;
+use crate::topography::generate::{FittedProcess, SigmaOf};
 use crate::topography::summits::{Detail, Neighbours, Summits, find};
 use crate::topography::tip::eroded;
 use crate::topography::{
@@ -15,8 +15,8 @@ use crate::topography::{
 use crate::{AsperitySet, Ellipse, HeightMap, MIN_CONTACTS, ReferencePlane, SetError, Statistics};
 
 use super::{
-    AnalysisDepth, GenerationFacts, Independence, MapFacts, MapOverview, PreparedMap, SpikeFacts, Surface,
-    TipFacts,
+    AnalysisDepth, GenerationFacts, Independence, MapFacts, MapOverview, PreparedMap, SmallMap, SpikeFacts,
+    Surface, TipFacts,
 };
 
 /// A map on which no asperities are found.
@@ -114,6 +114,7 @@ struct SearchedMap {
     facts: MapFacts,
     independence: Independence,
     halves: Option<Division>,
+    small: Option<Box<SmallMap>>,
     /// The prepared map, where it is kept.
     prepared: Option<PreparedMap>,
 }
@@ -144,7 +145,7 @@ impl SummitSearch<'_> {
     /// # Errors
     /// A map on which no asperities are found.
     pub fn surface(&self, name: &str, map: &dyn Rows) -> Result<Surface, NoAsperities> {
-        let SearchedMap { set, facts, independence, halves, prepared } = self.asperities(map)?;
+        let SearchedMap { set, facts, independence, halves, small, prepared } = self.asperities(map)?;
         let (set, origin) = set.near_zero();
         let statistics = Statistics::new(&set);
         let height = (origin + statistics.mean_height).abs() + facts.roughness.moments.sq;
@@ -160,6 +161,7 @@ impl SummitSearch<'_> {
         surface.map = Some(facts);
         surface.independence = independence;
         surface.halves = halves;
+        surface.small = small;
         surface.prepared = prepared;
         if surface.separations_of() == SigmaOf::Surface {
             surface.plane = plane;
@@ -228,6 +230,19 @@ impl SummitSearch<'_> {
             let halves = Blocks::halves(map.points(), map.pixel());
             Division::of_blocks(&halves, &summits.positions, halves.shares(map))
         });
+        let small = correlation.filter(|_| {
+            is_checked && self.generation.is_none() && matches!(independence, Independence::TooSmall(_))
+        });
+        let small = small.map(|correlation| {
+            progress.stage("process of the map", 1.0);
+            Box::new(SmallMap {
+                process: FittedProcess::new(&HeightMap::from_rows(map), &roughness.moments, &correlation),
+                halves: [0, 1].map(|axis| {
+                    let halves = Blocks::halves_along(map.points(), axis);
+                    Division::of_blocks(&halves, &summits.positions, halves.shares(map))
+                }),
+            })
+        });
         let spikes = left.map(|left| SpikeFacts { removed: removed.len(), left });
         let mut facts = self.facts(&without, map, roughness, &summits, spikes);
         facts.correlation = correlation;
@@ -246,10 +261,10 @@ impl SummitSearch<'_> {
         let radii = summits.curvatures.iter().map(|curvature| curvature.recip()).collect();
         let set = AsperitySet::new(summits.heights, radii, dx * dy * summits.tested as f64)?;
         if !self.as_ellipses {
-            return Ok(SearchedMap { set, facts, independence, halves, prepared });
+            return Ok(SearchedMap { set, facts, independence, halves, small, prepared });
         }
         let ellipses = summits.principal.iter().copied().map(Ellipse::of_summit).collect();
-        Ok(SearchedMap { set: set.with_ellipses(ellipses)?, facts, independence, halves, prepared })
+        Ok(SearchedMap { set: set.with_ellipses(ellipses)?, facts, independence, halves, small, prepared })
     }
 
     /// The points of a measured map that are removed as spikes, ascending, and the spikes that are left; `None` where they are not

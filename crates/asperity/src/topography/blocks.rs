@@ -52,7 +52,12 @@ impl Blocks {
     /// Both halves of a map of `points` with `pixel` (m), divided along its longer side.
     pub fn halves(points: [usize; 2], pixel: [f64; 2]) -> Self {
         let is_along_y = points[1] as f64 * pixel[1] > points[0] as f64 * pixel[0];
-        Self { points, counts: if is_along_y { [1, 2] } else { [2, 1] } }
+        Self::halves_along(points, usize::from(is_along_y))
+    }
+
+    /// Both halves of a map of `points`, divided across an axis.
+    pub fn halves_along(points: [usize; 2], axis: usize) -> Self {
+        Self { points, counts: if axis == 0 { [2, 1] } else { [1, 2] } }
     }
 
     /// The share of each block in the points of `map` that are present.

@@ -40,9 +40,13 @@ pub struct Distortion {
 impl Distortion {
     /// The distortion by the map to `distribution`.
     pub fn new(distribution: &dyn HeightDistribution) -> Self {
+        Self::by(|g| distribution.height_at_normal(g))
+    }
+
+    /// The distortion by an increasing map from g to a height of zero mean and unit standard deviation.
+    pub(super) fn by(height_at_normal: impl Fn(f64) -> f64) -> Self {
         let nodes: Vec<[f64; 2]> = normal_nodes(STEP).collect();
-        let heights: Vec<f64> =
-            nodes.iter().map(|&[g, weight]| weight * distribution.height_at_normal(g)).collect();
+        let heights: Vec<f64> = nodes.iter().map(|&[g, weight]| weight * height_at_normal(g)).collect();
         // Orthonormal polynomials h_n = He_n/(n!)^.5: (n+1)^.5 h_(n+1) = g h_n - n^.5 h_(n-1).
         let mut before = vec![0.0; nodes.len()];
         let mut latest = vec![1.0; nodes.len()];

@@ -142,6 +142,11 @@ impl HeightMap {
         Self::like(map, heights)
     }
 
+    /// Heights (m) on an open grid that is that of another map.
+    fn of_checked(points: [usize; 2], pixel: [f64; 2], heights: Vec<f64>) -> Self {
+        Self { points, pixel, heights, precision: f64::EPSILON, boundary: Boundary::Open, offset: 0.0 }
+    }
+
     /// Other heights (m) on the grid of `map`.
     fn like(map: &dyn Rows, heights: Vec<f64>) -> Self {
         Self {

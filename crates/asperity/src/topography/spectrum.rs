@@ -323,6 +323,11 @@ enum Kind {
 }
 
 impl GridSpectrum {
+    /// Of a field with this autocorrelation on a grid of `points`, by lag around the border.
+    pub(super) fn from_autocorrelation(points: [usize; 2], correlation: Vec<f64>) -> Self {
+        Self { points, kind: Kind::Table(roots(correlation, points)) }
+    }
+
     /// Points along x and y.
     pub fn points(&self) -> [usize; 2] {
         self.points
@@ -354,7 +359,7 @@ impl GridSpectrum {
         for_each_row(&mut correlation, points[1], &|_, row| {
             row.iter_mut().for_each(|rho| *rho = inverse.of(*rho));
         });
-        Self { points, kind: Kind::Table(roots(correlation, points)) }
+        Self::from_autocorrelation(points, correlation)
     }
 
     /// The variance of the wave of zero wave number, up to the factor common to all waves. A map of zero mean lacks it:

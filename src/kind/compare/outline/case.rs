@@ -14,7 +14,7 @@ use crate::kind::compare::figures::curves::{self, Setting};
 use crate::kind::compare::figures::{causes, contact, differences as figure, filter, lines};
 use crate::kind::compare::names::{stem, subject, under};
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
-use crate::kind::compare::rows::{AttributionRow, LineRow, RobustnessRow, SpreadRow, SurfaceCase, is_single};
+use crate::kind::compare::rows::{AttributionRow, LineRow, RobustnessRow, SpreadRow, SurfaceCase};
 use crate::model_tables::PairRow;
 
 /// Loads per decade in tables.
@@ -35,12 +35,17 @@ impl SurfaceCase<'_> {
     }
 }
 
-/// The answer in a sentence or two.
-pub fn answer(case: SurfaceCase) -> String {
+/// The answer in a few sentences: what the models say at the load, what holds on the map, and what holds of such surfaces.
+pub fn answer(case: SurfaceCase) -> Vec<String> {
     let verdicts = case.verdicts();
     if !verdicts.differences.is_empty() {
-        return lead::answer(verdicts, &case.surface.surface);
+        return lead::answer(case.case, &case.surface.surface);
     }
+    vec![without_differences(case)]
+}
+
+/// What there is to say where the models are not compared at equal load.
+fn without_differences(case: SurfaceCase) -> String {
     let comparison = &case.first().comparison;
     if comparison.curves.is_empty() {
         return of_reference_alone(case);
@@ -81,7 +86,7 @@ fn of_reference_alone(case: SurfaceCase) -> String {
 /// The figure behind the verdicts; nothing of one load, and where no models are compared.
 pub fn differences(page: &mut Page, results: &CompareResults, case: SurfaceCase) {
     let verdicts = case.verdicts();
-    if is_single(case.first()) || verdicts.differences.is_empty() {
+    if case.first().is_single() || verdicts.differences.is_empty() {
         return;
     }
     let name = case.name(results);
@@ -143,7 +148,7 @@ fn intervals(differences: &[Difference]) -> &'static str {
 /// Both models minus the reference; nothing where none was run, and of one load.
 fn against_reference(page: &mut Page, case: SurfaceCase, name: &str, stem: &str, units: &Units) {
     let verdicts = case.verdicts();
-    let Some(reference) = verdicts.reference.as_ref().filter(|_| !is_single(case.first())) else { return };
+    let Some(reference) = verdicts.reference.as_ref().filter(|_| !case.first().is_single()) else { return };
     let title = format!("{name}: each model minus the reference at equal load");
     let drawn = figure::against_reference(verdicts, &reference.against, units, &title);
     page.details(2, &format!("{name}: against the reference"), |page| {
@@ -178,7 +183,7 @@ fn why(page: &mut Page, tables: &Tables, case: SurfaceCase, stem: &str, units: &
         return;
     }
     const FINDING: &str = "Contributions of the causes to the difference between the models";
-    if let Some(figure) = causes::figure(verdicts, units, FINDING).filter(|_| !is_single(case.first())) {
+    if let Some(figure) = causes::figure(verdicts, units, FINDING).filter(|_| !case.first().is_single()) {
         page.figure(
             &format!("{stem}-causes.svg"),
             figure,
@@ -198,7 +203,8 @@ fn why(page: &mut Page, tables: &Tables, case: SurfaceCase, stem: &str, units: &
 fn robustness(page: &mut Page, tables: &Tables, case: SurfaceCase, stem: &str) {
     let loads = case.case.treated_loads();
     let Some(&load) = loads.get(loads.len() / 2) else { return };
-    if let Some(figure) = filter::against_filter(case.case, case.surface).filter(|_| !is_single(case.first()))
+    if let Some(figure) =
+        filter::against_filter(case.case, case.surface).filter(|_| !case.first().is_single())
     {
         page.figure(
                 &format!("{stem}-filter.svg"),
@@ -227,7 +233,7 @@ fn robustness(page: &mut Page, tables: &Tables, case: SurfaceCase, stem: &str) {
 
 /// The figures of the curves over load.
 fn curves(page: &mut Page, results: &CompareResults, case: SurfaceCase, name: &str, stem: &str) {
-    if is_single(case.first()) {
+    if case.first().is_single() {
         return;
     }
     let surface = case.surface;

@@ -1,13 +1,13 @@
-//! The answer of a page in a sentence or two, from typed facts.
+//! The answer on one case, from typed facts: what the models say at the load, what holds on the map, and what holds of such surfaces.
 
-use asperity::compare::{ComparedQuantity, Stretch, Verdict};
-use asperity::study::{Basis, Verdicts};
+use asperity::compare::{ComparedQuantity, NotModelled, OnMap, Stretch, Verdict};
+use asperity::study::{Basis, CaseStudy, Verdicts};
 use asperity::surface::Surface;
-use asperity::{INTERACTION, LARGE_STRAIN_SHARE, LARGEST_LOAD_SHARE, Limit, MIN_CONTACTS};
-use asperity_contact_framework::report::format::{
-    alternatives, input_quantity, listed, number, percent, quantity, signed,
-};
+use asperity::topography::generate::Unfitted;
+use asperity_contact_framework::report::format::{input_quantity, listed, number, quantity, signed};
 
+use super::at_load::results;
+use super::limit::none_admissible;
 use crate::presentation::quantity_name;
 use crate::surface::fitness;
 
@@ -15,51 +15,125 @@ use crate::surface::fitness;
 pub const ORDER: [ComparedQuantity; 3] =
     [ComparedQuantity::Area, ComparedQuantity::Separation, ComparedQuantity::Stiffness];
 
-/// The answer on one surface under one law and thickness: of each quantity its widest stretch of load with a conclusion, or the
-/// widest where there is none.
-pub fn answer(verdicts: &Verdicts, surface: &Surface) -> String {
+/// The answer on one surface under one law and thickness: the results at the load, whether the integral may replace the sum on this
+/// map, and on such surfaces.
+pub fn answer(case: &CaseStudy, surface: &Surface) -> Vec<String> {
+    let verdicts = &case.verdicts;
+    let mut sentences: Vec<String> = results(case, surface).into_iter().collect();
+    sentences.extend(on_map(verdicts));
+    sentences.push(on_surface(verdicts, surface));
+    sentences
+}
+
+/// What holds on the map: of each quantity the widest stretches within and beyond, at admissible loads if there are any.
+fn on_map(verdicts: &Verdicts) -> Option<String> {
+    let is_admissible = verdicts.on_map.iter().any(|one| one.is_admissible);
+    let considered = || verdicts.on_map.iter().filter(|one| one.is_admissible == is_admissible);
+    let widest = |compared: ComparedQuantity| {
+        let of = move |is_within: bool| {
+            let stretches =
+                considered().filter(move |one| one.quantity == compared && one.is_within == is_within);
+            stretches.max_by(|a, b| decades(a.loads).total_cmp(&decades(b.loads)))
+        };
+        [of(false), of(true)].into_iter().flatten()
+    };
+    let clauses: Vec<String> = ORDER.into_iter().flat_map(widest).map(map_clause).collect();
+    let whose = match verdicts.basis {
+        Basis::Realisations(count) => format!("On these {count} realisations"),
+        Basis::Asperities | Basis::Unstated => "On these asperities".to_owned(),
+        Basis::Blocks { .. } | Basis::TooSmall { .. } | Basis::ModelBased => "On this map".to_owned(),
+    };
+    let loads = if is_admissible { "" } else { ", at loads that are not admissible" };
+    (!clauses.is_empty()).then(|| format!("{whose}{loads}: {}.", clauses.join("; ")))
+}
+
+/// "real contact area beyond (+12 to +36 %) from 1 MPa to 40 MPa".
+fn map_clause(one: &OnMap) -> String {
+    let range = ends(one.quantity, one.range);
+    format!("{} {} ({range}) {}", quantity_name(one.quantity), one.name(), over(one.loads))
+}
+
+/// What holds of such surfaces: of each quantity its widest stretch of load with a conclusion, or the widest where there is none.
+fn on_surface(verdicts: &Verdicts, surface: &Surface) -> String {
+    if let Some(fault) = fitness::next_step(surface) {
+        return format!("For such surfaces: no conclusion until the map is fit. Next step: {fault}.");
+    }
     if verdicts.admissible.stretches.is_empty() {
-        return if_fit(surface, none_admissible(verdicts));
+        return format!("For such surfaces: cannot be told. {}", none_admissible(verdicts));
     }
     let widest = |compared: ComparedQuantity| {
         let stretches = verdicts.stretches.iter().filter(move |stretch| stretch.quantity == compared);
         stretches.max_by(|a, b| {
-            let rank = |stretch: &Stretch| (stretch.verdict != Verdict::CannotTell, decades(stretch));
+            let rank = |stretch: &Stretch| (stretch.verdict.is_told(), decades(stretch.loads));
             let (a, b) = (rank(a), rank(b));
             a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
         })
     };
     let main: Vec<&Stretch> = ORDER.into_iter().filter_map(widest).collect();
-    let with = |verdict: Verdict| main.iter().copied().filter(move |stretch| stretch.verdict == verdict);
-    let mut sentences = Vec::new();
-    sentences.extend(sentence("Beyond what is accepted", with(Verdict::Beyond).map(difference)));
-    sentences.extend(sentence("Within what is accepted", with(Verdict::Within).map(difference)));
-    sentences
-        .extend(sentence("Cannot be told", with(Verdict::CannotTell).map(|stretch| open(stretch, verdicts))));
-    if_fit(surface, sentences.join(" "))
+    let clauses = |verdict: Verdict, name: &str, clause: &dyn Fn(&Stretch) -> String| {
+        let with: Vec<String> =
+            main.iter().filter(|stretch| stretch.verdict == verdict).map(|stretch| clause(stretch)).collect();
+        (!with.is_empty()).then(|| format!("{name}: {}", with.join("; ")))
+    };
+    let sentences = [
+        clauses(Verdict::Beyond, "beyond what is accepted", &difference),
+        clauses(Verdict::VeryLikelyBeyond, "very likely beyond", &difference),
+        clauses(Verdict::Within, "within what is accepted", &difference),
+        clauses(Verdict::VeryLikelyWithin, "very likely within", &difference),
+        all_open(&main, verdicts),
+    ];
+    let sentences: Vec<String> = sentences.into_iter().flatten().collect();
+    format!("For such surfaces{}: {}.", intervals(verdicts), sentences.join(". "))
 }
 
-/// "Beyond what is accepted: area ..., separation ...", of some clauses; `None` of none.
-fn sentence(start: &str, clauses: impl Iterator<Item = String>) -> Option<String> {
-    let clauses: Vec<String> = clauses.collect();
-    (!clauses.is_empty()).then(|| format!("{start}: {}.", clauses.join("; ")))
+/// "cannot be told: real contact area and stiffness from 1 MPa to 40 MPa (needs ...)": quantities of which the same is said together.
+fn all_open(main: &[&Stretch], verdicts: &Verdicts) -> Option<String> {
+    let mut grouped: Vec<(Vec<String>, String)> = Vec::new();
+    for stretch in main.iter().filter(|stretch| stretch.verdict == Verdict::CannotTell) {
+        let (name, rest) = (quantity_name(stretch.quantity).to_owned(), open(stretch, verdicts));
+        match grouped.iter_mut().find(|(_, other)| *other == rest) {
+            Some((names, _)) => names.push(name),
+            None => grouped.push((vec![name], rest)),
+        }
+    }
+    let clauses: Vec<String> =
+        grouped.iter().map(|(names, rest)| format!("{} {rest}", listed(names))).collect();
+    (!clauses.is_empty()).then(|| format!("cannot be told: {}", clauses.join("; ")))
 }
 
-/// "real contact area +12 to +36 % (accepted 10 %) from 1 MPa to 40 MPa".
-fn difference(stretch: &Stretch) -> String {
-    let (unit, size) = match stretch.quantity {
+/// What the intervals are.
+fn intervals(verdicts: &Verdicts) -> &'static str {
+    match verdicts.basis {
+        Basis::ModelBased => " (model-based 95 % intervals)",
+        Basis::Blocks { .. } | Basis::Realisations(_) | Basis::Asperities => " (95 % intervals)",
+        Basis::TooSmall { .. } | Basis::Unstated => "",
+    }
+}
+
+/// "+12 to +36 %" of contrasts of a quantity.
+fn ends(compared: ComparedQuantity, contrasts: [f64; 2]) -> String {
+    let (unit, size) = unit(compared);
+    let [low, high] = contrasts.map(|end| signed(size * compared.reported(end)));
+    if low == high { format!("{low} {unit}") } else { format!("{low} to {high} {unit}") }
+}
+
+fn unit(compared: ComparedQuantity) -> (&'static str, f64) {
+    match compared {
         ComparedQuantity::Separation => ("σ", 1.0),
         ComparedQuantity::Area | ComparedQuantity::Stiffness => ("%", 100.0),
-    };
-    let ends = stretch.range.map(|ends| ends.map(|end| signed(size * stretch.quantity.reported(end))));
-    let ends = ends.map_or_else(String::new, |[low, high]| {
-        if low == high { format!(" {low} {unit}") } else { format!(" {low} to {high} {unit}") }
-    });
-    let accepted = number(size * stretch.accepted);
-    format!("{}{ends} (accepted {accepted} {unit}) {}", quantity_name(stretch.quantity), over(stretch.loads))
+    }
 }
 
-/// "stiffness from 1 MPa to 40 MPa (needs about 2.5 mm² of surface, now 1 mm²)".
+/// "real contact area +12 to +36 % (accepted 10 %) from 1 MPa to 40 MPa": the outermost ends of the intervals, or of the differences.
+fn difference(stretch: &Stretch) -> String {
+    let range = stretch.bounds.or(stretch.range);
+    let range = range.map_or_else(String::new, |range| format!(" {}", ends(stretch.quantity, range)));
+    let (unit, size) = unit(stretch.quantity);
+    let accepted = number(size * stretch.accepted);
+    format!("{}{range} (accepted {accepted} {unit}) {}", quantity_name(stretch.quantity), over(stretch.loads))
+}
+
+/// "from 1 MPa to 40 MPa (needs about 2.5 mm² of surface, now 1 mm²)".
 fn open(stretch: &Stretch, verdicts: &Verdicts) -> String {
     let need = match (verdicts.basis, stretch.growth, verdicts.area_needed(stretch)) {
         (Basis::Realisations(now), Some(growth), _) => {
@@ -69,19 +143,43 @@ fn open(stretch: &Stretch, verdicts: &Verdicts) -> String {
         (Basis::Unstated, ..) => {
             " (no interval: the list needs `independent = true`, or columns `x` and `y`)".to_owned()
         }
-        (_, _, Some(area)) => {
+        (basis, _, Some(area)) => {
             let least = if stretch.area_needed.is_some() { "at least" } else { "about" };
-            let [area, now] = [area, verdicts.area].map(nominal_area);
-            format!(" (needs {least} {area} of surface, now {now})")
+            let [area, now] = [nominal_area(area, true), nominal_area(verdicts.area, false)];
+            let why = match basis {
+                Basis::TooSmall { not_modelled: Some(reason), .. } => {
+                    format!("; no model-based interval: {}", no_model(reason))
+                }
+                _ => String::new(),
+            };
+            format!(" (needs {least} {area} of surface, now {now}{why})")
         }
         _ => String::new(),
     };
-    format!("{} {}{need}", quantity_name(stretch.quantity), over(stretch.loads))
+    format!("{}{need}", over(stretch.loads))
 }
 
-/// A nominal area (m²) with two digits: in mm² from a tenth on.
-fn nominal_area(area: f64) -> String {
-    let rounded: f64 = format!("{area:.1e}").parse().unwrap_or(area);
+/// Why there is no model-based interval.
+fn no_model(reason: NotModelled) -> &'static str {
+    match reason {
+        NotModelled::Unfitted(Unfitted::TooShort) => {
+            "a side of the map is shorter than 8 correlation lengths"
+        }
+        NotModelled::Unfitted(Unfitted::Patchy) | NotModelled::Patchy => {
+            "the roughness varies from place to place"
+        }
+        NotModelled::Unfitted(Unfitted::Flat) => "the heights do not scatter",
+        NotModelled::Unfitted(Unfitted::Periodic) => "the surface is periodic",
+        NotModelled::Unlike => "surfaces of its spectrum and heights have other asperities",
+        NotModelled::Failed => "surfaces of its spectrum and heights could not be compared",
+    }
+}
+
+/// A nominal area (m²) with two digits, rounded `up` or to the nearest: in mm² from a tenth on.
+pub fn nominal_area(area: f64, up: bool) -> String {
+    let nearest: f64 = format!("{area:.1e}").parse().unwrap_or(area);
+    let unit = 10f64.powf(area.log10().floor() - 1.0);
+    let rounded = if up && nearest < area { nearest + unit } else { nearest };
     if (1e-8..1.0).contains(&rounded) {
         format!("{} mm²", number(1e6 * rounded))
     } else {
@@ -89,29 +187,9 @@ fn nominal_area(area: f64) -> String {
     }
 }
 
-/// Why no load carries a verdict.
-fn none_admissible(verdicts: &Verdicts) -> String {
-    let limits: Vec<String> = verdicts.admissible.below.limits().map(limit_words).collect();
-    format!("Cannot be told at any load of this experiment: {}.", alternatives(&limits))
-}
-
-/// What lies beyond a limit.
-fn limit_words(limit: Limit) -> String {
-    match limit {
-        Limit::FewContacts => format!("fewer than {MIN_CONTACTS} effective contacts"),
-        Limit::DominantContact => {
-            format!("more than {} of the load in one contact", percent(LARGEST_LOAD_SHARE))
-        }
-        Limit::Interaction => format!("contact area above {}", percent(INTERACTION)),
-        Limit::LargeStrain => {
-            format!("more than {} of the load at large strains", percent(LARGE_STRAIN_SHARE))
-        }
-    }
-}
-
 /// The width of a stretch on a logarithmic scale.
-fn decades(stretch: &Stretch) -> f64 {
-    (stretch.loads[1] / stretch.loads[0]).log10()
+fn decades([from, to]: [f64; 2]) -> f64 {
+    (to / from).log10()
 }
 
 /// "from 0.5 MPa to 40 MPa", or "at 1 MPa".
@@ -120,75 +198,12 @@ fn over([from, to]: [f64; 2]) -> String {
     if from == to { format!("at {first}") } else { format!("from {first} to {last}") }
 }
 
-/// A sentence on a surface, unless a failed check keeps it from carrying a verdict.
-fn if_fit(surface: &Surface, sentence: String) -> String {
-    match fitness::blocked_by(surface) {
-        None => sentence,
-        Some(faults) => {
-            format!("No conclusion until the map is fit: {faults}. As the data stand: {sentence}")
-        }
-    }
-}
-
-/// The answer over several cases: for how many the models differ by more than is accepted at some load, for how many they agree
-/// wherever that can be told.
-pub fn count(all: &[&Verdicts]) -> String {
-    let has = |verdicts: &Verdicts, compared: ComparedQuantity, wanted: Verdict| {
-        verdicts.stretches.iter().any(|stretch| stretch.quantity == compared && stretch.verdict == wanted)
-    };
-    let counted = |holds: &dyn Fn(&Verdicts, ComparedQuantity) -> bool| {
-        let part = |compared: ComparedQuantity| {
-            format!(
-                "{} {}",
-                quantity_name(compared),
-                all.iter().filter(|verdicts| holds(verdicts, compared)).count()
-            )
-        };
-        listed(&ORDER.map(part))
-    };
-    let beyond = counted(&|verdicts, compared| has(verdicts, compared, Verdict::Beyond));
-    let within = counted(&|verdicts, compared| {
-        has(verdicts, compared, Verdict::Within) && !has(verdicts, compared, Verdict::Beyond)
-    });
-    let is_open = |verdicts: &Verdicts, compared: ComparedQuantity| {
-        !has(verdicts, compared, Verdict::Beyond) && !has(verdicts, compared, Verdict::Within)
-    };
-    let open = if all.iter().any(|verdicts| ORDER.iter().any(|&compared| is_open(verdicts, compared))) {
-        let open = counted(&is_open);
-        let more = counted(&|verdicts, compared| {
-            is_open(verdicts, compared) && differs_on_surface(verdicts, compared)
-        });
-        format!(
-            " Cannot be told of such surfaces at any load: {open}; on the compared surface itself the models differ by more than is accepted for {more} of these."
-        )
-    } else {
-        String::new()
-    };
-    let blocked = match all.iter().filter(|verdicts| verdicts.is_blocked).count() {
-        0 => String::new(),
-        count => {
-            format!(" {count} are on maps that fail a fitness check: no conclusion until those are fit.")
-        }
-    };
-    format!(
-        "Of {} cases, beyond what is accepted at some load: {beyond}. Within it wherever that can be told: {within}.{open}{blocked}",
-        all.len()
-    )
-}
-
-/// Whether the models differ by more than is accepted on the compared surface, at some admissible load.
-fn differs_on_surface(verdicts: &Verdicts, compared: ComparedQuantity) -> bool {
-    let accepted = verdicts.accepted.limit(compared);
-    let admissible = verdicts.differences.iter().filter(|at| at.exceeded().is_none());
-    let mut differences = admissible.filter_map(|at| at.estimates[compared as usize]);
-    differences.any(|estimate| compared.reported(estimate.contrast).abs() > accepted)
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::count::count;
     use super::*;
     use asperity::LoadSharing;
-    use asperity::compare::{Accepted, AdmissibleRange, Difference, Estimate};
+    use asperity::compare::{Accepted, AdmissibleRange, Difference, Estimate, Support};
 
     /// Verdicts on a surface of 1 mm² from contrasts and standard errors of the area at 1 and 10 MPa.
     fn verdicts(contacts: f64, contrasts: [f64; 2], error: Option<f64>) -> Verdicts {
@@ -203,14 +218,23 @@ mod tests {
             area_ratio: 0.01,
             estimates: [
                 None,
-                Some(Estimate { contrast, error, quantile: 2.0, bound: 0.0, independent_error: error }),
+                Some(Estimate {
+                    contrast,
+                    error,
+                    quantile: 2.0,
+                    bound: 0.0,
+                    independent_error: error,
+                    support: Support::Sampled,
+                }),
                 None,
             ],
+            of_models: [None; 2],
             area_needed: error.is_none().then_some(4e-6),
         };
         let differences: Vec<Difference> = [1e6, 1e7].into_iter().zip(contrasts).map(at_load).collect();
         Verdicts {
             stretches: Stretch::all(&differences, &accepted),
+            on_map: OnMap::all(&differences, &accepted),
             admissible: AdmissibleRange::new(differences.iter().map(|at| (at.load, at.exceeded()))),
             differences,
             attribution: Vec::new(),
@@ -238,13 +262,13 @@ mod tests {
     fn what_cannot_be_told_names_what_it_needs() {
         let small = verdicts(90.0, [0.2, 0.3], None);
         let text = open(&small.stretches[0], &small);
+        assert_eq!(text, "from 1 MPa to 10 MPa (needs at least 4 mm² of surface, now 1 mm²)");
+        let few = verdicts(9.0, [0.2, 0.3], Some(0.01));
+        let text = super::none_admissible(&few);
         assert_eq!(
             text,
-            "real contact area from 1 MPa to 10 MPa (needs at least 4 mm² of surface, now 1 mm²)"
+            "No load is admissible: at most 9 effective contacts, below 30, carry the load. Remedy: a higher load or a larger surface."
         );
-        let few = verdicts(9.0, [0.2, 0.3], Some(0.01));
-        let text = none_admissible(&few);
-        assert_eq!(text, "Cannot be told at any load of this experiment: fewer than 30 effective contacts.");
     }
 
     #[test]

@@ -2,13 +2,17 @@
 //!
 //! | module | what it writes |
 //! |---|---|
-//! | `lead` | the answer in a sentence or two |
+//! | `lead`, `at_load`, `limit` | the answer on one case: results at the load, on this map, on such surfaces; the limit that binds |
+//! | `count` | the answer over several cases |
 //! | `case` | one surface under one law |
 //! | `series` | one surface under one law by layer thickness |
 //! | `sections` | what is shown of all cases together |
 
+mod at_load;
 mod case;
+mod count;
 mod lead;
+mod limit;
 mod sections;
 mod series;
 
@@ -49,8 +53,9 @@ impl Outcome for CompareResults {
     fn page(&self, tables: &Tables) -> Page {
         let mut page = Page::new(&self.metadata.title);
         let series = Series::all(self);
-        let answer = [Some(answer(self)), self.elastic_reference_note()];
-        page.lead(&escape_around_code(&answer.into_iter().flatten().collect::<Vec<_>>().join(" ")));
+        for sentence in answer(self).into_iter().chain(self.elastic_reference_note()) {
+            page.lead(&escape_around_code(&sentence));
+        }
         common::warnings(&mut page, &self.warnings());
         main_figure(&mut page, self, &series);
         sections::results(&mut page, tables);
@@ -117,7 +122,11 @@ impl Outcome for CompareResults {
         let text = |surface: &SurfaceResults| {
             let answers: String = SurfaceCase::on_surface(surface)
                 .map(|case| {
-                    format!("\n{}: {}\n", subject(self, surface, &case.first().law), case::answer(case))
+                    format!(
+                        "\n{}\n{}\n",
+                        subject(self, surface, &case.first().law),
+                        case::answer(case).join("\n")
+                    )
                 })
                 .collect();
             format!("\n{}{}", section::for_terminal(&surface.surface), answers).trim_end().to_owned()
@@ -127,7 +136,7 @@ impl Outcome for CompareResults {
 }
 
 /// The answer: of one case by itself, of several counted.
-fn answer(results: &CompareResults) -> String {
+fn answer(results: &CompareResults) -> Vec<String> {
     let cases: Vec<SurfaceCase> = SurfaceCase::all(results).collect();
     let compared = |case: &&SurfaceCase| !case.verdicts().differences.is_empty();
     let verdicts: Vec<&Verdicts> = cases.iter().filter(compared).map(|case| case.verdicts()).collect();
@@ -136,11 +145,11 @@ fn answer(results: &CompareResults) -> String {
         (_, 0) => {
             let each = cases.iter().map(|case| {
                 let name = subject(results, case.surface, &case.first().law);
-                format!("{name}: {}", case::answer(*case))
+                format!("{name}: {}", case::answer(*case).join(" "))
             });
-            each.collect::<Vec<_>>().join(" ")
+            each.collect()
         }
-        _ => lead::count(&verdicts),
+        _ => vec![count::count(&verdicts)],
     }
 }
 
@@ -159,7 +168,7 @@ fn main_figure(page: &mut Page, results: &CompareResults, series: &[Series]) {
         }
     };
     if series.is_empty() {
-        if !cases.iter().all(|case| super::rows::is_single(case.first())) {
+        if !cases.iter().all(|case| case.first().is_single()) {
             let named = cases.iter().map(|case| (case.name(results), case.verdicts()));
             draw("verdicts.svg", "", &named.collect::<Vec<_>>());
         }

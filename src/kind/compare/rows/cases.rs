@@ -26,7 +26,7 @@ impl CaseRow<'_> {
     fn groups(&self) -> Option<usize> {
         match self.verdicts.basis {
             Basis::Realisations(count) | Basis::Blocks { count, .. } => Some(count),
-            Basis::TooSmall { .. } | Basis::Unstated | Basis::Asperities => None,
+            Basis::TooSmall { .. } | Basis::Unstated | Basis::Asperities | Basis::ModelBased => None,
         }
     }
 
@@ -51,7 +51,7 @@ impl Row for CaseRow<'_> {
             admissible_to_pa["Pa", prefix("M"), label("to"), input] = row.end(|all| all.last().map(|loads| loads[1])), "Highest such pressure.";
             limits_below["text"] = limits(row.verdicts.admissible.below), "Limits that are exceeded at lower loads, as in `curves.csv`.";
             limits_above["text"] = limits(row.verdicts.admissible.above), "Limits that are exceeded at higher loads.";
-            basis["text", label("intervals from")] = row.verdicts.basis.name(), "What the intervals rest on: `blocks` of a map or of a list with places, `realisations`, `independent` asperities, or `none` of a map too small for blocks and of a list that is not said to be one of independent draws.";
+            basis["text", label("intervals from")] = row.verdicts.basis.name(), "What the intervals rest on: `blocks` of a map or of a list with places, `realisations`, `independent` asperities, `model-based` (surfaces generated with the spectrum and heights of a map too small for blocks), or `none` of a map too small for blocks and of a list that is not said to be one of independent draws.";
             groups["count"] = row.groups(), "Number of blocks or realisations.";
             block_x_m["m"] = row.block(|sides, _| sides[0]), "Side of a block along x.";
             block_y_m["m"] = row.block(|sides, _| sides[1]), "Side of a block along y.";

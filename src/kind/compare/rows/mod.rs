@@ -7,6 +7,7 @@ pub(crate) mod differences;
 mod layer;
 mod lines;
 mod nearer;
+mod on_map;
 mod ranking;
 mod readings;
 mod reference;
@@ -21,8 +22,9 @@ pub(crate) use cases::CaseRow;
 pub(crate) use layer::{DecreaseRow, RuleRow, ThresholdRow};
 pub(crate) use lines::LineRow;
 pub(crate) use nearer::{NearerRow, ReferenceCurveRow};
+pub(crate) use on_map::OnMapRow;
 pub(crate) use readings::ReadingRow;
-pub(crate) use results::{GapRow, ResultRow, is_single};
+pub(crate) use results::{GapRow, ResultRow};
 pub(crate) use robustness::RobustnessRow;
 pub(crate) use spread::SpreadRow;
 pub(crate) use standings::StandingRow;
@@ -96,9 +98,10 @@ fn case_columns<R>(key: impl for<'r> Fn(&'r R) -> CaseKey<'r> + Copy + 'static) 
 /// The tables of a comparison.
 pub(crate) fn schemas() -> Vec<Schema> {
     let mut schemas = vec![
+        Schema::of::<ResultRow>(),
+        Schema::of::<OnMapRow>(),
         Schema::of::<VerdictRow>(),
         Schema::of::<CaseRow>(),
-        Schema::of::<ResultRow>(),
         Schema::of::<CurveRow>(),
         Schema::of::<PairRow>(),
         Schema::of::<GapRow>(),
@@ -131,6 +134,7 @@ pub(crate) fn tables(results: &CompareResults) -> Vec<Table> {
         pairs = pairs.without_part(REFERENCE);
     }
     let mut tables = vec![
+        Table::new(on_map::rows(results)),
         Table::new(verdicts::rows(results)),
         Table::new(cases::rows(results)),
         Table::new(curves::curves(results)),

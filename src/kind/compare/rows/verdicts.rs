@@ -47,7 +47,7 @@ impl Row for VerdictRow<'_> {
             model["text"] = row.names[0], "The model that is judged: `statistical` or `deterministic`.";
             from_pa["Pa", prefix("M"), label("from"), input] = row.stretch.loads[0], "Lowest nominal pressure of the stretch.";
             to_pa["Pa", prefix("M"), label("to"), input] = row.stretch.loads[1], "Highest nominal pressure of the stretch.";
-            verdict["text", verdict] = row.verdict, "Whether the 95 % interval of the difference lies inside what is accepted (`within`), outside (`beyond`) or neither (`cannot-tell`) at all loads of the stretch; `blocked` on a surface that failed a fitness check.";
+            verdict["text", verdict] = row.verdict, "Whether the 95 % interval of the difference lies inside what is accepted (`within`), outside (`beyond`) or neither (`cannot-tell`) at all loads of the stretch; `very-likely-within` and `very-likely-beyond` of a model-based interval that does not decide at twice its width, the latter also of a difference of ten times what is accepted (of the logarithm of a ratio) on all halves of a map without interval; `blocked` on a surface that failed a fitness check.";
             difference["1", label("largest difference"), signed, scale(1.0)] = row.largest(), "The largest difference in the stretch: of the separation in sigma, of area and stiffness relative to what the model is compared with.";
             low["1", label("95 % interval from"), signed, scale(1.0)] = row.end(0), "Lower end of its 95 % interval; empty where none is claimed.";
             high["1", label("to"), signed, scale(1.0)] = row.end(1), "Upper end of the interval.";

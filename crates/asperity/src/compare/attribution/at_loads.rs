@@ -2,7 +2,7 @@
 
 use super::states::{Arrangement, Rearranged, STATES};
 use super::{Attribution, Cause, Contribution, Contributions, Order};
-use crate::compare::difference::{CONTACTS_PER_GROUP, ComparedQuantity, Estimate, State};
+use crate::compare::difference::{CONTACTS_PER_GROUP, ComparedQuantity, Estimate, State, Support};
 use crate::compare::sampling::{jackknife_error, jackknife_quantile, moved, slopes, state};
 use crate::compare::{Pair, Pairing};
 use crate::interface::MicroContact;
@@ -210,6 +210,7 @@ impl<'a> QuantityStates<'a> {
                 .map_or(f64::INFINITY, |(_, shares)| jackknife_quantile(shares.len())),
             bound: 0.0,
             independent_error: None,
+            support: Support::Sampled,
         }
     }
 }

@@ -168,9 +168,17 @@ impl From<Estimate> for Contribution {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::compare::difference::Support;
 
     fn estimate(contrast: f64, error: Option<f64>) -> Estimate {
-        Estimate { contrast, error, quantile: 2.0, bound: 0.0, independent_error: None }
+        Estimate {
+            contrast,
+            error,
+            quantile: 2.0,
+            bound: 0.0,
+            independent_error: None,
+            support: Support::Sampled,
+        }
     }
 
     /// A part of the same size in every order.

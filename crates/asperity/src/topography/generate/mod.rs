@@ -1,8 +1,10 @@
 //! Periodic random rough surfaces of a given spectrum and height distribution.
 
+mod fitted;
 mod gaussian;
 mod target;
 
+pub use fitted::{FittedProcess, Unfitted, roughness_scatter};
 pub use gaussian::gaussian;
 pub use target::{Reached, SigmaOf, Target, TargetGenerator, Unreachable};
 

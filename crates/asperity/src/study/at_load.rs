@@ -1,0 +1,219 @@
+//! The results of a case at one load: what the models, and the reference, say there.
+
+use super::case::CaseStudy;
+use super::results::CaseResults;
+use crate::Response;
+use crate::compare::{CurvePoint, Difference, ModelKind, Pair, Pairing, ReferencePoint, student_quantile};
+use crate::model::Exceeded;
+
+/// The models, and the reference, at the load of a case, or at the middle one of its loads.
+#[derive(Debug, Clone)]
+pub struct LoadResults {
+    /// Limits of admissible loads that are exceeded there.
+    pub exceeded: Exceeded,
+    /// Statistical and deterministic model and reference, as far as they were run.
+    pub models: Vec<ModelResult>,
+}
+
+/// A model or the reference at one load; over several realisations the mean.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ModelResult {
+    /// The model; `None` for the reference.
+    pub model: Option<ModelKind>,
+    /// Its results.
+    pub reading: Reading,
+    /// The 95 % interval of the area ratio, where there is one.
+    pub area_interval: Option<[f64; 2]>,
+}
+
+/// What one model says at a load.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reading {
+    /// Nominal pressure, Pa.
+    pub pressure: f64,
+    /// Separation, m, and over sigma.
+    pub separation: Option<[f64; 2]>,
+    /// Real over nominal contact area.
+    pub area_ratio: f64,
+    /// Contacts per nominal area, 1/m^2; `None` of the reference.
+    pub contact_density: Option<f64>,
+    /// -dp/dd, Pa/m.
+    pub stiffness: Option<f64>,
+    /// Shares of the load in elastic, elastic-plastic and plastic contacts; `None` of the reference, and without contact.
+    pub shares: Option<[f64; 3]>,
+}
+
+impl From<&Response> for Reading {
+    fn from(response: &Response) -> Self {
+        Self {
+            pressure: response.pressure.total(),
+            separation: Some([response.separation, response.separation_over_sigma]),
+            area_ratio: response.area_ratio.total(),
+            contact_density: Some(response.contact_density),
+            stiffness: Some(response.stiffness),
+            shares: response.pressure.shares(),
+        }
+    }
+}
+
+impl From<&ReferencePoint> for Reading {
+    fn from(point: &ReferencePoint) -> Self {
+        Self {
+            pressure: point.pressure,
+            separation: point.separation.zip(point.separation_over_sigma).map(|(d, h)| [d, h]),
+            area_ratio: point.area_ratio,
+            contact_density: None,
+            stiffness: point.stiffness,
+            shares: None,
+        }
+    }
+}
+
+impl Reading {
+    /// Load over real contact area, Pa; `None` without contact.
+    pub fn mean_real_pressure(&self) -> Option<f64> {
+        (self.area_ratio > 0.0).then(|| self.pressure / self.area_ratio)
+    }
+
+    fn mean(all: &[Self]) -> Option<Self> {
+        let count = all.len() as f64;
+        let mean = |of: &dyn Fn(&Self) -> Option<f64>| Some(all.iter().map(of).sum::<Option<f64>>()? / count);
+        let separation = [0, 1].map(|k| mean(&|one| Some(one.separation?[k])));
+        let shares = [0, 1, 2].map(|k| mean(&|one| Some(one.shares?[k])));
+        Some(Self {
+            pressure: mean(&|one| Some(one.pressure))?,
+            separation: separation[0].zip(separation[1]).map(|(d, h)| [d, h]),
+            area_ratio: mean(&|one| Some(one.area_ratio))?,
+            contact_density: mean(&|one| one.contact_density),
+            stiffness: mean(&|one| one.stiffness),
+            shares: shares[0].zip(shares[1]).zip(shares[2]).map(|((a, b), c)| [a, b, c]),
+        })
+    }
+}
+
+impl CaseResults {
+    /// Whether each model, and the reference, was asked for one point only, so that its curves are points.
+    pub fn is_single(&self) -> bool {
+        let curves = &self.comparison.curves;
+        let points = |kind: ModelKind| curves.iter().filter(|point| point.kind == kind).count();
+        let of_reference = self.reference.as_ref().map_or(0, |curve| curve.points.len());
+        let of_models = [ModelKind::Statistical, ModelKind::Deterministic].map(points);
+        of_models.into_iter().chain([of_reference]).max() == Some(1)
+    }
+
+    /// What was computed at the nominal pressure `pressure` (Pa) of a pair.
+    fn at_load(&self, pressure: f64) -> Vec<(Option<ModelKind>, Reading)> {
+        let is_it = |pair: &&Pair| pair.pairing == Pairing::Load && pair.target == pressure;
+        let pair = self.comparison.pairs.iter().find(is_it);
+        let models = pair.into_iter().flat_map(|pair| {
+            [(ModelKind::Statistical, &pair.statistical), (ModelKind::Deterministic, &pair.deterministic)]
+        });
+        let models = models.map(|(kind, response)| (Some(kind), Reading::from(response)));
+        let reference = self.reference.as_ref().and_then(|curve| curve.at_load(pressure));
+        models.chain(reference.map(|point| (None, Reading::from(point)))).collect()
+    }
+
+    /// What was computed at the middle point of each curve, by the load.
+    fn in_the_middle(&self) -> Vec<(Option<ModelKind>, Reading)> {
+        let middle = |kind: ModelKind| {
+            let of_model = self.comparison.curves.iter().filter(|point| point.kind == kind);
+            let mut points: Vec<&CurvePoint> = of_model.collect();
+            points.sort_by(|a, b| a.response.pressure.total().total_cmp(&b.response.pressure.total()));
+            Some((Some(kind), Reading::from(&points.get(points.len() / 2)?.response)))
+        };
+        let reference = self.reference.as_ref().and_then(|curve| {
+            let mut points: Vec<&ReferencePoint> = curve.points.iter().collect();
+            points.sort_by(|a, b| a.pressure.total_cmp(&b.pressure));
+            Some((None, Reading::from(*points.get(points.len() / 2)?)))
+        });
+        let models = [ModelKind::Statistical, ModelKind::Deterministic].into_iter().filter_map(middle);
+        models.chain(reference).collect()
+    }
+}
+
+impl CaseStudy {
+    /// The results at the load that was asked for; of several loads at the middle one of those that are admissible (and at which the
+    /// reference was run), or of all where none is.
+    pub fn results_at_load(&self) -> LoadResults {
+        let at = self.reported_load();
+        let of_realisation = |case: &CaseResults| match at {
+            Some(at) if !self.first().is_single() => case.at_load(at.load),
+            _ => case.in_the_middle(),
+        };
+        let each: Vec<Vec<(Option<ModelKind>, Reading)>> =
+            self.realisations.iter().map(of_realisation).collect();
+        let model = |&(model, _): &(Option<ModelKind>, Reading)| {
+            let of_model = |all: &Vec<(Option<ModelKind>, Reading)>| {
+                all.iter().find(|(other, _)| *other == model).map(|(_, reading)| *reading)
+            };
+            let readings: Vec<Reading> = each.iter().map(of_model).collect::<Option<_>>()?;
+            let reading = Reading::mean(&readings)?;
+            let interval = if readings.len() > 1 {
+                Some(interval_of_mean(&readings.iter().map(|one| one.area_ratio).collect::<Vec<_>>()))
+            } else {
+                let of_models = at.map_or([None; 2], |at| at.of_models);
+                let half = of_models[usize::from(model? == ModelKind::Deterministic)];
+                half.map(|[_, half, _]| [-half, half].map(|half| reading.area_ratio * half.exp()))
+            };
+            Some(ModelResult { model, reading, area_interval: interval })
+        };
+        LoadResults {
+            exceeded: at.map_or_else(Exceeded::default, Difference::exceeded),
+            models: each[0].iter().filter_map(model).collect(),
+        }
+    }
+
+    /// The load at which results are reported; `None` where the models are not compared at equal load.
+    fn reported_load(&self) -> Option<&Difference> {
+        let differences = &self.verdicts.differences;
+        let has_reference = |at: &&Difference| {
+            self.first().reference.as_ref().is_some_and(|curve| curve.at_load(at.load).is_some())
+        };
+        let mut loads: Vec<&Difference> = differences.iter().filter(has_reference).collect();
+        if loads.is_empty() {
+            loads = differences.iter().collect();
+        }
+        let admissible: Vec<&Difference> =
+            loads.iter().copied().filter(|at| at.exceeded().is_none()).collect();
+        let from = if admissible.is_empty() { &loads } else { &admissible };
+        from.get(from.len() / 2).copied()
+    }
+}
+
+/// The 95 % interval of the mean of at least two values.
+fn interval_of_mean(values: &[f64]) -> [f64; 2] {
+    let count = values.len() as f64;
+    let mean = values.iter().sum::<f64>() / count;
+    let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
+    let half = student_quantile(values.len()) * (squares / (count - 1.0) / count).sqrt();
+    [mean - half, mean + half]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_mean_over_realisations_has_students_interval() {
+        let [low, high] = interval_of_mean(&[1.0, 3.0]);
+        // 12.706 standard errors of 1.
+        assert!((low + 10.706_204_7).abs() < 1e-6 && (high - 14.706_204_7).abs() < 1e-6, "{low} {high}");
+    }
+
+    #[test]
+    fn a_quantity_that_one_realisation_lacks_has_no_mean() {
+        let one = Reading {
+            pressure: 2.0,
+            separation: Some([1e-9, 1.0]),
+            area_ratio: 0.02,
+            contact_density: Some(4.0),
+            stiffness: None,
+            shares: Some([0.5, 0.5, 0.0]),
+        };
+        let other = Reading { area_ratio: 0.04, stiffness: Some(1.0), shares: None, ..one };
+        let mean = Reading::mean(&[one, other]).unwrap();
+        assert_eq!((mean.stiffness, mean.shares), (None, None));
+        assert!((mean.area_ratio - 0.03).abs() < 1e-15);
+        assert!((mean.mean_real_pressure().unwrap() - 2.0 / 0.03).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,78 @@
+//! What the models say at the load, in a sentence.
+
+use asperity::compare::ModelKind;
+use asperity::study::{CaseStudy, ModelResult};
+use asperity::surface::Surface;
+use asperity_contact_framework::report::format::{input_quantity, number, percent, quantity, signed};
+
+use super::limit::limit_words;
+
+/// "At 5 N on 4 mm² (1.25 MPa): real contact area 3200 µm² (0.08 %) in 180 contacts at 1.55 GPa, 97 % elastic-plastic, by the sum; integral
+/// +13 %, boundary elements -5 % of area."; `None` where neither sum nor integral was run.
+pub fn results(case: &CaseStudy, surface: &Surface) -> Option<String> {
+    let at_load = case.results_at_load();
+    let of = |kind: ModelKind| at_load.models.iter().find(|one| one.model == Some(kind));
+    let (model, name) = of(ModelKind::Deterministic)
+        .map(|one| (one, "sum"))
+        .or_else(|| of(ModelKind::Statistical).map(|one| (one, "integral")))?;
+    let nominal = surface.set.nominal_area();
+    let mut marks: Vec<String> = at_load.exceeded.limits().map(limit_words).collect();
+    marks.extend(surface.is_blocked().then(|| "map not fit".to_owned()));
+    let marks = if marks.is_empty() { String::new() } else { format!(" [{}]", marks.join("; ")) };
+    let pressure = model.reading.pressure;
+    let [force, nominal_area, pressure] =
+        [quantity(pressure * nominal, "N"), area(nominal), input_quantity(pressure, "Pa")];
+    let others = others(&at_load.models, model);
+    Some(format!(
+        "At {force} on {nominal_area} ({pressure}){marks}: {} by the {name}{others}.",
+        contact(model, nominal)
+    ))
+}
+
+/// "real contact area 3200 µm² (0.08 %) in 180 contacts at 1.55 GPa, 97 % elastic-plastic".
+fn contact(result: &ModelResult, nominal: f64) -> String {
+    let reading = &result.reading;
+    let ratio = reading.area_ratio;
+    let interval = result.area_interval.map_or_else(String::new, |ends| {
+        let [low, high] = ends.map(|end| area((end * nominal).max(0.0)));
+        format!(", 95 % interval {low} to {high}")
+    });
+    let mut text = format!("real contact area {} ({}{interval})", area(ratio * nominal), percent(ratio));
+    if let Some(density) = reading.contact_density {
+        let contacts = density * nominal;
+        let contacts = if contacts < 99.5 { number(contacts) } else { number(contacts.round()) };
+        text.push_str(&format!(" in {contacts} contacts"));
+    }
+    if let Some(pressure) = reading.mean_real_pressure() {
+        text.push_str(&format!(" at {}", quantity(pressure, "Pa")));
+    }
+    let Some([elastic, elastic_plastic, plastic]) = reading.shares else { return text };
+    let yielded = [(elastic_plastic, "elastic-plastic"), (plastic, "plastic")];
+    let parts: Vec<String> = yielded
+        .iter()
+        .filter(|(share, _)| *share > 0.0005)
+        .map(|(share, name)| format!("{} {name}", percent(*share)))
+        .collect();
+    let parts = if parts.is_empty() && elastic > 0.0 { vec!["all elastic".to_owned()] } else { parts };
+    format!("{text}, {}", parts.join(", "))
+}
+
+/// "; integral +13 %, boundary elements -5 % of area": the areas of the others relative to that of `model`.
+fn others(models: &[ModelResult], model: &ModelResult) -> String {
+    let other = |one: &&ModelResult| one.model != model.model && model.reading.area_ratio > 0.0;
+    let text = |one: &ModelResult| {
+        let name = match one.model {
+            Some(ModelKind::Statistical) => "integral",
+            Some(ModelKind::Deterministic) => "sum",
+            None => "boundary elements",
+        };
+        format!("{name} {} %", signed(100.0 * (one.reading.area_ratio / model.reading.area_ratio - 1.0)))
+    };
+    let all: Vec<String> = models.iter().filter(other).map(text).collect();
+    if all.is_empty() { String::new() } else { format!("; {} of that area", all.join(", ")) }
+}
+
+/// An area (m²): in mm² from 0.01 mm² to 1 m².
+pub fn area(area: f64) -> String {
+    if (1e-8..1.0).contains(&area) { format!("{} mm²", number(1e6 * area)) } else { quantity(area, "m²") }
+}

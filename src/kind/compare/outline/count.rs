@@ -1,0 +1,62 @@
+//! The answer over several cases, counted.
+
+use asperity::compare::{ComparedQuantity, Verdict};
+use asperity::study::Verdicts;
+use asperity_contact_framework::report::format::listed;
+
+use super::lead::ORDER;
+use crate::presentation::quantity_name;
+
+/// The answer over several cases: for how many the models differ by more than is accepted at some load, for how many they agree
+/// wherever that can be told.
+pub fn count(all: &[&Verdicts]) -> String {
+    let has = |verdicts: &Verdicts, compared: ComparedQuantity, is_wanted: fn(Verdict) -> bool| {
+        verdicts.stretches.iter().any(|stretch| stretch.quantity == compared && is_wanted(stretch.verdict))
+    };
+    let counted = |holds: &dyn Fn(&Verdicts, ComparedQuantity) -> bool| {
+        let part = |compared: ComparedQuantity| {
+            format!(
+                "{} {}",
+                quantity_name(compared),
+                all.iter().filter(|verdicts| holds(verdicts, compared)).count()
+            )
+        };
+        listed(&ORDER.map(part))
+    };
+    let beyond = counted(&|verdicts, compared| has(verdicts, compared, Verdict::is_beyond));
+    let within = counted(&|verdicts, compared| {
+        has(verdicts, compared, Verdict::is_within) && !has(verdicts, compared, Verdict::is_beyond)
+    });
+    let is_open = |verdicts: &Verdicts, compared: ComparedQuantity| {
+        !has(verdicts, compared, Verdict::is_beyond) && !has(verdicts, compared, Verdict::is_within)
+    };
+    let open = if all.iter().any(|verdicts| ORDER.iter().any(|&compared| is_open(verdicts, compared))) {
+        let open = counted(&is_open);
+        let more = counted(&|verdicts, compared| {
+            is_open(verdicts, compared) && differs_on_surface(verdicts, compared)
+        });
+        format!(
+            " Cannot be told of such surfaces at any load: {open}; on the compared surface itself the models differ by more than is accepted for {more} of these."
+        )
+    } else {
+        String::new()
+    };
+    let blocked = match all.iter().filter(|verdicts| verdicts.is_blocked).count() {
+        0 => String::new(),
+        count => {
+            format!(" {count} are on maps that fail a fitness check: no conclusion until those are fit.")
+        }
+    };
+    format!(
+        "Of {} cases, beyond what is accepted at some load, surely or very likely: {beyond}. Within it wherever that can be told: {within}.{open}{blocked}",
+        all.len()
+    )
+}
+
+/// Whether the models differ by more than is accepted on the compared surface, at some admissible load.
+fn differs_on_surface(verdicts: &Verdicts, compared: ComparedQuantity) -> bool {
+    let accepted = verdicts.accepted.limit(compared);
+    let admissible = verdicts.differences.iter().filter(|at| at.exceeded().is_none());
+    let mut differences = admissible.filter_map(|at| at.estimates[compared as usize]);
+    differences.any(|estimate| compared.reported(estimate.contrast).abs() > accepted)
+}
