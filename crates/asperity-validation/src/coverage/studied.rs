@@ -55,6 +55,7 @@ impl StudyTask<'_> {
             is_attributed: false,
             is_ranked: false,
             controls: &Controls::at_pressures(self.loads.to_vec()),
+            nominal_area: None,
             seed: self.seed,
             progress: &Silent,
         };

@@ -4,6 +4,7 @@ use super::law::LawContact;
 use crate::ContactLaw;
 use crate::compare::{Controls, ModelKind};
 use crate::progress::Progress;
+use crate::surface::Surface;
 
 use super::statistical::StatisticalModel;
 
@@ -24,6 +25,8 @@ pub struct Setup<'a> {
     pub is_ranked: bool,
     /// What the surface is pressed to.
     pub controls: &'a Controls,
+    /// The area that the forces of the controls act on, m²; `None` for the nominal area of each surface.
+    pub nominal_area: Option<f64>,
     /// The seed of the spec.
     pub seed: u64,
     /// Whoever watches.
@@ -31,6 +34,11 @@ pub struct Setup<'a> {
 }
 
 impl Setup<'_> {
+    /// The area that a force on `surface` acts on, m².
+    pub fn load_area(&self, surface: &Surface) -> f64 {
+        self.nominal_area.unwrap_or(surface.set.nominal_area())
+    }
+
     /// Whether both models are run, so that they can be compared.
     pub fn has_both_models(&self) -> bool {
         [ModelKind::Statistical, ModelKind::Deterministic].iter().all(|kind| self.models.contains(kind))
