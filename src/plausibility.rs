@@ -1,6 +1,6 @@
 //! Warnings about inputs that are allowed but hardly meant: mostly a unit that is missing or wrong. They refuse nothing.
 
-use asperity::{Material, reduced_modulus};
+use asperity::{Material, Response, reduced_modulus};
 use asperity_contact_framework::report::format::{number, quantity};
 
 /// A layer is thinner and a pixel smaller, m.
@@ -152,6 +152,21 @@ pub fn of_separations(separations: &[f64]) -> Option<String> {
             number(farthest)
         )
     })
+}
+
+/// The responses at prescribed separations, where asperities would cover more than the nominal area.
+pub fn of_overlap<'a>(surface: &str, responses: impl Iterator<Item = &'a Response>) -> Option<String> {
+    let overlapping: Vec<&Response> =
+        responses.filter(|response| response.area_ratio.total() >= 1.0).collect();
+    let nearest =
+        overlapping.iter().max_by(|a, b| a.separation_over_sigma.total_cmp(&b.separation_over_sigma))?;
+    let largest = overlapping.iter().map(|response| response.area_ratio.total()).fold(0.0, f64::max);
+    Some(format!(
+        "surface {surface}: from d = {} σ down the surfaces overlap completely: the contact area of the asperities is up to {} times \
+         the nominal area, which no model of separate asperities describes; separations of 4 to 0 σ cover most surfaces",
+        number(nearest.separation_over_sigma),
+        number(largest)
+    ))
 }
 
 #[cfg(test)]
