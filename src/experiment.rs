@@ -372,7 +372,7 @@ fn check_memory(plan: &dyn AnyPlan, source: &Source) -> Result<(), InputError> {
 }
 
 /// What the name of a report does not have, because a file name does not have it on every system.
-const NOT_IN_NAMES: &str = "without tabs and any of / \\ : * ? \" < > |";
+const NOT_IN_NAMES: &str = "without tabs and any of /\\:*?\"<>|";
 
 /// Stem of a spec, by which its report is called.
 fn stem_of(path: &Path) -> Result<String, InputError> {

@@ -134,7 +134,7 @@ fn the_options_of_a_surface_and_the_spec_that_they_save_give_the_same_results() 
     // Both models, uncoated and under the layer.
     assert_eq!(at_load.len(), 4);
     for row in at_load {
-        assert_eq!(row[1], "5");
+        assert_eq!(row[1], "5.0");
         assert!((row[2].parse::<f64>().unwrap() / 1.25e6 - 1.0).abs() < 1e-6, "{row:?}");
     }
     for (more, words) in [

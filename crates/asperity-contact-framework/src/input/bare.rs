@@ -31,7 +31,7 @@ impl Bare {
         }
         let si = self.dimension.si_unit();
         let as_it_stands = input_quantity(value, si);
-        let likely = self.likely(value, found);
+        let likely = self.likely(value);
         let write = match &likely[..] {
             [] => format!("write it with its unit, as in \"{}\"", self.dimension.example()),
             likely => format!("write {}", likely.join(" or ")),
@@ -44,7 +44,7 @@ impl Bare {
     }
 
     /// The number with each unit in which it has a usual value, as a spec would write it.
-    fn likely(&self, value: f64, found: &str) -> Vec<String> {
+    fn likely(&self, value: f64) -> Vec<String> {
         let [least, most] = self.usual;
         let in_unit = |unit: &&str| {
             let si = value * self.dimension.factor(unit)?;
@@ -52,7 +52,7 @@ impl Bare {
             let written = if prefixed {
                 input_quantity(si, self.dimension.si_unit())
             } else {
-                format!("{found} {unit}")
+                format!("{value} {unit}")
             };
             (least..=most).contains(&si).then(|| format!("\"{written}\""))
         };
