@@ -132,9 +132,8 @@ impl StudyPlan {
         let materials = flat_materials(layer.as_deref(), (flat_name, &flat));
         file.check_laws(keys.law, (rough_name, &rough), &materials)?;
         let origins = file.origins();
-        let is_given = |name: &str, key: &str| {
-            origins.get(name).is_none_or(|origin| origin.overridden.iter().any(|given| *given == key))
-        };
+        let is_given =
+            |name: &str, key: &str| origins.get(name).is_none_or(|origin| origin.overridden.contains(&key));
         let mut implausible = plausibility::of_bodies((rough_name, &rough), &materials, is_given);
         let thicknesses = layer.iter().filter_map(|l| plausibility::of_thicknesses(&l.name, &l.thicknesses));
         implausible.extend(thicknesses);

@@ -142,7 +142,7 @@ fn the_options_of_a_surface_and_the_spec_that_they_save_give_the_same_results() 
         (&["--area", "4 mm2"], "--area \"4 mm2\": found without a load"),
         (&["--thickness", "2 um"], "--thickness \"2 um\": found without a layer"),
         (&["--layer", "coating-DLC"], "--layer \"coating-DLC\": found without its thickness"),
-        (&["--load", "5 MPa"], "--load \"5 MPa\": found \"5 MPa\"; allowed: one value such as"),
+        (&["--load", "5 MPa"], "--load \"5 MPa\": found \"5 MPa\"; allowed: a positive finite force"),
         (
             &["--load", "5 N", "--area", "4 mm"],
             "--area \"4 mm\": found \"4 mm\"; allowed: a positive finite area",
