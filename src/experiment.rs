@@ -14,6 +14,7 @@ use asperity_contact_framework::input::{InputError, Source, SpecFile};
 use asperity_contact_framework::metadata::Timing;
 use asperity_contact_framework::progress::{Progress, Silent};
 use asperity_contact_framework::report::format::listed;
+use asperity_contact_framework::report::store::{is_plain, plain};
 use asperity_contact_framework::{AnyKind, AnyPlan, Outcome, Planned, Print, RunContext};
 use asperity_plot::Size;
 use indexmap::IndexMap;
@@ -101,21 +102,29 @@ impl Experiment {
             return Err(InputError::file(
                 path,
                 "is a spec, which defines its surfaces completely; --pixel, --unit, --outliers, --align-lines, --tip, --level, --s, --l, \
-                 --neighbours and --material are allowed only with a measured file",
+                 --neighbours, --material, --rough, --flat, --layer, --thickness, --load, --area and --pressure are allowed only with a \
+                 measured file",
             ));
         }
         let (spec, stem) = if is_spec {
-            (SpecFile::read(path, &tables())?, format!("{}-surfaces", stem_of(path)?))
+            (SpecFile::read(path, &tables())?, format!("{}-surfaces", plain(&file_stem(path)?)))
         } else {
-            (SpecFile::parse(options.source(path), &tables())?, format!("surface-{}", stem_of(path)?))
+            options.check()?;
+            (
+                SpecFile::parse(options.source(path), &tables())?,
+                format!("surface-{}", plain(&file_stem(path)?)),
+            )
         };
         let stem = match name {
             None => stem,
-            Some(name) if name.is_empty() || Path::new(name).file_name() != Some(name.as_ref()) => {
-                let message = format!("found the report name \"{name}\"; allowed: a name such as my-surface");
+            Some(name) if !is_plain(name) => {
+                let message = format!(
+                    "found the report name \"{name}\"; allowed: a name such as my-surface, {NOT_IN_NAMES} and no point at its \
+                     beginning"
+                );
                 return Err(InputError::file(Path::new("--name"), message));
             }
-            Some(name) => stem_of(Path::new(&format!("{name}.toml")))?,
+            Some(name) => name.to_owned(),
         };
         let planned =
             if is_spec { Planned::new(SurfacesPlan::new(&spec)?) } else { Planned::new(described(&spec)?) };
@@ -362,8 +371,24 @@ fn check_memory(plan: &dyn AnyPlan, source: &Source) -> Result<(), InputError> {
     })
 }
 
-/// Stem of a file, by which its report is called.
+/// What the name of a report does not have, because a file name does not have it on every system.
+const NOT_IN_NAMES: &str = "without tabs and any of /\\:*?\"<>|";
+
+/// Stem of a spec, by which its report is called.
 fn stem_of(path: &Path) -> Result<String, InputError> {
+    let stem = file_stem(path)?;
+    if is_plain(&stem) {
+        return Ok(stem);
+    }
+    let message = format!(
+        "has a name that its report cannot take; allowed: a file name {NOT_IN_NAMES}; rename it, for example to {}.toml",
+        plain(&stem)
+    );
+    Err(InputError::file(path, message))
+}
+
+/// Name of a file without its ending.
+fn file_stem(path: &Path) -> Result<String, InputError> {
     let stem = path.file_stem().and_then(|stem| stem.to_str()).filter(|stem| !stem.starts_with('.'));
     stem.map(str::to_owned).ok_or_else(|| {
         InputError::file(

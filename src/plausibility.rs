@@ -1,35 +1,66 @@
 //! Warnings about inputs that are allowed but hardly meant: mostly a unit that is missing or wrong. They refuse nothing.
 
-use asperity::{Material, reduced_modulus};
+use asperity::{Material, Response, reduced_modulus};
 use asperity_contact_framework::report::format::{number, quantity};
 
-/// The rough body against each of the `flats` (substrate and layer), each with its name.
-pub fn of_bodies(rough: (&str, &Material), flats: &[(&str, &Material)]) -> Vec<String> {
+/// A layer is thinner and a pixel smaller, m.
+const LARGEST_LENGTH: f64 = 1e-3;
+
+/// The rough body against each of the `flats` (substrate and layer), each with its name. `is_given` tells whether the spec itself
+/// gives a key of a material, not the library.
+pub fn of_bodies(
+    rough: (&str, &Material),
+    flats: &[(&str, &Material)],
+    is_given: impl Fn(&str, &str) -> bool,
+) -> Vec<String> {
     let mut bodies = vec![rough];
     bodies.extend(flats.iter().filter(|flat| flat.0 != rough.0));
-    let mut warnings: Vec<String> = bodies.iter().filter_map(|(name, body)| soft(name, body)).collect();
+    let mut warnings = Vec::new();
+    for (name, body) in bodies {
+        warnings.extend(modulus(name, body).filter(|_| is_given(name, "young")));
+        warnings.extend(soft(name, body).filter(|_| is_given(name, "hardness")));
+    }
     warnings.extend(flats.iter().filter_map(|flat| hard(rough, *flat)));
     warnings
 }
 
-/// A modulus below that of any rubber.
-fn soft(name: &str, body: &Material) -> Option<String> {
-    /// Pa.
+/// A modulus far from those of solids.
+fn modulus(name: &str, body: &Material) -> Option<String> {
+    /// Below that of any rubber, Pa.
     const SOFTEST: f64 = 1e6;
+    /// Between most solids and rubber, Pa.
+    const COMPLIANT: f64 = 1e9;
+    /// Above that of diamond, Pa.
+    const STIFFEST: f64 = 2e12;
     /// Moduli of engineering materials in GPa, as a number that lacks its unit.
     const GIGAPASCALS: std::ops::RangeInclusive<f64> = 0.01..=1500.0;
     let young = body.young();
-    if young >= SOFTEST {
-        return None;
-    }
-    let meant = if GIGAPASCALS.contains(&young) {
-        format!("did you mean \"{} GPa\"?", number(young))
+    let what = if young < SOFTEST {
+        let meant = if GIGAPASCALS.contains(&young) {
+            format!("did you mean \"{} GPa\"?", number(young))
+        } else {
+            "check its unit (mPa is milli, MPa mega)".to_owned()
+        };
+        format!("below 1 MPa and softer than rubber: {meant}")
+    } else if young < COMPLIANT {
+        "below 1 GPa, as of rubber and soft polymers; check its unit if that is not meant".to_owned()
+    } else if young > STIFFEST {
+        "above 2 TPa, stiffer than any material; check its unit unless a rigid body is meant".to_owned()
     } else {
-        "check its unit".to_owned()
+        return None;
     };
+    Some(format!("material {name}: Young's modulus is {}, {what}", quantity(young, "Pa")))
+}
+
+/// A hardness below that of most solids.
+fn soft(name: &str, body: &Material) -> Option<String> {
+    /// Pa; indium has about 9 MPa.
+    const SOFTEST: f64 = 1e7;
+    let hardness = body.hardness().filter(|&hardness| hardness < SOFTEST)?;
     Some(format!(
-        "material {name}: Young's modulus is {}, below 1 MPa and softer than rubber; a number without a unit is in Pa: {meant}",
-        quantity(young, "Pa")
+        "material {name}: the hardness is {}, below 10 MPa and softer than lead; check its unit (mPa is milli, MPa mega, 1 HV is \
+         9.81 MPa)",
+        quantity(hardness, "Pa")
     ))
 }
 
@@ -77,6 +108,38 @@ pub fn of_surface(name: &str, mean_radius: f64, sigma: f64, nominal_area: f64) -
     warnings
 }
 
+/// The thicknesses (m) of the layer called `name`.
+pub fn of_thicknesses(name: &str, thicknesses: &[f64]) -> Option<String> {
+    let thickest = thicknesses.iter().copied().filter(|t| t.is_finite()).max_by(f64::total_cmp)?;
+    (thickest > LARGEST_LENGTH).then(|| {
+        format!(
+            "layer {name}: a thickness of {}, above 1 mm; check its unit (\"inf\" is the bulk of the layer)",
+            quantity(thickest, "m")
+        )
+    })
+}
+
+/// The distance of the points of a map (m) along x and y.
+pub fn of_pixel(surface: &str, pixel: [f64; 2]) -> Option<String> {
+    let largest = pixel[0].max(pixel[1]);
+    (largest > LARGEST_LENGTH).then(|| {
+        format!("surface {surface}: a pixel of {}, above 1 mm; check its unit", quantity(largest, "m"))
+    })
+}
+
+/// Nominal pressures, Pa.
+pub fn of_pressures(pressures: &[f64]) -> Option<String> {
+    /// Less than the weight of a sheet of paper.
+    const LEAST: f64 = 1.0;
+    let least = pressures.iter().copied().min_by(f64::total_cmp)?;
+    (least < LEAST).then(|| {
+        format!(
+            "the nominal pressure is {}, below 1 Pa; check its unit (mPa is milli, MPa mega)",
+            quantity(least, "Pa")
+        )
+    })
+}
+
 /// Separations in units of sigma.
 pub fn of_separations(separations: &[f64]) -> Option<String> {
     /// Beyond it a Gaussian population of the size of the Earth has no asperity.
@@ -91,6 +154,21 @@ pub fn of_separations(separations: &[f64]) -> Option<String> {
     })
 }
 
+/// The responses at prescribed separations, where asperities would cover more than the nominal area.
+pub fn of_overlap<'a>(surface: &str, responses: impl Iterator<Item = &'a Response>) -> Option<String> {
+    let overlapping: Vec<&Response> =
+        responses.filter(|response| response.area_ratio.total() >= 1.0).collect();
+    let nearest =
+        overlapping.iter().max_by(|a, b| a.separation_over_sigma.total_cmp(&b.separation_over_sigma))?;
+    let largest = overlapping.iter().map(|response| response.area_ratio.total()).fold(0.0, f64::max);
+    Some(format!(
+        "surface {surface}: from d = {} σ down the surfaces overlap completely: the contact area of the asperities is up to {} times \
+         the nominal area, which no model of separate asperities describes; separations of 4 to 0 σ cover most surfaces",
+        number(nearest.separation_over_sigma),
+        number(largest)
+    ))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -99,29 +177,49 @@ mod tests {
         Material::new(young, 0.3, hardness, None).unwrap()
     }
 
+    fn given(rough: (&str, &Material), flat: (&str, &Material)) -> Vec<String> {
+        of_bodies(rough, &[flat], |_, _| true)
+    }
+
     #[test]
     fn usual_inputs_raise_no_warning() {
         let (steel, diamond, rubber) = (body(210e9, Some(7.6e9)), body(960e9, Some(98e9)), body(2e6, None));
-        assert!(of_bodies(("steel", &steel), &[("diamond", &diamond), ("rubber", &rubber)]).is_empty());
-        assert!(of_bodies(("diamond", &diamond), &[("diamond", &diamond)]).is_empty());
+        assert!(given(("steel", &steel), ("diamond", &diamond)).is_empty());
+        assert!(given(("diamond", &diamond), ("diamond", &diamond)).is_empty());
+        assert!(of_bodies(("steel", &steel), &[("rubber", &rubber)], |_, _| false).is_empty());
         assert!(of_surface("a", 20e-6, 48e-9, 1e-6).is_empty());
         assert!(of_separations(&[4.0, 40.0, -40.0]).is_none() && of_separations(&[]).is_none());
+        assert!(of_thicknesses("dlc", &[0.0, 1e-3, f64::INFINITY]).is_none());
+        assert!(of_pixel("a", [1e-3, 1e-6]).is_none() && of_pressures(&[1.0, 1e6]).is_none());
     }
 
     #[test]
     fn a_missing_unit_is_named_with_its_remedy() {
         let (steel, bare) = (body(210e9, Some(7.6e9)), body(210.0, None));
-        let found = of_bodies(("bare", &bare), &[("bare", &bare)]);
+        let found = given(("bare", &bare), ("bare", &bare));
         assert!(
             matches!(&found[..], [one] if one.contains("210 Pa") && one.contains("\"210 GPa\"?")),
             "{found:?}"
         );
-        assert!(of_bodies(("steel", &steel), &[("gel", &body(5e3, None))])[0].contains("check its unit"));
+        assert!(given(("steel", &steel), ("gel", &body(5e3, None)))[0].contains("check its unit (mPa"));
+        assert!(given(("steel", &steel), ("rubber", &body(2e6, None)))[0].contains("2 MPa, below 1 GPa"));
+        assert!(given(("steel", &steel), ("rigid", &body(1e18, None)))[0].contains("above 2 TPa"));
+        let soft = body(210e9, Some(7.6e-3));
+        assert!(
+            given(("steel", &steel), ("soft", &soft))[0].contains("the hardness is 7.6 mPa, below 10 MPa")
+        );
         let hard = body(210e9, Some(76e9));
-        let found = of_bodies(("hard", &hard), &[("hard", &hard)]);
+        let found = given(("hard", &hard), ("hard", &hard));
         assert!(matches!(&found[..], [one] if one.contains("76 GPa, above E*/5 = 23.1 GPa")), "{found:?}");
         // The softer body yields first.
-        assert!(of_bodies(("hard", &hard), &[("steel", &steel)]).is_empty());
+        assert!(given(("hard", &hard), ("steel", &steel)).is_empty());
+    }
+
+    #[test]
+    fn lengths_and_pressures_out_of_scale_are_named() {
+        assert!(of_thicknesses("dlc", &[0.0, 2.0, f64::INFINITY]).unwrap().contains("a thickness of 2 m"));
+        assert!(of_pixel("a", [1e-6, 0.196733]).unwrap().contains("a pixel of 197 mm"));
+        assert!(of_pressures(&[1e6, 1e-3]).unwrap().contains("1 mPa, below 1 Pa"));
     }
 
     #[test]

@@ -43,6 +43,8 @@ enum Display {
 struct Place {
     /// All steps, and those done.
     steps: [u64; 2],
+    /// When the last step was done; of the first the start.
+    end_of_step: Instant,
     stage: String,
     start_of_stage: Instant,
 }
@@ -65,7 +67,7 @@ impl Monitor {
 
     fn with(stem: &str, display: Display, period: Duration) -> Self {
         let start = Instant::now();
-        let place = Place { steps: [1, 0], stage: String::new(), start_of_stage: start };
+        let place = Place { steps: [1, 0], end_of_step: start, stage: String::new(), start_of_stage: start };
         Self {
             stem: stem.to_owned(),
             display,
@@ -107,7 +109,8 @@ impl Monitor {
             stage: &place.stage,
             fraction: (self.done.load(Ordering::Relaxed) as f64 / WHOLE).min(1.0),
             in_stage: place.start_of_stage.elapsed(),
-            in_run: now,
+            in_steps: place.end_of_step.duration_since(self.start),
+            in_step: place.end_of_step.elapsed(),
         };
         match &self.display {
             Display::Bar(bar) => {
@@ -128,11 +131,16 @@ impl Monitor {
 
 impl Progress for Monitor {
     fn steps(&self, count: u64) {
-        self.place().steps = [count, 0];
+        let mut place = self.place();
+        place.steps = [count, 0];
+        place.end_of_step = self.start;
     }
 
     fn step(&self) {
-        self.place().steps[1] += 1;
+        let mut place = self.place();
+        place.steps[1] += 1;
+        place.end_of_step = Instant::now();
+        drop(place);
         self.show();
     }
 
@@ -160,7 +168,10 @@ struct State<'a> {
     /// Of the stage.
     fraction: f64,
     in_stage: Duration,
-    in_run: Duration,
+    /// What the steps took that are done.
+    in_steps: Duration,
+    /// Since the last of them.
+    in_step: Duration,
 }
 
 impl State<'_> {
@@ -174,20 +185,27 @@ impl State<'_> {
         }
     }
 
-    /// The remaining time of the run once a step is done, else that of the stage; `None` where it is too early to tell.
+    /// The remaining time of the run once a step is done, else that of the stage; `None` where it is too early to tell, and where the
+    /// last step takes longer than those before.
     fn remaining(&self) -> Option<String> {
+        let [steps, done] = self.steps;
+        if done == 0 {
+            return Some(format!("{} left of the stage", words(self.of_stage()?)));
+        }
+        let a_step = self.in_steps.as_secs_f64() / done as f64;
+        let after_this = steps.saturating_sub(done + 1) as f64 * a_step;
+        // A step that takes longer than those before adds nothing that grows.
+        let of_this = if done < steps { (a_step - self.in_step.as_secs_f64()).max(0.0) } else { 0.0 };
+        let seconds = after_this + of_this;
+        (seconds > 0.0).then(|| format!("{} left of the run", words(seconds)))
+    }
+
+    /// The remaining time of the stage, s; `None` where it is too early to tell.
+    fn of_stage(&self) -> Option<f64> {
         /// The least part that is extrapolated.
         const LEAST: f64 = 0.02;
-        let [steps, done] = self.steps;
-        let (of, fraction, elapsed) = match done {
-            0 => ("stage", self.fraction, self.in_stage),
-            _ => ("run", done as f64 / steps.max(1) as f64, self.in_run),
-        };
-        if !(LEAST..1.0).contains(&fraction) {
-            return None;
-        }
-        let seconds = elapsed.as_secs_f64() * (1.0 - fraction) / fraction;
-        Some(format!("{} left of the {of}", words(seconds)))
+        let fraction = self.fraction;
+        (LEAST..1.0).contains(&fraction).then(|| self.in_stage.as_secs_f64() * (1.0 - fraction) / fraction)
     }
 }
 
@@ -243,19 +261,34 @@ mod tests {
     #[test]
     fn remaining_time_is_extrapolated_from_the_stage_and_then_from_the_steps() {
         let seconds = Duration::from_secs;
-        let at = |steps, fraction| State {
+        // The steps that are done took 600 s.
+        let at = |steps, fraction, in_step| State {
             steps,
             stage: "summits",
             fraction,
             in_stage: seconds(10),
-            in_run: seconds(600),
+            in_steps: seconds(600),
+            in_step: seconds(in_step),
         };
-        assert_eq!(at([1, 0], 0.25).remaining().unwrap(), "30 s left of the stage");
-        assert_eq!(at([4, 1], 0.25).remaining().unwrap(), "30 min left of the run");
-        assert_eq!(at([9, 1], 0.0).remaining().unwrap(), "80 min left of the run");
-        assert_eq!(at([1, 0], 0.01).remaining(), None);
-        assert_eq!(at([4, 4], 0.5).remaining(), None);
-        assert_eq!(at([1, 0], 0.5).name(), "summits");
+        assert_eq!(at([1, 0], 0.25, 0).remaining().unwrap(), "30 s left of the stage");
+        assert_eq!(at([4, 1], 0.25, 0).remaining().unwrap(), "30 min left of the run");
+        assert_eq!(at([9, 1], 0.0, 0).remaining().unwrap(), "80 min left of the run");
+        assert_eq!(at([1, 0], 0.01, 0).remaining(), None);
+        assert_eq!(at([4, 4], 0.5, 0).remaining(), None);
+        assert_eq!(at([1, 0], 0.5, 0).name(), "summits");
         assert_eq!(words(7200.0), "2.0 h");
+    }
+
+    #[test]
+    fn the_remaining_time_of_a_run_counts_down_within_a_step_and_never_grows() {
+        let at = |in_step| {
+            let [in_steps, in_step] = [50, in_step].map(Duration::from_secs);
+            State { steps: [2, 1], stage: "summits", fraction: 0.0, in_stage: in_step, in_steps, in_step }
+        };
+        assert_eq!(at(0).remaining().unwrap(), "50 s left of the run");
+        assert_eq!(at(45).remaining().unwrap(), "5 s left of the run");
+        assert_eq!(at(60).remaining(), None);
+        let of_three = State { steps: [3, 1], ..at(60) };
+        assert_eq!(of_three.remaining().unwrap(), "50 s left of the run");
     }
 }

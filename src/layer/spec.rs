@@ -1,14 +1,15 @@
 //! `layer = { material = "lead", thickness = [0, "50 nm", "inf"] }`: the layer on the flat.
 
 use schemars::JsonSchema;
-use serde::de::Error;
 use serde::{Deserialize, Deserializer};
 use serde_json::json;
 
 use asperity::{ModulusModel, units};
-use asperity_contact_framework::input::quantity::{Length, NotNegative, Quantity};
+use asperity_contact_framework::input::bare::{ThicknessOrNone, ThicknessRange};
+use asperity_contact_framework::input::quantity::{Length, Quantity};
 use asperity_contact_framework::input::schema;
-use asperity_contact_framework::input::{Forms, OneOrMany, Spanned};
+use asperity_contact_framework::input::sweep::LogSweep;
+use asperity_contact_framework::input::{Forms, Spanned};
 use asperity_contact_framework::written_schema;
 
 /// A layer on the flat, of one thickness or several.
@@ -22,8 +23,8 @@ pub struct LayerSpec {
     /// The name of a `[material.NAME]` of this file.
     #[schemars(extend("examples" = ["lead"]))]
     pub material: Spanned<String>,
-    /// One thickness, or several, ascending; 0 is the bare flat, `"inf"` the bulk of the layer.
-    #[schemars(extend("examples" = [[0, "50 nm", "inf"]]))]
+    /// One thickness, or several, as an ascending list or spaced by equal ratios; 0 is the bare flat, `"inf"` the bulk of the layer.
+    #[schemars(extend("examples" = [[0, "50 nm", "inf"], { "from": "10 nm", "to": "10 um", "points": 7 }]))]
     pub thickness: Thicknesses,
     /// The effective-modulus model of layer and substrate.
     #[serde(default)]
@@ -44,22 +45,32 @@ fn allowed() -> String {
     )
 }
 
+/// The thickness that a text names.
+fn named(text: &str) -> Result<f64, String> {
+    match text.trim() {
+        "inf" => Ok(f64::INFINITY),
+        _ => Quantity::<Length, ThicknessOrNone>::parse(text)
+            .map(|length| length.value())
+            .map_err(|_| format!("found \"{text}\"; allowed: {}", allowed())),
+    }
+}
+
+/// The thickness that a number without a unit stands for.
+fn bare(value: f64, found: &str) -> Result<f64, String> {
+    if value.is_nan() || value < 0.0 {
+        return Err(format!("found {value}; allowed: {}", allowed()));
+    }
+    match value {
+        f64::INFINITY => Ok(value),
+        value => Quantity::<Length, ThicknessOrNone>::bare(value, found).map(|length| length.value()),
+    }
+}
+
 impl<'de> Deserialize<'de> for Thickness {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let refused = |found: String| format!("found {found}; allowed: {}", allowed());
         Forms::new(&allowed())
-            .text(|text| match text.trim() {
-                "inf" => Ok(Self(f64::INFINITY)),
-                _ => Quantity::<Length, NotNegative>::parse(text)
-                    .map(|length| Self(length.value()))
-                    .map_err(|_| refused(format!("\"{text}\""))),
-            })
-            .number(|value, found| match value {
-                f64::INFINITY => Ok(Self(f64::INFINITY)),
-                value => Quantity::<Length, NotNegative>::checked(value, &found)
-                    .map(|length| Self(length.value()))
-                    .map_err(|_| refused(value.to_string())),
-            })
+            .text(|text| named(text).map(Self))
+            .number(|value, found| bare(value, found).map(Self))
             .read(deserializer)
     }
 }
@@ -73,24 +84,50 @@ pub struct Thicknesses {
     pub stands_alone: bool,
 }
 
-written_schema!(Thicknesses, |_| {
-    let mut one = schema::quantity::<Length, NotNegative>();
+written_schema!(Thicknesses, |generator| {
+    let mut one = schema::quantity::<Length, ThicknessOrNone>();
     one[schema::RANGE] = json!("0, positive, or \"inf\"");
     one["anyOf"][1]["pattern"] = json!(r"^\s*(inf|[-+]?[0-9.]+.*)\s*$");
-    schema::one_or_many(one, "length, or an ascending list")
+    let mut thicknesses =
+        schema::one_or_many(one, "length, an ascending list, or { from, to, points } spaced by equal ratios");
+    let sweep = LogSweep::<Length, ThicknessRange>::json_schema(generator).to_value();
+    let tables = sweep["anyOf"].as_array().into_iter().flatten().filter(|form| form["type"] == "object");
+    if let Some(forms) = thicknesses["anyOf"].as_array_mut() {
+        forms.extend(tables.cloned());
+    }
+    thicknesses
 });
 
 impl<'de> Deserialize<'de> for Thicknesses {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let expected = format!("a thickness ({}) or a list of thicknesses", allowed());
-        let read = OneOrMany::<Thickness>::read(deserializer, &expected)?;
-        let stands_alone = matches!(read, OneOrMany::One(_));
-        let all = read.at_least_one("thickness")?;
-        if !all.is_sorted_by(|a, b| a.0 < b.0) {
-            return Err(D::Error::custom(
-                "found thicknesses that are not ascending; allowed: each once, the thinnest first, \"inf\" last",
-            ));
+        let expected =
+            format!("a thickness ({}), a list of thicknesses, or {{ from, to, points }}", allowed());
+        Forms::new(&expected)
+            .text(|text| named(text).map(Self::one))
+            .number(|value, found| bare(value, found).map(Self::one))
+            .list(|list: Vec<Thickness>| {
+                Self::several(list.into_iter().map(|thickness| thickness.0).collect())
+            })
+            .table(|sweep: LogSweep<Length, ThicknessRange>| Self::several(sweep.values))
+            .read(deserializer)
+    }
+}
+
+impl Thicknesses {
+    fn one(value: f64) -> Self {
+        Self { values: vec![value], stands_alone: true }
+    }
+
+    fn several(values: Vec<f64>) -> Result<Self, String> {
+        if values.is_empty() {
+            return Err("found an empty list; allowed: at least one thickness".to_owned());
         }
-        Ok(Self { values: all.into_iter().map(|thickness| thickness.0).collect(), stands_alone })
+        if !values.is_sorted_by(|a, b| a < b) {
+            return Err(
+                "found thicknesses that are not ascending; allowed: each once, the thinnest first, \"inf\" last"
+                    .to_owned(),
+            );
+        }
+        Ok(Self { values, stands_alone: false })
     }
 }

@@ -25,15 +25,9 @@ pub fn error(context: &RunContext, plan: &StudyPlan, message: &str) -> Option<In
         found.into_iter().filter_map(move |(key, word, unit, value)| Some((name, key, word, unit, value?)))
     });
     let (name, key, word, unit, value) = implausible.next()?;
-    let (span, text) = context.source.value_at(&["material", name, key])?;
-    let written = match text.parse::<f64>() {
-        Ok(number) => {
-            format!("a bare number is in Pa; if you mean {number} {unit}, write {key} = \"{number} {unit}\"")
-        }
-        Err(_) => format!("check the unit, as in {key} = \"210 {unit}\""),
-    };
+    let (span, _) = context.source.value_at(&["material", name, key])?;
     Some(context.source.error_at(
         span,
-        format!("found a {word} of {value:e} Pa, lower than that of any solid, so that a load is not reached; {written}. {message}"),
+        format!("found a {word} of {value:e} Pa, lower than that of any solid, so that a load is not reached; check the unit, as in {key} = \"210 {unit}\". {message}"),
     ))
 }

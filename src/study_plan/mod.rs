@@ -3,6 +3,7 @@
 mod errors;
 mod implausible;
 mod layer_check;
+mod loads;
 mod rough_body;
 mod statistical;
 
@@ -47,6 +48,8 @@ pub struct StudyKeys<'a> {
     pub surfaces: Option<&'a [Spanned<String>]>,
     /// What the surfaces are pressed to.
     pub controls: Controls,
+    /// The area that forces act on, m²; that of each surface where there is none.
+    pub nominal_area: Option<f64>,
     /// Positions of pressures and forces, for errors about loads out of reach.
     pub load_keys: [Option<Range<usize>>; 2],
 }
@@ -73,11 +76,14 @@ pub struct StudyPlan {
     pub accept: AcceptSpec,
     /// What the surfaces are pressed to.
     pub controls: Controls,
+    /// The area that forces act on, m², where the spec gives it: nominal pressures times this area are forces, too. `None`: forces
+    /// act on the nominal area of each surface.
+    pub nominal_area: Option<f64>,
     /// Positions of pressures and forces in the spec, for errors about loads out of reach.
     pub load_keys: [Option<Range<usize>>; 2],
     /// The surfaces.
     pub surfaces: Vec<SurfacePlan>,
-    /// Warnings about materials and separations that are hardly meant.
+    /// Warnings about materials, lengths, loads and separations that are hardly meant.
     pub implausible: Vec<String>,
 }
 
@@ -125,13 +131,22 @@ impl StudyPlan {
         };
         let materials = flat_materials(layer.as_deref(), (flat_name, &flat));
         file.check_laws(keys.law, (rough_name, &rough), &materials)?;
-        let mut implausible = plausibility::of_bodies((rough_name, &rough), &materials);
+        let origins = file.origins();
+        let is_given =
+            |name: &str, key: &str| origins.get(name).is_none_or(|origin| origin.overridden.contains(&key));
+        let mut implausible = plausibility::of_bodies((rough_name, &rough), &materials, is_given);
+        let thicknesses = layer.iter().filter_map(|l| plausibility::of_thicknesses(&l.name, &l.thicknesses));
+        implausible.extend(thicknesses);
+        implausible.extend(plausibility::of_pressures(&keys.controls.pressures));
         implausible.extend(plausibility::of_separations(&keys.controls.separations));
         let law_specs = keys.law.get_ref().0.clone();
         let as_ellipses = law_specs.iter().any(ContactLaw::is_elliptic);
         let surfaces = surfaces(as_ellipses)?;
+        let pixels = surfaces.iter().filter_map(|surface| Some((surface, surface.pixel()?)));
+        implausible
+            .extend(pixels.filter_map(|(surface, pixel)| plausibility::of_pixel(&surface.name, pixel)));
         let laws = file.law_plans(keys.law, (rough_name, &rough), &flats, flat_name)?;
-        Ok(Self {
+        let mut plan = Self {
             bodies: Bodies { rough: rough_name.clone(), flat: flat_name.clone() },
             pair: [rough, flat],
             law_specs,
@@ -142,10 +157,13 @@ impl StudyPlan {
             statistical_key: keys.statistical.map(Spanned::span),
             accept: keys.accept,
             controls: keys.controls,
+            nominal_area: keys.nominal_area,
             load_keys: keys.load_keys,
             surfaces,
             implausible,
-        })
+        };
+        plan.implausible.extend(loads::own_area(&plan));
+        Ok(plan)
     }
 
     /// What both models are run with.
@@ -159,6 +177,7 @@ impl StudyPlan {
             is_ranked: false,
             generates: true,
             controls: &self.controls,
+            nominal_area: self.nominal_area,
             seed: context.seed,
             progress: context.progress,
         }
@@ -178,7 +197,7 @@ impl StudyPlan {
         asperities * (self.controls.points() * self.laws.len()) as u128
     }
 
-    /// The bodies with laws and layer, the points of `models`, the surfaces; a line each.
+    /// The bodies with laws and layer, the points of `models`, the loads, the surfaces; a line each.
     ///
     /// # Errors
     /// Those of the writer.
@@ -198,6 +217,7 @@ impl StudyPlan {
             let models: Vec<&str> = models.iter().map(|model| model.name()).collect();
             writeln!(f, "  {} at {points} {unit} a {each}", models.join(" and "))?;
         }
+        loads::describe(self, f)?;
         describe(&self.surfaces, f)
     }
 

@@ -92,6 +92,14 @@ impl Generation {
         }
     }
 
+    /// Distance of the points along x and y, m; `None` where it follows from the summits.
+    pub fn pixel(&self) -> Option<[f64; 2]> {
+        match &self.way {
+            Way::SurfaceGenerator(generator) => Some(generator.pixel),
+            Way::Target { .. } => None,
+        }
+    }
+
     /// Points per shortest wave: of the finer process of two; at least the two of the finest wave that a grid holds.
     pub fn points_per_wave(&self) -> f64 {
         /// Of the finest wave.

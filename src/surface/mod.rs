@@ -1,5 +1,6 @@
 //! The surfaces of a spec: read, planned, made, and described in a report.
 
+mod contact_options;
 mod description;
 mod factory;
 mod files;
@@ -17,6 +18,7 @@ pub mod section;
 mod spec;
 mod tiles;
 
+pub use contact_options::ContactOptions;
 pub use description::{SurfacesPlan, described_file};
 pub use factory::SurfaceFactory;
 pub use files::Files;

@@ -2,7 +2,9 @@
 
 use std::path::Path;
 
-use asperity_contact_framework::input::Source;
+use asperity_contact_framework::input::{InputError, Source};
+
+use super::contact_options::ContactOptions;
 
 /// Options for a measured file, besides its path; each as in a spec.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -25,37 +27,37 @@ pub struct FileOptions {
     pub align_lines: Option<String>,
     /// Radius of the stylus or tip.
     pub tip: Option<String>,
-    /// The material of both bodies, of the library.
-    pub material: Option<String>,
+    /// Bodies, layer and load.
+    pub contact: ContactOptions,
 }
 
-/// The material of both bodies where none is named.
-const MATERIAL: &str = "steel-100Cr6";
-
 impl FileOptions {
+    /// Refuses options that contradict each other.
+    ///
+    /// # Errors
+    /// The first of them, as it was typed.
+    pub fn check(&self) -> Result<(), InputError> {
+        self.contact.check()
+    }
+
     /// The spec that describes the file at `path`; its errors cite these options as they were typed.
     pub fn source(&self, path: &Path) -> Source {
         let stem = path.file_stem().and_then(|stem| stem.to_str()).unwrap_or("surface");
         let is_plain = |c: char| c.is_alphanumeric() || c == '-' || c == '_';
         let name: String = stem.chars().map(|c| if is_plain(c) { c } else { '-' }).collect();
         let file = path.to_string_lossy().into_owned();
-        let typed = |option: &str, value: &str| format!("--{option} \"{value}\"");
-        let material = self.material.as_deref().unwrap_or(MATERIAL);
-        let of_material = |line: String| (line, typed("material", material));
         let of_file = |line: String| (line, file.clone());
-        let mut lines = vec![
-            of_file(format!("title = {}", quoted(&format!("The surface {stem}")))),
-            of_material(format!("material.{} = {{ from = {} }}", quoted(material), quoted(material))),
-            of_file("[compare]".to_owned()),
-            of_material(format!("rough = {}", quoted(material))),
-            of_material(format!("flat = {}", quoted(material))),
-            of_file("law = \"zmc\"".to_owned()),
-            of_file("separation = { from = 4, to = 0, points = 41 }".to_owned()),
-            of_file(format!("[surface.{}.file]", quoted(&name))),
-            of_file(format!("path = {}", quoted(&file))),
-        ];
+        let mut lines = vec![of_file(format!("title = {}", quoted(&format!("The surface {stem}"))))];
+        lines.extend(self.contact.materials());
+        lines.push(of_file("[compare]".to_owned()));
+        lines.extend(self.contact.bodies());
+        lines.push(of_file("law = \"zmc\"".to_owned()));
+        lines.extend(self.contact.loads());
+        lines.push(of_file("separation = { from = 4, to = 0, points = 41 }".to_owned()));
+        lines.push(of_file(format!("[surface.{}.file]", quoted(&name))));
+        lines.push(of_file(format!("path = {}", quoted(&file))));
         if let Some(pixel) = &self.pixel {
-            let sizes: Vec<String> = sizes(pixel).iter().map(|size| length(size)).collect();
+            let sizes: Vec<String> = sizes(pixel).iter().map(|size| written(size)).collect();
             let line = match &sizes[..] {
                 [one] => format!("pixel = {one}"),
                 several => format!("pixel = [{}]", several.join(", ")),
@@ -74,12 +76,12 @@ impl FileOptions {
                 value.as_ref().map(|value| (format!("{key} = {}", quoted(value)), typed(key, value))),
             );
         }
-        lines.extend(self.tip.as_ref().map(|tip| (format!("tip = {}", length(tip)), typed("tip", tip))));
+        lines.extend(self.tip.as_ref().map(|tip| (format!("tip = {}", written(tip)), typed("tip", tip))));
         let indices = [("s", &self.s), ("l", &self.l)];
         let given = || indices.iter().filter_map(|(key, value)| value.as_ref().map(|value| (*key, value)));
         if given().next().is_some() {
             let keys: Vec<String> =
-                given().map(|(key, value)| format!("{key} = {}", length(value))).collect();
+                given().map(|(key, value)| format!("{key} = {}", written(value))).collect();
             let options: Vec<String> = given().map(|(key, value)| typed(key, value)).collect();
             lines.push((format!("filter = {{ {} }}", keys.join(", ")), options.join(" ")));
         }
@@ -95,12 +97,18 @@ impl FileOptions {
     }
 }
 
-fn quoted(text: &str) -> String {
+/// A line of the command line: an option and its value.
+pub(super) fn typed(option: &str, value: &str) -> String {
+    format!("--{option} \"{value}\"")
+}
+
+/// A text as a value of a spec.
+pub(super) fn quoted(text: &str) -> String {
     toml::Value::from(text).to_string()
 }
 
-/// A length as a value of a spec, where a bare number is in metres.
-fn length(text: &str) -> String {
+/// A quantity as a value of a spec, where a bare number is in SI.
+pub(super) fn written(text: &str) -> String {
     match text.parse::<f64>() {
         Ok(number) if number.is_finite() => format!("{number:e}"),
         _ => quoted(text),

@@ -280,6 +280,30 @@ impl SurfacePlan {
         }
     }
 
+    /// Distance of the points of its height map along x and y, m; `None` without a map, and where it follows from summits.
+    pub fn pixel(&self) -> Option<[f64; 2]> {
+        match &self.origin {
+            Origin::Generated(generation) => generation.pixel(),
+            Origin::Map(map) => Some(map.pixel),
+            Origin::List { .. } | Origin::Population { .. } => None,
+        }
+    }
+
+    /// Its nominal area, m²: that of the points inside the border of a map that does not continue, of which points beside missing ones
+    /// are not yet taken away. `None` where it follows from the summits of a random surface.
+    pub fn nominal_area(&self) -> Option<f64> {
+        match &self.origin {
+            Origin::List { nominal_area, .. } => Some(*nominal_area),
+            Origin::Population { population, count, .. } => Some(*count as f64 / population.density),
+            Origin::Generated(_) | Origin::Map(_) => {
+                let border = if self.is_periodic() { 0 } else { 2 };
+                let side = |points: usize, pixel: f64| (points - border) as f64 * pixel;
+                let ([nx, ny], [dx, dy]) = (self.map_points()?, self.pixel()?);
+                Some(side(nx, dx) * side(ny, dy))
+            }
+        }
+    }
+
     /// Whether it has a height map that continues periodically.
     pub fn is_periodic(&self) -> bool {
         match &self.origin {

@@ -58,8 +58,8 @@ fn radii_beyond_both_principal_radii_of_curvature() {
     assert_eq!(warnings("7.6 GPa", "2.7 GPa", &compare("\"zmc\""), wrong), [""; 0]);
 }
 
-/// A comparison of materials without units, of needles on a small area, at separations as if in nanometres.
-const IMPLAUSIBLE: &str = "title = \"t\"\n[material.steel]\nyoung = 210\npoisson = 0.3\nhardness = \"76 GPa\"\n\
+/// A comparison of a material in another unit, of needles on a small area, at separations as if in nanometres.
+const IMPLAUSIBLE: &str = "title = \"t\"\n[material.steel]\nyoung = \"210 Pa\"\npoisson = 0.3\nhardness = \"76 GPa\"\n\
      [compare]\nrough = \"steel\"\nflat = \"steel\"\nlaw = \"hertz\"\nseparation = { values = [1, 50] }\n\
      [surface.a.population]\nradius = \"2 mm\"\nsigma = \"3 mm\"\ndensity = \"1e9 /m^2\"\ncount = 100\n";
 
@@ -72,16 +72,18 @@ fn inputs_that_are_hardly_meant_are_named_by_check_and_by_a_run_and_refused_by_n
     let checked = experiment.to_string();
     let run = experiment.run(&Silent).unwrap().warnings();
     let all = [
-        "Young's modulus is 210 Pa, below 1 MPa and softer than rubber; a number without a unit is in Pa: did you mean \"210 GPa\"?",
+        "Young's modulus is 210 Pa, below 1 MPa and softer than rubber: did you mean \"210 GPa\"?",
         "the hardness is 76 GPa, above E*/5 = 23.1 Pa",
         "`separation` reaches 50 σ",
         "surface a: the mean asperity radius of 2 mm is above the side of the nominal area of 316 µm",
         "is above their mean radius, 2 mm: needles",
     ];
+    let of_run = "surface a: from d = 1 σ down the surfaces overlap completely";
+    assert!(run.iter().any(|line| line.contains(of_run)), "{run:?}");
     for warning in all {
         assert!(checked.contains(warning), "{warning}: {checked}");
         assert!(run.iter().any(|line| line.contains(warning)), "{warning}: {run:?}");
     }
-    assert_eq!(run.len(), all.len(), "{run:?}");
+    assert_eq!(run.len(), all.len() + 1, "{run:?}");
     assert_eq!(checked.matches("  warning: ").count(), all.len());
 }

@@ -93,6 +93,19 @@ fn every_law_runs_under_every_thickness_in_file_order() {
 }
 
 #[test]
+fn thicknesses_may_be_spaced_by_equal_ratios() {
+    let thicknesses = |written: &str| {
+        let flat = format!("flat = \"steel\"\nlayer = {{ material = \"lead\", thickness = {written} }}");
+        let found = compared(&flat);
+        found.contact.layer.unwrap().thicknesses
+    };
+    let swept = thicknesses("{ from = \"10 nm\", to = 1e-6, points = 3 }");
+    let listed = thicknesses("[\"10 nm\", \"100 nm\", \"1 um\"]");
+    assert_eq!((swept[0], swept[2], swept.len()), (listed[0], listed[2], 3));
+    assert!((swept[1] / listed[1] - 1.0).abs() < 1e-12, "{swept:?}");
+}
+
+#[test]
 fn no_layer_is_the_substrate_and_all_layer_the_layer_to_the_bit() {
     let layered = compared(LAYERS);
     let [steel, lead] = ["steel", "lead"].map(|flat| compared(&format!("flat = \"{flat}\"")));

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use asperity_contact_framework::divided::Part;
 use asperity_experiment::kind::KINDS;
-use asperity_experiment::surface::FileOptions;
+use asperity_experiment::surface::{ContactOptions, FileOptions};
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand};
 
@@ -160,13 +160,36 @@ pub struct FileArguments {
     /// Material of both bodies, a name of the library (`experiment materials`); default: steel-100Cr6
     #[arg(long)]
     material: Option<String>,
+    /// Material of the rough body, which the file describes
+    #[arg(long)]
+    rough: Option<String>,
+    /// Material of the flat
+    #[arg(long)]
+    flat: Option<String>,
+    /// Material of a layer on the flat, with --thickness
+    #[arg(long)]
+    layer: Option<String>,
+    /// Thickness of the layer: "2 um"
+    #[arg(long, allow_hyphen_values = true)]
+    thickness: Option<String>,
+    /// Force, on --area or else on the map's own area: "5 N"
+    #[arg(long, allow_hyphen_values = true)]
+    load: Option<String>,
+    /// Nominal area that --load acts on: "4 mm2"
+    #[arg(long, allow_hyphen_values = true)]
+    area: Option<String>,
+    /// Nominal pressure, instead of --load: "1.25 MPa"
+    #[arg(long, allow_hyphen_values = true)]
+    pressure: Option<String>,
 }
 
 impl From<FileArguments> for FileOptions {
     fn from(arguments: FileArguments) -> Self {
-        let FileArguments { pixel, unit, outliers, align_lines, tip, level, s, l, neighbours, material } =
+        let FileArguments { pixel, unit, outliers, align_lines, tip, level, s, l, neighbours, .. } =
             arguments;
-        Self { pixel, unit, outliers, align_lines, tip, level, s, l, neighbours, material }
+        let FileArguments { material, rough, flat, layer, thickness, load, area, pressure, .. } = arguments;
+        let contact = ContactOptions { material, rough, flat, layer, thickness, load, area, pressure };
+        Self { pixel, unit, outliers, align_lines, tip, level, s, l, neighbours, contact }
     }
 }
 

@@ -1,6 +1,7 @@
 //! The command line: arguments, progress, exit code; nothing else.
 
 mod arguments;
+mod interrupt;
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -66,6 +67,7 @@ impl From<ReportError> for Failure {
 
 fn main() -> ExitCode {
     let cli = Cli::parse();
+    interrupt::handle();
     let outcome = match cli.command {
         None => specs_in(Path::new(SPECS)).and_then(|files| {
             let experiments = read_all(&files, &cli.extent)?;
@@ -200,6 +202,7 @@ fn run_parts(
     folder: &Path,
 ) -> Result<(), Failure> {
     set_threads(options)?;
+    interrupt::of_parts();
     for experiment in read_all(files, extent)? {
         let start = Instant::now();
         let run = watched(&experiment, options, |progress| experiment.run_part(part, folder, progress))?;
@@ -398,7 +401,11 @@ fn write_report(
 ) -> Result<(), Failure> {
     let folder = options.out.join(experiment.stem());
     let report = report_folder(results, key, PRINT)?;
-    for kept in store.write(&report)? {
+    let writing = interrupt::begin_writing();
+    let edited = store.write(&report)?;
+    interrupt::count_written();
+    drop(writing);
+    for kept in edited {
         print_error(format_args!(
             "warning: {}: a file of the last report was edited since it was written; it is kept as {}",
             experiment.stem(),

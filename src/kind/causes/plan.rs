@@ -114,6 +114,7 @@ pub(super) fn plan(file: &SpecFile, table: &Spanned<CausesSpec>) -> Result<Cause
         accept: raw.accept,
         surfaces: None,
         controls: Controls::at_pressures(pressures.clone()),
+        nominal_area: None,
         load_keys: [raw.pressure.as_ref().map(Spanned::span), None],
     };
     let study = StudyPlan::on(file, keys, |_| Ok(surfaces))?;

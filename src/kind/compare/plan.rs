@@ -83,6 +83,11 @@ impl fmt::Display for ComparePlan {
 /// Reads `[compare]`.
 pub(super) fn plan(file: &SpecFile, table: &Spanned<CompareSpec>) -> Result<ComparePlan, InputError> {
     let raw = table.get_ref();
+    if let (Some(area), None, None) = (&raw.nominal_area, &raw.pressure, &raw.force) {
+        let message = "found a nominal area without a load; allowed: beside `force`, which acts on it, or `pressure`, whose force it \
+                       gives";
+        return Err(file.source.error_at(area.span(), message));
+    }
     let mut study = StudyPlan::new(file, keys(table))?;
     let [rough, _] = &study.pair;
     let resolved = Resolved { rough, flats: &study.flats, laws: &study.laws, surfaces: &study.surfaces };
@@ -120,6 +125,7 @@ fn keys(table: &Spanned<CompareSpec>) -> StudyKeys<'_> {
             forces: raw.force.as_ref().map(|sweep| sweep.get_ref().values.clone()).unwrap_or_default(),
             tolerances: raw.tolerance.0,
         },
+        nominal_area: raw.nominal_area.as_ref().map(|area| area.get_ref().value()),
         load_keys: [raw.pressure.as_ref().map(Spanned::span), raw.force.as_ref().map(Spanned::span)],
     }
 }

@@ -28,7 +28,7 @@ pub(super) fn check(context: &RunContext, plan: &ComparePlan) -> Result<(), Inpu
         let surface = factory.make(1, AnalysisDepth::Asperities, &mut files, &mut timing)?;
         let models = models_of(plan.setup(context), &surface, &mut timing)
             .map_err(|error| inapplicable(context, &plan.study, &surface.name, &error))?;
-        let area = surface.set.nominal_area();
+        let area = plan.setup(context).load_area(&surface);
         for law in &plan.study.laws {
             let statistical = plan
                 .models

@@ -3,14 +3,14 @@
 use std::time::Instant;
 
 use asperity::bem::Solver;
-use asperity::compare::{AgainstReference, CaseSampling};
+use asperity::compare::{AgainstReference, CaseSampling, Control};
 use asperity::study::{
     CaseResults, CaseStudy, LawFindings, LayerQuestion, RealisationResults, Setup, SurfaceModels, attribute,
     decreases, differ, models_of, rank, run_surface, sampling, thresholds,
 };
 use asperity::surface::{AnalysisDepth, PreparedMap, Surface};
 use asperity::work::Counter;
-use asperity::{Heights, Paper};
+use asperity::{Heights, Paper, Response};
 use asperity_contact_framework::RunContext;
 use asperity_contact_framework::contact::{contact_metadata, papers_of};
 use asperity_contact_framework::input::InputError;
@@ -46,6 +46,11 @@ pub fn run(
         let Surface { name, statistics, set, .. } = &results.surface;
         plausibility::of_surface(name, statistics.mean_radius, statistics.sigma, set.nominal_area())
     }));
+    implausible.extend(
+        surfaces
+            .iter()
+            .filter_map(|results| plausibility::of_overlap(&results.surface.name, at_separations(results))),
+    );
     let described = compare.described.as_ref();
     Ok(CompareResults {
         metadata: context.metadata(papers, timing, Some(counter.work())),
@@ -61,6 +66,12 @@ pub fn run(
         }),
         described: described.map(|file| Described { file: file.clone(), spec: context.source.text.clone() }),
     })
+}
+
+/// The points at prescribed separations of all cases on the first realisation of a surface.
+fn at_separations(results: &SurfaceResults) -> impl Iterator<Item = &Response> {
+    let curves = results.cases.iter().flat_map(|case| &case.first().comparison.curves);
+    curves.filter(|point| point.control == Control::Separation).map(|point| &point.response)
 }
 
 /// What was made of the results on each surface, and what all of them took.

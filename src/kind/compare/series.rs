@@ -16,7 +16,10 @@ pub struct Series<'a> {
     /// Name of the surface.
     pub surface: &'a str,
     pub stem: String,
+    /// Results on the first realisation.
     pub cases: Vec<&'a CaseResults>,
+    /// Number of realisations.
+    pub realisations: usize,
     pub modulus: f64,
     pub units: Units,
     verdicts: Vec<&'a Verdicts>,
@@ -39,6 +42,7 @@ impl<'a> Series<'a> {
             surface: &surface.surface.name,
             stem: stem(surface, &law.law),
             cases: cases().map(CaseStudy::first).collect(),
+            realisations: surface.realisations.len(),
             modulus: results.contact.reduced_modulus,
             units: Units::new(results, surface),
             verdicts: cases().map(|case| &case.verdicts).collect(),

@@ -12,7 +12,7 @@ use asperity::compare::ModelKind;
 use asperity_contact_framework::input::Spanned;
 use asperity_contact_framework::input::accept::AcceptSpec;
 use asperity_contact_framework::input::law::Laws;
-use asperity_contact_framework::input::quantity::{Force, Pressure};
+use asperity_contact_framework::input::quantity::{Area, Force, Pressure, Quantity};
 use asperity_contact_framework::input::sweep::{LinearSweep, LogSweep};
 use asperity_contact_framework::input::tolerance::ToleranceSpec;
 use asperity_contact_framework::written_schema;
@@ -75,6 +75,9 @@ pub struct CompareSpec {
     /// Forces on the nominal area at which the models are compared.
     #[schemars(extend("examples" = ["10 N"]))]
     pub force: Option<Spanned<LogSweep<Force>>>,
+    /// Nominal area that `force` acts on: the nominal pressure is force over nominal area. Beside `pressure` it gives the force.
+    #[schemars(extend("x-default" = "that of each surface", "examples" = ["4 mm^2"]))]
+    pub nominal_area: Option<Spanned<Quantity<Area>>>,
 }
 
 fn yes() -> bool {

@@ -91,6 +91,7 @@ pub(super) fn plan(file: &SpecFile, table: &Spanned<LawsSpec>) -> Result<LawsPla
             accept: raw.accept,
             surfaces: raw.surfaces.as_deref(),
             controls: Controls::at_pressures(raw.pressure.get_ref().values.clone()),
+            nominal_area: None,
             load_keys: [Some(raw.pressure.span()), None],
         },
     )?;

@@ -112,6 +112,7 @@ pub(super) fn plan(
             accept: raw.accept,
             surfaces: raw.surfaces.as_deref(),
             controls: Controls::at_pressures(pressures),
+            nominal_area: None,
             load_keys: [Some(raw.pressure.span()), None],
         },
     )?;

@@ -65,6 +65,7 @@ pub(super) fn plan(file: &SpecFile, table: &Spanned<TiledSpec>) -> Result<TiledP
             accept: AcceptSpec::default(),
             surfaces: surfaces.as_deref(),
             controls: Controls { separations: raw.separation.get_ref().0.clone(), ..Controls::default() },
+            nominal_area: None,
             load_keys: [None, None],
         },
     )?;

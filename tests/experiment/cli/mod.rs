@@ -9,6 +9,7 @@ use asperity_contact_framework::report::format;
 mod heights;
 mod input;
 mod laws;
+mod load;
 mod precision;
 mod reach;
 mod sphere;

@@ -27,6 +27,30 @@ fn allowed() -> String {
     names.join(", ")
 }
 
+/// The law that another name stands for, as an error says it; empty for other names.
+fn synonym(name: &str) -> String {
+    const GW: &str = " With it the statistical model is that of Greenwood and Williamson";
+    const SYNONYMS: [(&[&str], &str, &str); 7] = [
+        (&["greenwood-williamson", "gw"], "hertz", GW),
+        (&["hertzian", "elastic"], "hertz", ""),
+        (&["zhao-maietta-chang"], "zmc", ""),
+        (&["chang-etsion-bogy"], "ceb", ""),
+        (&["ke"], "kogut-etsion", ""),
+        (&["jg"], "jackson-green", ""),
+        (&["abbott-firestone", "plastic"], "fully-plastic", ""),
+    ];
+    let plain = name.to_lowercase().replace(['_', ' '], "-");
+    let is_meant =
+        |(names, law, _): &&(&[&str], &str, &str)| names.contains(&plain.as_str()) || plain == *law;
+    let found = SYNONYMS.iter().find(is_meant);
+    found.map_or_else(String::new, |(_, law, remark)| format!("; did you mean \"{law}\"?{remark}"))
+}
+
+/// The error of a law that is not registered.
+fn unknown(name: &str) -> String {
+    format!("found \"{name}\"; allowed: {}{}", allowed(), synonym(name))
+}
+
 /// The last of some options as a table that sets it, `{ transition-ratio = 110 }`.
 fn example(options: &[LawOption]) -> Option<String> {
     options.last().map(|option| format!("{{ {} = {} }}", option.name, option.example))
@@ -143,7 +167,7 @@ impl<'de> Deserialize<'de> for OneLaw {
             }
             fn visit_str<E: Error>(self, name: &str) -> Result<OneLaw, E> {
                 let law = named(name);
-                law.map(OneLaw).ok_or_else(|| E::custom(format!("found \"{name}\"; allowed: {}", allowed())))
+                law.map(OneLaw).ok_or_else(|| E::custom(unknown(name)))
             }
             fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<OneLaw, A::Error> {
                 const ALLOWED: &str =
@@ -151,9 +175,7 @@ impl<'de> Deserialize<'de> for OneLaw {
                 let Some(name) = map.next_key::<String>()? else {
                     return Err(A::Error::custom(format!("found an empty table; {ALLOWED}")));
                 };
-                let law = named(&name).ok_or_else(|| {
-                    A::Error::custom(format!("found the law \"{name}\"; allowed: {}", allowed()))
-                })?;
+                let law = named(&name).ok_or_else(|| A::Error::custom(unknown(&name)))?;
                 let law = map.next_value_seed(Options(law))?;
                 match map.next_key::<String>()? {
                     Some(second) => Err(A::Error::custom(format!(
@@ -180,5 +202,29 @@ impl<'de> Deserialize<'de> for Laws {
             laws.push(law);
         }
         Ok(Self(laws))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_other_models_point_to_laws_that_are_registered() {
+        for (name, law) in [
+            ("greenwood-williamson", "hertz"),
+            ("GW", "hertz"),
+            ("Zhao Maietta Chang", "zmc"),
+            ("Hertz", "hertz"),
+            ("chang-etsion-bogy", "ceb"),
+            ("ke", "kogut-etsion"),
+            ("jg", "jackson-green"),
+            ("abbott-firestone", "fully-plastic"),
+        ] {
+            assert!(named(law).is_some(), "{law}");
+            assert!(unknown(name).contains(&format!("did you mean \"{law}\"?")), "{}", unknown(name));
+        }
+        assert!(unknown("gw").contains("Greenwood and Williamson"));
+        assert!(!unknown("coulomb").contains("did you mean"), "{}", unknown("coulomb"));
     }
 }

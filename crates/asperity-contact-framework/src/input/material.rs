@@ -5,6 +5,7 @@ use asperity::material_library::{self, LibraryMaterial};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+use crate::input::bare::{HardnessRange, ModulusRange};
 use crate::input::quantity::{PoissonRange, Pressure, Pure, Quantity};
 
 /// A body as a spec states it, checked.
@@ -53,13 +54,13 @@ struct Keys {
     #[schemars(extend("examples" = ["steel-100Cr6"]))]
     from: Option<String>,
     /// Young's modulus; needed without `from`.
-    young: Option<Quantity<Pressure>>,
+    young: Option<Quantity<Pressure, ModulusRange>>,
     /// Poisson's ratio; needed without `from`.
     #[schemars(extend("examples" = [0.3]))]
     poisson: Option<Quantity<Pure, PoissonRange>>,
     /// Indentation hardness; left out for a body that never yields.
     #[schemars(extend("examples" = ["775 HV"]))]
-    hardness: Option<Quantity<Pressure>>,
+    hardness: Option<Quantity<Pressure, HardnessRange>>,
     /// Yield strength, for the law `jackson-green`.
     #[schemars(extend("examples" = ["2.2 GPa"]))]
     yield_strength: Option<Quantity<Pressure>>,
@@ -72,12 +73,11 @@ impl TryFrom<Keys> for MaterialSpec {
 
     fn try_from(keys: Keys) -> Result<Self, String> {
         let from = keys.from.as_deref().map(in_library).transpose()?;
-        let pressure = |quantity: Option<Quantity<Pressure>>| quantity.map(|q| q.value());
         let given = [
-            (YOUNG, pressure(keys.young)),
+            (YOUNG, keys.young.map(|q| q.value())),
             (POISSON, keys.poisson.map(|q| q.value())),
-            (HARDNESS, pressure(keys.hardness)),
-            (YIELD_STRENGTH, pressure(keys.yield_strength)),
+            (HARDNESS, keys.hardness.map(|q| q.value())),
+            (YIELD_STRENGTH, keys.yield_strength.map(|q| q.value())),
         ];
         let library = from.map_or([None; 4], |from| {
             [Some(from.young), Some(from.poisson), from.hardness, from.yield_strength]

@@ -1,6 +1,7 @@
 //! The input file: quantities with units, common tables, and errors that name file, line and key.
 
 pub mod accept;
+pub mod bare;
 mod error;
 pub mod figure;
 mod file;

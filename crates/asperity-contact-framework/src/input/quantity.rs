@@ -10,6 +10,7 @@ use serde::{Deserialize, Deserializer};
 use asperity::numeric::{LARGEST, is_positive};
 use asperity::units;
 
+use super::bare::Bare;
 use super::{Forms, schema};
 
 /// A kind of quantity that a spec may hold.
@@ -75,6 +76,8 @@ pub trait Range {
     const IN_SHORT: &'static str;
     /// Keywords of a JSON schema with their values, SI.
     const BOUNDS: &'static [(&'static str, f64)];
+    /// What may be written without a unit, where that is less than the range.
+    const BARE: Option<Bare> = None;
     /// Whether `value` lies in it.
     fn holds(value: f64) -> bool;
 }
@@ -178,6 +181,16 @@ impl<D: Dimension, R: Range> Quantity<D, R> {
         })
     }
 
+    /// A value that a spec writes without a unit, as `found`.
+    ///
+    /// # Errors
+    /// A value out of range, or one that is hardly meant without a unit.
+    pub fn bare(value: f64, found: &str) -> Result<Self, String> {
+        let checked = Self::checked(value, &found)?;
+        R::BARE.map_or(Ok(()), |bare| bare.check(value, found))?;
+        Ok(checked)
+    }
+
     fn error(found: &dyn fmt::Display) -> String {
         format!("found {found}; allowed: {} {}", R::WORDS, D::allowed())
     }
@@ -217,7 +230,7 @@ impl<'de, D: Dimension, R: Range> Deserialize<'de> for Quantity<D, R> {
     fn deserialize<T: Deserializer<'de>>(deserializer: T) -> Result<Self, T::Error> {
         Forms::new(&format!("{} {}", R::WORDS, D::allowed()))
             .text(Self::parse)
-            .number(|value, found| Self::checked(value, &found))
+            .number(Self::bare)
             .read(deserializer)
     }
 }

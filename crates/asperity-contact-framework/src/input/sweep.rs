@@ -34,7 +34,7 @@ impl<'de, D: Dimension, R: Range> Deserialize<'de> for Written<D, R> {
         let example = D::UNITS.map_or_else(|| "2.5".to_owned(), |units| format!("\"{}\"", units.example()));
         Forms::new(&format!("one value such as {example}, a list of values, {TABLES}"))
             .text(|text| Quantity::parse(text).map(|value| Self::new(vec![value])))
-            .number(|value, found| Quantity::checked(value, &found).map(|value| Self::new(vec![value])))
+            .number(|value, found| Quantity::bare(value, found).map(|value| Self::new(vec![value])))
             .list(|values| Ok(Self::new(values)))
             .table(|keys| Ok(Self(keys)))
             .read(deserializer)
@@ -80,7 +80,7 @@ crate::written_schema!(LinearSweep, |_| written_schema::<Pure, SeparationRange>(
     json!({ "from": 4, "to": 0, "points": 81 })
 ));
 
-impl<D: Dimension> JsonSchema for LogSweep<D> {
+impl<D: Dimension, R: Range> JsonSchema for LogSweep<D, R> {
     fn inline_schema() -> bool {
         true
     }
@@ -89,7 +89,7 @@ impl<D: Dimension> JsonSchema for LogSweep<D> {
     }
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
         let one = D::UNITS.map_or(json!(10), |units| json!(units.example()));
-        written_schema::<D, Positive>("spaced by equal ratios", one)
+        written_schema::<D, R>("spaced by equal ratios", one)
     }
 }
 
@@ -146,28 +146,28 @@ impl TryFrom<Written<Pure, SeparationRange>> for LinearSweep {
 
 /// Logarithmically spaced positive quantities, SI.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(try_from = "Written<D, Positive>", bound(deserialize = "D: Dimension"))]
-pub struct LogSweep<D> {
+#[serde(try_from = "Written<D, R>", bound(deserialize = "D: Dimension, R: Range"))]
+pub struct LogSweep<D, R = Positive> {
     /// The values, SI.
     pub values: Vec<f64>,
     /// Whether they were given one by one.
     #[serde(skip)]
     pub is_listed: bool,
     #[serde(skip)]
-    kind: PhantomData<D>,
+    kind: PhantomData<(D, R)>,
 }
 
-impl<D: Dimension> LogSweep<D> {
+impl<D: Dimension, R: Range> LogSweep<D, R> {
     /// The values, and whether they are listed one by one.
     pub fn loads(&self) -> (&[f64], bool) {
         (&self.values, self.is_listed)
     }
 }
 
-impl<D: Dimension> TryFrom<Written<D, Positive>> for LogSweep<D> {
+impl<D: Dimension, R: Range> TryFrom<Written<D, R>> for LogSweep<D, R> {
     type Error = String;
 
-    fn try_from(Written(keys): Written<D, Positive>) -> Result<Self, String> {
+    fn try_from(Written(keys): Written<D, R>) -> Result<Self, String> {
         let is_listed = keys.values.is_some();
         let values = keys.values(|from, to, fraction| from * (to / from).powf(fraction))?;
         Ok(Self { values, is_listed, kind: PhantomData })

@@ -145,13 +145,18 @@ def _hyphens(name: str) -> str:
     return name.replace("_", "-")
 
 
-def _material(material: Material) -> dict[str, float]:
+def _in(unit: str, value: float | None) -> str | None:
+    # A spec refuses bare numbers that are hardly meant; a program means them.
+    return None if value is None else f"{value!r} {unit}"
+
+
+def _material(material: Material) -> dict[str, Any]:
     return keys(
         {
-            "young": material.young,
+            "young": _in("Pa", material.young),
             "poisson": material.poisson,
-            "hardness": material.hardness,
-            "yield_strength": material.yield_strength,
+            "hardness": _in("Pa", material.hardness),
+            "yield_strength": _in("Pa", material.yield_strength),
         }
     )
 
@@ -166,7 +171,7 @@ def _spec(interface: Interface, surface: Surface | Mapping[str, Surface]) -> tup
     materials = {"rough": _material(interface.rough), "flat": _material(interface.flat)}
     if interface.layer is not None:
         thickness = interface.thickness
-        thickness = "inf" if thickness == float("inf") else thickness
+        thickness = "inf" if thickness == float("inf") else _in("m", float(thickness))
         # A list of one: no curve without the layer beside it.
         compare["layer"] = {"material": "layer", "thickness": [thickness], "rule": interface.rule}
         materials["layer"] = _material(interface.layer)

@@ -256,11 +256,22 @@ def generate(
     <Topography: 128 x 128 points of 1e-06 x 1e-06 m, periodic>
     """
     points = [points, points] if np.ndim(points) == 0 else list(points)
+    if "pixel" in generation:
+        generation["pixel"] = _in_metres(generation["pixel"])
     made = _make({"generate": keys({"points": points, **generation})}, {}, seed, realisation)
     topography = Topography.__new__(Topography)
     neighbours = generation.get("neighbours", "four")
     topography._begin(made.map, True, {"level": "none", "neighbours": neighbours})
     return topography
+
+
+def _in_metres(length: float | str | tuple[float, float]) -> str | list[str]:
+    # A spec refuses bare numbers that are hardly meant; a program means them.
+    if isinstance(length, str):
+        return length
+    if np.ndim(length) == 0:
+        return f"{float(length)!r} m"
+    return [side if isinstance(side, str) else f"{float(side)!r} m" for side in length]
 
 
 def draw(

@@ -56,6 +56,7 @@ impl StudyTask<'_> {
             is_ranked: false,
             generates: false,
             controls: &Controls::at_pressures(self.loads.to_vec()),
+            nominal_area: None,
             seed: self.seed,
             progress: &Silent,
         };

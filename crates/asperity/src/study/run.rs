@@ -80,6 +80,7 @@ pub fn verdicts(
         is_ranked: false,
         generates: true,
         controls: &controls,
+        nominal_area: None,
         seed: 0,
         progress: &Silent,
     };
@@ -140,7 +141,7 @@ pub fn run_surface<'a>(
 ) -> Result<RealisationResults, (&'a LawContact, NotReached)> {
     let is_run = |kind| setup.models.contains(&kind);
     let population = models.population();
-    let area = surface.set.nominal_area();
+    let area = setup.load_area(surface);
     let mut cases = Vec::new();
     setup.progress.stage("both models", setup.laws.len() as f64);
     for law in setup.laws {
@@ -171,7 +172,7 @@ pub fn run_surface<'a>(
     }
     let facts = RealisationFacts {
         asperities: surface.set.count(),
-        nominal_area: area,
+        nominal_area: surface.set.nominal_area(),
         statistics: surface.reported_statistics(),
         sigma: surface.plane.sigma,
         roughness: surface.map.as_ref().map(|map| map.roughness),

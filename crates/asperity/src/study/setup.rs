@@ -4,6 +4,7 @@ use super::law::LawContact;
 use crate::ContactLaw;
 use crate::compare::{Controls, ModelKind};
 use crate::progress::Progress;
+use crate::surface::Surface;
 
 use super::statistical::StatisticalModel;
 
@@ -26,6 +27,8 @@ pub struct Setup<'a> {
     pub controls: &'a Controls,
     /// Whether surfaces are generated for the sampling error of a map that is too small for blocks.
     pub generates: bool,
+    /// The area that the forces of the controls act on, m²; `None` for the nominal area of each surface.
+    pub nominal_area: Option<f64>,
     /// The seed of the spec.
     pub seed: u64,
     /// Whoever watches.
@@ -33,6 +36,11 @@ pub struct Setup<'a> {
 }
 
 impl Setup<'_> {
+    /// The area that a force on `surface` acts on, m².
+    pub fn load_area(&self, surface: &Surface) -> f64 {
+        self.nominal_area.unwrap_or(surface.set.nominal_area())
+    }
+
     /// Whether both models are run, so that they can be compared.
     pub fn has_both_models(&self) -> bool {
         [ModelKind::Statistical, ModelKind::Deterministic].iter().all(|kind| self.models.contains(kind))

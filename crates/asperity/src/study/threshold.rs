@@ -36,7 +36,7 @@ pub fn thresholds(
     counter: &Counter,
 ) -> Vec<Threshold> {
     let LayerQuestion { coating, thicknesses, rough } = question;
-    let area = surface.set.nominal_area();
+    let area = setup.load_area(surface);
     let mut pressures: Vec<f64> = setup.controls.pressures.clone();
     pressures.extend(setup.controls.forces.iter().map(|force| force / area));
     let pressures = some_of(pressures);

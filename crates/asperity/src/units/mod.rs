@@ -2,15 +2,15 @@
 //!
 //! | dimension | documented units | bare number |
 //! |---|---|---|
-//! | pressure | Pa, kPa, MPa, GPa, N/mm^2, HV (9.80665 MPa) | Pa |
+//! | pressure | Pa, kPa, MPa, GPa, N/mm^2, HV (9.80665 MPa), kgf/mm^2, bar, psi, ksi | Pa |
 //! | length | m, cm, mm, um, nm, pm, Å | m |
 //! | area | m^2, cm^2, mm^2, um^2 | m^2 |
 //! | density (number per area) | /m^2, /mm^2, /um^2 | 1/m^2 |
 //! | angle | deg, rad | rad |
-//! | force | N, mN, uN, kN | N |
+//! | force | N, mN, uN, kN, kgf, lbf | N |
 //!
 //! Pa, m, m^2 and N take every SI prefix, in symbols or in words (`megapascals`), and common units of other systems are
-//! supported (`psi`, `in`, `lbf`). `u` may be `µ`, `^2` may be `²`, and `/m^2` may be `1/m^2` or `m⁻²`.
+//! supported (`in`, `dyn`, `atm`). `u` may be `µ`, `^2` may be `²` or `2` (`mm2`), and `/m^2` may be `1/m^2` or `m⁻²`.
 //!
 //! ```
 //! use asperity::units::Dimension;
@@ -130,11 +130,15 @@ impl Units {
     }
 }
 
-/// The spelling of a unit in the table: `u` for both signs of micro, `^2` for `²`, `^-2` for `⁻²`, the letter Å for the
-/// ångström sign.
+/// The spelling of a unit in the table: `u` for both signs of micro, `^2` for `²` and for a `2` after a letter, `^-2` for `⁻²`,
+/// the letter Å for the ångström sign.
 fn canonical(unit: &str) -> String {
     let plain = unit.replace(['µ', 'μ'], "u").replace('\u{212b}', "\u{c5}");
-    plain.replace('⁻', "^-").replace('²', "^2").replace("^-^2", "^-2")
+    let plain = plain.replace('⁻', "^-").replace('²', "^2").replace("^-^2", "^-2");
+    match plain.strip_suffix('2') {
+        Some(base) if base.ends_with(|c: char| c.is_ascii_alphabetic()) => format!("{base}^2"),
+        _ => plain,
+    }
 }
 
 fn is_number(text: &str) -> bool {
@@ -186,14 +190,21 @@ mod tests {
         for micrometre in ["um", "µm", "μm"] {
             assert_eq!(Dimension::Length.documented_factor(micrometre), Some(1e-6));
         }
+        for area in ["mm^2", "mm²", "mm2"] {
+            assert_eq!(Dimension::Area.documented_factor(area), Some(1e-6), "{area}");
+        }
+        assert_eq!(Dimension::Pressure.parse("2 N/mm2"), Some(2e6));
+        assert_eq!(Dimension::ArealNumberDensity.parse("3 /mm2"), Some(3e6));
         assert_eq!(Dimension::Length.documented_factor("\u{212b}"), Some(1e-10));
         assert_eq!(Dimension::Length.documented_factor("inch"), None);
     }
 
     #[test]
     fn what_is_no_quantity_of_a_dimension() {
-        for text in ["", "nm", "1.2", "1.2 GPa", "nan nm", "1 2 nm", "1.2 nmm", "1.2 µ", "µm", "e9 m", "m 1"]
-        {
+        for text in [
+            "", "nm", "1.2", "1.2 GPa", "2 parsec", "1 m2", "nan nm", "1 2 nm", "1.2 nmm", "1.2 µ", "µm",
+            "e9 m", "m 1",
+        ] {
             assert_eq!(Dimension::Length.parse(text), None, "{text}");
         }
         // These read as a sum and as a misprint.

@@ -53,6 +53,11 @@ fn without_differences(case: SurfaceCase) -> String {
     if comparison.pairs.is_empty() {
         return "One model was run, so that no models are compared.".to_owned();
     }
+    if !comparison.unpaired.is_empty() {
+        return "At these separations one of the models does not reach the load of the other above -10 σ, so that they are not compared at \
+                equal load; separations of 4 to 0 σ cover most surfaces."
+            .to_owned();
+    }
     if case.surface.realisations.len() == 1 {
         return "Both models are in contact at none of the separations, so that they are not compared at equal load.".to_owned();
     }

@@ -2,6 +2,7 @@
 
 use asperity_contact_framework::report::page::Page;
 use asperity_contact_framework::report::table::Tables;
+use asperity_contact_framework::report::view::View;
 
 use crate::kind::compare::figures::layers;
 use crate::kind::compare::series::Series;
@@ -53,11 +54,33 @@ pub fn table(series: &Series, page: &mut Page, tables: &Tables) {
         );
         return;
     }
+    if series.realisations > 1 {
+        page.paragraph(&format!(
+            "Shown: the first of {} realisations; `curves.csv` has all.",
+            series.realisations
+        ));
+    }
     let view =
         tables.view::<CurveRow>().only("surface", series.surface).only("law", series.cases[0].law.as_str());
-    let view = view.only("realisation", 1usize).only("control", "pressure");
-    let view = view.filter("target", |cell| cell.number().is_some_and(|load| loads.contains(&load)));
-    page.view(&view.label("target", "nominal pressure").unit("target", "Pa", "M").columns(&[
+    let view = view.only("realisation", 1usize);
+    let at_pressures = view.clone().only("control", "pressure");
+    let at_pressures =
+        at_pressures.filter("target", |cell| cell.number().is_some_and(|load| loads.contains(&load)));
+    page.view(&with_columns(at_pressures.label("target", "nominal pressure").unit("target", "Pa", "M")));
+    let at_forces = view.only("control", "force");
+    let at_forces = at_forces.filter("pressure_pa", |cell| {
+        let is_near = |pressure: f64| loads.iter().any(|load| (pressure / load - 1.0).abs() < SAME_LOAD);
+        cell.number().is_some_and(is_near)
+    });
+    page.view(&with_columns(at_forces.label("target", "force").unit("target", "N", "")));
+}
+
+/// Loads that differ by less, relatively, are the same one, found again.
+const SAME_LOAD: f64 = 1e-6;
+
+/// The columns of a table by thickness.
+fn with_columns(view: View) -> View {
+    view.columns(&[
         "target",
         "layer_thickness_m",
         "model",
@@ -69,5 +92,5 @@ pub fn table(series: &Series, page: &mut Page, tables: &Tables) {
         "elastic_plastic_load_share",
         "plastic_load_share",
         "limits",
-    ]));
+    ])
 }

@@ -52,7 +52,7 @@ impl ReferenceRun<'_> {
     ) -> Result<Vec<ContactView>, InputError> {
         let start = Instant::now();
         let reference = self.reference;
-        let area = self.surface.set.nominal_area();
+        let area = self.compare.setup(context).load_area(self.surface);
         let loads: Vec<Vec<Load>> = cases.iter().map(|case| Load::all(self, case, area)).collect();
         let of_solution = |index: usize| -> Vec<f64> {
             let served = loads.iter().zip(&reference.serves).filter(|(_, serves)| **serves == index);
@@ -166,7 +166,7 @@ struct Load {
 }
 
 impl Load {
-    /// The loads of a case on a nominal area (m^2).
+    /// The loads of a case; forces act on an area (m^2).
     fn all(run: &ReferenceRun, case: &CaseResults, area: f64) -> Vec<Self> {
         let reference = run.reference;
         let prescribed = reference.prescribed.iter().map(|&(control, target)| {

@@ -236,13 +236,18 @@ fn failed<T>(operation: &'static str, path: &Path, source: io::Error) -> Result<
     Err(StoreError::Io { operation, path: path.into(), source })
 }
 
-/// Whether a name is a valid visible file name on every system.
-fn is_plain(name: &str) -> bool {
-    !name.is_empty()
-        && !name.starts_with('.')
-        && !name
-            .chars()
-            .any(|c| c.is_control() || matches!(c, '/' | '\\' | ':' | '*' | '?' | '"' | '<' | '>' | '|'))
+/// Whether a name is a valid visible file name on every system, so that a report may take it.
+pub fn is_plain(name: &str) -> bool {
+    !name.is_empty() && !name.starts_with('.') && !name.chars().any(is_special)
+}
+
+/// The name with a dash for each character that a file name does not have on every system.
+pub fn plain(name: &str) -> String {
+    name.chars().map(|c| if is_special(c) { '-' } else { c }).collect()
+}
+
+fn is_special(c: char) -> bool {
+    c.is_control() || matches!(c, '/' | '\\' | ':' | '*' | '?' | '"' | '<' | '>' | '|')
 }
 
 #[cfg(test)]

@@ -6,6 +6,7 @@ use serde::Deserialize;
 
 use asperity_contact_framework::input::Spanned;
 use asperity_contact_framework::input::Whole;
+use asperity_contact_framework::input::bare::PixelRange;
 use asperity_contact_framework::input::heights::HeightsSpec;
 use asperity_contact_framework::input::law::Laws;
 use asperity_contact_framework::input::quantity::{Finite, Length, Pure, Quantity};
@@ -29,7 +30,7 @@ pub struct CoverageSpec {
     pub points: Spanned<Whole>,
     /// Distance of the points.
     #[schemars(extend("examples" = ["0.5 um"]))]
-    pub pixel: Quantity<Length>,
+    pub pixel: Quantity<Length, PixelRange>,
     /// Standard deviation of the surface heights.
     #[schemars(extend("examples" = ["0.25 um"]))]
     pub sigma: Quantity<Length>,

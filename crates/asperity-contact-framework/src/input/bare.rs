@@ -1,0 +1,172 @@
+//! Numbers without a unit that are hardly meant in SI: ranges that refuse them and name the likely unit.
+
+use asperity::numeric::{LARGEST, is_positive};
+use asperity::units::Dimension;
+
+use super::quantity::Range;
+use crate::report::format::input_quantity;
+
+/// What may be written without a unit.
+pub struct Bare {
+    /// What the number stands for, with its article: "a Young's modulus".
+    pub of: &'static str,
+    /// The values that may stand without a unit, SI.
+    pub allowed: [f64; 2],
+    /// The values that most users mean, SI.
+    usual: [f64; 2],
+    /// Units that are commonly left out.
+    units: &'static [&'static str],
+    dimension: Dimension,
+}
+
+impl Bare {
+    /// Refuses a number without a unit that is hardly meant in SI, and which the spec writes as `found`.
+    ///
+    /// # Errors
+    /// A value outside [`Self::allowed`]; the message names the likely values with their units.
+    pub fn check(&self, value: f64, found: &str) -> Result<(), String> {
+        let [least, most] = self.allowed;
+        if (least..=most).contains(&value) {
+            return Ok(());
+        }
+        let si = self.dimension.si_unit();
+        let as_it_stands = input_quantity(value, si);
+        let likely = self.likely(value);
+        let write = match &likely[..] {
+            [] => format!("write it with its unit, as in \"{}\"", self.dimension.example()),
+            likely => format!("write {}", likely.join(" or ")),
+        };
+        Err(format!(
+            "found {found}; {write}: a bare number is in {si}, and {as_it_stands} is hardly meant as {} (if it is, write \
+             \"{as_it_stands}\")",
+            self.of
+        ))
+    }
+
+    /// The number with each unit in which it has a usual value, as a spec would write it.
+    fn likely(&self, value: f64) -> Vec<String> {
+        let [least, most] = self.usual;
+        let in_unit = |unit: &&str| {
+            let si = value * self.dimension.factor(unit)?;
+            let prefixed = unit.ends_with(self.dimension.si_unit());
+            let written = if prefixed {
+                input_quantity(si, self.dimension.si_unit())
+            } else {
+                format!("{value} {unit}")
+            };
+            (least..=most).contains(&si).then(|| format!("\"{written}\""))
+        };
+        self.units.iter().filter_map(in_unit).collect()
+    }
+}
+
+macro_rules! positive_ranges {
+    ($($(#[$doc:meta])* $name:ident: $bounds:expr, $bare:expr;)*) => {$(
+        $(#[$doc])*
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub enum $name {}
+
+        impl Range for $name {
+            const WORDS: &'static str = "a positive finite";
+            const MAGNITUDES: Option<&'static str> = Some("1e-30 to 1e30");
+            const IN_SHORT: &'static str = "above 0";
+            const BOUNDS: &'static [(&'static str, f64)] = $bounds;
+            const BARE: Option<Bare> = Some($bare);
+            fn holds(value: f64) -> bool {
+                is_positive(value)
+            }
+        }
+    )*};
+}
+
+positive_ranges! {
+    /// A Young's modulus; without its unit from 1 GPa to 2 TPa.
+    ModulusRange: &[("minimum", 1e9), ("maximum", 2e12)], Bare {
+        of: "a Young's modulus",
+        allowed: [1e9, 2e12],
+        usual: [1e9, 1.5e12],
+        units: &["GPa", "MPa"],
+        dimension: Dimension::Pressure,
+    };
+    /// A hardness; without its unit from 10 MPa.
+    HardnessRange: &[("minimum", 1e7), ("maximum", LARGEST)], Bare {
+        of: "a hardness",
+        allowed: [1e7, f64::INFINITY],
+        usual: [1e8, 4e10],
+        units: &["GPa", "MPa", "HV"],
+        dimension: Dimension::Pressure,
+    };
+    /// The distance of the points of a map, or another length on it; without its unit up to 1 mm.
+    PixelRange: &[("exclusiveMinimum", 0.0), ("maximum", 1e-3)], Bare {
+        of: "a length on a height map",
+        allowed: [0.0, 1e-3],
+        usual: [1e-9, 1e-4],
+        units: &["um", "nm"],
+        dimension: Dimension::Length,
+    };
+    /// The thickness of a layer; without its unit up to 1 mm.
+    ThicknessRange: &[("exclusiveMinimum", 0.0), ("maximum", 1e-3)], THICKNESS;
+}
+
+const THICKNESS: Bare = Bare {
+    of: "the thickness of a layer",
+    allowed: [0.0, 1e-3],
+    usual: [1e-9, 1e-3],
+    units: &["um", "nm"],
+    dimension: Dimension::Length,
+};
+
+/// The thickness of a layer, or none; without its unit up to 1 mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ThicknessOrNone {}
+
+impl Range for ThicknessOrNone {
+    const WORDS: &'static str = "zero or a positive finite";
+    const MAGNITUDES: Option<&'static str> = Some("1e-30 to 1e30");
+    const IN_SHORT: &'static str = "0 or above";
+    const BOUNDS: &'static [(&'static str, f64)] = &[("minimum", 0.0), ("maximum", 1e-3)];
+    const BARE: Option<Bare> = Some(THICKNESS);
+    fn holds(value: f64) -> bool {
+        value == 0.0 || is_positive(value)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::input::quantity::{Length, Pressure, Quantity};
+
+    fn young(value: f64, found: &str) -> Result<f64, String> {
+        Quantity::<Pressure, ModulusRange>::bare(value, found).map(|young| young.value())
+    }
+
+    #[test]
+    fn a_bare_number_that_is_hardly_meant_is_told_its_likely_unit() {
+        let message = young(210000.0, "210000").unwrap_err();
+        assert!(
+            message.starts_with("found 210000; write \"210 GPa\": a bare number is in Pa, and 210 kPa is")
+        );
+        assert!(young(210.0, "210").unwrap_err().contains("write \"210 GPa\": "));
+        assert!(young(1500.0, "1500").unwrap_err().contains("write \"1.5 TPa\" or \"1.5 GPa\""));
+        assert!(young(2.1e14, "2.1e14").unwrap_err().contains("write it with its unit"));
+        let hardness = |value, found| Quantity::<Pressure, HardnessRange>::bare(value, found).unwrap_err();
+        assert!(hardness(7.6, "7.6").contains("write \"7.6 GPa\": "));
+        assert!(hardness(775.0, "775").contains("write \"775 MPa\" or \"775 HV\""));
+        let thickness = Quantity::<Length, ThicknessOrNone>::bare(2.0, "2").unwrap_err();
+        assert!(thickness.contains("write \"2 µm\" or \"2 nm\": a bare number is in m"), "{thickness}");
+        let pixel = Quantity::<Length, PixelRange>::bare(0.196733, "0.196733").unwrap_err();
+        assert!(pixel.contains("write \"196.733 nm\": "), "{pixel}");
+    }
+
+    #[test]
+    fn si_numbers_and_numbers_with_units_are_read() {
+        assert_eq!(young(210e9, "210e9"), Ok(210e9));
+        assert_eq!(young(2e12, "2e12"), Ok(2e12));
+        let parsed = |text| Quantity::<Pressure, ModulusRange>::parse(text).map(|young| young.value());
+        assert_eq!((parsed("2 MPa"), parsed("1e9 GPa")), (Ok(2e6), Ok(1e18)));
+        assert!(Quantity::<Length, ThicknessOrNone>::bare(0.0, "0").is_ok());
+        assert!(
+            Quantity::<Length, ThicknessRange>::bare(-1.0, "-1").unwrap_err().contains("a positive finite")
+        );
+    }
+}

@@ -1,0 +1,71 @@
+//! Ctrl-C: one line that says what became of the run, exit code 130, and no report that is half written.
+
+use std::io::{IsTerminal, Write};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+/// Held while a report is written: an interruption waits for it.
+static WRITING: Mutex<()> = Mutex::new(());
+
+/// Reports that were written.
+static WRITTEN: AtomicUsize = AtomicUsize::new(0);
+
+/// Whether parts are run, which keep what is complete.
+static HAS_PARTS: AtomicBool = AtomicBool::new(false);
+
+/// The exit code of a program that SIGINT ends: 128 + 2.
+const EXIT_CODE: i32 = 130;
+
+/// Ends the program at Ctrl-C. Where no handler can be set, the system ends it without a word.
+pub fn handle() {
+    let _ = ctrlc::set_handler(|| {
+        let _whole = WRITING.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut to = std::io::stderr();
+        // Below the bar of progress.
+        let start = if to.is_terminal() { "\n" } else { "" };
+        let line = line(WRITTEN.load(Ordering::Relaxed), HAS_PARTS.load(Ordering::Relaxed));
+        let _ = writeln!(to, "{start}{line}");
+        std::process::exit(EXIT_CODE);
+    });
+}
+
+/// Says that parts are run.
+pub fn of_parts() {
+    HAS_PARTS.store(true, Ordering::Relaxed);
+}
+
+/// Begins to write a report; an interruption waits until the guard is dropped.
+pub fn begin_writing() -> MutexGuard<'static, ()> {
+    WRITING.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Counts a report that was written.
+pub fn count_written() {
+    WRITTEN.fetch_add(1, Ordering::Relaxed);
+}
+
+fn line(written: usize, has_parts: bool) -> String {
+    match (written, has_parts) {
+        (_, true) => {
+            "interrupted; what is complete of the parts is kept, run the same command to continue".to_owned()
+        }
+        (0, false) => "interrupted; nothing was written".to_owned(),
+        (1, false) => "interrupted; 1 report was written before, the one under way was not".to_owned(),
+        (count, false) => {
+            format!("interrupted; {count} reports were written before, the one under way was not")
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::line;
+
+    #[test]
+    fn the_line_says_what_was_written() {
+        assert_eq!(line(0, false), "interrupted; nothing was written");
+        assert!(line(1, false).contains("1 report was written before"));
+        assert!(line(3, false).contains("3 reports were written before"));
+        assert!(line(0, true).contains("parts is kept"));
+    }
+}

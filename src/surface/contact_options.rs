@@ -1,0 +1,207 @@
+//! Bodies, layer and load of `experiment surface FILE`, as lines of a spec.
+
+use std::path::Path;
+
+use asperity_contact_framework::input::InputError;
+
+use super::options::{quoted, typed, written};
+
+/// Bodies, layer and load on a measured surface; each as in a spec, materials by their names in the library.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct ContactOptions {
+    /// The material of both bodies.
+    pub material: Option<String>,
+    /// That of the rough body.
+    pub rough: Option<String>,
+    /// That of the flat.
+    pub flat: Option<String>,
+    /// That of a layer on the flat.
+    pub layer: Option<String>,
+    /// Thickness of the layer.
+    pub thickness: Option<String>,
+    /// A force.
+    pub load: Option<String>,
+    /// The nominal area that it acts on.
+    pub area: Option<String>,
+    /// A nominal pressure.
+    pub pressure: Option<String>,
+}
+
+/// The material of both bodies where none is named.
+const MATERIAL: &str = "steel-100Cr6";
+
+/// A line of a spec, and the option that it stands for.
+type Line = (String, String);
+
+impl ContactOptions {
+    /// Refuses options that contradict each other.
+    ///
+    /// # Errors
+    /// The first of them, as it was typed.
+    pub fn check(&self) -> Result<(), InputError> {
+        let Self { material, rough, flat, layer, thickness, load, area, pressure } = self;
+        let conflicts = [
+            (
+                "load",
+                load,
+                pressure.is_some(),
+                "found together with --pressure; allowed: one of --load and --pressure",
+            ),
+            (
+                "area",
+                area,
+                load.is_none() && pressure.is_none(),
+                "found without a load; allowed: beside --load, which acts on it, or --pressure, whose force it gives",
+            ),
+            (
+                "thickness",
+                thickness,
+                layer.is_none(),
+                "found without a layer; allowed: beside --layer MATERIAL",
+            ),
+            (
+                "layer",
+                layer,
+                thickness.is_none(),
+                "found without its thickness; allowed: beside --thickness, such as \"2 um\"",
+            ),
+            (
+                "material",
+                material,
+                rough.is_some() && flat.is_some(),
+                "found together with --rough and --flat, which leave it no body; allowed: two of the three at most",
+            ),
+        ];
+        for (option, given, is_conflict, message) in conflicts {
+            if let Some(given) = given.as_deref().filter(|_| is_conflict) {
+                return Err(InputError::file(Path::new(&typed(option, given)), message));
+            }
+        }
+        Ok(())
+    }
+
+    /// The materials, each once.
+    pub(super) fn materials(&self) -> Vec<Line> {
+        let mut named: Vec<(&str, &str)> = Vec::new();
+        for (name, option) in [self.rough(), self.flat()].into_iter().chain(self.layer()) {
+            if named.iter().all(|(other, _)| *other != name) {
+                named.push((name, option));
+            }
+        }
+        let line = |(name, option): (&str, &str)| {
+            (format!("material.{} = {{ from = {} }}", quoted(name), quoted(name)), typed(option, name))
+        };
+        named.into_iter().map(line).collect()
+    }
+
+    /// `rough`, `flat` and `layer`.
+    pub(super) fn bodies(&self) -> Vec<Line> {
+        let body = |key: &str, (name, option): (&str, &str)| {
+            (format!("{key} = {}", quoted(name)), typed(option, name))
+        };
+        let mut lines = vec![body("rough", self.rough()), body("flat", self.flat())];
+        if let Some(((name, _), thickness)) = self.layer().zip(self.thickness.as_deref()) {
+            let line =
+                format!("layer = {{ material = {}, thickness = {} }}", quoted(name), written(thickness));
+            lines.push((line, typed("thickness", thickness)));
+        }
+        lines
+    }
+
+    /// `force`, `pressure` and `nominal-area`.
+    pub(super) fn loads(&self) -> Vec<Line> {
+        let Self { load, pressure, area, .. } = self;
+        let given =
+            [("force", "load", load), ("pressure", "pressure", pressure), ("nominal-area", "area", area)];
+        let line = |(key, option, given): (&str, &str, &Option<String>)| {
+            let given = given.as_deref()?;
+            Some((format!("{key} = {}", written(given)), typed(option, given)))
+        };
+        given.into_iter().filter_map(line).collect()
+    }
+
+    /// The material of the rough body, and the option that names it.
+    fn rough(&self) -> (&str, &'static str) {
+        self.rough.as_deref().map_or_else(|| self.of_both(), |name| (name, "rough"))
+    }
+
+    /// That of the flat.
+    fn flat(&self) -> (&str, &'static str) {
+        self.flat.as_deref().map_or_else(|| self.of_both(), |name| (name, "flat"))
+    }
+
+    fn layer(&self) -> Option<(&str, &'static str)> {
+        Some((self.layer.as_deref()?, "layer"))
+    }
+
+    fn of_both(&self) -> (&str, &'static str) {
+        (self.material.as_deref().unwrap_or(MATERIAL), "material")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn some(text: &str) -> Option<String> {
+        Some(text.to_owned())
+    }
+
+    #[test]
+    fn options_are_lines_of_a_spec_and_each_material_stands_once() {
+        let options = ContactOptions {
+            material: some("bronze-CuSn8"),
+            rough: some("steel-100Cr6"),
+            layer: some("steel-100Cr6"),
+            thickness: some("2 um"),
+            load: some("5 N"),
+            area: some("4 mm2"),
+            ..ContactOptions::default()
+        };
+        assert!(options.check().is_ok());
+        let text = |lines: Vec<Line>| lines.into_iter().map(|(line, _)| line).collect::<Vec<_>>();
+        assert_eq!(
+            text(options.materials()),
+            [
+                "material.\"steel-100Cr6\" = { from = \"steel-100Cr6\" }",
+                "material.\"bronze-CuSn8\" = { from = \"bronze-CuSn8\" }"
+            ]
+        );
+        assert_eq!(
+            text(options.bodies()),
+            [
+                "rough = \"steel-100Cr6\"",
+                "flat = \"bronze-CuSn8\"",
+                "layer = { material = \"steel-100Cr6\", thickness = \"2 um\" }"
+            ]
+        );
+        assert_eq!(text(options.loads()), ["force = \"5 N\"", "nominal-area = \"4 mm2\""]);
+    }
+
+    #[test]
+    fn contradictions_are_refused_as_typed() {
+        let none = ContactOptions::default;
+        for (options, words) in [
+            (
+                ContactOptions { load: some("5 N"), pressure: some("1 MPa"), ..none() },
+                "--load \"5 N\": found together with --pressure",
+            ),
+            (ContactOptions { area: some("4 mm2"), ..none() }, "--area \"4 mm2\": found without a load"),
+            (
+                ContactOptions { thickness: some("2 um"), ..none() },
+                "--thickness \"2 um\": found without a layer",
+            ),
+            (
+                ContactOptions { layer: some("coating-DLC"), ..none() },
+                "--layer \"coating-DLC\": found without its thickness",
+            ),
+            (
+                ContactOptions { material: some("a"), rough: some("b"), flat: some("c"), ..none() },
+                "--material \"a\": found together with --rough and --flat",
+            ),
+        ] {
+            let error = options.check().unwrap_err().to_string();
+            assert!(error.starts_with(words), "{error}");
+        }
+    }
+}
