@@ -103,6 +103,8 @@ impl CompareResults {
 pub struct SurfaceResults {
     /// The first realisation, with its asperities.
     pub surface: Surface,
+    /// The area that its load acts on, m²: its own nominal area, or that of the spec.
+    pub load_area: f64,
     /// Its realisations, the first first; the asperities of the others are not kept.
     pub realisations: Vec<RealisationFacts>,
     /// Every law under every thickness, in file order.

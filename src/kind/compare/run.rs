@@ -187,6 +187,7 @@ impl<'a> Run<'a> {
             treatments.map(|treatments| treatments.judge(&mut cases, &surface, compare.study.accept));
         let laws = LawFindings::all(&cases, &thresholds);
         Ok(SurfaceResults {
+            load_area: setup.load_area(&surface),
             surface,
             realisations,
             cases,

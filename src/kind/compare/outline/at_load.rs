@@ -8,14 +8,13 @@ use asperity_contact_framework::report::format::{input_quantity, number, percent
 use super::limit::limit_words;
 
 /// "At 5 N on 4 mm² (1.25 MPa): real contact area 3200 µm² (0.08 %) in 180 contacts at 1.55 GPa, 97 % elastic-plastic, by the sum; integral
-/// +13 %, boundary elements -5 % of area."; `None` where neither sum nor integral was run.
-pub fn results(case: &CaseStudy, surface: &Surface) -> Option<String> {
+/// +13 %, boundary elements -5 % of area."; on a `nominal` area (m²). `None` where neither sum nor integral was run.
+pub fn results(case: &CaseStudy, surface: &Surface, nominal: f64) -> Option<String> {
     let at_load = case.results_at_load();
     let of = |kind: ModelKind| at_load.models.iter().find(|one| one.model == Some(kind));
     let (model, name) = of(ModelKind::Deterministic)
         .map(|one| (one, "sum"))
         .or_else(|| of(ModelKind::Statistical).map(|one| (one, "integral")))?;
-    let nominal = surface.set.nominal_area();
     let mut marks: Vec<String> = at_load.exceeded.limits().map(limit_words).collect();
     marks.extend(surface.is_blocked().then(|| "map not fit".to_owned()));
     let marks = if marks.is_empty() { String::new() } else { format!(" [{}]", marks.join("; ")) };

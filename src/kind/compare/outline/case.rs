@@ -39,7 +39,7 @@ impl SurfaceCase<'_> {
 pub fn answer(case: SurfaceCase) -> Vec<String> {
     let verdicts = case.verdicts();
     if !verdicts.differences.is_empty() {
-        return lead::answer(case.case, &case.surface.surface);
+        return lead::answer(case.case, &case.surface.surface, case.surface.load_area);
     }
     vec![without_differences(case)]
 }

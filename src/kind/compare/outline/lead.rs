@@ -16,10 +16,10 @@ pub const ORDER: [ComparedQuantity; 3] =
     [ComparedQuantity::Area, ComparedQuantity::Separation, ComparedQuantity::Stiffness];
 
 /// The answer on one surface under one law and thickness: the results at the load, whether the integral may replace the sum on this
-/// map, and on such surfaces.
-pub fn answer(case: &CaseStudy, surface: &Surface) -> Vec<String> {
+/// map, and on such surfaces. The load acts on `load_area` (m²).
+pub fn answer(case: &CaseStudy, surface: &Surface, load_area: f64) -> Vec<String> {
     let verdicts = &case.verdicts;
-    let mut sentences: Vec<String> = results(case, surface).into_iter().collect();
+    let mut sentences: Vec<String> = results(case, surface, load_area).into_iter().collect();
     sentences.extend(on_map(verdicts));
     sentences.push(on_surface(verdicts, surface));
     sentences

@@ -41,7 +41,7 @@ impl Row for DifferenceRow<'_> {
         let mut columns = case_columns(|row: &Self| row.key);
         columns.extend(columns! { row: Self =>
             pressure_pa["Pa", prefix("M")] = row.at_load.load, "Nominal pressure.";
-            force_n["N"] = row.at_load.load * row.verdicts.area, "The same as a force on the nominal area.";
+            force_n["N"] = row.at_load.load * row.load_area, "The same as a force on the area that the load acts on: `nominal-area` of the spec, or that of the surface.";
             quantity["text"] = row.quantity.name(), "What is compared: `separation`, `area` (real contact area) or `stiffness`.";
             model["text"] = row.names[0], "The model that is compared: `statistical` or `deterministic`.";
             against["text"] = row.names[1], "What it is compared with: `deterministic` or `reference`.";

@@ -40,6 +40,7 @@ impl Row for ResultRow<'_> {
         columns.extend(columns! { row: Self =>
             model["text"] = row.result.model.map_or(REFERENCE, ModelKind::name), "Model: `statistical`, `deterministic` or `reference`.";
             force_n["N", label("load")] = row.result.reading.pressure * row.nominal_area, "Load on the nominal area.";
+            nominal_area_m2["m²", prefix("m"), label("nominal area")] = row.nominal_area, "The area that the load acts on: `nominal-area` of the spec, or that of the surface.";
             pressure_pa["Pa", prefix("M"), label("nominal pressure")] = row.result.reading.pressure, "Load over nominal area.";
             separation_m["m"] = row.result.reading.separation.map(|[d, _]| d), "Separation of the flat from the mean asperity height.";
             separation_over_sigma["1"] = row.result.reading.separation.map(|[_, h]| h), "The same over sigma, the standard deviation of the asperity heights.";
@@ -70,7 +71,7 @@ pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = ResultRow<'
             result,
             exceeded: at_load.exceeded,
             is_fit: !surface.is_blocked(),
-            nominal_area: surface.set.nominal_area(),
+            nominal_area: case.surface.load_area,
         })
     })
 }
