@@ -100,8 +100,8 @@ impl Experiment {
         if is_spec && *options != FileOptions::default() {
             return Err(InputError::file(
                 path,
-                "is a spec, which defines its surfaces completely; --pixel, --unit, --outliers, --align-lines, --tip, --level, --s, --l, \
-                 --neighbours and --material are allowed only with a measured file",
+                "is a spec, which defines its surfaces completely; --pixel, --unit, --missing, --transpose, --outliers, --align-lines, --tip, \
+                 --level, --s, --l, --neighbours and --material are allowed only with a measured file",
             ));
         }
         let (spec, stem) = if is_spec {
