@@ -2,7 +2,7 @@
 
 use super::error::ReadError;
 
-/// Marks that programs write; with an empty range of other heights far from them, one point is enough.
+/// Marks that programs write.
 const USUAL: [f64; 13] = [
     -9999.0, 9999.0, -99_999.0, 99_999.0, -999.0, 999.0, -32_768.0, -32_767.0, 32_767.0, 65_535.0, 1e30,
     -1e30, 1e10,
@@ -85,17 +85,21 @@ impl Extremes {
     /// The error of a height that is a mark of missing points rather than a height; `unit` is what a height of one in the
     /// file is here. Two heights that a map alternates between are heights.
     pub fn mark(&self, unit: f64) -> Option<ReadError> {
-        /// Distance of a mark from the other heights over their range: of one that programs write, and of any other.
-        const DISTANCES: [f64; 2] = [1.0, 5.0];
-        /// Points that hold a mark that no program is known to write.
+        /// Points that hold a mark, unless it is one that programs write.
         const MANY: usize = 3;
         let ends = [(self.low, -self.high.value, 1.0), (self.high, self.low.value, -1.0)];
         ends.into_iter().find_map(|(end, other, sign)| {
             let range = sign * other - end.next;
             let value = rounded(sign * end.value / unit, 9);
             let is_usual = USUAL.iter().any(|usual| (value / usual - 1.0).abs() < 1e-6);
-            let [least, count] = if is_usual { [DISTANCES[0], 1.0] } else { [DISTANCES[1], MANY as f64] };
-            let is_mark = range > 0.0 && end.next - end.value > least * range && end.count as f64 >= count;
+            // Distance of a mark from the other heights over their range.
+            let least = match (is_usual, end.count >= MANY) {
+                (true, true) => 0.2,
+                (true, false) => 1.0,
+                (false, true) => 5.0,
+                (false, false) => f64::INFINITY,
+            };
+            let is_mark = range > 0.0 && end.next - end.value > least * range;
             let [next, other] = [sign * end.next, other].map(|z| rounded(z / unit, 4));
             is_mark.then(|| ReadError::Mark {
                 value,
@@ -130,6 +134,7 @@ mod tests {
     fn a_repeated_height_far_from_all_others_is_a_mark() {
         assert_eq!(mark(&[1.0, 2.0, -9999.0, 3.0, 5.0, 2.5, -9999.0]), Some((-9999.0, 2)));
         assert_eq!(mark(&[20e3, 30e3, 25e3, 65_535.0, 22e3]), Some((65_535.0, 1)));
+        assert_eq!(mark(&[10e3, 40e3, 65_535.0, 65_535.0, 65_535.0]), Some((65_535.0, 3)));
         assert_eq!(mark(&[12.0, 0.0, 12.5, 0.0, 12.3, 0.0, 12.1]), Some((0.0, 3)));
         assert_eq!(mark(&[-1.0, 1.0, 50.0, 0.5, 50.0, 50.0]), Some((50.0, 3)));
     }
@@ -144,6 +149,7 @@ mod tests {
             &[1.0, 2.0, 3.0, 500.0],
             &[1.0, 2.0, 3.0, 3.0, 3.0],
             &[-999.0, -500.0, 600.0],
+            &[65_535.0, 65_535.0, 65_535.0, 65_000.0, 20e3],
             &[0.0; 4],
             &[],
         ] {
