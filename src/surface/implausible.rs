@@ -11,8 +11,9 @@ use super::plan::{MapPlan, Origin, SurfacePlan};
 /// R.m.s. slopes of a map below those of any polished surface.
 const LEAST_SLOPE: f64 = 1e-5;
 
-/// Density times mean radius times standard deviation of the heights of asperities, which is 0.01 to 0.1 on rough surfaces.
-const LEAST_PRODUCT: f64 = 1e-4;
+/// Density times mean radius times standard deviation of the heights of asperities, which is 0.01 to 0.1 on rough surfaces;
+/// a prefix of a square that is missing makes it a million times smaller.
+const LEAST_PRODUCT: f64 = 1e-6;
 
 impl SurfacePlan {
     /// The error at the key that is probably in another unit, where a load is not reached as `message` says; `None` of a
