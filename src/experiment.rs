@@ -101,7 +101,7 @@ impl Experiment {
         if is_spec && *options != FileOptions::default() {
             return Err(InputError::file(
                 path,
-                "is a spec, which defines its surfaces completely; --pixel, --unit, --outliers, --align-lines, --tip, --level, --s, --l, \
+                "is a spec, which defines its surfaces completely; --pixel, --unit, --missing, --transpose, --outliers, --align-lines, --tip, --level, --s, --l, \
                  --neighbours, --material, --rough, --flat, --layer, --thickness, --load, --area and --pressure are allowed only with a \
                  measured file",
             ));

@@ -85,14 +85,17 @@ fn hard(rough: (&str, &Material), flat: (&str, &Material)) -> Option<String> {
     })
 }
 
-/// The asperities of a surface: mean radius and standard deviation of the heights (m) on a nominal area (m^2).
+/// The asperities of a surface: mean radius and standard deviation of the heights (m) on a nominal area (m^2). Radii above its
+/// side are those of smooth surfaces, unless slopes, which are about the root of sigma over radius, are below those of
+/// polished optics.
 pub fn of_surface(name: &str, mean_radius: f64, sigma: f64, nominal_area: f64) -> Vec<String> {
+    const FLAT: f64 = 1e-4;
     let side = nominal_area.sqrt();
     let mut warnings = Vec::new();
-    if mean_radius > side {
+    if mean_radius > side && sigma < FLAT * FLAT * mean_radius {
         warnings.push(format!(
-            "surface {name}: the mean asperity radius of {} is above the side of the nominal area of {}; check the units of radii \
-             and area (lists are in metres), and whether the surface is large enough",
+            "surface {name}: the mean asperity radius of {} is above the side of the nominal area of {}, and slopes are below those of \
+             polished optics; check the units of radii, heights and area (a bare number is in metres)",
             quantity(mean_radius, "m"),
             quantity(side, "m")
         ));
@@ -225,9 +228,11 @@ mod tests {
     #[test]
     fn radii_heights_and_separations_out_of_scale_are_named() {
         assert!(
-            of_surface("a", 2e-3, 48e-9, 1e-6)[0]
-                .contains("2 mm is above the side of the nominal area of 1 mm")
+            of_surface("a", 20.0, 48e-9, 1e-6)[0]
+                .contains("20 m is above the side of the nominal area of 1 mm")
         );
+        // A polished surface.
+        assert!(of_surface("a", 2e-3, 48e-9, 1e-6).is_empty());
         assert!(of_surface("a", 20e-6, 48e-6, 1e-6)[0].contains("48 µm, is above their mean radius, 20 µm"));
         assert!(of_separations(&[4.0, -200.0]).unwrap().contains("-200 σ"));
     }

@@ -34,7 +34,7 @@ pub fn unreachable_load(
     let layer =
         law.thickness.map_or_else(String::new, |t| format!(", layer of thickness {}", thickness_words(t)));
     let message = format!("surface {surface}, law {}{layer}: {error}", law.label);
-    if let Some(error) = implausible::error(context, plan, &message) {
+    if let Some(error) = implausible::error(context, plan, surface, &message) {
         return error;
     }
     let span = match error.control {

@@ -1,4 +1,4 @@
-//! A load that is not reached because a property of a material is in another unit than was meant.
+//! A load that is not reached because a property of a material, or a length of a surface, is in another unit than was meant.
 
 use asperity_contact_framework::RunContext;
 use asperity_contact_framework::input::InputError;
@@ -11,9 +11,17 @@ const SOFTEST: f64 = 1e6;
 /// Hardnesses below that of any solid, Pa.
 const LEAST_HARDNESS: f64 = 1e3;
 
-/// The error at the property that explains why a load is not reached, `message`; `None` if the properties are those of
-/// solids.
-pub fn error(context: &RunContext, plan: &StudyPlan, message: &str) -> Option<InputError> {
+/// The error at the property or the length that explains why a load is not reached on a surface, `message`; `None` if the
+/// properties are those of solids and the surface is one that can be.
+pub fn error(context: &RunContext, plan: &StudyPlan, surface: &str, message: &str) -> Option<InputError> {
+    let of_surface = || {
+        let planned = plan.surfaces.iter().find(|planned| planned.name == surface)?;
+        planned.implausible_unit(context.source, message)
+    };
+    of_bodies(context, plan, message).or_else(of_surface)
+}
+
+fn of_bodies(context: &RunContext, plan: &StudyPlan, message: &str) -> Option<InputError> {
     let layer = plan.layer.as_ref().map(|layer| layer.name.as_str());
     let names = [Some(plan.bodies.rough.as_str()), Some(plan.bodies.flat.as_str()), layer];
     let properties =

@@ -4,14 +4,14 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use asperity::numeric::stream_seed;
-use asperity::topography::{Continued, CorrelationLengths, Rows};
+use asperity::topography::{Continued, CorrelationLengths, Filter, Rows};
 use asperity::work::{Counter, Item};
 use asperity::{AsperityList, Draw, Ellipse, Ellipticity, Statistics};
 use asperity_contact_framework::RunContext;
 use asperity_contact_framework::input::{InMemory, InputError, Source};
 use asperity_contact_framework::metadata::Timing;
 use asperity_contact_framework::progress::{Progress, Silent};
-use asperity_contact_framework::report::format::quantity;
+use asperity_contact_framework::report::format::{input_quantity, quantity};
 
 use super::files::Files;
 use super::fitness;
@@ -223,13 +223,13 @@ impl<'a> SurfaceFactory<'a> {
             }
             Origin::Map(map) => {
                 let refuse =
-                    |error: &dyn std::fmt::Display| refuse(&format!("{} {error}", map.path.display()));
+                    |error: &dyn std::fmt::Display| refuse(&format!("{} {error}", map.file.path.display()));
                 self.progress.stage("reading", 1.0);
-                let mut rows = match source.content_in_memory(&map.path) {
+                let mut rows = match source.content_in_memory(&map.file.path) {
                     Some(InMemory::Map(rows)) => Arc::clone(rows),
-                    _ => files
-                        .map(&map.path, map.given, self.progress)
-                        .map_err(|error| refuse(&spec_message(&error)))?,
+                    _ => {
+                        files.map(&map.file, self.progress).map_err(|error| refuse(&spec_message(&error)))?
+                    }
                 };
                 if map.is_periodic {
                     rows = Arc::new(Continued(rows));
@@ -245,7 +245,9 @@ impl<'a> SurfaceFactory<'a> {
                     keeps_map: self.keeps_map,
                     progress: self.progress,
                 };
-                let surface = found(name, &search, &*rows, timing).map_err(|error| refuse(&error))?;
+                let mut surface = found(name, &search, &*rows, timing)
+                    .map_err(|error| refuse(&no_asperities(&error, map.preparation.filter)))?;
+                surface.warnings.extend(map.caveats.iter().cloned());
                 self.raw = Some(rows);
                 Ok(surface)
             }
@@ -277,6 +279,19 @@ fn misplaced(places: [&[f64]; 2], nominal_area: f64) -> Option<String> {
             quantity(nominal_area, "m²")
         )
     })
+}
+
+/// Why a map has no asperities, with the S filter as the likely cause where there is one.
+fn no_asperities(error: &NoAsperities, filter: Option<Filter>) -> String {
+    match (error, filter.and_then(|filter| filter.s())) {
+        (NoAsperities::Flat | NoAsperities::NoSummit { .. }, Some(s)) => format!(
+            "{error}, after the S filter of {}, which removes all shorter waves: write a shorter one, as in `filter = {{ s = \"{}\" }}`, \
+             or none",
+            input_quantity(s, "m"),
+            input_quantity(0.1 * s, "m")
+        ),
+        _ => error.to_string(),
+    }
 }
 
 /// The ratio is 1.2 for Gaussian heights, and 1.5 for those of machined surfaces.

@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use asperity::progress::Progress;
-use asperity::topography::read::{ReadError, ReadOptions};
-use asperity::topography::{Rows, read};
+use asperity::topography::Rows;
+use asperity::topography::read::{MapFile, ReadError};
 use asperity::work::{Counter, Item};
 use asperity::{AsperityList, ListError, ListOptions};
 
@@ -14,7 +14,7 @@ use asperity::{AsperityList, ListError, ListOptions};
 pub enum Reading {
     /// A list of asperities.
     List(PathBuf, ListOptions),
-    Map(PathBuf, ReadOptions),
+    Map(MapFile),
 }
 
 impl Reading {
@@ -22,8 +22,8 @@ impl Reading {
         Self::List(whole(path), given)
     }
 
-    pub fn map(path: &Path, given: ReadOptions) -> Self {
-        Self::Map(whole(path), given)
+    pub fn map(file: &MapFile) -> Self {
+        Self::Map(MapFile { path: whole(&file.path), ..file.clone() })
     }
 }
 
@@ -58,18 +58,13 @@ impl<'a> Files<'a> {
         Ok(Arc::unwrap_or_clone(list))
     }
 
-    /// The map at `path`.
-    pub fn map(
-        &mut self,
-        path: &Path,
-        given: ReadOptions,
-        progress: &dyn Progress,
-    ) -> Result<Arc<dyn Rows>, ReadError> {
-        let reading = Reading::map(path, given);
+    /// The map in a file.
+    pub fn map(&mut self, file: &MapFile, progress: &dyn Progress) -> Result<Arc<dyn Rows>, ReadError> {
+        let reading = Reading::map(file);
         let is_needed_again = self.take(&reading);
         let read = || {
             self.counter.add(Item::Files, 1);
-            read::rows(path, given, progress).map(Arc::from)
+            file.rows(progress).map(Arc::from)
         };
         once(&mut self.maps, reading, is_needed_again, read)
     }

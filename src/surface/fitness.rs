@@ -9,19 +9,21 @@ use asperity::surface::{MapFacts, Surface};
 pub fn warnings(map: &MapFacts) -> Vec<String> {
     /// Largest plausible point spacing, m.
     const WIDE: f64 = 1e-3;
-    /// Smallest plausible r.m.s. slope: below that of polished optics.
-    const FLAT: f64 = 1e-4;
+    /// R.m.s. slopes below those of polished optics; still smaller ones fail the check of slopes.
+    const FLAT: std::ops::Range<f64> = 1e-5..1e-4;
     /// Share of missing points from which it matters which ones are missing.
     const MANY: f64 = 0.1;
     let mut warnings = Vec::new();
     let widest = map.pixel[0].max(map.pixel[1]);
     let slope = map.roughness.rms_slope();
-    if widest >= WIDE {
+    // The check says more.
+    let has_failed = map.blocking().any(|finding| finding.check == Check::Slope);
+    if widest >= WIDE && !has_failed {
         warnings.push(format!(
-            "its points are {} apart: the unit of its lengths is probably wrong (set unit = \"um\" next to path).",
+            "its points are {} apart: `pixel` or `unit` is probably wrong (a number without a unit is in metres).",
             quantity(widest, "m"),
         ));
-    } else if slope < FLAT && map.generation.is_none() {
+    } else if FLAT.contains(&slope) && map.generation.is_none() {
         warnings.push(format!(
             "the r.m.s. slope is {}, less than that of polished optics: heights and pixel size are probably in different units.",
             number(slope),
@@ -89,7 +91,8 @@ pub fn measured(measure: Measure) -> &'static str {
         }
         Measure::Untraced => "share of points higher than the tip can trace",
         Measure::LengthOverSide => "correlation length over side of the map (geometric mean of x and y)",
-        Measure::Slope => "r.m.s. slope",
+        Measure::Slope | Measure::LeastSlope => "r.m.s. slope",
+        Measure::NominalArea => "nominal area, m²",
     }
 }
 
@@ -176,6 +179,12 @@ fn fault(finding: &Finding, map: &MapFacts) -> String {
             )
         }
         Measure::Slope => format!("the r.m.s. slope is {found}"),
+        Measure::LeastSlope => format!("the r.m.s. slope is {found}, less than that of any polished surface"),
+        Measure::NominalArea => format!(
+            "the map is {} wide along x and {} along y",
+            quantity(map.points[0] as f64 * map.pixel[0], "m"),
+            quantity(map.points[1] as f64 * map.pixel[1], "m")
+        ),
     }
 }
 
@@ -217,6 +226,13 @@ pub fn remedy(finding: &Finding, map: &MapFacts) -> String {
         Measure::RadiusOverTip => "a sharper tip, or its radius measured to a tenth".to_owned(),
         Measure::Untraced => "`tip`: it is sharper than stated, or noise stands out, which an S filter removes".to_owned(),
         Measure::LengthOverSide => format!("a larger map, or an L filter such as {}", l()),
+        Measure::NominalArea => {
+            "`pixel` or `unit`: a number without a unit is in metres, as in `pixel = \"0.8 um\"`".to_owned()
+        }
+        Measure::LeastSlope => {
+            "`pixel` or `unit`: heights and pixel size are probably in different units (a number without a unit is in metres)"
+                .to_owned()
+        }
         Measure::Slope if finding.is_blocking() => {
             "`unit` or `pixel`: heights and pixel size are probably in different units".to_owned()
         }

@@ -11,8 +11,12 @@ use super::contact_options::ContactOptions;
 pub struct FileOptions {
     /// A length, or two with a comma between them.
     pub pixel: Option<String>,
-    /// Unit of the lengths in the file.
+    /// Unit of the lengths in the file, or two: "xy=um, z=nm".
     pub unit: Option<String>,
+    /// Heights that mark missing points, with commas between them, or "none".
+    pub missing: Option<String>,
+    /// Whether x and y of the file are exchanged.
+    pub transpose: bool,
     /// Form that is removed.
     pub level: Option<String>,
     /// S nesting index.
@@ -64,8 +68,13 @@ impl FileOptions {
             };
             lines.push((line, typed("pixel", pixel)));
         }
+        lines.extend(self.unit.as_ref().map(|unit| (format!("unit = {}", units(unit)), typed("unit", unit))));
+        let missing = self.missing.as_ref();
+        lines.extend(missing.map(|marks| (format!("missing = {}", numbers(marks)), typed("missing", marks))));
+        if self.transpose {
+            lines.push(("transpose = true".to_owned(), "--transpose".to_owned()));
+        }
         let keys = [
-            ("unit", &self.unit),
             ("outliers", &self.outliers),
             ("align-lines", &self.align_lines),
             ("level", &self.level),
@@ -115,6 +124,32 @@ pub(super) fn written(text: &str) -> String {
     }
 }
 
+/// A unit, or a table of those named by axis: `xy=um, z=nm`.
+fn units(text: &str) -> String {
+    let part = |part: &str| {
+        let (axes, unit) = part.split_once('=')?;
+        let axes = axes.trim();
+        let is_key = !axes.is_empty() && axes.chars().all(|c| c.is_ascii_alphanumeric());
+        is_key.then(|| format!("{axes} = {}", quoted(unit.trim())))
+    };
+    let parts: Option<Vec<String>> = text.split(',').map(part).collect();
+    parts.map_or_else(|| quoted(text), |parts| format!("{{ {} }}", parts.join(", ")))
+}
+
+/// The numbers between commas; an empty list of "none".
+fn numbers(text: &str) -> String {
+    if text.trim() == "none" {
+        return "[]".to_owned();
+    }
+    let number = |part: &str| part.trim().parse::<f64>().ok().filter(|number| number.is_finite());
+    let numbers: Option<Vec<f64>> = text.split(',').map(number).collect();
+    match numbers.as_deref() {
+        Some([one]) => format!("{one:?}"),
+        Some(several) => format!("{several:?}"),
+        None => quoted(text),
+    }
+}
+
 /// The sizes between commas. A comma right between two digits of which the first belongs to a number without a point is
 /// a decimal comma, and stays, so that the error names it: nobody has pixels of whole metres.
 fn sizes(pixel: &str) -> Vec<String> {
@@ -138,6 +173,27 @@ fn is_whole(text: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn units_and_marks_are_values_of_a_spec() {
+        for (text, value) in [
+            ("um", "\"um\""),
+            ("xy=um,z=nm", "{ xy = \"um\", z = \"nm\" }"),
+            ("z = nm, xy = um", "{ z = \"nm\", xy = \"um\" }"),
+            ("xy=um,nm", "\"xy=um,nm\""),
+        ] {
+            assert_eq!(units(text), value);
+        }
+        for (text, value) in [
+            ("-9999", "-9999.0"),
+            ("-9999, 1e30", "[-9999.0, 1e30]"),
+            ("none", "[]"),
+            ("nan", "\"nan\""),
+            ("", "\"\""),
+        ] {
+            assert_eq!(numbers(text), value);
+        }
+    }
 
     #[test]
     fn a_comma_separates_sizes_unless_it_is_decimal() {

@@ -9,12 +9,13 @@ use crate::plausibility;
 use crate::surface::files::Reading;
 use crate::surface::generation::Generation;
 use crate::surface::read_error::{list_message, options_message, spec_message};
+use crate::surface::reading;
 use crate::surface::spec::{
     DrawSpec, FileSpec, ListSpec, Outliers, PopulationHeights, PopulationSpec, SurfaceSpec,
 };
 use asperity::surface::Preparation;
 use asperity::surface::{AnalysisDepth, MOST_ANALYSED_POINTS};
-use asperity::topography::read::{Metadata, ReadOptions, ReadOptionsError};
+use asperity::topography::read::{MapFile, Metadata, ReadOptions, ReadOptionsError};
 use asperity::topography::{Boundary, Filter, Level, read};
 use asperity::{
     AsperityList, Heights, ListError, ListOptions, MapError, Population, ReferencePlane, SurfaceHeights,
@@ -60,13 +61,14 @@ pub(super) enum Origin {
 
 #[derive(Debug)]
 pub(super) struct MapPlan {
-    pub(super) path: PathBuf,
+    pub(super) file: MapFile,
+    /// What a reader should know of how it is read.
+    pub(super) caveats: Vec<String>,
     pub(super) points: [usize; 2],
     /// Their distances, m.
     pub(super) pixel: [f64; 2],
     /// Whether its heights stay on disk.
     pub(super) is_on_disk: bool,
-    pub(super) given: ReadOptions,
     /// Whether it continues periodically.
     pub(super) is_periodic: bool,
     pub(super) preparation: Preparation,
@@ -191,23 +193,29 @@ impl SurfacePlan {
             Some(InMemory::List(_)) => return Err(refuse(&"is a list of asperities; allowed: a height map")),
             None => None,
         };
+        let options = ReadOptions {
+            pixel: raw.pixel.as_ref().map(|pixel| pixel.get_ref().0),
+            unit: raw.unit.as_ref().map(|unit| unit.get_ref().0),
+        };
+        let missing = raw.missing.as_ref().map(|missing| missing.get_ref().0.clone());
+        let is_as_stored = missing.is_none() && !raw.transpose;
+        let file = MapFile { path: path.clone(), options, missing, transpose: raw.transpose };
         let metadata = match in_memory {
+            Some(_) if !is_as_stored => {
+                return Err(refuse(&"is a map in memory; allowed: leave missing and transpose out"));
+            }
             Some(map) => Metadata::in_memory(&**map),
-            None => read::metadata(&path).map_err(|error| refuse(&spec_message(&error)))?,
+            None => file.metadata().map_err(|error| refuse(&spec_message(&error)))?,
         };
         let points = metadata.points;
         if points.iter().any(|&count| count < 3) {
             return Err(refuse(&MapError::TooSmall(points)));
         }
-        let given = ReadOptions {
-            pixel: raw.pixel.as_ref().map(|pixel| pixel.get_ref().0),
-            unit: raw.unit.as_ref().map(|unit| unit.get_ref().0),
-        };
-        let pixel = metadata.pixel(&given).map_err(|error| {
+        let pixel = metadata.pixel(&options).map_err(|error| {
             let key = match error {
                 ReadOptionsError::PixelHeld { .. } => raw.pixel.as_ref().map(Spanned::span),
                 ReadOptionsError::UnitHeld { .. } => raw.unit.as_ref().map(Spanned::span),
-                ReadOptionsError::NoPixel => None,
+                ReadOptionsError::NoPixel | ReadOptionsError::UnitsInColumns { .. } => None,
             };
             let message = format!("{} {}", path.display(), options_message(&error));
             source.error_at(key.unwrap_or_else(|| raw.path.span()), message)
@@ -238,15 +246,18 @@ impl SurfacePlan {
         // What is in memory takes no more of it.
         let is_on_disk = match in_memory {
             Some(_) => true,
-            None => read::stays_on_disk(&path).map_err(|error| refuse(&spec_message(&error)))?,
+            None => file.stays_on_disk().map_err(|error| refuse(&spec_message(&error)))?,
         };
-        Ok(Origin::Map(MapPlan { path, points, pixel, is_on_disk, given, is_periodic, preparation }))
+        let caveats = reading::caveats(&metadata, pixel, file.transpose);
+        Ok(Origin::Map(MapPlan { file, caveats, points, pixel, is_on_disk, is_periodic, preparation }))
     }
 
     /// The file that it is read from.
     pub fn input(&self) -> Option<PathBuf> {
         match &self.origin {
-            Origin::List { path, .. } | Origin::Map(MapPlan { path, .. }) => Some(path.clone()),
+            Origin::List { path, .. } | Origin::Map(MapPlan { file: MapFile { path, .. }, .. }) => {
+                Some(path.clone())
+            }
             Origin::Population { .. } | Origin::Generated(_) => None,
         }
     }
@@ -332,7 +343,7 @@ impl SurfacePlan {
     pub fn reading(&self) -> Option<Reading> {
         match &self.origin {
             Origin::List { path, given, .. } => Some(Reading::list(path, *given)),
-            Origin::Map(map) => Some(Reading::map(&map.path, map.given)),
+            Origin::Map(map) => Some(Reading::map(&map.file)),
             Origin::Population { .. } | Origin::Generated(_) => None,
         }
     }
@@ -354,7 +365,7 @@ impl SurfacePlan {
             Origin::List { path, rows, .. } => format!("{rows} asperities listed in {}", path.display()),
             Origin::Population { count, .. } => format!("{count} asperities of a population"),
             Origin::Generated(generation) => generation.describe(),
-            Origin::Map(MapPlan { path, .. }) => format!("height map {}", path.display()),
+            Origin::Map(map) => format!("height map {}", map.file.path.display()),
         };
         if self.realisations > 1 { format!("{what}, {} realisations", self.realisations) } else { what }
     }

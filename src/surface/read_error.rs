@@ -12,8 +12,9 @@ pub fn spec_message(error: &ReadError) -> String {
         ReadError::TooTall { has_unit: false, .. } => {
             format!("{error} (unit = \"um\" next to path, or --unit um on the command line, sets the unit)")
         }
-        ReadError::UnitsInColumns { line, found } => format!(
-            "names columns with units in line {line}: \"{found}\"; allowed: x y z, the unit as unit = \"um\" next to path (--unit um on the command line)"
+        ReadError::Mark { value, .. } => format!(
+            "{error} Write missing = {value} next to path (--missing {value} on the command line); missing = [] (--missing none) where \
+             these are heights"
         ),
         _ => error.to_string(),
     }
@@ -41,6 +42,11 @@ pub fn options_message(error: &ReadOptionsError) -> String {
                                 path (--pixel \"0.8 um\" on the command line)"
                 .to_owned()
         }
+        ReadOptionsError::UnitsInColumns { .. } => {
+            format!(
+                "{error}: unit = {{ xy = \"um\", z = \"nm\" }} next to path (--unit \"xy=um, z=nm\" on the command line)"
+            )
+        }
         ReadOptionsError::PixelHeld { .. } | ReadOptionsError::UnitHeld { .. } => error.to_string(),
     }
 }
@@ -57,9 +63,12 @@ mod tests {
             "at most 10 m (unit = \"um\" next to path, or --unit um on the command line, sets the unit)"
         ));
         assert!(spec_message(&ReadOptionsError::NoPixel.into()).contains("allowed: pixel = "));
-        let columns = ReadError::UnitsInColumns { line: 3, found: "x [um]".to_owned() };
-        assert!(
-            spec_message(&columns).contains("in line 3: \"x [um]\"; allowed: x y z, the unit as unit = ")
-        );
+        let columns = ReadOptionsError::UnitsInColumns { line: 3, found: "x [px]".to_owned() };
+        let message = spec_message(&columns.into());
+        assert!(message.contains("in line 3: \"x [px]\"; allowed: ") && message.contains("unit = { xy = "));
+        let mark = ReadError::Mark { value: -9999.0, count: 1329, low: -3.0, high: 5.0 };
+        let message = spec_message(&mark);
+        assert!(message.starts_with("holds the height -9999 at 1329 points, far from all other heights"));
+        assert!(message.contains("missing points? Write missing = -9999 next to path"), "{message}");
     }
 }

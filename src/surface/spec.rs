@@ -6,6 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer};
 
 use crate::surface::generate_spec::GenerateSpec;
+use crate::surface::map_input::{MapUnitSpec, MissingSpec};
 use crate::surface::pixel_spec::PixelSpec;
 use asperity::Heights;
 use asperity::topography::Level;
@@ -14,9 +15,9 @@ use asperity::topography::summits::Neighbours;
 use asperity::units::Dimension;
 use asperity_contact_framework::input::Spanned;
 use asperity_contact_framework::input::Whole;
-use asperity_contact_framework::input::heights;
 use asperity_contact_framework::input::quantity::{Area, ArealNumberDensity, Length, Pure, Quantity};
 use asperity_contact_framework::input::schema;
+use asperity_contact_framework::input::{heights, named, named_or_none};
 use asperity_contact_framework::written_schema;
 
 /// One surface: exactly one kind per name.
@@ -170,34 +171,43 @@ pub struct FileSpec {
     /// The height map: `.npy` (first index x), X3P, SDF, a text matrix or columns x y z; relative to the spec.
     #[schemars(extend("examples" = ["map.npy"]))]
     pub path: Spanned<PathBuf>,
-    /// Pixel size, or one along x and one along y; only where the file contains none.
+    /// Pixel size, or one along x and one along y; only where the file contains none. The first index of a `.npy` is x; in a text x runs along a line.
     #[schemars(extend("examples" = ["0.8 um"]))]
     pub pixel: Option<Spanned<PixelSpec>>,
-    /// Unit of the lengths in the file; only where the file names none.
-    #[schemars(extend("default" = "m", "examples" = ["um"]))]
-    pub unit: Option<Spanned<UnitSpec>>,
+    /// Unit of the lengths in the file, or one of coordinates and one of heights. Overrides units in the names of columns; not where the format has a unit.
+    #[schemars(extend("default" = "m", "examples" = ["um", { "xy": "um", "z": "nm" }]))]
+    pub unit: Option<Spanned<MapUnitSpec>>,
+    /// Heights that mark missing points, in the unit of the file. `[]`: every number is a height, although one is far from all others.
+    #[schemars(extend("x-default" = "none; a height far from all others is an error", "examples" = [-9999, [-9999, -32768]]))]
+    pub missing: Option<Spanned<MissingSpec>>,
+    /// Whether x and y of the file are exchanged; `pixel` is then that of the exchanged map.
+    #[serde(default)]
+    #[schemars(extend("default" = false, "examples" = [true]))]
+    pub transpose: bool,
     /// Whether the map continues periodically beyond its border, as simulated surfaces do.
     #[serde(default)]
     #[schemars(extend("default" = false, "examples" = [true]))]
     pub periodic: bool,
     /// What becomes of spikes.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "named")]
     #[schemars(extend("default" = "keep", "examples" = ["remove"]))]
     pub outliers: Outliers,
     /// The axis along which lines of the scan are set to the same mean height.
+    #[serde(default, deserialize_with = "named_or_none")]
     #[schemars(extend("x-default" = "none", "examples" = ["x"]))]
     pub align_lines: Option<Lines>,
     /// Radius of the stylus or tip that traced the map: what it added to the summits is eroded.
     #[schemars(extend("x-default" = "none", "examples" = ["5 um"]))]
     pub tip: Option<Quantity<Length>>,
     /// Form that is removed.
+    #[serde(default, deserialize_with = "named_or_none")]
     #[schemars(extend("x-default" = "plane; none of a periodic map", "examples" = ["quadratic"]))]
     pub level: Option<Level>,
     /// Nesting indices of Gaussian S and L filters (ISO 16610-61), either or both.
     #[schemars(extend("x-default" = "none", "examples" = [{ "s": "2.5 um", "l": "80 um" }]))]
     pub filter: Option<Spanned<FilterSpec>>,
     /// Which neighbours a summit is higher than.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "named")]
     #[schemars(extend("default" = "four", "examples" = ["eight"]))]
     pub neighbours: Neighbours,
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use asperity::numeric::stream_seed;
-use asperity::topography::read::{ReadError, check_rows, unchecked_rows};
+use asperity::topography::read::ReadError;
 use asperity::topography::summits::{Detail, find_in_rows};
 use asperity::topography::{Filter, HeightMap, Level, Rows, Window};
 use asperity::work::Counter;
@@ -169,10 +169,10 @@ impl SurfaceTiles {
                 (open.origin, open.radius) = (columns.next().unwrap_or(0.0), columns.next().unwrap_or(0.0));
             }
             Origin::Map(map) => {
-                let rows: Arc<dyn Rows> = match source.content_in_memory(&map.path) {
+                let rows: Arc<dyn Rows> = match source.content_in_memory(&map.file.path) {
                     Some(InMemory::Map(rows)) => Arc::clone(rows),
-                    _ => unchecked_rows(&map.path, map.given).map(Arc::from).map_err(|error| {
-                        refuse(format!("{} {}", map.path.display(), spec_message(&error)))
+                    _ => map.file.unchecked_rows().map(Arc::from).map_err(|error| {
+                        refuse(format!("{} {}", map.file.path.display(), spec_message(&error)))
                     })?,
                 };
                 open.origin = first_height(&*rows).unwrap_or(0.0);
@@ -332,13 +332,13 @@ impl OpenTiles<'_> {
         halo: usize,
     ) -> Result<TileBlock, InputError> {
         let refuse =
-            |error: &ReadError| self.refuse(format!("{} {}", plan.path.display(), spec_message(error)));
+            |error: &ReadError| self.refuse(format!("{} {}", plan.file.path.display(), spec_message(error)));
         let [nx, ny] = map.points();
         let first = rows.start.saturating_sub(halo);
         let points = [(rows.end + halo).min(nx) - first, ny];
         let window = Window { map, first: [first, 0], points };
         let nothing = TileBlock { set: None, nominal_area: 0.0 };
-        match check_rows(&window) {
+        match plan.file.check_rows(&window) {
             Ok(()) => {}
             Err(ReadError::Map(MapError::AllMissing)) => return Ok(nothing),
             Err(error) => return Err(refuse(&error)),

@@ -4,9 +4,11 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use asperity::HeightMap;
-use asperity::topography::{Boundary, Rows, read};
+use asperity::topography::read::{LengthUnits, MapFile, ReadError, ReadOptions};
+use asperity::topography::{Boundary, Rows};
 use asperity::units::Dimension;
 use asperity_contact_framework::input::InMemory;
+use asperity_experiment::surface::reading::caveats;
 use asperity_experiment::surface::rows::{fitness_records, map_record};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
@@ -16,7 +18,7 @@ use crate::array::Array;
 use crate::asperities::Asperities;
 use crate::refuse;
 use crate::spec::{in_memory_of, source_of};
-use crate::watch::interruptible;
+use crate::watch::{Watch, interruptible};
 
 /// The heights of an array where they lie.
 struct Lent {
@@ -83,20 +85,32 @@ impl Map {
         Ok(Self(Arc::new(Lent { heights, pixel })))
     }
 
-    /// Reads a measured map.
+    /// Reads a measured map; ``unit`` is that of x and y and that of heights in m. With it what a reader should know of how it was
+    /// read.
     #[staticmethod]
-    #[pyo3(signature = (path, *, pixel=None, unit=None))]
+    #[pyo3(signature = (path, *, pixel=None, unit=None, missing=None, transpose=false))]
     fn read(
         py: Python,
         path: std::path::PathBuf,
         pixel: Option<[f64; 2]>,
-        unit: Option<&str>,
-    ) -> PyResult<Self> {
-        let unit = unit.map(length_unit).transpose()?;
-        let options = read::ReadOptions { pixel, unit };
-        let shown = path.display().to_string();
-        let found = interruptible(py, move |watch| read::rows(&path, options, watch))?;
-        found.map(|rows| Self(Arc::from(rows))).map_err(|error| refuse(format!("{shown} {error}")))
+        unit: Option<[f64; 2]>,
+        missing: Option<Vec<f64>>,
+        transpose: bool,
+    ) -> PyResult<(Self, Vec<String>)> {
+        let unit = unit.map(|[xy, z]| LengthUnits { xy, z });
+        let file = MapFile { path, options: ReadOptions { pixel, unit }, missing, transpose };
+        let shown = file.path.display().to_string();
+        let rows = move |watch: &Watch| -> Result<_, ReadError> {
+            let (metadata, rows) = (file.metadata()?, file.rows(watch)?);
+            let caveats = caveats(&metadata, rows.pixel(), file.transpose);
+            Ok((Self(Arc::from(rows)), caveats))
+        };
+        interruptible(py, rows)?.map_err(|error| match error {
+            ReadError::Mark { value, .. } => {
+                refuse(format!("{shown} {error} Pass missing={value}, or missing=[] where these are heights"))
+            }
+            _ => refuse(format!("{shown} {error}")),
+        })
     }
 
     /// Points along x and y.

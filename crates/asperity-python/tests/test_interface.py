@@ -188,6 +188,33 @@ def test_errors_say_what_is_allowed(call, message):
     assert message in str(error.value)
 
 
+def test_files_as_labs_have_them(tmp_path):
+    made = asperity.generate(64, pixel=1e-6, sigma=50e-9, spectrum=SPECTRUM, seed=2)
+    nm = made.heights * 1e9
+    x, y = np.meshgrid(*[np.arange(64.0)] * 2, indexing="ij")
+    points = tmp_path / "points.csv"
+    np.savetxt(points, np.column_stack([x.ravel(), y.ravel(), nm.ravel()]), delimiter=",", header="x_um,y_um,z_nm", comments="")
+    taken = asperity.Topography.read(points)
+    assert np.allclose(taken.raw_heights, made.heights) and np.allclose(taken.pixel, 1e-6)
+    taken = asperity.Topography.read(points, unit={"xy": "mm", "z": "nm"})
+    assert np.allclose(taken.pixel, 1e-3)
+    nm[3, 5] = -9999
+    matrix = tmp_path / "matrix.csv"
+    np.savetxt(matrix, nm, delimiter=",", header=",".join(map(str, range(64))), comments="")
+    with pytest.raises(ValueError, match="holds the height -9999 at 1 point.*Pass missing=-9999"):
+        asperity.Topography.read(matrix, pixel=1e-6, unit="nm")
+    taken = asperity.Topography.read(matrix, pixel=1e-6, unit="nm", missing=-9999, transpose=True)
+    assert np.isnan(taken.raw_heights[3, 5]) and np.isnan(taken.raw_heights).sum() == 1
+    assert any("line 1 of its file" in warning for warning in taken.warnings)
+    with pytest.raises(ValueError, match="unit: found"):
+        asperity.Topography.read(points, unit={"xy": "um"})
+
+
+def test_an_array_is_no_topography_of_surface_topography():
+    with pytest.raises(TypeError, match=r"found ndarray; allowed: .* Topography\(heights, pixel\)"):
+        asperity.Topography.from_surface_topography(np.zeros((9, 9)))
+
+
 def test_surfaces_of_surface_topography():
     made = asperity.generate(64, pixel=1e-6, sigma=50e-9, spectrum=SPECTRUM, seed=2)
 

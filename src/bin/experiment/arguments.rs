@@ -130,12 +130,19 @@ pub enum Command {
 /// Options of a measured file, as in a spec.
 #[derive(Args)]
 pub struct FileArguments {
-    /// Pixel size, if the file does not contain it: "0.8 um", or "0.8 um, 0.5 um" along x and y
+    /// Pixel size, if the file does not contain it: "0.8 um", or "0.8 um, 0.5 um" along x and y. The first index of a .npy is x;
+    /// in a text x runs along a line and y from line to line
     #[arg(long, allow_hyphen_values = true)]
     pixel: Option<String>,
-    /// Unit of the lengths in the file, if it does not contain it: um
+    /// Unit of the lengths in the file, if it does not contain it: um, or "xy=um, z=nm" of coordinates and heights
     #[arg(long, allow_hyphen_values = true)]
     unit: Option<String>,
+    /// Heights that mark missing points, in the unit of the file: -9999, or "-9999, 1e30"; none where all are heights
+    #[arg(long, allow_hyphen_values = true)]
+    missing: Option<String>,
+    /// Exchange x and y of the file; the pixel is then that of the exchanged map
+    #[arg(long)]
+    transpose: bool,
     /// What becomes of spikes: keep, remove
     #[arg(long, allow_hyphen_values = true)]
     outliers: Option<String>,
@@ -185,11 +192,23 @@ pub struct FileArguments {
 
 impl From<FileArguments> for FileOptions {
     fn from(arguments: FileArguments) -> Self {
-        let FileArguments { pixel, unit, outliers, align_lines, tip, level, s, l, neighbours, .. } =
-            arguments;
+        let FileArguments {
+            pixel,
+            unit,
+            missing,
+            transpose,
+            outliers,
+            align_lines,
+            tip,
+            level,
+            s,
+            l,
+            neighbours,
+            ..
+        } = arguments;
         let FileArguments { material, rough, flat, layer, thickness, load, area, pressure, .. } = arguments;
         let contact = ContactOptions { material, rough, flat, layer, thickness, load, area, pressure };
-        Self { pixel, unit, outliers, align_lines, tip, level, s, l, neighbours, contact }
+        Self { pixel, unit, missing, transpose, outliers, align_lines, tip, level, s, l, neighbours, contact }
     }
 }
 

@@ -64,6 +64,11 @@ fn a_surface_is_described() {
             &[opd, "--pixel", "0.2 um", "--level", "quartic"],
             "--level \"quartic\": found `quartic`; allowed: `none`",
         ),
+        (&[opd, "--pixel", "0.2 um", "--unit", "xy=um"], "--unit \"xy=um\": found no `z`, which is needed"),
+        (
+            &[opd, "--pixel", "0.2 um", "--missing", "x"],
+            "--missing \"x\": found \"x\"; allowed: a number such as",
+        ),
         (&[opd, "--pixel", "0.2 um", "--neighbours", "six"], "--neighbours \"six\": found `six`; allowed: "),
         (&[opd, "--pixel", "0.2 um", "--s", "3"], "--s \"3\": "),
         (&[opd, "--pixel", "0.2 um", "--s", "3 um", "--l", "2 um"], "--s \"3 um\" --l \"2 um\": "),
@@ -244,4 +249,67 @@ fn doubtful_maps_are_reported() {
     );
     assert_eq!(output.status.code(), Some(2));
     assert!(text(&output.stderr).contains("has 9 summits that are equally high"), "{}", text(&output.stderr));
+}
+
+#[test]
+fn maps_of_labs_are_read_from_the_command_line() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("reports");
+    let run = |file: &str, arguments: &[&str]| {
+        let name = format!("r{}", arguments.concat().replace([' ', '=', ',', '.', '-'], ""));
+        let all = [&["surface", file, "--name", &name, "--out", out.to_str().unwrap()], arguments].concat();
+        let output = experiment(&all, folder.path());
+        (output.status.success(), text(&output.stderr), text(&output.stdout), name)
+    };
+    let heights = rough();
+    let columns: Vec<String> = (0..50).map(|k| k.to_string()).collect();
+    let marked = heights.replacen(heights.split_whitespace().next().unwrap(), "-9999", 1);
+    fs::write(folder.path().join("pandas.csv"), format!("{}\n{marked}", columns.join(" ")).replace(' ', ","))
+        .unwrap();
+    let in_nm = ["--pixel", "1 um, 2 um", "--unit", "nm"];
+    let (is_read, error, ..) = run("pandas.csv", &in_nm);
+    assert!(!is_read && error.contains("pandas.csv holds the height -9999 at 1 point"), "{error}");
+    let (is_read, error, _, name) = run("pandas.csv", &[&in_nm[..], &["--missing", "-9999"]].concat());
+    assert!(is_read && error.contains("line 1 of its file names or numbers the columns"), "{error}");
+    assert!(
+        error.contains("x runs along the lines of its file (50 points of 1 µm), y from line to line"),
+        "{error}"
+    );
+    let map = |name: &str| summary(&out, name)["surfaces"]["pandas"]["height_map"].clone();
+    let size = |map: &serde_json::Value| [map["points_x"].clone(), map["points_y"].clone()];
+    assert_eq!(size(&map(&name)), [50, 40]);
+    let arguments = [&in_nm[..], &["--missing", "-9999", "--transpose"]].concat();
+    let (_, error, _, name) = run("pandas.csv", &arguments);
+    assert!(error.contains("without `transpose` they are exchanged"), "{error}");
+    assert_eq!(size(&map(&name)), [40, 50]);
+
+    // A pixel in metres, and the heights of a file in metres read as nanometres.
+    for (arguments, words) in [
+        (
+            &["--pixel", "196.733", "--unit", "nm", "--missing", "-9999"][..],
+            "slope: the map is 9.84 km wide along x",
+        ),
+        (
+            &["--pixel", "0.01", "--unit", "nm", "--missing", "-9999"],
+            "less than that of any polished surface",
+        ),
+    ] {
+        let (is_read, error, card, _) = run("pandas.csv", arguments);
+        assert!(is_read && error.contains(words), "{error}");
+        assert!(card.contains("No conclusion until the map is fit"), "{card}");
+    }
+
+    let points: String = (0..2000)
+        .zip(heights.split_whitespace())
+        .map(|(k, z)| format!("{},{},{z}\n", 0.5 * f64::from(k % 50), 0.5 * f64::from(k / 50)))
+        .collect();
+    fs::write(folder.path().join("points.csv"), format!("x (µm), y (µm), height (nm)\n{points}")).unwrap();
+    let sq = |name: &str| summary(&out, name)["surfaces"]["points"]["height_map"].clone();
+    let (is_read, error, _, name) = run("points.csv", &[]);
+    assert!(is_read, "{error}");
+    close(sq(&name)["pixel_x_m"].as_f64().unwrap(), 5e-7, 1e-9);
+    let found = sq(&name)["sq_m"].as_f64().unwrap();
+    let (.., name) = run("points.csv", &["--unit", "xy=mm, z=nm"]);
+    close(sq(&name)["pixel_x_m"].as_f64().unwrap(), 5e-4, 1e-9);
+    close(sq(&name)["sq_m"].as_f64().unwrap(), found, 1e-9);
 }

@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use serde::de::value::MapAccessDeserializer;
-use serde::de::{Error, IgnoredAny, MapAccess, SeqAccess, Unexpected, Visitor};
+use serde::de::value::{MapAccessDeserializer, StrDeserializer};
+use serde::de::{DeserializeOwned, Error, IgnoredAny, MapAccess, SeqAccess, Unexpected, Visitor};
 use serde::{Deserialize, Deserializer};
 
 type Reader<'a, W, T> = Box<dyn FnOnce(W) -> Result<T, String> + 'a>;
@@ -68,6 +68,28 @@ impl<'de, T, Item: Deserialize<'de>, Table: Deserialize<'de>> Forms<'_, T, Item,
         let read = self.number.ok_or_else(|| E::invalid_type(form, &self.expected))?;
         read(value, &written).map_err(E::custom)
     }
+}
+
+/// Reads one of some names, for `deserialize_with`: a number is an error that lists them, as another name is.
+///
+/// # Errors
+/// Neither a name nor a number, or none of the names.
+pub fn named<'de, D: Deserializer<'de>, T: DeserializeOwned>(deserializer: D) -> Result<T, D::Error> {
+    let read = |name: &str| {
+        T::deserialize(StrDeserializer::<serde::de::value::Error>::new(name))
+            .map_err(|error| error.to_string())
+    };
+    Forms::new("a name in quotes").text(read).number(|_, written| read(written)).read(deserializer)
+}
+
+/// The same of a key that may be left out.
+///
+/// # Errors
+/// As [`named`].
+pub fn named_or_none<'de, D: Deserializer<'de>, T: DeserializeOwned>(
+    deserializer: D,
+) -> Result<Option<T>, D::Error> {
+    named(deserializer).map(Some)
 }
 
 impl<'de, T, Item: Deserialize<'de>, Table: Deserialize<'de>> Visitor<'de> for Forms<'_, T, Item, Table> {

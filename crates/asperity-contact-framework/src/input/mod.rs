@@ -21,7 +21,7 @@ mod whole;
 
 pub use error::{InputError, Source};
 pub use file::SpecFile;
-pub use forms::Forms;
+pub use forms::{Forms, named, named_or_none};
 pub use in_memory::InMemory;
 pub use one_or_many::OneOrMany;
 pub use resolver::materials;

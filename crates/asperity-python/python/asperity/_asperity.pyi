@@ -147,8 +147,13 @@ class Map:
     def __new__(cls, heights: ArrayLike, pixel: tuple[float, float]) -> Map: ...
     @staticmethod
     def read(
-        path: str | PathLike[str], *, pixel: tuple[float, float] | None = None, unit: str | None = None
-    ) -> Map: ...
+        path: str | PathLike[str],
+        *,
+        pixel: tuple[float, float] | None = None,
+        unit: tuple[float, float] | None = None,
+        missing: list[float] | None = None,
+        transpose: bool = False,
+    ) -> tuple[Map, list[str]]: ...
     @property
     def points(self) -> list[int]: ...
     @property

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
 from functools import cached_property
 from os import PathLike
 from typing import Any
@@ -22,6 +23,15 @@ _UNITS = {"A": 1e-10, "Å": 1e-10, "µm": 1e-6, "μm": 1e-6}
 
 def _key(name: str) -> str:
     return name.replace("_", "-")
+
+
+def _units(unit: str | dict[str, str]) -> tuple[float, float]:
+    """The units of coordinates and heights in m."""
+    if isinstance(unit, str):
+        return (_asperity.length_unit(unit),) * 2
+    if not isinstance(unit, dict) or set(unit) != {"xy", "z"}:
+        raise ValueError(f'unit: found {unit!r}; allowed: a unit such as "um", or {{"xy": "um", "z": "nm"}}')
+    return _asperity.length_unit(unit["xy"]), _asperity.length_unit(unit["z"])
 
 
 def keys(given: dict[str, Any]) -> dict[str, Any]:
@@ -84,11 +94,14 @@ class Topography:
         pixel = tuple(np.broadcast_to(np.asarray(pixel, dtype=np.float64), 2).tolist())
         self._begin(_asperity.Map(heights, pixel), periodic, preparation)
 
-    def _begin(self, raw: _asperity.Map, periodic: bool, preparation: dict[str, Any]) -> None:
+    def _begin(
+        self, raw: _asperity.Map, periodic: bool, preparation: dict[str, Any], caveats: Sequence[str] = ()
+    ) -> None:
         allowed = {"outliers", "align_lines", "tip", "level", "s", "l", "neighbours"}
         if unknown := set(preparation) - allowed:
             raise ValueError(f"found {', '.join(sorted(unknown))}; allowed: {', '.join(sorted(allowed))}")
         self._raw = raw
+        self._caveats = list(caveats)
         self.periodic = bool(periodic)
         self._preparation = {name: value for name, value in preparation.items() if value is not None}
 
@@ -98,7 +111,9 @@ class Topography:
         path: str | PathLike[str],
         *,
         pixel: float | tuple[float, float] | None = None,
-        unit: str | None = None,
+        unit: str | dict[str, str] | None = None,
+        missing: float | Sequence[float] | None = None,
+        transpose: bool = False,
         periodic: bool = False,
         **preparation: Any,
     ) -> Topography:
@@ -109,16 +124,28 @@ class Topography:
         path : path_like
             The file.
         pixel : float or (float, float), optional
-            Distance of neighbouring points in m, only where the file holds none.
-        unit : str, optional
-            Unit of the lengths in the file such as ``"um"``, only where the file names none.
+            Distance of neighbouring points along x and y in m, only where the file holds none. The first index of a ``.npy``
+            is x; in a text x runs along a line.
+        unit : str or {"xy": str, "z": str}, optional
+            Unit of the lengths in the file such as ``"um"``, or one of coordinates and one of heights. It overrides units in
+            the names of columns.
+        missing : float or sequence of float, optional
+            Heights that mark missing points, in the unit of the file. An empty sequence: every number is a height, although
+            one is far from all others.
+        transpose : bool
+            Whether x and y of the file are exchanged; ``pixel`` is then that of the exchanged map.
         periodic, **preparation
             As of :class:`Topography`.
         """
         if pixel is not None:
             pixel = tuple(np.broadcast_to(np.asarray(pixel, dtype=np.float64), 2).tolist())
+        if unit is not None:
+            unit = _units(unit)
+        if missing is not None:
+            missing = np.atleast_1d(np.asarray(missing, dtype=np.float64)).tolist()
+        raw, caveats = _asperity.Map.read(path, pixel=pixel, unit=unit, missing=missing, transpose=transpose)
         made = cls.__new__(cls)
-        made._begin(_asperity.Map.read(path, pixel=pixel, unit=unit), periodic, preparation)
+        made._begin(raw, periodic, preparation, caveats)
         return made
 
     @classmethod
@@ -131,7 +158,17 @@ class Topography:
             With ``heights()``, ``physical_sizes``, ``unit`` (None: m) and ``is_periodic``.
         **preparation
             As of :class:`Topography`.
+
+        Raises
+        ------
+        TypeError
+            An array, or another object without these attributes.
         """
+        if not callable(getattr(topography, "heights", None)) or not hasattr(topography, "physical_sizes"):
+            raise TypeError(
+                f"found {type(topography).__name__}; allowed: a topography of SurfaceTopography, with heights() and "
+                "physical_sizes. An array of heights in m is taken by Topography(heights, pixel)"
+            )
         unit = getattr(topography, "unit", None) or "m"
         factor = _UNITS[unit] if unit in _UNITS else _asperity.length_unit(unit)
         heights = topography.heights()
@@ -145,7 +182,7 @@ class Topography:
     def prepared_with(self, **preparation: Any) -> Topography:
         """The same map with other keywords of the preparation; those not named stay."""
         made = Topography.__new__(Topography)
-        made._begin(self._raw, self.periodic, {**self._preparation, **preparation})
+        made._begin(self._raw, self.periodic, {**self._preparation, **preparation}, self._caveats)
         return made
 
     def _spec(self) -> tuple[dict[str, Any], dict[str, Any]]:
@@ -203,8 +240,8 @@ class Topography:
 
     @property
     def warnings(self) -> list[str]:
-        """Caveats of the preparation and the search."""
-        return self._surface.warnings
+        """Caveats of the preparation, the search, and how the file was read."""
+        return self._surface.warnings + self._caveats
 
     def __repr__(self) -> str:
         nx, ny = self.points

@@ -3,14 +3,14 @@
 //! | dimension | documented units | bare number |
 //! |---|---|---|
 //! | pressure | Pa, kPa, MPa, GPa, N/mm^2, HV (9.80665 MPa), kgf/mm^2, bar, psi, ksi | Pa |
-//! | length | m, cm, mm, um, nm, pm, Å | m |
+//! | length | m, cm, mm, um, nm, pm, Å, in, mil | m |
 //! | area | m^2, cm^2, mm^2, um^2 | m^2 |
 //! | density (number per area) | /m^2, /mm^2, /um^2 | 1/m^2 |
 //! | angle | deg, rad | rad |
 //! | force | N, mN, uN, kN, kgf, lbf | N |
 //!
-//! Pa, m, m^2 and N take every SI prefix, in symbols or in words (`megapascals`), and common units of other systems are
-//! supported (`in`, `dyn`, `atm`). `u` may be `µ`, `^2` may be `²` or `2` (`mm2`), and `/m^2` may be `1/m^2` or `m⁻²`.
+//! Pa, m^2 and N take every SI prefix, m those from pico to kilo, in symbols or in words (`megapascals`), and common units
+//! of other systems are supported (`psi`, `in`, `lbf`). `u` may be `µ`, `^2` may be `²` or `2` (`mm2`), and `/m^2` may be `1/m^2` or `m⁻²`.
 //!
 //! ```
 //! use asperity::units::Dimension;
@@ -125,7 +125,8 @@ impl Units {
         let word =
             || unit.strip_suffix('s').unwrap_or(unit).strip_suffix(base.word)?.strip_prefix(base.before);
         let found = |prefix: &&(&str, &str, i32)| symbol == Some(prefix.0) || word() == Some(prefix.1);
-        let (.., exponent) = PREFIXES.iter().find(found)?;
+        let (.., exponent) =
+            PREFIXES.iter().find(found).filter(|(.., exponent)| base.prefixes.contains(exponent))?;
         Some(power_of_ten(exponent * base.power))
     }
 }
@@ -205,6 +206,10 @@ mod tests {
             "", "nm", "1.2", "1.2 GPa", "2 parsec", "1 m2", "nan nm", "1 2 nm", "1.2 nmm", "1.2 µ", "µm",
             "e9 m", "m 1",
         ] {
+            assert_eq!(Dimension::Length.parse(text), None, "{text}");
+        }
+        // Units of lengths that no surface has.
+        for text in ["2 parsec", "1 pc", "3 light years", "1 fathom", "1 Mm", "1 fm"] {
             assert_eq!(Dimension::Length.parse(text), None, "{text}");
         }
         // These read as a sum and as a misprint.

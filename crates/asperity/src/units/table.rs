@@ -1,6 +1,7 @@
 //! The table of units.
 
 use std::f64::consts::{PI, TAU};
+use std::ops::RangeInclusive;
 
 /// Symbol, word, plural and SI value. A unit without a symbol, or with one that parses as a number, repeats its word.
 pub(super) type Unit = (&'static str, &'static str, &'static str, f64);
@@ -24,7 +25,12 @@ pub(super) struct Prefixed {
     pub before: &'static str,
     /// The power of the prefix.
     pub power: i32,
+    /// The powers of ten of the prefixes that are in use.
+    pub prefixes: RangeInclusive<i32>,
 }
+
+/// Every prefix.
+const ALL: RangeInclusive<i32> = -24..=24;
 
 /// Symbol, word and power of ten.
 pub(super) const PREFIXES: [(&str, &str, i32); 21] = [
@@ -56,7 +62,7 @@ pub(super) const PRESSURE: Units = Units {
     example: "210 GPa",
     si_unit: "Pa",
     documented: &["Pa", "kPa", "MPa", "GPa", "N/mm^2", "HV", "kgf/mm^2", "bar", "psi", "ksi"],
-    prefixed: Some(Prefixed { symbol: "Pa", word: "pascal", before: "", power: 1 }),
+    prefixed: Some(Prefixed { symbol: "Pa", word: "pascal", before: "", power: 1, prefixes: ALL }),
     others: &[PRESSURES],
 };
 
@@ -64,8 +70,8 @@ pub(super) const LENGTH: Units = Units {
     name: "length",
     example: "1.2 um",
     si_unit: "m",
-    documented: &["m", "cm", "mm", "um", "nm", "pm", "Å"],
-    prefixed: Some(Prefixed { symbol: "m", word: "meter", before: "", power: 1 }),
+    documented: &["m", "cm", "mm", "um", "nm", "pm", "Å", "in", "mil"],
+    prefixed: Some(Prefixed { symbol: "m", word: "meter", before: "", power: 1, prefixes: -12..=3 }),
     others: &[LENGTHS],
 };
 
@@ -74,7 +80,7 @@ pub(super) const AREA: Units = Units {
     example: "1 mm^2",
     si_unit: "m^2",
     documented: &["m^2", "cm^2", "mm^2", "um^2"],
-    prefixed: Some(Prefixed { symbol: "m^2", word: "meter", before: "square ", power: 2 }),
+    prefixed: Some(Prefixed { symbol: "m^2", word: "meter", before: "square ", power: 2, prefixes: ALL }),
     others: &[AREAS],
 };
 
@@ -102,7 +108,7 @@ pub(super) const FORCE: Units = Units {
     example: "10 N",
     si_unit: "N",
     documented: &["N", "mN", "uN", "kN", "kgf", "lbf"],
-    prefixed: Some(Prefixed { symbol: "N", word: "newton", before: "", power: 1 }),
+    prefixed: Some(Prefixed { symbol: "N", word: "newton", before: "", power: 1, prefixes: ALL }),
     others: &[FORCES],
 };
 
@@ -144,28 +150,15 @@ const PRESSURES: &[Unit] = &[
     ("Torr", "torr", "torr", 133.3224),
 ];
 
-/// Units without SI prefixes.
+/// Units of length of workshops and microscopes.
 const LENGTHS: &[Unit] = &[
     ("Å", "ångström", "ångströms", 1e-10),
-    ("a₀", "bohr radius", "bohr radiuses", 5.29177210903e-11),
-    ("a.u. of length", "atomic unit of length", "atomic units of length", 5.29177210903e-11),
-    ("ch", "chain", "chains", 20.11684),
-    ("fathom", "fathom", "fathoms", 1.828804),
-    ("fermi", "fermi", "fermis", 1e-15),
-    ("ft", "foot", "feet", 0.3048),
-    ("ft (U.S. survey)", "foot (U.S. survey)", "feet (U.S. survey)", 0.3048006),
+    ("Å", "angstrom", "angstroms", 1e-10),
     ("in", "inch", "inches", 0.0254),
+    ("ft", "foot", "feet", 0.3048),
     ("uin", "microinch", "microinches", 2.54e-8),
     ("micron", "micron", "microns", 1e-6),
     ("mil", "mil", "mils", 2.54e-5),
-    ("mi", "mile", "miles", 1609.344),
-    ("mi (U.S. survey)", "mile (U.S. survey)", "miles (U.S. survey)", 1609.347),
-    ("pica (computer)", "pica (computer)", "picas (computer)", 0.004233333333333333),
-    ("pica (printer's)", "pica (printer's)", "picas (printer's)", 0.004217518),
-    ("point (computer)", "point (computer)", "points (computer)", 3.527778e-4),
-    ("point (printer's)", "point (printer's)", "points (printer's)", 3.514598e-4),
-    ("rd", "rod", "rods", 5.02921),
-    ("yd", "yard", "yards", 0.9144),
 ];
 
 /// Units without SI prefixes.

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use asperity::npy::NpyError;
 use asperity::progress::Silent;
-use asperity::topography::read::{ReadOptions, height_map, metadata, rows};
+use asperity::topography::read::{LengthUnits, ReadOptions, height_map, metadata, rows};
 use asperity::topography::{RoughnessParameters, Rows};
 use asperity::{AsperityList, Ellipse, ListColumn, ListError, ListOptions, npy};
 
@@ -104,7 +104,7 @@ fn what_is_given_beside_an_array_is_its_pixel_and_its_unit() {
     let data: Vec<u8> = [20.0f32; 12].iter().flat_map(|v| v.to_le_bytes()).collect();
     let (_folder, path) = file("map.npy", &array("<f4", false, "(3, 4)", &data));
     let pixel = Some([1e-6, 2e-6]);
-    let map = height_map(&path, ReadOptions { pixel, unit: Some(1e-9) }).unwrap();
+    let map = height_map(&path, ReadOptions { pixel, unit: Some(LengthUnits::same(1e-9)) }).unwrap();
     assert!(map.pixel() == [1e-6, 2e-6] && map.heights().iter().all(|z| (z / 20e-9 - 1.0).abs() < 1e-15));
     let refused = |given| height_map(&path, given).unwrap_err().to_string();
     assert!(refused(ReadOptions { pixel: None, unit: None }).contains("holds no pixel size"));
@@ -305,7 +305,7 @@ fn a_map_is_the_same_row_by_row_and_as_a_whole() {
         for error in [height_map(&path, in_metres).err(), rows(&path, in_metres, &Silent).err()] {
             assert!(error.unwrap().to_string().contains("holds a height of 1.21e2 m"));
         }
-        let given = ReadOptions { pixel, unit: Some(1e-9) };
+        let given = ReadOptions { pixel, unit: Some(LengthUnits::same(1e-9)) };
         let (whole, rows) = (height_map(&path, given).unwrap(), rows(&path, given, &Silent).unwrap());
         assert_eq!((whole.points(), whole.pixel()), (rows.points(), rows.pixel()));
         // Whole numbers are exact, scaled ones are rounded.

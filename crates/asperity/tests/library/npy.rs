@@ -2,7 +2,8 @@
 
 use asperity::HeightMap;
 use asperity::npy::{Header, HeaderError, Mapped, NpyError, matrix, write};
-use asperity::topography::read::{ReadOptions, height_map};
+use asperity::progress::Silent;
+use asperity::topography::read::{LengthUnits, MapFile, ReadError, ReadOptions, height_map};
 
 use super::files::array;
 
@@ -127,6 +128,30 @@ fn what_is_written_reads_back_to_the_bit() {
     assert!(found.heights().iter().zip(map.heights()).all(|(a, b)| a.to_bits() == b.to_bits()));
     // The numbers begin at a multiple of 64 bytes.
     assert_eq!(std::fs::metadata(&path).unwrap().len(), 128 + 12 * 8);
+}
+
+#[test]
+fn marks_of_missing_points_of_a_mapped_array() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("map.npy");
+    let mut heights: Vec<f64> = (0..30).map(|k| f64::from(k * k % 17)).collect();
+    heights[7] = -9999.0;
+    write(std::fs::File::create(&path).unwrap(), [5, 6], heights).unwrap();
+    let options = ReadOptions { pixel: Some([1e-6, 2e-6]), unit: Some(LengthUnits::same(1e-9)) };
+    let straight = MapFile::new(&path, options);
+    let error = straight.rows(&Silent).err().unwrap();
+    assert!(matches!(error, ReadError::Mark { value: -9999.0, count: 1, .. }), "{error}");
+    let missing = Some(vec![-9999.0]);
+    let straight = MapFile { missing, ..straight };
+    let turned = MapFile { transpose: true, ..straight.clone() };
+    assert!(straight.stays_on_disk().unwrap() && !turned.stays_on_disk().unwrap());
+    let map = straight.rows(&Silent).unwrap();
+    let mut row = [0.0; 6];
+    map.read(1, &mut row);
+    assert!(row[1].is_nan() && row[0] == 36.0 % 17.0 * 1e-9, "{row:?}");
+    let turned = turned.height_map().unwrap();
+    assert_eq!((turned.points(), turned.pixel()), ([6, 5], [1e-6, 2e-6]));
+    assert!(turned.heights()[5 + 1].is_nan() && turned.heights()[1] == row[0]);
 }
 
 #[test]

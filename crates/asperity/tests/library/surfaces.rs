@@ -6,7 +6,7 @@ use asperity::topography::generate::{
     Plateau, Process, Seeds, SigmaOf, SpectrumOf, SurfaceGenerator, Target, TargetGenerator, Unreachable,
     gaussian,
 };
-use asperity::topography::read::ReadOptions;
+use asperity::topography::read::{LengthUnits, ReadOptions};
 use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
 use asperity::topography::summits::{Detail, Neighbours, find, five_point};
 use asperity::topography::theory::Expected;
@@ -395,7 +395,7 @@ fn the_same_bits_on_any_number_of_threads() {
 #[test]
 fn a_mapped_file_gives_the_same_summits_as_the_map_in_memory() {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../experiments/surfaces/opd-1.npy");
-    let given = ReadOptions { pixel: Some([2e-7, 3e-7]), unit: Some(1e-3) };
+    let given = ReadOptions { pixel: Some([2e-7, 3e-7]), unit: Some(LengthUnits::same(1e-3)) };
     let mapped = read::rows(&path, given, &Silent).unwrap();
     let whole = read::height_map(&path, given).unwrap();
     assert!(mapped.block(0..1).is_none() && whole.block(0..1).is_some(), "one of them is in memory");

@@ -14,6 +14,8 @@ pub(crate) struct DifferenceRow<'a> {
     key: CaseKey<'a>,
     verdicts: &'a Verdicts,
     at_load: &'a Difference,
+    /// m²
+    load_area: f64,
     /// The model, and what it is compared with.
     names: [&'static str; 2],
     quantity: ComparedQuantity,
@@ -75,7 +77,16 @@ pub(crate) fn rows(results: &CompareResults) -> impl Iterator<Item = DifferenceR
             differences.iter().flat_map(move |at_load| {
                 ComparedQuantity::ALL.into_iter().filter_map(move |quantity| {
                     let estimate = at_load.estimates[quantity as usize]?;
-                    Some(DifferenceRow { key: case.key(), verdicts, at_load, names, quantity, estimate })
+                    let load_area = case.surface.load_area;
+                    Some(DifferenceRow {
+                        key: case.key(),
+                        verdicts,
+                        at_load,
+                        load_area,
+                        names,
+                        quantity,
+                        estimate,
+                    })
                 })
             })
         })

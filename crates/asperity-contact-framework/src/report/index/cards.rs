@@ -1,7 +1,7 @@
 //! A card per report: title, answer and main figure; filtered by kind, surface and words.
 
 use super::{Entry, MARK};
-use crate::report::page::{document, escape_html as escape};
+use crate::report::page::{document, escape_html as escape, with_minus};
 
 const STYLE: &str = include_str!("assets/index.css");
 const SCRIPT: &str = include_str!("assets/index.js");
@@ -55,6 +55,6 @@ fn card(entry: &Entry) -> String {
         kind = escape(&entry.kind),
         page = entry.page(),
         surfaces = surfaces.join("\n"),
-        answer = escape(&entry.answer),
+        answer = escape(&with_minus(&entry.answer)),
     )
 }

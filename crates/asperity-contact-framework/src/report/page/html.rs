@@ -154,7 +154,7 @@ impl Writer<'_> {
             "<figure id=\"{}\">\n<div class=\"picture\" role=\"region\" aria-label=\"Figure\" tabindex=\"0\">\n{}</div>\n{data}<figcaption>{}</figcaption>\n</figure>\n",
             escape(drawn.file.trim_end_matches(".svg")),
             drawn.part_of_page(),
-            escape(caption)
+            escape(&with_minus(caption))
         ));
     }
 }
@@ -162,7 +162,13 @@ impl Writer<'_> {
 fn push_markdown(body: &mut String, markdown: &str) {
     let options = Options::ENABLE_TABLES | Options::ENABLE_GFM;
     let mut hidden_links = Vec::new();
+    let mut is_code = false;
     let events = Parser::new_ext(markdown, options).filter_map(|event| match event {
+        Event::Start(Tag::CodeBlock(_)) | Event::End(TagEnd::CodeBlock) => {
+            is_code = matches!(event, Event::Start(_));
+            Some(event)
+        }
+        Event::Text(text) if !is_code => Some(Event::Text(with_minus(&text).into())),
         // Markup that a text brings along is shown, not obeyed.
         Event::Html(text) | Event::InlineHtml(text) => Some(Event::Text(text)),
         Event::Start(Tag::HtmlBlock) | Event::End(TagEnd::HtmlBlock) => None,
@@ -177,6 +183,20 @@ fn push_markdown(body: &mut String, markdown: &str) {
         other => Some(other),
     });
     pulldown_cmark::html::push_html(body, events);
+}
+
+/// Negative numbers with the minus sign that figures have; files for machines and code keep the hyphen.
+pub fn with_minus(text: &str) -> String {
+    let mut before = ' ';
+    let mut rest = text.chars().peekable();
+    let mut shown = String::with_capacity(text.len());
+    while let Some(c) = rest.next() {
+        let begins = before.is_whitespace() || matches!(before, '(' | '[' | '±' | '/');
+        let is_minus = c == '-' && begins && rest.peek().is_some_and(char::is_ascii_digit);
+        shown.push(if is_minus { '−' } else { c });
+        before = c;
+    }
+    shown
 }
 
 /// Inline Markdown as plain text.
@@ -199,4 +219,22 @@ fn is_safe(to: &CowStr<'_>) -> bool {
 pub fn escape(text: &str) -> String {
     let text = text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
     text.replace('"', "&quot;").replace('\'', "&#39;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn negative_numbers_have_a_minus_sign_and_code_a_hyphen() {
+        let mut body = String::new();
+        push_markdown(&mut body, "map-1: -5.34 nm (-2 to -1), `missing = -9999`, 1e-6, 2026-11-25, - 3");
+        assert_eq!(
+            body.trim(),
+            "<p>map-1: −5.34 nm (−2 to −1), <code>missing = -9999</code>, 1e-6, 2026-11-25, - 3</p>"
+        );
+        let mut body = String::new();
+        push_markdown(&mut body, "```toml\nheight = -5\n```\n");
+        assert!(body.contains("height = -5"), "{body}");
+    }
 }

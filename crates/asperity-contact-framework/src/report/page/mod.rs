@@ -11,7 +11,7 @@ use super::view::{View, ViewText};
 use asperity_plot::{Figure, Size};
 use rayon::prelude::*;
 
-pub use html::{CHART_STYLE, charts, document, escape as escape_html};
+pub use html::{CHART_STYLE, charts, document, escape as escape_html, with_minus};
 use markdown::{address, cell_markdown, is_numeric, line_of, one_line};
 pub use markdown::{escape, escape_around_code};
 

@@ -80,6 +80,10 @@ pub enum Measure {
     LengthOverSide,
     /// Root mean square slope.
     Slope,
+    /// The same, held against the smallest that a surface can have.
+    LeastSlope,
+    /// Nominal area, m^2.
+    NominalArea,
 }
 
 impl Measure {
@@ -99,7 +103,8 @@ impl Measure {
             Self::RadiusOverTip => "summit-radius-over-tip",
             Self::Untraced => "untraced-share",
             Self::LengthOverSide => "correlation-length-over-side",
-            Self::Slope => "rms-slope",
+            Self::Slope | Self::LeastSlope => "rms-slope",
+            Self::NominalArea => "nominal-area-m2",
         }
     }
 
@@ -138,6 +143,10 @@ impl Measure {
             Self::LengthOverSide => AtMost(0.1),
             // Terms of second order in the slope, which contact mechanics of half-spaces leaves out, reach a tenth.
             Self::Slope => AtMost(LARGEST_SLOPE),
+            // A tenth of that of polished optics.
+            Self::LeastSlope => AtLeast(1e-5),
+            // No instrument maps a larger one in points that resolve roughness.
+            Self::NominalArea => AtMost(1.0),
         }
     }
 }
@@ -315,8 +324,18 @@ impl Examined<'_> {
             let length = self.correlation.map(|correlation| self.length_over_side(correlation));
             all.extend(worst(Check::LongWaves, &[(Measure::LengthOverSide, length)]));
         }
-        all.extend(worst(Check::Slope, &[(Measure::Slope, Some(self.roughness.rms_slope()))]));
+        all.extend(self.slope(measured.is_some()));
         all
+    }
+
+    /// The check of slopes; of a map that `was_measured` too small ones and a large area too, which other units explain.
+    fn slope(&self, was_measured: bool) -> Option<Finding> {
+        let finding = |measure, value| Finding { check: Check::Slope, measure, value };
+        let slope = self.roughness.rms_slope();
+        let sides = [0, 1].map(|axis| self.map.points()[axis] as f64 * self.map.pixel()[axis]);
+        let units = [finding(Measure::NominalArea, sides[0] * sides[1]), finding(Measure::LeastSlope, slope)];
+        let failed = units.into_iter().find(|finding| was_measured && !finding.has_passed());
+        failed.or_else(|| Finding::worst(Check::Slope, [(Measure::Slope, Some(slope))]))
     }
 
     /// Share of the variance that the next higher polynomial explains.

@@ -1,10 +1,11 @@
 //! Content of a map file.
 
 use super::error::ReadOptionsError;
+use super::npy;
 use crate::topography::Rows;
 
 /// Size, pixel and format of a map, from the header of its file.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Metadata {
     /// Points along x and y.
     pub points: [usize; 2],
@@ -13,8 +14,54 @@ pub struct Metadata {
     pub pixel: Option<[f64; 2]>,
     /// Whether the format stores its unit of length.
     pub has_unit: bool,
+    /// Units in the names of columns, which options override.
+    pub named: NamedUnits,
+    /// Labels of a text that are no heights.
+    pub left_out: LeftOut,
     /// Name of the format.
     pub format: &'static str,
+}
+
+/// Units of the lengths in a file, m.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LengthUnits {
+    /// Of coordinates, and of a pixel that the file stores.
+    pub xy: f64,
+    /// Of heights.
+    pub z: f64,
+}
+
+impl LengthUnits {
+    /// One unit (m) for coordinates and heights.
+    pub const fn same(unit: f64) -> Self {
+        Self { xy: unit, z: unit }
+    }
+}
+
+/// Units of length in the names of the columns x, y and z of a text.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub enum NamedUnits {
+    /// There are none.
+    #[default]
+    None,
+    /// Of all columns.
+    Known(LengthUnits),
+    /// Of some columns only, different ones for x and y, or no units of length.
+    Unclear {
+        /// Line number, from 1.
+        line: usize,
+        /// Text of the line.
+        found: String,
+    },
+}
+
+/// Labels of a matrix of numbers in a text, which hold no heights.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct LeftOut {
+    /// The line of column names or column numbers.
+    pub header: Option<usize>,
+    /// Whether the first column numbers or names the lines.
+    pub index_column: bool,
 }
 
 /// Pixel and unit for a file whose format does not store them.
@@ -22,14 +69,33 @@ pub struct Metadata {
 pub struct ReadOptions {
     /// Distance of neighbouring points along x and y, m.
     pub pixel: Option<[f64; 2]>,
-    /// Unit of all lengths in the file, m; a metre if it is not given.
-    pub unit: Option<f64>,
+    /// Units of the lengths in the file; if not given those that names of columns state, or a metre.
+    pub unit: Option<LengthUnits>,
 }
 
 impl Metadata {
+    /// Of a format that stores heights only, in any unit.
+    pub(super) fn new(points: [usize; 2], format: &'static str) -> Self {
+        let (named, left_out) = (NamedUnits::None, LeftOut::default());
+        Self { points, pixel: None, has_unit: false, named, left_out, format }
+    }
+
     /// Of a map in memory.
     pub fn in_memory(map: &dyn Rows) -> Self {
-        Self { points: map.points(), pixel: Some(map.pixel()), has_unit: true, format: "a map in memory" }
+        Self { pixel: Some(map.pixel()), has_unit: true, ..Self::new(map.points(), "a map in memory") }
+    }
+
+    /// Whether x runs along the first index of an array, as in `.npy`, rather than along the lines of a file.
+    pub fn has_x_first(&self) -> bool {
+        self.format == npy::FORMAT
+    }
+
+    /// The same with x and y exchanged.
+    #[must_use]
+    pub fn transposed(self) -> Self {
+        let swapped = |[x, y]: [f64; 2]| [y, x];
+        let [nx, ny] = self.points;
+        Self { points: [ny, nx], pixel: self.pixel.map(swapped), ..self }
     }
 
     /// The pixel along x and y, m.
@@ -43,14 +109,30 @@ impl Metadata {
         }
         match (self.pixel, options.pixel) {
             (Some(pixel), Some(_)) => Err(ReadOptionsError::PixelHeld { format, pixel, has_unit }),
-            (Some(pixel), None) => Ok(pixel.map(|size| size * self.unit(options))),
+            (Some(pixel), None) => {
+                let unit = self.units(options)?.xy;
+                Ok(pixel.map(|size| size * unit))
+            }
             (None, Some(pixel)) => Ok(pixel),
             (None, None) => Err(ReadOptionsError::NoPixel),
         }
     }
 
-    pub(super) fn unit(&self, options: &ReadOptions) -> f64 {
-        if self.has_unit { 1.0 } else { options.unit.unwrap_or(1.0) }
+    /// The units of the lengths in the file, m.
+    ///
+    /// # Errors
+    /// Names of columns with units that are not clear, where options give none.
+    pub fn units(&self, options: &ReadOptions) -> Result<LengthUnits, ReadOptionsError> {
+        const METRE: LengthUnits = LengthUnits::same(1.0);
+        match (&self.named, options.unit) {
+            _ if self.has_unit => Ok(METRE),
+            (_, Some(units)) => Ok(units),
+            (NamedUnits::Known(units), None) => Ok(*units),
+            (NamedUnits::None, None) => Ok(METRE),
+            (NamedUnits::Unclear { line, found }, None) => {
+                Err(ReadOptionsError::UnitsInColumns { line: *line, found: found.clone() })
+            }
+        }
     }
 }
 
@@ -62,6 +144,8 @@ pub struct Measured {
     /// Heights, the y index running fastest; in metres if the format stores its unit, otherwise in the unit of the
     /// file. Missing points are NaN.
     pub heights: Vec<f64>,
+    /// What a height of one in the file is in `heights`: other than 1 in a text with a header of units.
+    pub scale: f64,
     /// A height, in the same unit, that all are relative to.
     pub offset: f64,
     /// Relative precision of the stored numbers; 0 for unscaled integers.

@@ -32,15 +32,20 @@ pub enum ReadError {
         /// Whether the format stores its unit; otherwise the unit given may be wrong.
         has_unit: bool,
     },
-    /// A text has a header of column names with units, which is not supported.
+    /// A height far from all others, which marks missing points.
     #[error(
-        "names columns with units in line {line}: \"{found}\"; allowed: x y z, with the unit given separately"
+        "holds the height {value} at {count} {}, far from all other heights ({low} to {high}): a mark of missing points?",
+        if *count == 1 { "point" } else { "points" }
     )]
-    UnitsInColumns {
-        /// Line number, from 1.
-        line: usize,
-        /// Text of the line.
-        found: String,
+    Mark {
+        /// The height, in the unit of the file.
+        value: f64,
+        /// At how many points it stands.
+        count: usize,
+        /// The lowest of the other heights, in the unit of the file.
+        low: f64,
+        /// The highest of the other heights.
+        high: f64,
     },
     /// The options contradict the file.
     #[error(transparent)]
@@ -48,7 +53,7 @@ pub enum ReadError {
 }
 
 /// Options that contradict the content of the file.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ReadOptionsError {
     /// Both the file and the options give a pixel.
     #[error(
@@ -71,6 +76,17 @@ pub enum ReadOptionsError {
     UnitHeld {
         /// Name of the format.
         format: &'static str,
+    },
+    /// Names of columns in a text with units that are not clear, where the options give none.
+    #[error(
+        "names columns with units in line {line}: \"{found}\"; allowed: one unit of length for x and y and one for z, as in x [um] \
+         y [um] z [nm], or the units given separately"
+    )]
+    UnitsInColumns {
+        /// Line number, from 1.
+        line: usize,
+        /// Text of the line.
+        found: String,
     },
 }
 

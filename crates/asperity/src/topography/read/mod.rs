@@ -4,18 +4,24 @@
 //! |---|---|---|---|
 //! | `npy` | NumPy array, whole or row by row | no | no |
 //! | `text` | matrix of numbers; with Gwyddion's header | no; yes | no; yes |
-//! | `xyz` | three columns of numbers | yes, in the unit | no |
+//! | `xyz` | three columns of numbers | yes, in the unit | in the names of columns |
 //! | `x3p` | ISO 25178-72 | yes | yes |
 //! | `sdf` | ISO 25178-71 | yes | yes |
 //!
 //! If the format stores its unit, a height beyond 1 km marks a missing point. Other heights beyond 10 m are rejected in
 //! every format, since the unit must be wrong. The first index of a map is x; in files x runs fastest, so that all
-//! formats but `.npy` are transposed. Nothing is mirrored: the first line of a file is the first y.
+//! formats but `.npy` are transposed. Nothing is mirrored: the first line of a file is the first y. A height far from all
+//! others, such as -9999, is an error until it is stated whether it marks missing points.
 
+mod columns;
 mod content;
 mod error;
+mod file;
+mod labels;
+mod marks;
 mod npy;
 mod sdf;
+mod separation;
 mod table;
 mod text;
 mod x3p;
@@ -25,14 +31,13 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-use super::{HeightMap, MapError, Rows, Watched, rows};
-use crate::npy::{self as array, Mapped};
-use crate::numeric::LARGEST;
+use super::{HeightMap, Rows};
+use crate::npy as array;
 use crate::progress::Progress;
-pub use content::{Measured, Metadata, ReadOptions};
-use error::{FORMATS, MAX_HEIGHT};
+pub use content::{LeftOut, LengthUnits, Measured, Metadata, NamedUnits, ReadOptions};
+use error::FORMATS;
 pub use error::{ReadError, ReadOptionsError};
-use npy::MappedMap;
+pub use file::MapFile;
 
 /// The formats, identified by their first bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -101,89 +106,21 @@ pub fn measured(path: &Path) -> Result<Measured, ReadError> {
     }
 }
 
-/// Reads a map of heights in metres, relative to the offset of its file ([`Rows::offset`]), with the pixel and unit of `options` if the format does not store them.
+/// Reads a map of heights in metres, relative to the offset of its file ([`Rows::offset`]), with the pixel and unit of
+/// `options` if the format does not store them; [`MapFile`] says more of a file.
 ///
 /// # Errors
 /// See [`ReadError`].
 pub fn height_map(path: &Path, options: ReadOptions) -> Result<HeightMap, ReadError> {
-    let Measured { metadata, mut heights, offset, mut precision } = measured(path)?;
-    let pixel = metadata.pixel(&options)?;
-    let unit = metadata.unit(&options);
-    if unit != 1.0 {
-        precision = precision.max(f64::EPSILON);
-    }
-    check_heights(&mut heights, unit, metadata.has_unit)?;
-    Ok(HeightMap::new(metadata.points, pixel, heights, precision)?.with_offset(offset * unit))
+    MapFile::new(path, options).height_map()
 }
 
-/// Whether [`rows()`] leaves a map on disk: a `.npy` in C order.
-///
-/// # Errors
-/// As [`metadata`].
-pub fn stays_on_disk(path: &Path) -> Result<bool, ReadError> {
-    Ok(Format::detect(path)? == Format::Npy && !array::Header::read(path)?.is_fortran())
-}
-
-/// Opens a map for reading by rows. One that stays on disk ([`stays_on_disk`]) may be larger than memory; its heights are
-/// checked, one unit of work for `progress`.
+/// Opens a map for reading by rows, see [`MapFile::rows`].
 ///
 /// # Errors
 /// As [`height_map`].
 pub fn rows(path: &Path, options: ReadOptions, progress: &dyn Progress) -> Result<Box<dyn Rows>, ReadError> {
-    let map = unchecked_rows(path, options)?;
-    if stays_on_disk(path)? {
-        check_rows(&Watched { map: &*map, progress })?;
-    }
-    Ok(map)
-}
-
-/// The same without reading the heights of a map that stays on disk: of one that is read in parts, which are checked with
-/// [`check_rows`] each.
-///
-/// # Errors
-/// As [`height_map`].
-pub fn unchecked_rows(path: &Path, options: ReadOptions) -> Result<Box<dyn Rows>, ReadError> {
-    if !stays_on_disk(path)? {
-        return Ok(Box::new(height_map(path, options)?));
-    }
-    let metadata = npy::metadata(path)?;
-    let array = Mapped::open(path)?;
-    Ok(Box::new(MappedMap { array, pixel: metadata.pixel(&options)?, unit: metadata.unit(&options) }))
-}
-
-/// Checks size, units and heights of a map, or of a part of one, that was read row by row.
-///
-/// # Errors
-/// As [`height_map`]; [`MapError::AllMissing`] without a single height.
-pub fn check_rows(map: &dyn Rows) -> Result<(), ReadError> {
-    HeightMap::check_grid(map.points(), map.pixel())?;
-    let tallest = |strip: rows::Strip| {
-        let heights = (0..strip.count as isize).filter_map(|k| strip.row(k)).flatten();
-        heights.filter(|z| !z.is_nan()).map(|z| z.abs()).reduce(f64::max)
-    };
-    match rows::strips(map, 0, tallest).into_iter().flatten().reduce(f64::max) {
-        None => Err(MapError::AllMissing.into()),
-        Some(tallest) if tallest > MAX_HEIGHT => Err(ReadError::TooTall { tallest, has_unit: false }),
-        Some(_) => Ok(()),
-    }
-}
-
-/// Replaces marks of missing points by NaN, converts heights from the unit of their file to metres, and rejects those
-/// too large for a rough surface.
-fn check_heights(heights: &mut [f64], unit: f64, has_unit: bool) -> Result<(), ReadError> {
-    /// A larger height in metres marks a missing point, such as 1e10.
-    const MARK: f64 = 1e3;
-    let mark = if has_unit { MARK } else { LARGEST };
-    let mut tallest = 0.0f64;
-    for z in heights {
-        if z.abs() <= mark {
-            *z *= unit;
-            tallest = tallest.max(z.abs());
-        } else {
-            *z = f64::NAN;
-        }
-    }
-    if tallest > MAX_HEIGHT { Err(ReadError::TooTall { tallest, has_unit }) } else { Ok(()) }
+    MapFile::new(path, options).rows(progress)
 }
 
 /// Checks that a path is a file that is not empty.

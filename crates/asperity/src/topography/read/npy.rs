@@ -4,23 +4,24 @@ use std::path::Path;
 
 use super::content::{Measured, Metadata};
 use super::error::ReadError;
+use super::marks::mark_missing;
 use crate::npy::{Header, Mapped, Matrix, matrix};
 use crate::topography::{Boundary, Rows};
+
+/// The name of the format.
+pub(super) const FORMAT: &str = ".npy";
 
 /// Size and format of a map from its header.
 pub(super) fn metadata(path: &Path) -> Result<Metadata, ReadError> {
     let Header { rows, columns, .. } = Header::read(path)?;
-    Ok(metadata_of([rows, columns]))
-}
-
-fn metadata_of(points: [usize; 2]) -> Metadata {
-    Metadata { points, pixel: None, has_unit: false, format: ".npy" }
+    Ok(Metadata::new([rows, columns], FORMAT))
 }
 
 /// Reads a map, in the unit of the file.
 pub(super) fn measured(path: &Path) -> Result<Measured, ReadError> {
     let Matrix { rows, columns, values, precision } = matrix(path)?;
-    Ok(Measured { metadata: metadata_of([rows, columns]), heights: values, offset: 0.0, precision })
+    let metadata = Metadata::new([rows, columns], FORMAT);
+    Ok(Measured { metadata, heights: values, scale: 1.0, offset: 0.0, precision })
 }
 
 /// A mapped array as a height map.
@@ -32,6 +33,8 @@ pub(super) struct MappedMap {
     pub(super) pixel: [f64; 2],
     /// Unit of the stored heights, m.
     pub(super) unit: f64,
+    /// Heights that mark missing points, in that unit.
+    pub(super) missing: Vec<f64>,
 }
 
 impl Rows for MappedMap {
@@ -54,6 +57,7 @@ impl Rows for MappedMap {
 
     fn read(&self, ix: usize, row: &mut [f64]) {
         self.array.row(ix, row);
+        mark_missing(row, &self.missing);
         if self.unit != 1.0 {
             row.iter_mut().for_each(|z| *z *= self.unit);
         }

@@ -114,7 +114,7 @@ pub(super) fn measured(path: &Path) -> Result<Measured, ReadError> {
         *value = if marks_missing(stored, *value, greatest) { f64::NAN } else { *value * z_scale };
     }
     let heights = transposed(&values, metadata.points[0]);
-    Ok(Measured { metadata, heights, offset: 0.0, precision: stored.scaled_precision() })
+    Ok(Measured { metadata, heights, scale: 1.0, offset: 0.0, precision: stored.scaled_precision() })
 }
 
 /// The data, not yet read.
@@ -268,7 +268,7 @@ impl Fields {
             return Err(too_large());
         };
         let pixel = Some([self.x_scale, self.y_scale]);
-        let metadata = Metadata { points: [nx, ny], pixel, has_unit: true, format: FORMAT };
+        let metadata = Metadata { pixel, has_unit: true, ..Metadata::new([nx, ny], FORMAT) };
         Ok(Checked { metadata, count, z_scale: self.z_scale, stored, greatest })
     }
 }

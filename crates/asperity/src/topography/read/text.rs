@@ -24,20 +24,21 @@ pub(super) fn measured(path: &Path) -> Result<Measured, ReadError> {
         .unwrap_or_else(|error| error.into_bytes().iter().map(|&byte| char::from(byte)).collect());
     let text = text.trim_start_matches('\u{feff}');
     let header = Header::parse(text)?;
-    let Table { rows, columns, mut values, precision } = Table::parse(text)?;
+    let Table { rows, columns, mut values, named, left_out, precision } = Table::parse(text)?;
+    if header.is_none() && columns == 3 && rows > 3 {
+        let measured = xyz::measured(&values, precision)?;
+        return Ok(Measured { metadata: Metadata { named, left_out, ..measured.metadata }, ..measured });
+    }
+    let metadata = Metadata { left_out, ..Metadata::new([columns, rows], "a plain text") };
     let Some(header) = header else {
-        if columns == 3 && rows > 3 {
-            return xyz::measured(&values, precision);
-        }
-        let metadata =
-            Metadata { points: [columns, rows], pixel: None, has_unit: false, format: "a plain text" };
-        return Ok(Measured { metadata, heights: transposed(&values, columns), offset: 0.0, precision });
+        let heights = transposed(&values, columns);
+        return Ok(Measured { metadata, heights, scale: 1.0, offset: 0.0, precision });
     };
-    let points = [columns, rows];
-    let pixel = [header.width / columns as f64, header.height / rows as f64];
+    let pixel = Some([header.width / columns as f64, header.height / rows as f64]);
     values.iter_mut().for_each(|z| *z *= header.unit);
-    let metadata = Metadata { points, pixel: Some(pixel), has_unit: true, format: FORMAT };
-    Ok(Measured { metadata, heights: transposed(&values, columns), offset: 0.0, precision })
+    let metadata = Metadata { pixel, has_unit: true, format: FORMAT, ..metadata };
+    let heights = transposed(&values, columns);
+    Ok(Measured { metadata, heights, scale: header.unit, offset: 0.0, precision })
 }
 
 /// The header of Gwyddion, in metres.

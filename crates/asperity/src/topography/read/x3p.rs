@@ -99,12 +99,8 @@ pub(super) fn measured(path: &Path) -> Result<Measured, ReadError> {
     for value in &mut values {
         *value *= increment;
     }
-    Ok(Measured {
-        metadata,
-        heights: transposed(&values, metadata.points[0]),
-        offset,
-        precision: stored.scaled_precision(),
-    })
+    let heights = transposed(&values, metadata.points[0]);
+    Ok(Measured { metadata, heights, scale: 1.0, offset, precision: stored.scaled_precision() })
 }
 
 impl Archive {
@@ -349,7 +345,7 @@ impl Main {
                 valid: link(&["DataLink", "ValidPointsLink"], "MD5ChecksumValidPoints"),
             }
         };
-        let metadata = Metadata { points, pixel: Some(pixel), has_unit: true, format: FORMAT };
+        let metadata = Metadata { pixel: Some(pixel), has_unit: true, ..Metadata::new(points, FORMAT) };
         Ok(Self { metadata, count, stored, increment, offset, heights })
     }
 }

@@ -1,4 +1,4 @@
-//! Three columns of text: x, y and z of the points of a regular grid, in any order and one unit.
+//! Three columns of text: x, y and z of the points of a regular grid, in any order, x and y in one unit.
 //!
 //! The lines of the grid are determined from the coordinates, which may be rounded: a point may be up to a fifth of a
 //! pixel off its line. Grid points that are not in the file are missing.
@@ -47,12 +47,10 @@ pub(super) fn measured(values: &[f64], precision: f64) -> Result<Measured, ReadE
         *height = z;
     }
     let metadata = Metadata {
-        points: [x.count, y.count],
         pixel: Some([x.step, y.step]),
-        has_unit: false,
-        format: "a text of x, y and z",
+        ..Metadata::new([x.count, y.count], "a text of x, y and z")
     };
-    Ok(Measured { metadata, heights, offset: 0.0, precision })
+    Ok(Measured { metadata, heights, scale: 1.0, offset: 0.0, precision })
 }
 
 fn no_grid(found: &str) -> ReadError {

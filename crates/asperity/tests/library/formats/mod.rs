@@ -1,7 +1,9 @@
 //! Measured height maps in every format: known values, round trips, bad input of each kind.
 
 use asperity::HeightMap;
-use asperity::topography::read::{Metadata, ReadError, ReadOptions, ReadOptionsError, height_map, metadata};
+use asperity::topography::read::{
+    LengthUnits, Metadata, ReadError, ReadOptions, ReadOptionsError, height_map, metadata,
+};
 use asperity::topography::summits::five_point;
 use asperity::topography::{Level, Moments, RoughnessParameters, Rows};
 use std::path::{Path, PathBuf};
@@ -70,7 +72,7 @@ fn lines(separator: &str, missing: &str) -> String {
 }
 
 const PIXEL: [f64; 2] = [2e-6, 3e-6];
-const IN_NM: ReadOptions = ReadOptions { pixel: Some(PIXEL), unit: Some(1e-9) };
+const IN_NM: ReadOptions = ReadOptions { pixel: Some(PIXEL), unit: Some(LengthUnits::same(1e-9)) };
 
 /// Heights in lines along x, as SDF and X3P store them.
 fn in_lines() -> impl Iterator<Item = f64> {

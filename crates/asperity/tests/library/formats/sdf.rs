@@ -109,7 +109,8 @@ fn sdf_text_and_what_is_given_beside_it() {
     assert_eq!(RoughnessParameters::new(&height_map(&path, ReadOptions::default()).unwrap()).missing, 10);
     let given = height_map(&path, ReadOptions { pixel: Some(PIXEL), unit: None }).unwrap_err();
     assert!(given.to_string().contains("holds its own pixel of 2e-6 x 3e-6 m; allowed: leave pixel out"));
-    let given = height_map(&path, ReadOptions { pixel: None, unit: Some(1e-6) }).unwrap_err();
+    let given =
+        height_map(&path, ReadOptions { pixel: None, unit: Some(LengthUnits::same(1e-6)) }).unwrap_err();
     assert!(given.to_string().contains("holds its own unit of length; allowed: leave unit out"));
 }
 

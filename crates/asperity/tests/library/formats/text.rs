@@ -2,6 +2,7 @@
 
 use super::*;
 use asperity::topography::RoughnessParameters;
+use asperity::topography::read::{LeftOut, MapFile, NamedUnits};
 
 #[test]
 fn a_matrix_of_numbers_with_every_separator() {
@@ -60,7 +61,10 @@ fn a_header_gives_the_size_and_the_unit() {
     assert!((metadata(&path).unwrap().pixel.unwrap()[0] / 3e-4 - 1.0).abs() < 1e-15);
     let given = |pixel, unit| height_map(&path, ReadOptions { pixel, unit }).unwrap_err();
     assert!(matches!(given(Some(PIXEL), None), ReadError::Options(ReadOptionsError::PixelHeld { .. })));
-    assert!(matches!(given(None, Some(1e-6)), ReadError::Options(ReadOptionsError::UnitHeld { .. })));
+    assert!(matches!(
+        given(None, Some(LengthUnits::same(1e-6))),
+        ReadError::Options(ReadOptionsError::UnitHeld { .. })
+    ));
     // A mark of a missing point, where the unit is held.
     let marked = "# Width: 3 um\n# Height: 3 um\n# Value units: m\n1e-9 2e-9 1e10\n0 0 0\n0 0 3.4e38\n";
     let (_folder, path) = file(marked);
@@ -113,7 +117,7 @@ pub fn points(step: [f64; 2], round: impl Fn(f64) -> f64) -> String {
 
 #[test]
 fn points_of_a_grid_in_any_order() {
-    let in_um = ReadOptions { pixel: None, unit: Some(1e-6) };
+    let in_um = ReadOptions { pixel: None, unit: Some(LengthUnits::same(1e-6)) };
     let text = points([0.5, 0.25], |x| x);
     let head = assert_map(&text, in_um, 1e-6, [0.5e-6, 0.25e-6]);
     assert_eq!((head.pixel, head.has_unit), (Some([0.5, 0.25]), false));
@@ -149,8 +153,133 @@ fn points_of_no_grid_are_refused() {
         (0..100).map(|k| format!("{k} {k} 0\n")).collect::<String>()
     });
     assert_refused!(Unsupported, "two points", "0 0 0\n1 1 0\n1e9 1e9 0\n3 3 0\n");
-    assert_refused!(UnitsInColumns, "names columns with units", format!("x [um] y [um] z [um]\n{grid}"));
     assert_refused!(Corrupt, "point 5 of", "0 0 0\n1 0 0\n0 1 0\n1 1 0\nnan 2 0\n");
+}
+
+#[test]
+fn units_in_the_names_of_columns_are_read_and_may_be_overridden() {
+    let grid = points([0.5, 0.25], |x| x);
+    let none = ReadOptions::default();
+    let head = assert_map(format!("x [um] y [um] z [nm]\n{grid}"), none, 1e-9, [0.5e-6, 0.25e-6]);
+    assert!(!head.has_unit && matches!(head.named, NamedUnits::Known(_)));
+    assert_map(format!("# x [um] y [um] z [nm]\n{grid}"), none, 1e-9, [0.5e-6, 0.25e-6]);
+    let pandas = format!(",x_um,y_um,height_nm\n{}", indexed(&grid.replace(' ', ",")));
+    assert!(assert_map(pandas, none, 1e-9, [0.5e-6, 0.25e-6]).left_out.index_column);
+    let given = ReadOptions { unit: Some(LengthUnits { xy: 1e-5, z: 1e-8 }), ..none };
+    assert_map(format!("x [um] y [um] z [nm]\n{grid}"), given, 1e-8, [0.5e-5, 0.25e-5]);
+    // Units that are not clear are an error unless others are given.
+    let unclear = format!("x [px] y [px] z [nm]\n{grid}");
+    assert_map(&unclear, given, 1e-8, [0.5e-5, 0.25e-5]);
+    let (_folder, path) = file(&unclear);
+    let error = height_map(&path, none).unwrap_err().to_string();
+    assert!(error.contains("in line 1: \"x [px] y [px] z [nm]\"; allowed: one unit of length"), "{error}");
+}
+
+/// Lines with their numbers, from 0, in a first column.
+fn indexed(lines: &str) -> String {
+    lines.lines().enumerate().map(|(k, line)| format!("{k},{line}\n")).collect()
+}
+
+/// Lines with a name in a first column.
+fn named(lines: &str) -> String {
+    lines.lines().map(|line| format!("\"r{}\",{line}\n", line.len())).collect()
+}
+
+#[test]
+fn numbers_and_names_of_columns_and_lines_are_no_heights() {
+    let matrix = lines(",", "");
+    let numbers = |from: usize| (from..from + NX).map(|k| k.to_string()).collect::<Vec<_>>().join(",");
+    let names = (0..NX).map(|k| format!("\"V{k}\"")).collect::<Vec<_>>().join(",");
+    for (text, header, index_column) in [
+        (format!("{}\n{matrix}", numbers(0)), Some(1), false),
+        (format!("{}\n{matrix}", numbers(1)), Some(1), false),
+        (format!("# a comment\n{names}\n{matrix}"), Some(2), false),
+        (format!(",{}\n{}", numbers(0), indexed(&matrix)), Some(1), true),
+        (format!("line,{}\n{}", numbers(0), indexed(&matrix)), Some(1), true),
+        (format!("{}\n{}", numbers(0), indexed(&matrix)), Some(1), true),
+        (format!("\"\",{names}\n{}", named(&matrix)), Some(1), true),
+        (indexed(&matrix), None, true),
+        (matrix.clone(), None, false),
+    ] {
+        let head = assert_map(&text, IN_NM, 1e-9, PIXEL);
+        assert_eq!(head.left_out, LeftOut { header, index_column }, "{text}");
+    }
+    // An inclined plane of whole numbers is a map.
+    let plane: String =
+        (0..6).map(|y| (0..6).map(|x| format!("{} ", x + y)).collect::<String>() + "\n").collect();
+    let (_folder, path) = file(&plane);
+    assert_eq!(
+        (metadata(&path).unwrap().points, metadata(&path).unwrap().left_out),
+        ([6, 6], LeftOut::default())
+    );
+}
+
+#[test]
+fn exports_of_matlab_are_read() {
+    // save -ascii, writematrix, dlmwrite with another separator and precision.
+    let ascii = |z: f64| if z.is_nan() { "             NaN".to_owned() } else { format!("  {}", matlab(z)) };
+    let text: String =
+        (0..NY).map(|iy| (0..NX).map(|ix| ascii(z(ix, iy))).collect::<String>() + "\n").collect();
+    assert!(text.starts_with("   ") && text.contains("e-0"), "{text}");
+    assert_map(text.clone(), IN_NM, 1e-9, PIXEL);
+    let words =
+        |line: &str, separator: &str| line.split_whitespace().collect::<Vec<_>>().join(separator) + "\n";
+    for separator in [",", "\t", ";"] {
+        assert_map(text.lines().map(|line| words(line, separator)).collect::<String>(), IN_NM, 1e-9, PIXEL);
+    }
+}
+
+/// A number as `save -ascii -double` writes it.
+fn matlab(z: f64) -> String {
+    let text = format!("{z:.16e}");
+    let (digits, exponent) = text.split_once('e').unwrap();
+    let exponent: i32 = exponent.parse().unwrap();
+    format!("{digits:>19}e{}{:02}", if exponent < 0 { '-' } else { '+' }, exponent.abs())
+}
+
+#[test]
+fn marks_of_missing_points_are_stated_or_named() {
+    let text = lines(" ", "-9999");
+    assert_refused_in_nm("holds the height -9999 at 1 point, far from all other heights", &text);
+    let read = |text: &str, missing: Option<Vec<f64>>| {
+        let (_folder, path) = file(text);
+        let file = MapFile { missing, ..MapFile::new(&path, IN_NM) };
+        file.height_map().map(|map| RoughnessParameters::new(&map).missing)
+    };
+    assert_eq!(read(&text, Some(vec![-9999.0])).unwrap(), 1);
+    assert_eq!(read(&text, Some(Vec::new())).unwrap(), 0, "a height");
+    // In the unit of the file where the format has one.
+    let header = "# Width: 3 um\n# Height: 3 um\n# Value units: nm\n";
+    let (_folder, path) = file(format!("{header}{}", lines(" ", "-99.5")));
+    let file = MapFile { missing: Some(vec![-99.5]), ..MapFile::new(&path, ReadOptions::default()) };
+    assert_eq!(RoughnessParameters::new(&file.height_map().unwrap()).missing, 1);
+}
+
+fn assert_refused_in_nm(words: &str, text: &str) {
+    let (_folder, path) = file(text);
+    let error = height_map(&path, IN_NM).unwrap_err();
+    assert!(
+        matches!(error, ReadError::Mark { count: 1, .. }) && error.to_string().starts_with(words),
+        "{error}"
+    );
+}
+
+#[test]
+fn a_transposed_text_has_its_lines_along_y() {
+    let (_folder, path) = file(lines(" ", "NaN"));
+    let straight = height_map(&path, IN_NM).unwrap();
+    let file = MapFile { transpose: true, ..MapFile::new(&path, IN_NM) };
+    let turned = file.height_map().unwrap();
+    assert_eq!((turned.points(), turned.pixel()), ([NY, NX], PIXEL));
+    assert_eq!(file.metadata().unwrap().points, [NY, NX]);
+    for (ix, iy) in (0..NX).flat_map(|ix| (0..NY).map(move |iy| (ix, iy))) {
+        assert_eq!(turned.heights()[iy * NX + ix].to_bits(), straight.heights()[ix * NY + iy].to_bits());
+    }
+    // A pixel of the file goes with its axis.
+    let (_folder, path) = self::file(points([0.5, 0.25], |x| x));
+    let options = ReadOptions { pixel: None, unit: Some(LengthUnits::same(1e-6)) };
+    let turned = MapFile { transpose: true, ..MapFile::new(&path, options) }.height_map().unwrap();
+    assert_eq!(turned.pixel(), [0.25e-6, 0.5e-6]);
 }
 
 #[test]
@@ -172,7 +301,7 @@ fn opd_1_as_text_and_as_points_is_the_same_surface() {
     }
     assert_opd(matrix, ReadOptions::default(), 1e-15);
     // Coordinates with four decimals of a micrometre; the unit goes for all three columns.
-    let in_um = ReadOptions { pixel: None, unit: Some(1e-6) };
+    let in_um = ReadOptions { pixel: None, unit: Some(LengthUnits::same(1e-6)) };
     let (_folder, path) = file(&points);
     let pixel = height_map(&path, in_um).unwrap().pixel();
     assert!(pixel.iter().all(|size| (size / opd.pixel()[0] - 1.0).abs() < 1e-5), "{pixel:?}");

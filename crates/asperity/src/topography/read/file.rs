@@ -1,0 +1,160 @@
+//! A file of heights and all that is said of it.
+
+use std::path::{Path, PathBuf};
+
+use super::content::{Measured, Metadata, ReadOptions, transposed};
+use super::error::{MAX_HEIGHT, ReadError};
+use super::marks::{Extremes, mark_missing};
+use super::npy::MappedMap;
+use super::{Format, measured, metadata, npy};
+use crate::npy::{Header, Mapped};
+use crate::numeric::LARGEST;
+use crate::progress::Progress;
+use crate::topography::{HeightMap, MapError, Rows, Watched, rows};
+
+/// A file of heights and how it is read.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MapFile {
+    /// Where it is.
+    pub path: PathBuf,
+    /// What the file does not hold.
+    pub options: ReadOptions,
+    /// Heights that mark missing points, in the unit of the file (of X3P and SDF: in metres). Where there are none stated,
+    /// or others than these, a height far from all others is an error; an empty list says that all are heights.
+    pub missing: Option<Vec<f64>>,
+    /// Whether x and y are exchanged: a pixel of the options is that of the map with x and y exchanged.
+    pub transpose: bool,
+}
+
+impl MapFile {
+    /// A file that is read as it is.
+    pub fn new(path: &Path, options: ReadOptions) -> Self {
+        Self { path: path.to_owned(), options, missing: None, transpose: false }
+    }
+
+    /// Size, pixel and format of the map, see [`metadata`].
+    ///
+    /// # Errors
+    /// As [`metadata`].
+    pub fn metadata(&self) -> Result<Metadata, ReadError> {
+        Ok(self.turned(metadata(&self.path)?))
+    }
+
+    fn turned(&self, metadata: Metadata) -> Metadata {
+        if self.transpose { metadata.transposed() } else { metadata }
+    }
+
+    fn marks(&self) -> &[f64] {
+        self.missing.as_deref().unwrap_or_default()
+    }
+
+    /// Whether all heights are said to be heights.
+    fn has_no_marks(&self) -> bool {
+        self.missing.as_ref().is_some_and(Vec::is_empty)
+    }
+
+    /// Reads the map of heights in metres, relative to the offset of its file ([`Rows::offset`]).
+    ///
+    /// # Errors
+    /// See [`ReadError`].
+    pub fn height_map(&self) -> Result<HeightMap, ReadError> {
+        let Measured { metadata, mut heights, scale, offset, mut precision } = measured(&self.path)?;
+        if self.transpose {
+            heights = transposed(&heights, metadata.points[1]);
+        }
+        let metadata = self.turned(metadata);
+        let pixel = metadata.pixel(&self.options)?;
+        let unit = metadata.units(&self.options)?.z;
+        if unit != 1.0 {
+            precision = precision.max(f64::EPSILON);
+        }
+        let marks: Vec<f64> = self.marks().iter().map(|mark| mark * scale).collect();
+        mark_missing(&mut heights, &marks);
+        self.check_heights(&mut heights, unit, scale, metadata.has_unit)?;
+        Ok(HeightMap::new(metadata.points, pixel, heights, precision)?.with_offset(offset * unit))
+    }
+
+    /// Whether [`rows`](Self::rows) leaves the map on disk: a `.npy` in C order that is not transposed.
+    ///
+    /// # Errors
+    /// As [`metadata`](Self::metadata).
+    pub fn stays_on_disk(&self) -> Result<bool, ReadError> {
+        let is_npy = Format::detect(&self.path)? == Format::Npy;
+        Ok(is_npy && !self.transpose && !Header::read(&self.path)?.is_fortran())
+    }
+
+    /// Opens the map for reading by rows. One that [stays on disk](Self::stays_on_disk) may be larger than memory; its
+    /// heights are checked, one unit of work for `progress`.
+    ///
+    /// # Errors
+    /// As [`height_map`](Self::height_map).
+    pub fn rows(&self, progress: &dyn Progress) -> Result<Box<dyn Rows>, ReadError> {
+        let map = self.unchecked_rows()?;
+        if self.stays_on_disk()? {
+            self.check_rows(&Watched { map: &*map, progress })?;
+        }
+        Ok(map)
+    }
+
+    /// The same without reading the heights of a map that stays on disk: of one that is read in parts, which are checked
+    /// with [`check_rows`](Self::check_rows) each.
+    ///
+    /// # Errors
+    /// As [`height_map`](Self::height_map).
+    pub fn unchecked_rows(&self) -> Result<Box<dyn Rows>, ReadError> {
+        if !self.stays_on_disk()? {
+            return Ok(Box::new(self.height_map()?));
+        }
+        let metadata = npy::metadata(&self.path)?;
+        let (pixel, unit) = (metadata.pixel(&self.options)?, metadata.units(&self.options)?.z);
+        let array = Mapped::open(&self.path)?;
+        Ok(Box::new(MappedMap { array, pixel, unit, missing: self.marks().to_vec() }))
+    }
+
+    /// Checks size, units and heights of the map, or of a part of it, that was read row by row.
+    ///
+    /// # Errors
+    /// As [`height_map`](Self::height_map); [`MapError::AllMissing`] without a single height.
+    pub fn check_rows(&self, map: &dyn Rows) -> Result<(), ReadError> {
+        HeightMap::check_grid(map.points(), map.pixel())?;
+        let extremes = |strip: rows::Strip| {
+            Extremes::new((0..strip.count as isize).filter_map(|k| strip.row(k)).flatten())
+        };
+        let all = rows::strips(map, 0, extremes).into_iter().fold(Extremes::NONE, Extremes::joined);
+        let Some(tallest) = all.tallest() else { return Err(MapError::AllMissing.into()) };
+        let unit = self.options.unit.map_or(1.0, |units| units.z);
+        self.check_extremes(all, unit)?;
+        if tallest > MAX_HEIGHT { Err(ReadError::TooTall { tallest, has_unit: false }) } else { Ok(()) }
+    }
+
+    /// Replaces marks of missing points that the format has by NaN, converts heights from the `unit` of their file to metres,
+    /// and rejects those too large for a rough surface.
+    fn check_heights(
+        &self,
+        heights: &mut [f64],
+        unit: f64,
+        scale: f64,
+        has_unit: bool,
+    ) -> Result<(), ReadError> {
+        /// A larger height in metres marks a missing point, such as 1e10.
+        const MARK: f64 = 1e3;
+        let mark = if has_unit { MARK } else { LARGEST };
+        for z in &mut *heights {
+            *z = if z.abs() <= mark { *z * unit } else { f64::NAN };
+        }
+        let all = Extremes::new(&*heights);
+        self.check_extremes(all, unit * scale)?;
+        match all.tallest() {
+            Some(tallest) if tallest > MAX_HEIGHT => Err(ReadError::TooTall { tallest, has_unit }),
+            _ => Ok(()),
+        }
+    }
+
+    /// Rejects a mark of missing points that is not stated; `unit` is that of the heights in the file, m.
+    fn check_extremes(&self, all: Extremes, unit: f64) -> Result<(), ReadError> {
+        match all.mark(unit).filter(|_| !self.has_no_marks()) {
+            Some(error) => Err(error),
+            None => Ok(()),
+        }
+    }
+}

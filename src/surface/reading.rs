@@ -1,0 +1,66 @@
+//! How a file of heights was read, where a reader should know: what was left out, and which axis is x.
+
+use asperity::topography::read::{LeftOut, Metadata};
+use asperity_contact_framework::report::format::{count, input_quantity};
+
+/// Caveats of a file that was read as `metadata` (transposed where `transpose`) with this pixel, m.
+pub fn caveats(metadata: &Metadata, pixel: [f64; 2], transpose: bool) -> Vec<String> {
+    let mut caveats: Vec<String> = left_out(metadata.left_out).into_iter().collect();
+    if metadata.pixel.is_none() && differ(pixel) {
+        caveats.push(axes(metadata, pixel, transpose));
+    }
+    caveats
+}
+
+fn left_out(LeftOut { header, index_column }: LeftOut) -> Option<String> {
+    let line = header.map(|line| format!("line {line} of its file names or numbers the columns"));
+    let column = index_column.then_some("the first column of its file numbers or names the lines");
+    Some(match (line, column) {
+        (Some(line), Some(column)) => format!("{line}, and {column}: both hold no heights and are left out."),
+        (Some(line), None) => format!("{line}: it holds no heights and is left out."),
+        (None, Some(column)) => format!("{column}: it holds no heights and is left out."),
+        (None, None) => return None,
+    })
+}
+
+/// Whether a pixel differs along x and y by more than a rounding of either.
+fn differ([x, y]: [f64; 2]) -> bool {
+    const ROUNDING: f64 = 0.01;
+    (x / y - 1.0).abs() > ROUNDING
+}
+
+/// Which axis of the file is x.
+fn axes(metadata: &Metadata, pixel: [f64; 2], transpose: bool) -> String {
+    let mut along = if metadata.has_x_first() {
+        ["along the first index of the array", "along the second"]
+    } else {
+        ["along the lines of its file", "from line to line"]
+    };
+    if transpose {
+        along.reverse();
+    }
+    let [x, y] = [0, 1].map(|axis| {
+        format!("{} points of {}", count(metadata.points[axis]), input_quantity(pixel[axis], "m"))
+    });
+    let exchange =
+        if transpose { "without `transpose`" } else { "`transpose = true` next to `path` means that" };
+    format!(
+        "its pixel differs along x and y: x runs {} ({x}), y {} ({y}); {exchange} they are exchanged.",
+        along[0], along[1]
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_left_out_is_named() {
+        let words = |header, index_column| left_out(LeftOut { header, index_column });
+        assert!(words(Some(3), false).unwrap().starts_with("line 3 of its file names"));
+        assert!(words(Some(1), true).unwrap().ends_with("both hold no heights and are left out."));
+        assert!(words(None, true).unwrap().starts_with("the first column"));
+        assert_eq!(words(None, false), None);
+        assert!(differ([1e-6, 2e-6]) && !differ([1.0001e-6, 1e-6]));
+    }
+}
