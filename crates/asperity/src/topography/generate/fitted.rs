@@ -99,7 +99,7 @@ impl FittedProcess {
     /// correlation lengths it holds (`[coverage]`).
     pub fn widening(&self) -> f64 {
         /// Of the mean of 1/lengths along both sides.
-        const PER_LENGTH: f64 = 1.2;
+        const PER_LENGTH: f64 = 1.4;
         1.0 + PER_LENGTH / (self.lengths[0] * self.lengths[1]).sqrt()
     }
 
