@@ -17,5 +17,6 @@ mod lists;
 mod measured;
 mod npy;
 mod reference;
+mod small_maps;
 mod surfaces;
 mod units;
