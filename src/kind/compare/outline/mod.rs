@@ -102,6 +102,7 @@ impl Outcome for CompareResults {
                 "layer",
                 json!({
                     "material": layer.name,
+                    "on": layer.on.name(),
                     "rule": layer.rule.name(),
                     "thicknesses_m": layer.thicknesses.iter().map(finite).collect::<Vec<_>>(),
                     "modulus_ratio": layer.check.as_ref().map(|check| check.modulus_ratio),
