@@ -60,12 +60,12 @@ impl LayerPlan {
     }
 }
 
-/// "lead of 0, 50 nm, inf on the flat, rule gao".
+/// "0, 50 nm, inf of lead on the flat, rule gao".
 impl fmt::Display for LayerPlan {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let thicknesses: Vec<String> = self.thicknesses.iter().map(|&t| thickness_words(t)).collect();
         let (thicknesses, body) = (thicknesses.join(", "), body_words(self.on));
-        write!(f, "{} of {thicknesses} on {body}, rule {}", self.name, self.rule.name())
+        write!(f, "{thicknesses} of {} on {body}, rule {}", self.name, self.rule.name())
     }
 }
 

@@ -223,7 +223,7 @@ impl StudyPlan {
         writeln!(f, "  {} on {}, law {}", self.bodies.rough, self.bodies.flat, laws.join(", "))?;
         let each = match &self.layer {
             Some(layer) => {
-                writeln!(f, "  under {layer}")?;
+                writeln!(f, "  layer: {layer}")?;
                 "law, thickness and surface"
             }
             None => "law and surface",

@@ -24,7 +24,8 @@ impl Outcome for TiledResults {
     }
 
     fn warnings(&self) -> Vec<String> {
-        let mut warnings: Vec<String> = self.implausible.iter().chain(&self.contact.caveats).cloned().collect();
+        let mut warnings: Vec<String> =
+            self.implausible.iter().chain(&self.contact.caveats).cloned().collect();
         if let Some(layer) = self.contact.layer.as_ref().filter(|layer| layer.on == Body::Rough) {
             let TiledSurface { name, population, .. } = &self.surface;
             let surface = CoatedSurface { name, radius: population.radius, sq: None };
