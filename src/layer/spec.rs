@@ -32,7 +32,7 @@ pub struct LayerSpec {
     #[serde(default)]
     #[schemars(extend("default" = "gao", "examples" = ["series"]))]
     pub rule: ModulusModel,
-    /// The body that has the layer. It follows the rough body, whose heights are those of the coated surface; each coated asperity is taken as a layered half-space.
+    /// The body that has the layer. On the rough body it follows the surface, whose heights are those of the coated one; each coated asperity is taken as a layered half-space.
     #[schemars(extend("default" = "flat", "examples" = ["rough"]))]
     pub on: Option<Spanned<Body>>,
 }

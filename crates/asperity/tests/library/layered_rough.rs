@@ -88,7 +88,7 @@ fn the_softer_of_coated_rough_body_and_flat_yields() {
     assert!((coated / bare - 1.0).abs() < 1e-12, "{coated:e} {bare:e}");
     let regime = |t: f64| {
         let coated = Flat::with_layer(&lead(), &steel(), t, ModulusModel::Gao).unwrap();
-        zmc.interface_of(&coated, Body::Rough, &rigid).unwrap().contact(1e-10, Shape::sphere(B)).regime
+        zmc.interface_of(&coated, Body::Rough, &rigid).unwrap().contact(1e-8, Shape::sphere(B)).regime
     };
     assert_eq!([regime(0.0), regime(1e-5)], [Regime::Elastic, Regime::ElasticPlastic]);
 }
