@@ -86,9 +86,10 @@ impl CoatedSurface<'_> {
         let filling = self.sq.filter(|sq| t > *sq).map(|sq| {
             format!(
                 "{of}: the thickness is {} times Sq, {}. So thick a layer may fill valleys instead of following the surface: the map must \
-                 be that of the coated surface, and the thickness below a summit may differ by about Sq from that of the spec",
+                 be that of the coated surface, and the thickness below a summit may differ by about Sq, {} %, from that of the spec",
                 number(t / sq),
-                quantity(sq, "m")
+                quantity(sq, "m"),
+                number(100.0 * sq / t)
             )
         });
         curved.into_iter().chain(filling).collect()
@@ -106,7 +107,7 @@ mod tests {
         assert_eq!(warnings(&[0.0, 0.4e-6, f64::INFINITY]), Vec::<String>::new());
         let between = warnings(&[0.0, 1e-6]);
         assert!(
-            matches!(&between[..], [one] if one.starts_with("layer dlc of 1 µm on the rough body, surface a: the thickness is 2.5 times Sq, 400 nm")),
+            matches!(&between[..], [one] if one.starts_with("layer dlc of 1 µm on the rough body, surface a: the thickness is 2.5 times Sq, 400 nm") && one.contains("about Sq, 40 %,")),
             "{between:?}"
         );
         let thick = warnings(&[1e-7, 2e-6]);
