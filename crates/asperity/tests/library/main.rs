@@ -13,6 +13,7 @@ mod heights;
 mod invariants;
 mod joint;
 mod layered_flat;
+mod layered_rough;
 mod lists;
 mod measured;
 mod npy;
