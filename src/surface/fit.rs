@@ -91,6 +91,7 @@ pub fn reason(step: &FitStep) -> Option<String> {
         }
         Refusal::FewSummits(summits) => format!("{} summits would be left", count(*summits)),
         Refusal::NotBetter => "the check does not come out better".to_owned(),
+        Refusal::StillFails => "the check still fails, with weaker filters too".to_owned(),
         Refusal::Impossible(why) => format!("the map {why}"),
     })
 }

@@ -51,6 +51,8 @@ pub enum Refusal {
     FewSummits(usize),
     /// The check would not come out better.
     NotBetter,
+    /// The check would still fail with the strongest filter tried.
+    StillFails,
     /// The map would have no asperities, or does not hold the filter.
     Impossible(String),
 }
@@ -68,6 +70,16 @@ pub struct FitStep {
     pub sq_ratio: Option<f64>,
     /// Why the remedy was not applied; `None` where it was.
     pub refusal: Option<Refusal>,
+}
+
+impl FitStep {
+    /// Whether another step is about the same check and setting.
+    fn is_of_same(&self, other: &Self) -> bool {
+        let same = |a: &Option<Remedy>, b: &Option<Remedy>| {
+            a.as_ref().map(std::mem::discriminant) == b.as_ref().map(std::mem::discriminant)
+        };
+        self.before.check == other.before.check && same(&self.remedy, &other.remedy)
+    }
 }
 
 /// A preparation found by [`Self::new`], and how.
@@ -113,9 +125,9 @@ impl Fit {
         let mut refused: Vec<Remedy> = Vec::new();
         for _ in 0..MOST_STEPS {
             let Some((finding, remedy)) = state.next(&refused) else { break };
-            // What was refused on the map as it was may help on the map as it is.
-            steps.retain(|step| step.refusal.is_none() || step.remedy != Some(remedy));
             let step = state.step(finding, remedy);
+            // What was refused on the map as it was may help on the map as it is.
+            steps.retain(|before| before.refusal.is_none() || !before.is_of_same(&step));
             match step.refusal {
                 None => refused.clear(),
                 Some(_) => refused.push(remedy),
@@ -176,8 +188,28 @@ impl State<'_> {
         self.facts.spikes.as_ref().is_some_and(|spikes| spikes.left.count() > 0 && spikes.removed == 0)
     }
 
-    /// Tries a remedy, and keeps it unless it is refused.
+    /// Tries a remedy, and keeps it unless it is refused. Of filters the gentlest is kept that remedies the fault.
     fn step(&mut self, before: Finding, remedy: Remedy) -> FitStep {
+        let mut last = None;
+        for remedy in remedy.gentle_first(&self.facts) {
+            let step = self.try_one(before, remedy);
+            let is_last = !matches!(step.refusal, Some(Refusal::StillFails));
+            last = Some(step);
+            if is_last {
+                break;
+            }
+        }
+        let none = FitStep {
+            before,
+            remedy: Some(remedy),
+            after: None,
+            sq_ratio: None,
+            refusal: Some(Refusal::NoRemedy),
+        };
+        last.unwrap_or(none)
+    }
+
+    fn try_one(&mut self, before: Finding, remedy: Remedy) -> FitStep {
         let step =
             |after, sq_ratio, refusal| FitStep { before, remedy: Some(remedy), after, sq_ratio, refusal };
         if self.kept.forbids(remedy) {
@@ -223,7 +255,11 @@ impl State<'_> {
         if facts.summits < LEAST_SUMMITS.min(self.facts.summits) {
             return Some(Refusal::FewSummits(facts.summits));
         }
-        let is_better = after.is_none_or(|after| after.has_passed() || after.excess() < before.excess());
+        let has_passed = after.is_none_or(Finding::has_passed);
+        if remedy.is_filter() {
+            return (!has_passed).then_some(Refusal::StillFails);
+        }
+        let is_better = has_passed || after.is_some_and(|after| after.excess() < before.excess());
         (!is_better).then_some(Refusal::NotBetter)
     }
 }
@@ -238,4 +274,99 @@ fn facts(
     let search = SummitSearch { divides: false, keeps_map, progress, ..SummitSearch::new(preparation) };
     let (facts, prepared) = search.facts_and_map(raw)?;
     Ok((facts, prepared.map(|prepared| prepared.map)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::progress::Silent;
+    use crate::topography::Level;
+    use crate::topography::fitness::Check;
+    use crate::topography::generate::gaussian;
+    use crate::topography::spectrum::{Lay, Spectrum, SpectrumShape};
+    use crate::topography::summits::Neighbours;
+
+    const SIDE: usize = 256;
+
+    /// A map of Sq 0.1 on pixels of 1, whose shortest waves are 8 long, with what is `planted`.
+    fn map(planted: impl Fn(usize, usize) -> f64) -> HeightMap {
+        let shape = SpectrumShape::SelfAffine { hurst: 0.8, roll_off: 24.0, cut_off: 8.0 };
+        let spectrum = Spectrum::new(shape, Lay::default()).unwrap().on_grid([SIDE; 2], [1.0; 2]);
+        let heights = gaussian(&spectrum, 0.1, [9; 32]);
+        let heights = heights.iter().enumerate().map(|(k, z)| z + planted(k / SIDE, k % SIDE)).collect();
+        HeightMap::new([SIDE; 2], [1.0; 2], heights, 0.0).unwrap()
+    }
+
+    fn fit(map: &HeightMap, kept: Kept) -> Fit {
+        let preparation = Preparation { level: Level::Plane, ..Preparation::none(Neighbours::Four) };
+        Fit::new(map, preparation, kept, AnalysisDepth::Comparison, &Silent).unwrap()
+    }
+
+    fn applied(fit: &Fit) -> Vec<Remedy> {
+        let applied = fit.steps.iter().filter(|step| step.refusal.is_none());
+        applied.filter_map(|step| step.remedy).collect()
+    }
+
+    fn spikes(i: usize, j: usize) -> f64 {
+        if i % 50 == 20 && j % 60 == 30 { 2.0 } else { 0.0 }
+    }
+
+    fn bow(i: usize, _: usize) -> f64 {
+        0.3 * (i as f64 / 128.0 - 1.0).powi(2)
+    }
+
+    #[test]
+    fn faults_are_remedied_in_order_until_the_map_is_fit() {
+        let sound = fit(&map(|_, _| 0.0), Kept::default());
+        assert!(sound.is_fit && sound.steps.is_empty(), "{:?}", sound.steps);
+        let found = fit(&map(|i, j| spikes(i, j) + bow(i, j)), Kept::default());
+        assert!(found.is_fit, "{:?}", found.steps);
+        assert_eq!(applied(&found), [Remedy::RemoveSpikes, Remedy::Level(Level::Quadratic)]);
+        let [first, second] = [0, 1].map(|k| found.steps[k].clone());
+        assert!(first.before.value > 10.0 && first.after.unwrap().value == 0.0);
+        assert!(second.before.value > 0.1 && second.after.unwrap().has_passed());
+        assert!(found.preparation.removes_spikes && found.preparation.level == Level::Quadratic);
+        let (image, marked) = found.before.unwrap();
+        assert_eq!((image.points(), marked.len()), ([86; 2], first.before.value as usize));
+    }
+
+    #[test]
+    fn settings_that_were_chosen_are_kept_and_the_map_stays_unfit() {
+        let kept = Kept { level: true, ..Kept::default() };
+        let found = fit(&map(|i, j| spikes(i, j) + bow(i, j)), kept);
+        assert!(!found.is_fit && found.preparation.level == Level::Plane);
+        assert_eq!(applied(&found), [Remedy::RemoveSpikes]);
+        let refused = found.steps.iter().find(|step| step.before.check == Check::Form).unwrap();
+        assert_eq!(refused.refusal, Some(Refusal::Kept));
+    }
+
+    #[test]
+    fn remedies_that_change_more_than_a_fault_are_refused() {
+        // Waves of the map's own length are most of it.
+        let long = |i: usize, j: usize| 0.4 * ((i as f64 / 33.0).sin() + (j as f64 / 33.0).sin());
+        let found = fit(&map(long), Kept { level: true, ..Kept::default() });
+        let step = found.steps.iter().find(|step| step.before.check == Check::LongWaves).unwrap();
+        assert!(matches!(step.refusal, Some(Refusal::Variance(ratio)) if ratio < 0.5), "{:?}", found.steps);
+        assert!(!found.is_fit && found.preparation.filter.is_none());
+        // One point in sixteen.
+        let many = |i: usize, j: usize| if i % 4 == 0 && j % 4 == 0 { 5.0 } else { 0.0 };
+        let found = fit(&map(many), Kept::default());
+        let step = found.steps.iter().find(|step| step.before.check == Check::Spikes).unwrap();
+        assert!(
+            matches!(step.refusal, Some(Refusal::ManyPoints(share)) if share > 0.05),
+            "{:?}",
+            found.steps
+        );
+        assert!(!found.preparation.removes_spikes);
+    }
+
+    #[test]
+    fn wrong_units_are_reported_and_nothing_is_remedied() {
+        let heights = map(bow).into_heights().iter().map(|z| 1e6 * z).collect();
+        let found = fit(&HeightMap::new([SIDE; 2], [1.0; 2], heights, 0.0).unwrap(), Kept::default());
+        let refusals: Vec<_> =
+            found.steps.iter().map(|step| (step.before.check, step.refusal.clone())).collect();
+        assert_eq!(refusals, [(Check::Slope, Some(Refusal::Units))]);
+        assert!(!found.is_fit && found.preparation.level == Level::Plane);
+    }
 }

@@ -27,8 +27,14 @@ const STEPS: f64 = 8.0;
 const LONGER: f64 = 2.0;
 const SHORTER: f64 = 2.0 / 3.0;
 
-/// The first L filter, of the shorter side.
+/// The L filter that leaves enough patches on most maps, of the shorter side.
 const OF_SIDE: f64 = 1.0 / 6.0;
+
+/// L filters to try, of the shorter side: the first that is enough changes the map least.
+const SIDES: [f64; 5] = [1.0 / 2.0, 1.0 / 3.0, 1.0 / 4.0, 1.0 / 6.0, 1.0 / 8.0];
+
+/// S filters to try, of the first.
+const LONGER_BY: [f64; 3] = [1.0, 2.0, 4.0];
 
 impl Remedy {
     /// The next remedy of a failed check on a map as it was prepared; `None` where no preparation helps, or none further.
@@ -67,6 +73,27 @@ impl Remedy {
             | Measure::LeastSlope
             | Measure::NominalArea => None,
         }
+    }
+
+    /// The remedies of its kind to try on a map as it was prepared, the one that changes least first.
+    pub fn gentle_first(self, map: &MapFacts) -> Vec<Self> {
+        let side = [0, 1].map(|axis| map.points[axis] as f64 * map.pixel[axis]);
+        let now = map.filter.and_then(|filter| filter.l()).unwrap_or(f64::INFINITY);
+        match self {
+            Self::ShortWaves(first) => {
+                LONGER_BY.map(|factor| Self::ShortWaves(two_digits(factor * first))).to_vec()
+            }
+            Self::LongWaves(_) => {
+                let all = SIDES.map(|part| two_digits(part * side[0].min(side[1])));
+                all.into_iter().filter(|l| *l < now).map(Self::LongWaves).collect()
+            }
+            _ => vec![self],
+        }
+    }
+
+    /// Whether it takes out waves, which only a remedied fault is worth.
+    pub fn is_filter(self) -> bool {
+        matches!(self, Self::ShortWaves(_) | Self::LongWaves(_))
     }
 
     /// The preparation with this remedy.

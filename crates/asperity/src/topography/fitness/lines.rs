@@ -22,7 +22,7 @@ const CUT: f64 = 5.0;
 const LARGEST_OFFSET: f64 = 8.0;
 
 /// A single offset is at least so many times the mean deviation of the steps of its own line from it. All points of a line share an offset: lines
-/// of five measured maps reach 4.6 to 130. The wall of a groove is not straight to the pixel: at most 1.2 on two maps of steep walls.
+/// of two measured maps reach 5 to 130. The wall of a groove is not straight to the pixel: at most 1.2 on two maps of steep walls.
 const COHERENT: f64 = 2.5;
 
 /// Offsets between neighbouring lines of a map.
