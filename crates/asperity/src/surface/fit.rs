@@ -288,13 +288,14 @@ mod tests {
 
     const SIDE: usize = 256;
 
-    /// A map of Sq 0.1 on pixels of 1, whose shortest waves are 8 long, with what is `planted`.
+    /// A map of Sq 0.1 um on pixels of 1 um, whose shortest waves are 8 um long, with what is `planted` (um).
     fn map(planted: impl Fn(usize, usize) -> f64) -> HeightMap {
         let shape = SpectrumShape::SelfAffine { hurst: 0.8, roll_off: 24.0, cut_off: 8.0 };
         let spectrum = Spectrum::new(shape, Lay::default()).unwrap().on_grid([SIDE; 2], [1.0; 2]);
         let heights = gaussian(&spectrum, 0.1, [9; 32]);
-        let heights = heights.iter().enumerate().map(|(k, z)| z + planted(k / SIDE, k % SIDE)).collect();
-        HeightMap::new([SIDE; 2], [1.0; 2], heights, 0.0).unwrap()
+        let heights =
+            heights.iter().enumerate().map(|(k, z)| 1e-6 * (z + planted(k / SIDE, k % SIDE))).collect();
+        HeightMap::new([SIDE; 2], [1e-6; 2], heights, 0.0).unwrap()
     }
 
     fn fit(map: &HeightMap, kept: Kept) -> Fit {
@@ -332,7 +333,7 @@ mod tests {
 
     #[test]
     fn settings_that_were_chosen_are_kept_and_the_map_stays_unfit() {
-        let kept = Kept { level: true, ..Kept::default() };
+        let kept = Kept { level: true, l: true, ..Kept::default() };
         let found = fit(&map(|i, j| spikes(i, j) + bow(i, j)), kept);
         assert!(!found.is_fit && found.preparation.level == Level::Plane);
         assert_eq!(applied(&found), [Remedy::RemoveSpikes]);
@@ -362,8 +363,8 @@ mod tests {
 
     #[test]
     fn wrong_units_are_reported_and_nothing_is_remedied() {
-        let heights = map(bow).into_heights().iter().map(|z| 1e6 * z).collect();
-        let found = fit(&HeightMap::new([SIDE; 2], [1.0; 2], heights, 0.0).unwrap(), Kept::default());
+        let heights = map(bow).into_heights().iter().map(|z| 1e3 * z).collect();
+        let found = fit(&HeightMap::new([SIDE; 2], [1e-6; 2], heights, 0.0).unwrap(), Kept::default());
         let refusals: Vec<_> =
             found.steps.iter().map(|step| (step.before.check, step.refusal.clone())).collect();
         assert_eq!(refusals, [(Check::Slope, Some(Refusal::Units))]);
