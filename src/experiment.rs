@@ -1,5 +1,6 @@
 //! From a spec file to results: read, plan, run. No output to terminal or files.
 
+use std::any::Any;
 use std::fmt;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
@@ -21,8 +22,9 @@ use indexmap::IndexMap;
 use sha2::{Digest, Sha256};
 
 use crate::kind::compare::plan::described;
+use crate::kind::compare::results::CompareResults;
 use crate::kind::{KINDS, SURFACES};
-use crate::surface::{FileOptions, SurfaceFactory, SurfacesPlan, files_of, surfaces};
+use crate::surface::{FileOptions, SurfaceFactory, SurfacesPlan, by_hand, files_of, surfaces};
 
 /// SHA-256 of the sources that this program was built from.
 const SOURCES: &str = env!("ASPERITY_SOURCES");
@@ -101,7 +103,7 @@ impl Experiment {
         if is_spec && *options != FileOptions::default() {
             return Err(InputError::file(
                 path,
-                "is a spec, which defines its surfaces completely; --pixel, --unit, --missing, --transpose, --outliers, --align-lines, --tip, --level, --s, --l, \
+                "is a spec, which defines its surfaces completely; --pixel, --unit, --missing, --transpose, --fit, --outliers, --align-lines, --tip, --level, --s, --l, \
                  --neighbours, --material, --rough, --flat, --layer, --thickness, --load, --area and --pressure are allowed only with a \
                  measured file",
             ));
@@ -284,6 +286,17 @@ impl Experiment {
             source,
             progress,
         }
+    }
+}
+
+/// The spec, to be saved at `spec`, that gives `results` on the file at `path` as `options` did: with the preparation that was found.
+pub fn saved_spec(options: &FileOptions, path: &Path, spec: &Path, results: &dyn Outcome) -> String {
+    let text = options.saved_spec(path, spec);
+    let results = (results as &dyn Any).downcast_ref::<CompareResults>();
+    let fit = results.and_then(|results| results.surfaces.first()?.surface.fit.as_ref());
+    match fit {
+        Some(fit) => by_hand(&text, fit),
+        None => text,
     }
 }
 

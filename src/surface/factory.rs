@@ -14,11 +14,12 @@ use asperity_contact_framework::progress::{Progress, Silent};
 use asperity_contact_framework::report::format::{input_quantity, quantity};
 
 use super::files::Files;
+use super::fit::{self, as_written};
 use super::fitness;
 use super::plan::{Origin, SurfacePlan};
 use super::read_error::{list_message, spec_message};
 use super::spec::DrawSpec;
-use asperity::surface::{AnalysisDepth, Independence};
+use asperity::surface::{AnalysisDepth, Fit, Independence};
 use asperity::surface::{MapFacts, Surface};
 use asperity::surface::{NoAsperities, Preparation, SummitSearch};
 
@@ -35,6 +36,8 @@ pub struct SurfaceFactory<'a> {
     keeps_map: bool,
     /// The measured map that was made last, as read.
     raw: Option<Arc<dyn Rows>>,
+    /// The preparation that was found for it.
+    fitted: Option<Preparation>,
 }
 
 impl<'a> SurfaceFactory<'a> {
@@ -52,7 +55,17 @@ impl<'a> SurfaceFactory<'a> {
         counter: &'a Counter,
         progress: &'a dyn Progress,
     ) -> Self {
-        Self { plan, source, seed, progress, counter, bandwidth: None, keeps_map: false, raw: None }
+        Self {
+            plan,
+            source,
+            seed,
+            progress,
+            counter,
+            bandwidth: None,
+            keeps_map: false,
+            raw: None,
+            fitted: None,
+        }
     }
 
     /// The same, of surfaces that keep their prepared map if they have one and `keeps_map`.
@@ -76,10 +89,10 @@ impl<'a> SurfaceFactory<'a> {
         Ok(Surface { realisations: self.plan.realisations, ..surface })
     }
 
-    /// How a measured map is prepared; `None` of other surfaces.
+    /// How a measured map is prepared; of one whose preparation is found on it, once it was made. `None` of other surfaces.
     pub fn preparation(&self) -> Option<Preparation> {
         match &self.plan.origin {
-            Origin::Map(map) => Some(map.preparation),
+            Origin::Map(map) => Some(self.fitted.unwrap_or(map.preparation)),
             Origin::List { .. } | Origin::Population { .. } | Origin::Generated(_) => None,
         }
     }
@@ -235,8 +248,17 @@ impl<'a> SurfaceFactory<'a> {
                     rows = Arc::new(Continued(rows));
                 }
                 timing.read += start.elapsed();
+                let fit = match map.fit {
+                    Some(kept) => {
+                        let found = Fit::new(&*rows, map.preparation, kept, depth, self.progress);
+                        Some(found.map_err(|error| refuse(&no_asperities(&error, map.preparation.filter)))?)
+                    }
+                    None => None,
+                };
+                self.fitted = fit.as_ref().map(|fit| as_written(&fit.preparation));
+                let preparation = self.fitted.unwrap_or(map.preparation);
                 let search = SummitSearch {
-                    preparation: map.preparation,
+                    preparation,
                     generation: None,
                     as_ellipses: self.plan.as_ellipses,
                     depth,
@@ -246,7 +268,9 @@ impl<'a> SurfaceFactory<'a> {
                     progress: self.progress,
                 };
                 let mut surface = found(name, &search, &*rows, timing)
-                    .map_err(|error| refuse(&no_asperities(&error, map.preparation.filter)))?;
+                    .map_err(|error| refuse(&no_asperities(&error, preparation.filter)))?;
+                surface.warnings.extend(fit.as_ref().map(fit::caveat));
+                surface.fit = fit.map(Box::new);
                 surface.warnings.extend(map.caveats.iter().cloned());
                 self.raw = Some(rows);
                 Ok(surface)

@@ -3,7 +3,8 @@
 use asperity::topography::fitness::{Check, Finding, Measure};
 use asperity_contact_framework::report::format::{count, input_quantity, number, percent, quantity};
 
-use asperity::surface::{MapFacts, Surface};
+use asperity::surface::{MapFacts, Remedy, Surface};
+use asperity::topography::fitness::LARGEST_FLANKS;
 
 /// Caveats that no check states.
 pub fn warnings(map: &MapFacts) -> Vec<String> {
@@ -45,30 +46,36 @@ pub fn failures(map: &MapFacts) -> Vec<String> {
     let sentence = |finding: &Finding| {
         format!("{}: {}. Remedy: {}.", finding.check.name(), fault(finding, map), remedy(finding, map))
     };
-    in_order(map).into_iter().map(sentence).collect()
+    map.blocking_in_order().into_iter().map(sentence).collect()
 }
 
-/// The one thing to do next to a map that may not carry a verdict: its first fault with the remedy; `None` where there is none.
+/// The one thing to do next to a map that may not carry a verdict: its first fault with the remedy, which `--fit` may find too; `None`
+/// where there is none.
 pub fn next_step(surface: &Surface) -> Option<String> {
     let map = surface.map.as_ref()?;
-    let blocking = in_order(map);
+    let blocking = map.blocking_in_order();
     let first = blocking.first()?;
+    let is_remedied = surface.fit.is_none() && Remedy::new(first, map).is_some();
+    let fit =
+        if is_remedied { ", or let `--fit` (`fit = \"auto\"` in a spec) find the preparation" } else { "" };
     let others = match blocking.len() - 1 {
         0 => String::new(),
         1 => "; one more check fails, perhaps of the same fault".to_owned(),
         count => format!("; {count} more checks fail, perhaps of the same fault"),
     };
-    Some(format!("{} ({}){others}", remedy(first, map), fault(first, map)))
+    Some(format!("{}{fit} ({}){others}", remedy(first, map), fault(first, map)))
 }
 
-/// The blocking checks in the order in which their faults are to be remedied.
-fn in_order(map: &MapFacts) -> Vec<&Finding> {
-    const ORDER: [Check; 5] = [Check::Slope, Check::Spikes, Check::Lines, Check::Form, Check::Steps];
-    let rank =
-        |finding: &&Finding| ORDER.iter().position(|check| *check == finding.check).unwrap_or(ORDER.len());
-    let mut blocking: Vec<&Finding> = map.blocking().collect();
-    blocking.sort_by_key(rank);
-    blocking
+/// A remedy as a spec has it.
+pub fn written(remedy: Remedy) -> String {
+    let filter = |key: &str, index: f64| format!("filter = {{ {key} = \"{}\" }}", input_quantity(index, "m"));
+    match remedy {
+        Remedy::RemoveSpikes => "outliers = \"remove\"".to_owned(),
+        Remedy::AlignLines(lines) => format!("align-lines = \"{}\"", lines.name()),
+        Remedy::Level(level) => format!("level = \"{}\"", level.name()),
+        Remedy::ShortWaves(s) => filter("s", s),
+        Remedy::LongWaves(l) => filter("l", l),
+    }
 }
 
 /// What a check measures.
@@ -96,7 +103,8 @@ pub fn measured(measure: Measure) -> &'static str {
     }
 }
 
-fn value(measure: Measure, value: f64) -> String {
+/// A measured value for people.
+pub fn value(measure: Measure, value: f64) -> String {
     match measure {
         Measure::Spikes => count(value as usize),
         Measure::FormShare | Measure::LineOffsets | Measure::Untraced => percent(value),
@@ -178,7 +186,10 @@ fn fault(finding: &Finding, map: &MapFacts) -> String {
                  and y)"
             )
         }
-        Measure::Slope => format!("the r.m.s. slope is {found}"),
+        Measure::Slope if finding.is_of_units() || !finding.is_blocking() => {
+            format!("the r.m.s. slope is {found}")
+        }
+        Measure::Slope => format!("slopes of {found} (r.m.s.): steep flanks"),
         Measure::LeastSlope => format!("the r.m.s. slope is {found}, less than that of any polished surface"),
         Measure::NominalArea => format!(
             "the map is {} wide along x and {} along y",
@@ -190,34 +201,35 @@ fn fault(finding: &Finding, map: &MapFacts) -> String {
 
 /// What to do about a failed check, in the keys of a spec where there is one.
 pub fn remedy(finding: &Finding, map: &MapFacts) -> String {
-    let pixel = map.pixel[0].max(map.pixel[1]);
-    let side = (map.points[0] as f64 * map.pixel[0]).min(map.points[1] as f64 * map.pixel[1]);
-    let s =
-        |pixels: f64| format!("`filter = {{ s = \"{}\" }}`", input_quantity(rounded(pixels * pixel), "m"));
-    let l = || format!("`filter = {{ l = \"{}\" }}`", input_quantity(rounded(side / 6.0), "m"));
+    let key = Remedy::new(finding, map).map(|remedy| format!("`{}`", written(remedy)));
+    let key = || key.clone().unwrap_or_default();
     match finding.measure {
-        Measure::Spikes => "`outliers = \"remove\"`".to_owned(),
-        Measure::FormShare => match map.level.next() {
-            Some(next) => format!("`level = \"{}\"`", next.name()),
-            None => format!("an L filter such as {}", l()),
-        },
+        Measure::Spikes if map.spikes.as_ref().is_some_and(|spikes| spikes.removed > 0) => {
+            "a part of the map without them, or a new measurement: with those that are removed already, they are more than single \
+             wrong points"
+                .to_owned()
+        }
+        Measure::Spikes => key(),
+        Measure::FormShare if map.level.next().is_some() => key(),
+        Measure::FormShare => format!("an L filter such as {}", key()),
         Measure::SlopeCorrelation => "a map turned so that the lay is along x or y".to_owned(),
         Measure::AspectRatio => "`law = \"elliptic-zmc\"` or `\"elliptic-hertz\"` describes ridges".to_owned(),
         Measure::LineOffsets if map.aligned.is_some() => {
             "a new measurement, or a part without such lines: aligning whole lines leaves offsets of parts".to_owned()
         }
-        Measure::LineOffsets => {
-            let lines = map.offsets.unwrap_or_default().lines();
-            format!("`align-lines = \"{}\"`", lines.name())
-        }
-        Measure::StepOverDrop => {
-            format!("an S filter such as {}, or a measurement with finer steps", s(wider(map, 8.0)))
-        }
-        Measure::NoiseGrowth | Measure::GrowthRise => format!("an S filter such as {}", s(wider(map, 4.0))),
-        Measure::CurvatureGrowth => format!(
-            "an S filter at the shortest wave that matters to your contact, such as {}",
-            s(wider(map, 8.0))
+        Measure::LineOffsets if !map.offsets.unwrap_or_default().can_be_aligned() => format!(
+            "none by aligning lines, which would take out {} of the variance: these look like grooves or form, not offsets. Remove the \
+             form first, or measure again",
+            percent(map.offsets.unwrap_or_default().aligned_variance())
         ),
+        Measure::LineOffsets => key(),
+        Measure::StepOverDrop => {
+            format!("an S filter such as {}, or a measurement with finer steps", key())
+        }
+        Measure::NoiseGrowth | Measure::GrowthRise => format!("an S filter such as {}", key()),
+        Measure::CurvatureGrowth => {
+            format!("an S filter at the shortest wave that matters to your contact, such as {}", key())
+        }
         Measure::DensityOverTheory | Measure::CurvatureOverTheory => {
             "look at the height map: strongly skewed heights have such summits, and so do faults, several textures or smoothing by \
              the instrument"
@@ -225,7 +237,7 @@ pub fn remedy(finding: &Finding, map: &MapFacts) -> String {
         }
         Measure::RadiusOverTip => "a sharper tip, or its radius measured to a tenth".to_owned(),
         Measure::Untraced => "`tip`: it is sharper than stated, or noise stands out, which an S filter removes".to_owned(),
-        Measure::LengthOverSide => format!("a larger map, or an L filter such as {}", l()),
+        Measure::LengthOverSide => format!("a larger map, or an L filter such as {}", key()),
         Measure::NominalArea => {
             "`pixel` or `unit`: a number without a unit is in metres, as in `pixel = \"0.8 um\"`".to_owned()
         }
@@ -233,20 +245,15 @@ pub fn remedy(finding: &Finding, map: &MapFacts) -> String {
             "`pixel` or `unit`: heights and pixel size are probably in different units (a number without a unit is in metres)"
                 .to_owned()
         }
+        Measure::Slope if finding.is_of_units() => format!(
+            "`unit` or `pixel`: heights and pixel size are probably in different units (no surface has slopes above {})",
+            number(LARGEST_FLANKS)
+        ),
         Measure::Slope if finding.is_blocking() => {
-            "`unit` or `pixel`: heights and pixel size are probably in different units".to_owned()
+            "none by preparation: asperity contact assumes small slopes. An S filter at the shortest wave that matters to your contact \
+             lowers them"
+                .to_owned()
         }
         Measure::Slope => "the models and boundary elements leave out terms of second order in the slope".to_owned(),
     }
-}
-
-/// The nesting index (in pixels) to try: twice the present one, at least `least`.
-fn wider(map: &MapFacts, least: f64) -> f64 {
-    let now = map.filter.and_then(|filter| filter.s()).unwrap_or_default();
-    (2.0 * now / map.pixel[0].max(map.pixel[1])).max(least)
-}
-
-/// To two digits.
-fn rounded(length: f64) -> f64 {
-    format!("{length:.1e}").parse().unwrap_or(length)
 }

@@ -25,6 +25,8 @@ pub struct FileOptions {
     pub l: Option<String>,
     /// Which neighbours a summit is higher than.
     pub neighbours: Option<String>,
+    /// Whether the preparation that makes the map fit is searched.
+    pub fit: bool,
     /// What becomes of spikes.
     pub outliers: Option<String>,
     /// The axis along which lines are set to the same mean height.
@@ -73,6 +75,9 @@ impl FileOptions {
         lines.extend(missing.map(|marks| (format!("missing = {}", numbers(marks)), typed("missing", marks))));
         if self.transpose {
             lines.push(("transpose = true".to_owned(), "--transpose".to_owned()));
+        }
+        if self.fit {
+            lines.push(("fit = \"auto\"".to_owned(), "--fit".to_owned()));
         }
         let keys = [
             ("outliers", &self.outliers),

@@ -11,10 +11,10 @@ use crate::surface::generation::Generation;
 use crate::surface::read_error::{list_message, options_message, spec_message};
 use crate::surface::reading;
 use crate::surface::spec::{
-    DrawSpec, FileSpec, ListSpec, Outliers, PopulationHeights, PopulationSpec, SurfaceSpec,
+    DrawSpec, FileSpec, FitSpec, ListSpec, Outliers, PopulationHeights, PopulationSpec, SurfaceSpec,
 };
-use asperity::surface::Preparation;
 use asperity::surface::{AnalysisDepth, MOST_ANALYSED_POINTS};
+use asperity::surface::{Kept, Preparation};
 use asperity::topography::read::{MapFile, Metadata, ReadOptions, ReadOptionsError};
 use asperity::topography::{Boundary, Filter, Level, read};
 use asperity::{
@@ -72,6 +72,8 @@ pub(super) struct MapPlan {
     /// Whether it continues periodically.
     pub(super) is_periodic: bool,
     pub(super) preparation: Preparation,
+    /// What stays of the preparation where the rest of it is found on the map.
+    pub(super) fit: Option<Kept>,
 }
 
 /// More are a study of their own.
@@ -234,7 +236,7 @@ impl SurfacePlan {
         };
         let is_periodic = raw.periodic || in_memory.is_some_and(|map| map.boundary() == Boundary::Periodic);
         let preparation = Preparation {
-            removes_spikes: raw.outliers == Outliers::Remove,
+            removes_spikes: raw.outliers == Some(Outliers::Remove),
             removes_suspects: false,
             aligned: raw.align_lines,
             tip: raw.tip.map(|radius| radius.value()),
@@ -249,7 +251,14 @@ impl SurfacePlan {
             None => file.stays_on_disk().map_err(|error| refuse(&spec_message(&error)))?,
         };
         let caveats = reading::caveats(&metadata, pixel, file.transpose);
-        Ok(Origin::Map(MapPlan { file, caveats, points, pixel, is_on_disk, is_periodic, preparation }))
+        let fit = raw.fit.map(|FitSpec::Auto| Kept {
+            spikes: raw.outliers.is_some(),
+            lines: raw.align_lines.is_some(),
+            level: raw.level.is_some(),
+            s: filter.is_some_and(|filter| filter.s().is_some()),
+            l: filter.is_some_and(|filter| filter.l().is_some()),
+        });
+        Ok(Origin::Map(MapPlan { file, caveats, points, pixel, is_on_disk, is_periodic, preparation, fit }))
     }
 
     /// The file that it is read from.
@@ -365,7 +374,10 @@ impl SurfacePlan {
             Origin::List { path, rows, .. } => format!("{rows} asperities listed in {}", path.display()),
             Origin::Population { count, .. } => format!("{count} asperities of a population"),
             Origin::Generated(generation) => generation.describe(),
-            Origin::Map(map) => format!("height map {}", map.file.path.display()),
+            Origin::Map(map) => {
+                let fit = if map.fit.is_some() { ", prepared as its checks ask for" } else { "" };
+                format!("height map {}{fit}", map.file.path.display())
+            }
         };
         if self.realisations > 1 { format!("{what}, {} realisations", self.realisations) } else { what }
     }
@@ -400,9 +412,15 @@ impl SurfacePlan {
         const BYTES_PER_ELLIPSE: u128 = 64;
         let summits = self.likely_asperities() * BYTES_PER_SUMMIT;
         match &self.origin {
-            &Origin::Map(MapPlan { points, pixel, is_on_disk, preparation, .. }) => {
+            &Origin::Map(MapPlan { points, pixel, is_on_disk, preparation, fit, .. }) => {
                 let filtering = |filter: Filter| filter.memory(points, pixel);
-                let own = preparation.filter.map_or(0, filtering);
+                let own = match fit {
+                    None => preparation.filter.map_or(0, filtering),
+                    // The map as it was, and filters that are tried.
+                    Some(_) => {
+                        area(points) * BYTES_PER_HEIGHT + long_filter(points, pixel).map_or(0, filtering)
+                    }
+                };
                 let treated = self.short_filter().filter(|_| is_treated).map_or(0, filtering);
                 let is_analysed =
                     depth == AnalysisDepth::Everything && area(points) <= MOST_ANALYSED_POINTS as u128;
@@ -554,6 +572,13 @@ pub fn curvature_ratio(
         return Ok(Some(ratio));
     }
     Err(source.error_at(raw.span(), format!("found {ratio}; allowed: 1 to {LONGEST:e}")))
+}
+
+/// Filters as long as any that a fit tries.
+fn long_filter(points: [usize; 2], pixel: [f64; 2]) -> Option<Filter> {
+    const SHORT_PIXELS: f64 = 4.0;
+    let side = [0, 1].map(|axis| points[axis] as f64 * pixel[axis]);
+    Filter::new(Some(SHORT_PIXELS * pixel[0].max(pixel[1])), Some(side[0].min(side[1]) / 6.0)).ok()
 }
 
 fn area([nx, ny]: [usize; 2]) -> u128 {

@@ -12,6 +12,7 @@ use asperity_contact_framework::report::table::{Column, Row, Schema, Table};
 use indexmap::IndexMap;
 use serde_json::{Map, Value};
 
+use super::fit_rows::FitStepRow;
 use super::fitness;
 use asperity::surface::{GenerationFacts, MapFacts, Surface};
 
@@ -439,6 +440,7 @@ pub fn schemas() -> Vec<Schema> {
         Schema::of::<SurfaceRow>(),
         Schema::of::<MapRow>(),
         Schema::of::<FitnessRow>(),
+        Schema::of::<FitStepRow>(),
         Schema::of::<TheoryRow>(),
         Schema::of::<ProcessRow>(),
         Schema::of::<TargetRow>(),
@@ -453,6 +455,7 @@ pub fn tables<'a>(rows: impl IntoIterator<Item = SurfaceRow<'a>>) -> Vec<Table> 
     let described = [
         Table::new(surfaces().filter_map(MapRow::new)),
         Table::new(surfaces().flat_map(FitnessRow::all)),
+        Table::new(surfaces().flat_map(FitStepRow::all)),
         Table::new(surfaces().flat_map(TheoryRow::all)),
         Table::new(surfaces().flat_map(ProcessRow::all)),
         Table::new(surfaces().flat_map(TargetRow::all)),

@@ -188,10 +188,14 @@ pub struct FileSpec {
     #[serde(default)]
     #[schemars(extend("default" = false, "examples" = [true]))]
     pub periodic: bool,
+    /// Whether the preparation that makes the map fit is searched: remedies of the failed checks, one after the other. Keys of the preparation that stand beside it are kept.
+    #[serde(default, deserialize_with = "named_or_none")]
+    #[schemars(extend("x-default" = "none", "examples" = ["auto"]))]
+    pub fit: Option<FitSpec>,
     /// What becomes of spikes.
-    #[serde(default, deserialize_with = "named")]
+    #[serde(default, deserialize_with = "named_or_none")]
     #[schemars(extend("default" = "keep", "examples" = ["remove"]))]
-    pub outliers: Outliers,
+    pub outliers: Option<Outliers>,
     /// The axis along which lines of the scan are set to the same mean height.
     #[serde(default, deserialize_with = "named_or_none")]
     #[schemars(extend("x-default" = "none", "examples" = ["x"]))]
@@ -212,12 +216,19 @@ pub struct FileSpec {
     pub neighbours: Neighbours,
 }
 
+/// `fit` of a measured map.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum FitSpec {
+    /// By its own checks.
+    Auto,
+}
+
 /// `outliers` of a measured map.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Outliers {
     /// Spikes are heights like others.
-    #[default]
     Keep,
     /// Spikes are missing points.
     Remove,

@@ -187,6 +187,12 @@ impl SurfaceTiles {
 /// Refuses a map whose tiles would need the whole of it.
 fn check_local(map: &MapPlan) -> Result<(), String> {
     let Preparation { removes_spikes, aligned, tip, level, .. } = map.preparation;
+    if map.fit.is_some() {
+        return Err(
+            "found `fit`, which needs the whole map; allowed in [tiled]: a map that needs no preparation"
+                .to_owned(),
+        );
+    }
     if map.is_periodic {
         return Err("found a periodic map; allowed in [tiled]: a map with borders".to_owned());
     }

@@ -193,6 +193,75 @@ fn planted_faults_are_found_and_their_remedies_give_the_verdict_back() {
     assert_eq!(form["allowed"], format!("at most {}", number(form["threshold"].as_f64().unwrap())));
 }
 
+/// The preparation that `fit` finds gives the same to the bit as its keys written by hand, which it states, and remedies what was
+/// planted; keys beside it are kept.
+#[test]
+fn a_fit_remedies_planted_faults_as_its_keys_by_hand_do() {
+    let folder = tempfile::tempdir().unwrap();
+    let base = good(8.0);
+    let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(4);
+    let offsets: Vec<f64> = (0..SIDE).map(|_| rng.random_range(-5e-8..5e-8)).collect();
+    let bad: Vec<[usize; 2]> = (0..6).map(|_| [0; 2].map(|_| rng.random_range(0..SIDE))).collect();
+    let from_centre = |i: usize| i as f64 / (0.5 * SIDE as f64) - 1.0;
+    let noise: Vec<f64> = (0..SIDE * SIDE).map(|_| rng.random_range(-1e-8..1e-8)).collect();
+    write(folder.path(), "faulty.npy", |i, j| {
+        let spike = if bad.contains(&[i, j]) { 2e-6 } else { 0.0 };
+        base[i * SIDE + j] + noise[i * SIDE + j] + offsets[j] + 2e-7 * from_centre(i).powi(2) + spike
+    });
+    let fitted = "fit = \"auto\"";
+    let found: CompareResults = crate::downcast(run(
+        folder.path(),
+        "robustness = false",
+        &[("fitted", "faulty.npy", fitted), ("kept", "faulty.npy", "fit = \"auto\"\noutliers = \"keep\"")],
+    ));
+    assert!(failed(&found.surfaces[0]).is_empty(), "{:?}", found.surfaces[0].surface.fitness());
+    assert_eq!(failed(&found.surfaces[1]), [Check::Spikes]);
+    let summary = (&found as &dyn Outcome).records();
+    let steps = |name: &str| {
+        let rows = summary["fit_steps"].as_array().unwrap().iter().filter(|row| row["surface"] == name);
+        rows.map(|row| {
+            [&row["check"], &row["remedy"], &row["result"]].map(|cell| cell.as_str().unwrap().to_owned())
+        })
+        .collect::<Vec<_>>()
+    };
+    let of = steps("fitted");
+    let applied: Vec<&str> = of.iter().map(|[check, ..]| check.as_str()).collect();
+    assert_eq!(applied, ["spikes", "lines", "form", "fine-pixel"], "{of:?}");
+    assert!(of.iter().all(|[_, _, result]| result == "applied"));
+    let kept = &steps("kept");
+    assert!(kept.iter().any(|[check, _, result]| check == "spikes" && result == "refused"), "{kept:?}");
+    let page = (&found as &dyn Outcome).outline().markdown();
+    let (_, block) = page.split_once("These keys instead of `fit` do the same:").unwrap();
+    let keys = block.split("```").nth(1).unwrap().strip_prefix("toml\n").unwrap();
+    assert!(keys.contains("align-lines = \"x\"") && keys.contains("filter = { s = "), "{keys}");
+    assert!(page.contains("fitted-heights-before.svg"));
+    let by_hand: CompareResults =
+        crate::downcast(run(folder.path(), "robustness = false", &[("fitted", "faulty.npy", keys)]));
+    let [auto, hand] = [&found, &by_hand].map(|results| &results.surfaces[0].surface);
+    assert_eq!(auto.set.heights(), hand.set.heights());
+    assert_eq!(auto.set.radii(), hand.set.radii());
+    assert_eq!(verdicts(&found.surfaces[0]), verdicts(&by_hand.surfaces[0]));
+    assert!(hand.fit.is_none() && auto.warnings[0].contains("found by `fit`"), "{:?}", auto.warnings);
+}
+
+/// A map that blocks names its next step and `--fit`, unless `fit` is there or cannot help: steep flanks, and units.
+#[test]
+fn the_next_step_names_the_fit_where_it_helps() {
+    let folder = tempfile::tempdir().unwrap();
+    let base = good(8.0);
+    write(folder.path(), "bow.npy", |i, j| base[i * SIDE + j] + 1e-11 * (i as f64 - 320.0).powi(2));
+    write(folder.path(), "flanks.npy", |i, j| 80.0 * base[i * SIDE + j]);
+    write(folder.path(), "units.npy", |i, j| 1e6 * base[i * SIDE + j]);
+    let maps = [("bow", "bow.npy", ""), ("flanks", "flanks.npy", ""), ("units", "units.npy", "")];
+    let results: CompareResults = crate::downcast(run(folder.path(), "robustness = false", &maps));
+    let step =
+        |k: usize| asperity_experiment::surface::fitness::next_step(&results.surfaces[k].surface).unwrap();
+    assert!(step(0).starts_with("`level = \"quadratic\"`, or let `--fit` (`fit = \"auto\"`"), "{}", step(0));
+    assert!(step(1).contains("steep flanks") && step(1).contains("assumes small slopes"), "{}", step(1));
+    assert!(!step(1).contains("units") && !step(1).contains("--fit"), "{}", step(1));
+    assert!(step(2).contains("probably in different units") && !step(2).contains("--fit"), "{}", step(2));
+}
+
 /// On a measured fine finish the shortest waves decide, on a Gaussian surface that the grid resolves they do not.
 #[test]
 fn a_verdict_that_depends_on_the_cut_off_says_so_and_a_robust_one_does_not() {

@@ -8,6 +8,7 @@ use asperity::topography::read::{LengthUnits, MapFile, ReadError, ReadOptions};
 use asperity::topography::{Boundary, Rows};
 use asperity::units::Dimension;
 use asperity_contact_framework::input::InMemory;
+use asperity_experiment::surface::fit_rows::fit_records;
 use asperity_experiment::surface::reading::caveats;
 use asperity_experiment::surface::rows::{fitness_records, map_record};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
@@ -156,6 +157,8 @@ pub struct Surface {
     #[pyo3(get)]
     fitness: String,
     #[pyo3(get)]
+    fit_steps: String,
+    #[pyo3(get)]
     warnings: Vec<String>,
 }
 
@@ -180,6 +183,7 @@ pub fn make_surface(
     })?
     .map_err(refuse)?;
     let (roughness, fitness) = (map_record(&surface).to_string(), fitness_records(&surface).to_string());
+    let fit_steps = fit_records(&surface).to_string();
     let origin = surface.origin;
     let set = surface.set;
     // In the frame of the map: zero where that is the frame of the set already.
@@ -234,6 +238,7 @@ pub fn make_surface(
         map,
         roughness,
         fitness,
+        fit_steps,
         warnings: surface.warnings,
     })
 }

@@ -261,6 +261,18 @@ def test_positions_are_those_of_the_summits():
     elliptic = asperity.Interface(STEEL, STEEL, "elliptic-zmc")
     assert asperity.deterministic(elliptic, found, separations=1)["pressure_pa"][0] > 0
     assert {check["check"] for check in surface.fitness} and surface.warnings is not None
+    assert surface.fit_steps == []
+
+
+def test_a_fit_removes_spikes_and_says_so():
+    heights = asperity.generate(256, pixel=1e-6, sigma=50e-9, spectrum=SPECTRUM, seed=4).heights.copy()
+    heights[40::80, 30::90] += 2e-6
+    fitted = asperity.Topography(heights, 1e-6, fit="auto")
+    first = fitted.fit_steps[0]
+    assert (first["check"], first["remedy"], first["result"]) == ("spikes", 'outliers = "remove"', "applied")
+    assert next(check for check in fitted.fitness if check["check"] == "spikes")["passed"]
+    kept = asperity.Topography(heights, 1e-6, fit="auto", outliers="keep").fit_steps[0]
+    assert kept["result"] == "refused" and kept["value_after"] is None
 
 
 def test_the_interpreter_runs_on():

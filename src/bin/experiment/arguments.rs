@@ -143,6 +143,9 @@ pub struct FileArguments {
     /// Exchange x and y of the file; the pixel is then that of the exchanged map
     #[arg(long)]
     transpose: bool,
+    /// Find the preparation that makes the map fit: remedies of failed checks, one after the other; options below are kept
+    #[arg(long)]
+    fit: bool,
     /// What becomes of spikes: keep, remove
     #[arg(long, allow_hyphen_values = true)]
     outliers: Option<String>,
@@ -200,6 +203,7 @@ impl From<FileArguments> for FileOptions {
             unit,
             missing,
             transpose,
+            fit,
             outliers,
             align_lines,
             tip,
@@ -213,7 +217,21 @@ impl From<FileArguments> for FileOptions {
             arguments;
         let contact =
             ContactOptions { material, rough, flat, layer, thickness, layer_on, load, area, pressure };
-        Self { pixel, unit, missing, transpose, outliers, align_lines, tip, level, s, l, neighbours, contact }
+        Self {
+            pixel,
+            unit,
+            missing,
+            transpose,
+            fit,
+            outliers,
+            align_lines,
+            tip,
+            level,
+            s,
+            l,
+            neighbours,
+            contact,
+        }
     }
 }
 

@@ -19,7 +19,7 @@ use asperity_experiment::kind::{KINDS, columns};
 use asperity_experiment::materials::{all_materials, one_material};
 use asperity_experiment::surface::{FileOptions, described_file};
 use asperity_experiment::terminal::Monitor;
-use asperity_experiment::{Experiment, PRINT, PartError, TEMPLATE};
+use asperity_experiment::{Experiment, PRINT, PartError, TEMPLATE, saved_spec};
 use clap::{CommandFactory, Parser};
 
 use arguments::{Cli, Command, Extent, RunOptions};
@@ -297,7 +297,7 @@ fn surface(
         say(options, &text);
     }
     if let Some(spec) = save_spec {
-        write_new(spec, &file_options.saved_spec(file, spec))?;
+        write_new(spec, &saved_spec(&file_options, file, spec, &*results))?;
         say(
             options,
             &format!("\n{} written; run it with `experiment run {}`", spec.display(), spec.display()),

@@ -23,7 +23,7 @@ use super::robustness;
 use crate::layer::LayerPlan;
 use crate::plausibility;
 use crate::study_plan::{inapplicable, layer_metadata, unreachable_load};
-use crate::surface::{Files, SurfaceFactory, SurfacePlan, files_of};
+use crate::surface::{Files, SurfaceFactory, SurfacePlan, by_hand, files_of};
 
 /// Runs a comparison and counts its work.
 ///
@@ -52,6 +52,9 @@ pub fn run(
             .filter_map(|results| plausibility::of_overlap(&results.surface.name, at_separations(results))),
     );
     let described = compare.described.as_ref();
+    let fit = surfaces.first().and_then(|results| results.surface.fit.as_ref());
+    let text = &context.source.text;
+    let spec = fit.map_or_else(|| text.clone(), |fit| by_hand(text, fit));
     Ok(CompareResults {
         metadata: context.metadata(papers, timing, Some(counter.work())),
         contact,
@@ -64,7 +67,7 @@ pub fn run(
             refine: reference.refine,
             elastic: reference.elastic.clone(),
         }),
-        described: described.map(|file| Described { file: file.clone(), spec: context.source.text.clone() }),
+        described: described.map(|file| Described { file: file.clone(), spec }),
     })
 }
 

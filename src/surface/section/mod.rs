@@ -2,6 +2,8 @@
 
 mod figures;
 
+use crate::surface::fit::keys;
+use crate::surface::fit_rows::{FitStepRow, STEP};
 use crate::surface::fitness::next_step;
 use crate::surface::rows::{self, FitnessRow, MapRow, ProcessRow, SurfaceRow, TargetRow, TheoryRow};
 use asperity::surface::{MapFacts, Surface};
@@ -18,6 +20,7 @@ pub fn section(page: &mut Page, tables: &Tables, surface: &Surface, assumed: Opt
     if let Some(map) = &surface.map {
         height_map(page, surface, map);
     }
+    fit(page, tables, surface);
     let checks = on_surface(tables.view::<FitnessRow>(), name).columns(&CHECK);
     if !checks.is_empty() {
         page.heading(3, &format!("{name}: fitness of the map")).view(&checks);
@@ -95,6 +98,29 @@ fn height_map(page: &mut Page, surface: &Surface, map: &MapFacts) {
     page.figure(&format!("{name}-heights.svg"), figures::heights(name, picture, &marked), &caption);
 }
 
+/// How the preparation was found, and the map before it.
+fn fit(page: &mut Page, tables: &Tables, surface: &Surface) {
+    let Some(fit) = &surface.fit else { return };
+    let name = &surface.name;
+    page.heading(3, &format!("{name}: how the preparation was found"));
+    let steps = on_surface(tables.view::<FitStepRow>(), name).columns(&STEP);
+    if steps.is_empty() {
+        page.paragraph("No check blocked the map as it is: `fit` changed nothing.");
+    } else {
+        page.view(&steps);
+    }
+    page.paragraph("These keys instead of `fit` do the same:").code("toml", &keys(fit).join("\n"));
+    let applied = fit.steps.iter().any(|step| step.refusal.is_none());
+    if let Some((map, spikes)) = fit.before.as_ref().filter(|_| applied) {
+        let caption = format!("Height map of {name} before these steps; above it is as analysed.");
+        page.figure(
+            &format!("{name}-heights-before.svg"),
+            figures::heights(&format!("{name}, before"), map, spikes),
+            &caption,
+        );
+    }
+}
+
 /// Distribution of heights, spectrum and autocorrelation of a map.
 fn spectra(page: &mut Page, name: &str, map: &MapFacts) {
     if let Some(counts) = &map.whole.distribution {
@@ -160,9 +186,13 @@ pub fn for_terminal(surface: &Surface) -> String {
         on_surface(tables.view::<MapRow>(), name).properties(),
         on_surface(tables.view::<TargetRow>(), name).text(),
         on_surface(tables.view::<TheoryRow>(), name).text(),
+        tables.view::<FitStepRow>().columns(&STEP).text(),
         tables.view::<FitnessRow>().columns(&CHECK[..5]).text(),
     ];
     let views = views.into_iter().filter(|view| !view.rows.is_empty());
     let views: String = views.map(|view| format!("\n{}", view.lines())).collect();
-    format!("surface {name}{which}\n{}{views}", surfaces.properties().lines())
+    let found = surface.fit.as_ref().map_or_else(String::new, |fit| {
+        format!("\nthese keys instead of fit = \"auto\" do the same:\n{}\n", keys(fit).join("\n"))
+    });
+    format!("surface {name}{which}\n{}{views}{found}", surfaces.properties().lines())
 }

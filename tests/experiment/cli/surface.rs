@@ -313,3 +313,35 @@ fn maps_of_labs_are_read_from_the_command_line() {
     close(sq(&name)["pixel_x_m"].as_f64().unwrap(), 5e-4, 1e-9);
     close(sq(&name)["sq_m"].as_f64().unwrap(), found, 1e-9);
 }
+
+/// `--fit` prints its steps, keeps what is stated, and saves the spec that does the same by hand.
+#[test]
+fn a_fit_is_told_and_saved_by_its_keys() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("reports");
+    let al3d = Path::new(env!("CARGO_MANIFEST_DIR")).join("experiments/surfaces/al3d-1.npy");
+    fs::copy(al3d, folder.path().join("rough.npy")).unwrap();
+    let arguments =
+        ["surface", "rough.npy", "--pixel", "438.027 nm", "--level", "cubic", "--fit", "--save-spec"];
+    let output = experiment(&[&arguments[..], &["by-hand.toml", "--load", "0.1 N"]].concat(), folder.path());
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let said = text(&output.stdout);
+    assert!(said.contains("steps  height step over the median drop"), "{said}");
+    assert!(said.contains("filter = { s = \"3.5 µm\" }") && said.contains("applied"), "{said}");
+    let spec = fs::read_to_string(folder.path().join("by-hand.toml")).unwrap();
+    assert!(!spec.contains("fit ="), "{spec}");
+    for key in ["outliers = \"keep\"", "level = \"cubic\"", "filter = { s = \"3.5 µm\" }", "force = "] {
+        assert_eq!(spec.matches(key).count(), 1, "{key}: {spec}");
+    }
+    let report = fs::read_to_string(out.join("surface-rough/report.md")).unwrap();
+    assert!(
+        report.contains("These keys instead of `fit` do the same:") && !report.contains("fit = \"auto\""),
+        "{report}"
+    );
+    assert!(out.join("surface-rough/fit_steps.csv").exists());
+    assert!(run(&folder.path().join("by-hand.toml"), &out, &[]).status.success());
+    let [auto, hand] = ["surface-rough", "by-hand"].map(|name| summary(&out, name));
+    assert_eq!(auto["surfaces"]["rough"]["sigma_m"], hand["surfaces"]["rough"]["sigma_m"]);
+    assert_eq!(auto["results"], hand["results"]);
+    assert!(auto["fitness"].as_array().unwrap().iter().all(|check| check["blocks"] == false));
+}

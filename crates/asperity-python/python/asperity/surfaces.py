@@ -53,6 +53,9 @@ class Topography:
         Distance of neighbouring points along x and y in m.
     periodic : bool
         Whether the map continues periodically beyond its border, as simulated surfaces do.
+    fit : {"auto"}, optional
+        Find the preparation that makes the map fit: remedies of the failed checks, one after the other. The keywords below that are
+        given are kept; :attr:`fit_steps` says what was done.
     outliers : {"keep", "remove"}
         Whether spikes become missing points.
     align_lines : {"x", "y"}, optional
@@ -97,7 +100,7 @@ class Topography:
     def _begin(
         self, raw: _asperity.Map, periodic: bool, preparation: dict[str, Any], caveats: Sequence[str] = ()
     ) -> None:
-        allowed = {"outliers", "align_lines", "tip", "level", "s", "l", "neighbours"}
+        allowed = {"fit", "outliers", "align_lines", "tip", "level", "s", "l", "neighbours"}
         if unknown := set(preparation) - allowed:
             raise ValueError(f"found {', '.join(sorted(unknown))}; allowed: {', '.join(sorted(allowed))}")
         self._raw = raw
@@ -237,6 +240,11 @@ class Topography:
     def fitness(self) -> list[dict[str, Any]]:
         """The checks whether the map may carry a verdict: spikes, form, lines, steps, resolution."""
         return json.loads(self._surface.fitness)
+
+    @property
+    def fit_steps(self) -> list[dict[str, Any]]:
+        """With ``fit="auto"`` the remedies of failed checks in the order in which they were tried, as in ``fit_steps.csv``."""
+        return json.loads(self._surface.fit_steps)
 
     @property
     def warnings(self) -> list[str]:

@@ -1,15 +1,20 @@
 //! A rough surface: its asperities, where they are from, and what is known of its height map.
 //!
 //! [`SummitSearch`] finds the asperities of a map: it prepares the map (spikes, lines, form, filter), checks its fitness, searches summits
-//! and divides it into blocks for the sampling error. [`crate::study`] compares the models on a surface.
+//! and divides it into blocks for the sampling error. [`Fit`] finds the preparation that makes a measured map fit.
+//! [`crate::study`] compares the models on a surface.
 
+mod fit;
 mod independence;
 mod overview;
+mod remedy;
 mod search;
 
+pub use fit::{Fit, FitStep, Kept, Refusal};
 pub use independence::{Independence, MapBlocks};
 pub use overview::{AnalysisDepth, MOST_ANALYSED_POINTS, MapOverview};
-pub use search::{NoAsperities, Preparation, SummitSearch};
+pub use remedy::Remedy;
+pub use search::{MOST_SPIKE_POINTS, NoAsperities, Preparation, SummitSearch};
 
 use crate::compare::Division;
 use crate::distribution::{HeightModel, HeightsError};
@@ -56,6 +61,8 @@ pub struct Surface {
     pub small: Option<Box<SmallMap>>,
     /// Number of realisations of this surface.
     pub realisations: usize,
+    /// How its preparation was found, where it was not prescribed.
+    pub fit: Option<Box<Fit>>,
     /// Caveats.
     pub warnings: Vec<String>,
 }
@@ -227,6 +234,7 @@ impl Surface {
             halves: None,
             small: None,
             realisations: 1,
+            fit: None,
             warnings: Vec::new(),
         }
     }

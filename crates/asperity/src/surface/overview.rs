@@ -39,6 +39,22 @@ pub struct MapOverview {
 }
 
 impl MapOverview {
+    /// The heights for an image, at the size that `depth` asks for.
+    pub(super) fn image(map: &dyn Rows, depth: AnalysisDepth) -> Option<HeightMap> {
+        /// Points of an image along an axis, and of a small one.
+        const PICTURE: usize = 512;
+        const SMALL_PICTURE: usize = 96;
+        let [nx, ny] = map.points();
+        match depth {
+            AnalysisDepth::Everything => Some(thumbnail(map, PICTURE)),
+            // A map that is not in memory is not read once more for it.
+            AnalysisDepth::Comparison if nx * ny <= MOST_ANALYSED_POINTS => {
+                Some(thumbnail(map, SMALL_PICTURE))
+            }
+            _ => None,
+        }
+    }
+
     /// Analyses a map to the given `depth`; `generator` is set for a generated one.
     pub(super) fn new(
         map: &dyn Rows,
@@ -46,9 +62,6 @@ impl MapOverview {
         generator: Option<&SurfaceGenerator>,
         depth: AnalysisDepth,
     ) -> Self {
-        /// Points of an image along an axis, and of a small one.
-        const PICTURE: usize = 512;
-        const SMALL_PICTURE: usize = 96;
         let [nx, ny] = map.points();
         let is_close = depth == AnalysisDepth::Everything;
         let progress = map.progress();
@@ -56,14 +69,7 @@ impl MapOverview {
             progress.stage("picture", 2.0);
         }
         let mut whole = Self {
-            picture: match depth {
-                AnalysisDepth::Everything => Some(thumbnail(map, PICTURE)),
-                // A map that is not in memory is not read once more for it.
-                AnalysisDepth::Comparison if nx * ny <= MOST_ANALYSED_POINTS => {
-                    Some(thumbnail(map, SMALL_PICTURE))
-                }
-                _ => None,
-            },
+            picture: Self::image(map, depth),
             distribution: is_close.then(|| distribution(map, roughness)),
             ..Self::default()
         };

@@ -122,8 +122,11 @@ struct SearchedMap {
 /// Heights that scatter by less, relative to themselves, are equal but for rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// Spikes of a map beside spikes stand out only once those are gone.
-const PASSES: usize = 3;
+/// Spikes of a map beside spikes stand out only once those are gone: they are searched so many times at most.
+const PASSES: usize = 20;
+
+/// Share of the points beyond which no further spikes are searched: what stands out of so many points is no fault of single ones.
+pub const MOST_SPIKE_POINTS: f64 = 0.01;
 
 impl SummitSearch<'_> {
     /// Summits of a map that is checked, and divided into blocks for a sampling error.
@@ -167,6 +170,17 @@ impl SummitSearch<'_> {
             surface.plane = plane;
         }
         Ok(surface)
+    }
+
+    /// What is known of a map, and the map as prepared where it is kept.
+    ///
+    /// # Errors
+    /// As of [`Self::surface`].
+    pub(super) fn facts_and_map(
+        &self,
+        map: &dyn Rows,
+    ) -> Result<(MapFacts, Option<PreparedMap>), NoAsperities> {
+        self.asperities(map).map(|SearchedMap { facts, prepared, .. }| (facts, prepared))
     }
 
     /// Prepares and checks a map and finds its summits, row by row: only a filter and the closest depth need the map in
@@ -219,7 +233,7 @@ impl SummitSearch<'_> {
             progress.stage("correlation", 1.0);
             let points = left.as_ref().map_or(&[][..], |left| &left.points);
             let found = correlation_of(&Without { map, points }, roughness.moments.mean);
-            aspect = found.as_ref().and_then(|(_, heights)| heights.aspect);
+            aspect = found.as_ref().and_then(|(_, heights)| heights.largest_aspect());
             correlation = Some(found.map_or(CorrelationLengths::NONE, |(lengths, _)| lengths));
         }
         let independence = match correlation.filter(|_| self.divides) {
@@ -277,9 +291,11 @@ impl SummitSearch<'_> {
         }
         self.progress.stage("spikes", 2.0);
         let mut left = Spikes::find(raw);
+        let [nx, ny] = raw.points();
+        let most = (MOST_SPIKE_POINTS * (nx * ny) as f64) as usize;
         let passes = if removes_spikes { PASSES } else { 0 };
-        for _ in 0..passes {
-            if left.count() == 0 {
+        for pass in 0..passes {
+            if left.count() == 0 || (pass > 0 && removed.len() + left.points.len() > most) {
                 break;
             }
             removed.append(&mut left.points);

@@ -158,6 +158,18 @@ impl Autocorrelation {
         Self::watched(map, mean, &Silent)
     }
 
+    /// Str; of a map on which the autocorrelation does not decay along an axis, as on grooves along it, the largest value that Str can
+    /// have: Sal over half of the side along that axis. `None` where it decays in no direction.
+    pub fn largest_aspect(&self) -> Option<f64> {
+        let undecayed = |points: &[(f64, f64)]| {
+            let decays = points.iter().any(|point| point.1 <= DECAYED);
+            points.last().filter(|_| !decays).map(|last| last.0)
+        };
+        let longest = [&self.along_x, &self.along_y].into_iter().filter_map(|points| undecayed(points));
+        let longest = longest.reduce(f64::max);
+        self.aspect.or_else(|| Some(self.length? / longest?))
+    }
+
     /// [`Self::from_map`] with progress: two units of work, four on a map with missing points.
     pub fn watched(map: &HeightMap, mean: f64, progress: &dyn Progress) -> Option<Self> {
         let points = map.points();
@@ -206,6 +218,9 @@ impl Autocorrelation {
     }
 }
 
+/// The autocorrelation has decayed at this value (ISO 25178-2).
+const DECAYED: f64 = 0.2;
+
 /// Sums over all pairs of points of the products of their values, by lag around the border.
 pub(super) fn pairs(mut field: Vec<f64>, points: [usize; 2], progress: &dyn Progress) -> Vec<f64> {
     let scale = ((points[0] * points[1]) as f64).recip();
@@ -218,7 +233,6 @@ pub(super) fn pairs(mut field: Vec<f64>, points: [usize; 2], progress: &dyn Prog
 
 /// The distance (m) at which the autocorrelation first decays to 0.2, in each of 180 directions over the half plane.
 fn decay(rho: &impl Fn(isize, isize) -> f64, half: [usize; 2], pixel: [f64; 2]) -> Vec<Option<f64>> {
-    const DECAYED: f64 = 0.2;
     const DIRECTIONS: u32 = 180;
     let stride = 0.5 * pixel[0].min(pixel[1]);
     let along = |direction: u32| {
@@ -324,6 +338,23 @@ mod tests {
         let exact = 3.0 * 5f64.ln().sqrt();
         assert!((found[0] / exact - 1.0).abs() < 0.03, "{} {exact}", found[0]);
         assert!((found[1] / 0.25 - 1.0).abs() < 0.1, "{}", found[1]);
+    }
+
+    /// Grooves along y hold their heights over the whole side: Str is at most Sal over half of it.
+    #[test]
+    fn grooves_along_an_axis_bound_the_aspect_ratio() {
+        let roughness = surface(SpectrumShape::Gaussian(1.0), Lay::default(), 1).0.into_heights();
+        let groove = |k: usize| 20.0 * (TAU * (k / POINTS[1]) as f64 / 16.0).sin();
+        let heights = roughness.iter().enumerate().map(|(k, z)| z + groove(k)).collect();
+        let map = HeightMap::new(POINTS, PIXEL, heights, 0.0).unwrap();
+        let found = Autocorrelation::from_map(&map, Moments::from_rows(&map).mean).unwrap();
+        assert_eq!(found.aspect, None);
+        let bound = found.largest_aspect().unwrap();
+        assert!((bound / (found.length.unwrap() / 80.0) - 1.0).abs() < 1e-12 && bound < 0.1, "{bound}");
+        let isotropic =
+            Autocorrelation::from_map(&surface(SpectrumShape::Gaussian(3.0), Lay::default(), 1).0, 0.0)
+                .unwrap();
+        assert_eq!(isotropic.largest_aspect(), isotropic.aspect);
     }
 
     /// On an open map with holes pairs are counted one by one.

@@ -130,7 +130,9 @@ impl Filter {
 
 impl fmt::Display for Filter {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let part = |name, index: Option<f64>| index.map(|index| format!("{name} = {} um", index * 1e6));
+        // Twelve digits are those of the spec: a change of units rounds the last ones.
+        let rounded = |index: f64| format!("{:.11e}", index * 1e6).parse().unwrap_or(index * 1e6);
+        let part = |name, index: Option<f64>| index.map(|index| format!("{name} = {} um", rounded(index)));
         let parts: Vec<String> = [part("S", self.s), part("L", self.l)].into_iter().flatten().collect();
         f.write_str(&parts.join(", "))
     }

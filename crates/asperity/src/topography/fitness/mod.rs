@@ -154,6 +154,9 @@ impl Measure {
 /// The largest r.m.s. slope that passes.
 pub const LARGEST_SLOPE: f64 = 0.3;
 
+/// The largest r.m.s. slope of steep flanks: beyond it, heights and pixels are in different units.
+pub const LARGEST_FLANKS: f64 = 10.0;
+
 /// The values that pass.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Limit {
@@ -204,10 +207,10 @@ impl Finding {
     }
 
     /// Whether it failed so that no verdict may rest on the map. A short-wavelength cut-off that decides is found by varying
-    /// it; slopes limit both models alike, unless their size says that heights and pixels are in different units; a lay along
+    /// it; slopes limit both models alike, unless they are so steep that neither holds; a lay along
     /// an axis makes ridges of summits, but finds those that are there.
     pub fn is_blocking(&self) -> bool {
-        /// The largest plausible r.m.s. slope.
+        /// The largest r.m.s. slope at which contact mechanics of small slopes says anything.
         const STEEP: f64 = 1.0;
         let can_decide = match self.measure {
             Measure::CurvatureGrowth
@@ -222,8 +225,18 @@ impl Finding {
         can_decide && !self.has_passed()
     }
 
+    /// Whether it says that heights and pixel size are in different units, which no preparation remedies.
+    pub fn is_of_units(&self) -> bool {
+        let is_other = match self.measure {
+            Measure::LeastSlope | Measure::NominalArea => true,
+            Measure::Slope => self.value > LARGEST_FLANKS,
+            _ => false,
+        };
+        is_other && !self.has_passed()
+    }
+
     /// How far the value is on the wrong side of its threshold; above 1 where it failed.
-    fn excess(&self) -> f64 {
+    pub fn excess(&self) -> f64 {
         let (value, threshold) = (self.value, self.threshold());
         if threshold == 0.0 {
             value

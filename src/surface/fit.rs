@@ -1,0 +1,120 @@
+//! `fit = "auto"` in words: the steps by which a preparation was found, and the keys of a spec that do the same by hand.
+
+use asperity::surface::{Fit, FitStep, Preparation, Refusal};
+use asperity::topography::Filter;
+use asperity_contact_framework::input::quantity::{Length, Quantity};
+use asperity_contact_framework::report::format::{count, input_quantity, listed, percent};
+
+use super::fitness;
+
+/// The preparation as a spec has it: nesting indices rounded as they are written.
+pub fn as_written(preparation: &Preparation) -> Preparation {
+    let rounded = |index: f64| parsed(&length(index)).unwrap_or(index);
+    let filter = preparation
+        .filter
+        .and_then(|filter| Filter::new(filter.s().map(rounded), filter.l().map(rounded)).ok());
+    Preparation { filter: filter.or(preparation.filter), ..*preparation }
+}
+
+/// A length (m) as a spec has it, with all of its digits.
+fn length(length: f64) -> String {
+    let short = input_quantity(length, "m");
+    let is_exact = parsed(&short).is_some_and(|value| (value / length - 1.0).abs() < 1e-12);
+    if is_exact { short } else { format!("{length:e} m") }
+}
+
+fn parsed(text: &str) -> Option<f64> {
+    Quantity::<Length>::parse(text).ok().map(|quantity| quantity.value())
+}
+
+/// The keys of the preparation found, as lines of `[surface.NAME.file]`.
+pub fn keys(fit: &Fit) -> Vec<String> {
+    let Preparation { removes_spikes, aligned, level, filter, .. } = fit.preparation;
+    let outliers = if removes_spikes { "remove" } else { "keep" };
+    let mut lines = vec![format!("outliers = \"{outliers}\"")];
+    lines.extend(aligned.map(|lines| format!("align-lines = \"{}\"", lines.name())));
+    lines.push(format!("level = \"{}\"", level.name()));
+    lines.extend(filter.map(|filter| {
+        let index =
+            |key: &str, index: Option<f64>| index.map(|index| format!("{key} = \"{}\"", length(index)));
+        let indices: Vec<String> =
+            [index("s", filter.s()), index("l", filter.l())].into_iter().flatten().collect();
+        format!("filter = {{ {} }}", indices.join(", "))
+    }));
+    lines
+}
+
+/// A spec whose last table is that of the file, with one key per line, as it is without `fit`: with the keys found.
+pub fn by_hand(spec: &str, fit: &Fit) -> String {
+    const FOUND: [&str; 5] = ["fit", "outliers", "align-lines", "level", "filter"];
+    let is_found = |line: &&str| {
+        let key = line.split_once(" = ").map_or("", |(key, _)| key);
+        FOUND.contains(&key)
+    };
+    let kept = spec.lines().filter(|line| !is_found(line)).map(str::to_owned);
+    kept.chain(keys(fit)).map(|line| line + "\n").collect()
+}
+
+/// What a reader of the results should know of a preparation that was found.
+pub fn caveat(fit: &Fit) -> String {
+    let applied: Vec<String> = fit
+        .steps
+        .iter()
+        .filter(|step| step.refusal.is_none())
+        .filter_map(|step| Some(format!("`{}`", fitness::written(step.remedy?))))
+        .collect();
+    let end = if fit.is_fit { "look at the map before and after." } else { "it is not fit with them." };
+    match (applied.is_empty(), fit.is_fit) {
+        (true, true) => "`fit` found nothing to remedy.".to_owned(),
+        (true, false) => "`fit` found no remedy that helps.".to_owned(),
+        (false, _) => format!("its preparation was found by `fit`: {}; {end}", listed(&applied)),
+    }
+}
+
+/// Why a remedy was not applied.
+pub fn reason(step: &FitStep) -> Option<String> {
+    Some(match step.refusal.as_ref()? {
+        Refusal::Units => "units and pixel are for you to state".to_owned(),
+        Refusal::NoRemedy => "no preparation remedies it further".to_owned(),
+        Refusal::Kept => "the spec states this key".to_owned(),
+        Refusal::ManyPoints(share) => {
+            format!("{} of the points would be removed: more than single wrong points", percent(*share))
+        }
+        Refusal::Variance(ratio) if *ratio < 1.0 => {
+            format!(
+                "it would take out {} of the variance of heights: a feature of the surface, not a fault",
+                percent(1.0 - ratio)
+            )
+        }
+        Refusal::Variance(ratio) => {
+            format!("it would add {} to the variance of heights", percent(ratio - 1.0))
+        }
+        Refusal::FewSummits(summits) => format!("{} summits would be left", count(*summits)),
+        Refusal::NotBetter => "the check does not come out better".to_owned(),
+        Refusal::StillFails => "the check still fails, with weaker filters too".to_owned(),
+        Refusal::Impossible(why) => format!("the map {why}"),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use asperity::topography::Level;
+    use asperity::topography::summits::Neighbours;
+
+    #[test]
+    fn found_keys_replace_those_of_the_spec() {
+        let filter = Filter::new(Some(2.5e-6), Some(8e-5)).ok();
+        let preparation = Preparation { level: Level::Cubic, filter, ..Preparation::none(Neighbours::Four) };
+        let fit = Fit { preparation, steps: Vec::new(), is_fit: true, before: None };
+        let spec = "law = \"zmc\"\n[surface.\"a\".file]\npath = \"a.npy\"\nfit = \"auto\"\nfilter = { s = \"2.5 um\" }\n";
+        assert_eq!(
+            by_hand(spec, &fit),
+            "law = \"zmc\"\n[surface.\"a\".file]\npath = \"a.npy\"\noutliers = \"keep\"\nlevel = \"cubic\"\n\
+             filter = { s = \"2.5 um\", l = \"80 um\" }\n"
+        );
+        assert_eq!(as_written(&preparation).filter.unwrap().s(), parsed("2.5 um"));
+        let long = 2.123456789e-6;
+        assert_eq!((length(long).as_str(), parsed(&length(long))), ("2.123456789e-6 m", Some(long)));
+    }
+}
