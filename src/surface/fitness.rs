@@ -3,8 +3,10 @@
 use asperity::topography::fitness::{Check, Finding, Measure};
 use asperity_contact_framework::report::format::{count, input_quantity, number, percent, quantity};
 
-use asperity::surface::{MapFacts, Remedy, Surface};
+use asperity::surface::{MOST_SPIKE_POINTS, MapFacts, Remedy, Surface};
 use asperity::topography::fitness::LARGEST_FLANKS;
+
+use super::fit::reason;
 
 /// Caveats that no check states.
 pub fn warnings(map: &MapFacts) -> Vec<String> {
@@ -55,7 +57,8 @@ pub fn next_step(surface: &Surface) -> Option<String> {
     let map = surface.map.as_ref()?;
     let blocking = map.blocking_in_order();
     let first = blocking.first()?;
-    let is_remedied = surface.fit.is_none() && Remedy::new(first, map).is_some();
+    let is_remedied =
+        surface.fit.is_none() && Remedy::new(first, map).is_some() && !has_too_many_spikes(first, map);
     let fit =
         if is_remedied { ", or let `--fit` (`fit = \"auto\"` in a spec) find the preparation" } else { "" };
     let others = match blocking.len() - 1 {
@@ -63,7 +66,22 @@ pub fn next_step(surface: &Surface) -> Option<String> {
         1 => "; one more check fails, perhaps of the same fault".to_owned(),
         count => format!("; {count} more checks fail, perhaps of the same fault"),
     };
-    Some(format!("{}{fit} ({}){others}", remedy(first, map), fault(first, map)))
+    let refused = surface.fit.iter().flat_map(|fit| &fit.steps).find(|step| step.before.check == first.check);
+    let remedy = match refused.and_then(|step| step.remedy.zip(reason(step))) {
+        Some((refused, why)) => format!(
+            "a part of the map without it, or another measurement: `fit` refused `{}`, because {why}",
+            written(refused)
+        ),
+        None => remedy(first, map),
+    };
+    Some(format!("{remedy}{fit} ({}){others}", fault(first, map)))
+}
+
+/// Whether so many points stand out that they are no single wrong ones.
+fn has_too_many_spikes(finding: &Finding, map: &MapFacts) -> bool {
+    let points = (map.points[0] * map.points[1]) as f64;
+    let share = map.spikes.as_ref().map_or(0.0, |spikes| spikes.left.points.len() as f64 / points);
+    finding.measure == Measure::Spikes && share > MOST_SPIKE_POINTS
 }
 
 /// A remedy as a spec has it.
@@ -209,6 +227,10 @@ pub fn remedy(finding: &Finding, map: &MapFacts) -> String {
              wrong points"
                 .to_owned()
         }
+        Measure::Spikes if has_too_many_spikes(finding, map) => format!(
+            "a part of the map without them, or another measurement: more than {} of the points stand out, as steep walls and noise do",
+            percent(MOST_SPIKE_POINTS)
+        ),
         Measure::Spikes => key(),
         Measure::FormShare if map.level.next().is_some() => key(),
         Measure::FormShare => format!("an L filter such as {}", key()),

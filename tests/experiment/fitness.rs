@@ -252,7 +252,14 @@ fn the_next_step_names_the_fit_where_it_helps() {
     write(folder.path(), "bow.npy", |i, j| base[i * SIDE + j] + 1e-11 * (i as f64 - 320.0).powi(2));
     write(folder.path(), "flanks.npy", |i, j| 80.0 * base[i * SIDE + j]);
     write(folder.path(), "units.npy", |i, j| 1e6 * base[i * SIDE + j]);
-    let maps = [("bow", "bow.npy", ""), ("flanks", "flanks.npy", ""), ("units", "units.npy", "")];
+    write(folder.path(), "many.npy", |i, j| base[i * SIDE + j] + if i % 8 + j % 8 == 0 { 3e-6 } else { 0.0 });
+    let maps = [
+        ("bow", "bow.npy", ""),
+        ("flanks", "flanks.npy", ""),
+        ("units", "units.npy", ""),
+        ("many", "many.npy", ""),
+        ("fitted", "many.npy", "fit = \"auto\""),
+    ];
     let results: CompareResults = crate::downcast(run(folder.path(), "robustness = false", &maps));
     let step =
         |k: usize| asperity_experiment::surface::fitness::next_step(&results.surfaces[k].surface).unwrap();
@@ -260,6 +267,17 @@ fn the_next_step_names_the_fit_where_it_helps() {
     assert!(step(1).contains("steep flanks") && step(1).contains("assumes small slopes"), "{}", step(1));
     assert!(!step(1).contains("units") && !step(1).contains("--fit"), "{}", step(1));
     assert!(step(2).contains("probably in different units") && !step(2).contains("--fit"), "{}", step(2));
+    // More than single wrong points: no advice to remove them, and none that a fit refused.
+    assert!(
+        step(3).contains("more than 1 % of the points stand out") && !step(3).contains("outliers"),
+        "{}",
+        step(3)
+    );
+    assert!(
+        step(4).contains("`fit` refused `outliers = \"remove\"`, because 1.56 % of the points"),
+        "{}",
+        step(4)
+    );
 }
 
 /// On a measured fine finish the shortest waves decide, on a Gaussian surface that the grid resolves they do not.
