@@ -30,7 +30,8 @@ fn one_load_is_answered_in_a_table_and_without_figures_of_a_point() {
     let names: Vec<String> = page.files(None).figures.into_iter().map(|(name, _)| name).collect();
     assert_eq!(names, ["a-asperities.svg"]);
     let text = page.markdown();
-    let table_on_page = "| model | load (mN) | nominal pressure (MPa) | separation (nm) |";
+    let table_on_page =
+        "| model | load (mN) | nominal area (mm²) | nominal pressure (MPa) | separation (nm) |";
     assert!(text.contains("## Results") && text.contains(table_on_page), "{text}");
     for row in table(&*outcome, "results.csv").unwrap() {
         // 6000 asperities on 0.1 mm².
@@ -47,15 +48,22 @@ fn one_load_is_answered_in_a_table_and_without_figures_of_a_point() {
 }
 
 #[test]
-fn one_separation_and_one_model_too_but_not_a_sweep() {
+fn one_separation_and_one_model_too_and_the_middle_of_several_loads() {
     let outcome = run("models = [\"deterministic\"]\nseparation = { values = [1.5] }").0;
     let rows = table(&*outcome, "results.csv").unwrap();
     assert_eq!((rows.len(), number(&rows[0], "separation_over_sigma")), (1, 1.5));
     // Nothing touches: no contact pressure.
     let rows = table(&*run("separation = { values = [9] }").0, "results.csv").unwrap();
     assert!(rows[1]["mean_real_pressure_pa"].is_empty(), "{rows:?}");
-    let outcome = run("pressure = { values = [\"1 MPa\", \"2 MPa\"] }").0;
-    assert!(table(&*outcome, "results.csv").is_none());
+    let outcome =
+        run("pressure = { values = [\"1 MPa\", \"2 MPa\", \"5 MPa\"] }\nseparation = { values = [1, 2] }").0;
+    for row in table(&*outcome, "results.csv").unwrap() {
+        assert!(
+            (number(&row, "pressure_pa") - 2e6).abs() < 1.0,
+            "the middle one of the prescribed loads: {row:?}"
+        );
+        assert!(number(&row, "real_area_low_m2") < number(&row, "real_area_m2"), "{row:?}");
+    }
     assert!(outcome.outline().files(None).figures.into_iter().any(|(name, _)| name == "a-area.svg"));
 }
 

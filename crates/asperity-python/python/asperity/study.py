@@ -65,8 +65,18 @@ class Results:
         return self.summary.get("answer")
 
     @property
+    def at_load(self) -> list[dict[str, Any]]:
+        """What each model says at the load, or at the middle one of several: contact area, contacts, pressure, shares of the load."""
+        return self.summary.get("results", [])
+
+    @property
+    def on_map(self) -> list[dict[str, Any]]:
+        """What holds on the surface itself, without an interval: one entry for each quantity and range of loads."""
+        return self.summary.get("on_map", [])
+
+    @property
     def verdicts(self) -> list[dict[str, Any]]:
-        """One entry for each quantity and range of loads with one verdict."""
+        """What holds of such surfaces: one entry for each quantity and range of loads with one verdict."""
         return self.summary.get("verdicts", [])
 
     @property
@@ -217,7 +227,7 @@ def compare(
     Returns
     -------
     Results
-        With ``answer``, ``verdicts``, ``attribution`` and ``curves``.
+        With ``answer``, ``at_load``, ``on_map``, ``verdicts``, ``attribution`` and ``curves``.
 
     Raises
     ------

@@ -98,15 +98,15 @@ fn case_columns<R>(key: impl for<'r> Fn(&'r R) -> CaseKey<'r> + Copy + 'static) 
 /// The tables of a comparison.
 pub(crate) fn schemas() -> Vec<Schema> {
     let mut schemas = vec![
-        Schema::of::<ResultRow>(),
         Schema::of::<OnMapRow>(),
         Schema::of::<VerdictRow>(),
         Schema::of::<CaseRow>(),
         Schema::of::<CurveRow>(),
         Schema::of::<PairRow>(),
         Schema::of::<GapRow>(),
-        Schema::of::<SpreadRow>(),
         Schema::of::<DifferenceRow>(),
+        Schema::of::<ResultRow>(),
+        Schema::of::<SpreadRow>(),
         Schema::of::<AttributionRow>(),
         Schema::of::<RankingRow>(),
         Schema::of::<StandingRow>(),
