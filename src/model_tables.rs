@@ -39,7 +39,7 @@ impl RowCase {
             surface["text"] = case(row).surface.as_str(), "Name of the surface; in `[limit]` the set of asperities, `random-N` or `quantiles-N`, or `population` for the integral.";
             realisation["count"] = case(row).realisation, "Number of the realisation of the surface, from 1; a given or measured surface has one.";
             law["text"] = case(row).law.as_str(), "Contact law of an asperity.";
-            layer_thickness_m["m", label("layer"), thickness] = case(row).thickness, "Thickness of the layer, 0 for the bare substrate and inf for a flat of the layer's material; empty where the spec has no layer.";
+            layer_thickness_m["m", label("layer"), thickness] = case(row).thickness, "Thickness of the layer, 0 for the bare substrate and inf for the bulk of the layer's material; empty where the spec has no layer.";
         }
     }
 }

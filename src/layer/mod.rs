@@ -1,4 +1,4 @@
-//! A layer on the flat: its spec and its plan.
+//! A layer on the flat or on the rough body: its spec and its plan.
 
 mod plan;
 mod spec;
@@ -6,4 +6,4 @@ mod warning;
 
 pub use plan::{LayerPlan, layer, thickness_words};
 pub use spec::LayerSpec;
-pub use warning::{hardness_warning, rule_warning};
+pub use warning::{CoatedSurface, hardness_warning, rule_warning};

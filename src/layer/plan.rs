@@ -1,8 +1,9 @@
-//! A layer on the flat.
+//! A layer on one of the bodies.
 
 use std::fmt;
 
 use crate::layer::spec::LayerSpec;
+use asperity::law::Body;
 use asperity::layer::Coating;
 use asperity::{Material, ModulusModel};
 use asperity_contact_framework::input::InputError;
@@ -18,6 +19,8 @@ pub struct LayerPlan {
     pub rule: ModulusModel,
     /// Thicknesses, m, ascending; 0 and infinity among them.
     pub thicknesses: Vec<f64>,
+    /// The body that it is on.
+    pub on: Body,
     /// The layer in any thickness on its substrate.
     pub coating: Coating,
 }
@@ -33,8 +36,23 @@ pub fn thickness_words(thickness: f64) -> String {
     }
 }
 
+/// A body in a sentence.
+const fn body_words(body: Body) -> &'static str {
+    match body {
+        Body::Rough => "the rough body",
+        Body::Flat => "the flat",
+    }
+}
+
+impl LayerSpec {
+    /// The body that the layer is on.
+    pub fn body(&self) -> Body {
+        self.on.as_ref().map_or(Body::Flat, |on| *on.get_ref())
+    }
+}
+
 impl LayerPlan {
-    /// Adds the uncoated flat to a layer of finite thickness.
+    /// Adds the uncoated body to a layer of finite thickness.
     pub fn add_uncoated(&mut self) {
         if self.thicknesses.iter().all(|&t| t > 0.0 && t.is_finite()) {
             self.thicknesses.insert(0, 0.0);
@@ -42,11 +60,12 @@ impl LayerPlan {
     }
 }
 
-/// "lead of 0, 50 nm, inf, rule gao".
+/// "0, 50 nm, inf of lead on the flat, rule gao".
 impl fmt::Display for LayerPlan {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let thicknesses: Vec<String> = self.thicknesses.iter().map(|&t| thickness_words(t)).collect();
-        write!(f, "{} of {}, rule {}", self.name, thicknesses.join(", "), self.rule.name())
+        let (thicknesses, body) = (thicknesses.join(", "), body_words(self.on));
+        write!(f, "{thicknesses} of {} on {body}, rule {}", self.name, self.rule.name())
     }
 }
 
@@ -57,5 +76,5 @@ pub fn layer(file: &SpecFile, spec: &LayerSpec, substrate: &Material) -> Result<
     let coating = Coating::new(material, *substrate, spec.rule)
         .map_err(|error| file.source.error_at(spec.material.span(), format!("found \"{name}\": {error}")))?;
     let thicknesses = spec.thickness.values.clone();
-    Ok(LayerPlan { name, rule: spec.rule, thicknesses, coating })
+    Ok(LayerPlan { name, rule: spec.rule, thicknesses, on: spec.body(), coating })
 }

@@ -1,9 +1,11 @@
-//! `layer = { material = "lead", thickness = [0, "50 nm", "inf"] }`: the layer on the flat.
+//! `layer = { material = "lead", thickness = [0, "50 nm", "inf"] }`: the layer on the flat, or with `on = "rough"` on the
+//! rough body.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer};
 use serde_json::json;
 
+use asperity::law::Body;
 use asperity::{ModulusModel, units};
 use asperity_contact_framework::input::bare::{ThicknessOrNone, ThicknessRange};
 use asperity_contact_framework::input::quantity::{Length, Quantity};
@@ -12,7 +14,7 @@ use asperity_contact_framework::input::sweep::LogSweep;
 use asperity_contact_framework::input::{Forms, Spanned};
 use asperity_contact_framework::written_schema;
 
-/// A layer on the flat, of one thickness or several.
+/// A layer on one of the bodies, of one thickness or several.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(
     deny_unknown_fields,
@@ -23,13 +25,16 @@ pub struct LayerSpec {
     /// The name of a `[material.NAME]` of this file.
     #[schemars(extend("examples" = ["lead"]))]
     pub material: Spanned<String>,
-    /// One thickness, or several, as an ascending list or spaced by equal ratios; 0 is the bare flat, `"inf"` the bulk of the layer.
+    /// One thickness, or several, as an ascending list or spaced by equal ratios; 0 is the bare body, `"inf"` the bulk of the layer.
     #[schemars(extend("examples" = [[0, "50 nm", "inf"], { "from": "10 nm", "to": "10 um", "points": 7 }]))]
     pub thickness: Thicknesses,
     /// The effective-modulus model of layer and substrate.
     #[serde(default)]
     #[schemars(extend("default" = "gao", "examples" = ["series"]))]
     pub rule: ModulusModel,
+    /// The body that has the layer. On the rough body it follows the surface, whose heights are those of the coated one; each coated asperity is taken as a layered half-space.
+    #[schemars(extend("default" = "flat", "examples" = ["rough"]))]
+    pub on: Option<Spanned<Body>>,
 }
 
 /// One thickness, m: 0 is uncoated, infinity the bulk layer material.

@@ -1,4 +1,4 @@
-//! Warnings about the effective modulus and the effective hardness of a layered flat.
+//! Warnings about the effective modulus and the effective hardness of a layered body, and about layers that are thick for a rough one.
 
 use asperity::ModulusModel;
 use asperity::compare::{GOOD_RATIO, ModulusFindings};
@@ -53,9 +53,68 @@ pub fn hardness_warning(layer: &str, ratios: impl Iterator<Item = (f64, f64)>) -
     ))
 }
 
+/// A rough body that has a layer.
+#[derive(Debug, Clone, Copy)]
+pub struct CoatedSurface<'a> {
+    /// Name of the surface.
+    pub name: &'a str,
+    /// Mean radius of its asperities, m.
+    pub radius: f64,
+    /// Sq of its map, m; `None` of a surface without one.
+    pub sq: Option<f64>,
+}
+
+impl CoatedSurface<'_> {
+    /// Warns where the layer called `layer` is, in one of the `thicknesses` (m), too thick to be taken as a layered half-space below each
+    /// asperity, or to follow the surface.
+    pub fn warnings(self, layer: &str, thicknesses: &[f64]) -> Vec<String> {
+        /// Of the mean radius: the layer's lower side then still has nine tenths of the radius of the upper one.
+        const THICK: f64 = 0.1;
+        let Some(t) = thicknesses.iter().copied().filter(|t| t.is_finite()).reduce(f64::max) else {
+            return Vec::new();
+        };
+        let of = format!("layer {layer} of {} on the rough body, surface {}", quantity(t, "m"), self.name);
+        let curved = (t > THICK * self.radius).then(|| {
+            format!(
+                "{of}: the thickness is {} times the mean radius of the asperities, {}. A coated asperity is taken as a layered half-space, \
+                 by the models and by boundary elements, which needs a radius of at least ten times the thickness; beyond, what \
+                 the layer changes is uncertain",
+                number(t / self.radius),
+                quantity(self.radius, "m")
+            )
+        });
+        let filling = self.sq.filter(|sq| t > *sq).map(|sq| {
+            format!(
+                "{of}: the thickness is {} times Sq, {}. So thick a layer may fill valleys instead of following the surface: the map must \
+                 be that of the coated surface, and the thickness below a summit may differ by about Sq, {} %, from that of the spec",
+                number(t / sq),
+                quantity(sq, "m"),
+                number(100.0 * sq / t)
+            )
+        });
+        curved.into_iter().chain(filling).collect()
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn layers_too_thick_for_a_rough_body_are_cautioned() {
+        let surface = CoatedSurface { name: "a", radius: 10e-6, sq: Some(0.4e-6) };
+        let warnings = |thicknesses: &[f64]| surface.warnings("dlc", thicknesses);
+        assert_eq!(warnings(&[0.0, 0.4e-6, f64::INFINITY]), Vec::<String>::new());
+        let between = warnings(&[0.0, 1e-6]);
+        assert!(
+            matches!(&between[..], [one] if one.starts_with("layer dlc of 1 µm on the rough body, surface a: the thickness is 2.5 times Sq, 400 nm") && one.contains("about Sq, 40 %,")),
+            "{between:?}"
+        );
+        let thick = warnings(&[1e-7, 2e-6]);
+        assert!(thick[0].contains("0.2 times the mean radius of the asperities, 10 µm"), "{thick:?}");
+        assert!(thick[1].contains("5 times Sq"), "{thick:?}");
+        assert_eq!(CoatedSurface { sq: None, ..surface }.warnings("dlc", &[1e-6]), Vec::<String>::new());
+    }
 
     #[test]
     fn contacts_wider_than_the_layer_are_cautioned() {

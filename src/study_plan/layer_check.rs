@@ -27,14 +27,14 @@ pub fn layer_metadata(
         check = Some(findings);
     }
     let thicknesses = layer.thicknesses.clone();
-    Ok(Some(LayerMetadata { name: layer.name.clone(), rule: layer.rule, thicknesses, check }))
+    Ok(Some(LayerMetadata { name: layer.name.clone(), rule: layer.rule, on: layer.on, thicknesses, check }))
 }
 
 /// How good both rules are between the materials of a study.
 fn rule_check(plan: &StudyPlan, layer: &LayerPlan) -> Result<(ModulusFindings, Vec<Paper>), ContactError> {
     /// a/t, from and to.
     const RANGE: [f64; 2] = [0.1, 10.0];
-    let [rough, flat] = &plan.pair;
-    let check = ModulusCheck::new(rough, &layer.coating.material, flat)?;
+    let [bare, substrate] = plan.bare_and_coated();
+    let check = ModulusCheck::new(bare, &layer.coating.material, substrate)?;
     Ok((check.findings(RANGE[0], RANGE[1]), check.papers()))
 }

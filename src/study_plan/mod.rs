@@ -16,6 +16,7 @@ use std::fmt;
 use std::ops::Range;
 
 use asperity::compare::{Controls, ModelKind};
+use asperity::law::Body;
 use asperity::study::{LawContact, Setup, StatisticalModel};
 use asperity::{ContactLaw, Flat, Material};
 use asperity_contact_framework::RunContext;
@@ -38,7 +39,7 @@ pub struct StudyKeys<'a> {
     pub flat: &'a Spanned<String>,
     /// The laws.
     pub law: &'a Spanned<Laws>,
-    /// A layer on the flat.
+    /// A layer on one of the bodies.
     pub layer: Option<&'a LayerSpec>,
     /// The statistical model.
     pub statistical: Option<&'a Spanned<StatisticalSpec>>,
@@ -60,13 +61,13 @@ pub struct StudyPlan {
     pub bodies: Bodies,
     /// The rough body and the flat.
     pub pair: [Material; 2],
-    /// The layer on the flat.
+    /// The layer on one of them.
     pub layer: Option<Box<LayerPlan>>,
     /// The laws, each under every thickness of the layer.
     pub laws: Vec<LawContact>,
     /// The laws alone.
     pub law_specs: Vec<ContactLaw>,
-    /// The flat, bare or with each thickness of the layer.
+    /// The body that the layer is on, the flat where there is none, bare or with each thickness of the layer.
     pub flats: Vec<(Option<f64>, Flat)>,
     /// The statistical model.
     pub statistical: StatisticalModel,
@@ -116,25 +117,32 @@ impl StudyPlan {
                 "found no separation, pressure or force; allowed: at least one of separation, pressure, force",
             ));
         }
-        let mut layer = keys.layer.map(|spec| layer(file, spec, &flat).map(Box::new)).transpose()?;
+        // The rule and the laws do not tell the bodies apart: a layer on the rough body exchanges their roles.
+        let (rough, flat) = ((rough_name.as_str(), rough), (flat_name.as_str(), flat));
+        let (bare, coated) = match keys.layer.map(LayerSpec::body) {
+            Some(Body::Rough) => (flat, rough),
+            Some(Body::Flat) | None => (rough, flat),
+        };
+        let mut layer = keys.layer.map(|spec| layer(file, spec, &coated.1).map(Box::new)).transpose()?;
         if keys.layer.is_some_and(|spec| spec.thickness.stands_alone) {
             // One thickness is compared with none.
             layer.iter_mut().for_each(|layer| layer.add_uncoated());
         }
         let flats = match &layer {
-            None => vec![(None, Flat::Bare(flat))],
+            None => vec![(None, Flat::Bare(coated.1))],
             Some(layer) => {
                 let on = |&t: &f64| layer.coating.flat(t).map(|flat| (Some(t), flat));
                 let flats: Result<Vec<_>, _> = layer.thicknesses.iter().map(on).collect();
                 flats.map_err(|error| InputError::file(&file.source.path, error))?
             }
         };
-        let materials = flat_materials(layer.as_deref(), (flat_name, &flat));
-        file.check_laws(keys.law, (rough_name, &rough), &materials)?;
+        let materials = coated_materials(layer.as_deref(), (coated.0, &coated.1));
+        let bare = (bare.0, &bare.1);
+        file.check_laws(keys.law, bare, &materials)?;
         let origins = file.origins();
         let is_given =
             |name: &str, key: &str| origins.get(name).is_none_or(|origin| origin.overridden.contains(&key));
-        let mut implausible = plausibility::of_bodies((rough_name, &rough), &materials, is_given);
+        let mut implausible = plausibility::of_bodies(bare, &materials, is_given);
         let thicknesses = layer.iter().filter_map(|l| plausibility::of_thicknesses(&l.name, &l.thicknesses));
         implausible.extend(thicknesses);
         implausible.extend(plausibility::of_pressures(&keys.controls.pressures));
@@ -145,10 +153,10 @@ impl StudyPlan {
         let pixels = surfaces.iter().filter_map(|surface| Some((surface, surface.pixel()?)));
         implausible
             .extend(pixels.filter_map(|(surface, pixel)| plausibility::of_pixel(&surface.name, pixel)));
-        let laws = file.law_plans(keys.law, (rough_name, &rough), &flats, flat_name)?;
+        let laws = file.law_plans(keys.law, bare, &flats, coated.0)?;
         let mut plan = Self {
             bodies: Bodies { rough: rough_name.clone(), flat: flat_name.clone() },
-            pair: [rough, flat],
+            pair: [rough.1, flat.1],
             law_specs,
             laws,
             flats,
@@ -183,6 +191,15 @@ impl StudyPlan {
         }
     }
 
+    /// The body without the layer, and the one that has it or could have it: the rough one and the flat without a layer.
+    pub fn bare_and_coated(&self) -> [&Material; 2] {
+        let [rough, flat] = &self.pair;
+        match self.layer.as_ref().map(|layer| layer.on) {
+            Some(Body::Rough) => [flat, rough],
+            Some(Body::Flat) | None => [rough, flat],
+        }
+    }
+
     /// Whether some contact is under a layer of finite thickness: of a listed one, or of one at which the layer begins to
     /// matter, which is looked for at given loads.
     pub fn uses_rule(&self, layer: &LayerPlan) -> bool {
@@ -206,7 +223,7 @@ impl StudyPlan {
         writeln!(f, "  {} on {}, law {}", self.bodies.rough, self.bodies.flat, laws.join(", "))?;
         let each = match &self.layer {
             Some(layer) => {
-                writeln!(f, "  under {layer}")?;
+                writeln!(f, "  layer: {layer}")?;
                 "law, thickness and surface"
             }
             None => "law and surface",
@@ -239,9 +256,9 @@ impl fmt::Display for StudyPlan {
     }
 }
 
-/// The materials of a flat whose properties some law needs: zero thickness needs none of the layer, infinite thickness none of the
+/// The materials of the coated body whose properties some law needs: zero thickness needs none of the layer, infinite thickness none of the
 /// substrate.
-fn flat_materials<'a>(
+fn coated_materials<'a>(
     layer: Option<&'a LayerPlan>,
     substrate: (&'a str, &'a Material),
 ) -> Vec<(&'a str, &'a Material)> {

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use asperity::law::Body;
 use asperity_contact_framework::input::InputError;
 
 use super::options::{quoted, typed, written};
@@ -15,10 +16,12 @@ pub struct ContactOptions {
     pub rough: Option<String>,
     /// That of the flat.
     pub flat: Option<String>,
-    /// That of a layer on the flat.
+    /// That of a layer.
     pub layer: Option<String>,
     /// Thickness of the layer.
     pub thickness: Option<String>,
+    /// The body that it is on: rough or flat.
+    pub layer_on: Option<String>,
     /// A force.
     pub load: Option<String>,
     /// The nominal area that it acts on.
@@ -39,7 +42,8 @@ impl ContactOptions {
     /// # Errors
     /// The first of them, as it was typed.
     pub fn check(&self) -> Result<(), InputError> {
-        let Self { material, rough, flat, layer, thickness, load, area, pressure } = self;
+        let Self { material, rough, flat, layer, thickness, layer_on, load, area, pressure } = self;
+        let is_no_body = |name: &String| Body::ALL.iter().all(|body| body.name() != name.as_str());
         let conflicts = [
             (
                 "load",
@@ -58,6 +62,18 @@ impl ContactOptions {
                 thickness,
                 layer.is_none(),
                 "found without a layer; allowed: beside --layer MATERIAL",
+            ),
+            (
+                "layer-on",
+                layer_on,
+                layer.is_none(),
+                "found without a layer; allowed: beside --layer MATERIAL",
+            ),
+            (
+                "layer-on",
+                layer_on,
+                layer_on.as_ref().is_some_and(is_no_body),
+                "found no body; allowed: \"flat\", \"rough\"",
             ),
             (
                 "layer",
@@ -101,8 +117,9 @@ impl ContactOptions {
         };
         let mut lines = vec![body("rough", self.rough()), body("flat", self.flat())];
         if let Some(((name, _), thickness)) = self.layer().zip(self.thickness.as_deref()) {
+            let on = self.layer_on.as_deref().map_or_else(String::new, |on| format!(", on = {}", quoted(on)));
             let line =
-                format!("layer = {{ material = {}, thickness = {} }}", quoted(name), written(thickness));
+                format!("layer = {{ material = {}, thickness = {}{on} }}", quoted(name), written(thickness));
             lines.push((line, typed("thickness", thickness)));
         }
         lines
@@ -176,6 +193,9 @@ mod tests {
             ]
         );
         assert_eq!(text(options.loads()), ["force = \"5 N\"", "nominal-area = \"4 mm2\""]);
+        let on_rough = ContactOptions { layer_on: some("rough"), ..options };
+        let layer = "layer = { material = \"steel-100Cr6\", thickness = \"2 um\", on = \"rough\" }";
+        assert_eq!(text(on_rough.bodies())[2], layer);
     }
 
     #[test]
@@ -190,6 +210,19 @@ mod tests {
             (
                 ContactOptions { thickness: some("2 um"), ..none() },
                 "--thickness \"2 um\": found without a layer",
+            ),
+            (
+                ContactOptions { layer_on: some("rough"), ..none() },
+                "--layer-on \"rough\": found without a layer",
+            ),
+            (
+                ContactOptions {
+                    layer: some("coating-DLC"),
+                    thickness: some("2 um"),
+                    layer_on: some("ball"),
+                    ..none()
+                },
+                "--layer-on \"ball\": found no body; allowed: \"flat\", \"rough\"",
             ),
             (
                 ContactOptions { layer: some("coating-DLC"), ..none() },

@@ -30,6 +30,7 @@ mod fitness;
 mod in_memory;
 mod indentation;
 mod keys;
+mod layer_on_rough;
 mod layers;
 mod limit;
 mod lists;

@@ -67,7 +67,7 @@ fn one_thickness_is_shown_beside_the_uncoated_flat_and_a_list_stays() {
         );
         let (outcome, check) = run(&layer);
         let summary = outcome.records();
-        assert_eq!(check.contains("lead of 0, "), summary["layer"]["thicknesses_m"][0] == 0.0, "{check}");
+        assert_eq!(check.contains("layer: 0, "), summary["layer"]["thicknesses_m"][0] == 0.0, "{check}");
         (summary["layer"]["thicknesses_m"].as_array().unwrap().len(), outcome.outline().markdown())
     };
     let (count, text) = thicknesses("\"50 nm\"");

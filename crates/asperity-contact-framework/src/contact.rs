@@ -4,7 +4,7 @@ use indexmap::IndexMap;
 use serde::Serialize;
 
 use asperity::compare::ModulusFindings;
-use asperity::law::Property;
+use asperity::law::{Body, Property};
 use asperity::study::LawContact;
 use asperity::{Material, ModulusModel, Paper, literature};
 
@@ -17,13 +17,15 @@ pub struct Bodies {
     pub flat: String,
 }
 
-/// The layer on the flat.
+/// The layer on one of the bodies.
 #[derive(Debug, Clone)]
 pub struct LayerMetadata {
     /// Name of its material.
     pub name: String,
     /// Effective-modulus model.
     pub rule: ModulusModel,
+    /// The body that it is on.
+    pub on: Body,
     /// Thicknesses, m, ascending; 0 and infinity among them.
     pub thicknesses: Vec<f64>,
     /// Accuracy of the effective-modulus models for these materials, a/t from 0.1 to 10; `None` without a finite thickness.
@@ -41,7 +43,7 @@ pub struct ContactMetadata {
     pub reduced_modulus: f64,
     /// Hardness of the softer body, Pa.
     pub hardness: Option<f64>,
-    /// The layer on the flat.
+    /// The layer on one of them.
     pub layer: Option<LayerMetadata>,
     /// Laws used outside their range of validity, one per line.
     pub caveats: Vec<String>,

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use asperity::contact_law::{self, ContactLaw};
+use asperity::law::Body;
 use asperity::{Flat, MicroContact, ModulusModel, Shape, material_library};
 use numpy::PyArray1;
 use pyo3::prelude::*;
@@ -199,20 +200,23 @@ enum LawOrName {
     Name(String),
 }
 
-/// Two bodies under a law: a rough one and a flat, which may have a layer.
+/// Two bodies under a law: a rough one and a flat, one of which may have a layer.
 ///
 /// Parameters
 /// ----------
 /// rough, flat : Material
-///     The bodies; under a layer, the flat is its substrate.
+///     The bodies; the one that has the layer is its substrate.
 /// law : str or Law
 ///     The contact law.
 /// layer : Material, optional
 ///     The material of the layer.
 /// thickness : float, optional
-///     Its thickness in m: 0 for the bare flat, ``math.inf`` for the bulk of the layer.
+///     Its thickness in m: 0 for the bare body, ``math.inf`` for the bulk of the layer.
 /// rule : {"gao", "series"}
 ///     How the moduli of layer and substrate combine (Gao, Chiu and Lee 1992; Song and Pharr 1999).
+/// on : {"flat", "rough"}
+///     The body that has the layer. On the rough body each coated asperity is taken as a layered half-space: its radius must be
+///     large against the thickness, and heights and radii are those of the coated surface.
 ///
 /// Raises
 /// ------
@@ -231,7 +235,7 @@ pub struct Interface {
     /// The rough body.
     #[pyo3(get)]
     rough: Material,
-    /// The flat; under a layer, the substrate.
+    /// The flat.
     #[pyo3(get)]
     flat: Material,
     /// The contact law.
@@ -246,12 +250,13 @@ pub struct Interface {
     /// How the moduli of layer and substrate combine.
     #[pyo3(get)]
     rule: &'static str,
+    on: Body,
 }
 
 #[pymethods]
 impl Interface {
     #[new]
-    #[pyo3(signature = (rough, flat, law=LawOrName::Name("zmc".to_owned()), *, layer=None, thickness=None, rule="gao"))]
+    #[pyo3(signature = (rough, flat, law=LawOrName::Name("zmc".to_owned()), *, layer=None, thickness=None, rule="gao", on="flat"))]
     fn new(
         rough: Material,
         flat: Material,
@@ -259,6 +264,7 @@ impl Interface {
         layer: Option<Material>,
         thickness: Option<f64>,
         rule: &str,
+        on: &str,
     ) -> PyResult<Self> {
         let law = match law {
             LawOrName::Law(law) => law,
@@ -268,15 +274,29 @@ impl Interface {
             let allowed: Vec<&str> = ModulusModel::ALL.iter().map(|model| model.name()).collect();
             refuse(format!("rule: found \"{rule}\"; allowed: {}", allowed.join(", ")))
         })?;
-        let on = match (&layer, thickness) {
+        let on = Body::ALL.into_iter().find(|body| body.name() == on).ok_or_else(|| {
+            let allowed = Body::ALL.map(Body::name).join(", ");
+            refuse(format!("on: found \"{on}\"; allowed: {allowed}"))
+        })?;
+        let (bare, substrate) = match on {
+            Body::Rough => (&flat, &rough),
+            Body::Flat => (&rough, &flat),
+        };
+        let layered = match (&layer, thickness) {
             (Some(layer), Some(thickness)) => {
-                Flat::with_layer(&layer.0, &flat.0, thickness, model).map_err(refuse)?
+                Flat::with_layer(&layer.0, &substrate.0, thickness, model).map_err(refuse)?
             }
-            (None, None) => Flat::Bare(flat.0),
+            (None, None) => Flat::Bare(substrate.0),
             _ => return Err(refuse("found only one of layer and thickness; allowed: both or none")),
         };
-        let contact = law.0.interface(&rough.0, &on).map_err(refuse)?;
-        Ok(Self { contact: Arc::from(contact), rough, flat, law, layer, thickness, rule: model.name() })
+        let contact = law.0.interface_of(&layered, on, &bare.0).map_err(refuse)?;
+        Ok(Self { contact: Arc::from(contact), rough, flat, law, layer, thickness, rule: model.name(), on })
+    }
+
+    /// The body that has the layer: ``"flat"`` or ``"rough"``; ``"flat"`` without one.
+    #[getter]
+    fn on(&self) -> &'static str {
+        self.on.name()
     }
 
     /// Reduced modulus E* of the pair without a layer in Pa.
@@ -349,6 +369,9 @@ impl Interface {
     fn __repr__(&self) -> String {
         let law = self.law.__repr__();
         match self.thickness {
+            Some(thickness) if self.on == Body::Rough => {
+                format!("Interface(law={law}, thickness={thickness:e}, on=\"rough\")")
+            }
             Some(thickness) => format!("Interface(law={law}, thickness={thickness:e})"),
             None => format!("Interface(law={law})"),
         }

@@ -122,6 +122,21 @@ def test_tables_are_mappings_with_units():
     assert table.to_xarray()["pressure_pa"].attrs["units"] == "Pa"
 
 
+def test_a_layer_on_the_rough_body():
+    lead = asperity.Material(18e9, 0.35, hardness=170e6)
+    bronze = asperity.Material(110e9, 0.34, hardness=1.9e9)
+    on_rough = asperity.Interface(STEEL, bronze, layer=lead, thickness=2e-7, on="rough")
+    exchanged = asperity.Interface(bronze, STEEL, layer=lead, thickness=2e-7)
+    on_flat = asperity.Interface(STEEL, bronze, layer=lead, thickness=2e-7)
+    assert (on_rough.on, exchanged.on) == ("rough", "flat")
+    assert repr(on_rough).endswith('thickness=2e-7, on="rough")')
+    load = [contact.contact(1e-7, 2e-5)["load_n"][0] for contact in (on_rough, exchanged, on_flat)]
+    assert load[0] == load[1] != load[2]
+    # The program is given the same key.
+    found = [asperity.compare(asperities(), contact, separations=[2]).curves for contact in (on_rough, exchanged)]
+    assert np.array_equal(found[0]["pressure_pa"], found[1]["pressure_pa"])
+
+
 @pytest.mark.parametrize(
     "call, message",
     [
@@ -133,6 +148,7 @@ def test_tables_are_mappings_with_units():
         (lambda: asperity.Interface(STEEL, STEEL, layer=STEEL), "only one of layer and thickness"),
         (lambda: asperity.Interface(STEEL, STEEL, layer=STEEL, thickness=-1), "thickness"),
         (lambda: asperity.Interface(STEEL, STEEL, rule="x"), "allowed: gao, series"),
+        (lambda: asperity.Interface(STEEL, STEEL, on="ball"), 'on: found "ball"; allowed: rough, flat'),
         (lambda: asperity.Interface(STEEL, STEEL, "jackson-green"), "no yield-strength, which law jackson-green needs"),
         (lambda: CONTACT.contact([1e-9, np.nan], 1e-5), "indentation: found NaN"),
         (lambda: CONTACT.contact(1e-9, -1), "radius: found -1"),

@@ -20,7 +20,9 @@ use std::fmt;
 use std::sync::{Arc, LazyLock};
 
 use crate::interface::{Flat, MicroContact};
-use crate::law::{self, Inapplicable, Law, LawOption, OptionError, Pair, ScalableLaw, Shape, YieldLimits};
+use crate::law::{
+    self, Body, Inapplicable, Law, LawOption, OptionError, Pair, ScalableLaw, Shape, YieldLimits,
+};
 use crate::literature::{self, Paper};
 use crate::material::Material;
 
@@ -197,6 +199,41 @@ impl ContactLaw {
     /// See [`Inapplicable`].
     pub fn interface(&self, rough: &Material, flat: &Flat) -> Result<Box<dyn MicroContact>, Inapplicable> {
         self.law.on(flat, rough)
+    }
+
+    /// The micro-contact of the `body` that may have a layer and of the `bare` one under this law.
+    ///
+    /// A contact of two bodies depends on the sum of their compliances and on the weaker of their yield limits only, so that
+    /// the micro-contact of a coated rough body on a bare flat is that of [`Self::interface`] with the bodies exchanged. The coated
+    /// asperity is then taken as a layered half-space, as the coated flat is: its radius must be large against the thickness
+    /// of the layer, which follows the surface.
+    ///
+    /// ```
+    /// use asperity::contact_law::named;
+    /// use asperity::law::Body;
+    /// use asperity::{Flat, Material, ModulusModel, Shape};
+    ///
+    /// let (steel, bronze) = (Material::new(210e9, 0.3, Some(7.6e9), None)?, Material::new(110e9, 0.34, Some(1.9e9), None)?);
+    /// let dlc = Material::new(160e9, 0.2, Some(16e9), None)?;
+    /// let coated_steel = Flat::with_layer(&dlc, &steel, 1e-6, ModulusModel::Gao)?;
+    /// let contact = named("zmc").unwrap().interface_of(&coated_steel, Body::Rough, &bronze)?;
+    /// assert!(contact.contact(1e-9, Shape::sphere(50e-6)).load > 0.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// See [`Inapplicable`].
+    pub fn interface_of(
+        &self,
+        layered: &Flat,
+        body: Body,
+        bare: &Material,
+    ) -> Result<Box<dyn MicroContact>, Inapplicable> {
+        let contact = self.interface(bare, layered);
+        match body {
+            Body::Flat => contact,
+            Body::Rough => contact.map_err(Inapplicable::exchanged),
+        }
     }
 
     /// See [`Law::tuned`].

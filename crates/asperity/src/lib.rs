@@ -34,7 +34,7 @@
 //!
 //! | step | items |
 //! |---|---|
-//! | two bodies | [`Material`], or one of [`material_library`]; a layer on the flat: [`Flat::with_layer`], [`layer`] |
+//! | two bodies | [`Material`], or one of [`material_library`]; a layer on the flat: [`Flat::with_layer`], [`layer`]; on the rough body: [`ContactLaw::interface_of`] |
 //! | a law | [`Zmc`], [`Hertz`], [`Ceb`], [`KogutEtsion`], [`JacksonGreen`], [`FullyPlastic`], by name in [`contact_law`], or your own [`Law`] |
 //! | the micro-contact | [`Interface::bare`]; [`Flat::under`] for a flat that may be layered |
 //! | asperities | a [`Population`] with a height distribution ([`distribution`]), an [`AsperitySet`] from lists, or the summits of a [`HeightMap`] ([`topography`]) |

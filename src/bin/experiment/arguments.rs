@@ -176,12 +176,15 @@ pub struct FileArguments {
     /// Material of the flat
     #[arg(long)]
     flat: Option<String>,
-    /// Material of a layer on the flat, with --thickness
+    /// Material of a layer on the flat (or by --layer-on on the rough body), with --thickness
     #[arg(long)]
     layer: Option<String>,
     /// Thickness of the layer: "2 um"
     #[arg(long, allow_hyphen_values = true)]
     thickness: Option<String>,
+    /// Body that the layer is on: flat, rough; default: flat
+    #[arg(long, value_name = "BODY")]
+    layer_on: Option<String>,
     /// Force, on --area or else on the map's own area: "5 N"
     #[arg(long, allow_hyphen_values = true)]
     load: Option<String>,
@@ -210,8 +213,10 @@ impl From<FileArguments> for FileOptions {
             neighbours,
             ..
         } = arguments;
-        let FileArguments { material, rough, flat, layer, thickness, load, area, pressure, .. } = arguments;
-        let contact = ContactOptions { material, rough, flat, layer, thickness, load, area, pressure };
+        let FileArguments { material, rough, flat, layer, thickness, layer_on, load, area, pressure, .. } =
+            arguments;
+        let contact =
+            ContactOptions { material, rough, flat, layer, thickness, layer_on, load, area, pressure };
         Self {
             pixel,
             unit,

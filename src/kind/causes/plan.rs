@@ -125,8 +125,8 @@ pub(super) fn plan(file: &SpecFile, table: &Spanned<CausesSpec>) -> Result<Cause
         loads: vec![(Control::Pressure, &pressures, true)],
         bodies: [&raw.rough.get_ref().0, raw.flat.get_ref()],
     };
-    let [rough, _] = &study.pair;
-    let resolved = Resolved { rough, flats: &study.flats, laws: &study.laws, surfaces: &study.surfaces };
+    let [bare, _] = study.bare_and_coated();
+    let resolved = Resolved { bare, flats: &study.flats, laws: &study.laws, surfaces: &study.surfaces };
     let reference = reference(file, &reference_keys, &resolved)?.map(Box::new);
     Ok(CausesPlan {
         axis: process.axis(),

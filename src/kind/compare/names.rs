@@ -1,5 +1,6 @@
 //! Names of surfaces, laws and thicknesses on a page.
 
+use asperity::law::Body;
 use asperity_contact_framework::contact::LayerMetadata;
 use asperity_contact_framework::report::format::input_quantity;
 
@@ -24,11 +25,15 @@ fn slug(label: &str) -> String {
     kept.trim_matches('-').to_owned()
 }
 
-/// "under 50 nm of lead".
+/// "under 50 nm of lead", or "50 nm of lead on the rough body".
 pub fn under(layer: &LayerMetadata, t: f64) -> String {
-    match t {
-        0.0 => "on the uncoated flat".to_owned(),
-        f64::INFINITY => format!("on bulk {}", layer.name),
-        t => format!("under {} of {}", input_quantity(t, "m"), layer.name),
+    let of = || format!("{} of {}", input_quantity(t, "m"), layer.name);
+    match (layer.on, t) {
+        (Body::Flat, 0.0) => "on the uncoated flat".to_owned(),
+        (Body::Flat, f64::INFINITY) => format!("on bulk {}", layer.name),
+        (Body::Flat, _) => format!("under {}", of()),
+        (Body::Rough, 0.0) => "rough body uncoated".to_owned(),
+        (Body::Rough, f64::INFINITY) => format!("rough body of bulk {}", layer.name),
+        (Body::Rough, _) => format!("{} on the rough body", of()),
     }
 }

@@ -89,8 +89,8 @@ pub(super) fn plan(file: &SpecFile, table: &Spanned<CompareSpec>) -> Result<Comp
         return Err(file.source.error_at(area.span(), message));
     }
     let mut study = StudyPlan::new(file, keys(table))?;
-    let [rough, _] = &study.pair;
-    let resolved = Resolved { rough, flats: &study.flats, laws: &study.laws, surfaces: &study.surfaces };
+    let [bare, _] = study.bare_and_coated();
+    let resolved = Resolved { bare, flats: &study.flats, laws: &study.laws, surfaces: &study.surfaces };
     let reference = reference(file, &reference_keys(raw), &resolved)?.map(Box::new);
     let warnings: Vec<String> =
         reference.iter().flat_map(|reference| reference.warnings(&study.surfaces)).collect();

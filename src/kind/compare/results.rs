@@ -4,13 +4,14 @@ use std::path::PathBuf;
 
 use asperity::analytical::AnalyticalLine;
 use asperity::compare::Tolerances;
+use asperity::law::Body;
 use asperity::study::{CaseStudy, DecreaseResults, LawFindings, RealisationFacts, Threshold};
 use asperity::surface::Surface;
 use asperity_contact_framework::contact::ContactMetadata;
 use asperity_contact_framework::metadata::Metadata;
 
 use super::reference::{ContactView, ElasticCase};
-use crate::layer::{hardness_warning, rule_warning};
+use crate::layer::{CoatedSurface, hardness_warning, rule_warning};
 use crate::surface::rows::SurfaceRow;
 use crate::surface::warnings;
 
@@ -80,6 +81,10 @@ impl CompareResults {
         );
         let layer = self.contact.layer.as_ref();
         lines.extend(layer.and_then(|layer| hardness_warning(&layer.name, self.contact_ratios())));
+        if let Some(layer) = layer.filter(|layer| layer.on == Body::Rough) {
+            let surfaces = self.surfaces.iter().map(SurfaceResults::coated);
+            lines.extend(surfaces.flat_map(|surface| surface.warnings(&layer.name, &layer.thicknesses)));
+        }
         lines
     }
 
@@ -123,6 +128,16 @@ pub struct SurfaceResults {
 }
 
 impl SurfaceResults {
+    /// The first realisation as a rough body that has a layer.
+    fn coated(&self) -> CoatedSurface<'_> {
+        let facts = &self.realisations[0];
+        CoatedSurface {
+            name: &self.surface.name,
+            radius: facts.population.radius,
+            sq: facts.roughness.map(|roughness| roughness.moments.sq),
+        }
+    }
+
     fn rows(&self) -> impl Iterator<Item = SurfaceRow<'_>> {
         self.realisations.iter().zip(1..).map(|(facts, realisation)| SurfaceRow {
             name: &self.surface.name,

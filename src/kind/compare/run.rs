@@ -155,7 +155,8 @@ impl<'a> Run<'a> {
                 Vec::new,
                 |layer| {
                     let LayerPlan { coating, thicknesses, .. } = layer;
-                    let question = LayerQuestion { coating, thicknesses, rough: &compare.study.pair[0] };
+                    let [bare, _] = compare.study.bare_and_coated();
+                    let question = LayerQuestion { coating, thicknesses, bare };
                     thresholds(question, setup, &surface, &models, &first, self.counter)
                 },
             );

@@ -29,8 +29,8 @@ pub struct CompareSpec {
     pub flat: Spanned<String>,
     /// The micro-contact laws; all run on the same surfaces.
     pub law: Spanned<Laws>,
-    /// A layer on the flat, of one thickness or several.
-    #[schemars(extend("x-default" = "none: the flat is bare", "examples" = [{ "material": "lead", "thickness": [0, "50 nm", "1 um", "inf"] }]))]
+    /// A layer on the flat or on the rough body, of one thickness or several.
+    #[schemars(extend("x-default" = "none: both bodies are bare", "examples" = [{ "material": "lead", "thickness": [0, "50 nm", "1 um", "inf"] }]))]
     pub layer: Option<LayerSpec>,
     /// What runs: the integral, the sum, and the boundary elements of the reference.
     #[schemars(extend("default" = ["statistical", "deterministic"], "examples" = [["statistical", "deterministic", "reference"]]))]

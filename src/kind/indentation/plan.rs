@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use asperity::law::Body;
 use asperity::numeric::is_positive;
 use asperity::{ContactLaw, Inapplicable, Material};
 use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
@@ -58,6 +59,7 @@ pub(super) fn plan(file: &SpecFile, raw: &IndentationSpec) -> Result<Indentation
     let radius = raw.radius.value();
     let layers = raw.layer.get_ref().0.iter().map(|raw| layer(file, raw, &flat.1));
     let layers = layers.collect::<Result<Vec<_>, _>>()?;
+    refuse_coated_ball(file, raw)?;
     check_layers(file, raw, &layers)?;
     let indentations = file.growing(&raw.indentation)?;
     let last = indentations[indentations.len() - 1];
@@ -72,6 +74,19 @@ pub(super) fn plan(file: &SpecFile, raw: &IndentationSpec) -> Result<Indentation
     let plan = IndentationPlan { ball, radius, flat, layers, laws, indentations, overlay, show: raw.show };
     check_overlay(file, raw, &plan)?;
     Ok(plan)
+}
+
+/// Refuses a layer on the ball: it is the same contact as one of a ball of the other material on a coated flat.
+fn refuse_coated_ball(file: &SpecFile, raw: &IndentationSpec) -> Result<(), InputError> {
+    let on = raw.layer.get_ref().0.iter().filter_map(|layer| layer.on.as_ref());
+    match on.into_iter().find(|on| *on.get_ref() == Body::Rough) {
+        Some(on) => Err(file.source.error_at(
+            on.span(),
+            "found \"rough\", a layer on the ball; allowed here: \"flat\". Exchange `ball` and `flat`: a layer on either body is the same \
+             contact as long as the radius is large against the thickness",
+        )),
+        None => Ok(()),
+    }
 }
 
 /// The uncoated flat and the bulk layer material are always included.

@@ -1,6 +1,7 @@
 //! The page of a surface in tiles: how far is the integral from the sum over all of it?
 
 use asperity::compare::ModelKind;
+use asperity::law::Body;
 use asperity_contact_framework::contact::ContactSummary;
 use asperity_contact_framework::metadata::Metadata;
 use asperity_contact_framework::report::format::{count, input_number, number, percent, signed, thickness};
@@ -13,6 +14,7 @@ use serde_json::{Map, Value, json};
 
 use super::results::{LawResults, TiledResults, TiledSurface};
 use super::rows::{INTERVAL, SeparationRow, surface_row, tables};
+use crate::layer::CoatedSurface;
 use crate::presentation::limits_note;
 use crate::surface::rows::{SurfaceRow, records};
 
@@ -22,7 +24,14 @@ impl Outcome for TiledResults {
     }
 
     fn warnings(&self) -> Vec<String> {
-        self.implausible.iter().chain(&self.contact.caveats).cloned().collect()
+        let mut warnings: Vec<String> =
+            self.implausible.iter().chain(&self.contact.caveats).cloned().collect();
+        if let Some(layer) = self.contact.layer.as_ref().filter(|layer| layer.on == Body::Rough) {
+            let TiledSurface { name, population, .. } = &self.surface;
+            let surface = CoatedSurface { name, radius: population.radius, sq: None };
+            warnings.extend(surface.warnings(&layer.name, &layer.thicknesses));
+        }
+        warnings
     }
 
     fn tables(&self) -> Vec<Table> {

@@ -22,8 +22,8 @@ pub struct TiledSpec {
     pub flat: Spanned<String>,
     /// The micro-contact laws, of spheres.
     pub law: Spanned<Laws>,
-    /// A layer on the flat, of one thickness or several.
-    #[schemars(extend("x-default" = "none: the flat is bare", "examples" = [{ "material": "lead", "thickness": [0, "50 nm", "1 um", "inf"] }]))]
+    /// A layer on the flat or on the rough body, of one thickness or several.
+    #[schemars(extend("x-default" = "none: both bodies are bare", "examples" = [{ "material": "lead", "thickness": [0, "50 nm", "1 um", "inf"] }]))]
     pub layer: Option<LayerSpec>,
     /// Separations at which the sum runs, d/sigma from the mean asperity height; the integral runs there and at the pressures of the sum.
     pub separation: Spanned<LinearSweep>,

@@ -162,6 +162,31 @@ fn the_options_of_a_surface_and_the_spec_that_they_save_give_the_same_results() 
 }
 
 #[test]
+fn a_layer_on_the_rough_body_is_named_in_the_terminal() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("map.txt"), rough()).unwrap();
+    let look = |more: &[&str]| {
+        let options = ["surface", "map.txt", "--pixel", "1 um", "--unit", "nm", "--pressure", "1 MPa"];
+        experiment(&[&options, more].concat(), folder.path())
+    };
+    let layer = ["--layer", "coating-DLC", "--thickness", "20 nm", "--save-spec", "mine.toml"];
+    let on_rough = look(&[&layer[..], &["--layer-on", "rough"]].concat());
+    assert!(on_rough.status.success(), "{}", text(&on_rough.stderr));
+    let said = text(&on_rough.stdout);
+    for words in ["map, rough body uncoated\n", "map, 20 nm of coating-DLC on the rough body\n"] {
+        assert!(said.contains(words), "{said}");
+    }
+    let saved = fs::read_to_string(folder.path().join("mine.toml")).unwrap();
+    let line = "layer = { material = \"coating-DLC\", thickness = \"20 nm\", on = \"rough\" }";
+    assert!(saved.lines().any(|found| found == line), "{saved}");
+    let said = text(&look(&[&layer[..4], &["--layer-on", "flat"]].concat()).stdout);
+    assert!(said.contains("map, under 20 nm of coating-DLC\n"), "{said}");
+    let refused = look(&["--layer-on", "rough"]);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(text(&refused.stderr).contains("--layer-on \"rough\": found without a layer"));
+}
+
+#[test]
 fn names_that_a_report_cannot_have_are_made_plain_or_refused_before_a_run() {
     let folder = tempfile::tempdir().unwrap();
     let file = if cfg!(windows) { "map.txt" } else { "a: \"b\"?\t.txt" };

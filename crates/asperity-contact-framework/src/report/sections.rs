@@ -7,6 +7,7 @@ use super::page::{Page, escape, escape_around_code};
 use crate::contact::ContactMetadata;
 use crate::metadata::{Again, Metadata};
 use asperity::Material;
+use asperity::law::Body;
 
 /// Notes of the author of the spec.
 pub fn notes(page: &mut Page, metadata: &Metadata) {
@@ -70,10 +71,15 @@ pub fn run_again(page: &mut Page, metadata: &Metadata, spec: Option<&str>) {
 pub fn what_was_run(page: &mut Page, metadata: &Metadata, contact: &ContactMetadata) {
     page.heading(2, "Set-up");
     let layer = contact.layer.as_ref();
+    let [rough, flat] = match layer.map(|layer| layer.on) {
+        None => ["rough", "flat"],
+        Some(Body::Flat) => ["rough", "substrate"],
+        Some(Body::Rough) => ["rough, substrate", "flat"],
+    };
     let role = |name: &str| {
         let roles = [
-            (name == contact.bodies.rough, "rough"),
-            (name == contact.bodies.flat, if layer.is_some() { "substrate" } else { "flat" }),
+            (name == contact.bodies.rough, rough),
+            (name == contact.bodies.flat, flat),
             (layer.is_some_and(|layer| layer.name == name), "layer"),
         ];
         let roles: Vec<&str> = roles.into_iter().filter_map(|(is_it, role)| is_it.then_some(role)).collect();
@@ -82,8 +88,16 @@ pub fn what_was_run(page: &mut Page, metadata: &Metadata, contact: &ContactMetad
     materials(page, metadata, &contact.materials, role);
     if let Some(layer) = layer {
         let thicknesses: Vec<String> = layer.thicknesses.iter().map(|&t| thickness(t)).collect();
+        let (on, limits) = match layer.on {
+            Body::Flat => ("", ""),
+            Body::Rough => (
+                " on the rough body",
+                " The heights are those of the coated surface at every thickness. A coated asperity is taken as a layered half-space: its \
+                 radius must be at least ten times the thickness.",
+            ),
+        };
         page.paragraph(&format!(
-            "Layer of {}: {}. Effective modulus of layer and substrate: rule `{}`.",
+            "Layer of {}{on}: {}. Effective modulus of layer and substrate: rule `{}`.{limits}",
             escape(&layer.name),
             thicknesses.join(", "),
             layer.rule.name(),

@@ -173,7 +173,7 @@ def _spec(interface: Interface, surface: Surface | Mapping[str, Surface]) -> tup
         thickness = interface.thickness
         thickness = "inf" if thickness == float("inf") else _in("m", float(thickness))
         # A list of one: no curve without the layer beside it.
-        compare["layer"] = {"material": "layer", "thickness": [thickness], "rule": interface.rule}
+        compare["layer"] = {"material": "layer", "thickness": [thickness], "rule": interface.rule, "on": interface.on}
         materials["layer"] = _material(interface.layer)
     kinds = {"generate", "population", "file", "asperities"}
     single = not isinstance(surface, Mapping) or set(surface) & kinds

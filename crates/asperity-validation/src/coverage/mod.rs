@@ -25,7 +25,7 @@ pub use count::{Coverage, IntervalCount};
 pub use patches::Patches;
 pub use process::{Controls, EndlessProcess, Roughness, Unusable};
 pub use spiked::PlantedSpikes;
-pub use studied::{StudiedWindow, StudyTask};
+pub use studied::{SmallWindow, StudiedWindow, StudyTask};
 pub use verdicts::{Truths, VerdictCount, WindowVerdict};
 pub use window::{CoveredQuantity, QuantityEstimate, WindowResults, WindowTask};
 

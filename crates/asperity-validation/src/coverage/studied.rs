@@ -1,15 +1,15 @@
 //! A window as the program treats a measured map: its fitness checks, and its verdicts under other treatments.
 
 use asperity::HeightMap;
-use asperity::compare::{Accepted, ComparedQuantity, Controls, Difference, ModelKind, Verdict};
+use asperity::compare::{Accepted, ComparedQuantity, Controls, Difference, ModelKind, Support, Verdict};
 use asperity::progress::Silent;
 use asperity::study::{
     Choice, Dependence, LawContact, Setup, StatisticalModel, Treated, study, under_treatments,
 };
 use asperity::surface::{AnalysisDepth, Preparation, SummitSearch};
-use asperity::topography::Level;
 use asperity::topography::fitness::{Check, Finding, LineOffsets, Measure, Spikes};
 use asperity::topography::summits::Neighbours;
+use asperity::topography::{CorrelationLengths, Level};
 use asperity::work::Counter;
 
 use super::process::Unusable;
@@ -35,6 +35,15 @@ pub struct StudiedWindow {
     pub verdicts: Vec<WindowVerdict>,
 }
 
+/// Both models on a window that is too small for blocks.
+#[derive(Debug, Clone)]
+pub struct SmallWindow {
+    /// Its correlation lengths.
+    pub correlation: CorrelationLengths,
+    /// The differences at the loads.
+    pub differences: Vec<Difference>,
+}
+
 impl StudyTask<'_> {
     /// Checks a window, and compares both models on it under all treatments.
     ///
@@ -47,19 +56,9 @@ impl StudyTask<'_> {
         if surface.is_blocked() {
             return Ok(StudiedWindow { findings, verdicts: Vec::new() });
         }
-        let setup = Setup {
-            laws: std::slice::from_ref(self.law),
-            law_specs: std::slice::from_ref(&self.law.spec),
-            models: &[ModelKind::Statistical, ModelKind::Deterministic],
-            statistical: &StatisticalModel::default(),
-            is_attributed: false,
-            is_ranked: false,
-            generates: false,
-            controls: &Controls::at_pressures(self.loads.to_vec()),
-            nominal_area: None,
-            seed: self.seed,
-            progress: &Silent,
-        };
+        let controls = Controls::at_pressures(self.loads.to_vec());
+        let statistical = StatisticalModel::default();
+        let setup = self.setup(&statistical, &controls, false);
         let counter = Counter::default();
         let (realisation, _) = study(setup, &surface, &counter)?;
         let correlation = surface.map.as_ref().and_then(|map| map.correlation);
@@ -79,6 +78,44 @@ impl StudyTask<'_> {
         Ok(StudiedWindow { findings, verdicts })
     }
 
+    /// Both models on a window that is too small for blocks, with the intervals that the program claims there.
+    ///
+    /// # Errors
+    /// See [`Unusable`].
+    pub fn small(&self, window: &HeightMap) -> Result<SmallWindow, Unusable> {
+        let own = Preparation { level: Level::Plane, ..Preparation::none(Neighbours::Four) };
+        let surface = SummitSearch::new(own).surface("window", window)?;
+        let controls = Controls::at_pressures(self.loads.to_vec());
+        let (mut realisation, _) =
+            study(self.setup(&StatisticalModel::default(), &controls, true), &surface, &Counter::default())?;
+        let correlation = surface.map.as_ref().and_then(|map| map.correlation);
+        Ok(SmallWindow {
+            correlation: correlation.unwrap_or(CorrelationLengths::NONE),
+            differences: realisation.cases.remove(0).differences,
+        })
+    }
+
+    fn setup<'b>(
+        &'b self,
+        statistical: &'b StatisticalModel,
+        controls: &'b Controls,
+        generates: bool,
+    ) -> Setup<'b> {
+        Setup {
+            laws: std::slice::from_ref(self.law),
+            law_specs: std::slice::from_ref(&self.law.spec),
+            models: &[ModelKind::Statistical, ModelKind::Deterministic],
+            statistical,
+            is_attributed: false,
+            is_ranked: false,
+            generates,
+            controls,
+            nominal_area: None,
+            seed: self.seed,
+            progress: &Silent,
+        }
+    }
+
     /// The verdicts at one load.
     fn verdicts(&self, at: &Difference, treated: &[Treated]) -> Vec<WindowVerdict> {
         let accepted = Accepted::DEFAULT;
@@ -95,6 +132,7 @@ impl StudyTask<'_> {
                 quantity,
                 contrast: estimate.contrast,
                 verdict: Verdict::from_estimate(&estimate, accepted.band(quantity)),
+                is_on_halves: matches!(estimate.support, Support::Halves(_)),
                 depends_on: Choice::ALL.into_iter().filter(depends).collect(),
             })
         };

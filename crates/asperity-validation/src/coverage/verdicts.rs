@@ -16,6 +16,8 @@ pub struct WindowVerdict {
     pub contrast: f64,
     /// The verdict on it.
     pub verdict: Verdict,
+    /// Whether it rests on differences on the halves of the window, without an interval.
+    pub is_on_halves: bool,
     /// The choices in the analysis of the map that it depends on, where these were examined.
     pub depends_on: Vec<Choice>,
 }
@@ -115,7 +117,14 @@ mod tests {
     use super::*;
 
     fn verdict(verdict: Verdict, contrast: f64, depends_on: Vec<Choice>) -> WindowVerdict {
-        WindowVerdict { load: 0, quantity: ComparedQuantity::Separation, contrast, verdict, depends_on }
+        WindowVerdict {
+            load: 0,
+            quantity: ComparedQuantity::Separation,
+            contrast,
+            verdict,
+            is_on_halves: false,
+            depends_on,
+        }
     }
 
     /// 0.1 sigma are accepted.

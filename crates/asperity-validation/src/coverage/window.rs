@@ -11,6 +11,7 @@ use asperity::{
 };
 
 use super::process::{Controls, Unusable, WindowAsperities};
+use super::studied::{SmallWindow, StudyTask};
 use super::verdicts::WindowVerdict;
 
 /// A quantity with an interval.
@@ -84,6 +85,7 @@ impl WindowResults {
                     quantity,
                     contrast: estimate.contrast,
                     verdict: Verdict::from_estimate(&estimate, Accepted::DEFAULT.band(quantity)),
+                    is_on_halves: matches!(estimate.support, Support::Halves(_)),
                     depends_on: Vec::new(),
                 })
             };
@@ -99,6 +101,8 @@ pub struct WindowTask<'a> {
     pub contact: &'a dyn MicroContact,
     /// Loads and separations.
     pub controls: Controls,
+    /// How a window is studied that is too small for blocks, where model-based intervals are claimed.
+    pub small: Option<StudyTask<'a>>,
 }
 
 /// Both models on a set of asperities.
@@ -150,6 +154,9 @@ impl WindowTask<'_> {
     /// # Errors
     /// See [`Unusable`].
     pub fn run(&self, window: &HeightMap, seed: Option<[u8; 32]>) -> Result<WindowResults, Unusable> {
+        if let Some(study) = &self.small {
+            return Ok(self.small_window(window, study.small(window)?));
+        }
         let WindowAsperities { set, positions } = WindowAsperities::from_summits(window)?;
         let correlation = CorrelationLengths::from_map(window, 0.0)
             .map_or(CorrelationLengths::NONE, |(lengths, _)| lengths);
@@ -168,6 +175,34 @@ impl WindowTask<'_> {
             admissible,
             estimates,
         })
+    }
+
+    /// The differences on a small window; other quantities have no model-based interval.
+    fn small_window(&self, window: &HeightMap, found: SmallWindow) -> WindowResults {
+        let SmallWindow { correlation, differences } = found;
+        let at_load = |load: &f64| differences.iter().find(|at| at.load == *load);
+        let estimates = |load: &f64| {
+            CoveredQuantity::ALL.map(|quantity| {
+                let CoveredQuantity::Difference(quantity) = quantity else { return None };
+                let at = at_load(load)?;
+                let contacts = at.sharing.map_or(0.0, |sharing| sharing.effective_contacts);
+                let estimate = at.estimates[quantity as usize]?;
+                Some(QuantityEstimate {
+                    estimate,
+                    independent_error: None,
+                    contacts,
+                    area_ratio: at.area_ratio,
+                })
+            })
+        };
+        let loads = || self.controls.loads.iter();
+        let side = window.pixel()[0] * window.points()[0] as f64;
+        WindowResults {
+            correlation: correlation.lengths[0].max(correlation.lengths[1]) / side,
+            is_patchy: correlation.patches.is_some(),
+            admissible: loads().map(|load| at_load(load).is_some_and(|at| at.exceeded().is_none())).collect(),
+            estimates: loads().map(estimates).collect(),
+        }
     }
 
     fn estimates(

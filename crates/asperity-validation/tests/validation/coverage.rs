@@ -63,7 +63,7 @@ fn process(name: &str, points: usize, roll_off: f64, cut_off: f64) -> EndlessPro
 fn examined(process: &EndlessProcess, contacts: &[f64]) -> (Controls, Vec<ExaminedWindow>) {
     let law = steel();
     let controls = process.controls(&*law.contact, contacts).unwrap();
-    let task = WindowTask { contact: &*law.contact, controls: controls.clone() };
+    let task = WindowTask { contact: &*law.contact, controls: controls.clone(), small: None };
     let study = StudyTask { law: &law, loads: &controls.loads, seed: 1 };
     let windows =
         windows_of(process, (&task, &study), Maps { count: 2, studied: 1, checked: 2 }, || ()).unwrap();

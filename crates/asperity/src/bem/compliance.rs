@@ -4,14 +4,15 @@ use crate::layer::exact_sphere::Kernel;
 use crate::material::Material;
 
 /// Two elastic bodies in frictionless contact: the sum of their surface displacements under pressure. Each is a
-/// half-space, the flat one with or without a bonded layer.
+/// half-space, one of them with or without a bonded layer. Only the sum of the displacements counts: which of the bodies is the rough
+/// one makes no difference.
 #[derive(Debug, Clone)]
 pub struct ElasticPair {
-    /// (1 - nu^2)/E of the rough body, 1/Pa.
-    rough: f64,
-    /// The same of the flat's outermost material.
-    flat: f64,
-    /// The same of the flat's substrate.
+    /// (1 - nu^2)/E of the body without a layer, 1/Pa.
+    bare: f64,
+    /// The same of the other's outermost material.
+    outer: f64,
+    /// The same of the other's substrate.
     substrate: f64,
     layer: Option<Layer>,
 }
@@ -31,48 +32,48 @@ fn plane_compliance(body: &Material) -> f64 {
 }
 
 impl ElasticPair {
-    /// A rough body on a flat one, which may have a bonded layer of a material and a thickness (m; 0: no layer, infinite:
-    /// nothing but layer). Young's moduli and Poisson's ratios alone count; a layer responds as in its exact solution
+    /// A `bare` body, and a `substrate` which may have a bonded layer of a material and a thickness (m; 0: no layer, infinite:
+    /// nothing but layer): a rough body on a coated flat, or a flat under a coated rough body. Young's moduli and Poisson's ratios alone count; a layer responds as in its exact solution
     /// (Perriot and Barthel 2004), not by an effective modulus.
-    pub fn new(rough: &Material, flat: &Material, layer: Option<(&Material, f64)>) -> Self {
+    pub fn new(bare: &Material, substrate: &Material, layer: Option<(&Material, f64)>) -> Self {
         let layer = layer.filter(|(_, thickness)| *thickness > 0.0);
         let (outermost, finite) = match layer {
-            None => (flat, None),
+            None => (substrate, None),
             Some((layer, thickness)) if thickness.is_finite() => {
-                (layer, Some(Layer { kernel: Kernel::new(layer, flat), thickness }))
+                (layer, Some(Layer { kernel: Kernel::new(layer, substrate), thickness }))
             }
             Some((layer, _)) => (layer, None),
         };
         Self {
-            rough: plane_compliance(rough),
-            flat: plane_compliance(outermost),
-            substrate: plane_compliance(flat),
+            bare: plane_compliance(bare),
+            outer: plane_compliance(outermost),
+            substrate: plane_compliance(substrate),
             layer: finite,
         }
     }
 
     /// E* of the pair without its layer, Pa.
     pub fn reduced_modulus(&self) -> f64 {
-        (self.rough + self.substrate).recip()
+        (self.bare + self.substrate).recip()
     }
 
     /// The amplitude of the displacement under a wave of pressure of unit amplitude and wave number `q` (1/m), m/Pa.
     pub fn compliance(&self, q: f64) -> f64 {
         let kappa = self.layer.as_ref().map_or(1.0, |layer| layer.kernel.kappa(q * layer.thickness));
-        2.0 / q * (self.rough + self.flat * kappa)
+        2.0 / q * (self.bare + self.outer * kappa)
     }
 
     /// 1/E* of two half-spaces of the outermost materials, 1/Pa.
     pub fn outermost(&self) -> f64 {
-        self.rough + self.flat
+        self.bare + self.outer
     }
 
     /// The layer, and (1 - nu^2)/E of its material (1/Pa).
     pub fn layer(&self) -> Option<(&Layer, f64)> {
-        self.layer.as_ref().map(|layer| (layer, self.flat))
+        self.layer.as_ref().map(|layer| (layer, self.outer))
     }
 
-    /// Whether a layer of finite thickness lies on the flat.
+    /// Whether one of the bodies has a layer of finite thickness.
     pub fn is_layered(&self) -> bool {
         self.layer.is_some()
     }

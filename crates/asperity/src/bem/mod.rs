@@ -1,6 +1,6 @@
 //! Boundary elements: the frictionless contact of a height map with a flat, without asperities.
 //!
-//! Both bodies are elastic half-spaces, the flat one with or without a bonded layer, slopes are small, and pressures are
+//! Both bodies are elastic half-spaces, one of them with or without a bonded layer, slopes are small, and pressures are
 //! constant (Love) or band-limited (waves) between the points of the map. Given a mean pressure, [`Solver`] finds the
 //! pressures that no point pulls and under which no two points overlap (Polonsky and Keer 1999); with a cap H they stay
 //! below it and overlap where they reach it, which is plastic flow in its simplest form (Almqvist et al. 2007).

@@ -1,11 +1,12 @@
-//! The flat body, and its contact with a rough one.
+//! The flat body, bare or under a layer, and its contact with a rough one.
 
 use super::{Interface, LayeredInterface, MicroContact};
 use crate::law::{Inapplicable, Law, ScalableLaw};
 use crate::layer::{LayerError, LayeredFlat, ModulusModel};
 use crate::material::Material;
 
-/// The flat body.
+/// The flat body, or any body that may have a layer: [`ContactLaw::interface_of`](crate::ContactLaw::interface_of) takes it as the
+/// rough one.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Flat {
     /// One material.

@@ -17,6 +17,8 @@ use crate::shape::Shape;
 /// A homogeneous rough body on a layered flat under one law, evaluated with the effective properties of each asperity
 /// at its own indentation (Pasaribu and Schipper 2005, Eqs. 5, 9 with E_eff, nu_eff, H_eff).
 ///
+/// Nothing in it tells the rough body from the flat: with the roles exchanged it is a coated rough body on a homogeneous flat.
+///
 /// For the effective properties an elliptic asperity is replaced by the sphere of equal elastic contact area.
 #[derive(Debug, Clone)]
 pub struct LayeredInterface<L> {

@@ -33,6 +33,7 @@ pub use zmc::Zmc;
 use crate::contact::{Contact, Contacts};
 use crate::literature::Paper;
 use crate::material::{Material, reduced_modulus};
+use crate::named_enum;
 use crate::numeric::interval::Interval;
 use crate::numeric::lanes::Real;
 pub use crate::shape::Shape;
@@ -123,13 +124,28 @@ impl Property {
     }
 }
 
-/// One of the two bodies.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Body {
-    /// The rough one.
-    Rough,
-    /// The flat one.
-    Flat,
+named_enum! {
+    /// One of the two bodies.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    #[cfg_attr(feature = "serde", derive(serde::Deserialize))]
+    #[cfg_attr(feature = "schemars", derive(schemars::JsonSchema))]
+    #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+    pub enum Body {
+        /// The rough one.
+        Rough = "rough",
+        /// The flat one.
+        Flat = "flat",
+    }
+}
+
+impl Body {
+    /// The body that it is pressed against.
+    pub const fn other(self) -> Self {
+        match self {
+            Self::Rough => Self::Flat,
+            Self::Flat => Self::Rough,
+        }
+    }
 }
 
 /// Bodies to which a law does not apply.
@@ -167,6 +183,18 @@ pub enum Inapplicable {
         /// Name of the law.
         law: &'static str,
     },
+}
+
+impl Inapplicable {
+    /// The same of bodies whose roles are exchanged.
+    pub(crate) fn exchanged(self) -> Self {
+        match self {
+            Self::Lacking { law, property, body } => {
+                Self::Lacking { law, property, body: body.map(Body::other) }
+            }
+            other => other,
+        }
+    }
 }
 
 /// One micro-contact law.

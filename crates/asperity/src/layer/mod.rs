@@ -1,4 +1,4 @@
-//! The layered flat: a solid whose modulus, Poisson's ratio and hardness change with the indentation of each
+//! The layered body, the flat or the rough one: a solid whose modulus, Poisson's ratio and hardness change with the indentation of each
 //! asperity (Pasaribu and Schipper 2005, Eqs. 14-20).
 //!
 //! | file | what lives there |

@@ -133,7 +133,7 @@ impl CaseResults {
 
 impl CaseStudy {
     /// The results at the load that was asked for; of several loads at the middle one of those that are admissible (and at which the
-    /// reference was run), or of all where none is.
+    /// reference was run), or of all where none is. Loads that the spec prescribes go before those of a separation sweep.
     pub fn results_at_load(&self) -> LoadResults {
         let at = self.reported_load();
         let of_realisation = |case: &CaseResults| match at {
@@ -169,15 +169,20 @@ impl CaseStudy {
         let has_reference = |at: &&Difference| {
             self.first().reference.as_ref().is_some_and(|curve| curve.at_load(at.load).is_some())
         };
-        let mut loads: Vec<&Difference> = differences.iter().filter(has_reference).collect();
-        if loads.is_empty() {
-            loads = differences.iter().collect();
-        }
-        let admissible: Vec<&Difference> =
-            loads.iter().copied().filter(|at| at.exceeded().is_none()).collect();
-        let from = if admissible.is_empty() { &loads } else { &admissible };
-        from.get(from.len() / 2).copied()
+        let curves = &self.first().comparison.curves;
+        let is_prescribed =
+            |at: &&Difference| curves.iter().any(|point| point.prescribed_pressure == Some(at.load));
+        let loads = narrow(differences.iter().collect(), &is_prescribed);
+        let loads = narrow(loads, &has_reference);
+        let loads = narrow(loads, &|at| at.exceeded().is_none());
+        loads.get(loads.len() / 2).copied()
     }
+}
+
+/// Those of the loads for which a condition holds; all where it holds for none.
+fn narrow<'a>(loads: Vec<&'a Difference>, holds: &dyn Fn(&&Difference) -> bool) -> Vec<&'a Difference> {
+    let held: Vec<&Difference> = loads.iter().copied().filter(|at| holds(at)).collect();
+    if held.is_empty() { loads } else { held }
 }
 
 /// The 95 % interval of the mean of at least two values.

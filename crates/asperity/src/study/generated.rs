@@ -24,7 +24,7 @@ const LARGE: usize = 1 << 22;
 const ALIKE: [f64; 2] = [0.2, 0.3];
 
 /// Standard deviations by which the scatter of the roughness over a map may exceed that of generated surfaces.
-const PATCHY: f64 = 4.0;
+const PATCHY: f64 = 3.0;
 
 /// Both models of each case on generated surfaces at the loads of its pairs; `None` for a surface that is no small map.
 pub fn generated(

@@ -15,15 +15,15 @@ use crate::{ContactLaw, Exceeded, Material, Model, Response, reached_at};
 /// A layer matters where it changes the real area by more than this part.
 const PART: f64 = 0.05;
 
-/// A layer on a flat, against a rough body.
+/// A layer on one of the bodies, against the other.
 #[derive(Clone, Copy)]
 pub struct LayerQuestion<'a> {
     /// The layer.
     pub coating: &'a Coating,
     /// The thicknesses that were run, m, ascending.
     pub thicknesses: &'a [f64],
-    /// The rough body.
-    pub rough: &'a Material,
+    /// The body without the layer.
+    pub bare: &'a Material,
 }
 
 /// Law by law, load by load, model by model.
@@ -35,7 +35,7 @@ pub fn thresholds(
     realisation: &RealisationResults,
     counter: &Counter,
 ) -> Vec<Threshold> {
-    let LayerQuestion { coating, thicknesses, rough } = question;
+    let LayerQuestion { coating, thicknesses, bare } = question;
     let area = setup.load_area(surface);
     let mut pressures: Vec<f64> = setup.controls.pressures.clone();
     pressures.extend(setup.controls.forces.iter().map(|force| force / area));
@@ -46,7 +46,7 @@ pub fn thresholds(
     let mut loads = Vec::new();
     // Only laws under a layer of finite thickness have a threshold.
     let stands =
-        |law: &&ContactLaw| coating.flat(1.0).is_ok_and(|finite| law.interface(rough, &finite).is_ok());
+        |law: &&ContactLaw| coating.flat(1.0).is_ok_and(|finite| law.interface(bare, &finite).is_ok());
     for law in setup.law_specs.iter().filter(stands) {
         loads.extend(pressures.iter().map(|&pressure| (law, pressure)));
     }
@@ -123,7 +123,7 @@ impl Question<'_> {
     /// The response under a layer of any thickness (m).
     fn response(&self, kind: ModelKind, thickness: f64) -> Option<Response> {
         let flat = self.layer.coating.flat(thickness).ok()?;
-        let contact = self.law.interface(self.layer.rough, &flat).ok()?;
+        let contact = self.law.interface(self.layer.bare, &flat).ok()?;
         let contact = &CountedContact::new(&*contact, self.counter);
         let press = |model: &dyn Model| reached_at(model, &[self.pressure])[0];
         let reached = match kind {

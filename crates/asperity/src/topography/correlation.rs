@@ -222,7 +222,7 @@ impl Autocorrelation {
 const DECAYED: f64 = 0.2;
 
 /// Sums over all pairs of points of the products of their values, by lag around the border.
-fn pairs(mut field: Vec<f64>, points: [usize; 2], progress: &dyn Progress) -> Vec<f64> {
+pub(super) fn pairs(mut field: Vec<f64>, points: [usize; 2], progress: &dyn Progress) -> Vec<f64> {
     let scale = ((points[0] * points[1]) as f64).recip();
     let power = |_: usize, waves: &mut [Complex<f64>]| {
         waves.iter_mut().for_each(|wave| *wave = Complex::new(wave.norm_sqr(), 0.0));

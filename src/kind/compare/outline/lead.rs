@@ -4,7 +4,9 @@ use asperity::compare::{ComparedQuantity, NotModelled, OnMap, Stretch, Verdict};
 use asperity::study::{Basis, CaseStudy, Verdicts};
 use asperity::surface::Surface;
 use asperity::topography::generate::Unfitted;
-use asperity_contact_framework::report::format::{input_quantity, listed, number, quantity, signed};
+use asperity_contact_framework::report::format::{
+    capitalised, input_quantity, listed, number, quantity, signed,
+};
 
 use super::at_load::results;
 use super::limit::none_admissible;
@@ -21,7 +23,9 @@ pub fn answer(case: &CaseStudy, surface: &Surface, load_area: f64) -> Vec<String
     let verdicts = &case.verdicts;
     let mut sentences: Vec<String> = results(case, surface, load_area).into_iter().collect();
     sentences.extend(on_map(verdicts));
-    sentences.push(on_surface(verdicts, surface));
+    let depends = if verdicts.is_blocked { None } else { dependence(case) };
+    let of_surface = std::iter::once(on_surface(verdicts, surface)).chain(depends);
+    sentences.push(of_surface.collect::<Vec<_>>().join(" "));
     sentences
 }
 
@@ -82,8 +86,22 @@ fn on_surface(verdicts: &Verdicts, surface: &Surface) -> String {
         clauses(Verdict::VeryLikelyWithin, "very likely within", &difference),
         all_open(&main, verdicts),
     ];
-    let sentences: Vec<String> = sentences.into_iter().flatten().collect();
+    let sentences = sentences.into_iter().flatten().enumerate();
+    let sentences: Vec<String> =
+        sentences.map(|(k, said)| if k == 0 { said } else { capitalised(&said) }).collect();
     format!("For such surfaces{}: {}.", intervals(verdicts), sentences.join(". "))
+}
+
+/// The choices in the analysis of the map that reverse a verdict.
+fn dependence(case: &CaseStudy) -> Option<String> {
+    let mut names: Vec<String> = Vec::new();
+    for one in &case.dependences {
+        let name = one.choice.name().replace('-', " ");
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    (!names.is_empty()).then(|| format!("Another choice of this would change a verdict: {}.", listed(&names)))
 }
 
 /// "cannot be told: real contact area and stiffness from 1 MPa to 40 MPa (needs ...)": quantities of which the same is said together.

@@ -20,6 +20,7 @@ pub use case::inputs;
 pub(crate) use sections::verdicts;
 
 use asperity::compare::Tolerances;
+use asperity::law::Body;
 use asperity::study::Verdicts;
 use asperity_contact_framework::Outcome;
 use asperity_contact_framework::contact::ContactSummary;
@@ -98,16 +99,17 @@ impl Outcome for CompareResults {
         }
         if let Some(layer) = &self.contact.layer {
             let finite = |t: &f64| if t.is_finite() { json!(t) } else { json!("inf") };
-            add(
-                "layer",
-                json!({
-                    "material": layer.name,
-                    "rule": layer.rule.name(),
-                    "thicknesses_m": layer.thicknesses.iter().map(finite).collect::<Vec<_>>(),
-                    "modulus_ratio": layer.check.as_ref().map(|check| check.modulus_ratio),
-                    "rule_errors": Table::new(RuleRow::all(self)).records(),
-                }),
-            );
+            let mut fields = json!({
+                "material": layer.name,
+                "rule": layer.rule.name(),
+                "thicknesses_m": layer.thicknesses.iter().map(finite).collect::<Vec<_>>(),
+                "modulus_ratio": layer.check.as_ref().map(|check| check.modulus_ratio),
+                "rule_errors": Table::new(RuleRow::all(self)).records(),
+            });
+            if layer.on == Body::Rough {
+                fields["on"] = json!(layer.on.name());
+            }
+            add("layer", fields);
         }
         let Tolerances { statistical, deterministic } = self.tolerances;
         if statistical.or(deterministic).is_some() {
@@ -121,13 +123,7 @@ impl Outcome for CompareResults {
         self.described.as_ref()?;
         let text = |surface: &SurfaceResults| {
             let answers: String = SurfaceCase::on_surface(surface)
-                .map(|case| {
-                    format!(
-                        "\n{}\n{}\n",
-                        subject(self, surface, &case.first().law),
-                        case::answer(case).join("\n")
-                    )
-                })
+                .map(|case| format!("\n{}\n{}\n", case.name(self), case::answer(case).join("\n")))
                 .collect();
             format!("\n{}{}", section::for_terminal(&surface.surface), answers).trim_end().to_owned()
         };

@@ -223,11 +223,11 @@ pub struct ReferenceKeys<'a> {
 
 /// What the reference is resolved with.
 pub struct Resolved<'a> {
-    /// The rough body.
-    pub rough: &'a Material,
-    /// The flats: without a layer, or under each thickness.
+    /// The body without a layer.
+    pub bare: &'a Material,
+    /// The other one: without a layer, or under each thickness.
     pub flats: &'a [(Option<f64>, Flat)],
-    /// Each law on each flat, the flats changing first.
+    /// Each law on each of them, the laws changing last.
     pub laws: &'a [LawContact],
     /// The surfaces.
     pub surfaces: &'a [SurfacePlan],
@@ -300,7 +300,7 @@ pub fn reference(
         plan.prescribed.extend(chosen.into_iter().map(|value| (control, value)));
     }
     for (law, (thickness, flat)) in resolved.laws.iter().zip(resolved.flats.iter().cycle()) {
-        let solution = plan.solution(law, resolved.rough, *thickness, flat, cap.map(|cap| *cap.get_ref()));
+        let solution = plan.solution(law, resolved.bare, *thickness, flat, cap.map(|cap| *cap.get_ref()));
         let index = plan.solutions.iter().position(|known| *known == solution).unwrap_or_else(|| {
             plan.solutions.push(solution);
             plan.solutions.len() - 1
@@ -330,13 +330,13 @@ impl ReferencePlan {
     fn solution(
         &mut self,
         law: &LawContact,
-        rough: &Material,
+        bare: &Material,
         thickness: Option<f64>,
         flat: &Flat,
         asked: Option<CapSpec>,
     ) -> Solution {
         let yields = law.spec.law().yields_by().is_some();
-        let hardness = homogeneous(flat).map(|flat| softer_hardness(rough, flat));
+        let hardness = homogeneous(flat).map(|flat| softer_hardness(bare, flat));
         let (cap, reason) = match (asked, hardness) {
             (Some(CapSpec::None), _) => (None, Some(ElasticReason::Asked)),
             (_, None) => (None, Some(ElasticReason::Layer)),
@@ -353,7 +353,7 @@ impl ReferencePlan {
     }
 }
 
-/// The material of a flat without a layer of finite thickness.
+/// The material of a body without a layer of finite thickness.
 fn homogeneous(flat: &Flat) -> Option<&Material> {
     match flat {
         Flat::Bare(material) | Flat::AllLayer { layer: material, .. } => Some(material),
@@ -377,7 +377,7 @@ fn refuse_cap(
             );
             return Err(file.source.error_at(span, message));
         };
-        if softer_hardness(resolved.rough, flat).is_infinite() {
+        if softer_hardness(resolved.bare, flat).is_infinite() {
             let message = format!(
                 "found \"hardness\", but no `{}` in {}; allowed: cap = \"none\", or hardness = \"...\" with a unit of pressure in a material",
                 Property::Hardness.key(),

@@ -115,10 +115,10 @@ impl ReferenceRun<'_> {
     ) -> Result<(Solved, Option<ContactView>), InputError> {
         let refuse = |error: &SolverError| self.refuse(context, solution.thickness, error);
         let boundary = self.reference.boundary(self.plan);
-        let [rough, flat] = &self.compare.study.pair;
+        let [bare, coated] = self.compare.study.bare_and_coated();
         let layer =
             self.compare.study.layer.as_ref().map(|layer| &layer.coating.material).zip(solution.thickness);
-        let pair = ElasticPair::new(rough, flat, layer);
+        let pair = ElasticPair::new(bare, coated, layer);
         let options = Options { boundary, error: self.reference.error, cap: solution.cap };
         let solver = Solver::new(map, &pair, &options).map_err(|error| refuse(&error))?;
         // The map as it is, where another resolution is solved: the difference bounds the error of both.

@@ -22,7 +22,7 @@ pub struct ReferenceSpec {
     #[schemars(extend("x-range" = "1e-12 to 0.01", "default" = 1e-6, "examples" = [1e-4]))]
     pub error: Option<Spanned<Quantity<Pure>>>,
     /// The largest contact pressure.
-    #[schemars(extend("x-default" = "the hardness where the law yields and the flat is homogeneous, else none", "examples" = ["none"]))]
+    #[schemars(extend("x-default" = "the hardness where the law yields and no layer of finite thickness is there, else none", "examples" = ["none"]))]
     pub cap: Option<Spanned<CapSpec>>,
     /// What lies beyond the border of the map.
     #[schemars(extend("x-default" = "periodic on generated and periodic maps, else mirrored", "examples" = ["mirrored"]))]

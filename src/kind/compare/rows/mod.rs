@@ -91,7 +91,7 @@ fn case_columns<R>(key: impl for<'r> Fn(&'r R) -> CaseKey<'r> + Copy + 'static) 
     columns! { row: R =>
         surface["text"] = key(row).surface, "Name of the surface.";
         law["text"] = key(row).law, "Contact law of an asperity.";
-        layer_thickness_m["m", label("layer"), thickness] = key(row).thickness, "Thickness of the layer, 0 for the bare substrate and inf for a flat of the layer's material; empty where the spec has no layer.";
+        layer_thickness_m["m", label("layer"), thickness] = key(row).thickness, "Thickness of the layer, 0 for the bare substrate and inf for the bulk of the layer's material; empty where the spec has no layer.";
     }
 }
 

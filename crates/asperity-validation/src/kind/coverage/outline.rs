@@ -16,6 +16,7 @@ use serde_json::{Map, Value};
 use super::figures::{caption, coverage, wrong_verdicts, wrong_verdicts_caption};
 use super::results::{CaseResults, CoverageResults};
 use super::rows::{CheckRow, CoverageRow, ProcessRow, SpikeRow, VerdictRow, tables};
+use super::spec::Intervals;
 use crate::coverage::{Coverage, CoveredQuantity, VerdictCount};
 
 impl Outcome for CoverageResults {
@@ -33,7 +34,7 @@ impl Outcome for CoverageResults {
 
     fn page(&self, tables: &Tables) -> Page {
         let mut page = Page::new(&self.metadata.title);
-        page.lead(&answer(&self.cases));
+        page.lead(&answer(self.intervals, &self.cases));
         page.figure("coverage.svg", coverage(self), &caption(&self.cases));
         sections::warnings(&mut page, &self.warnings());
         page.heading(2, "Coverage by process");
@@ -41,6 +42,9 @@ impl Outcome for CoverageResults {
         sections::notes(&mut page, &self.metadata);
         page.heading(2, "Wrong verdicts");
         page.paragraph(&wrong(&self.total(|case| &case.verdicts), &self.total(|case| &case.robust)));
+        if self.intervals == Intervals::ModelBased {
+            page.paragraph(&likely(self));
+        }
         page.paragraph(&worst(&self.cases));
         page.figure("wrong-verdicts.svg", wrong_verdicts(self), &wrong_verdicts_caption(self));
         page.view(&tables.view::<VerdictRow>());
@@ -139,16 +143,33 @@ fn worst(cases: &[CaseResults]) -> String {
     }
 }
 
+/// How many of the verdicts that are very likely are wrong.
+fn likely(results: &CoverageResults) -> String {
+    let said = |name: &str, of: &VerdictCount| {
+        let share = of.wrong_share().map_or("none".to_owned(), percent);
+        format!("{name}: {share} of {} are wrong", count(of.decided))
+    };
+    let by_interval = said("Very likely by a model-based interval", &results.total(|case| &case.likely));
+    let by_halves =
+        said("without interval, by all halves of a window", &results.total(|case| &case.far_beyond));
+    format!("{by_interval}; {by_halves}.")
+}
+
 /// How often claimed intervals hold the truth, where at least 90 % of the windows have one.
-fn answer(cases: &[CaseResults]) -> String {
+fn answer(intervals: Intervals, cases: &[CaseResults]) -> String {
+    let (kind, least, band) = match intervals {
+        Intervals::Blocks => ("95 % intervals", "90 %", "93 to 97 %"),
+        Intervals::ModelBased => ("Model-based 95 % intervals", "half", "93 to 98 %"),
+    };
     let claimed = || cases.iter().flat_map(CaseResults::claimed);
     let Some([low, high]) = extremes(claimed().map(|(_, coverage)| coverage)) else {
-        return "**No combination of process, load and quantity has intervals in 90 % of the windows.**"
-            .to_owned();
+        return format!(
+            "**No combination of process, load and quantity has intervals in {least} of the windows.**"
+        );
     };
     let verdict = match cases.iter().flat_map(CaseResults::outside).count() {
-        0 => "all are within 93 to 97 %".to_owned(),
-        outside => format!("{outside} are outside 93 to 97 %"),
+        0 => format!("all are within {band}"),
+        outside => format!("{outside} are outside {band}"),
     };
     let in_part = || cases.iter().flat_map(CaseResults::claimed_in_part).map(|(_, coverage)| coverage);
     let part = extremes(in_part()).map_or_else(String::new, |[low, high]| {
@@ -161,8 +182,8 @@ fn answer(cases: &[CaseResults]) -> String {
     });
     let errors = claimed().filter_map(|((_, coverage), _)| coverage.claimed.coverage_error());
     format!(
-        "**95 % intervals cover the truth in {:.1} to {:.1} % of the windows**: {verdict}. Counted: {} combinations of process, load and \
-         quantity with intervals in at least 90 % of the windows (standard error at most {}).{part}",
+        "**{kind} cover the truth in {:.1} to {:.1} % of the windows**: {verdict}. Counted: {} combinations of process, load and \
+         quantity with intervals in at least {least} of the windows (standard error at most {}).{part}",
         100.0 * low,
         100.0 * high,
         claimed().count(),
@@ -223,6 +244,9 @@ mod tests {
         let (roll_off, correlation, heights) = (1e-5, 1e-6, Heights::GAUSSIAN);
         CaseResults {
             name: name.to_owned(),
+            intervals: Intervals::Blocks,
+            likely: VerdictCount::default(),
+            far_beyond: VerdictCount::default(),
             roll_off,
             roughness: String::new(),
             heights,
@@ -242,14 +266,16 @@ mod tests {
     fn coverage_outside_the_band_is_named() {
         let cases =
             [case("good", 1000, 950, 0.01), case("poor", 1000, 920, 0.01), case("wide", 950, 945, 0.2)];
-        let lead = answer(&cases);
+        let lead = answer(Intervals::Blocks, &cases);
         assert!(
             lead.contains(
                 "92.0 to 99.5 % of the windows**: 2 are outside 93 to 97 %. Counted: 3 combinations"
             ),
             "{lead}"
         );
-        assert!(answer(&cases[..1]).contains("**: all are within 93 to 97 %. Counted: 1 "));
+        assert!(
+            answer(Intervals::Blocks, &cases[..1]).contains("**: all are within 93 to 97 %. Counted: 1 ")
+        );
         assert_eq!(warnings(&cases[..1]), [""; 0]);
         let warnings = warnings(&cases);
         assert_eq!(warnings.len(), 3);
@@ -290,9 +316,12 @@ mod tests {
     #[test]
     fn intervals_in_a_part_of_the_windows_are_kept_apart() {
         let cases = [case("part", 500, 400, 0.01), case("few", 40, 10, 0.01), case("none", 0, 0, 0.01)];
-        assert!(answer(&cases).starts_with("**No combination of process"));
+        assert!(answer(Intervals::Blocks, &cases).starts_with("**No combination of process"));
         let both = [case("all", 1000, 950, 0.01), case("part", 500, 400, 0.01)];
-        assert!(answer(&both).ends_with("Where fewer windows have one (1 combinations): 80.0 to 80.0 %."));
+        assert!(
+            answer(Intervals::Blocks, &both)
+                .ends_with("Where fewer windows have one (1 combinations): 80.0 to 80.0 %.")
+        );
         let in_part = cases.iter().flat_map(CaseResults::claimed_in_part);
         assert!(in_part.map(|(_, coverage)| coverage).eq([0.8]));
     }

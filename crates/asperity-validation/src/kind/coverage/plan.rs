@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::spec::{CaseSpec, CoverageSpec, PlateauSpec, SpikesSpec};
+use super::spec::{CaseSpec, CoverageSpec, Intervals, PlateauSpec, SpikesSpec};
 use crate::coverage::{EndlessProcess, Patches, PlantedSpikes, Roughness, WINDOWS_PER_MAP};
 use asperity::study::LawContact;
 use asperity::topography::generate::{Plateau, Process, SpectrumOf};
@@ -36,6 +36,8 @@ pub struct CoveragePlan {
     pub bodies: Bodies,
     pub law: LawContact,
     pub windows: WindowPlan,
+    /// Which intervals are claimed.
+    pub intervals: Intervals,
     pub cases: Vec<CasePlan>,
     pub spikes: Option<SpikesPlan>,
     /// The seed of the spec.
@@ -159,6 +161,7 @@ pub(super) fn plan(file: &SpecFile, table: &Spanned<CoverageSpec>) -> Result<Cov
         bodies: Bodies { rough: rough.clone(), flat: flat.clone() },
         law,
         windows,
+        intervals: raw.intervals,
         cases,
         spikes,
         seed: file.seed,

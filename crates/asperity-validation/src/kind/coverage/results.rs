@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use super::plan::WindowPlan;
+use super::spec::Intervals;
 use crate::coverage::{CheckCount, Coverage, CoveredQuantity, PlantedSpikes, VerdictCount};
 use asperity::Heights;
 use asperity_contact_framework::contact::ContactMetadata;
@@ -11,8 +12,14 @@ use asperity_contact_framework::metadata::Metadata;
 /// The coverage that intervals of 95 % may have.
 pub const BAND: [f64; 2] = [0.93, 0.97];
 
+/// The same of model-based intervals, which are wide rather than narrow.
+pub const MODEL_BASED_BAND: [f64; 2] = [0.93, 0.98];
+
 /// Where intervals are claimed in a smaller share of the windows, these are not typical of all.
 pub const NEARLY_ALL: f64 = 0.9;
+
+/// The same of model-based intervals, which are withheld by what is measured on a window.
+pub const HALF: f64 = 0.5;
 
 /// Where intervals are claimed in a smaller share of the windows, their coverage is not known.
 pub const RARELY: f64 = 0.05;
@@ -27,6 +34,8 @@ pub struct CoverageResults {
     pub law: String,
     /// What all cases share.
     pub windows: WindowPlan,
+    /// Which intervals are claimed.
+    pub intervals: Intervals,
     pub cases: Vec<CaseResults>,
     /// Windows of the process of a case with spikes planted in them: first those without.
     pub spikes: Option<SpikesResults>,
@@ -39,6 +48,8 @@ pub struct CaseResults {
     pub name: String,
     /// Longest wavelength of the power law, m.
     pub roll_off: f64,
+    /// Which intervals are claimed.
+    pub intervals: Intervals,
     /// What the roughness is, besides its heights, in words; empty where it is isotropic and homogeneous.
     pub roughness: String,
     pub heights: Heights,
@@ -49,8 +60,12 @@ pub struct CaseResults {
     /// Median over the windows of the larger correlation length of x and y, m; infinite where that of most does not decay.
     pub correlation: f64,
     pub loads: Vec<LoadCoverage>,
-    /// Verdicts in all windows.
+    /// Verdicts in all windows: `within` and `beyond`.
     pub verdicts: VerdictCount,
+    /// Those that are very likely by a model-based interval.
+    pub likely: VerdictCount,
+    /// Those that are very likely by differences far beyond what is accepted on all halves of a window.
+    pub far_beyond: VerdictCount,
     /// Verdicts in the windows that were also studied under other treatments.
     pub studied: VerdictCount,
     /// The same, of which those that depend on a choice are not counted as decided.
@@ -104,6 +119,10 @@ impl CoverageResults {
 }
 
 impl CaseResults {
+    fn nearly_all(&self) -> f64 {
+        if self.intervals == Intervals::Blocks { NEARLY_ALL } else { HALF }
+    }
+
     /// Over all loads and quantities.
     pub fn coverages(&self) -> impl Iterator<Item = &(CoveredQuantity, Coverage)> {
         self.loads.iter().flat_map(|load| &load.coverages)
@@ -117,16 +136,17 @@ impl CaseResults {
 
     /// Those in which nearly all windows have an interval, each with the coverage of these.
     pub fn claimed(&self) -> impl Iterator<Item = (&(CoveredQuantity, Coverage), f64)> {
-        self.claimed_in(NEARLY_ALL..f64::INFINITY)
+        self.claimed_in(self.nearly_all()..f64::INFINITY)
     }
 
     /// The same of those in which a part of the windows has an interval.
     pub fn claimed_in_part(&self) -> impl Iterator<Item = (&(CoveredQuantity, Coverage), f64)> {
-        self.claimed_in(RARELY..NEARLY_ALL)
+        self.claimed_in(RARELY..self.nearly_all())
     }
 
     /// Those of [`Self::claimed`] whose coverage is not within the band.
     pub fn outside(&self) -> impl Iterator<Item = (&(CoveredQuantity, Coverage), f64)> {
-        self.claimed().filter(|(_, coverage)| !(BAND[0]..=BAND[1]).contains(coverage))
+        let [low, high] = if self.intervals == Intervals::Blocks { BAND } else { MODEL_BASED_BAND };
+        self.claimed().filter(move |(_, coverage)| !(low..=high).contains(coverage))
     }
 }

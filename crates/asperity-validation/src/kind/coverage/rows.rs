@@ -6,6 +6,7 @@ use asperity_contact_framework::report::table::{Column, Row, Table};
 
 use super::plan::WindowPlan;
 use super::results::{CaseResults, CoverageResults, LoadCoverage, SpikedResults};
+use super::spec::Intervals;
 use crate::coverage::{CheckCount, Coverage, CoveredQuantity, VerdictCount};
 use asperity::numeric::extremes;
 
@@ -48,15 +49,16 @@ impl Row for ProcessRow<'_> {
             roughness["text"] = row.case.roughness.as_str(), "How the roughness differs from an isotropic, homogeneous one; empty where it does not.";
             roll_off_m["m", label("roll-off"), input] = row.case.roll_off, "Longest wavelength of the power law.";
             waves_per_block["1", label("longest waves per block")] = row.block / row.case.roll_off, "Side of a block, a sixteenth of a window, over the longest wavelength.";
+            correlation_lengths_per_window["1"] = 4.0 * row.block / row.case.correlation, "Side of a window over the correlation length, which is the median over the windows.";
             correlation_lengths_per_block["1"] = row.block / row.case.correlation, "Side of a block over the correlation length, which is the median over the windows.";
             windows["count"] = row.case.windows, "Windows.";
             patchy_share["1", label("windows found patchy"), percent] = row.case.patchy, "Share of the windows whose roughness is found to be patchy.";
             largest_claimed_share["1", label("windows with an interval, at most"), percent] = row.case.coverages().map(|(_, coverage)| coverage.claimed_share()).fold(0.0, f64::max), "Largest share of the windows in which the program claims an interval.";
-            combinations["count", label("combinations with intervals in 90 % of the windows")] = row.case.claimed().count(), "Combinations of load and quantity in which at least 90 % of the windows have an interval.";
+            combinations["count", label("combinations counted")] = row.case.claimed().count(), "Combinations of load and quantity in which at least 90 % of the windows have an interval, or half of them a model-based one.";
             lowest_coverage["1", percent] = row.claimed.map(|[low, _]| low), "Smallest coverage in these combinations.";
             highest_coverage["1", percent] = row.claimed.map(|[_, high]| high), "Largest coverage in these combinations.";
-            outside["count", label("outside 93 to 97 %")] = row.case.outside().count(), "Combinations of these whose coverage is outside 93 to 97 %.";
-            lowest_in_part["1", label("lowest coverage where fewer have an interval"), percent] = row.in_part.map(|[low, _]| low), "Smallest coverage in combinations in which 5 to 90 % of the windows have an interval.";
+            outside["count", label("outside the band")] = row.case.outside().count(), "Combinations of these whose coverage is outside 93 to 97 %, of model-based intervals 93 to 98 %.";
+            lowest_in_part["1", label("lowest coverage where fewer have an interval"), percent] = row.in_part.map(|[low, _]| low), "Smallest coverage in combinations in which 5 to 90 % of the windows have an interval, or 5 to 50 % a model-based one.";
             highest_in_part["1", label("highest"), percent] = row.in_part.map(|[_, high]| high), "Largest coverage in these combinations.";
             lowest_independent["1", label("lowest coverage, asperities as independent"), percent] = row.independent.map(|[low, _]| low), "Smallest coverage of intervals that take asperities as independent, over all combinations.";
             highest_independent["1", label("highest"), percent] = row.independent.map(|[_, high]| high), "Largest coverage of such intervals.";
@@ -104,6 +106,7 @@ impl Row for CoverageRow<'_> {
 /// Verdicts in the windows of one case, or of all.
 pub struct VerdictRow<'a> {
     case: &'a str,
+    kind: &'static str,
     robustness: &'static str,
     count: &'a VerdictCount,
     blocked: Option<usize>,
@@ -117,6 +120,12 @@ pub const ALONE: &str = "none";
 pub const ALONE_STUDIED: &str = "none, windows studied";
 /// Verdicts that depend on no choice.
 pub const ROBUST: &str = "examined";
+/// Verdicts that decide.
+const DECIDED: &str = "decided";
+/// Very likely ones by a model-based interval.
+pub const LIKELY: &str = "very likely";
+/// Very likely ones by differences far beyond what is accepted on all halves of a window.
+pub const FAR_BEYOND: &str = "very likely, without interval";
 
 impl Row for VerdictRow<'_> {
     const FILE: &'static str = "wrong-verdicts.csv";
@@ -126,12 +135,13 @@ impl Row for VerdictRow<'_> {
     fn columns() -> Vec<Column<Self>> {
         columns! { row: Self =>
             case["text"] = row.case, "Case, or `all`.";
+            verdicts_counted["text", label("verdicts")] = row.kind, "Which verdicts are counted: `decided` ones (`within`, `beyond`); `very likely` ones by a model-based interval; `very likely, without interval`: a difference far beyond what is accepted on all halves of a window.";
             robustness["text"] = row.robustness, "Whether robustness counts. `none`: verdicts by themselves, in all windows; `none, windows studied`: the same in the windows that were studied under other treatments; `examined`: there, verdicts that depend on a choice are not counted as decided, and windows that a fitness check blocks have none.";
             windows["count"] = row.count.windows, "Windows.";
             blocked["count"] = row.blocked, "Of them those that a fitness check blocks.";
             deciding_windows["count", label("windows that decide")] = row.count.deciding_windows, "Windows with a decided verdict.";
             verdicts["count"] = row.count.verdicts, "Verdicts: quantities at admissible loads.";
-            decided["count"] = row.count.decided, "Verdicts that are `within` or `beyond`.";
+            decided["count"] = row.count.decided, "Verdicts of the kind that is counted.";
             wrong["count"] = row.count.wrong, "Decided verdicts that are wrong: the mean over all windows is on another side of what is accepted.";
             wrong_share["1", label("wrong, of decided"), percent] = row.count.wrong_share(), "Share of the decided verdicts that are wrong.";
             wrong_windows["count"] = row.count.wrong_windows, "Windows with a wrong verdict.";
@@ -207,22 +217,36 @@ impl SpikeRow<'_> {
     }
 }
 
-fn verdict_rows(results: &CoverageResults) -> Vec<(String, &'static str, VerdictCount, Option<usize>)> {
+/// Case, kind of verdict, robustness, counts, blocked windows.
+type Counted = (String, &'static str, &'static str, VerdictCount, Option<usize>);
+
+fn verdict_rows(results: &CoverageResults) -> Vec<Counted> {
     let of_case = |case: &CaseResults| {
         let studied = (case.studied.windows > 0).then_some([
-            (case.name.clone(), ALONE_STUDIED, case.studied, Some(case.blocked)),
-            (case.name.clone(), ROBUST, case.robust, Some(case.blocked)),
+            (case.name.clone(), DECIDED, ALONE_STUDIED, case.studied, Some(case.blocked)),
+            (case.name.clone(), DECIDED, ROBUST, case.robust, Some(case.blocked)),
         ]);
-        let alone = (case.name.clone(), ALONE, case.verdicts, None);
-        std::iter::once(alone).chain(studied.into_iter().flatten()).collect::<Vec<_>>()
+        let likely = (case.intervals == Intervals::ModelBased).then_some([
+            (case.name.clone(), LIKELY, ALONE, case.likely, None),
+            (case.name.clone(), FAR_BEYOND, ALONE, case.far_beyond, None),
+        ]);
+        let alone = (case.name.clone(), DECIDED, ALONE, case.verdicts, None);
+        std::iter::once(alone)
+            .chain(likely.into_iter().flatten())
+            .chain(studied.into_iter().flatten())
+            .collect::<Vec<_>>()
     };
     let mut rows: Vec<_> = results.cases.iter().flat_map(of_case).collect();
     let all = |of| results.total(of);
-    rows.push((ALL_CASES.to_owned(), ALONE, all(|case| &case.verdicts), None));
+    rows.push((ALL_CASES.to_owned(), DECIDED, ALONE, all(|case| &case.verdicts), None));
+    if results.intervals == Intervals::ModelBased {
+        rows.push((ALL_CASES.to_owned(), LIKELY, ALONE, all(|case| &case.likely), None));
+        rows.push((ALL_CASES.to_owned(), FAR_BEYOND, ALONE, all(|case| &case.far_beyond), None));
+    }
     let blocked = Some(results.cases.iter().map(|case| case.blocked).sum());
     if all(|case| &case.studied).windows > 0 {
-        rows.push((ALL_CASES.to_owned(), ALONE_STUDIED, all(|case| &case.studied), blocked));
-        rows.push((ALL_CASES.to_owned(), ROBUST, all(|case| &case.robust), blocked));
+        rows.push((ALL_CASES.to_owned(), DECIDED, ALONE_STUDIED, all(|case| &case.studied), blocked));
+        rows.push((ALL_CASES.to_owned(), DECIDED, ROBUST, all(|case| &case.robust), blocked));
     }
     rows
 }
@@ -236,8 +260,9 @@ pub fn tables(results: &CoverageResults) -> Vec<Table> {
         quantities.map(move |&(quantity, ref coverage)| CoverageRow { case, load, quantity, coverage })
     });
     let counts = verdict_rows(results);
-    let verdicts = counts.iter().map(|(case, robustness, count, blocked)| VerdictRow {
+    let verdicts = counts.iter().map(|(case, kind, robustness, count, blocked)| VerdictRow {
         case,
+        kind,
         robustness,
         count,
         blocked: *blocked,

@@ -4,12 +4,13 @@ use std::time::Instant;
 
 use super::plan::{CasePlan, CoveragePlan, SpikesPlan};
 use super::results::{CaseResults, CoverageResults, LoadCoverage, SpikedResults, SpikesResults};
+use super::spec::Intervals;
 use crate::coverage::{
     CheckCount, Controls, Coverage, CoveredQuantity, ExaminedWindow, Maps, PlantedSpikes, QuantityEstimate,
     StudiedWindow, StudyTask, VerdictCount, WindowTask, WindowVerdict, checked_windows, spiked_windows,
     windows_of,
 };
-use asperity::compare::ComparedQuantity;
+use asperity::compare::{ComparedQuantity, Verdict};
 use asperity::numeric::median;
 use asperity::study::Choice;
 use asperity::topography::fitness::{Check, Finding};
@@ -39,6 +40,7 @@ pub(super) fn run(context: &RunContext, plan: &CoveragePlan) -> Result<CoverageR
         contact: contact_metadata(context.materials, laws, &plan.bodies, None),
         law: plan.law.label.clone(),
         windows: plan.windows,
+        intervals: plan.intervals,
         cases,
         spikes,
     })
@@ -56,8 +58,9 @@ fn run_case(
     let refuse = |error| refuse(context, case, error);
     let contact = &*plan.law.contact;
     let controls = case.process.controls(contact, &case.contacts).map_err(refuse)?;
-    let task = WindowTask { contact, controls: controls.clone() };
     let study = StudyTask { law: &plan.law, loads: &controls.loads, seed: plan.seed };
+    let small = (plan.intervals == Intervals::ModelBased).then_some(study);
+    let task = WindowTask { contact, controls: controls.clone(), small };
     let maps = Maps { count: case.maps, studied: plan.windows.studied_maps, checked: case.checked_maps };
     let done = || context.progress.advance(1.0);
     let windows = windows_of(&case.process, (&task, &study), maps, done).map_err(refuse)?;
@@ -94,21 +97,32 @@ fn case_results(
     let studied: Vec<&ExaminedWindow> = windows.iter().filter(|window| window.studied.is_some()).collect();
     let of_studied = || studied.iter().filter_map(|window| window.studied.as_deref());
     let patchy = windows.iter().filter(|window| window.results.is_patchy).count();
+    let on_halves = |verdict: &WindowVerdict| verdict.is_on_halves;
     CaseResults {
         name: case.name.clone(),
+        intervals: plan.intervals,
+        likely: count(all.iter().map(Vec::as_slice), &truths, |one| {
+            is_likely(one.verdict) && !on_halves(one)
+        }),
+        far_beyond: count(all.iter().map(Vec::as_slice), &truths, on_halves),
         roll_off: case.roll_off,
         roughness: case.roughness(),
         heights: case.heights.clone(),
         windows: windows.len(),
         patchy: patchy as f64 / windows.len() as f64,
         correlation: median(&mut correlations).unwrap_or(f64::INFINITY) * plan.windows.side(),
-        verdicts: count(all.iter().map(Vec::as_slice), &truths, |_| true),
+        verdicts: count(all.iter().map(Vec::as_slice), &truths, |one| !is_likely(one.verdict)),
         studied: count(of_studied(), &truths, |_| true),
         robust: count(of_studied(), &truths, |verdict| verdict.depends_on.is_empty()),
         blocked: studied.iter().copied().filter(is_blocked).count(),
         checks: CheckCount::all(findings),
         loads,
     }
+}
+
+/// Whether a verdict is one of those that are very likely.
+fn is_likely(verdict: Verdict) -> bool {
+    matches!(verdict, Verdict::VeryLikelyWithin | Verdict::VeryLikelyBeyond)
 }
 
 /// The mean differences of a process at each load.

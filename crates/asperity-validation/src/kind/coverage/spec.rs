@@ -43,6 +43,10 @@ pub struct CoverageSpec {
     /// Windows of each case.
     #[schemars(extend("x-range" = "8 to 100000", "examples" = [1000]))]
     pub windows: Spanned<Whole>,
+    /// Which intervals are claimed.
+    #[serde(default)]
+    #[schemars(extend("default" = "blocks", "examples" = ["model-based"]))]
+    pub intervals: Intervals,
     /// How many of them are also studied under other treatments, as measured maps are.
     #[schemars(extend("x-range" = "0 to 100000", "default" = 0, "examples" = [100]))]
     pub robustness: Option<Spanned<Whole>>,
@@ -54,6 +58,17 @@ pub struct CoverageSpec {
     pub spikes: Option<Spanned<SpikesSpec>>,
     /// Random processes by name.
     pub case: Spanned<IndexMap<Spanned<String>, CaseSpec>>,
+}
+
+/// What the intervals that are examined rest on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Intervals {
+    /// Blocks of a window.
+    #[default]
+    Blocks,
+    /// Surfaces generated with the spectrum and the heights of a window that is too small for blocks.
+    ModelBased,
 }
 
 /// A random process.

@@ -2,16 +2,13 @@
 
 use std::f64::consts::PI;
 
-use asperity_fft::Complex;
-use rayon::prelude::*;
-use statrs::distribution::{ContinuousCDF, Normal};
-
-use super::super::fourier::{change_waves, with_small_factors};
+use super::super::correlation::pairs;
+use super::super::fourier::with_small_factors;
 use super::super::height_transform::Distortion;
 use super::super::spectrum::GridSpectrum;
 use super::super::{Boundary, CorrelationLengths, HeightMap, Moments, Rows};
 use super::gaussian;
-use crate::distribution::normal_nodes;
+use super::own_heights::OwnHeights;
 use crate::numeric::parallel::for_each_row;
 use crate::progress::Silent;
 
@@ -50,8 +47,8 @@ pub struct FittedProcess {
 impl FittedProcess {
     /// The process of a levelled, filtered map with its moments and correlation lengths.
     ///
-    /// The autocorrelation is that of the tapered map over that of the taper (0 and 1 at the ends of a cosine over a quarter of each side), so
-    /// that the edges leave no trace in the shortest waves. It is kept up to lags of 0.2 of the sides and goes smoothly to zero at half of them (a
+    /// The autocorrelation is that of the tapered map over that of the taper (a cosine over a quarter of each side at its ends), so that the edges
+    /// leave no trace in the shortest waves. It is kept up to lags of 0.2 of the sides and goes smoothly to zero at half of them (a
     /// flat-top lag window: Politis and Romano 1995, J. Time Series Analysis 16, 67).
     ///
     /// # Errors
@@ -98,8 +95,8 @@ impl FittedProcess {
     /// By how much the scatter of samples exceeds that of generated surfaces: the map shows its longest waves only in part, the less the fewer
     /// correlation lengths it holds (`[coverage]`).
     pub fn widening(&self) -> f64 {
-        /// Of the mean of 1/lengths along both sides.
-        const PER_LENGTH: f64 = 1.2;
+        /// Of the geometric mean of 1/lengths along both sides.
+        const PER_LENGTH: f64 = 1.4;
         1.0 + PER_LENGTH / (self.lengths[0] * self.lengths[1]).sqrt()
     }
 
@@ -144,81 +141,6 @@ pub fn roughness_scatter(map: &HeightMap) -> f64 {
     (squares / (count - 1.0)).sqrt() / mean
 }
 
-/// The map from a standard normal g to a height of zero mean and unit standard deviation, from the heights of a map: a cubic through their
-/// quantiles at equal steps of g, and beyond those that few independent heights exceed a straight line.
-#[derive(Debug, Clone)]
-struct OwnHeights {
-    /// The lowest g.
-    start: f64,
-    /// Heights from it on.
-    nodes: Vec<f64>,
-    mean: f64,
-    deviation: f64,
-}
-
-/// Distance of the nodes in g.
-const STEP: f64 = 0.25;
-
-impl OwnHeights {
-    /// Of the present heights of a map, which are worth `independent` independent ones; `None` of a flat map.
-    fn new(map: &HeightMap, independent: f64) -> Option<Self> {
-        /// Independent heights beyond the outermost nodes.
-        const BEYOND: f64 = 0.5;
-        let mut sorted: Vec<f64> = map.heights().iter().copied().filter(|z| !z.is_nan()).collect();
-        sorted.par_sort_unstable_by(f64::total_cmp);
-        let normal = Normal::standard();
-        let last = -normal.inverse_cdf((BEYOND / independent).min(0.2));
-        let half = (last / STEP).floor();
-        let nodes = (0..=2 * half as usize).map(|k| {
-            let share = normal.cdf(STEP * (k as f64 - half));
-            sorted[((share * sorted.len() as f64) as usize).min(sorted.len() - 1)]
-        });
-        let raw = Self { start: -STEP * half, nodes: nodes.collect(), mean: 0.0, deviation: 1.0 };
-        let moment = |of: &dyn Fn(f64) -> f64| {
-            normal_nodes(0.01).map(|[g, weight]| weight * of(raw.at(g))).sum::<f64>()
-        };
-        let mean = moment(&|z| z);
-        let deviation = moment(&|z| (z - mean).powi(2)).sqrt();
-        (deviation > 0.0).then_some(Self { mean, deviation, ..raw })
-    }
-
-    /// The height at g.
-    fn at(&self, g: f64) -> f64 {
-        let last = self.nodes.len() - 1;
-        let place = (g - self.start) / STEP;
-        let slope = |k: usize| {
-            let (before, after) = (k.saturating_sub(1), (k + 1).min(last));
-            (self.nodes[after] - self.nodes[before]) / (after - before) as f64
-        };
-        // Slopes beyond the ends go on as between them.
-        let beyond = |from: usize, before: usize, steps: f64| {
-            let ratio = (slope(from) / slope(before)).abs().clamp(0.1, 4.0).powf(0.5);
-            let l = ratio.ln();
-            slope(from) * if l.abs() < 1e-3 { steps } else { ((l * steps).exp() - 1.0) / l }
-        };
-        let height = if place <= 0.0 {
-            self.nodes[0] - beyond(1, 3, -place)
-        } else if place >= last as f64 {
-            self.nodes[last] + beyond(last - 1, last - 3, place - last as f64)
-        } else {
-            let k = (place as usize).min(last - 1);
-            let (t, a, b) = (place - k as f64, self.nodes[k], self.nodes[k + 1]);
-            let ends = [k, k + 1].map(|k| {
-                if k == 0 {
-                    slope(1)
-                } else if k == last {
-                    slope(last - 1)
-                } else {
-                    slope(k)
-                }
-            });
-            let s = 1.0 - t;
-            s * s * (a * (1.0 + 2.0 * t) + ends[0] * t) + t * t * (b * (1.0 + 2.0 * s) - ends[1] * s)
-        };
-        (height - self.mean) / self.deviation
-    }
-}
-
 /// The autocorrelation of an open map about its `mean` (m) on a torus, times the lag window.
 fn autocorrelation(map: &HeightMap, mean: f64, torus: [usize; 2]) -> Vec<f64> {
     let points = map.points();
@@ -228,7 +150,7 @@ fn autocorrelation(map: &HeightMap, mean: f64, torus: [usize; 2]) -> Vec<f64> {
         for_each_row(&mut field[..points[0] * torus[1]], torus[1], &|ix, row| {
             row.iter_mut().zip(&tapers[1]).for_each(|(value, taper)| *value *= tapers[0][ix] * taper);
         });
-        pairs(field, torus)
+        pairs(field, torus, &Silent)
     };
     let products = tapered(&|z| z - mean);
     let weights = tapered(&|_| 1.0);
@@ -244,16 +166,6 @@ fn autocorrelation(map: &HeightMap, mean: f64, torus: [usize; 2]) -> Vec<f64> {
         }
     });
     correlation
-}
-
-/// Sums over all pairs of points of the products of their values, by lag around the border.
-fn pairs(mut field: Vec<f64>, points: [usize; 2]) -> Vec<f64> {
-    let scale = ((points[0] * points[1]) as f64).recip();
-    let power = |_: usize, waves: &mut [Complex<f64>]| {
-        waves.iter_mut().for_each(|wave| *wave = Complex::new(wave.norm_sqr(), 0.0));
-    };
-    change_waves(&mut field, points, scale, &power, &Silent);
-    field
 }
 
 /// One over the middle half, a cosine from zero over a quarter at each end.
@@ -277,4 +189,89 @@ fn lag_window(lag: f64) -> f64 {
     let u = (lag - FLAT) / (1.0 - FLAT);
     let bump = |x: f64| (-x.recip()).exp();
     bump(1.0 - u) / (bump(u) + bump(1.0 - u))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::distribution::{Heights, Johnson};
+    use crate::topography::generate::{Process, Seeds, SpectrumOf, SurfaceGenerator};
+    use crate::topography::spectrum::{Lay, Spectrum, SpectrumShape};
+    use crate::topography::{Level, RoughnessParameters};
+
+    /// A levelled window of half the side of a periodic self-affine map.
+    fn window(roll_off: f64, heights: Heights, seed: u8) -> HeightMap {
+        let shape = SpectrumShape::SelfAffine { hurst: 0.8, roll_off, cut_off: 4.0 };
+        let spectrum = Spectrum::new(shape, Lay::default()).unwrap();
+        let process = Process { spectrum, of: SpectrumOf::Gaussian, sigma: 0.1, heights };
+        let generator = SurfaceGenerator { points: [384; 2], pixel: [1.0; 2], process, plateau: None };
+        let (map, _) = generator.surface(Seeds { process: [seed; 32], plateau: [0; 32] }).unwrap();
+        let rows = map.heights().chunks(384).take(192);
+        let heights = rows.flat_map(|row| &row[..192]).copied().collect();
+        Level::Plane.apply(&HeightMap::new([192; 2], [1.0; 2], heights, 0.0).unwrap()).unwrap()
+    }
+
+    fn fit(map: &HeightMap) -> Result<FittedProcess, Unfitted> {
+        let roughness = RoughnessParameters::new(map);
+        let (correlation, _) = CorrelationLengths::from_map(map, roughness.moments.mean).unwrap();
+        FittedProcess::new(map, &roughness.moments, &correlation)
+    }
+
+    /// Correlation lengths, mean squares of slope and curvature, skewness: in the mean over generated surfaces those of the map.
+    #[test]
+    fn generated_surfaces_are_like_the_map() {
+        let worn = Heights::new(Johnson::from_moments(-1.0, 4.5).unwrap());
+        for heights in [Heights::GAUSSIAN, worn] {
+            let map = window(40.0, heights, 3);
+            let process = fit(&map).unwrap();
+            let facts = |map: &HeightMap| {
+                let roughness = RoughnessParameters::new(map);
+                let (correlation, _) = CorrelationLengths::from_map(map, roughness.moments.mean).unwrap();
+                let [m0, m2, m4] = roughness.spectral_moments();
+                [m0.sqrt(), m2.sqrt(), m4.sqrt(), correlation.lengths[0] + correlation.lengths[1]]
+            };
+            let own = facts(&map);
+            let mut mean = [0.0; 4];
+            let mut skewness = 0.0;
+            for seed in 0..24 {
+                let surface = Level::Plane.apply(&process.surface([seed; 32])).unwrap();
+                mean.iter_mut().zip(facts(&surface)).for_each(|(sum, value)| *sum += value / 24.0);
+                skewness += RoughnessParameters::new(&surface).moments.ssk.unwrap() / 24.0;
+            }
+            for ((mean, own), tolerance) in mean.iter().zip(own).zip([0.1, 0.1, 0.1, 0.15]) {
+                assert!((mean / own - 1.0).abs() < tolerance, "{mean} for {own}");
+            }
+            let of_map = RoughnessParameters::new(&map).moments.ssk.unwrap();
+            assert!((skewness - of_map).abs() < 0.25, "{skewness} for {of_map}");
+        }
+    }
+
+    #[test]
+    fn a_surface_has_the_missing_points_and_follows_from_the_seed() {
+        let map = window(40.0, Heights::GAUSSIAN, 3);
+        let mut heights = map.into_heights();
+        heights[700] = f64::NAN;
+        let process = fit(&HeightMap::new([192; 2], [1.0; 2], heights, 0.0).unwrap()).unwrap();
+        let surface = process.surface([1; 32]);
+        assert!(surface.heights().iter().enumerate().all(|(k, z)| z.is_nan() == (k == 700)));
+        let other = process.surface([1; 32]);
+        assert!(surface.heights()[..700] == other.heights()[..700]);
+    }
+
+    #[test]
+    fn no_process_is_fitted_where_the_longest_waves_are_not_seen() {
+        assert_eq!(fit(&window(190.0, Heights::GAUSSIAN, 3)).err(), Some(Unfitted::TooShort));
+        assert_eq!(fit(&window(40.0, Heights::GAUSSIAN, 3).periodic()).err(), Some(Unfitted::Periodic));
+    }
+
+    /// An amplitude that doubles from one side to the other scatters far more than over generated surfaces.
+    #[test]
+    fn the_roughness_of_a_patchy_map_scatters_more() {
+        let map = window(40.0, Heights::GAUSSIAN, 3);
+        let plain = roughness_scatter(&map);
+        let growing = |(k, z): (usize, &f64)| z * (1.0 + (k / 192) as f64 / 192.0);
+        let heights = map.heights().iter().enumerate().map(growing).collect();
+        let patchy = roughness_scatter(&HeightMap::new([192; 2], [1.0; 2], heights, 0.0).unwrap());
+        assert!(patchy > 2.0 * plain, "{patchy} {plain}");
+    }
 }

@@ -2,6 +2,7 @@
 
 mod fitted;
 mod gaussian;
+mod own_heights;
 mod target;
 
 pub use fitted::{FittedProcess, Unfitted, roughness_scatter};
