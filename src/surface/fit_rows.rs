@@ -17,7 +17,8 @@ pub struct FitStepRow<'a> {
 }
 
 /// Columns of the steps for people.
-pub const STEP: [&str; 7] = ["check", "measured", "remedy", "before", "after", "result", "reason"];
+pub const STEP: [&str; 7] =
+    ["check", "measured", "remedy", "value_before", "value_after", "result", "reason"];
 
 impl<'a> FitStepRow<'a> {
     /// None of a surface whose preparation is prescribed.
@@ -37,10 +38,6 @@ impl<'a> FitStepRow<'a> {
             (Some(_), None) => "left",
         }
     }
-
-    fn text(finding: &Finding) -> String {
-        fitness::value(finding.measure, finding.value)
-    }
 }
 
 impl Row for FitStepRow<'_> {
@@ -56,11 +53,9 @@ impl Row for FitStepRow<'_> {
             measure["text"] = row.step.before.measure.name(), "What it measured.";
             measured["text"] = fitness::measured(row.step.before.measure), "The same in words.";
             remedy["text"] = row.step.remedy.map(fitness::written), "The remedy as a spec has it; empty where no preparation helps.";
-            value_before["1"] = row.step.before.value, "Value of the check without the remedy.";
-            value_after["1"] = row.after().map(|finding| finding.value), "Value of the check with it; empty where it was not tried.";
+            value_before["1", label("before")] = row.step.before.value, "Value of the check without the remedy.";
+            value_after["1", label("after")] = row.after().map(|finding| finding.value), "Value of the check with it; empty where it was not tried.";
             measure_after["text"] = row.after().map(|finding| finding.measure.name()), "What the check measured with the remedy: the worst of its measures may be another one.";
-            before["text"] = Self::text(&row.step.before), "The value without the remedy, for people.";
-            after["text"] = row.after().map(Self::text), "The value with it, for people.";
             allowed["text"] = fitness::allowed(&row.step.before), "The values that pass.";
             passed_after["true/false"] = row.after().map(Finding::has_passed), "Whether the map passes the check with the remedy.";
             sq_after_over_before["1"] = row.step.sq_ratio, "Sq with the remedy over Sq without it.";

@@ -121,8 +121,7 @@ pub fn measured(measure: Measure) -> &'static str {
     }
 }
 
-/// A measured value for people.
-pub fn value(measure: Measure, value: f64) -> String {
+fn value(measure: Measure, value: f64) -> String {
     match measure {
         Measure::Spikes => count(value as usize),
         Measure::FormShare | Measure::LineOffsets | Measure::Untraced => percent(value),

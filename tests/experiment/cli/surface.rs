@@ -286,17 +286,17 @@ fn maps_of_labs_are_read_from_the_command_line() {
     // A pixel in metres, and the heights of a file in metres read as nanometres.
     for (arguments, words) in [
         (
-            &["--pixel", "196.733", "--unit", "nm", "--missing", "-9999"][..],
+            &["--pixel", "196.733 m", "--unit", "nm", "--missing", "-9999"][..],
             "slope: the map is 9.84 km wide along x",
         ),
         (
-            &["--pixel", "0.01", "--unit", "nm", "--missing", "-9999"],
+            &["--pixel", "0.01 m", "--unit", "nm", "--missing", "-9999"],
             "less than that of any polished surface",
         ),
     ] {
         let (is_read, error, card, _) = run("pandas.csv", arguments);
         assert!(is_read && error.contains(words), "{error}");
-        assert!(card.contains("No conclusion until the map is fit"), "{card}");
+        assert!(card.contains("no conclusion until the map is fit"), "{card}");
     }
 
     let points: String = (0..2000)
