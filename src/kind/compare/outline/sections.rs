@@ -24,8 +24,16 @@ const MOST_OPEN: usize = 12;
 /// The answer at the one load or separation of a spec.
 pub fn results(page: &mut Page, tables: &Tables) {
     let view = tables.view::<ResultRow>();
-    if !view.is_empty() {
-        page.heading(2, "Results").view(&view.without_constant(&CASE));
+    if view.is_empty() {
+        return;
+    }
+    let view = view.without_constant(&CASE);
+    if view.len() > MOST_OPEN {
+        page.details(2, "Results at one load", |page| {
+            page.view(&view);
+        });
+    } else {
+        page.heading(2, "Results").view(&view);
     }
 }
 
