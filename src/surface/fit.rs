@@ -111,7 +111,7 @@ mod tests {
         assert_eq!(
             by_hand(spec, &fit),
             "law = \"zmc\"\n[surface.\"a\".file]\npath = \"a.npy\"\noutliers = \"keep\"\nlevel = \"cubic\"\n\
-             filter = { s = \"2.5 um\", l = \"80 um\" }\n"
+             filter = { s = \"2.5 µm\", l = \"80 µm\" }\n"
         );
         assert_eq!(as_written(&preparation).filter.unwrap().s(), parsed("2.5 um"));
         let long = 2.123456789e-6;

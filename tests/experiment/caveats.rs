@@ -75,7 +75,6 @@ fn inputs_that_are_hardly_meant_are_named_by_check_and_by_a_run_and_refused_by_n
         "Young's modulus is 210 Pa, below 1 MPa and softer than rubber: did you mean \"210 GPa\"?",
         "the hardness is 76 GPa, above E*/5 = 23.1 Pa",
         "`separation` reaches 50 σ",
-        "surface a: the mean asperity radius of 2 mm is above the side of the nominal area of 316 µm",
         "is above their mean radius, 2 mm: needles",
     ];
     let of_run = "surface a: from d = 1 σ down the surfaces overlap completely";

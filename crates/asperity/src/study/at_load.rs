@@ -152,8 +152,9 @@ impl CaseStudy {
                 Some(interval_of_mean(&readings.iter().map(|one| one.area_ratio).collect::<Vec<_>>()))
             } else {
                 let of_models = at.map_or([None; 2], |at| at.of_models);
-                let half = of_models[usize::from(model? == ModelKind::Deterministic)];
-                half.map(|[_, half, _]| [-half, half].map(|half| reading.area_ratio * half.exp()))
+                let half = model.and_then(|kind| of_models[usize::from(kind == ModelKind::Deterministic)]);
+                half.filter(|[_, half, _]| *half > 0.0)
+                    .map(|[_, half, _]| [-half, half].map(|half| reading.area_ratio * half.exp()))
             };
             Some(ModelResult { model, reading, area_interval: interval })
         };
