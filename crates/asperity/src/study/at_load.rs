@@ -153,8 +153,7 @@ impl CaseStudy {
             } else {
                 let of_models = at.map_or([None; 2], |at| at.of_models);
                 let half = model.and_then(|kind| of_models[usize::from(kind == ModelKind::Deterministic)]);
-                half.filter(|[_, half, _]| *half > 0.0)
-                    .map(|[_, half, _]| [-half, half].map(|half| reading.area_ratio * half.exp()))
+                half.map(|[_, half, _]| [-half, half].map(|half| reading.area_ratio * half.exp()))
             };
             Some(ModelResult { model, reading, area_interval: interval })
         };
