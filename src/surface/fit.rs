@@ -1,6 +1,6 @@
 //! `fit = "auto"` in words: the steps by which a preparation was found, and the keys of a spec that do the same by hand.
 
-use asperity::surface::{Fit, FitStep, Preparation, Refusal};
+use asperity::surface::{Fit, FitStep, NotApplied, Preparation};
 use asperity::topography::Filter;
 use asperity_contact_framework::input::quantity::{Length, Quantity};
 use asperity_contact_framework::report::format::{count, input_quantity, listed, percent};
@@ -60,7 +60,7 @@ pub fn caveat(fit: &Fit) -> String {
     let applied: Vec<String> = fit
         .steps
         .iter()
-        .filter(|step| step.refusal.is_none())
+        .filter(|step| step.not_applied.is_none())
         .filter_map(|step| Some(format!("`{}`", fitness::written(step.remedy?))))
         .collect();
     let end = if fit.is_fit { "look at the map before and after." } else { "it is not fit with them." };
@@ -73,26 +73,26 @@ pub fn caveat(fit: &Fit) -> String {
 
 /// Why a remedy was not applied.
 pub fn reason(step: &FitStep) -> Option<String> {
-    Some(match step.refusal.as_ref()? {
-        Refusal::Units => "units and pixel are for you to state".to_owned(),
-        Refusal::NoRemedy => "no preparation remedies it further".to_owned(),
-        Refusal::Kept => "the spec states this key".to_owned(),
-        Refusal::ManyPoints(share) => {
+    Some(match step.not_applied.as_ref()? {
+        NotApplied::Units => "units and pixel are for you to state".to_owned(),
+        NotApplied::NoRemedy => "no preparation remedies it further".to_owned(),
+        NotApplied::Kept => "the spec states this key".to_owned(),
+        NotApplied::ManyPoints(share) => {
             format!("{} of the points would be removed: more than single wrong points", percent(*share))
         }
-        Refusal::Variance(ratio) if *ratio < 1.0 => {
+        NotApplied::Variance(ratio) if *ratio < 1.0 => {
             format!(
                 "it would take out {} of the variance of heights: a feature of the surface, not a fault",
                 percent(1.0 - ratio)
             )
         }
-        Refusal::Variance(ratio) => {
+        NotApplied::Variance(ratio) => {
             format!("it would add {} to the variance of heights", percent(ratio - 1.0))
         }
-        Refusal::FewSummits(summits) => format!("{} summits would be left", count(*summits)),
-        Refusal::NotBetter => "the check does not come out better".to_owned(),
-        Refusal::StillFails => "the check still fails, with weaker filters too".to_owned(),
-        Refusal::Impossible(why) => format!("the map {why}"),
+        NotApplied::FewSummits(summits) => format!("{} summits would be left", count(*summits)),
+        NotApplied::NotBetter => "the check does not come out better".to_owned(),
+        NotApplied::StillFails => "the check still fails, with weaker filters too".to_owned(),
+        NotApplied::Impossible(why) => format!("the map {why}"),
     })
 }
 

@@ -32,7 +32,7 @@ impl<'a> FitStepRow<'a> {
     }
 
     fn result(&self) -> &'static str {
-        match (&self.step.refusal, self.step.remedy) {
+        match (&self.step.not_applied, self.step.remedy) {
             (None, _) => "applied",
             (Some(_), Some(_)) => "refused",
             (Some(_), None) => "left",

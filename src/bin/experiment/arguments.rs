@@ -198,39 +198,30 @@ pub struct FileArguments {
 
 impl From<FileArguments> for FileOptions {
     fn from(arguments: FileArguments) -> Self {
-        let FileArguments {
-            pixel,
-            unit,
-            missing,
-            transpose,
-            fit,
-            outliers,
-            align_lines,
-            tip,
-            level,
-            s,
-            l,
-            neighbours,
-            ..
-        } = arguments;
-        let FileArguments { material, rough, flat, layer, thickness, layer_on, load, area, pressure, .. } =
-            arguments;
-        let contact =
-            ContactOptions { material, rough, flat, layer, thickness, layer_on, load, area, pressure };
         Self {
-            pixel,
-            unit,
-            missing,
-            transpose,
-            fit,
-            outliers,
-            align_lines,
-            tip,
-            level,
-            s,
-            l,
-            neighbours,
-            contact,
+            pixel: arguments.pixel,
+            unit: arguments.unit,
+            missing: arguments.missing,
+            transpose: arguments.transpose,
+            fit: arguments.fit,
+            outliers: arguments.outliers,
+            align_lines: arguments.align_lines,
+            tip: arguments.tip,
+            level: arguments.level,
+            s: arguments.s,
+            l: arguments.l,
+            neighbours: arguments.neighbours,
+            contact: ContactOptions {
+                material: arguments.material,
+                rough: arguments.rough,
+                flat: arguments.flat,
+                layer: arguments.layer,
+                thickness: arguments.thickness,
+                layer_on: arguments.layer_on,
+                load: arguments.load,
+                area: arguments.area,
+                pressure: arguments.pressure,
+            },
         }
     }
 }

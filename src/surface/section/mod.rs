@@ -110,7 +110,7 @@ fn fit(page: &mut Page, tables: &Tables, surface: &Surface) {
         page.view(&steps);
     }
     page.paragraph("These keys instead of `fit` do the same:").code("toml", &keys(fit).join("\n"));
-    let applied = fit.steps.iter().any(|step| step.refusal.is_none());
+    let applied = fit.steps.iter().any(|step| step.not_applied.is_none());
     if let Some((map, spikes)) = fit.before.as_ref().filter(|_| applied) {
         let caption = format!("Height map of {name} before these steps; above it is as analysed.");
         page.figure(

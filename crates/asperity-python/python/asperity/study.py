@@ -70,9 +70,9 @@ class Results:
         return self.summary.get("results", [])
 
     @property
-    def on_map(self) -> list[dict[str, Any]]:
-        """What holds on the surface itself, without an interval: one entry for each quantity and range of loads."""
-        return self.summary.get("on_map", [])
+    def on_map(self) -> Table | None:
+        """What holds on the surface itself, without an interval, by quantity and range of loads: ``on_map.csv``."""
+        return self.tables.get("on_map")
 
     @property
     def verdicts(self) -> list[dict[str, Any]]:

@@ -378,6 +378,13 @@ mod tests {
         assert!((estimate.independent_error.unwrap() / error - 0.5).abs() < 1e-12);
         let [low, high] = estimate.interval().unwrap();
         assert!((high - low - 2.0 * 2.228_138_852 * error).abs() < 1e-9);
+        // The scatter is that of the integral alone; the areas of both models stay.
+        let [integral, sum] = found[0].of_models.map(Option::unwrap);
+        assert!(
+            (integral[0] / (2.228_138_852 * error) - 1.0).abs() < 1e-9 && sum[0].abs() < 1e-9,
+            "{integral:?} {sum:?}"
+        );
+        assert!(integral[1].abs() < 1e-9);
         // The areas differ by a factor of two everywhere: no scatter.
         let area = found[0].estimates[ComparedQuantity::Area as usize].unwrap();
         assert!(
@@ -397,6 +404,28 @@ mod tests {
         assert_eq!(estimate(90.0, None), (None, Some(2.0)));
         assert_eq!(estimate(15.0, None), (None, Some(4.0)), "30 contacts take twice the area");
         assert_eq!(estimate(90.0, Some(left_out(0.02, true))).0, None);
+    }
+
+    /// Without groups: from generated surfaces, and without these from the halves of the map, if all have the sign of the difference.
+    #[test]
+    fn a_small_map_has_the_scatter_of_generated_surfaces_or_the_least_difference_of_its_halves() {
+        let estimate = |contacts: f64, sampling: &CaseSampling| {
+            Difference::at_loads(&[pair(1.0, 0.2, contacts)], sampling).remove(0).estimates[0].unwrap()
+        };
+        let state = |difference: f64| Some([[difference, 0.0, 0.0], [0.0; 3]]);
+        let states = [0.1, 0.2, 0.3].map(|difference| vec![state(difference)]).to_vec();
+        let generated = Some(Ok(Generated { states, widening: 2.0 }));
+        let by_surfaces = CaseSampling { generated, ..sampling(None) };
+        let found = estimate(30.0, &by_surfaces);
+        assert_eq!(found.support, Support::Generated);
+        assert!((found.error.unwrap() - 0.2).abs() < 1e-12, "twice 0.1: {found:?}");
+        assert_eq!(estimate(29.0, &by_surfaces).support, Support::Sampled);
+        let by_halves = |least: f64| CaseSampling {
+            halves: vec![[state(0.5), state(least), state(0.4), state(0.3)]],
+            ..sampling(None)
+        };
+        assert_eq!(estimate(90.0, &by_halves(0.15)).support, Support::Halves(0.15));
+        assert_eq!(estimate(90.0, &by_halves(-0.15)).support, Support::Sampled);
     }
 
     #[test]

@@ -253,6 +253,11 @@ pub fn of_each_decade<T>(items: impl IntoIterator<Item = T>, load: impl Fn(&T) -
 }
 
 impl Comparison {
+    /// The pairs at equal load.
+    pub fn pairs_at_load(&self) -> impl Iterator<Item = &Pair> {
+        self.pairs.iter().filter(|pair| pair.pairing == Pairing::Load)
+    }
+
     /// The limits of admissible loads that are exceeded at each point of the curves: by either model, where both were run.
     pub fn exceeded(&self) -> impl Iterator<Item = Exceeded> {
         let of_both = self.curves.len() / 2;

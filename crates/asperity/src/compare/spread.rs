@@ -2,7 +2,7 @@
 
 use super::{Pair, Pairing};
 
-/// Mean and scatter of a quantity over realisations.
+/// Mean and scatter of a quantity over realisations, or over other samples.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scatter {
     /// Mean.
@@ -12,7 +12,8 @@ pub struct Scatter {
 }
 
 impl Scatter {
-    fn new(values: &[f64]) -> Self {
+    /// Of at least two values.
+    pub(crate) fn new(values: &[f64]) -> Self {
         let count = values.len() as f64;
         let mean = values.iter().sum::<f64>() / count;
         let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();

@@ -140,6 +140,12 @@ mod tests {
         assert_eq!((names(found.below), names(found.above)), (vec!["few-contacts"], vec!["interaction"]));
         let none = range(&[(1.0, 20.0, 0.01), (2.0, 90.0, 0.07)]);
         assert_eq!((none.stretches.len(), names(none.below)), (0, vec!["few-contacts", "interaction"]));
+        // Of two limits that exclude one load each, the last; without one of them two loads would be admissible.
+        assert_eq!(none.binding, Some(Limit::Interaction));
+        let few = range(&[(1.0, 20.0, 0.01), (2.0, 25.0, 0.01), (3.0, 90.0, 0.07)]);
+        assert_eq!(few.binding, Some(Limit::FewContacts));
+        let both = range(&[(1.0, 20.0, 0.07), (2.0, 40.0, 0.07)]);
+        assert_eq!((both.binding, found.binding), (Some(Limit::Interaction), None));
         let all = range(&[(1.0, 40.0, 0.01), (2.0, 90.0, 0.02)]);
         assert!(all.below.is_none() && all.above.is_none() && all.stretches == [[1.0, 2.0]]);
     }

@@ -3,7 +3,7 @@
 use super::case::CaseStudy;
 use super::results::CaseResults;
 use crate::Response;
-use crate::compare::{CurvePoint, Difference, ModelKind, Pair, Pairing, ReferencePoint, student_quantile};
+use crate::compare::{CurvePoint, Difference, ModelKind, ReferencePoint, Scatter, student_quantile};
 use crate::model::Exceeded;
 
 /// The models, and the reference, at the load of a case, or at the middle one of its loads.
@@ -21,14 +21,14 @@ pub struct ModelResult {
     /// The model; `None` for the reference.
     pub model: Option<ModelKind>,
     /// Its results.
-    pub reading: Reading,
+    pub point: PointResult,
     /// The 95 % interval of the area ratio, where there is one.
     pub area_interval: Option<[f64; 2]>,
 }
 
 /// What one model says at a load.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Reading {
+pub struct PointResult {
     /// Nominal pressure, Pa.
     pub pressure: f64,
     /// Separation, m, and over sigma.
@@ -43,7 +43,7 @@ pub struct Reading {
     pub shares: Option<[f64; 3]>,
 }
 
-impl From<&Response> for Reading {
+impl From<&Response> for PointResult {
     fn from(response: &Response) -> Self {
         Self {
             pressure: response.pressure.total(),
@@ -56,7 +56,7 @@ impl From<&Response> for Reading {
     }
 }
 
-impl From<&ReferencePoint> for Reading {
+impl From<&ReferencePoint> for PointResult {
     fn from(point: &ReferencePoint) -> Self {
         Self {
             pressure: point.pressure,
@@ -69,7 +69,7 @@ impl From<&ReferencePoint> for Reading {
     }
 }
 
-impl Reading {
+impl PointResult {
     /// Load over real contact area, Pa; `None` without contact.
     pub fn mean_real_pressure(&self) -> Option<f64> {
         (self.area_ratio > 0.0).then(|| self.pressure / self.area_ratio)
@@ -102,29 +102,28 @@ impl CaseResults {
     }
 
     /// What was computed at the nominal pressure `pressure` (Pa) of a pair.
-    fn at_load(&self, pressure: f64) -> Vec<(Option<ModelKind>, Reading)> {
-        let is_it = |pair: &&Pair| pair.pairing == Pairing::Load && pair.target == pressure;
-        let pair = self.comparison.pairs.iter().find(is_it);
+    fn at_load(&self, pressure: f64) -> Vec<(Option<ModelKind>, PointResult)> {
+        let pair = self.comparison.pairs_at_load().find(|pair| pair.target == pressure);
         let models = pair.into_iter().flat_map(|pair| {
             [(ModelKind::Statistical, &pair.statistical), (ModelKind::Deterministic, &pair.deterministic)]
         });
-        let models = models.map(|(kind, response)| (Some(kind), Reading::from(response)));
+        let models = models.map(|(kind, response)| (Some(kind), PointResult::from(response)));
         let reference = self.reference.as_ref().and_then(|curve| curve.at_load(pressure));
-        models.chain(reference.map(|point| (None, Reading::from(point)))).collect()
+        models.chain(reference.map(|point| (None, PointResult::from(point)))).collect()
     }
 
     /// What was computed at the middle point of each curve, by the load.
-    fn in_the_middle(&self) -> Vec<(Option<ModelKind>, Reading)> {
+    fn in_the_middle(&self) -> Vec<(Option<ModelKind>, PointResult)> {
         let middle = |kind: ModelKind| {
             let of_model = self.comparison.curves.iter().filter(|point| point.kind == kind);
             let mut points: Vec<&CurvePoint> = of_model.collect();
             points.sort_by(|a, b| a.response.pressure.total().total_cmp(&b.response.pressure.total()));
-            Some((Some(kind), Reading::from(&points.get(points.len() / 2)?.response)))
+            Some((Some(kind), PointResult::from(&points.get(points.len() / 2)?.response)))
         };
         let reference = self.reference.as_ref().and_then(|curve| {
             let mut points: Vec<&ReferencePoint> = curve.points.iter().collect();
             points.sort_by(|a, b| a.pressure.total_cmp(&b.pressure));
-            Some((None, Reading::from(*points.get(points.len() / 2)?)))
+            Some((None, PointResult::from(*points.get(points.len() / 2)?)))
         });
         let models = [ModelKind::Statistical, ModelKind::Deterministic].into_iter().filter_map(middle);
         models.chain(reference).collect()
@@ -140,22 +139,22 @@ impl CaseStudy {
             Some(at) if !self.first().is_single() => case.at_load(at.load),
             _ => case.in_the_middle(),
         };
-        let each: Vec<Vec<(Option<ModelKind>, Reading)>> =
+        let each: Vec<Vec<(Option<ModelKind>, PointResult)>> =
             self.realisations.iter().map(of_realisation).collect();
-        let model = |&(model, _): &(Option<ModelKind>, Reading)| {
-            let of_model = |all: &Vec<(Option<ModelKind>, Reading)>| {
-                all.iter().find(|(other, _)| *other == model).map(|(_, reading)| *reading)
+        let model = |&(model, _): &(Option<ModelKind>, PointResult)| {
+            let of_model = |all: &Vec<(Option<ModelKind>, PointResult)>| {
+                all.iter().find(|(other, _)| *other == model).map(|(_, point)| *point)
             };
-            let readings: Vec<Reading> = each.iter().map(of_model).collect::<Option<_>>()?;
-            let reading = Reading::mean(&readings)?;
-            let interval = if readings.len() > 1 {
-                Some(interval_of_mean(&readings.iter().map(|one| one.area_ratio).collect::<Vec<_>>()))
+            let points: Vec<PointResult> = each.iter().map(of_model).collect::<Option<_>>()?;
+            let point = PointResult::mean(&points)?;
+            let interval = if points.len() > 1 {
+                Some(interval_of_mean(&points.iter().map(|one| one.area_ratio).collect::<Vec<_>>()))
             } else {
                 let of_models = at.map_or([None; 2], |at| at.of_models);
                 let half = model.and_then(|kind| of_models[usize::from(kind == ModelKind::Deterministic)]);
-                half.map(|[_, half, _]| [-half, half].map(|half| reading.area_ratio * half.exp()))
+                half.map(|[_, half, _]| [-half, half].map(|half| point.area_ratio * half.exp()))
             };
-            Some(ModelResult { model, reading, area_interval: interval })
+            Some(ModelResult { model, point, area_interval: interval })
         };
         LoadResults {
             exceeded: at.map_or_else(Exceeded::default, Difference::exceeded),
@@ -187,10 +186,8 @@ fn narrow<'a>(loads: Vec<&'a Difference>, holds: &dyn Fn(&&Difference) -> bool) 
 
 /// The 95 % interval of the mean of at least two values.
 fn interval_of_mean(values: &[f64]) -> [f64; 2] {
-    let count = values.len() as f64;
-    let mean = values.iter().sum::<f64>() / count;
-    let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
-    let half = student_quantile(values.len()) * (squares / (count - 1.0) / count).sqrt();
+    let Scatter { mean, deviation } = Scatter::new(values);
+    let half = student_quantile(values.len()) * deviation / (values.len() as f64).sqrt();
     [mean - half, mean + half]
 }
 
@@ -207,7 +204,7 @@ mod tests {
 
     #[test]
     fn a_quantity_that_one_realisation_lacks_has_no_mean() {
-        let one = Reading {
+        let one = PointResult {
             pressure: 2.0,
             separation: Some([1e-9, 1.0]),
             area_ratio: 0.02,
@@ -215,8 +212,8 @@ mod tests {
             stiffness: None,
             shares: Some([0.5, 0.5, 0.0]),
         };
-        let other = Reading { area_ratio: 0.04, stiffness: Some(1.0), shares: None, ..one };
-        let mean = Reading::mean(&[one, other]).unwrap();
+        let other = PointResult { area_ratio: 0.04, stiffness: Some(1.0), shares: None, ..one };
+        let mean = PointResult::mean(&[one, other]).unwrap();
         assert_eq!((mean.stiffness, mean.shares), (None, None));
         assert!((mean.area_ratio - 0.03).abs() < 1e-15);
         assert!((mean.mean_real_pressure().unwrap() - 2.0 / 0.03).abs() < 1e-12);

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use crate::compare::{Generated, NotModelled, Pairing, State, pairs_at};
+use crate::compare::{Generated, NotModelled, Scatter, State, pairs_at};
 use crate::numeric::stream_seed;
 use crate::surface::{AnalysisDepth, Preparation, SummitSearch, Surface};
 use crate::topography::generate::{FittedProcess, roughness_scatter};
@@ -13,14 +13,14 @@ use super::models::SurfaceModels;
 use super::results::CaseResults;
 use super::setup::Setup;
 
-/// Generated surfaces: Student's quantile is then 2.04 for 1.96.
-const SURFACES: usize = 32;
+/// Surfaces that are generated for a small map: Student's quantile is then 2.04 for 1.96.
+pub const GENERATED_SURFACES: usize = 32;
 
 /// Points of a map above which surfaces are generated one after the other, so that memory holds one for all threads.
 const LARGE: usize = 1 << 22;
 
-/// The largest difference between the mean radii (as a ratio) of map and generated surfaces, and between their correlations of height and radius: on
-/// stationary Gaussian or skewed processes the differences scatter by 0.07 and 0.1; on plateaus they are 0.37 and 0.7 (`[coverage]`).
+/// The largest differences between a map and the mean of generated surfaces: of ln(mean radius), and of the correlation of height and radius. They lie
+/// above what stationary Gaussian and skewed processes give, and below what plateaus do (`coverage-of-small-maps`: plateaus get no interval).
 const ALIKE: [f64; 2] = [0.2, 0.3];
 
 /// Standard deviations by which the scatter of the roughness over a map may exceed that of generated surfaces.
@@ -55,7 +55,7 @@ fn on_surfaces(
     process: &FittedProcess,
     cases: &[CaseResults],
 ) -> Result<Vec<Generated>, NotModelled> {
-    setup.progress.stage("generated surfaces", SURFACES as f64);
+    setup.progress.stage("generated surfaces", GENERATED_SURFACES as f64);
     let sample = |number: usize| {
         let seed = stream_seed(setup.seed, &format!("generated surface {number} of {}", surface.name));
         let sample = of_map(setup, surface, &process.surface(seed), cases);
@@ -64,9 +64,9 @@ fn on_surfaces(
     };
     let points = process.points()[0] * process.points()[1];
     let samples: Result<Vec<Sample>, NotModelled> = if points > LARGE {
-        (0..SURFACES).map(sample).collect()
+        (0..GENERATED_SURFACES).map(sample).collect()
     } else {
-        (0..SURFACES).into_par_iter().map(sample).collect()
+        (0..GENERATED_SURFACES).into_par_iter().map(sample).collect()
     };
     let samples = samples?;
     check(&surface.statistics, process, &samples)?;
@@ -98,19 +98,14 @@ fn of_map(setup: Setup, surface: &Surface, map: &HeightMap, cases: &[CaseResults
 
 /// Whether a map is one that its process could have given.
 fn check(own: &Statistics, process: &FittedProcess, samples: &[Sample]) -> Result<(), NotModelled> {
-    let mean_and_deviation = |of: &dyn Fn(&Sample) -> f64| {
-        let count = samples.len() as f64;
-        let mean = samples.iter().map(of).sum::<f64>() / count;
-        let squares: f64 = samples.iter().map(|sample| (of(sample) - mean).powi(2)).sum();
-        (mean, (squares / (count - 1.0)).sqrt())
-    };
-    let (scatter, deviation) = mean_and_deviation(&|sample| sample.roughness_scatter);
-    if process.own_scatter() > scatter + PATCHY * deviation {
+    let over = |of: &dyn Fn(&Sample) -> f64| Scatter::new(&samples.iter().map(of).collect::<Vec<_>>());
+    let scatter = over(&|sample| sample.roughness_scatter);
+    if process.own_scatter() > scatter.mean + PATCHY * scatter.deviation {
         return Err(NotModelled::Patchy);
     }
-    let (log_radius, _) = mean_and_deviation(&|sample| sample.statistics.mean_radius.ln());
+    let log_radius = over(&|sample| sample.statistics.mean_radius.ln()).mean;
     let correlation = |statistics: &Statistics| statistics.height_radius_correlation.unwrap_or_default();
-    let (correlated, _) = mean_and_deviation(&|sample| correlation(&sample.statistics));
+    let correlated = over(&|sample| correlation(&sample.statistics)).mean;
     let gaps = [own.mean_radius.ln() - log_radius, correlation(own) - correlated];
     let is_alike = gaps.iter().zip(ALIKE).all(|(gap, largest)| gap.abs() <= largest);
     if is_alike { Ok(()) } else { Err(NotModelled::Unlike) }
@@ -119,8 +114,7 @@ fn check(own: &Statistics, process: &FittedProcess, samples: &[Sample]) -> Resul
 /// Both models at the loads of the pairs of each case; `None` where no sum is asked for.
 fn states(setup: Setup, models: &SurfaceModels, cases: &[CaseResults]) -> Option<CaseStates> {
     let of_case = |(law, case): (&LawContact, &CaseResults)| {
-        let at_load = case.comparison.pairs.iter().filter(|pair| pair.pairing == Pairing::Load);
-        let loads: Vec<f64> = at_load.map(|pair| pair.target).collect();
+        let loads: Vec<f64> = case.comparison.pairs_at_load().map(|pair| pair.target).collect();
         let statistical = models.statistical(&*law.contact, &law.spec);
         let deterministic = models.deterministic(&*law.contact, &law.spec)?;
         let pairs = pairs_at(&*statistical, &deterministic, &loads);
@@ -129,23 +123,21 @@ fn states(setup: Setup, models: &SurfaceModels, cases: &[CaseResults]) -> Option
     setup.laws.iter().zip(cases).map(of_case).collect()
 }
 
-/// For each case both models on the halves of a small map (left, right, bottom, top), load by load; empty for another surface.
+/// For each case both models on the halves of a small map (left, right, bottom, top), load by load.
 pub fn on_halves(
     setup: Setup,
     surface: &Surface,
     models: &SurfaceModels,
     cases: &[CaseResults],
 ) -> Vec<Vec<[Option<[State; 2]>; 4]>> {
-    let Some(small) = surface.small.as_ref().filter(|_| setup.generates) else {
-        return vec![Vec::new(); cases.len()];
-    };
+    let Some(small) = &surface.small else { return vec![Vec::new(); cases.len()] };
     let of_half = |half: usize| {
         let part = surface.without(&small.halves[half / 2], 1 - half % 2)?;
         states(setup, &models.of_part(&part, setup.law_specs, true).ok()?, cases)
     };
     let halves = [0, 1, 2, 3].map(of_half);
     let of_case = |(case, results): (usize, &CaseResults)| {
-        let loads = results.comparison.pairs.iter().filter(|pair| pair.pairing == Pairing::Load).count();
+        let loads = results.comparison.pairs_at_load().count();
         let at_load = |load: usize| halves.each_ref().map(|half| half.as_ref()?[case][load]);
         (0..loads).map(at_load).collect()
     };

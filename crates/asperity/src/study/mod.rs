@@ -40,11 +40,12 @@ mod threshold;
 mod treatment;
 mod verdicts;
 
-pub use at_load::{LoadResults, ModelResult, Reading};
+pub use at_load::{LoadResults, ModelResult, PointResult};
 pub use attribution::attribute;
 pub use case::CaseStudy;
 pub use causes::{LeadingCause, StatedCause};
 pub use dependence::{Dependence, Treated};
+pub use generated::GENERATED_SURFACES;
 pub use held_out::HeldOut;
 pub use law::LawContact;
 pub use layer::{DecreaseResults, LawFindings, LayerFindings, Threshold};

@@ -4,9 +4,7 @@
 use super::case::CaseStudy;
 use super::held_out::{self, Halves, HeldOut};
 use super::law::LawContact;
-use crate::compare::{
-    Accepted, ComparedQuantity, Pair, Pairing, ReferenceCurve, ReferencePoint, of_each_decade,
-};
+use crate::compare::{Accepted, ComparedQuantity, Pair, ReferenceCurve, ReferencePoint, of_each_decade};
 use crate::distribution::HeightsError;
 use crate::work::{CountedContact, Counter};
 use crate::{INTERACTION, Model, Response, reached_at};
@@ -247,8 +245,7 @@ fn in_sample(built: &[BuiltModel], law: &LawContact, case: &CaseResults) -> Rank
 
 /// The pairs of a case at which models are compared: at admissible loads three per decade, and those of the reference.
 pub(super) fn ranked_pairs(case: &CaseResults) -> Vec<Pair> {
-    let at_load =
-        case.comparison.pairs.iter().filter(|pair| pair.pairing == Pairing::Load && pair.is_admissible());
+    let at_load = case.comparison.pairs_at_load().filter(|pair| pair.is_admissible());
     let admissible: Vec<Pair> = at_load.copied().collect();
     let mut pairs = of_each_decade(ascending(&admissible), |pair| pair.target, PER_DECADE);
     let has_reference = |pair: &&Pair| case.reference_of(pair).is_some();

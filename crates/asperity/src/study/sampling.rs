@@ -3,7 +3,7 @@
 use super::generated::{generated, on_halves};
 use super::law::LawContact;
 use crate::Total;
-use crate::compare::{CaseSampling, Division, LeftOut, OneStep, Pair, Pairing, State};
+use crate::compare::{CaseSampling, Division, LeftOut, OneStep, Pair, State};
 use crate::numeric::stream_seed;
 
 use super::models::SurfaceModels;
@@ -27,8 +27,7 @@ pub fn sampling(
         .iter()
         .zip(cases)
         .filter_map(|(law, case)| {
-            let at_load = case.comparison.pairs.iter().filter(|pair| pair.pairing == Pairing::Load);
-            let pairs: Vec<Pair> = at_load.copied().collect();
+            let pairs: Vec<Pair> = case.comparison.pairs_at_load().copied().collect();
             let statistical = models.statistical(&*law.contact, &law.spec);
             let deterministic = models.deterministic(&*law.contact, &law.spec)?;
             Some(OneStep::new(pairs, &*statistical, &deterministic, surface.set.nominal_area()))
@@ -45,7 +44,11 @@ pub fn sampling(
         Independence::Unstated | Independence::Realisations => (None, None),
     };
     let generated = generated(setup, surface, cases);
-    let halves = on_halves(setup, surface, models, cases);
+    // Where there is an interval, nothing rests on the halves.
+    let halves = match &generated {
+        Some(Err(_)) => on_halves(setup, surface, models, cases),
+        _ => vec![Vec::new(); cases.len()],
+    };
     let of = |left_out: &Option<Vec<LeftOut>>, case: usize| left_out.as_ref().map(|all| all[case].clone());
     let of_case = |case| CaseSampling {
         groups: of(&groups, case),

@@ -36,7 +36,7 @@ impl Kept {
 
 /// Why a remedy was not applied.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Refusal {
+pub enum NotApplied {
     /// Heights and pixel size are in different units, or the pixel is wrong: nothing else is worth doing.
     Units,
     /// No preparation remedies the fault, or none further.
@@ -69,7 +69,7 @@ pub struct FitStep {
     /// Sq with the remedy over Sq before, where it was tried.
     pub sq_ratio: Option<f64>,
     /// Why the remedy was not applied; `None` where it was.
-    pub refusal: Option<Refusal>,
+    pub not_applied: Option<NotApplied>,
 }
 
 impl FitStep {
@@ -127,14 +127,14 @@ impl Fit {
             let Some((finding, remedy)) = state.next(&refused) else { break };
             let step = state.step(finding, remedy);
             // What was refused on the map as it was may help on the map as it is.
-            steps.retain(|before| before.refusal.is_none() || !before.is_of_same(&step));
-            match step.refusal {
+            steps.retain(|before| before.not_applied.is_none() || !before.is_of_same(&step));
+            match step.not_applied {
                 None => refused.clear(),
                 Some(_) => refused.push(remedy),
             }
             steps.push(step);
         }
-        let named = |check| steps.iter().any(|step| step.before.check == check && step.refusal.is_some());
+        let named = |check| steps.iter().any(|step| step.before.check == check && step.not_applied.is_some());
         let is_of_units = state.facts.blocking().any(Finding::is_of_units);
         let left: Vec<FitStep> = state
             .facts
@@ -142,13 +142,14 @@ impl Fit {
             .into_iter()
             .filter(|finding| !named(finding.check) && (!is_of_units || finding.is_of_units()))
             .map(|finding| {
-                let refusal = if finding.is_of_units() { Refusal::Units } else { Refusal::NoRemedy };
+                let not_applied =
+                    if finding.is_of_units() { NotApplied::Units } else { NotApplied::NoRemedy };
                 FitStep {
                     before: *finding,
                     remedy: None,
                     after: None,
                     sq_ratio: None,
-                    refusal: Some(refusal),
+                    not_applied: Some(not_applied),
                 }
             })
             .collect();
@@ -157,7 +158,7 @@ impl Fit {
         // A check that came out fit by the remedy of another needs none any more.
         let is_open =
             |step: &FitStep| state.facts.blocking().any(|finding| finding.check == step.before.check);
-        steps.retain(|step| step.refusal.is_none() || is_open(step));
+        steps.retain(|step| step.not_applied.is_none() || is_open(step));
         Ok(Self { preparation: state.preparation, steps, is_fit, before })
     }
 }
@@ -193,7 +194,7 @@ impl State<'_> {
         let mut last = None;
         for remedy in remedy.gentle_first(&self.facts) {
             let step = self.try_one(before, remedy);
-            let is_last = !matches!(step.refusal, Some(Refusal::StillFails));
+            let is_last = !matches!(step.not_applied, Some(NotApplied::StillFails));
             last = Some(step);
             if is_last {
                 break;
@@ -204,16 +205,21 @@ impl State<'_> {
             remedy: Some(remedy),
             after: None,
             sq_ratio: None,
-            refusal: Some(Refusal::NoRemedy),
+            not_applied: Some(NotApplied::NoRemedy),
         };
         last.unwrap_or(none)
     }
 
     fn try_one(&mut self, before: Finding, remedy: Remedy) -> FitStep {
-        let step =
-            |after, sq_ratio, refusal| FitStep { before, remedy: Some(remedy), after, sq_ratio, refusal };
+        let step = |after, sq_ratio, not_applied| FitStep {
+            before,
+            remedy: Some(remedy),
+            after,
+            sq_ratio,
+            not_applied,
+        };
         if self.kept.forbids(remedy) {
-            return step(None, None, Some(Refusal::Kept));
+            return step(None, None, Some(NotApplied::Kept));
         }
         let tried = remedy
             .applied(self.preparation)
@@ -221,46 +227,48 @@ impl State<'_> {
             .and_then(|preparation| Ok((preparation, facts(self.raw, preparation, false, self.progress)?.0)));
         let (preparation, facts) = match tried {
             Ok(tried) => tried,
-            Err(error) => return step(None, None, Some(Refusal::Impossible(error.to_string()))),
+            Err(error) => return step(None, None, Some(NotApplied::Impossible(error.to_string()))),
         };
         let after = facts.fitness.iter().find(|finding| finding.check == before.check).copied();
         let sq_ratio = facts.roughness.moments.sq / self.facts.roughness.moments.sq;
-        let refusal = self.refusal(remedy, &facts, &before, after.as_ref(), sq_ratio);
-        if refusal.is_none() {
+        let not_applied = self.why_not(remedy, &facts, &before, after.as_ref(), sq_ratio);
+        if not_applied.is_none() {
             (self.preparation, self.facts) = (preparation, facts);
         }
-        step(after, Some(sq_ratio), refusal)
+        step(after, Some(sq_ratio), not_applied)
     }
 
-    fn refusal(
+    fn why_not(
         &self,
         remedy: Remedy,
         facts: &MapFacts,
         before: &Finding,
         after: Option<&Finding>,
         sq_ratio: f64,
-    ) -> Option<Refusal> {
+    ) -> Option<NotApplied> {
         let variance = sq_ratio * sq_ratio;
         let points = (facts.points[0] * facts.points[1]) as f64;
         let removed = facts.spikes.as_ref().map_or(0, |spikes| spikes.removed) as f64 / points;
         match remedy {
-            Remedy::RemoveSpikes if removed > MOST_SPIKE_POINTS => return Some(Refusal::ManyPoints(removed)),
+            Remedy::RemoveSpikes if removed > MOST_SPIKE_POINTS => {
+                return Some(NotApplied::ManyPoints(removed));
+            }
             Remedy::AlignLines(_) | Remedy::ShortWaves(_) | Remedy::LongWaves(_)
                 if !(VARIANCE[0]..=VARIANCE[1]).contains(&variance) =>
             {
-                return Some(Refusal::Variance(variance));
+                return Some(NotApplied::Variance(variance));
             }
             _ => {}
         }
         if facts.summits < LEAST_SUMMITS.min(self.facts.summits) {
-            return Some(Refusal::FewSummits(facts.summits));
+            return Some(NotApplied::FewSummits(facts.summits));
         }
         let has_passed = after.is_none_or(Finding::has_passed);
         if remedy.is_filter() {
-            return (!has_passed).then_some(Refusal::StillFails);
+            return (!has_passed).then_some(NotApplied::StillFails);
         }
         let is_better = has_passed || after.is_some_and(|after| after.excess() < before.excess());
-        (!is_better).then_some(Refusal::NotBetter)
+        (!is_better).then_some(NotApplied::NotBetter)
     }
 }
 
@@ -304,7 +312,7 @@ mod tests {
     }
 
     fn applied(fit: &Fit) -> Vec<Remedy> {
-        let applied = fit.steps.iter().filter(|step| step.refusal.is_none());
+        let applied = fit.steps.iter().filter(|step| step.not_applied.is_none());
         applied.filter_map(|step| step.remedy).collect()
     }
 
@@ -338,7 +346,7 @@ mod tests {
         assert!(!found.is_fit && found.preparation.level == Level::Plane);
         assert_eq!(applied(&found), [Remedy::RemoveSpikes]);
         let refused = found.steps.iter().find(|step| step.before.check == Check::Form).unwrap();
-        assert_eq!(refused.refusal, Some(Refusal::Kept));
+        assert_eq!(refused.not_applied, Some(NotApplied::Kept));
     }
 
     #[test]
@@ -347,14 +355,18 @@ mod tests {
         let long = |i: usize, j: usize| 0.4 * ((i as f64 / 33.0).sin() + (j as f64 / 33.0).sin());
         let found = fit(&map(long), Kept { level: true, ..Kept::default() });
         let step = found.steps.iter().find(|step| step.before.check == Check::LongWaves).unwrap();
-        assert!(matches!(step.refusal, Some(Refusal::Variance(ratio)) if ratio < 0.5), "{:?}", found.steps);
+        assert!(
+            matches!(step.not_applied, Some(NotApplied::Variance(ratio)) if ratio < 0.5),
+            "{:?}",
+            found.steps
+        );
         assert!(!found.is_fit && found.preparation.filter.is_none());
         // One point in sixteen.
         let many = |i: usize, j: usize| if i % 4 + j % 4 == 0 { 5.0 } else { 0.0 };
         let found = fit(&map(many), Kept::default());
         let step = found.steps.iter().find(|step| step.before.check == Check::Spikes).unwrap();
         assert!(
-            matches!(step.refusal, Some(Refusal::ManyPoints(share)) if share > 0.05),
+            matches!(step.not_applied, Some(NotApplied::ManyPoints(share)) if share > 0.05),
             "{:?}",
             found.steps
         );
@@ -366,8 +378,8 @@ mod tests {
         let heights = map(bow).into_heights().iter().map(|z| 1e3 * z).collect();
         let found = fit(&HeightMap::new([SIDE; 2], [1e-6; 2], heights, 0.0).unwrap(), Kept::default());
         let refusals: Vec<_> =
-            found.steps.iter().map(|step| (step.before.check, step.refusal.clone())).collect();
-        assert_eq!(refusals, [(Check::Slope, Some(Refusal::Units))]);
+            found.steps.iter().map(|step| (step.before.check, step.not_applied.clone())).collect();
+        assert_eq!(refusals, [(Check::Slope, Some(NotApplied::Units))]);
         assert!(!found.is_fit && found.preparation.level == Level::Plane);
     }
 }

@@ -10,7 +10,7 @@ mod overview;
 mod remedy;
 mod search;
 
-pub use fit::{Fit, FitStep, Kept, Refusal};
+pub use fit::{Fit, FitStep, Kept, NotApplied};
 pub use independence::{Independence, MapBlocks};
 pub use overview::{AnalysisDepth, MOST_ANALYSED_POINTS, MapOverview};
 pub use remedy::Remedy;

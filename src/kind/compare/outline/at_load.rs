@@ -18,34 +18,36 @@ pub fn results(case: &CaseStudy, surface: &Surface, nominal: f64) -> Option<Stri
     let mut marks: Vec<String> = at_load.exceeded.limits().map(limit_words).collect();
     marks.extend(surface.is_blocked().then(|| "map not fit".to_owned()));
     let marks = if marks.is_empty() { String::new() } else { format!(" [{}]", marks.join("; ")) };
-    let pressure = model.reading.pressure;
+    let pressure = model.point.pressure;
     let [force, nominal_area, pressure] =
         [quantity(pressure * nominal, "N"), area(nominal), input_quantity(pressure, "Pa")];
+    let own = surface.set.nominal_area();
+    let sample = if own == nominal { String::new() } else { format!("; from a surface of {}", area(own)) };
     let others = others(&at_load.models, model);
     Some(format!(
-        "At {force} on {nominal_area} ({pressure}){marks}: {} by the {name}{others}.",
+        "At {force} on {nominal_area} ({pressure}{sample}){marks}: {} by the {name}{others}.",
         contact(model, nominal)
     ))
 }
 
 /// "real contact area 3200 µm² (0.08 %) in 180 contacts at 1.55 GPa, 97 % elastic-plastic".
 fn contact(result: &ModelResult, nominal: f64) -> String {
-    let reading = &result.reading;
-    let ratio = reading.area_ratio;
+    let point = &result.point;
+    let ratio = point.area_ratio;
     let interval = result.area_interval.map_or_else(String::new, |ends| {
         let [low, high] = ends.map(|end| area((end * nominal).max(0.0)));
         format!(", 95 % interval {low} to {high}")
     });
     let mut text = format!("real contact area {} ({}{interval})", area(ratio * nominal), percent(ratio));
-    if let Some(density) = reading.contact_density {
+    if let Some(density) = point.contact_density {
         let contacts = density * nominal;
         let contacts = if contacts < 99.5 { number(contacts) } else { number(contacts.round()) };
         text.push_str(&format!(" in {contacts} contacts"));
     }
-    if let Some(pressure) = reading.mean_real_pressure() {
+    if let Some(pressure) = point.mean_real_pressure() {
         text.push_str(&format!(" at {}", quantity(pressure, "Pa")));
     }
-    let Some([elastic, elastic_plastic, plastic]) = reading.shares else { return text };
+    let Some([elastic, elastic_plastic, plastic]) = point.shares else { return text };
     let yielded = [(elastic_plastic, "elastic-plastic"), (plastic, "plastic")];
     let parts: Vec<String> = yielded
         .iter()
@@ -58,14 +60,14 @@ fn contact(result: &ModelResult, nominal: f64) -> String {
 
 /// "; integral +13 %, boundary elements -5 % of area": the areas of the others relative to that of `model`.
 fn others(models: &[ModelResult], model: &ModelResult) -> String {
-    let other = |one: &&ModelResult| one.model != model.model && model.reading.area_ratio > 0.0;
+    let other = |one: &&ModelResult| one.model != model.model && model.point.area_ratio > 0.0;
     let text = |one: &ModelResult| {
         let name = match one.model {
             Some(ModelKind::Statistical) => "integral",
             Some(ModelKind::Deterministic) => "sum",
             None => "boundary elements",
         };
-        format!("{name} {} %", signed(100.0 * (one.reading.area_ratio / model.reading.area_ratio - 1.0)))
+        format!("{name} {} %", signed(100.0 * (one.point.area_ratio / model.point.area_ratio - 1.0)))
     };
     let all: Vec<String> = models.iter().filter(other).map(text).collect();
     if all.is_empty() { String::new() } else { format!("; {} of that area", all.join(", ")) }

@@ -1,14 +1,12 @@
 //! The answer on one case, from typed facts: what the models say at the load, what holds on the map, and what holds of such surfaces.
 
 use asperity::compare::{ComparedQuantity, NotModelled, OnMap, Stretch, Verdict};
-use asperity::study::{Basis, CaseStudy, Verdicts};
+use asperity::study::{Basis, CaseStudy, Choice, Verdicts};
 use asperity::surface::Surface;
 use asperity::topography::generate::Unfitted;
-use asperity_contact_framework::report::format::{
-    capitalised, input_quantity, listed, number, quantity, signed,
-};
+use asperity_contact_framework::report::format::{capitalised, input_quantity, listed, number, signed};
 
-use super::at_load::results;
+use super::at_load::{area as area_text, results};
 use super::limit::none_admissible;
 use crate::presentation::quantity_name;
 use crate::surface::fitness;
@@ -92,16 +90,24 @@ fn on_surface(verdicts: &Verdicts, surface: &Surface) -> String {
     format!("For such surfaces{}: {}.", intervals(verdicts), sentences.join(". "))
 }
 
-/// The choices in the analysis of the map that reverse a verdict.
+/// The choices in the analysis of the map on which a verdict depends.
 fn dependence(case: &CaseStudy) -> Option<String> {
-    let mut names: Vec<String> = Vec::new();
-    for one in &case.dependences {
-        let name = one.choice.name().replace('-', " ");
-        if !names.contains(&name) {
-            names.push(name);
-        }
+    let is_one = |choice: &&Choice| case.dependences.iter().any(|one| one.choice == **choice);
+    let names: Vec<String> =
+        Choice::ALL.iter().filter(is_one).map(|choice| choice_words(*choice).to_owned()).collect();
+    (!names.is_empty()).then(|| format!("A verdict depends on {}.", listed(&names)))
+}
+
+/// A choice in the analysis of a map.
+fn choice_words(choice: Choice) -> &'static str {
+    match choice {
+        Choice::ShortWaves => "the S filter",
+        Choice::Summits => "the number of neighbours that a summit exceeds",
+        Choice::MeanRadius => "the mean radius",
+        Choice::Level => "the form removed",
+        Choice::Spikes => "narrow points that may be wrong",
+        Choice::Part => "the part of the map",
     }
-    (!names.is_empty()).then(|| format!("Another choice of this would change a verdict: {}.", listed(&names)))
 }
 
 /// "cannot be told: real contact area and stiffness from 1 MPa to 40 MPa (needs ...)": quantities of which the same is said together.
@@ -193,16 +199,12 @@ fn no_model(reason: NotModelled) -> &'static str {
     }
 }
 
-/// A nominal area (m²) with two digits, rounded `up` or to the nearest: in mm² from a tenth on.
+/// A nominal area (m²) with two digits, rounded `up` or to the nearest.
 pub fn nominal_area(area: f64, up: bool) -> String {
     let nearest: f64 = format!("{area:.1e}").parse().unwrap_or(area);
     let unit = 10f64.powf(area.log10().floor() - 1.0);
     let rounded = if up && nearest < area { nearest + unit } else { nearest };
-    if (1e-8..1.0).contains(&rounded) {
-        format!("{} mm²", number(1e6 * rounded))
-    } else {
-        quantity(rounded, "m²")
-    }
+    area_text(rounded)
 }
 
 /// The width of a stretch on a logarithmic scale.
@@ -211,7 +213,7 @@ fn decades([from, to]: [f64; 2]) -> f64 {
 }
 
 /// "from 0.5 MPa to 40 MPa", or "at 1 MPa".
-fn over([from, to]: [f64; 2]) -> String {
+pub fn over([from, to]: [f64; 2]) -> String {
     let [first, last] = [from, to].map(|load| input_quantity(load, "Pa"));
     if from == to { format!("at {first}") } else { format!("from {first} to {last}") }
 }
@@ -222,6 +224,14 @@ mod tests {
     use super::*;
     use asperity::LoadSharing;
     use asperity::compare::{Accepted, AdmissibleRange, Difference, Estimate, Support};
+
+    /// Verdicts at an area ratio.
+    fn verdicts_of(contacts: f64, area_ratio: f64) -> Verdicts {
+        let mut all = verdicts(contacts, [0.2, 0.3], Some(0.01));
+        all.differences.iter_mut().for_each(|at| at.area_ratio = area_ratio);
+        all.admissible = AdmissibleRange::new(all.differences.iter().map(|at| (at.load, at.exceeded())));
+        all
+    }
 
     /// Verdicts on a surface of 1 mm² from contrasts and standard errors of the area at 1 and 10 MPa.
     fn verdicts(contacts: f64, contrasts: [f64; 2], error: Option<f64>) -> Verdicts {
@@ -285,8 +295,19 @@ mod tests {
         let text = super::none_admissible(&few);
         assert_eq!(
             text,
-            "No load is admissible: at most 9 effective contacts, below 30, carry the load. Remedy: a higher load or a larger surface."
+            "No load is admissible: fewer than 30 effective contacts from 1 MPa to 10 MPa. Remedy: a higher load, or a larger surface."
         );
+        let large = verdicts_of(90.0, 0.2);
+        let text = super::none_admissible(&large);
+        assert!(
+            text.starts_with(
+                "No load is admissible: contact area above 5 % from 1 MPa to 10 MPa. Remedy: lower"
+            ),
+            "{text}"
+        );
+        let unsampled = verdicts(9.0, [0.2, 0.3], None);
+        let text = super::none_admissible(&unsampled);
+        assert!(text.ends_with("a map of at least 4 mm² (now 1 mm²)."), "{text}");
     }
 
     #[test]

@@ -1,10 +1,11 @@
 //! The limit of admissible loads that binds, and what to do about it.
 
+use asperity::compare::Difference;
 use asperity::study::Verdicts;
 use asperity::{INTERACTION, LARGE_STRAIN_SHARE, LARGEST_LOAD_SHARE, Limit, MIN_CONTACTS};
-use asperity_contact_framework::report::format::{input_quantity, number, percent};
+use asperity_contact_framework::report::format::percent;
 
-use super::lead::nominal_area;
+use super::lead::{nominal_area, over};
 
 /// What lies beyond a limit.
 pub fn limit_words(limit: Limit) -> String {
@@ -20,47 +21,32 @@ pub fn limit_words(limit: Limit) -> String {
     }
 }
 
-/// Why no load carries a verdict: the limit that binds, and its remedy.
+/// Why no load carries a verdict: the limit that binds, where it is exceeded, and its remedy.
 pub fn none_admissible(verdicts: &Verdicts) -> String {
     let Some(limit) = verdicts.admissible.binding else { return "No load was compared.".to_owned() };
-    let exceeds = |limit: Limit| {
-        let loads =
-            verdicts.differences.iter().filter(move |at| at.exceeded().limits().any(|one| one == limit));
-        loads.map(|at| at.load)
-    };
-    let lowest = exceeds(limit).fold(f64::INFINITY, f64::min);
-    let from = input_quantity(lowest, "Pa");
-    let highest_contacts =
-        verdicts.differences.iter().filter_map(|at| Some(at.sharing?.effective_contacts)).fold(0.0, f64::max);
-    let why = match limit {
+    let exceeds = |at: &&Difference| at.exceeded().limits().any(|one| one == limit);
+    let beyond: Vec<&Difference> = verdicts.differences.iter().filter(exceeds).collect();
+    let lowest = beyond.iter().map(|at| at.load).fold(f64::INFINITY, f64::min);
+    let highest = beyond.iter().map(|at| at.load).fold(0.0, f64::max);
+    let remedy = match limit {
         Limit::FewContacts | Limit::DominantContact => {
-            let area =
-                verdicts.differences.iter().filter_map(|at| at.area_needed).fold(f64::INFINITY, f64::min);
-            let remedy = if area.is_finite() {
-                format!(
-                    "a higher load, or a map of at least {} (now {})",
-                    nominal_area(area, true),
-                    nominal_area(verdicts.area, false)
-                )
+            // Of loads at which more contacts are all that is missing.
+            let is_few =
+                |one| matches!(one, Limit::FewContacts | Limit::DominantContact);
+            let few = beyond.iter().filter(|at| at.exceeded().limits().all(is_few));
+            let area = few.filter_map(|at| at.area_needed).fold(f64::INFINITY, f64::min);
+            if area.is_finite() {
+                let [area, now] = [nominal_area(area, true), nominal_area(verdicts.area, false)];
+                format!("a higher load, or a map of at least {area} (now {now})")
             } else {
-                "a higher load or a larger surface".to_owned()
-            };
-            let contacts = number(highest_contacts);
-            let few = match limit {
-                Limit::FewContacts => {
-                    format!("at most {contacts} effective contacts, below {MIN_CONTACTS}, carry the load")
-                }
-                _ => limit_words(limit),
-            };
-            format!("{few}. Remedy: {remedy}")
+                "a higher load, or a larger surface".to_owned()
+            }
         }
-        Limit::Interaction => format!(
-            "{} from {from} on: neighbouring contacts interact. Remedy: lower loads, or boundary elements (`models`)",
-            limit_words(limit)
-        ),
-        Limit::LargeStrain => format!(
-            "a/R exceeds 0.3 from {from} on: contacts are not small against their asperities, and spheres are a poor model. Remedy: lower loads, or boundary elements (`models`)"
-        ),
+        Limit::Interaction => "lower loads, or boundary elements (`models`): neighbouring contacts interact".to_owned(),
+        Limit::LargeStrain => {
+            "lower loads, or boundary elements (`models`): contacts are not small against their asperities, of which spheres are a poor model"
+                .to_owned()
+        }
     };
-    format!("No load is admissible: {why}.")
+    format!("No load is admissible: {} {}. Remedy: {remedy}.", limit_words(limit), over([lowest, highest]))
 }

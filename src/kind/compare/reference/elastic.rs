@@ -1,6 +1,5 @@
 //! Where the reference stays elastic although the law yields, so that its distance from a model includes that of yielding.
 
-use asperity::compare::Pairing;
 use asperity::study::CaseResults;
 use asperity_contact_framework::report::format::{listed, percent};
 
@@ -43,7 +42,7 @@ impl CompareResults {
 /// The largest share of the load that contacts of the sum carry which are not elastic, over the loads of the reference; `None` where both
 /// models were not run at one of these.
 fn yielding_share(case: &CaseResults) -> Option<f64> {
-    let at_load = case.comparison.pairs.iter().filter(|pair| pair.pairing == Pairing::Load);
+    let at_load = case.comparison.pairs_at_load();
     let compared = at_load.filter(|pair| case.reference_of(pair).is_some());
     compared.filter_map(|pair| Some(1.0 - pair.deterministic.pressure.shares()?[0])).reduce(f64::max)
 }

@@ -24,7 +24,6 @@ impl OnMapRow<'_> {
 impl Row for OnMapRow<'_> {
     const FILE: &'static str = "on_map.csv";
     const ROWS: &'static str = "One row for each surface, law, layer thickness, quantity and stretch of load at which the statistical model is within what is accepted on the compared surface itself, or beyond it. There the sum over its asperities is exact, and the difference needs no interval; what holds of other samples of the surface is in `verdicts.csv`. Over several realisations the mean difference counts.";
-    const RECORDS: Option<&'static str> = Some("on_map");
 
     fn columns() -> Vec<Column<Self>> {
         let mut columns = case_columns(|row: &Self| row.key);

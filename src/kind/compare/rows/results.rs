@@ -22,7 +22,7 @@ pub(crate) struct ResultRow<'a> {
 
 impl ResultRow<'_> {
     fn share(&self, regime: usize) -> Option<f64> {
-        self.result.reading.shares.map(|shares| shares[regime])
+        self.result.point.shares.map(|shares| shares[regime])
     }
 
     fn area_end(&self, end: usize) -> Option<f64> {
@@ -39,18 +39,18 @@ impl Row for ResultRow<'_> {
         let mut columns = case_columns(|row: &Self| row.key);
         columns.extend(columns! { row: Self =>
             model["text"] = row.result.model.map_or(REFERENCE, ModelKind::name), "Model: `statistical`, `deterministic` or `reference`.";
-            force_n["N", label("load")] = row.result.reading.pressure * row.nominal_area, "Load on the nominal area.";
+            force_n["N", label("load")] = row.result.point.pressure * row.nominal_area, "Load on the nominal area.";
             nominal_area_m2["m²", prefix("m"), label("nominal area")] = row.nominal_area, "The area that the load acts on: `nominal-area` of the spec, or that of the surface.";
-            pressure_pa["Pa", prefix("M"), label("nominal pressure")] = row.result.reading.pressure, "Load over nominal area.";
-            separation_m["m"] = row.result.reading.separation.map(|[d, _]| d), "Separation of the flat from the mean asperity height.";
-            separation_over_sigma["1"] = row.result.reading.separation.map(|[_, h]| h), "The same over sigma, the standard deviation of the asperity heights.";
-            real_area_m2["m²", prefix("µ"), label("real contact area")] = row.result.reading.area_ratio * row.nominal_area, "Real contact area.";
+            pressure_pa["Pa", prefix("M"), label("nominal pressure")] = row.result.point.pressure, "Load over nominal area.";
+            separation_m["m"] = row.result.point.separation.map(|[d, _]| d), "Separation of the flat from the mean asperity height.";
+            separation_over_sigma["1"] = row.result.point.separation.map(|[_, h]| h), "The same over sigma, the standard deviation of the asperity heights.";
+            real_area_m2["m²", prefix("µ"), label("real contact area")] = row.result.point.area_ratio * row.nominal_area, "Real contact area.";
             real_area_low_m2["m²", prefix("µ"), label("95 % interval from")] = row.area_end(0), "Lower end of its 95 % interval, from blocks of the map, independent asperities or realisations; empty where there is none.";
             real_area_high_m2["m²", prefix("µ"), label("to")] = row.area_end(1), "Upper end.";
-            area_ratio["1", label("of the nominal area"), percent] = row.result.reading.area_ratio, "Real contact area over nominal area.";
-            contacts["1"] = row.result.reading.contact_density.map(|density| density * row.nominal_area), "Number of contacts; empty for the reference.";
-            mean_real_pressure_pa["Pa", prefix("M"), label("mean contact pressure")] = row.result.reading.mean_real_pressure(), "Load over real contact area; empty where there is no contact.";
-            stiffness_n_per_m["N/m", label("stiffness")] = row.result.reading.stiffness.map(|stiffness| stiffness * row.nominal_area), "Contact stiffness of the nominal area.";
+            area_ratio["1", label("of the nominal area"), percent] = row.result.point.area_ratio, "Real contact area over nominal area.";
+            contacts["1"] = row.result.point.contact_density.map(|density| density * row.nominal_area), "Number of contacts; empty for the reference.";
+            mean_real_pressure_pa["Pa", prefix("M"), label("mean contact pressure")] = row.result.point.mean_real_pressure(), "Load over real contact area; empty where there is no contact.";
+            stiffness_n_per_m["N/m", label("stiffness")] = row.result.point.stiffness.map(|stiffness| stiffness * row.nominal_area), "Contact stiffness of the nominal area.";
             elastic_load_share["1", label("elastic"), percent] = row.share(0), "Share of the load in elastic contacts; empty for the reference and where there is no contact.";
             elastic_plastic_load_share["1", label("elastic-plastic"), percent] = row.share(1), "Share of the load in elastic-plastic contacts.";
             plastic_load_share["1", label("plastic"), percent] = row.share(2), "Share of the load in plastic contacts.";

@@ -1,12 +1,18 @@
 //! Coverage against effective contacts, and wrong verdicts by process.
 
-use super::results::{BAND, CaseResults, CoverageResults};
+use super::results::{CaseResults, CoverageResults};
+use super::spec::Intervals;
 use crate::coverage::{Coverage, VerdictCount};
 use asperity::numeric::extremes;
 use asperity_plot::{Axis, Colour, Figure, Layer, Legend, Marker, Plot};
 
 /// The range of coverages of both kinds of intervals, and what a point is.
-pub fn caption(cases: &[CaseResults]) -> String {
+pub fn caption(results: &CoverageResults) -> String {
+    let (kind, least) = match results.intervals {
+        Intervals::Blocks => ("Intervals from blocks", "90 %"),
+        Intervals::ModelBased => ("Model-based intervals", "half"),
+    };
+    let cases = &results.cases;
     let range = |points: fn(&CaseResults) -> Vec<(f64, f64)>| {
         let [low, high] = extremes(cases.iter().flat_map(points).map(|(_, share)| share))?;
         Some(format!("{low:.1} to {high:.1} %"))
@@ -15,9 +21,10 @@ pub fn caption(cases: &[CaseResults]) -> String {
         range.map_or_else(String::new, |range| format!("{kind} cover the truth in {range} of the windows. "))
     };
     format!(
-        "{}{}A point is a quantity at a load; band: 93 to 97 %.",
-        finding("Intervals from blocks, where at least 90 % of the windows have one,", range(claimed)),
+        "{}{}A point is a quantity at a load; band: {}.",
+        finding(&format!("{kind}, where at least {least} of the windows have one,"), range(claimed)),
         finding("There, intervals that take asperities as independent", range(independent_where_claimed)),
+        results.intervals.band_name(),
     )
 }
 
@@ -46,12 +53,15 @@ fn of_independent(coverage: &Coverage) -> Option<(f64, f64)> {
 }
 
 pub fn coverage(results: &CoverageResults) -> Figure {
-    let blocks: [Series; 2] =
-        [(claimed, Marker::Circle, ""), (claimed_in_part, Marker::Cross, ", in 5 to 90 % of windows")];
-    let plots = vec![
-        plot(results, "Intervals that are claimed", &blocks),
-        plot(results, "Asperities taken as independent", &[(independent, Marker::Cross, "")]),
-    ];
+    let in_part = match results.intervals {
+        Intervals::Blocks => ", in 5 to 90 % of windows",
+        Intervals::ModelBased => ", in 5 to 50 % of windows",
+    };
+    let claims: [Series; 2] = [(claimed, Marker::Circle, ""), (claimed_in_part, Marker::Cross, in_part)];
+    let mut plots = vec![plot(results, "Intervals that are claimed", &claims)];
+    if results.cases.iter().any(|case| !independent(case).is_empty()) {
+        plots.push(plot(results, "Asperities taken as independent", &[(independent, Marker::Cross, "")]));
+    }
     Figure::column("Coverage of 95 % intervals", plots)
 }
 
@@ -59,7 +69,7 @@ fn plot(results: &CoverageResults, title: &str, kinds: &[Series]) -> Plot {
     let contacts =
         results.cases.iter().flat_map(CaseResults::coverages).map(|(_, coverage)| coverage.contacts);
     let [least, most] = extremes(contacts).unwrap_or([1.0, 1e3]);
-    let [low, high] = BAND.map(|share| 100.0 * share);
+    let [low, high] = results.intervals.band().map(|share| 100.0 * share);
     let series = results.cases.iter().enumerate().flat_map(|(k, case)| {
         kinds
             .iter()
@@ -75,7 +85,7 @@ fn plot(results: &CoverageResults, title: &str, kinds: &[Series]) -> Plot {
     )
     .height(260.0)
     .legend(Legend::Below)
-    .with(Layer::region_y(low, high, "93 to 97 %"));
+    .with(Layer::region_y(low, high, results.intervals.band_name()));
     series.into_iter().fold(plot, |plot, (k, name, points, marker)| {
         plot.with(Layer::points(points, marker).coloured(Colour::Series(k)).named(name))
     })

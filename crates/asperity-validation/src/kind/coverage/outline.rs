@@ -35,7 +35,7 @@ impl Outcome for CoverageResults {
     fn page(&self, tables: &Tables) -> Page {
         let mut page = Page::new(&self.metadata.title);
         page.lead(&answer(self.intervals, &self.cases));
-        page.figure("coverage.svg", coverage(self), &caption(&self.cases));
+        page.figure("coverage.svg", coverage(self), &caption(self));
         sections::warnings(&mut page, &self.warnings());
         page.heading(2, "Coverage by process");
         page.view(&tables.view::<ProcessRow>().without(&SETUP[1..]));
@@ -76,6 +76,9 @@ impl Outcome for CoverageResults {
         ));
         page.view(&tables.view::<ProcessRow>().columns(SETUP));
         page.heading(2, "Method").note(include_str!("notes/method.md"));
+        if self.intervals == Intervals::ModelBased {
+            page.note(include_str!("notes/model_based.md"));
+        }
         sections::run_again(&mut page, &self.metadata, None);
         sections::sources(&mut page, &self.metadata);
         page
@@ -132,7 +135,7 @@ fn worst(cases: &[CaseResults]) -> String {
         shares.max_by(|a, b| a.0.total_cmp(&b.0))
     };
     match (largest(VerdictCount::wrong_share), largest(VerdictCount::wrong_window_share)) {
-        (Some((verdicts, of_verdicts)), Some((windows, of_windows))) => format!(
+        (Some((verdicts, of_verdicts)), Some((windows, of_windows))) if verdicts > 0.0 => format!(
             "Most are wrong: of verdicts {} ({}), of windows {} ({}).",
             percent(verdicts),
             escape(&of_verdicts.name),
@@ -143,24 +146,32 @@ fn worst(cases: &[CaseResults]) -> String {
     }
 }
 
-/// How many of the verdicts that are very likely are wrong.
+/// How many of the verdicts that are very likely are wrong, of all and of the process with the largest share.
 fn likely(results: &CoverageResults) -> String {
-    let said = |name: &str, of: &VerdictCount| {
-        let share = of.wrong_share().map_or("none".to_owned(), percent);
-        format!("{name}: {share} of {} are wrong", count(of.decided))
+    let said = |name: &str, of: fn(&CaseResults) -> &VerdictCount| {
+        let all = results.total(of);
+        let share = all.wrong_share().map_or("none".to_owned(), percent);
+        let worst = results.cases.iter().filter(|case| of(case).wrong > 0).max_by(|a, b| {
+            let share = |case: &CaseResults| of(case).wrong_share().unwrap_or(0.0);
+            share(a).total_cmp(&share(b))
+        });
+        let worst = worst.map_or_else(String::new, |case| {
+            format!(" (most on {}: {} of {})", escape(&case.name), of(case).wrong, of(case).decided)
+        });
+        format!("{name}: {share} of {} are wrong{worst}", count(all.decided))
     };
-    let by_interval = said("Very likely by a model-based interval", &results.total(|case| &case.likely));
-    let by_halves =
-        said("without interval, by all halves of a window", &results.total(|case| &case.far_beyond));
+    let by_interval = said("Very likely by a model-based interval", |case| &case.likely);
+    let by_halves = said("without interval, by all halves of a window", |case| &case.far_beyond);
     format!("{by_interval}; {by_halves}.")
 }
 
 /// How often claimed intervals hold the truth, where at least 90 % of the windows have one.
 fn answer(intervals: Intervals, cases: &[CaseResults]) -> String {
-    let (kind, least, band) = match intervals {
-        Intervals::Blocks => ("95 % intervals", "90 %", "93 to 97 %"),
-        Intervals::ModelBased => ("Model-based 95 % intervals", "half", "93 to 98 %"),
+    let (kind, least) = match intervals {
+        Intervals::Blocks => ("95 % intervals", "90 %"),
+        Intervals::ModelBased => ("Model-based 95 % intervals", "half"),
     };
+    let band = intervals.band_name();
     let claimed = || cases.iter().flat_map(CaseResults::claimed);
     let Some([low, high]) = extremes(claimed().map(|(_, coverage)| coverage)) else {
         return format!(
@@ -223,6 +234,7 @@ mod tests {
     use crate::coverage::{IntervalCount, WINDOWS_PER_MAP};
     use asperity::Heights;
     use asperity::compare::{CONTACTS_PER_GROUP, GROUPS};
+    use asperity::study::GENERATED_SURFACES;
     use asperity::topography::{BLOCK_LENGTHS, MIN_BLOCKS};
 
     /// A case whose only quantity has intervals in `intervals` of 1000 windows, of which `covered` hold the truth.
@@ -337,5 +349,8 @@ mod tests {
             method.contains(&format!("and {} effective contacts", CONTACTS_PER_GROUP * MIN_BLOCKS as f64))
         );
         assert!(method.contains(&format!("{GROUPS} random groups")));
+        assert!(
+            include_str!("notes/model_based.md").contains(&format!("{GENERATED_SURFACES} surfaces with"))
+        );
     }
 }

@@ -111,6 +111,32 @@ pub struct LoadCoverage {
     pub coverages: Vec<(CoveredQuantity, Coverage)>,
 }
 
+impl Intervals {
+    /// The coverage that they may have.
+    pub fn band(self) -> [f64; 2] {
+        match self {
+            Self::Blocks => BAND,
+            Self::ModelBased => MODEL_BASED_BAND,
+        }
+    }
+
+    /// The same in words.
+    pub fn band_name(self) -> &'static str {
+        match self {
+            Self::Blocks => "93 to 97 %",
+            Self::ModelBased => "93 to 98 %",
+        }
+    }
+
+    /// The share of windows from which on those with an interval count as typical.
+    pub fn typical(self) -> f64 {
+        match self {
+            Self::Blocks => NEARLY_ALL,
+            Self::ModelBased => HALF,
+        }
+    }
+}
+
 impl CoverageResults {
     /// Sums over all cases.
     pub fn total(&self, of: fn(&CaseResults) -> &VerdictCount) -> VerdictCount {
@@ -119,10 +145,6 @@ impl CoverageResults {
 }
 
 impl CaseResults {
-    fn nearly_all(&self) -> f64 {
-        if self.intervals == Intervals::Blocks { NEARLY_ALL } else { HALF }
-    }
-
     /// Over all loads and quantities.
     pub fn coverages(&self) -> impl Iterator<Item = &(CoveredQuantity, Coverage)> {
         self.loads.iter().flat_map(|load| &load.coverages)
@@ -136,17 +158,17 @@ impl CaseResults {
 
     /// Those in which nearly all windows have an interval, each with the coverage of these.
     pub fn claimed(&self) -> impl Iterator<Item = (&(CoveredQuantity, Coverage), f64)> {
-        self.claimed_in(self.nearly_all()..f64::INFINITY)
+        self.claimed_in(self.intervals.typical()..f64::INFINITY)
     }
 
     /// The same of those in which a part of the windows has an interval.
     pub fn claimed_in_part(&self) -> impl Iterator<Item = (&(CoveredQuantity, Coverage), f64)> {
-        self.claimed_in(RARELY..self.nearly_all())
+        self.claimed_in(RARELY..self.intervals.typical())
     }
 
     /// Those of [`Self::claimed`] whose coverage is not within the band.
     pub fn outside(&self) -> impl Iterator<Item = (&(CoveredQuantity, Coverage), f64)> {
-        let [low, high] = if self.intervals == Intervals::Blocks { BAND } else { MODEL_BASED_BAND };
+        let [low, high] = self.intervals.band();
         self.claimed().filter(move |(_, coverage)| !(low..=high).contains(coverage))
     }
 }

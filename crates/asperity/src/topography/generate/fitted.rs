@@ -9,6 +9,7 @@ use super::super::spectrum::GridSpectrum;
 use super::super::{Boundary, CorrelationLengths, HeightMap, Moments, Rows};
 use super::gaussian;
 use super::own_heights::OwnHeights;
+use crate::compare::Scatter;
 use crate::numeric::parallel::for_each_row;
 use crate::progress::Silent;
 
@@ -135,10 +136,8 @@ pub fn roughness_scatter(map: &HeightMap) -> f64 {
     }
     let blocks: Vec<f64> =
         sums.iter().filter(|(_, count)| *count > 0).map(|(sum, count)| sum / *count as f64).collect();
-    let count = blocks.len() as f64;
-    let mean = blocks.iter().sum::<f64>() / count;
-    let squares: f64 = blocks.iter().map(|block| (block - mean).powi(2)).sum();
-    (squares / (count - 1.0)).sqrt() / mean
+    let Scatter { mean, deviation } = Scatter::new(&blocks);
+    deviation / mean
 }
 
 /// The autocorrelation of an open map about its `mean` (m) on a torus, times the lag window.
