@@ -72,6 +72,10 @@ def test_curves_switch_off_and_on(page):
     plot = page.locator(f"{FIGURE} .u-over").first
     box = plot.bounding_box()
     page.mouse.move(box["x"] + 0.4 * box["width"], box["y"] + 20)
+    # Only the interval is left; without it there is nothing under the cursor.
+    assert CURVE not in plot.locator(".values").inner_text()
+    page.locator(f"{FIGURE} .names button", has_text="95 % interval").click()
+    page.mouse.move(box["x"] + 0.45 * box["width"], box["y"] + 20)
     assert not plot.locator(".values").is_visible()
     button.press("Enter")
     assert button.get_attribute("aria-pressed") == "true" and CURVE in hover(page, 0.5)

@@ -46,7 +46,10 @@ impl Outcome for CoverageResults {
             page.paragraph(&likely(self));
         }
         page.paragraph(&worst(&self.cases));
-        page.figure("wrong-verdicts.svg", wrong_verdicts(self), &wrong_verdicts_caption(self));
+        // Points that all lie at zero show nothing that the sentence does not say.
+        if self.cases.iter().any(|case| case.verdicts.wrong + case.robust.wrong > 0) {
+            page.figure("wrong-verdicts.svg", wrong_verdicts(self), &wrong_verdicts_caption(self));
+        }
         page.view(&tables.view::<VerdictRow>());
         page.heading(2, "Fitness checks of windows without faults");
         page.view(&tables.view::<CheckRow>().without(&["blocked"]));
