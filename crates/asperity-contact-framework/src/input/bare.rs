@@ -96,6 +96,14 @@ positive_ranges! {
         units: &["GPa", "MPa", "HV"],
         dimension: Dimension::Pressure,
     };
+    /// A yield strength; without its unit from 1 MPa.
+    YieldRange: &[("minimum", 1e6), ("maximum", LARGEST)], Bare {
+        of: "a yield strength",
+        allowed: [1e6, f64::INFINITY],
+        usual: [1e6, 1e10],
+        units: &["MPa", "GPa"],
+        dimension: Dimension::Pressure,
+    };
     /// The distance of the points of a map, or another length on it; without its unit up to 1 mm.
     PixelRange: &[("exclusiveMinimum", 0.0), ("maximum", 1e-3)], Bare {
         of: "a length on a height map",
@@ -152,6 +160,9 @@ mod tests {
         let hardness = |value, found| Quantity::<Pressure, HardnessRange>::bare(value, found).unwrap_err();
         assert!(hardness(7.6, "7.6").contains("write \"7.6 GPa\": "));
         assert!(hardness(775.0, "775").contains("write \"775 MPa\" or \"775 HV\""));
+        let strength = Quantity::<Pressure, YieldRange>::bare(250.0, "250").unwrap_err();
+        assert!(strength.contains("write \"250 MPa\": "), "{strength}");
+        assert!(Quantity::<Pressure, YieldRange>::bare(5e6, "5e6").is_ok(), "lead");
         let thickness = Quantity::<Length, ThicknessOrNone>::bare(2.0, "2").unwrap_err();
         assert!(thickness.contains("write \"2 µm\" or \"2 nm\": a bare number is in m"), "{thickness}");
         let pixel = Quantity::<Length, PixelRange>::bare(0.196733, "0.196733").unwrap_err();

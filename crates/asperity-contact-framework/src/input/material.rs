@@ -5,7 +5,7 @@ use asperity::material_library::{self, LibraryMaterial};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::input::bare::{HardnessRange, ModulusRange};
+use crate::input::bare::{HardnessRange, ModulusRange, YieldRange};
 use crate::input::quantity::{PoissonRange, Pressure, Pure, Quantity};
 
 /// A body as a spec states it, checked.
@@ -63,7 +63,7 @@ struct Keys {
     hardness: Option<Quantity<Pressure, HardnessRange>>,
     /// Yield strength, for the law `jackson-green`.
     #[schemars(extend("examples" = ["2.2 GPa"]))]
-    yield_strength: Option<Quantity<Pressure>>,
+    yield_strength: Option<Quantity<Pressure, YieldRange>>,
 }
 
 crate::written_schema!(MaterialSpec, |generator| Keys::json_schema(generator));
