@@ -293,9 +293,7 @@ fn surface(
     store.check(experiment.stem())?;
     check_same_file(&experiment, &options.out.join(experiment.stem()))?;
     let results = run_and_write(&experiment, &experiment.key()?, &mut store, options)?;
-    if let Some(text) = results.terminal() {
-        say(options, &text);
-    }
+    say_answer(&*results, options);
     if let Some(spec) = save_spec {
         write_new(spec, &saved_spec(&file_options, file, spec, &*results))?;
         say(
@@ -368,7 +366,16 @@ fn run_one(experiment: &Experiment, store: &mut Store, options: &RunOptions) -> 
         return Ok(());
     }
     store.check(experiment.stem())?;
-    run_and_write(experiment, &key, store, options).map(|_| ())
+    let results = run_and_write(experiment, &key, store, options)?;
+    say_answer(&*results, options);
+    Ok(())
+}
+
+/// Prints what a run has to say in the terminal.
+fn say_answer(results: &dyn Outcome, options: &RunOptions) {
+    if let Some(text) = results.terminal() {
+        say(options, &text);
+    }
 }
 
 /// Runs an experiment, which had `key` before, and writes its report.

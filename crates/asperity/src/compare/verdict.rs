@@ -223,7 +223,8 @@ impl Stretch {
         };
         let is_open = verdict == Verdict::CannotTell;
         let band = accepted.band(quantity);
-        let mut growths: Vec<f64> = each().map(|(_, estimate)| growth(&estimate, band)).collect();
+        let growth = |estimate: Estimate| estimate.growth(band).unwrap_or(f64::INFINITY);
+        let mut growths: Vec<f64> = each().map(|(_, estimate)| growth(estimate)).collect();
         let mut needed: Vec<f64> = stretch.iter().map(|at| at.area_needed.unwrap_or(0.0)).collect();
         Self {
             quantity,
@@ -233,7 +234,7 @@ impl Stretch {
             largest,
             range: hull(&|estimate| Some([estimate.contrast; 2])),
             bounds: hull(&Estimate::interval),
-            growth: median(&mut growths).filter(|growth| is_open && *growth < LARGEST_GROWTH),
+            growth: median(&mut growths).filter(|growth| is_open && growth.is_finite()),
             area_needed: median(&mut needed).filter(|area| is_open && *area > 0.0 && area.is_finite()),
         }
     }
@@ -242,11 +243,14 @@ impl Stretch {
 /// More is no practical advice.
 const LARGEST_GROWTH: f64 = 100.0;
 
-/// The factor of area at which the half-width, which goes with its inverse root, no longer reaches the edge of the band;
-/// infinite without an interval.
-fn growth(estimate: &Estimate, [low, high]: [f64; 2]) -> f64 {
-    let distance = (estimate.contrast - low).abs().min((estimate.contrast - high).abs());
-    estimate.half_width().map_or(f64::INFINITY, |half| (half / distance).powi(2).max(1.0))
+impl Estimate {
+    /// The factor of area, or of realisations, at which the half-width of the interval, which goes with its inverse root, no longer reaches the
+    /// edge of the `band`; `None` without an interval, and where no practical growth suffices.
+    pub fn growth(&self, [low, high]: [f64; 2]) -> Option<f64> {
+        let distance = (self.contrast - low).abs().min((self.contrast - high).abs());
+        let growth = (self.half_width()? / distance).powi(2).max(1.0);
+        (growth < LARGEST_GROWTH).then_some(growth)
+    }
 }
 
 #[cfg(test)]

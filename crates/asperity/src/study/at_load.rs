@@ -162,8 +162,8 @@ impl CaseStudy {
         }
     }
 
-    /// The load at which results are reported; `None` where the models are not compared at equal load.
-    fn reported_load(&self) -> Option<&Difference> {
+    /// The differences at the load at which results are reported; `None` where the models are not compared at equal load.
+    pub fn reported_load(&self) -> Option<&Difference> {
         let differences = &self.verdicts.differences;
         let has_reference = |at: &&Difference| {
             self.first().reference.as_ref().is_some_and(|curve| curve.at_load(at.load).is_some())

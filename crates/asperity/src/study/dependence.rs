@@ -84,6 +84,9 @@ impl Dependence {
         treated: &[Treated],
         accepted: &Accepted,
     ) -> Option<Self> {
+        if !own.exceeded().is_none() {
+            return None;
+        }
         let band = accepted.band(quantity);
         let answer = |treatment: Option<usize>, at: &Difference| {
             let estimate = at.estimates[quantity as usize].filter(|_| at.exceeded().is_none())?;

@@ -19,9 +19,12 @@ pub type TreatedCases = (Treatment, Vec<Vec<Difference>>);
 /// The most loads of a case at which verdicts are computed again.
 const MOST_LOADS: usize = 9;
 
+/// The most at which it is found out whether an S filter makes them admissible.
+const MOST_UNTIL_ADMISSIBLE: usize = 41;
+
 /// Compares the models on a measured map, which was prepared as `own` and gave `cases`, under other treatments; `prepare` gives the surface of
-/// the map in another preparation, not checked, with blocks by the same correlation lengths. `None` unless both models were run and
-/// compared at an admissible load of a map.
+/// the map in another preparation, not checked, with blocks by the same correlation lengths. Where no load is admissible, only S filters, with
+/// which some may be. `None` unless both models were run and compared at equal load on a map.
 pub fn under_treatments(
     setup: Setup,
     surface: &Surface,
@@ -30,14 +33,22 @@ pub fn under_treatments(
     prepare: impl Fn(Preparation) -> Option<Surface>,
     counter: &Counter,
 ) -> Option<Vec<TreatedCases>> {
-    let mut loads: Vec<f64> = cases.iter().flat_map(|case| some_loads(&case.differences)).collect();
+    let is_admissible = |at: &&Difference| at.exceeded().is_none();
+    let any_is_admissible = cases.iter().flat_map(|case| &case.differences).any(|at| is_admissible(&at));
+    let considered = |case: &CaseResults| -> Vec<f64> {
+        let all = case.differences.iter();
+        all.filter(|at| !any_is_admissible || is_admissible(at)).map(|at| at.load).collect()
+    };
+    let most = if any_is_admissible { MOST_LOADS } else { MOST_UNTIL_ADMISSIBLE };
+    let mut loads: Vec<f64> = cases.iter().flat_map(|case| spread_over(considered(case), most)).collect();
     loads.sort_by(f64::total_cmp);
     loads.dedup();
     if loads.is_empty() || !setup.has_both_models() {
         return None;
     }
     let controls = Controls::at_pressures(loads);
-    let treatments = Treatment::all(own, setup.statistical, surface.map.as_ref()?);
+    let mut treatments = Treatment::all(own, setup.statistical, surface.map.as_ref()?);
+    treatments.retain(|one| any_is_admissible || matches!(one, Treatment::ShortWaves(Some(_))));
     setup.progress.stage("robustness", treatments.len() as f64);
     let treated = treatments.into_iter().map(|treatment| {
         let model = match treatment {
@@ -72,14 +83,12 @@ fn with_radius(model: &StatisticalModel, mean_radius: MeanRadius) -> Statistical
     StatisticalModel { mean_radius, ..model.clone() }
 }
 
-/// At most [`MOST_LOADS`] of the admissible loads, evenly spread over their ranks.
-fn some_loads(differences: &[Difference]) -> Vec<f64> {
-    let mut loads: Vec<f64> =
-        differences.iter().filter(|at| at.exceeded().is_none()).map(|at| at.load).collect();
+/// At most `most` (at least two) of the loads, evenly spread over their ranks, ascending.
+fn spread_over(mut loads: Vec<f64>, most: usize) -> Vec<f64> {
     loads.sort_by(f64::total_cmp);
     let count = loads.len();
-    if count <= MOST_LOADS {
+    if count <= most {
         return loads;
     }
-    (0..MOST_LOADS).map(|k| loads[(k * (count - 1) + (MOST_LOADS - 1) / 2) / (MOST_LOADS - 1)]).collect()
+    (0..most).map(|k| loads[(k * (count - 1) + (most - 1) / 2) / (most - 1)]).collect()
 }

@@ -16,33 +16,45 @@ pub fn results(case: &CaseStudy, surface: &Surface, nominal: f64) -> Option<Stri
         .map(|one| (one, "sum"))
         .or_else(|| of(ModelKind::Statistical).map(|one| (one, "integral")))?;
     let mut marks: Vec<String> = at_load.exceeded.limits().map(limit_words).collect();
+    let overlaps = at_load.models.iter().any(|one| one.model.is_some() && one.point.area_ratio > 1.0);
+    marks.extend(
+        overlaps.then(|| "asperities overlap completely: no model of separate asperities holds".to_owned()),
+    );
     marks.extend(surface.is_blocked().then(|| "map not fit".to_owned()));
     let marks = if marks.is_empty() { String::new() } else { format!(" [{}]", marks.join("; ")) };
     let pressure = model.point.pressure;
     let [force, nominal_area, pressure] =
         [quantity(pressure * nominal, "N"), area(nominal), input_quantity(pressure, "Pa")];
     let own = surface.set.nominal_area();
-    let sample = if own == nominal { String::new() } else { format!("; from a surface of {}", area(own)) };
+    let is_own = (own / nominal - 1.0).abs() < 1e-9;
+    let sample = if is_own {
+        String::new()
+    } else {
+        let count = model
+            .point
+            .contact_density
+            .map_or_else(String::new, |density| format!("{} on ", contacts(density * own)));
+        format!("; from {count}a surface of {}", area(own))
+    };
     let others = others(&at_load.models, model);
     Some(format!(
         "At {force} on {nominal_area} ({pressure}{sample}){marks}: {} by the {name}{others}.",
-        contact(model, nominal)
+        contact(model, nominal, case.realisations.len() > 1)
     ))
 }
 
-/// "real contact area 3200 µm² (0.08 %) in 180 contacts at 1.55 GPa, 97 % elastic-plastic".
-fn contact(result: &ModelResult, nominal: f64) -> String {
+/// "real contact area 3200 µm² (0.08 %) in 180 contacts at 1.55 GPa, 97 % elastic-plastic"; of one surface, or the mean of several.
+fn contact(result: &ModelResult, nominal: f64, is_mean: bool) -> String {
     let point = &result.point;
     let ratio = point.area_ratio;
     let interval = result.area_interval.map_or_else(String::new, |ends| {
         let [low, high] = ends.map(|end| area((end * nominal).max(0.0)));
-        format!(", 95 % interval {low} to {high}")
+        let of = if is_mean { " of the mean" } else { "" };
+        format!(", 95 % interval{of} {low} to {high}")
     });
     let mut text = format!("real contact area {} ({}{interval})", area(ratio * nominal), percent(ratio));
     if let Some(density) = point.contact_density {
-        let contacts = density * nominal;
-        let contacts = if contacts < 99.5 { number(contacts) } else { number(contacts.round()) };
-        text.push_str(&format!(" in {contacts} contacts"));
+        text.push_str(&format!(" in {}", contacts(density * nominal)));
     }
     if let Some(pressure) = point.mean_real_pressure() {
         text.push_str(&format!(" at {}", quantity(pressure, "Pa")));
@@ -58,6 +70,12 @@ fn contact(result: &ModelResult, nominal: f64) -> String {
     format!("{text}, {}", parts.join(", "))
 }
 
+/// "180 contacts", of a mean over realisations or of another area perhaps no whole number.
+fn contacts(count: f64) -> String {
+    let text = if count < 99.5 { number(count) } else { number(count.round()) };
+    if text == "1" { "1 contact".to_owned() } else { format!("{text} contacts") }
+}
+
 /// "; integral +13 %, boundary elements -5 % of area": the areas of the others relative to that of `model`.
 fn others(models: &[ModelResult], model: &ModelResult) -> String {
     let other = |one: &&ModelResult| one.model != model.model && model.point.area_ratio > 0.0;
@@ -67,13 +85,22 @@ fn others(models: &[ModelResult], model: &ModelResult) -> String {
             Some(ModelKind::Deterministic) => "sum",
             None => "boundary elements",
         };
-        format!("{name} {} %", signed(100.0 * (one.point.area_ratio / model.point.area_ratio - 1.0)))
+        let difference = one.point.area_ratio / model.point.area_ratio - 1.0;
+        // Models that agree by construction differ by rounding.
+        let difference = if difference.abs() < 1e-9 { 0.0 } else { difference };
+        format!("{name} {} %", signed(100.0 * difference))
     };
     let all: Vec<String> = models.iter().filter(other).map(text).collect();
     if all.is_empty() { String::new() } else { format!("; {} of that area", all.join(", ")) }
 }
 
-/// An area (m²): in mm² from 0.01 mm² to 1 m².
+/// An area (m²): in mm² from 0.01 mm² to 1 m², in µm² from 0.01 µm².
 pub fn area(area: f64) -> String {
-    if (1e-8..1.0).contains(&area) { format!("{} mm²", number(1e6 * area)) } else { quantity(area, "m²") }
+    if (1e-8..1.0).contains(&area) {
+        format!("{} mm²", number(1e6 * area))
+    } else if (1e-14..1e-8).contains(&area) {
+        format!("{} µm²", number(1e12 * area))
+    } else {
+        quantity(area, "m²")
+    }
 }

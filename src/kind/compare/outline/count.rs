@@ -60,3 +60,27 @@ fn differs_on_surface(verdicts: &Verdicts, compared: ComparedQuantity) -> bool {
     let mut differences = admissible.filter_map(|at| at.estimates[compared as usize]);
     differences.any(|estimate| compared.reported(estimate.contrast).abs() > accepted)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::examples::verdicts;
+    use super::*;
+
+    #[test]
+    fn cases_are_counted_by_quantity() {
+        let beyond = verdicts(90.0, [0.2, 0.3], Some(0.01));
+        let within = verdicts(90.0, [0.01, 0.02], Some(0.01));
+        let text = count(&[&beyond, &within, &within]);
+        assert!(
+            text.contains("at some load, surely or very likely: real contact area 1, separation 0"),
+            "{text}"
+        );
+        assert!(text.contains("can be told: real contact area 2, separation 0"), "{text}");
+        let open = verdicts(90.0, [0.2, 0.01], None);
+        let text = count(&[&within, &open]);
+        assert!(text.contains("at any load: real contact area 1, separation 2"), "{text}");
+        assert!(text.contains("is accepted for real contact area 1, separation 0 and stiffness 0"), "{text}");
+        let blocked = Verdicts { is_blocked: true, ..within };
+        assert!(count(&[&beyond, &blocked]).contains("1 are on maps that fail a fitness check"));
+    }
+}

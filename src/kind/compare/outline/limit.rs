@@ -1,9 +1,9 @@
-//! The limit of admissible loads that binds, and what to do about it.
+//! Why a load is not admissible, and what to do about it.
 
 use asperity::compare::Difference;
-use asperity::study::Verdicts;
-use asperity::{INTERACTION, LARGE_STRAIN_SHARE, LARGEST_LOAD_SHARE, Limit, MIN_CONTACTS};
-use asperity_contact_framework::report::format::percent;
+use asperity::study::{CaseStudy, Treatment, Verdicts};
+use asperity::{Exceeded, INTERACTION, LARGE_STRAIN_SHARE, LARGEST_LOAD_SHARE, Limit, MIN_CONTACTS};
+use asperity_contact_framework::report::format::{input_quantity, listed, number, percent};
 
 use super::lead::{nominal_area, over};
 
@@ -21,32 +21,117 @@ pub fn limit_words(limit: Limit) -> String {
     }
 }
 
-/// Why no load carries a verdict: the limit that binds, where it is exceeded, and its remedy.
-pub fn none_admissible(verdicts: &Verdicts) -> String {
-    let Some(limit) = verdicts.admissible.binding else { return "No load was compared.".to_owned() };
-    let exceeds = |at: &&Difference| at.exceeded().limits().any(|one| one == limit);
-    let beyond: Vec<&Difference> = verdicts.differences.iter().filter(exceeds).collect();
-    let lowest = beyond.iter().map(|at| at.load).fold(f64::INFINITY, f64::min);
-    let highest = beyond.iter().map(|at| at.load).fold(0.0, f64::max);
-    let remedy = match limit {
-        Limit::FewContacts | Limit::DominantContact => {
-            // Of loads at which more contacts are all that is missing.
-            let is_few =
-                |one| matches!(one, Limit::FewContacts | Limit::DominantContact);
-            let few = beyond.iter().filter(|at| at.exceeded().limits().all(is_few));
-            let area = few.filter_map(|at| at.area_needed).fold(f64::INFINITY, f64::min);
-            if area.is_finite() {
-                let [area, now] = [nominal_area(area, true), nominal_area(verdicts.area, false)];
-                format!("a higher load, or a map of at least {area} (now {now})")
-            } else {
-                "a higher load, or a larger surface".to_owned()
-            }
-        }
-        Limit::Interaction => "lower loads, or boundary elements (`models`): neighbouring contacts interact".to_owned(),
-        Limit::LargeStrain => {
-            "lower loads, or boundary elements (`models`): contacts are not small against their asperities, of which spheres are a poor model"
-                .to_owned()
-        }
+/// "On such surfaces: no verdict, because this load is not admissible: ... Remedy: ..." of a load at which a limit is exceeded.
+pub fn not_admissible(case: &CaseStudy, at: &Difference) -> String {
+    let verdicts = &case.verdicts;
+    let none = verdicts.admissible.stretches.is_empty() && verdicts.differences.len() > 1;
+    let which = if none { "no load is" } else { "this load is not" };
+    let exceeded: Vec<String> = at.exceeded().limits().map(|limit| beyond(limit, at)).collect();
+    format!(
+        "On such surfaces: no verdict, because {which} admissible: {}. Remedy: {}.",
+        listed(&exceeded),
+        remedy(case, at)
+    )
+}
+
+/// A limit that is exceeded, with the value at the load.
+fn beyond(limit: Limit, at: &Difference) -> String {
+    let words = limit_words(limit);
+    let value = match (limit, &at.sharing) {
+        (Limit::Interaction, _) => percent(at.area_ratio),
+        (Limit::FewContacts, Some(sharing)) => number(sharing.effective_contacts),
+        (Limit::DominantContact, Some(sharing)) => percent(sharing.largest_share),
+        (Limit::LargeStrain, Some(sharing)) => percent(sharing.large_strain_share),
+        (_, None) => return words,
     };
-    format!("No load is admissible: {} {}. Remedy: {remedy}.", limit_words(limit), over([lowest, highest]))
+    format!("{words} ({value})")
+}
+
+/// What to do: more surface where contacts are few; else an S filter, lower loads, or boundary elements.
+fn remedy(case: &CaseStudy, at: &Difference) -> String {
+    let verdicts = &case.verdicts;
+    let exceeded = at.exceeded();
+    if exceeded.limits().all(is_of_few) {
+        return more_surface(at, verdicts, exceeded);
+    }
+    let mut ways = Vec::new();
+    let lower = verdicts.admissible.stretches.iter().map(|stretch| stretch[1]).filter(|load| *load < at.load);
+    if let Some(load) = lower.max_by(f64::total_cmp) {
+        ways.push(format!("loads of at most {}", input_quantity(load, "Pa")));
+    }
+    ways.extend(filtered(case));
+    ways.push(match case.first().reference {
+        Some(_) => "the boundary elements".to_owned(),
+        None => "boundary elements (`reference` among the `models`)".to_owned(),
+    });
+    let why = if exceeded.limits().any(|limit| limit == Limit::LargeStrain) {
+        "contacts are not small against their asperities, of which spheres are a poor model"
+    } else {
+        "neighbouring contacts interact"
+    };
+    format!("{}; {why}", ways.join(", or "))
+}
+
+/// Whether more surface lifts a limit.
+fn is_of_few(limit: Limit) -> bool {
+    matches!(limit, Limit::FewContacts | Limit::DominantContact)
+}
+
+/// More surface, of which the area is said where contacts and their shares of the load tell it.
+fn more_surface(at: &Difference, verdicts: &Verdicts, exceeded: Exceeded) -> String {
+    let contacts = at.sharing.as_ref().map(|sharing| {
+        let factors = exceeded.limits().map(|limit| match limit {
+            Limit::FewContacts => MIN_CONTACTS / sharing.effective_contacts,
+            _ => sharing.largest_share / LARGEST_LOAD_SHARE,
+        });
+        verdicts.area * factors.fold(1.0, f64::max)
+    });
+    let needed = contacts.into_iter().chain(at.area_needed).fold(0.0, f64::max);
+    if needed > 0.0 && needed.is_finite() {
+        let [needed, now] = [nominal_area(needed, true), nominal_area(verdicts.area, false)];
+        format!("a higher load, or at least {needed} of surface (now {now})")
+    } else {
+        "a higher load, or a larger surface".to_owned()
+    }
+}
+
+/// The shortest S filter with which some load is admissible, where none is without.
+fn filtered(case: &CaseStudy) -> Option<String> {
+    if !case.verdicts.admissible.stretches.is_empty() {
+        return None;
+    }
+    let admissible = |differences: &[Difference]| {
+        let loads = || differences.iter().filter(|at| at.exceeded().is_none()).map(|at| at.load);
+        let [from, to] = [loads().min_by(f64::total_cmp)?, loads().max_by(f64::total_cmp)?];
+        Some([from, to])
+    };
+    let found = case.treated.iter().filter_map(|one| match one.treatment {
+        Treatment::ShortWaves(Some(index)) => Some((index, admissible(&one.differences)?)),
+        _ => None,
+    });
+    let (index, loads) = found.min_by(|a, b| a.0.total_cmp(&b.0))?;
+    Some(format!(
+        "an S filter of {}, where shorter waves do not matter, with which loads {} are admissible",
+        input_quantity(index, "m"),
+        over(loads)
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::examples::verdicts;
+    use super::*;
+
+    #[test]
+    fn more_surface_lifts_the_limits_of_few_contacts() {
+        let few = verdicts(9.0, [0.2, 0.3], Some(0.01));
+        let at = &few.differences[0];
+        assert_eq!(beyond(Limit::FewContacts, at), "fewer than 30 effective contacts (9)");
+        let needed = more_surface(at, &few, at.exceeded());
+        assert_eq!(needed, "a higher load, or at least 3.4 mm² of surface (now 1 mm²)");
+        let unsampled = verdicts(9.0, [0.2, 0.3], None);
+        let at = &unsampled.differences[0];
+        let needed = more_surface(at, &unsampled, at.exceeded());
+        assert_eq!(needed, "a higher load, or at least 4 mm² of surface (now 1 mm²)");
+    }
 }

@@ -2,7 +2,7 @@
 //!
 //! | module | what it writes |
 //! |---|---|
-//! | `lead`, `at_load`, `limit` | the answer on one case: results at the load, on this map, on such surfaces; the limit that binds |
+//! | `lead`, `at_load`, `replace`, `limit` | the answer on one case: results at the load, on this map, on such surfaces; why a load is not admissible |
 //! | `count` | the answer over several cases |
 //! | `case` | one surface under one law |
 //! | `series` | one surface under one law by layer thickness |
@@ -11,8 +11,11 @@
 mod at_load;
 mod case;
 mod count;
+#[cfg(test)]
+mod examples;
 mod lead;
 mod limit;
+mod replace;
 mod sections;
 mod series;
 
@@ -31,7 +34,6 @@ use asperity_contact_framework::report::table::{Table, Tables};
 use serde_json::{Map, Value, json};
 
 use super::figures::differences;
-use super::names::subject;
 use super::results::{CompareResults, SurfaceResults};
 use super::rows::{RuleRow, SurfaceCase, tables};
 use super::series::Series;
@@ -120,7 +122,9 @@ impl Outcome for CompareResults {
     }
 
     fn terminal(&self) -> Option<String> {
-        self.described.as_ref()?;
+        if self.described.is_none() {
+            return Some(answer(self).join("\n"));
+        }
         let text = |surface: &SurfaceResults| {
             let answers: String = SurfaceCase::on_surface(surface)
                 .map(|case| format!("\n{}\n{}\n", case.name(self), case::answer(case).join("\n")))
@@ -131,18 +135,20 @@ impl Outcome for CompareResults {
     }
 }
 
-/// The answer: of one case by itself, of several counted.
+/// The most cases of which each is answered by itself.
+const FEW: usize = 3;
+
+/// The answer: of few cases each by itself, of more counted.
 fn answer(results: &CompareResults) -> Vec<String> {
     let cases: Vec<SurfaceCase> = SurfaceCase::all(results).collect();
     let compared = |case: &&SurfaceCase| !case.verdicts().differences.is_empty();
     let verdicts: Vec<&Verdicts> = cases.iter().filter(compared).map(|case| case.verdicts()).collect();
     match (&cases[..], verdicts.len()) {
         ([only], _) => case::answer(*only),
-        (_, 0) => {
-            let each = cases.iter().map(|case| {
-                let name = subject(results, case.surface, &case.first().law);
-                format!("{name}: {}", case::answer(*case).join(" "))
-            });
+        // Of few cases each by itself.
+        (all, compared) if compared == 0 || all.len() <= FEW => {
+            let each =
+                cases.iter().map(|case| format!("{}: {}", case.name(results), case::answer(*case).join(" ")));
             each.collect()
         }
         _ => vec![count::count(&verdicts)],

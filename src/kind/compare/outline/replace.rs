@@ -1,0 +1,182 @@
+//! May the integral replace the sum at one load: on the compared surface itself, and on such surfaces.
+
+use asperity::compare::{ComparedQuantity, Difference, Estimate, NotModelled, Verdict};
+use asperity::study::{Basis, Verdicts};
+use asperity::topography::generate::Unfitted;
+use asperity_contact_framework::report::format::{listed, number, signed};
+
+use super::lead::{ORDER, nominal_area};
+use crate::presentation::quantity_name;
+
+/// The answers in the order in which they are given, with their words.
+const ANSWERS: [(Verdict, &str); 5] = [
+    (Verdict::Beyond, "no"),
+    (Verdict::VeryLikelyBeyond, "very likely not"),
+    (Verdict::Within, "yes"),
+    (Verdict::VeryLikelyWithin, "very likely"),
+    (Verdict::CannotTell, "cannot be told"),
+];
+
+/// The answer in each quantity that is compared, with its figures.
+type Answers = Vec<(ComparedQuantity, Verdict, String)>;
+
+/// "May the integral replace the sum at this load? On this map: no in real contact area (+193 %; accepted 10 %), yes in separation
+/// (...)." `None` where nothing is compared.
+pub fn on_map(at: &Difference, verdicts: &Verdicts) -> Option<String> {
+    let answer = |quantity: ComparedQuantity| {
+        let contrast = at.estimates[quantity as usize]?.contrast;
+        let [low, high] = verdicts.accepted.band(quantity);
+        let verdict = if (low..=high).contains(&contrast) { Verdict::Within } else { Verdict::Beyond };
+        let (unit, size) = unit(quantity);
+        let accepted = number(size * verdicts.accepted.limit(quantity));
+        Some((quantity, verdict, format!("{}; accepted {accepted} {unit}", ends(quantity, [contrast; 2]))))
+    };
+    let answers: Answers = ORDER.into_iter().filter_map(answer).collect();
+    let whose = match verdicts.basis {
+        Basis::Realisations(count) => format!("In the mean of these {count} realisations"),
+        Basis::Asperities | Basis::Unstated => "On these asperities".to_owned(),
+        Basis::Blocks { .. } | Basis::TooSmall { .. } | Basis::ModelBased => "On this map".to_owned(),
+    };
+    (!answers.is_empty())
+        .then(|| format!("May the integral replace the sum at this load? {whose}: {}.", in_words(&answers)))
+}
+
+/// "On such surfaces (model-based 95 % intervals): no in real contact area (+131 to +272 %), cannot be told in separation (...)."
+pub fn on_surface(at: &Difference, verdicts: &Verdicts) -> String {
+    let answer = |quantity: ComparedQuantity| {
+        let estimate = at.estimates[quantity as usize]?;
+        let verdict = Verdict::from_estimate(&estimate, verdicts.accepted.band(quantity));
+        let interval = estimate.interval().map(|interval| ends(quantity, interval));
+        let need = (verdict == Verdict::CannotTell).then(|| need(&estimate, quantity, verdicts)).flatten();
+        let figures: Vec<String> = interval.into_iter().chain(need).collect();
+        Some((quantity, verdict, figures.join("; ")))
+    };
+    let answers: Answers = ORDER.into_iter().filter_map(answer).collect();
+    let is_open = answers.iter().any(|(_, verdict, _)| *verdict == Verdict::CannotTell);
+    let why = if is_open { why_open(at, verdicts) } else { String::new() };
+    format!("On such surfaces{}: {}{why}.", intervals(verdicts), in_words(&answers))
+}
+
+/// "no in real contact area (+193 %) and stiffness (+168 %), yes in separation (-0.05 σ)".
+fn in_words(answers: &Answers) -> String {
+    let of = |(verdict, words): (Verdict, &str)| {
+        let with = answers.iter().filter(|(_, other, _)| *other == verdict);
+        let each: Vec<String> = with
+            .map(|(quantity, _, figures)| {
+                let name = quantity_name(*quantity);
+                if figures.is_empty() { name.to_owned() } else { format!("{name} ({figures})") }
+            })
+            .collect();
+        (!each.is_empty()).then(|| format!("{words} in {}", listed(&each)))
+    };
+    ANSWERS.into_iter().filter_map(of).collect::<Vec<_>>().join(", ")
+}
+
+/// What would tell in a quantity whose interval is across the edge of what is accepted: an area of surface, or a number of realisations.
+fn need(estimate: &Estimate, quantity: ComparedQuantity, verdicts: &Verdicts) -> Option<String> {
+    let growth = estimate.growth(verdicts.accepted.band(quantity))?;
+    Some(match verdicts.basis {
+        Basis::Realisations(now) => {
+            let needed = (growth * now as f64).ceil().max(now as f64 + 1.0);
+            format!("about {} realisations would tell", number(needed))
+        }
+        _ => format!("about {} would tell", nominal_area(growth * verdicts.area, true)),
+    })
+}
+
+/// Why some quantity cannot be told: what there is of the surface, and why there is no interval.
+fn why_open(at: &Difference, verdicts: &Verdicts) -> String {
+    let now = nominal_area(verdicts.area, false);
+    let reason = match verdicts.basis {
+        Basis::Unstated => {
+            return "; no interval: the list needs `independent = true`, or columns `x` and `y`".to_owned();
+        }
+        Basis::Realisations(_) => return String::new(),
+        Basis::TooSmall { not_modelled: Some(reason), .. } => {
+            format!("; no model-based interval: {}", no_model(reason))
+        }
+        _ => String::new(),
+    };
+    let has_interval = at.estimates.iter().flatten().all(|one| one.interval().is_some());
+    match at.area_needed.filter(|_| !has_interval) {
+        Some(area) => {
+            format!("; an interval needs at least {} of surface, now {now}{reason}", nominal_area(area, true))
+        }
+        None => format!("; the surface has {now}{reason}"),
+    }
+}
+
+/// Why there is no model-based interval.
+fn no_model(reason: NotModelled) -> &'static str {
+    match reason {
+        NotModelled::Unfitted(Unfitted::TooShort) => {
+            "a side of the map is shorter than 8 correlation lengths"
+        }
+        NotModelled::Unfitted(Unfitted::Patchy) | NotModelled::Patchy => {
+            "the roughness varies from place to place"
+        }
+        NotModelled::Unfitted(Unfitted::Flat) => "the heights do not scatter",
+        NotModelled::Unfitted(Unfitted::Periodic) => "the surface is periodic",
+        NotModelled::Unlike => "surfaces of its spectrum and heights have other asperities",
+        NotModelled::Failed => "surfaces of its spectrum and heights could not be compared",
+    }
+}
+
+/// What the intervals are.
+fn intervals(verdicts: &Verdicts) -> &'static str {
+    match verdicts.basis {
+        Basis::ModelBased => " (model-based 95 % intervals)",
+        Basis::Blocks { .. } | Basis::Realisations(_) | Basis::Asperities => " (95 % intervals)",
+        Basis::TooSmall { .. } | Basis::Unstated => "",
+    }
+}
+
+/// "+12 to +36 %" of contrasts of a quantity.
+fn ends(quantity: ComparedQuantity, contrasts: [f64; 2]) -> String {
+    let (unit, size) = unit(quantity);
+    let [low, high] = contrasts.map(|end| signed(size * quantity.reported(end)));
+    if low == high { format!("{low} {unit}") } else { format!("{low} to {high} {unit}") }
+}
+
+fn unit(quantity: ComparedQuantity) -> (&'static str, f64) {
+    match quantity {
+        ComparedQuantity::Separation => ("σ", 1.0),
+        ComparedQuantity::Area | ComparedQuantity::Stiffness => ("%", 100.0),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::examples::verdicts;
+    use super::*;
+
+    fn answers(verdicts: &Verdicts) -> [String; 2] {
+        let at = &verdicts.differences[0];
+        [on_map(at, verdicts).unwrap(), on_surface(at, verdicts)]
+    }
+
+    #[test]
+    fn both_questions_are_answered_in_figures() {
+        let [map, surface] = answers(&verdicts(90.0, [0.2, 0.3], Some(0.01)));
+        assert_eq!(
+            map,
+            "May the integral replace the sum at this load? On these asperities: no in real contact area (+22.1 %; accepted 10 %)."
+        );
+        assert_eq!(surface, "On such surfaces (95 % intervals): no in real contact area (+19.7 to +24.6 %).");
+        let [map, surface] = answers(&verdicts(90.0, [0.01, 0.3], Some(0.01)));
+        assert!(map.contains(": yes in real contact area (+1.01 %; accepted 10 %)."), "{map}");
+        assert!(surface.contains(": yes in real contact area (-0.995 to +3.05 %)."), "{surface}");
+    }
+
+    #[test]
+    fn what_cannot_be_told_names_what_it_needs() {
+        let [map, surface] = answers(&verdicts(90.0, [0.2, 0.3], None));
+        assert!(map.contains(": no in real contact area (+22.1 %;"), "{map}");
+        let expected =
+            ": cannot be told in real contact area; an interval needs at least 4 mm² of surface, now 1 mm².";
+        assert!(surface.ends_with(expected), "{surface}");
+        let [_, surface] = answers(&verdicts(90.0, [0.1, 0.3], Some(0.05)));
+        let expected = ": cannot be told in real contact area (0 to +22.1 %; about 450 mm² would tell); the surface has 1 mm².";
+        assert!(surface.ends_with(expected), "{surface}");
+    }
+}
