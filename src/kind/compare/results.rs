@@ -80,12 +80,27 @@ impl CompareResults {
                 .and_then(|layer| rule_warning(layer.check.as_ref()?, &layer.name, layer.rule)),
         );
         let layer = self.contact.layer.as_ref();
-        lines.extend(layer.and_then(|layer| hardness_warning(&layer.name, self.contact_ratios())));
+        let yielding = layer.filter(|_| !self.is_uncoated_body_softest());
+        lines.extend(yielding.and_then(|layer| hardness_warning(&layer.name, self.contact_ratios())));
         if let Some(layer) = layer.filter(|layer| layer.on == Body::Rough) {
             let surfaces = self.surfaces.iter().map(SurfaceResults::coated);
             lines.extend(surfaces.flat_map(|surface| surface.warnings(&layer.name, &layer.thicknesses)));
         }
         lines
+    }
+
+    /// Whether the body without the layer is softer than both layer and substrate: it then yields first under every thickness, and the
+    /// effective hardness decides nothing.
+    fn is_uncoated_body_softest(&self) -> bool {
+        let ContactMetadata { materials, bodies, layer: Some(layer), .. } = &self.contact else {
+            return false;
+        };
+        let (bare, substrate) = match layer.on {
+            Body::Rough => (&bodies.flat, &bodies.rough),
+            Body::Flat => (&bodies.rough, &bodies.flat),
+        };
+        let hardness = |name: &str| materials[name].hardness().unwrap_or(f64::INFINITY);
+        hardness(bare) < hardness(substrate).min(hardness(&layer.name))
     }
 
     /// Each finite thickness (m) under which contacts may yield, with the largest mean contact radius over it: at prescribed loads, and at
