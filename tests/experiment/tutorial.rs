@@ -1,11 +1,12 @@
-//! docs/tutorial.md, word for word: its commands run in a shell, its spec is saved, and what it quotes is in their output.
+//! docs/tutorial.md, word for word: its commands run in a shell, each spec is saved under the name beside `toml`, and what it quotes is in their
+//! output or in the report of the last spec that ran. Its Python is run by `crates/asperity-python/tests/test_tutorial.py`.
 
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-/// The fenced blocks of a document: their language and their text.
+/// The fenced blocks of a document: their language (and the name of a file) and their text.
 fn blocks(markdown: &str) -> Vec<(&str, String)> {
     let mut blocks = Vec::new();
     let mut open: Option<(&str, String)> = None;
@@ -44,8 +45,10 @@ fn the_tutorial_holds_what_it_says() {
 
     let mut folder = home.path().to_owned();
     let mut printed = String::new();
+    let mut report = String::new();
     let mut kinds = BTreeSet::new();
-    for (language, text) in blocks(&tutorial) {
+    for (info, text) in blocks(&tutorial) {
+        let (language, name) = info.split_once(' ').unwrap_or((info, ""));
         kinds.insert(language.to_owned());
         match language {
             // Each block is a shell of its own, and `cd` holds for those after it.
@@ -54,21 +57,31 @@ fn the_tutorial_holds_what_it_says() {
                 for line in text.lines() {
                     folder = line.strip_prefix("cd ").map_or(folder.clone(), |to| folder.join(to));
                 }
+                let spec = text
+                    .lines()
+                    .rev()
+                    .find_map(|line| line.strip_prefix("experiment run ")?.strip_suffix(".toml"));
+                if let Some(spec) = spec {
+                    report = fs::read_to_string(folder.join("reports").join(spec).join("report.md")).unwrap();
+                }
             }
-            "toml" => fs::write(folder.join("coating.toml"), text).unwrap(),
+            "toml" => fs::write(folder.join(name), text).unwrap(),
             "text" => {
-                let report = fs::read_to_string(folder.join("reports/coating/report.md")).unwrap_or_default();
                 for line in text.lines() {
                     assert!(printed.contains(line) || report.contains(line), "{line}\nis not in\n{printed}");
                 }
             }
-            "console" => {}
+            "console" | "python" => {}
             other => panic!("a block of {other}"),
         }
     }
-    assert_eq!(kinds.into_iter().collect::<Vec<_>>(), ["console", "sh", "text", "toml"]);
+    assert_eq!(kinds.into_iter().collect::<Vec<_>>(), ["console", "python", "sh", "text", "toml"]);
+    coating_sentences(&tutorial, &folder);
+    design_sentences(&tutorial, &folder);
+}
 
-    // The numbers of its sentences.
+/// The numbers in the sentences of part 1.
+fn coating_sentences(tutorial: &str, folder: &Path) {
     let curves = fs::read_to_string(folder.join("reports/coating/curves.csv")).unwrap();
     let elastic = |model: &str, thickness: &str| -> f64 {
         let row = curves.lines().map(|line| line.split(',').collect::<Vec<_>>());
@@ -96,4 +109,76 @@ fn the_tutorial_holds_what_it_says() {
     };
     assert!(widest("1e-7") > 1.0 && widest("2e-7") < 1.0, "wider than the layer below 200 nm only");
     assert!(elastic("statistical", "2e-8") > 0.9995);
+}
+
+/// The columns of a table by their names, and its rows.
+struct Table {
+    columns: Vec<String>,
+    rows: Vec<Vec<String>>,
+}
+
+impl Table {
+    fn read(path: &Path) -> Self {
+        let text = fs::read_to_string(path).unwrap();
+        let mut rows = text.lines().map(|line| line.split(',').map(str::to_owned).collect::<Vec<_>>());
+        Self { columns: rows.next().unwrap(), rows: rows.collect() }
+    }
+
+    /// The number in a column of the first row whose cells are as given.
+    fn number(&self, cells: &[(&str, &str)], column: &str) -> f64 {
+        let place = |name: &str| self.columns.iter().position(|each| each == name).unwrap();
+        let row = self.rows.iter().find(|row| cells.iter().all(|(name, cell)| row[place(name)] == *cell));
+        row.unwrap()[place(column)].parse().unwrap()
+    }
+}
+
+/// The numbers in the sentences of part 2: each part begins with the number that is compared.
+fn design_sentences(tutorial: &str, folder: &Path) {
+    let table = |report: &str, name: &str| Table::read(&folder.join("reports").join(report).join(name));
+    let sum = [("model", "deterministic")];
+    let results = table("design", "results.csv");
+    let result = |column: &str| results.number(&sum, column);
+    let verdicts = table("design", "verdicts.csv");
+    let verdict = |quantity: &str, column: &str| 100.0 * verdicts.number(&[("quantity", quantity)], column);
+    let area = result("real_area_m2");
+    let fine = table("sq-0.1", "results.csv").number(&sum, "elastic_load_share");
+    let finest = ["sq-0.2", "sq-0.1", "sq-0.05"]
+        .map(|report| table(report, "verdicts.csv").number(&[("quantity", "area")], "difference"));
+    let layers = table("thickness", "results.csv");
+    let under = |t: &str| layers.number(&[sum[0], ("layer_thickness_m", t)], "real_area_m2");
+    for (sentence, value, rounding) in [
+        ("36 µm² on average", 1e12 * area / result("contacts"), 0.5),
+        ("97 % of the load on contacts that have yielded", 100.0 * result("elastic_plastic_load_share"), 0.5),
+        ("16 to 20 %, more than the 10 %", verdict("area", "low"), 0.5),
+        ("20 %, more than the 10 %", verdict("area", "high"), 0.5),
+        ("4,100 µm² at 1.22 GPa; the bronze", 1e12 * area, 5.0),
+        ("18 % too much area.", verdict("area", "difference"), 0.5),
+        ("4,100 µm² (95 % interval of the mean", 1e12 * area, 5.0),
+        ("4,030 to 4,170 µm²)", 1e12 * result("real_area_low_m2"), 5.0),
+        ("4,170 µm²)", 1e12 * result("real_area_high_m2"), 5.0),
+        ("0.1 % of the nominal area", 100.0 * result("area_ratio"), 0.05),
+        ("114 contacts at a mean contact pressure", result("contacts"), 0.5),
+        ("1.22 GPa.", 1e-9 * result("mean_real_pressure_pa"), 0.005),
+        (
+            "97 % of the load is carried by elastic-plastic contacts",
+            100.0 * result("elastic_plastic_load_share"),
+            0.5,
+        ),
+        ("2.6 % more than", 100.0 * (under("5e-6") / under("0.0") - 1.0), 0.05),
+        ("89 % of the load elastic", 100.0 * fine, 0.5),
+        ("18 % too much area (16", verdict("area", "difference"), 0.5),
+        ("16 to 20 %), and", verdict("area", "low"), 0.5),
+        ("20 %), and", verdict("area", "high"), 0.5),
+        ("32 % at finer finishes", 100.0 * finest.into_iter().fold(0.0, f64::max), 0.5),
+        ("4 to 13.5 %", verdict("stiffness", "low"), 0.5),
+        ("13.5 %", verdict("stiffness", "high"), 0.05),
+    ] {
+        assert!(tutorial.contains(sentence), "{sentence}");
+        let stated: f64 = sentence.split(' ').next().unwrap().replace(',', "").parse().unwrap();
+        assert!((value - stated).abs() <= rounding, "{sentence}: {value}");
+    }
+    assert!(result("plastic_load_share") == 0.0, "none of them fully plastic");
+    // The bronze is the softest body: the effective hardness of the coated one decides nothing, although contacts are wider than the layer.
+    let report = fs::read_to_string(folder.join("reports/design/report.md")).unwrap();
+    assert!(!report.contains("shares of yielding are uncertain"));
 }
