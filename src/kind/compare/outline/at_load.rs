@@ -7,8 +7,8 @@ use asperity_contact_framework::report::format::{input_quantity, number, percent
 
 use super::limit::limit_words;
 
-/// "At 5 N on 4 mm² (1.25 MPa): real contact area 3200 µm² (0.08 %) in 180 contacts at 1.55 GPa, 97 % elastic-plastic, by the sum; integral
-/// +13 %, boundary elements -5 % of area."; on a `nominal` area (m²). `None` where neither sum nor integral was run.
+/// "At 5 N on 4 mm² (1.25 MPa): real contact area 3200 µm² (0.08 %) in 180 contacts at 1.55 GPa, 97 % elastic-plastic, by the sum; 3600 µm²
+/// by the integral, 3000 µm² (-5 %) by boundary elements."; on a `nominal` area (m²). `None` where neither sum nor integral was run.
 pub fn results(case: &CaseStudy, surface: &Surface, nominal: f64) -> Option<String> {
     let at_load = case.results_at_load();
     let of = |kind: ModelKind| at_load.models.iter().find(|one| one.model == Some(kind));
@@ -36,7 +36,7 @@ pub fn results(case: &CaseStudy, surface: &Surface, nominal: f64) -> Option<Stri
             .map_or_else(String::new, |density| format!("{} on ", contacts(density * own)));
         format!("; from {count}a surface of {}", area(own))
     };
-    let others = others(&at_load.models, model);
+    let others = others(&at_load.models, model, nominal);
     Some(format!(
         "At {force} on {nominal_area} ({pressure}{sample}){marks}: {} by the {name}{others}.",
         contact(model, nominal, case.realisations.len() > 1)
@@ -76,22 +76,24 @@ fn contacts(count: f64) -> String {
     if text == "1" { "1 contact".to_owned() } else { format!("{text} contacts") }
 }
 
-/// "; integral +13 %, boundary elements -5 % of area": the areas of the others relative to that of `model`.
-fn others(models: &[ModelResult], model: &ModelResult) -> String {
-    let other = |one: &&ModelResult| one.model != model.model && model.point.area_ratio > 0.0;
+/// "; 3600 µm² by the integral, 3000 µm² (-5 %) by boundary elements": on a `nominal` area; the difference of the reference is to the area
+/// of `model`.
+fn others(models: &[ModelResult], model: &ModelResult, nominal: f64) -> String {
+    let other = |one: &&ModelResult| one.model != model.model && one.point.area_ratio > 0.0;
     let text = |one: &ModelResult| {
-        let name = match one.model {
-            Some(ModelKind::Statistical) => "integral",
-            Some(ModelKind::Deterministic) => "sum",
-            None => "boundary elements",
-        };
-        let difference = one.point.area_ratio / model.point.area_ratio - 1.0;
-        // Models that agree by construction differ by rounding.
-        let difference = if difference.abs() < 1e-9 { 0.0 } else { difference };
-        format!("{name} {} %", signed(100.0 * difference))
+        let real = area(one.point.area_ratio * nominal);
+        match one.model {
+            Some(ModelKind::Statistical) => format!("{real} by the integral"),
+            Some(ModelKind::Deterministic) => format!("{real} by the sum"),
+            None => {
+                let difference = one.point.area_ratio / model.point.area_ratio - 1.0;
+                format!("{real} ({} %) by boundary elements", signed(100.0 * difference))
+            }
+        }
     };
-    let all: Vec<String> = models.iter().filter(other).map(text).collect();
-    if all.is_empty() { String::new() } else { format!("; {} of that area", all.join(", ")) }
+    let all: Vec<String> =
+        models.iter().filter(other).filter(|_| model.point.area_ratio > 0.0).map(text).collect();
+    if all.is_empty() { String::new() } else { format!("; {}", all.join(", ")) }
 }
 
 /// An area (m²): in mm² from 0.01 mm² to 1 m², in µm² from 0.01 µm².
