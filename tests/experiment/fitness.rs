@@ -316,6 +316,28 @@ fn a_verdict_that_depends_on_the_cut_off_says_so_and_a_robust_one_does_not() {
     assert!(crate::downcast::<CompareResults>(off).surfaces[0].cases[0].treated.is_empty());
 }
 
+/// Sharp asperities carry loads at strains too large for spheres; an S filter, which makes them blunt, is named where it makes loads
+/// admissible.
+#[test]
+fn an_s_filter_that_makes_loads_admissible_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let base = good(2.5);
+    write(folder.path(), "sharp.npy", |i, j| 5.0 * base[i * SIDE + j]);
+    write(folder.path(), "blunt.npy", |i, j| base[i * SIDE + j]);
+    let page = |file: &str, keys: &str| {
+        let outcome = run(folder.path(), "", &[("a", file, keys)]);
+        outcome.outline().markdown().lines().take(12).collect::<Vec<_>>().join("\n")
+    };
+    let sharp = page("sharp.npy", "");
+    assert!(sharp.contains("no load is admissible: more than 10 % of the load at a/R above 0.3"), "{sharp}");
+    let (_, named) = sharp.split_once("an S filter of ").unwrap_or_else(|| panic!("{sharp}"));
+    let index = named.split_once(" µm").unwrap().0;
+    let filtered = page("sharp.npy", &format!("filter = {{ s = \"{index} um\" }}"));
+    assert!(filtered.contains("dmissible loads (") || filtered.contains("admissible load ("), "{filtered}");
+    let blunt = page("blunt.npy", "");
+    assert!(!blunt.contains("an S filter of "), "{blunt}");
+}
+
 /// Bytes per point that a plan names, for a map that stays on disk.
 #[test]
 fn the_memory_of_a_filter_and_of_other_treatments_is_that_of_a_map() {
