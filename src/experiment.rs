@@ -162,6 +162,16 @@ impl Experiment {
         self.described.clone()
     }
 
+    /// A text for its user: of a file that the command line describes, with the options of the command line instead of keys of a spec.
+    pub fn for_its_user(&self, text: &str) -> String {
+        let is_spec = |path: &PathBuf| path.extension().is_some_and(|ending| ending == "toml");
+        if self.described.as_ref().is_some_and(|path| !is_spec(path)) {
+            crate::surface::with_options(text)
+        } else {
+            text.to_owned()
+        }
+    }
+
     /// Whether it runs only where it is named or long runs are asked for.
     pub fn is_long(&self) -> bool {
         self.is_long

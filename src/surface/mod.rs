@@ -30,7 +30,7 @@ pub use files::Files;
 pub use fit::by_hand;
 pub use generate_spec::TargetSpec;
 pub use generation::{Generation, Way};
-pub use options::FileOptions;
+pub use options::{FileOptions, with_options};
 pub use plan::{SurfacePlan, beside, curvature_ratio, describe, inputs, memory, surfaces};
 pub use spec::SurfaceSpec;
 pub use tiles::{OpenTiles, SurfaceTiles};

@@ -175,9 +175,72 @@ fn is_whole(text: &str) -> bool {
     !text.is_empty() && text.chars().all(|c| c.is_ascii_digit())
 }
 
+/// A text with options of the command line instead of the keys of a spec that stand for them.
+pub fn with_options(text: &str) -> String {
+    let text = text.replace("`transpose = true` next to `path`", "`transpose`");
+    let parts = text.split('`').enumerate();
+    let parts: Vec<String> = parts
+        .map(|(k, part)| if k % 2 == 1 { option(part) } else { None }.unwrap_or_else(|| part.to_owned()))
+        .collect();
+    parts.join("`")
+}
+
+/// The option for a key of a spec, alone or with its value; `None` where there is none.
+fn option(code: &str) -> Option<String> {
+    const KEYS: [&str; 8] =
+        ["outliers", "align-lines", "level", "neighbours", "missing", "pixel", "unit", "tip"];
+    let (key, value) = code.split_once(" = ").map_or((code, None), |(key, value)| (key, Some(value)));
+    let bare = |value: &str| {
+        let word = value.trim_matches('"');
+        if word.contains(|c: char| c.is_whitespace() || c == ',') {
+            value.to_owned()
+        } else {
+            word.to_owned()
+        }
+    };
+    match (key, value) {
+        ("fit" | "transpose", None) => Some(format!("--{key}")),
+        ("filter", Some(table)) => {
+            let indices = table.strip_prefix("{ ")?.strip_suffix(" }")?.split(", ");
+            let options: Option<Vec<String>> = indices
+                .map(|index| index.split_once(" = ").map(|(key, value)| format!("--{key} {value}")))
+                .collect();
+            options.map(|options| options.join(" "))
+        }
+        (key, None) if KEYS.contains(&key) => Some(format!("--{key}")),
+        (key, Some(value)) if KEYS.contains(&key) => Some(format!("--{key} {}", bare(value))),
+        _ => None,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn keys_of_a_spec_become_options() {
+        for (text, found) in [
+            ("Remedy: `outliers = \"remove\"`.", "Remedy: `--outliers remove`."),
+            (
+                "`filter = { s = \"3 µm\", l = \"80 µm\" }`, `law = \"zmc\"`",
+                "`--s \"3 µm\" --l \"80 µm\"`, `law = \"zmc\"`",
+            ),
+            (
+                "`transpose = true` next to `path` means; without `transpose`",
+                "`--transpose` means; without `--transpose`",
+            ),
+            (
+                "let `--fit` (`fit = \"auto\"` in a spec); `fit` refused `level = \"cubic\"`",
+                "let `--fit` (`fit = \"auto\"` in a spec); `--fit` refused `--level cubic`",
+            ),
+            (
+                "`missing = 0`, `pixel = \"0.8 um\"` or `unit`; pixel",
+                "`--missing 0`, `--pixel \"0.8 um\"` or `--unit`; pixel",
+            ),
+        ] {
+            assert_eq!(with_options(text), found);
+        }
+    }
 
     #[test]
     fn units_and_marks_are_values_of_a_spec() {

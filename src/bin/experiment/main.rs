@@ -293,7 +293,7 @@ fn surface(
     store.check(experiment.stem())?;
     check_same_file(&experiment, &options.out.join(experiment.stem()))?;
     let results = run_and_write(&experiment, &experiment.key()?, &mut store, options)?;
-    say_answer(&*results, options);
+    say_answer(&experiment, &*results, options);
     if let Some(spec) = save_spec {
         write_new(spec, &saved_spec(&file_options, file, spec, &*results))?;
         say(
@@ -367,14 +367,14 @@ fn run_one(experiment: &Experiment, store: &mut Store, options: &RunOptions) -> 
     }
     store.check(experiment.stem())?;
     let results = run_and_write(experiment, &key, store, options)?;
-    say_answer(&*results, options);
+    say_answer(experiment, &*results, options);
     Ok(())
 }
 
 /// Prints what a run has to say in the terminal.
-fn say_answer(results: &dyn Outcome, options: &RunOptions) {
+fn say_answer(experiment: &Experiment, results: &dyn Outcome, options: &RunOptions) {
     if let Some(text) = results.terminal() {
-        say(options, &text);
+        say(options, &experiment.for_its_user(&text));
     }
 }
 
@@ -421,6 +421,7 @@ fn write_report(
     }
     if !options.quiet {
         for warning in results.warnings() {
+            let warning = experiment.for_its_user(&warning);
             print_error(format_args!("warning: {}: {warning}", experiment.stem()));
         }
     }
