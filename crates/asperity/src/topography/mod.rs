@@ -52,7 +52,7 @@ pub use correlation_lengths::CorrelationLengths;
 pub use filter::{Filter, FilterError};
 pub use level::{Form, Level, Levelled, Undetermined};
 pub use part::{Sampled, Window, thumbnail};
-pub use quantisation::Quantisation;
+pub use quantisation::{HeightPlace, Quantisation, SHARED, SharedHeight};
 pub use roughness::{Drops, Moments, RoughnessParameters};
 pub use rows::{Boundary, Continued, Rows, Strip, Watched, strips};
 
