@@ -23,6 +23,7 @@ use asperity::{
 use asperity_contact_framework::input::Spanned;
 use asperity_contact_framework::input::quantity::{Length, Pure, Quantity};
 use asperity_contact_framework::input::{InMemory, InputError, Source, SpecFile, Whole};
+use asperity_contact_framework::report::format::input_quantity;
 use asperity_contact_framework::{Memory, set_memory};
 
 /// A surface that can be made.
@@ -74,6 +75,13 @@ pub(super) struct MapPlan {
     pub(super) preparation: Preparation,
     /// What stays of the preparation where the rest of it is found on the map.
     pub(super) fit: Option<Kept>,
+}
+
+impl MapPlan {
+    /// Its sides, m.
+    pub(super) fn size(&self) -> [f64; 2] {
+        [0, 1].map(|axis| self.points[axis] as f64 * self.pixel[axis])
+    }
 }
 
 /// More are a study of their own.
@@ -231,7 +239,10 @@ impl SurfacePlan {
                     made.check(points, pixel)?;
                     Ok(made)
                 });
-                Some(made.map_err(|error| source.error_at(filter.span(), error))?)
+                let made = made.map_err(|error| source.error_at(filter.span(), error))?;
+                check_long_filter(made, points, pixel)
+                    .map_err(|message| source.error_at(filter.span(), message))?;
+                Some(made)
             }
         };
         let is_periodic = raw.periodic || in_memory.is_some_and(|map| map.boundary() == Boundary::Periodic);
@@ -250,7 +261,8 @@ impl SurfacePlan {
             Some(_) => true,
             None => file.stays_on_disk().map_err(|error| refuse(&spec_message(&error)))?,
         };
-        let caveats = reading::caveats(&metadata, pixel, file.transpose);
+        let mut caveats = reading::caveats(&metadata, pixel, file.transpose);
+        caveats.extend(filter.and_then(|filter| short_filter_caveat(filter, pixel)));
         let fit = raw.fit.map(|FitSpec::Auto| Kept {
             spikes: raw.outliers.is_some(),
             lines: raw.align_lines.is_some(),
@@ -418,7 +430,7 @@ impl SurfacePlan {
                     None => preparation.filter.map_or(0, filtering),
                     // The map as it was, and filters that are tried.
                     Some(_) => {
-                        area(points) * BYTES_PER_HEIGHT + long_filter(points, pixel).map_or(0, filtering)
+                        area(points) * BYTES_PER_HEIGHT + longest_filters(points, pixel).map_or(0, filtering)
                     }
                 };
                 let treated = self.short_filter().filter(|_| is_treated).map_or(0, filtering);
@@ -574,8 +586,46 @@ pub fn curvature_ratio(
     Err(source.error_at(raw.span(), format!("found {ratio}; allowed: 1 to {LONGEST:e}")))
 }
 
+/// Refuses an L filter that leaves waves of a few points only.
+fn check_long_filter(filter: Filter, points: [usize; 2], pixel: [f64; 2]) -> Result<(), String> {
+    /// Of its nesting index, pixels.
+    const FEWEST: f64 = 4.0;
+    let least = FEWEST * pixel[0].max(pixel[1]);
+    let Some(l) = filter.l().filter(|l| *l < least) else { return Ok(()) };
+    let size = [0, 1].map(|axis| points[axis] as f64 * pixel[axis]);
+    Err(format!(
+        "found an L filter of {}, which removes all waves longer than that and so the roughness: the points are {} apart; allowed: at \
+         least {FEWEST} pixels ({}), usually a sixth of the shorter side ({})",
+        input_quantity(l, "m"),
+        input_quantity(pixel[0].max(pixel[1]), "m"),
+        input_quantity(least, "m"),
+        input_quantity(long_filter(size), "m")
+    ))
+}
+
+/// Warns of an S filter that is shorter than any wave of a map.
+fn short_filter_caveat(filter: Filter, pixel: [f64; 2]) -> Option<String> {
+    /// Of the shortest wave that a map holds, pixels.
+    const SHORTEST: f64 = 2.0;
+    let shortest = SHORTEST * pixel[0].min(pixel[1]);
+    let s = filter.s().filter(|s| *s < shortest)?;
+    Some(format!(
+        "its S filter of {} has hardly any effect: the shortest wave that its points can hold is {} long (two pixels); an S filter of at \
+         least four pixels, {}, removes noise.",
+        input_quantity(s, "m"),
+        input_quantity(shortest, "m"),
+        input_quantity(2.0 * shortest, "m")
+    ))
+}
+
+/// The usual L filter of a map of this size, m: a sixth of its shorter side to two digits.
+pub fn long_filter(size: [f64; 2]) -> f64 {
+    let sixth = size[0].min(size[1]) / 6.0;
+    format!("{sixth:.1e}").parse().unwrap_or(sixth)
+}
+
 /// Filters as long as any that a fit tries.
-fn long_filter(points: [usize; 2], pixel: [f64; 2]) -> Option<Filter> {
+fn longest_filters(points: [usize; 2], pixel: [f64; 2]) -> Option<Filter> {
     const SHORT_PIXELS: f64 = 4.0;
     let side = [0, 1].map(|axis| points[axis] as f64 * pixel[axis]);
     Filter::new(Some(SHORT_PIXELS * pixel[0].max(pixel[1])), Some(side[0].min(side[1]) / 6.0)).ok()
