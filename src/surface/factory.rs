@@ -16,7 +16,7 @@ use asperity_contact_framework::report::format::{input_quantity, quantity};
 use super::files::Files;
 use super::fit::{self, as_written};
 use super::fitness;
-use super::plan::{Origin, SurfacePlan};
+use super::plan::{self, Origin, SurfacePlan};
 use super::read_error::{list_message, spec_message};
 use super::spec::DrawSpec;
 use asperity::surface::{AnalysisDepth, Fit, Independence};
@@ -111,6 +111,7 @@ impl<'a> SurfaceFactory<'a> {
             depth: AnalysisDepth::Asperities,
             divides: true,
             correlation,
+            spikes: None,
             keeps_map: false,
             progress: &Silent,
         };
@@ -129,6 +130,7 @@ impl<'a> SurfaceFactory<'a> {
             depth: AnalysisDepth::Asperities,
             divides: true,
             correlation: facts.correlation,
+            spikes: None,
             keeps_map: false,
             progress: &Silent,
         };
@@ -229,6 +231,7 @@ impl<'a> SurfaceFactory<'a> {
                     depth,
                     divides: self.divides(depth),
                     correlation: None,
+                    spikes: None,
                     keeps_map: self.keeps_map,
                     progress: self.progress,
                 };
@@ -251,7 +254,8 @@ impl<'a> SurfaceFactory<'a> {
                 let fit = match map.fit {
                     Some(kept) => {
                         let found = Fit::new(&*rows, map.preparation, kept, depth, self.progress);
-                        Some(found.map_err(|error| refuse(&no_asperities(&error, map.preparation.filter)))?)
+                        let filter = map.preparation.filter;
+                        Some(found.map_err(|error| refuse(&no_asperities(&error, map.size(), filter)))?)
                     }
                     None => None,
                 };
@@ -264,13 +268,15 @@ impl<'a> SurfaceFactory<'a> {
                     depth,
                     divides: self.divides(depth),
                     correlation: None,
+                    spikes: fit.as_ref().map(|fit| &fit.spikes),
                     keeps_map: self.keeps_map,
                     progress: self.progress,
                 };
-                let mut surface = found(name, &search, &*rows, timing)
-                    .map_err(|error| refuse(&no_asperities(&error, preparation.filter)))?;
-                surface.warnings.extend(fit.as_ref().map(fit::caveat));
+                let mut surface = timed(name, &search, &*rows, timing)
+                    .map_err(|error| refuse(&no_asperities(&error, map.size(), preparation.filter)))?;
                 surface.fit = fit.map(Box::new);
+                surface.warnings = own_warnings(&surface);
+                surface.warnings.extend(surface.fit.as_deref().map(fit::caveat));
                 surface.warnings.extend(map.caveats.iter().cloned());
                 self.raw = Some(rows);
                 Ok(surface)
@@ -305,8 +311,17 @@ fn misplaced(places: [&[f64]; 2], nominal_area: f64) -> Option<String> {
     })
 }
 
-/// Why a map has no asperities, with the S filter as the likely cause where there is one.
-fn no_asperities(error: &NoAsperities, filter: Option<Filter>) -> String {
+/// Why a map of this size (m) has no asperities, with the S filter as the likely cause where there is one.
+fn no_asperities(error: &NoAsperities, size: [f64; 2], filter: Option<Filter>) -> String {
+    if let &NoAsperities::LongFilter { l, kept, wavelength } = error {
+        return format!(
+            "has no roughness left after the L filter of {}: it is shorter than the waves of the map (mean wavelength {}) and leaves \
+             {kept:.0e} of their variance; allowed: a longer one, such as `filter = {{ l = \"{}\" }}` (a sixth of the shorter side), or none",
+            input_quantity(l, "m"),
+            quantity(wavelength, "m"),
+            input_quantity(plan::long_filter(size), "m")
+        );
+    }
     match (error, filter.and_then(|filter| filter.s())) {
         (NoAsperities::Flat | NoAsperities::NoSummit { .. }, Some(s)) => format!(
             "{error}, after the S filter of {}, which removes all shorter waves: write a shorter one, as in `filter = {{ s = \"{}\" }}`, \
@@ -321,26 +336,40 @@ fn no_asperities(error: &NoAsperities, filter: Option<Filter>) -> String {
 /// The ratio is 1.2 for Gaussian heights, and 1.5 for those of machined surfaces.
 const FEW_FLAT_TOPS: f64 = 4.0;
 
-/// The surface of the asperities that are found on a map.
+/// The surface of the asperities that are found on a map, with its warnings.
 fn found(
     name: &str,
     search: &SummitSearch,
     map: &dyn Rows,
     timing: &mut Timing,
 ) -> Result<Surface, NoAsperities> {
+    let surface = timed(name, search, map, timing)?;
+    Ok(Surface { warnings: own_warnings(&surface), ..surface })
+}
+
+/// The same without warnings.
+fn timed(
+    name: &str,
+    search: &SummitSearch,
+    map: &dyn Rows,
+    timing: &mut Timing,
+) -> Result<Surface, NoAsperities> {
     let start = Instant::now();
-    let mut surface = search.surface(name, map)?;
+    let surface = search.surface(name, map)?;
     timing.summits += start.elapsed();
-    if let Some(map) = &surface.map {
-        surface.warnings = fitness::warnings(map);
-        surface.warnings.extend(fitness::failures(map));
-    }
+    Ok(surface)
+}
+
+/// What a reader should know of the map and the asperities of a surface.
+fn own_warnings(surface: &Surface) -> Vec<String> {
+    let mut warnings = surface.map.as_ref().map_or_else(Vec::new, fitness::warnings);
+    warnings.extend(fitness::failures(surface));
     let spread = surface.statistics.mean_radius / surface.statistics.radius_of_mean_curvature;
     if spread > FEW_FLAT_TOPS {
-        surface.warnings.push(format!(
+        warnings.push(format!(
             "the mean radius is {spread:.1} times the radius of the mean curvature: it is dominated by a few nearly flat summits. \
              statistical.mean-radius = \"inverse-mean-curvature\" selects the other mean.",
         ));
     }
-    Ok(surface)
+    warnings
 }

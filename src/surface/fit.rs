@@ -3,7 +3,7 @@
 use asperity::surface::{Fit, FitStep, NotApplied, Preparation};
 use asperity::topography::Filter;
 use asperity_contact_framework::input::quantity::{Length, Quantity};
-use asperity_contact_framework::report::format::{count, input_quantity, listed, percent};
+use asperity_contact_framework::report::format::{count, input_quantity, listed, number, percent};
 
 use super::fitness;
 
@@ -63,12 +63,32 @@ pub fn caveat(fit: &Fit) -> String {
         .filter(|step| step.not_applied.is_none())
         .filter_map(|step| Some(format!("`{}`", fitness::written(step.remedy?))))
         .collect();
-    let end = if fit.is_fit { "look at the map before and after." } else { "it is not fit with them." };
     match (applied.is_empty(), fit.is_fit) {
         (true, true) => "`fit` found nothing to remedy.".to_owned(),
         (true, false) => "`fit` found no remedy that helps.".to_owned(),
-        (false, _) => format!("its preparation was found by `fit`: {}; {end}", listed(&applied)),
+        (false, true) => format!(
+            "its preparation was found by `fit`: {}; look at the map before and after.",
+            listed(&applied)
+        ),
+        (false, false) => format!(
+            "`fit` applied {}, and the map still fails {}: no verdict may rest on it.",
+            listed(&applied),
+            still_failed(fit)
+        ),
     }
+}
+
+/// The checks for which `fit` found no remedy.
+fn still_failed(fit: &Fit) -> String {
+    let mut names: Vec<String> = Vec::new();
+    for step in fit.steps.iter().filter(|step| step.not_applied.is_some()) {
+        let name = step.before.check.name();
+        if !names.iter().any(|other| other == name) {
+            names.push(name.to_owned());
+        }
+    }
+    let checks = if names.len() == 1 { "the check" } else { "the checks" };
+    format!("{checks} {}", listed(&names))
 }
 
 /// Why a remedy was not applied.
@@ -91,7 +111,14 @@ pub fn reason(step: &FitStep) -> Option<String> {
         }
         NotApplied::FewSummits(summits) => format!("{} summits would be left", count(*summits)),
         NotApplied::NotBetter => "the check does not come out better".to_owned(),
-        NotApplied::StillFails => "the check still fails, with weaker filters too".to_owned(),
+        NotApplied::StillFails => {
+            let other = step.check_after.filter(|worst| worst.measure != step.before.measure);
+            let other = other.map_or_else(String::new, |worst| {
+                let measured = fitness::measured(worst.measure);
+                format!(" ({measured}: {}, allowed {})", number(worst.value), fitness::allowed(&worst))
+            });
+            format!("the check still fails{other}, with weaker filters too")
+        }
         NotApplied::Impossible(why) => format!("the map {why}"),
     })
 }
@@ -99,6 +126,7 @@ pub fn reason(step: &FitStep) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity::surface::FoundSpikes;
     use asperity::topography::Level;
     use asperity::topography::summits::Neighbours;
 
@@ -106,7 +134,13 @@ mod tests {
     fn found_keys_replace_those_of_the_spec() {
         let filter = Filter::new(Some(2.5e-6), Some(8e-5)).ok();
         let preparation = Preparation { level: Level::Cubic, filter, ..Preparation::none(Neighbours::Four) };
-        let fit = Fit { preparation, steps: Vec::new(), is_fit: true, before: None };
+        let fit = Fit {
+            preparation,
+            steps: Vec::new(),
+            is_fit: true,
+            before: None,
+            spikes: FoundSpikes::default(),
+        };
         let spec = "law = \"zmc\"\n[surface.\"a\".file]\npath = \"a.npy\"\nfit = \"auto\"\nfilter = { s = \"2.5 um\" }\n";
         assert_eq!(
             by_hand(spec, &fit),

@@ -17,18 +17,14 @@ pub struct FitStepRow<'a> {
 }
 
 /// Columns of the steps for people.
-pub const STEP: [&str; 7] =
-    ["check", "measured", "remedy", "value_before", "value_after", "result", "reason"];
+pub const STEP: [&str; 8] =
+    ["check", "measured", "remedy", "value_before", "value_after", "allowed", "result", "reason"];
 
 impl<'a> FitStepRow<'a> {
     /// None of a surface whose preparation is prescribed.
     pub fn all(surface: &'a Surface) -> impl Iterator<Item = Self> {
         let steps = surface.fit.iter().flat_map(|fit| &fit.steps);
         steps.zip(1..).map(move |(step, number)| Self { surface, number, step })
-    }
-
-    fn after(&self) -> Option<&Finding> {
-        self.step.after.as_ref()
     }
 
     fn result(&self) -> &'static str {
@@ -53,11 +49,10 @@ impl Row for FitStepRow<'_> {
             measure["text"] = row.step.before.measure.name(), "What it measured.";
             measured["text"] = fitness::measured(row.step.before.measure), "The same in words.";
             remedy["text"] = row.step.remedy.map(fitness::written), "The remedy as a spec has it; empty where no preparation helps.";
-            value_before["1", label("before")] = row.step.before.value, "Value of the check without the remedy.";
-            value_after["1", label("after")] = row.after().map(|finding| finding.value), "Value of the check with it; empty where it was not tried.";
-            measure_after["text"] = row.after().map(|finding| finding.measure.name()), "What the check measured with the remedy: the worst of its measures may be another one.";
-            allowed["text"] = fitness::allowed(&row.step.before), "The values that pass.";
-            passed_after["true/false"] = row.after().map(Finding::has_passed), "Whether the map passes the check with the remedy.";
+            value_before["1", label("before")] = row.step.before.value, "Value of this measure without the remedy.";
+            value_after["1", label("after")] = row.step.after.map(|finding| finding.value), "Value of the same measure with it; empty where it was not tried, and of form where `cubic` leaves none of a higher degree to look for.";
+            allowed["text"] = fitness::allowed(&row.step.before), "The values of this measure that pass.";
+            passed_after["true/false"] = row.step.check_after.as_ref().map(Finding::has_passed), "Whether the map passes the check, all of its measures, with the remedy.";
             sq_after_over_before["1"] = row.step.sq_ratio, "Sq with the remedy over Sq without it.";
             result["text"] = row.result(), "The result: `applied`, `refused`, or `left` where no preparation helps.";
             reason["text"] = fit::reason(row.step), "Why the remedy was not applied.";

@@ -3,7 +3,8 @@
 use asperity::topography::fitness::{Check, Finding, Measure};
 use asperity_contact_framework::report::format::{count, input_quantity, number, percent, quantity};
 
-use asperity::surface::{MOST_SPIKE_POINTS, MapFacts, Remedy, Surface};
+use asperity::surface::{Fit, MOST_SPIKE_POINTS, MapFacts, NotApplied, Remedy, Surface};
+use asperity::topography::HeightPlace;
 use asperity::topography::fitness::LARGEST_FLANKS;
 
 use super::fit::reason;
@@ -44,9 +45,11 @@ pub fn warnings(map: &MapFacts) -> Vec<String> {
 }
 
 /// What keeps a map from carrying a verdict, and the remedy: a sentence for each such check.
-pub fn failures(map: &MapFacts) -> Vec<String> {
+pub fn failures(surface: &Surface) -> Vec<String> {
+    let Some(map) = &surface.map else { return Vec::new() };
     let sentence = |finding: &Finding| {
-        format!("{}: {}. Remedy: {}.", finding.check.name(), fault(finding, map), remedy(finding, map))
+        let remedy = remedy_left(finding, map, surface.fit.as_deref());
+        format!("{}: {}. Remedy: {remedy}.", finding.check.name(), fault(finding, map))
     };
     map.blocking_in_order().into_iter().map(sentence).collect()
 }
@@ -66,15 +69,41 @@ pub fn next_step(surface: &Surface) -> Option<String> {
         1 => "; one more check fails, perhaps of the same fault".to_owned(),
         count => format!("; {count} more checks fail, perhaps of the same fault"),
     };
-    let refused = surface.fit.iter().flat_map(|fit| &fit.steps).find(|step| step.before.check == first.check);
-    let remedy = match refused.and_then(|step| step.remedy.zip(reason(step))) {
-        Some((refused, why)) => format!(
-            "a part of the map without it, or another measurement: `fit` refused `{}`, because {why}",
-            written(refused)
-        ),
-        None => remedy(first, map),
-    };
+    let remedy = remedy_left(first, map, surface.fit.as_deref());
     Some(format!("{remedy}{fit} ({}){others}", fault(first, map)))
+}
+
+/// What to do about a failed check, where `fit` may have refused the remedy.
+pub fn remedy_left(finding: &Finding, map: &MapFacts, fit: Option<&Fit>) -> String {
+    let mut steps = fit.into_iter().flat_map(|fit| &fit.steps);
+    let refused = steps.find_map(|step| {
+        let is_refused = step.before.check == finding.check && step.not_applied.is_some();
+        is_refused.then(|| Some((step, step.remedy?, reason(step)?))).flatten()
+    });
+    let Some((step, refused, why)) = refused else { return remedy(finding, map) };
+    if step.not_applied == Some(NotApplied::Kept) {
+        return format!("{}, which `fit` did not apply because {why}", remedy(finding, map));
+    }
+    let instead = match finding.measure {
+        Measure::LengthOverSide => {
+            let [x, y] = larger_sides(finding, map).map(|side| input_quantity(side, "m"));
+            format!("a larger map, at least {x} along x and {y} along y (10 correlation lengths)")
+        }
+        Measure::StepOverDrop => "a measurement with finer height steps".to_owned(),
+        Measure::NoiseGrowth | Measure::GrowthRise => "a measurement with less noise".to_owned(),
+        _ => "a part of the map without it, or another measurement".to_owned(),
+    };
+    format!("{instead}: `fit` refused `{}`, because {why}", written(refused))
+}
+
+/// Sides (m) of a map of the same surface that would hold enough patches, rounded up to two digits.
+fn larger_sides(finding: &Finding, map: &MapFacts) -> [f64; 2] {
+    [0, 1].map(|axis| {
+        let side = map.points[axis] as f64 * map.pixel[axis] * finding.value / finding.threshold();
+        let digit = 10f64.powf(side.log10().floor() - 1.0);
+        let rounded = (side / digit).ceil() * digit;
+        format!("{rounded:.1e}").parse().unwrap_or(rounded)
+    })
 }
 
 /// Whether so many points stand out that they are no single wrong ones.
@@ -99,6 +128,7 @@ pub fn written(remedy: Remedy) -> String {
 /// What a check measures.
 pub fn measured(measure: Measure) -> &'static str {
     match measure {
+        Measure::SharedHeight => "share of the points that have one height exactly",
         Measure::Spikes => "number of spikes",
         Measure::FormShare => "share of the variance in the next higher polynomial",
         Measure::SlopeCorrelation => "correlation of slopes along x and y",
@@ -124,7 +154,9 @@ pub fn measured(measure: Measure) -> &'static str {
 fn value(measure: Measure, value: f64) -> String {
     match measure {
         Measure::Spikes => count(value as usize),
-        Measure::FormShare | Measure::LineOffsets | Measure::Untraced => percent(value),
+        Measure::SharedHeight | Measure::FormShare | Measure::LineOffsets | Measure::Untraced => {
+            percent(value)
+        }
         _ => number(value),
     }
 }
@@ -147,6 +179,7 @@ pub fn allowed(finding: &Finding) -> String {
 fn fault(finding: &Finding, map: &MapFacts) -> String {
     let found = value(finding.measure, finding.value);
     match finding.measure {
+        Measure::SharedHeight => shared_height(&found, map),
         Measure::Spikes => {
             let largest = map.spikes.as_ref().map_or(0.0, |spikes| spikes.left.largest);
             let spikes = if finding.value == 1.0 { "spike" } else { "spikes" };
@@ -216,11 +249,32 @@ fn fault(finding: &Finding, map: &MapFacts) -> String {
     }
 }
 
+/// What heights are equal, and probably why.
+fn shared_height(share: &str, map: &MapFacts) -> String {
+    let Some(shared) = map.quantisation.and_then(|steps| steps.shared) else {
+        return format!("{share} of the points have one height exactly");
+    };
+    let points = count(shared.points);
+    let height = quantity(shared.height + map.offset, "m");
+    let (which, why) = match shared.place {
+        HeightPlace::Highest => {
+            (", the largest", "the instrument was saturated there, or the tops were cut off")
+        }
+        HeightPlace::Lowest => (
+            ", the smallest",
+            "the instrument was saturated there, or missing points were written as this number",
+        ),
+        HeightPlace::Between => ("", "missing points were written as this number"),
+    };
+    format!("{points} points ({share}) have exactly the height {height}{which}: {why}")
+}
+
 /// What to do about a failed check, in the keys of a spec where there is one.
 pub fn remedy(finding: &Finding, map: &MapFacts) -> String {
     let key = Remedy::new(finding, map).map(|remedy| format!("`{}`", written(remedy)));
     let key = || key.clone().unwrap_or_default();
     match finding.measure {
+        Measure::SharedHeight => shared_height_remedy(map),
         Measure::Spikes if map.spikes.as_ref().is_some_and(|spikes| spikes.removed > 0) => {
             "a part of the map without them, or a new measurement: with those that are removed already, they are more than single \
              wrong points"
@@ -239,8 +293,8 @@ pub fn remedy(finding: &Finding, map: &MapFacts) -> String {
             "a new measurement, or a part without such lines: aligning whole lines leaves offsets of parts".to_owned()
         }
         Measure::LineOffsets if !map.offsets.unwrap_or_default().can_be_aligned() => format!(
-            "none by aligning lines, which would take out {} of the variance: these look like grooves or form, not offsets. Remove the \
-             form first, or measure again",
+            "remove the form first, or measure again; do not align the lines, which would take out {} of the variance: they look like grooves \
+             or form rather than offsets",
             percent(map.offsets.unwrap_or_default().aligned_variance())
         ),
         Measure::LineOffsets => key(),
@@ -276,5 +330,24 @@ pub fn remedy(finding: &Finding, map: &MapFacts) -> String {
                 .to_owned()
         }
         Measure::Slope => "the models and boundary elements leave out terms of second order in the slope".to_owned(),
+    }
+}
+
+/// What to do about heights that are equal.
+fn shared_height_remedy(map: &MapFacts) -> String {
+    let shared = map.quantisation.and_then(|steps| steps.shared);
+    // With all digits: marks are compared exactly.
+    let mark = match shared.map(|shared| shared.height + map.offset) {
+        Some(0.0) | None => "`missing = 0`".to_owned(),
+        Some(height) => {
+            format!("`missing = {height:e}` (of heights in metres; else this height in the unit of the file)")
+        }
+    };
+    match shared.map(|shared| shared.place) {
+        Some(HeightPlace::Highest) => format!(
+            "a measurement whose range holds the highest points, which carry the load, or {mark}, if these points are missing ones"
+        ),
+        Some(HeightPlace::Lowest) => format!("{mark}, or a measurement whose range holds the deepest points"),
+        Some(HeightPlace::Between) | None => mark,
     }
 }

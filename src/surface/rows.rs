@@ -408,7 +408,8 @@ impl<'a> FitnessRow<'a> {
     }
 
     fn remedy(&self) -> Option<String> {
-        (!self.finding.has_passed()).then(|| fitness::remedy(self.finding, self.map))
+        let fit = self.surface.fit.as_deref();
+        (!self.finding.has_passed()).then(|| fitness::remedy_left(self.finding, self.map, fit))
     }
 }
 

@@ -280,6 +280,89 @@ fn the_next_step_names_the_fit_where_it_helps() {
     );
 }
 
+/// Where `fit` refused an L filter the waves belong to the surface: the next step is a larger map, of a size, in all places that
+/// name a remedy.
+#[test]
+fn waves_that_belong_to_the_surface_need_a_larger_map() {
+    let folder = tempfile::tempdir().unwrap();
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    std::fs::copy(root.join("experiments/surfaces/unfit/di-4.npy"), folder.path().join("di.npy")).unwrap();
+    let maps =
+        [("di", "di.npy", "fit = \"auto\"\noutliers = \"remove\"\nlevel = \"cubic\"\nalign-lines = \"x\"")];
+    let results: CompareResults = crate::downcast(run(folder.path(), "robustness = false", &maps));
+    let surface = &results.surfaces[0].surface;
+    let finding = surface.fitness().iter().find(|finding| finding.check == Check::LongWaves).unwrap();
+    assert!(finding.is_blocking(), "{finding:?}");
+    let side = 512e-6 * finding.value / 0.1;
+    let warning = surface.warnings.iter().find(|warning| warning.starts_with("long-waves")).unwrap();
+    let (_, stated) = warning.split_once("Remedy: a larger map, at least ").unwrap();
+    let (x, rest) = stated.split_once(" µm along x and ").unwrap();
+    let stated = 1e-6 * x.parse::<f64>().unwrap();
+    assert!(stated >= 0.999 * side && stated < 1.1 * side, "{stated} {side}");
+    assert!(rest.starts_with(x) && rest.contains("`fit` refused `filter = { l = "), "{rest}");
+    assert!(!warning.contains("part of the map") && !warning.contains("or an L filter"), "{warning}");
+    let blocking: Vec<Check> = failed(&results.surfaces[0]);
+    if blocking == [Check::LongWaves] {
+        let step = asperity_experiment::surface::fitness::next_step(surface).unwrap();
+        assert!(step.starts_with("a larger map, at least "), "{step}");
+    }
+    let fitted = surface.warnings.iter().find(|warning| warning.starts_with("`fit`")).unwrap();
+    assert!(fitted.contains("long-waves") && fitted.contains("no verdict may rest on it"), "{fitted}");
+}
+
+/// Heights cut off at the top, or missing points written as 0, block the verdict and are named; heights on steps, and measured
+/// surfaces, have no such height.
+#[test]
+fn heights_that_many_points_share_block_and_are_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let base = good(8.0);
+    let at = |i: usize, j: usize| base[i * SIDE + j];
+    write(folder.path(), "clipped.npy", |i, j| at(i, j).min(2e-7));
+    write(folder.path(), "filled.npy", |i, j| {
+        if (100..160).contains(&i) && (200..260).contains(&j) { 0.0 } else { at(i, j) }
+    });
+    write(folder.path(), "stepped.npy", |i, j| (at(i, j) / 4e-9).round() * 4e-9);
+    let mut maps = vec![
+        ("clipped", "clipped.npy", ""),
+        ("filled", "filled.npy", ""),
+        ("marked", "filled.npy", "missing = 0"),
+        ("stepped", "stepped.npy", ""),
+        ("good", "filled.npy", "missing = 0\nfit = \"auto\""),
+    ];
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("experiments/surfaces");
+    let measured = ["al3d-1", "opd-1", "plu-1", "unfit/bcrf-1", "unfit/mi-1", "unfit/sur-2", "unfit/tmd-1"];
+    let names: Vec<String> =
+        measured.iter().map(|name| format!("{}.npy", root.join(name).display())).collect();
+    let plain: Vec<String> = measured.iter().map(|name| name.replace('/', "-")).collect();
+    maps.extend(plain.iter().zip(&names).map(|(name, path)| (name.as_str(), path.as_str(), "")));
+    let results: CompareResults = crate::downcast(run(folder.path(), "robustness = false", &maps));
+    let of = |name: &str| results.surfaces.iter().find(|found| found.surface.name == name).unwrap();
+    let next = |name: &str| asperity_experiment::surface::fitness::next_step(&of(name).surface).unwrap();
+    for name in ["clipped", "filled"] {
+        assert_eq!(failed(of(name))[0], Check::EqualHeights, "{name}");
+        assert!(of(name).cases[0].verdicts.is_blocked, "{name}");
+    }
+    let clipped = next("clipped");
+    assert!(clipped.starts_with("a measurement whose range holds the highest points"), "{clipped}");
+    assert!(
+        clipped.contains("exactly the height 200 nm, the largest: the instrument was saturated"),
+        "{clipped}"
+    );
+    assert!(clipped.contains("`missing = 2e-7`"), "{clipped}");
+    let filled = next("filled");
+    assert!(
+        filled.starts_with("`missing = 0` (3,600 points (0.879 %) have exactly the height 0 m"),
+        "{filled}"
+    );
+    let others =
+        results.surfaces.iter().filter(|found| !["clipped", "filled"].contains(&&*found.surface.name));
+    for found in others {
+        let fitness = found.surface.fitness();
+        assert!(fitness.iter().all(|finding| finding.check != Check::EqualHeights), "{}", found.surface.name);
+    }
+    assert!(failed(of("marked")).is_empty(), "{:?}", of("marked").surface.fitness());
+}
+
 /// On a measured fine finish the shortest waves decide, on a Gaussian surface that the grid resolves they do not.
 #[test]
 fn a_verdict_that_depends_on_the_cut_off_says_so_and_a_robust_one_does_not() {

@@ -280,7 +280,7 @@ fn maps_of_labs_are_read_from_the_command_line() {
     assert_eq!(size(&map(&name)), [50, 40]);
     let arguments = [&in_nm[..], &["--missing", "-9999", "--transpose"]].concat();
     let (_, error, _, name) = run("pandas.csv", &arguments);
-    assert!(error.contains("without `transpose` they are exchanged"), "{error}");
+    assert!(error.contains("without `--transpose` they are exchanged"), "{error}");
     assert_eq!(size(&map(&name)), [40, 50]);
 
     // A pixel in metres, and the heights of a file in metres read as nanometres.
@@ -344,4 +344,42 @@ fn a_fit_is_told_and_saved_by_its_keys() {
     assert_eq!(auto["surfaces"]["rough"]["sigma_m"], hand["surfaces"]["rough"]["sigma_m"]);
     assert_eq!(auto["results"], hand["results"]);
     assert!(auto["fitness"].as_array().unwrap().iter().all(|check| check["blocks"] == false));
+}
+
+/// Filters that cannot be meant are refused or named, not blamed on units; what the warnings advise are options of the command line.
+#[test]
+fn filters_that_cannot_be_meant_are_named() {
+    use asperity::topography::generate::gaussian;
+    use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
+    let folder = tempfile::tempdir().unwrap();
+    let side = 256;
+    let shape = SpectrumShape::SelfAffine { hurst: 0.8, roll_off: 24.0, cut_off: 12.0 };
+    let spectrum = Spectrum::new(shape, Lay::default()).unwrap().on_grid([side; 2], [1.0; 2]);
+    let mut heights = gaussian(&spectrum, 1e-7, [9; 32]);
+    heights[100 * side + 90] += 3e-6;
+    let file = fs::File::create(folder.path().join("map.npy")).unwrap();
+    asperity::npy::write(file, [side; 2], heights.into_iter()).unwrap();
+    let look = |more: &[&str]| {
+        experiment(
+            &[&["surface", "map.npy", "--pixel", "1 um", "--load", "0.1 N"], more].concat(),
+            folder.path(),
+        )
+    };
+    for (l, words) in [
+        ("1 um", "--l \"1 um\": found an L filter of 1 µm"),
+        ("1 um", "allowed: at least 4 pixels (4 µm), usually a sixth of the shorter side (43 µm)"),
+        ("4 um", "has no roughness left after the L filter of 4 µm: it is shorter than the waves of the map"),
+    ] {
+        let output = look(&["--l", l, "--outliers", "remove"]);
+        assert_eq!(output.status.code(), Some(2), "{l}");
+        let said = text(&output.stderr);
+        assert!(said.contains(words) && !said.contains("different units"), "{said}");
+    }
+    let output = look(&["--s", "0.5 um"]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let said = text(&output.stderr);
+    assert!(said.contains("its S filter of 500 nm has hardly any effect"), "{said}");
+    assert!(said.contains("Remedy: `--outliers remove`") && !said.contains("outliers = "), "{said}");
+    let enough = look(&["--s", "4 um", "--l", "60 um", "--outliers", "remove"]);
+    assert!(!text(&enough.stderr).contains("filter of"), "{}", text(&enough.stderr));
 }

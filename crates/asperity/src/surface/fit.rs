@@ -1,11 +1,13 @@
 //! The preparation that makes a measured map fit: remedies of the failed checks, one after the other.
 
 use super::search::MOST_SPIKE_POINTS;
-use super::{AnalysisDepth, MapFacts, MapOverview, NoAsperities, Preparation, Remedy, SummitSearch};
+use super::{
+    AnalysisDepth, FoundSpikes, MapFacts, MapOverview, NoAsperities, Preparation, Remedy, SummitSearch,
+};
 use crate::HeightMap;
 use crate::progress::Progress;
-use crate::topography::Rows;
 use crate::topography::fitness::Finding;
+use crate::topography::{Rows, Watched};
 
 /// Settings of a preparation that stay as they are, because someone chose them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -64,8 +66,10 @@ pub struct FitStep {
     pub before: Finding,
     /// The remedy; `None` where no preparation helps.
     pub remedy: Option<Remedy>,
-    /// The same check with the remedy, where it was tried.
+    /// The same measure with the remedy, where it was tried and can still be taken: no form is searched beyond a cubic one.
     pub after: Option<Finding>,
+    /// The worst measure of the same check with the remedy, which may be another one.
+    pub check_after: Option<Finding>,
     /// Sq with the remedy over Sq before, where it was tried.
     pub sq_ratio: Option<f64>,
     /// Why the remedy was not applied; `None` where it was.
@@ -91,6 +95,8 @@ pub struct Fit {
     pub steps: Vec<FitStep>,
     /// Whether no check blocks the map so prepared.
     pub is_fit: bool,
+    /// The spikes as this preparation treats them.
+    pub spikes: FoundSpikes,
     /// The map before, with the spikes to mark on it: heights (m) for an image, and places (m).
     pub before: Option<(HeightMap, Vec<[f64; 2]>)>,
 }
@@ -117,10 +123,11 @@ impl Fit {
         depth: AnalysisDepth,
         progress: &dyn Progress,
     ) -> Result<Self, NoAsperities> {
-        let (first, map) = facts(raw, preparation, true, progress)?;
+        let mut analysis = Analysis { raw, progress, spikes: [None, None], trials: 0 };
+        let (first, map) = analysis.facts(preparation, true)?;
         let before =
             map.and_then(|map| MapOverview::image(&map, depth)).map(|map| (map, first.spike_places()));
-        let mut state = State { raw, preparation, facts: first, kept, progress };
+        let mut state = State { analysis, preparation, facts: first, kept };
         let mut steps: Vec<FitStep> = Vec::new();
         let mut refused: Vec<Remedy> = Vec::new();
         for _ in 0..MOST_STEPS {
@@ -148,6 +155,7 @@ impl Fit {
                     before: *finding,
                     remedy: None,
                     after: None,
+                    check_after: None,
                     sq_ratio: None,
                     not_applied: Some(not_applied),
                 }
@@ -159,17 +167,18 @@ impl Fit {
         let is_open =
             |step: &FitStep| state.facts.blocking().any(|finding| finding.check == step.before.check);
         steps.retain(|step| step.not_applied.is_none() || is_open(step));
-        Ok(Self { preparation: state.preparation, steps, is_fit, before })
+        let spikes =
+            state.analysis.spikes[usize::from(state.preparation.removes_spikes)].take().unwrap_or_default();
+        Ok(Self { preparation: state.preparation, steps, is_fit, spikes, before })
     }
 }
 
 /// A map under preparation.
 struct State<'a> {
-    raw: &'a dyn Rows,
+    analysis: Analysis<'a>,
     preparation: Preparation,
     facts: MapFacts,
     kept: Kept,
-    progress: &'a dyn Progress,
 }
 
 impl State<'_> {
@@ -189,6 +198,12 @@ impl State<'_> {
         self.facts.spikes.as_ref().is_some_and(|spikes| spikes.left.count() > 0 && spikes.removed == 0)
     }
 
+    /// Share of the points that are those of spikes.
+    fn share_of_spikes(&self) -> f64 {
+        let points = self.facts.spikes.as_ref().map_or(0, |spikes| spikes.left.points.len());
+        points as f64 / (self.facts.points[0] * self.facts.points[1]) as f64
+    }
+
     /// Tries a remedy, and keeps it unless it is refused. Of filters the gentlest is kept that remedies the fault.
     fn step(&mut self, before: Finding, remedy: Remedy) -> FitStep {
         let mut last = None;
@@ -204,6 +219,7 @@ impl State<'_> {
             before,
             remedy: Some(remedy),
             after: None,
+            check_after: None,
             sq_ratio: None,
             not_applied: Some(NotApplied::NoRemedy),
         };
@@ -211,31 +227,38 @@ impl State<'_> {
     }
 
     fn try_one(&mut self, before: Finding, remedy: Remedy) -> FitStep {
-        let step = |after, sq_ratio, not_applied| FitStep {
+        let refused = |reason| FitStep {
             before,
             remedy: Some(remedy),
-            after,
-            sq_ratio,
-            not_applied,
+            after: None,
+            check_after: None,
+            sq_ratio: None,
+            not_applied: Some(reason),
         };
         if self.kept.forbids(remedy) {
-            return step(None, None, Some(NotApplied::Kept));
+            return refused(NotApplied::Kept);
+        }
+        // So many would be removed that nothing else of the map matters.
+        let share = self.share_of_spikes();
+        if remedy == Remedy::RemoveSpikes && share > MOST_SPIKE_POINTS {
+            return refused(NotApplied::ManyPoints(share));
         }
         let tried = remedy
             .applied(self.preparation)
             .map_err(NoAsperities::from)
-            .and_then(|preparation| Ok((preparation, facts(self.raw, preparation, false, self.progress)?.0)));
+            .and_then(|preparation| Ok((preparation, self.analysis.facts(preparation, false)?.0)));
         let (preparation, facts) = match tried {
             Ok(tried) => tried,
-            Err(error) => return step(None, None, Some(NotApplied::Impossible(error.to_string()))),
+            Err(error) => return refused(NotApplied::Impossible(error.to_string())),
         };
-        let after = facts.fitness.iter().find(|finding| finding.check == before.check).copied();
+        let check_after = facts.fitness.iter().find(|finding| finding.check == before.check).copied();
+        let after = facts.measures.iter().find(|finding| finding.measure == before.measure).copied();
         let sq_ratio = facts.roughness.moments.sq / self.facts.roughness.moments.sq;
-        let not_applied = self.why_not(remedy, &facts, &before, after.as_ref(), sq_ratio);
+        let not_applied = self.why_not(remedy, &facts, &before, check_after.as_ref(), sq_ratio);
         if not_applied.is_none() {
             (self.preparation, self.facts) = (preparation, facts);
         }
-        step(after, Some(sq_ratio), not_applied)
+        FitStep { before, remedy: Some(remedy), after, check_after, sq_ratio: Some(sq_ratio), not_applied }
     }
 
     fn why_not(
@@ -272,16 +295,49 @@ impl State<'_> {
     }
 }
 
-/// What is known of the map so prepared, and the map itself where it is kept.
-fn facts(
-    raw: &dyn Rows,
-    preparation: Preparation,
-    keeps_map: bool,
-    progress: &dyn Progress,
-) -> Result<(MapFacts, Option<HeightMap>), NoAsperities> {
-    let search = SummitSearch { divides: false, keeps_map, progress, ..SummitSearch::new(preparation) };
-    let (facts, prepared) = search.facts_and_map(raw)?;
-    Ok((facts, prepared.map(|prepared| prepared.map)))
+/// Analyses a map under one preparation after the other.
+struct Analysis<'a> {
+    raw: &'a dyn Rows,
+    progress: &'a dyn Progress,
+    /// The spikes where they are kept and where they are removed: no other setting changes them.
+    spikes: [Option<FoundSpikes>; 2],
+    /// Number of preparations that were tried.
+    trials: usize,
+}
+
+impl Analysis<'_> {
+    /// What is known of the map so prepared, and the map itself where it is kept.
+    fn facts(
+        &mut self,
+        preparation: Preparation,
+        keeps_map: bool,
+    ) -> Result<(MapFacts, Option<HeightMap>), NoAsperities> {
+        self.trials += 1;
+        let progress = &Trial { number: self.trials, progress: self.progress };
+        let search = SummitSearch { divides: false, keeps_map, progress, ..SummitSearch::new(preparation) };
+        let raw = self.raw;
+        let spikes = self.spikes[usize::from(preparation.removes_spikes)]
+            .get_or_insert_with(|| search.spikes(&Watched { map: raw, progress }));
+        let (facts, prepared) = SummitSearch { spikes: Some(spikes), ..search }.facts_and_map(raw)?;
+        Ok((facts, prepared.map(|prepared| prepared.map)))
+    }
+}
+
+/// The progress of one trial, whose stages are those of any other one.
+struct Trial<'a> {
+    /// From 1.
+    number: usize,
+    progress: &'a dyn Progress,
+}
+
+impl Progress for Trial<'_> {
+    fn stage(&self, name: &str, total: f64) {
+        self.progress.stage(&format!("fit, trial {}: {name}", self.number), total);
+    }
+
+    fn advance(&self, work: f64) {
+        self.progress.advance(work);
+    }
 }
 
 #[cfg(test)]
@@ -289,7 +345,7 @@ mod tests {
     use super::*;
     use crate::progress::Silent;
     use crate::topography::Level;
-    use crate::topography::fitness::Check;
+    use crate::topography::fitness::{Check, Measure};
     use crate::topography::generate::gaussian;
     use crate::topography::spectrum::{Lay, Spectrum, SpectrumShape};
     use crate::topography::summits::Neighbours;
@@ -371,6 +427,46 @@ mod tests {
             found.steps
         );
         assert!(!found.preparation.removes_spikes);
+    }
+
+    /// A step compares one measure before and after, also where another one of the check is the worst afterwards.
+    #[test]
+    fn a_step_has_the_same_measure_before_and_after() {
+        let mut state = 1_u32;
+        let noise: Vec<f64> = (0..SIDE * SIDE)
+            .map(|_| {
+                state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+                0.03 * (f64::from(state >> 8) / f64::from(1 << 24) - 0.5)
+            })
+            .collect();
+        let found = fit(&map(|i, j| noise[i * SIDE + j]), Kept::default());
+        let step = found.steps.iter().find(|step| step.before.check == Check::FinePixel).unwrap();
+        let [after, worst] = [step.after.unwrap(), step.check_after.unwrap()];
+        assert_eq!((step.before.measure, after.measure), (Measure::GrowthRise, Measure::GrowthRise));
+        assert_eq!(worst.measure, Measure::NoiseGrowth);
+        assert!(after.value < 0.1 && step.before.value > 0.1 && step.not_applied.is_none(), "{step:?}");
+    }
+
+    /// Whoever watches sees no stage begin twice, and the spikes of the map searched once.
+    #[test]
+    fn no_stage_begins_twice() {
+        struct Stages(std::sync::Mutex<Vec<String>>);
+        impl Progress for Stages {
+            fn stage(&self, name: &str, _total: f64) {
+                self.0.lock().unwrap().push(name.to_owned());
+            }
+        }
+        let stages = Stages(Vec::new().into());
+        let many = |i: usize, j: usize| if i % 4 + j % 4 == 0 { 5.0 } else { 0.3 * (j as f64 / 33.0).sin() };
+        let preparation = Preparation { level: Level::Plane, ..Preparation::none(Neighbours::Four) };
+        let found =
+            Fit::new(&map(many), preparation, Kept::default(), AnalysisDepth::Comparison, &stages).unwrap();
+        assert!(!found.is_fit && found.steps.len() > 1, "{:?}", found.steps);
+        let stages = stages.0.into_inner().unwrap();
+        let is_again = |k: usize| stages[..k].contains(&stages[k]);
+        assert_eq!((0..stages.len()).find(|&k| is_again(k)), None, "{stages:?}");
+        assert_eq!(stages.iter().filter(|stage| stage.contains("spikes")).count(), 1, "{stages:?}");
+        assert!(stages.iter().any(|stage| stage == "fit, trial 2: levelling"), "{stages:?}");
     }
 
     #[test]

@@ -14,7 +14,7 @@ pub use fit::{Fit, FitStep, Kept, NotApplied};
 pub use independence::{Independence, MapBlocks};
 pub use overview::{AnalysisDepth, MOST_ANALYSED_POINTS, MapOverview};
 pub use remedy::Remedy;
-pub use search::{MOST_SPIKE_POINTS, NoAsperities, Preparation, SummitSearch};
+pub use search::{FoundSpikes, MOST_SPIKE_POINTS, NoAsperities, Preparation, SummitSearch};
 
 use crate::compare::Division;
 use crate::distribution::{HeightModel, HeightsError};
@@ -118,8 +118,10 @@ pub struct MapFacts {
     pub tip: Option<TipFacts>,
     /// Of a measured map that was checked, the offsets between its lines.
     pub offsets: Option<LineOffsets>,
-    /// Whether it may carry a verdict, check by check; empty where nothing was checked.
+    /// Whether it may carry a verdict: of each check the worst of its measures; empty where nothing was checked.
     pub fitness: Vec<Finding>,
+    /// Every measure of these checks.
+    pub measures: Vec<Finding>,
     /// Its correlation lengths, where they were needed.
     pub correlation: Option<CorrelationLengths>,
     /// Of a random surface, what it was made by.

@@ -63,7 +63,8 @@ impl Remedy {
             Measure::StepOverDrop | Measure::CurvatureGrowth => Some(short(STEPS)),
             Measure::NoiseGrowth | Measure::GrowthRise => Some(short(NOISE)),
             Measure::LengthOverSide => Some(long()),
-            Measure::SlopeCorrelation
+            Measure::SharedHeight
+            | Measure::SlopeCorrelation
             | Measure::AspectRatio
             | Measure::DensityOverTheory
             | Measure::CurvatureOverTheory
@@ -117,12 +118,13 @@ impl Remedy {
 
 impl MapFacts {
     /// The checks that failed so that no verdict may rest on the map, in the order in which their faults are remedied: units first,
-    /// which change everything; spikes, which raise slopes and noise; lines and form, unless aligning the lines would take out
+    /// which change everything; heights that are wrong; spikes, which raise slopes and noise; lines and form, unless aligning the lines would take out
     /// form; then filters. Steep slopes come last: spikes and noise may be their cause.
     pub fn blocking_in_order(&self) -> Vec<&Finding> {
         let can_be_aligned = self.offsets.unwrap_or_default().can_be_aligned();
         let rank = |finding: &&Finding| match finding.check {
             _ if finding.is_of_units() => 0,
+            Check::EqualHeights => 1,
             Check::Spikes => 1,
             Check::Lines if can_be_aligned => 2,
             Check::Form => 3,

@@ -31,6 +31,19 @@ pub enum NoAsperities {
     /// A map that is flat once it is levelled.
     #[error("has no summit: once levelled it is flat to the rounding of its heights")]
     Flat,
+    /// An L filter that removes the roughness.
+    #[error(
+        "keeps {kept:.1e} of the variance of its heights after an L filter of {l:.4e} m, which is shorter than its waves (mean \
+             wavelength {wavelength:.4e} m); allowed: a longer L filter, or none"
+    )]
+    LongFilter {
+        /// The L nesting index, m.
+        l: f64,
+        /// Share of the variance of heights that is left.
+        kept: f64,
+        /// Mean wavelength of the map before the filter, by slopes and curvatures, m.
+        wavelength: f64,
+    },
     /// No tested point is higher than its neighbours.
     #[error("has no summit: none of its {tested} tested points is higher than its neighbours")]
     NoSummit {
@@ -102,10 +115,21 @@ pub struct SummitSearch<'a> {
     pub divides: bool,
     /// Correlation lengths of the heights, where they are known already.
     pub correlation: Option<CorrelationLengths>,
+    /// The spikes of a measured map, where they are known already: of the same map and the same removal of spikes, and without suspects.
+    pub spikes: Option<&'a FoundSpikes>,
     /// Whether the prepared map is kept.
     pub keeps_map: bool,
     /// Whoever watches.
     pub progress: &'a dyn Progress,
+}
+
+/// The spikes of a measured map as one preparation treats them.
+#[derive(Debug, Clone, Default)]
+pub struct FoundSpikes {
+    /// Points that are removed as spikes, ascending.
+    removed: Vec<usize>,
+    /// The spikes that are left; `None` where they are not searched.
+    left: Option<Spikes>,
 }
 
 /// What is found on a map.
@@ -138,6 +162,7 @@ impl SummitSearch<'_> {
             depth: AnalysisDepth::Comparison,
             divides: true,
             correlation: None,
+            spikes: None,
             keeps_map: false,
             progress: &Silent,
         }
@@ -191,7 +216,8 @@ impl SummitSearch<'_> {
         let halves = Window::halves(raw);
         let raw: &dyn Rows = self.preparation.half.map_or(raw, |half| &halves[half]);
         let is_checked = self.depth != AnalysisDepth::Asperities;
-        let (removed, left) = if self.generation.is_none() { self.spikes(raw) } else { (Vec::new(), None) };
+        let FoundSpikes { removed, left } =
+            if self.generation.is_none() { self.spikes(raw) } else { FoundSpikes::default() };
         let without = Without { map: raw, points: &removed };
         let aligned = self.preparation.aligned.map(|lines| AlignedLines::new(&without, lines));
         let cleaned: &dyn Rows = aligned.as_ref().map_or(&without as &dyn Rows, |aligned| aligned);
@@ -213,6 +239,9 @@ impl SummitSearch<'_> {
         let map: &dyn Rows = &Watched { map, progress };
         progress.stage("roughness parameters", 2.0);
         let roughness = RoughnessParameters::new(map);
+        if is_checked && self.generation.is_none() {
+            self.check_long_filter(&levelled, &roughness)?;
+        }
         if roughness.moments.sq <= levelled.form.magnitude() * raw.precision().max(f64::EPSILON) {
             return Err(NoAsperities::Flat);
         }
@@ -265,7 +294,8 @@ impl SummitSearch<'_> {
         if is_checked {
             progress.stage("fitness checks", 4.0);
             facts.offsets = facts.spikes.is_some().then(|| LineOffsets::new(map));
-            facts.fitness = fitness(map, &facts, &summits, aspect);
+            facts.measures = measures(map, &facts, &summits, aspect);
+            facts.fitness = Finding::worst_of_each(&facts.measures);
         }
         let prepared = self.keeps_map.then(|| {
             progress.stage("copying the map", 1.0);
@@ -281,13 +311,35 @@ impl SummitSearch<'_> {
         Ok(SearchedMap { set: set.with_ellipses(ellipses)?, facts, independence, halves, small, prepared })
     }
 
-    /// The points of a measured map that are removed as spikes, ascending, and the spikes that are left; `None` where they are not
-    /// searched.
-    fn spikes(&self, raw: &dyn Rows) -> (Vec<usize>, Option<Spikes>) {
+    /// Refuses an L filter that removes the waves of the `levelled` map.
+    fn check_long_filter(
+        &self,
+        levelled: &dyn Rows,
+        filtered: &RoughnessParameters,
+    ) -> Result<(), NoAsperities> {
+        /// Share of the variance of heights that a filter leaves of a surface with form.
+        const LEAST_KEPT: f64 = 0.01;
+        let Some(l) = self.preparation.filter.and_then(|filter| filter.l()) else { return Ok(()) };
+        let before = RoughnessParameters::new(levelled);
+        let [_, m2, m4] = before.spectral_moments();
+        let wavelength = std::f64::consts::TAU * (m2 / m4).sqrt();
+        let kept = (filtered.moments.sq / before.moments.sq).powi(2);
+        // Form may be nearly all of the variance, but hardly adds to slopes.
+        if kept < LEAST_KEPT && l < wavelength {
+            return Err(NoAsperities::LongFilter { l, kept, wavelength });
+        }
+        Ok(())
+    }
+
+    /// The spikes of a measured map.
+    pub(super) fn spikes(&self, raw: &dyn Rows) -> FoundSpikes {
         let Preparation { removes_spikes, removes_suspects, .. } = self.preparation;
         let mut removed = Vec::new();
         if self.depth == AnalysisDepth::Asperities && !removes_spikes && !removes_suspects {
-            return (removed, None);
+            return FoundSpikes::default();
+        }
+        if let Some(known) = self.spikes {
+            return known.clone();
         }
         self.progress.stage("spikes", 2.0);
         let mut left = Spikes::find(raw);
@@ -300,13 +352,14 @@ impl SummitSearch<'_> {
             }
             removed.append(&mut left.points);
             removed.sort_unstable();
+            self.progress.stage(&format!("spikes, pass {}", pass + 2), 2.0);
             left = Spikes::find(&Without { map: raw, points: &removed });
         }
         if removes_suspects {
             removed.append(&mut left.suspects);
             removed.sort_unstable();
         }
-        (removed, Some(left))
+        FoundSpikes { removed, left: Some(left) }
     }
 
     fn facts(
@@ -339,6 +392,7 @@ impl SummitSearch<'_> {
             quantisation: is_checked.then(|| Quantisation::new(raw, summits, filter.is_some())),
             spikes,
             fitness: Vec::new(),
+            measures: Vec::new(),
             offsets: None,
             tip: None,
             correlation: None,
@@ -354,8 +408,8 @@ impl SummitSearch<'_> {
     }
 }
 
-/// The checks of a map that was searched.
-fn fitness(map: &dyn Rows, facts: &MapFacts, summits: &Summits, aspect: Option<f64>) -> Vec<Finding> {
+/// The measures of the checks of a map that was searched.
+fn measures(map: &dyn Rows, facts: &MapFacts, summits: &Summits, aspect: Option<f64>) -> Vec<Finding> {
     let [dx, dy] = facts.pixel;
     let count = summits.curvatures.len() as f64;
     let examined = Examined {
@@ -369,6 +423,7 @@ fn fitness(map: &dyn Rows, facts: &MapFacts, summits: &Summits, aspect: Option<f
         aspect,
     };
     let measured = facts.spikes.as_ref().zip(facts.quantisation).map(|(spikes, quantisation)| Measured {
+        shared_height: quantisation.shared.map(|shared| shared.share),
         spikes: spikes.left.count(),
         offsets: facts.offsets.unwrap_or_default(),
         step_over_drop: step_over_drop(map, &quantisation, facts.filter.as_ref()),
@@ -424,6 +479,7 @@ mod tests {
             depth: AnalysisDepth::Everything,
             divides: false,
             correlation: None,
+            spikes: None,
             keeps_map: false,
             progress: &Silent,
         };
@@ -468,6 +524,7 @@ mod tests {
                 depth: AnalysisDepth::Asperities,
                 divides: false,
                 correlation: None,
+                spikes: None,
                 keeps_map: false,
                 progress: &Silent,
             }

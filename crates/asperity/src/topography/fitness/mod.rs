@@ -14,7 +14,7 @@ pub use spikes::{Spikes, Without};
 pub use steps::step_over_drop;
 
 use super::theory::Expected;
-use super::{CorrelationLengths, Level, Levelled, Moments, RoughnessParameters, Rows};
+use super::{CorrelationLengths, Level, Levelled, Moments, RoughnessParameters, Rows, SHARED};
 use crate::named_enum;
 
 /// The standard deviation of a Gaussian variable over the median of its magnitude.
@@ -24,6 +24,9 @@ named_enum! {
     /// What is checked.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum Check {
+        /// Points that have one height exactly: of a saturated instrument, or missing ones that were written as a number. Only on maps that have
+        /// them.
+        EqualHeights = "equal-heights",
         /// Points that the instrument got wrong.
         Spikes = "spikes",
         /// Form that levelling leaves.
@@ -50,6 +53,8 @@ named_enum! {
 /// The number that a check compares with its threshold.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Measure {
+    /// Share of the points that have one height exactly, far more than have those next to it.
+    SharedHeight,
     /// Number of spikes.
     Spikes,
     /// Share of the variance of heights that the next higher polynomial explains.
@@ -90,6 +95,7 @@ impl Measure {
     /// The name in tables and summaries.
     pub const fn name(self) -> &'static str {
         match self {
+            Self::SharedHeight => "shared-height-share",
             Self::Spikes => "spikes",
             Self::FormShare => "form-share-of-variance",
             Self::SlopeCorrelation => "slope-correlation",
@@ -111,6 +117,8 @@ impl Measure {
     const fn limit(self) -> Limit {
         use Limit::{AtLeast, AtMost, Factor};
         match self {
+            // One in a thousand; a height stands out by ten times as many points as those next to it have.
+            Self::SharedHeight => AtMost(SHARED),
             // One is enough to carry the load.
             Self::Spikes => AtMost(0.0),
             // sigma is then 5 % too large. Random surfaces with a correlation length of 0.04 of the side have up to 0.02, of 0.12
@@ -248,11 +256,12 @@ impl Finding {
         }
     }
 
-    /// The worst of several measures of one check.
-    fn worst(check: Check, measures: impl IntoIterator<Item = (Measure, Option<f64>)>) -> Option<Self> {
-        let of = |(measure, value): (Measure, Option<f64>)| Some(Self { check, measure, value: value? });
-        let findings = measures.into_iter().filter_map(of).filter(|finding| !finding.value.is_nan());
-        findings.max_by(|a, b| a.excess().total_cmp(&b.excess()))
+    /// The worst one of each check, in order.
+    pub fn worst_of_each(findings: &[Self]) -> Vec<Self> {
+        let of_check = findings.chunk_by(|a, b| a.check == b.check);
+        of_check
+            .filter_map(|of| of.iter().copied().max_by(|a, b| a.excess().total_cmp(&b.excess())))
+            .collect()
     }
 }
 
@@ -278,6 +287,8 @@ pub struct Examined<'a> {
 
 /// What only a measured map has.
 pub struct Measured {
+    /// Share of the points that have one height exactly, where one stands out by them.
+    pub shared_height: Option<f64>,
     /// Number of spikes in the map as read.
     pub spikes: usize,
     /// Offsets between its lines.
@@ -289,28 +300,33 @@ pub struct Measured {
 }
 
 impl Examined<'_> {
-    /// All checks of a map; those of an instrument's faults only where it was `measured`.
+    /// Every measure of every check of a map, check by check; those of an instrument's faults only where it was `measured`.
     pub fn findings(&self, measured: Option<&Measured>) -> Vec<Finding> {
         let growth = CurvatureGrowth::new(&Without { map: self.map, points: self.spikes });
         let at_pixel = growth.map(|growth| growth.at_pixel);
-        let worst =
-            |check, measures: &[(Measure, Option<f64>)]| Finding::worst(check, measures.iter().copied());
+        let of_check = |check, measures: &[(Measure, Option<f64>)]| {
+            let of =
+                |&(measure, value): &(Measure, Option<f64>)| Some(Finding { check, measure, value: value? });
+            let known = measures.iter().filter_map(of).filter(|finding| !finding.value.is_nan());
+            known.collect::<Vec<Finding>>()
+        };
         let mut all = Vec::new();
         if let Some(measured) = measured {
-            all.extend(worst(Check::Spikes, &[(Measure::Spikes, Some(measured.spikes as f64))]));
-            all.extend(worst(Check::Form, &[(Measure::FormShare, self.form_share())]));
+            all.extend(of_check(Check::EqualHeights, &[(Measure::SharedHeight, measured.shared_height)]));
+            all.extend(of_check(Check::Spikes, &[(Measure::Spikes, Some(measured.spikes as f64))]));
+            all.extend(of_check(Check::Form, &[(Measure::FormShare, self.form_share())]));
         }
         // Eight neighbours find far fewer false summits on ridges, but still several times too many.
         let slopes = Some(self.roughness.drops.slope_correlation());
-        all.extend(worst(
+        all.extend(of_check(
             Check::Lay,
             &[(Measure::SlopeCorrelation, slopes), (Measure::AspectRatio, self.aspect)],
         ));
         if let Some(measured) = measured {
             let offsets = measured.offsets.largest();
-            all.extend(worst(Check::Lines, &[(Measure::LineOffsets, Some(offsets))]));
+            all.extend(of_check(Check::Lines, &[(Measure::LineOffsets, Some(offsets))]));
             let step = Some(measured.step_over_drop.unwrap_or_default());
-            all.extend(worst(Check::Steps, &[(Measure::StepOverDrop, step)]));
+            all.extend(of_check(Check::Steps, &[(Measure::StepOverDrop, step)]));
         }
         let [density, curvature] = match &self.expected {
             Some(expected) => {
@@ -318,7 +334,7 @@ impl Examined<'_> {
             }
             None => [None; 2],
         };
-        all.extend(worst(
+        all.extend(of_check(
             Check::CoarsePixel,
             &[
                 (Measure::CurvatureGrowth, at_pixel),
@@ -328,14 +344,17 @@ impl Examined<'_> {
         ));
         if measured.is_some() {
             let rise = growth.and_then(|growth| growth.rise());
-            all.extend(worst(
+            all.extend(of_check(
                 Check::FinePixel,
                 &[(Measure::NoiseGrowth, at_pixel), (Measure::GrowthRise, rise)],
             ));
             let tip = |k: usize| measured.and_then(|measured| measured.tip).map(|tip| tip[k]);
-            all.extend(worst(Check::Tip, &[(Measure::RadiusOverTip, tip(0)), (Measure::Untraced, tip(1))]));
+            all.extend(of_check(
+                Check::Tip,
+                &[(Measure::RadiusOverTip, tip(0)), (Measure::Untraced, tip(1))],
+            ));
             let length = self.correlation.map(|correlation| self.length_over_side(correlation));
-            all.extend(worst(Check::LongWaves, &[(Measure::LengthOverSide, length)]));
+            all.extend(of_check(Check::LongWaves, &[(Measure::LengthOverSide, length)]));
         }
         all.extend(self.slope(measured.is_some()));
         all
@@ -348,7 +367,7 @@ impl Examined<'_> {
         let sides = [0, 1].map(|axis| self.map.points()[axis] as f64 * self.map.pixel()[axis]);
         let units = [finding(Measure::NominalArea, sides[0] * sides[1]), finding(Measure::LeastSlope, slope)];
         let failed = units.into_iter().find(|finding| was_measured && !finding.has_passed());
-        failed.or_else(|| Finding::worst(Check::Slope, [(Measure::Slope, Some(slope))]))
+        failed.or_else(|| (!slope.is_nan()).then(|| finding(Measure::Slope, slope)))
     }
 
     /// Share of the variance that the next higher polynomial explains.
