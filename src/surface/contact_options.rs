@@ -28,6 +28,8 @@ pub struct ContactOptions {
     pub area: Option<String>,
     /// A nominal pressure.
     pub pressure: Option<String>,
+    /// Whether boundary elements run beside both models.
+    pub reference: bool,
 }
 
 /// The material of both bodies where none is named.
@@ -42,7 +44,7 @@ impl ContactOptions {
     /// # Errors
     /// The first of them, as it was typed.
     pub fn check(&self) -> Result<(), InputError> {
-        let Self { material, rough, flat, layer, thickness, layer_on, load, area, pressure } = self;
+        let Self { material, rough, flat, layer, thickness, layer_on, load, area, pressure, .. } = self;
         let is_no_body = |name: &String| Body::ALL.iter().all(|body| body.name() != name.as_str());
         let conflicts = [
             (
@@ -125,7 +127,7 @@ impl ContactOptions {
         lines
     }
 
-    /// `force`, `pressure` and `nominal-area`.
+    /// `models`, where boundary elements run, `force`, `pressure` and `nominal-area`.
     pub(super) fn loads(&self) -> Vec<Line> {
         let Self { load, pressure, area, .. } = self;
         let given =
@@ -134,7 +136,9 @@ impl ContactOptions {
             let given = given.as_deref()?;
             Some((format!("{key} = {}", written(given)), typed(option, given)))
         };
-        given.into_iter().filter_map(line).collect()
+        let models = r#"models = ["statistical", "deterministic", "reference"]"#;
+        let reference = self.reference.then(|| (models.to_owned(), "--reference".to_owned()));
+        reference.into_iter().chain(given.into_iter().filter_map(line)).collect()
     }
 
     /// The material of the rough body, and the option that names it.
@@ -193,6 +197,8 @@ mod tests {
             ]
         );
         assert_eq!(text(options.loads()), ["force = \"5 N\"", "nominal-area = \"4 mm2\""]);
+        let reference = ContactOptions { reference: true, ..ContactOptions::default() };
+        assert_eq!(text(reference.loads()), [r#"models = ["statistical", "deterministic", "reference"]"#]);
         let on_rough = ContactOptions { layer_on: some("rough"), ..options };
         let layer = "layer = { material = \"steel-100Cr6\", thickness = \"2 um\", on = \"rough\" }";
         assert_eq!(text(on_rough.bodies())[2], layer);

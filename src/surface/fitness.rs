@@ -6,6 +6,7 @@ use asperity_contact_framework::report::format::{count, input_quantity, number, 
 use asperity::surface::{Fit, MOST_SPIKE_POINTS, MapFacts, NotApplied, Remedy, Surface};
 use asperity::topography::HeightPlace;
 use asperity::topography::fitness::LARGEST_FLANKS;
+use asperity::topography::generate::FEWEST_LENGTHS;
 
 use super::fit::reason;
 
@@ -87,7 +88,9 @@ pub fn remedy_left(finding: &Finding, map: &MapFacts, fit: Option<&Fit>) -> Stri
     let instead = match finding.measure {
         Measure::LengthOverSide => {
             let [x, y] = larger_sides(finding, map).map(|side| input_quantity(side, "m"));
-            format!("a larger map, at least {x} along x and {y} along y (10 correlation lengths)")
+            format!(
+                "a larger map, at least {x} along x and {y} along y ({FEWEST_LENGTHS} correlation lengths)"
+            )
         }
         Measure::StepOverDrop => "a measurement with finer height steps".to_owned(),
         Measure::NoiseGrowth | Measure::GrowthRise => "a measurement with less noise".to_owned(),

@@ -177,7 +177,9 @@ fn is_whole(text: &str) -> bool {
 
 /// A text with options of the command line instead of the keys of a spec that stand for them.
 pub fn with_options(text: &str) -> String {
-    let text = text.replace("`transpose = true` next to `path`", "`transpose`");
+    let text = text
+        .replace("`transpose = true` next to `path`", "`transpose`")
+        .replace("`\"reference\"` among the `models`", "`reference`");
     let parts = text.split('`').enumerate();
     let parts: Vec<String> = parts
         .map(|(k, part)| if k % 2 == 1 { option(part) } else { None }.unwrap_or_else(|| part.to_owned()))
@@ -199,7 +201,7 @@ fn option(code: &str) -> Option<String> {
         }
     };
     match (key, value) {
-        ("fit" | "transpose", None) => Some(format!("--{key}")),
+        ("fit" | "transpose" | "reference", None) => Some(format!("--{key}")),
         ("filter", Some(table)) => {
             let indices = table.strip_prefix("{ ")?.strip_suffix(" }")?.split(", ");
             let options: Option<Vec<String>> = indices
@@ -229,6 +231,7 @@ mod tests {
                 "`transpose = true` next to `path` means; without `transpose`",
                 "`--transpose` means; without `--transpose`",
             ),
+            ("boundary elements (`\"reference\"` among the `models`)", "boundary elements (`--reference`)"),
             (
                 "let `--fit` (`fit = \"auto\"` in a spec); `fit` refused `level = \"cubic\"`",
                 "let `--fit` (`fit = \"auto\"` in a spec); `--fit` refused `--level cubic`",

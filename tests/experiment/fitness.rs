@@ -293,7 +293,7 @@ fn waves_that_belong_to_the_surface_need_a_larger_map() {
     let surface = &results.surfaces[0].surface;
     let finding = surface.fitness().iter().find(|finding| finding.check == Check::LongWaves).unwrap();
     assert!(finding.is_blocking(), "{finding:?}");
-    let side = 512e-6 * finding.value / 0.1;
+    let side = 512e-6 * finding.value / finding.threshold();
     let warning = surface.warnings.iter().find(|warning| warning.starts_with("long-waves")).unwrap();
     let (_, stated) = warning.split_once("Remedy: a larger map, at least ").unwrap();
     let (x, rest) = stated.split_once(" µm along x and ").unwrap();

@@ -194,6 +194,9 @@ pub struct FileArguments {
     /// Nominal pressure, instead of --load: "1.25 MPa"
     #[arg(long, allow_hyphen_values = true)]
     pressure: Option<String>,
+    /// Solve the contact of the map by boundary elements too, which know no asperities (seconds to minutes)
+    #[arg(long)]
+    reference: bool,
 }
 
 impl From<FileArguments> for FileOptions {
@@ -221,6 +224,7 @@ impl From<FileArguments> for FileOptions {
                 load: arguments.load,
                 area: arguments.area,
                 pressure: arguments.pressure,
+                reference: arguments.reference,
             },
         }
     }

@@ -62,7 +62,7 @@ fn remedy(case: &CaseStudy, at: &Difference) -> String {
     ways.extend(filtered(case));
     ways.push(match case.first().reference {
         Some(_) => "the boundary elements".to_owned(),
-        None => "boundary elements (`reference` among the `models`)".to_owned(),
+        None => "boundary elements (`\"reference\"` among the `models`)".to_owned(),
     });
     let why = if exceeded.limits().any(|limit| limit == Limit::LargeStrain) {
         "contacts are not small against their asperities, of which spheres are a poor model"
@@ -87,11 +87,19 @@ fn more_surface(at: &Difference, verdicts: &Verdicts, exceeded: Exceeded) -> Str
         verdicts.area * factors.fold(1.0, f64::max)
     });
     let needed = contacts.into_iter().chain(at.area_needed).fold(0.0, f64::max);
+    let higher =
+        verdicts.admissible.stretches.iter().map(|stretch| stretch[0]).filter(|load| *load > at.load);
+    let higher = higher.min_by(f64::total_cmp);
+    let higher = match higher {
+        Some(load) => format!("a load of at least {}, or ", input_quantity(load, "Pa")),
+        None if verdicts.differences.len() == 1 => "a higher load, or ".to_owned(),
+        None => String::new(),
+    };
     if needed > 0.0 && needed.is_finite() {
         let [needed, now] = [nominal_area(needed, true), nominal_area(verdicts.area, false)];
-        format!("a higher load, or at least {needed} of surface (now {now})")
+        format!("{higher}at least {needed} of surface (now {now})")
     } else {
-        "a higher load, or a larger surface".to_owned()
+        format!("{higher}a larger surface")
     }
 }
 
@@ -128,10 +136,10 @@ mod tests {
         let at = &few.differences[0];
         assert_eq!(beyond(Limit::FewContacts, at), "fewer than 30 effective contacts (9)");
         let needed = more_surface(at, &few, at.exceeded());
-        assert_eq!(needed, "a higher load, or at least 3.4 mm² of surface (now 1 mm²)");
+        assert_eq!(needed, "at least 3.4 mm² of surface (now 1 mm²)");
         let unsampled = verdicts(9.0, [0.2, 0.3], None);
         let at = &unsampled.differences[0];
         let needed = more_surface(at, &unsampled, at.exceeded());
-        assert_eq!(needed, "a higher load, or at least 4 mm² of surface (now 1 mm²)");
+        assert_eq!(needed, "at least 4 mm² of surface (now 1 mm²)");
     }
 }

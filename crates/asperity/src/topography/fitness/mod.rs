@@ -13,6 +13,7 @@ pub use lines::{AlignedLines, LineOffsets, Lines};
 pub use spikes::{Spikes, Without};
 pub use steps::step_over_drop;
 
+use super::generate::FEWEST_LENGTHS;
 use super::theory::Expected;
 use super::{CorrelationLengths, Level, Levelled, Moments, RoughnessParameters, Rows, SHARED};
 use crate::named_enum;
@@ -147,8 +148,8 @@ impl Measure {
             Self::RadiusOverTip => AtLeast(2.0),
             // Noise and spikes stand out of what a tip can trace, and so do all summits if it is said to be blunter than it is.
             Self::Untraced => AtMost(0.01),
-            // A hundred independent patches.
-            Self::LengthOverSide => AtMost(0.1),
+            // 64 independent patches: from 8 correlation lengths on, model-based intervals hold (report `coverage-of-small-maps`).
+            Self::LengthOverSide => AtMost(1.0 / FEWEST_LENGTHS),
             // Terms of second order in the slope, which contact mechanics of half-spaces leaves out, reach a tenth.
             Self::Slope => AtMost(LARGEST_SLOPE),
             // A tenth of that of polished optics.

@@ -14,7 +14,7 @@ use crate::numeric::parallel::for_each_row;
 use crate::progress::Silent;
 
 /// The smallest number of correlation lengths along each side of a map that a process is fitted to.
-const FEWEST_LENGTHS: f64 = 8.0;
+pub const FEWEST_LENGTHS: f64 = 8.0;
 
 /// Why no process is fitted to a map.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -5,7 +5,7 @@ mod gaussian;
 mod own_heights;
 mod target;
 
-pub use fitted::{FittedProcess, Unfitted, roughness_scatter};
+pub use fitted::{FEWEST_LENGTHS, FittedProcess, Unfitted, roughness_scatter};
 pub use gaussian::gaussian;
 pub use target::{Reached, SigmaOf, Target, TargetGenerator, Unreachable};
 
