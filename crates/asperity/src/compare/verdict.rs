@@ -225,6 +225,7 @@ impl Stretch {
         let band = accepted.band(quantity);
         let growth = |estimate: Estimate| estimate.growth(band).unwrap_or(f64::INFINITY);
         let mut growths: Vec<f64> = each().map(|(_, estimate)| growth(estimate)).collect();
+        let lacks_interval = each().any(|(_, estimate)| estimate.interval().is_none());
         let mut needed: Vec<f64> = stretch.iter().map(|at| at.area_needed.unwrap_or(0.0)).collect();
         Self {
             quantity,
@@ -235,7 +236,8 @@ impl Stretch {
             range: hull(&|estimate| Some([estimate.contrast; 2])),
             bounds: hull(&Estimate::interval),
             growth: median(&mut growths).filter(|growth| is_open && growth.is_finite()),
-            area_needed: median(&mut needed).filter(|area| is_open && *area > 0.0 && area.is_finite()),
+            area_needed: median(&mut needed)
+                .filter(|area| is_open && lacks_interval && *area > 0.0 && area.is_finite()),
         }
     }
 }
@@ -405,5 +407,9 @@ mod tests {
         assert_eq!(of([None, None, Some(0.1)]), (false, Some(3.0)));
         // On the edge itself no area tells.
         assert_eq!(of([Some(0.1); 3]), (false, None));
+        // A model-based interval of a map too small for blocks: the area that tells is that of the interval.
+        let open = Difference { area_needed: Some(3.0), ..at(1.0, 90.0, 0.11, Some(0.01)) };
+        let stretch = Stretch::all(&[open], &ACCEPTED).remove(0);
+        assert!(stretch.growth.is_some() && stretch.area_needed.is_none());
     }
 }
