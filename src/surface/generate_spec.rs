@@ -9,6 +9,7 @@ use crate::surface::pixel_spec::PixelSpec;
 use asperity::topography::generate::{SigmaOf, SpectrumOf};
 use asperity::topography::summits::Neighbours;
 use asperity_contact_framework::input::Spanned;
+use asperity_contact_framework::input::bare::SigmaRange;
 use asperity_contact_framework::input::heights::HeightsSpec;
 use asperity_contact_framework::input::quantity::{
     Angle, ArealNumberDensity, Finite, Length, Pure, Quantity,
@@ -33,7 +34,7 @@ pub struct GenerateSpec {
     pub pixel: Option<Spanned<PixelSpec>>,
     /// Standard deviation of the surface heights; not with `summits`.
     #[schemars(extend("examples" = ["0.25 um"]))]
-    pub sigma: Option<Spanned<Quantity<Length>>>,
+    pub sigma: Option<Spanned<Quantity<Length, SigmaRange>>>,
     /// How the variance is spread over the wavelengths.
     #[schemars(extend("examples" = [{ "self-affine": { "hurst": 0.8, "roll-off": "40 um", "cut-off": "4 um" } }]))]
     pub spectrum: Spanned<SpectrumSpec>,
@@ -67,7 +68,7 @@ pub struct TargetSpec {
     pub radius: Quantity<Length>,
     /// Standard deviation of the heights of the summits, or of the surface.
     #[schemars(extend("examples" = ["48 nm"]))]
-    pub sigma: Quantity<Length>,
+    pub sigma: Quantity<Length, SigmaRange>,
     /// Summits per area.
     #[schemars(extend("examples" = ["6e10 /m^2"]))]
     pub density: Quantity<ArealNumberDensity>,
@@ -83,7 +84,7 @@ pub struct TargetSpec {
 pub struct PlateauSpec {
     /// Standard deviation of its heights.
     #[schemars(extend("examples" = ["0.05 um"]))]
-    pub sigma: Quantity<Length>,
+    pub sigma: Quantity<Length, SigmaRange>,
     /// Its spectrum.
     #[schemars(extend("x-type" = "a table as `spectrum` of the surface", "examples" = [{ "gaussian": { "correlation-length": "5 um" } }]))]
     pub spectrum: Spanned<SpectrumSpec>,

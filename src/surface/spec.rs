@@ -15,6 +15,7 @@ use asperity::topography::summits::Neighbours;
 use asperity::units::Dimension;
 use asperity_contact_framework::input::Spanned;
 use asperity_contact_framework::input::Whole;
+use asperity_contact_framework::input::bare::{NominalAreaRange, SigmaRange};
 use asperity_contact_framework::input::quantity::{Area, ArealNumberDensity, Length, Pure, Quantity};
 use asperity_contact_framework::input::schema;
 use asperity_contact_framework::input::{heights, named, named_or_none};
@@ -92,7 +93,7 @@ pub struct ListSpec {
     pub independent: bool,
     /// Nominal area that the asperities are from.
     #[schemars(extend("examples" = ["1 mm^2"]))]
-    pub nominal_area: Quantity<Area>,
+    pub nominal_area: Quantity<Area, NominalAreaRange>,
 }
 
 /// Radius, deviation of heights, density, and how a set is drawn.
@@ -111,7 +112,7 @@ pub struct PopulationSpec {
     pub curvature_ratio: Option<Spanned<Quantity<Pure>>>,
     /// Standard deviation of the asperity heights; of the surface heights with `heights = "surface"`.
     #[schemars(extend("examples" = ["48 nm"]))]
-    pub sigma: Quantity<Length>,
+    pub sigma: Quantity<Length, SigmaRange>,
     /// Asperities per nominal area.
     #[schemars(extend("examples" = ["6e10 /m^2"]))]
     pub density: Quantity<ArealNumberDensity>,

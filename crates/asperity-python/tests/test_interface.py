@@ -337,3 +337,15 @@ def test_a_report_is_written(tmp_path):
         spec, surfaces = study._spec(CONTACT, asperities())
         spec["compare"]["pressure"] = 1e6
         asperity.run({**spec, "figure": {"width": "85 mm", "font": "8 pt"}}, surfaces=surfaces, report=tmp_path)
+
+
+def test_numbers_of_a_program_are_si_however_small():
+    """A spec refuses a bare pressure of 500 Pa, an area of 1 m^2 and a sigma of 2 mm; a program means them."""
+    assert study._all_in("Pa", [1.0, "2 MPa", np.float64(3)]) == ["1.0 Pa", "2 MPa", "3.0 Pa"]
+    assert study._all_in("Pa", np.array([5, 6])) == ["5.0 Pa", "6.0 Pa"]
+    assert study._all_in("Pa", {"from": 1, "to": 4.0, "points": 3}) == {"from": "1.0 Pa", "to": "4.0 Pa", "points": 3}
+    assert study._all_in("Pa", None) is None and study._all_in("Pa", {"values": (1,)}) == {"values": ["1.0 Pa"]}
+    for pressures in ([200.0, 500.0], np.array([200.0, 500.0]), {"from": 200, "to": 500, "points": 2}):
+        results = asperity.compare(asperities(), CONTACT, pressures=pressures, nominal_area=1.0)
+        assert sorted(set(results.curves["target"].tolist())) == [200.0, 500.0]
+    assert asperity.draw(100, radius=1.0, sigma=2e-3, density=1e4).nominal_area == pytest.approx(1e-2)

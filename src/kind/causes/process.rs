@@ -7,6 +7,7 @@ use asperity::Heights;
 use asperity::topography::generate::{Process, SpectrumOf, SurfaceGenerator, Target, TargetGenerator};
 use asperity::topography::spectrum::{Lay, Spectrum, SpectrumError, SpectrumShape};
 use asperity::topography::summits::Neighbours;
+use asperity_contact_framework::input::bare::SigmaRange;
 use asperity_contact_framework::input::quantity::{Length, Pure, Quantity};
 use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 
@@ -38,7 +39,7 @@ enum Scale<'a> {
 impl<'a> GridProcess<'a> {
     pub(super) fn new(file: &SpecFile, table: &'a Spanned<CausesSpec>) -> Result<Self, InputError> {
         let raw = table.get_ref();
-        let value = |length: &Spanned<Quantity<Length>>| length.get_ref().value();
+        let value = |length: &Spanned<Quantity<Length, SigmaRange>>| length.get_ref().value();
         let scale = match (&raw.summits, &raw.sigma, &raw.gradient, &raw.wavelengths, &raw.kurtosis) {
             (None, Some(sigma), Some(gradient), Some(wavelengths), None) => {
                 Scale::Surface { sigma: value(sigma), gradient: gradient.get_ref().value(), wavelengths }

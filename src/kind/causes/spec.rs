@@ -6,6 +6,7 @@ use serde::Deserialize;
 use asperity_contact_framework::input::Spanned;
 use asperity_contact_framework::input::Whole;
 use asperity_contact_framework::input::accept::AcceptSpec;
+use asperity_contact_framework::input::bare::{NominalPressureRange, SigmaRange};
 use asperity_contact_framework::input::law::Laws;
 use asperity_contact_framework::input::quantity::{Finite, Length, Pressure, Pure, Quantity};
 use asperity_contact_framework::input::sweep::LogSweep;
@@ -53,7 +54,7 @@ pub struct CausesSpec {
     pub loads: Option<Spanned<Vec<Quantity<Pure>>>>,
     /// Nominal pressures, with `summits`.
     #[schemars(extend("x-default" = "none: by `loads`", "examples" = [["0.8 MPa", "2 MPa"]]))]
-    pub pressure: Option<Spanned<LogSweep<Pressure>>>,
+    pub pressure: Option<Spanned<LogSweep<Pressure, NominalPressureRange>>>,
     /// Surfaces of each point of the grid.
     #[schemars(extend("x-range" = "2 to 1000", "examples" = [8]))]
     pub realisations: Spanned<Whole>,
@@ -68,7 +69,7 @@ pub struct CausesSpec {
     pub hurst: Spanned<Quantity<Pure, Finite>>,
     /// Standard deviation of the surface heights; not with `summits`.
     #[schemars(extend("x-default" = "none: by `summits`", "examples" = ["0.25 um"]))]
-    pub sigma: Option<Spanned<Quantity<Length>>>,
+    pub sigma: Option<Spanned<Quantity<Length, SigmaRange>>>,
     /// Root mean square gradient of the surface; not with `summits`.
     #[schemars(extend("x-default" = "none: by `summits`", "examples" = [0.1]))]
     pub gradient: Option<Spanned<Quantity<Pure>>>,

@@ -11,6 +11,7 @@ use asperity::analytical::AnalyticalLine;
 use asperity::compare::ModelKind;
 use asperity_contact_framework::input::Spanned;
 use asperity_contact_framework::input::accept::AcceptSpec;
+use asperity_contact_framework::input::bare::{NominalAreaRange, NominalPressureRange};
 use asperity_contact_framework::input::law::Laws;
 use asperity_contact_framework::input::quantity::{Area, Force, Pressure, Quantity};
 use asperity_contact_framework::input::sweep::{LinearSweep, LogSweep};
@@ -71,13 +72,13 @@ pub struct CompareSpec {
     pub tolerance: ToleranceSpec,
     /// Nominal pressures at which the models are compared.
     #[schemars(extend("examples" = [{ "from": "0.1 MPa", "to": "100 MPa", "points": 31 }]))]
-    pub pressure: Option<Spanned<LogSweep<Pressure>>>,
+    pub pressure: Option<Spanned<LogSweep<Pressure, NominalPressureRange>>>,
     /// Forces on the nominal area at which the models are compared.
     #[schemars(extend("examples" = ["10 N"]))]
     pub force: Option<Spanned<LogSweep<Force>>>,
     /// Nominal area that `force` acts on: the nominal pressure is force over nominal area. Beside `pressure` it gives the force.
     #[schemars(extend("x-default" = "that of each surface", "examples" = ["4 mm^2"]))]
-    pub nominal_area: Option<Spanned<Quantity<Area>>>,
+    pub nominal_area: Option<Spanned<Quantity<Area, NominalAreaRange>>>,
 }
 
 fn yes() -> bool {

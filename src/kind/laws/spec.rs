@@ -6,6 +6,7 @@ use serde::Deserialize;
 use crate::study_plan::{RoughBody, StatisticalSpec};
 use asperity_contact_framework::input::Spanned;
 use asperity_contact_framework::input::accept::AcceptSpec;
+use asperity_contact_framework::input::bare::NominalPressureRange;
 use asperity_contact_framework::input::law::Laws;
 use asperity_contact_framework::input::quantity::{Length, Pressure, Pure, Quantity};
 use asperity_contact_framework::input::sweep::LogSweep;
@@ -31,7 +32,7 @@ pub struct LawsSpec {
     pub indentation: Spanned<LogSweep<Pure>>,
     /// Nominal pressures at which the laws are compared on surfaces.
     #[schemars(extend("examples" = [{ "from": "0.1 MPa", "to": "100 MPa", "points": 31 }]))]
-    pub pressure: Spanned<LogSweep<Pressure>>,
+    pub pressure: Spanned<LogSweep<Pressure, NominalPressureRange>>,
     /// Which statistical model runs.
     #[schemars(extend("x-default" = "Gaussian heights, arithmetic mean radius", "examples" = [{ "heights": "own" }]))]
     pub statistical: Option<Spanned<StatisticalSpec>>,

@@ -6,6 +6,7 @@ use serde::Deserialize;
 use asperity_contact_framework::input::Spanned;
 use asperity_contact_framework::input::Whole;
 use asperity_contact_framework::input::accept::AcceptSpec;
+use asperity_contact_framework::input::bare::NominalPressureRange;
 use asperity_contact_framework::input::law::Laws;
 use asperity_contact_framework::input::quantity::{Length, Pressure, Pure, Quantity};
 use asperity_contact_framework::input::sweep::LogSweep;
@@ -27,7 +28,7 @@ pub struct SamplingIntervalSpec {
     pub law: Spanned<Laws>,
     /// Nominal pressures at which both models run.
     #[schemars(extend("examples" = [{ "from": "0.1 MPa", "to": "100 MPa", "points": 31 }]))]
-    pub pressure: Spanned<LogSweep<Pressure>>,
+    pub pressure: Spanned<LogSweep<Pressure, NominalPressureRange>>,
     /// Sampling intervals in pixels, ascending.
     #[schemars(extend("x-range" = "3 to 32 numbers, from 1", "default" = [1, 2, 4, 8], "examples" = [[1, 2, 3, 4]]))]
     pub intervals: Option<Spanned<Vec<Whole>>>,

@@ -147,6 +147,8 @@ fn the_options_of_a_surface_and_the_spec_that_they_save_give_the_same_results() 
             &["--load", "5 N", "--area", "4 mm"],
             "--area \"4 mm\": found \"4 mm\"; allowed: a positive finite area",
         ),
+        (&["--load", "5 N", "--area", "4"], "--area \"4\": found 4.0; write \"4 mm^2\" or \"4 cm^2\""),
+        (&["--pressure", "0.5"], "--pressure \"0.5\": found 0.5; write \"500 kPa\" or \"500 MPa\""),
         (&["--rough", "bronze"], "--rough \"bronze\": found from = \"bronze\""),
         (&["--layer", "coating-DLC", "--thickness", "2"], "--thickness \"2\": found 2"),
     ] {

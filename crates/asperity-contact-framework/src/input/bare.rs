@@ -48,12 +48,9 @@ impl Bare {
         let [least, most] = self.usual;
         let in_unit = |unit: &&str| {
             let si = value * self.dimension.factor(unit)?;
-            let prefixed = unit.ends_with(self.dimension.si_unit());
-            let written = if prefixed {
-                input_quantity(si, self.dimension.si_unit())
-            } else {
-                format!("{value} {unit}")
-            };
+            let si_unit = self.dimension.si_unit();
+            let prefixed = unit.ends_with(si_unit) && si_unit.chars().all(char::is_alphabetic);
+            let written = if prefixed { input_quantity(si, si_unit) } else { format!("{value} {unit}") };
             (least..=most).contains(&si).then(|| format!("\"{written}\""))
         };
         self.units.iter().filter_map(in_unit).collect()
@@ -112,6 +109,30 @@ positive_ranges! {
         units: &["um", "nm"],
         dimension: Dimension::Length,
     };
+    /// A standard deviation of heights; without its unit up to 1 mm.
+    SigmaRange: &[("exclusiveMinimum", 0.0), ("maximum", 1e-3)], Bare {
+        of: "a standard deviation of heights",
+        allowed: [0.0, 1e-3],
+        usual: [1e-9, 1e-4],
+        units: &["um", "nm"],
+        dimension: Dimension::Length,
+    };
+    /// A nominal area; without its unit up to 0.01 m².
+    NominalAreaRange: &[("exclusiveMinimum", 0.0), ("maximum", 1e-2)], Bare {
+        of: "a nominal area",
+        allowed: [0.0, 1e-2],
+        usual: [1e-10, 1e-2],
+        units: &["mm^2", "cm^2", "um^2"],
+        dimension: Dimension::Area,
+    };
+    /// A nominal pressure; without its unit from 1 kPa.
+    NominalPressureRange: &[("minimum", 1e3), ("maximum", LARGEST)], Bare {
+        of: "a nominal pressure",
+        allowed: [1e3, f64::INFINITY],
+        usual: [1e3, 1e10],
+        units: &["MPa", "kPa", "GPa"],
+        dimension: Dimension::Pressure,
+    };
     /// The thickness of a layer; without its unit up to 1 mm.
     ThicknessRange: &[("exclusiveMinimum", 0.0), ("maximum", 1e-3)], THICKNESS;
 }
@@ -142,7 +163,7 @@ impl Range for ThicknessOrNone {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::input::quantity::{Length, Pressure, Quantity};
+    use crate::input::quantity::{Area, Length, Pressure, Quantity};
 
     fn young(value: f64, found: &str) -> Result<f64, String> {
         Quantity::<Pressure, ModulusRange>::bare(value, found).map(|young| young.value())
@@ -167,6 +188,22 @@ mod tests {
         assert!(thickness.contains("write \"2 µm\" or \"2 nm\": a bare number is in m"), "{thickness}");
         let pixel = Quantity::<Length, PixelRange>::bare(0.196733, "0.196733").unwrap_err();
         assert!(pixel.contains("write \"196.733 nm\": "), "{pixel}");
+        let sigma = Quantity::<Length, SigmaRange>::bare(0.4, "0.4").unwrap_err();
+        assert!(sigma.contains("write \"400 nm\": "), "{sigma}");
+        let area = |value, found| Quantity::<Area, NominalAreaRange>::bare(value, found).unwrap_err();
+        let message = area(4.0, "4");
+        assert!(
+            message.starts_with(
+                "found 4; write \"4 mm^2\" or \"4 cm^2\": a bare number is in m^2, and 4 m^2 is"
+            )
+        );
+        assert!(message.ends_with("hardly meant as a nominal area (if it is, write \"4 m^2\")"), "{message}");
+        assert!(area(2e4, "20000").contains("write \"20000 um^2\": "));
+        let pressure = |value, found| Quantity::<Pressure, NominalPressureRange>::bare(value, found);
+        let message = pressure(1.25, "1.25").unwrap_err();
+        assert!(message.contains("write \"1.25 MPa\" or \"1.25 kPa\" or \"1.25 GPa\": "), "{message}");
+        assert!(message.ends_with("(if it is, write \"1.25 Pa\")"), "{message}");
+        assert!(pressure(1000.0, "1000").is_ok());
     }
 
     #[test]
@@ -175,6 +212,8 @@ mod tests {
         assert_eq!(young(2e12, "2e12"), Ok(2e12));
         let parsed = |text| Quantity::<Pressure, ModulusRange>::parse(text).map(|young| young.value());
         assert_eq!((parsed("2 MPa"), parsed("1e9 GPa")), (Ok(2e6), Ok(1e18)));
+        assert!(Quantity::<Pressure, NominalPressureRange>::parse("2 Pa").is_ok());
+        assert!(Quantity::<Area, NominalAreaRange>::parse("4 m^2").is_ok());
         assert!(Quantity::<Length, ThicknessOrNone>::bare(0.0, "0").is_ok());
         assert!(
             Quantity::<Length, ThicknessRange>::bare(-1.0, "-1").unwrap_err().contains("a positive finite")

@@ -8,6 +8,8 @@ from functools import cached_property
 from os import PathLike
 from typing import Any
 
+import numpy as np
+
 from . import _asperity
 from ._asperity import Asperities, Interface, Material, Table
 from .surfaces import Topography, keys
@@ -141,7 +143,7 @@ def _table(name: str, surface: Surface) -> tuple[dict[str, Any], dict[str, Any]]
         return {"file": {**table["file"], "path": path}}, {path: raw}
     if isinstance(surface, Asperities):
         path = f"list {name}"
-        table = {"file": path, "nominal-area": surface.nominal_area, "independent": surface.independent}
+        table = {"file": path, "nominal-area": _in("m^2", float(surface.nominal_area)), "independent": surface.independent}
         return {"asperities": table}, {path: surface}
     if isinstance(surface, Mapping):
         return {_hyphens(key): value for key, value in surface.items()}, {}
@@ -158,6 +160,17 @@ def _hyphens(name: str) -> str:
 def _in(unit: str, value: float | None) -> str | None:
     # A spec refuses bare numbers that are hardly meant; a program means them.
     return None if value is None else f"{value!r} {unit}"
+
+
+def _all_in(unit: str, values: Any) -> Any:
+    # The same of one value, a list, an array, or a table of them; texts have their own unit.
+    if values is None or isinstance(values, str):
+        return values
+    if isinstance(values, Mapping):
+        return {name: value if name == "points" else _all_in(unit, value) for name, value in values.items()}
+    if np.ndim(values) == 0:
+        return _in(unit, float(values))
+    return [_all_in(unit, value) for value in values]
 
 
 def _material(material: Material) -> dict[str, Any]:
@@ -222,7 +235,7 @@ def compare(
         Title of the report, name of its folder, and the folder in which it is written, if any.
     **options
         Further keys of ``[compare]``, with ``_`` for ``-``: ``models``, ``reference``, ``statistical``, ``accept``,
-        ``robustness``, ``attribution``, ``rank_models``, ``tolerance``, ``lines``.
+        ``robustness``, ``attribution``, ``rank_models``, ``tolerance``, ``lines``; ``nominal_area`` in m^2.
 
     Returns
     -------
@@ -244,8 +257,10 @@ def compare(
     ['statistical', 'statistical', 'deterministic', 'deterministic']
     """
     spec, surfaces = _spec(interface, surface)
-    sweeps = {"separation": separations, "pressure": pressures, "force": forces}
+    sweeps = {"separation": separations, "pressure": _all_in("Pa", pressures), "force": forces}
     spec["compare"].update(keys(sweeps))
+    if "nominal_area" in options:
+        options["nominal_area"] = _all_in("m^2", options["nominal_area"])
     spec["compare"].update(keys(options))
     spec.update(seed=seed, title=title)
     return run(spec, surfaces=surfaces, name=name, report=report)

@@ -301,8 +301,7 @@ def generate(
     <Topography: 128 x 128 points of 1e-06 x 1e-06 m, periodic>
     """
     points = [points, points] if np.ndim(points) == 0 else list(points)
-    if "pixel" in generation:
-        generation["pixel"] = _in_metres(generation["pixel"])
+    generation.update({key: _in_metres(generation[key]) for key in ("pixel", "sigma") if key in generation})
     made = _make({"generate": keys({"points": points, **generation})}, {}, seed, realisation)
     topography = Topography.__new__(Topography)
     neighbours = generation.get("neighbours", "four")
@@ -350,5 +349,5 @@ def draw(
     >>> asperity.draw(1000, radius=20e-6, sigma=48e-9, density=6e10)
     <Asperities: 1000 on 1.6666666666666667e-8 m^2>
     """
-    table = {"radius": radius, "sigma": sigma, "density": density, "count": count, **population}
+    table = {"radius": radius, "sigma": _in_metres(sigma), "density": density, "count": count, **population}
     return _make({"population": keys(table)}, {}, seed, realisation).asperities
