@@ -224,7 +224,9 @@ impl SurfacePlan {
         let pixel = metadata.pixel(&options).map_err(|error| {
             let key = match error {
                 ReadOptionsError::PixelHeld { .. } => raw.pixel.as_ref().map(Spanned::span),
-                ReadOptionsError::UnitHeld { .. } => raw.unit.as_ref().map(Spanned::span),
+                ReadOptionsError::UnitHeld { .. } | ReadOptionsError::UnitNamed { .. } => {
+                    raw.unit.as_ref().map(Spanned::span)
+                }
                 ReadOptionsError::NoPixel | ReadOptionsError::UnitsInColumns { .. } => None,
             };
             let message = format!("{} {}", path.display(), options_message(&error));

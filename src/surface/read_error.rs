@@ -16,6 +16,10 @@ pub fn spec_message(error: &ReadError) -> String {
             "{error} Write missing = {value} next to path (--missing {value} on the command line); missing = [] (--missing none) where \
              these are heights"
         ),
+        ReadError::Heading { .. } => format!(
+            "{error}. Delete these lines or put # before each; a pixel and a unit that they state go to pixel = \"0.8 um\" and \
+             unit = \"um\" next to path (--pixel and --unit on the command line)"
+        ),
         _ => error.to_string(),
     }
 }
@@ -47,7 +51,9 @@ pub fn options_message(error: &ReadOptionsError) -> String {
                 "{error}: unit = {{ xy = \"um\", z = \"nm\" }} next to path (--unit \"xy=um, z=nm\" on the command line)"
             )
         }
-        ReadOptionsError::PixelHeld { .. } | ReadOptionsError::UnitHeld { .. } => error.to_string(),
+        ReadOptionsError::PixelHeld { .. }
+        | ReadOptionsError::UnitHeld { .. }
+        | ReadOptionsError::UnitNamed { .. } => error.to_string(),
     }
 }
 
@@ -66,6 +72,15 @@ mod tests {
         let columns = ReadOptionsError::UnitsInColumns { line: 3, found: "x [px]".to_owned() };
         let message = spec_message(&columns.into());
         assert!(message.contains("in line 3: \"x [px]\"; allowed: ") && message.contains("unit = { xy = "));
+        let heading = ReadError::Heading { line: 1, found: "Date: now".to_owned(), begin: 4 };
+        let message = spec_message(&heading);
+        assert!(message.starts_with(
+            "begins with 3 lines that hold no row of the table (line 1: \"Date: now\"), the table begins in line 4"
+        ));
+        assert!(
+            message.contains("put # before each; a pixel and a unit that they state go to pixel = "),
+            "{message}"
+        );
         let mark = ReadError::Mark { value: -9999.0, count: 1329, low: -3.0, high: 5.0 };
         let message = spec_message(&mark);
         assert!(message.starts_with("holds the height -9999 at 1329 points, far from all other heights"));

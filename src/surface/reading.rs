@@ -1,7 +1,7 @@
 //! How a file of heights was read, where a reader should know: what was left out, and which axis is x.
 
 use asperity::topography::read::{LeftOut, Metadata};
-use asperity_contact_framework::report::format::{count, input_quantity};
+use asperity_contact_framework::report::format::{count, input_number, input_quantity};
 
 /// Caveats of a file that was read as `metadata` (transposed where `transpose`) with this pixel, m.
 pub fn caveats(metadata: &Metadata, pixel: [f64; 2], transpose: bool) -> Vec<String> {
@@ -12,9 +12,20 @@ pub fn caveats(metadata: &Metadata, pixel: [f64; 2], transpose: bool) -> Vec<Str
     caveats
 }
 
-fn left_out(LeftOut { header, index_column }: LeftOut) -> Option<String> {
-    let line = header.map(|line| format!("line {line} of its file names or numbers the columns"));
-    let column = index_column.then_some("the first column of its file numbers or names the lines");
+fn left_out(LeftOut { header, index_column, spacing }: LeftOut) -> Option<String> {
+    let coordinates =
+        |of: &str, step: f64| format!("holds coordinates of the {of}, {} apart", input_number(step));
+    let [of_columns, of_lines] = [("columns", spacing[0]), ("lines", spacing[1])]
+        .map(|(of, step)| step.map(|step| coordinates(of, step)));
+    let line = header.map(|line| {
+        format!("line {line} of its file {}", of_columns.as_deref().unwrap_or("names or numbers the columns"))
+    });
+    let column = index_column.then(|| {
+        format!(
+            "the first column of its file {}",
+            of_lines.as_deref().unwrap_or("numbers or names the lines")
+        )
+    });
     Some(match (line, column) {
         (Some(line), Some(column)) => format!("{line}, and {column}: both hold no heights and are left out."),
         (Some(line), None) => format!("{line}: it holds no heights and is left out."),
@@ -56,11 +67,17 @@ mod tests {
 
     #[test]
     fn what_is_left_out_is_named() {
-        let words = |header, index_column| left_out(LeftOut { header, index_column });
+        let words = |header, index_column| left_out(LeftOut { header, index_column, spacing: [None; 2] });
         assert!(words(Some(3), false).unwrap().starts_with("line 3 of its file names"));
         assert!(words(Some(1), true).unwrap().ends_with("both hold no heights and are left out."));
         assert!(words(None, true).unwrap().starts_with("the first column"));
         assert_eq!(words(None, false), None);
+        let coordinates = LeftOut { header: Some(1), index_column: true, spacing: [Some(0.8), Some(1e-3)] };
+        assert_eq!(
+            left_out(coordinates).unwrap(),
+            "line 1 of its file holds coordinates of the columns, 0.8 apart, and the first column of its file holds coordinates of \
+             the lines, 0.001 apart: both hold no heights and are left out."
+        );
         assert!(differ([1e-6, 2e-6]) && !differ([1.0001e-6, 1e-6]));
     }
 }

@@ -175,7 +175,7 @@ pub struct FileSpec {
     /// Pixel size, or one along x and one along y; only where the file contains none. The first index of a `.npy` is x; in a text x runs along a line.
     #[schemars(extend("examples" = ["0.8 um"]))]
     pub pixel: Option<Spanned<PixelSpec>>,
-    /// Unit of the lengths in the file, or one of coordinates and one of heights. Overrides units in the names of columns; not where the format has a unit.
+    /// Unit of the lengths in the file, or one of coordinates and one of heights. Not where the format has a unit, nor another than the names of columns state.
     #[schemars(extend("default" = "m", "examples" = ["um", { "xy": "um", "z": "nm" }]))]
     pub unit: Option<Spanned<MapUnitSpec>>,
     /// Heights that mark missing points, in the unit of the file. `[]`: every number is a height, although one is far from all others.

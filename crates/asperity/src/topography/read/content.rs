@@ -14,7 +14,7 @@ pub struct Metadata {
     pub pixel: Option<[f64; 2]>,
     /// Whether the format stores its unit of length.
     pub has_unit: bool,
-    /// Units in the names of columns, which options override.
+    /// Units in the names of columns.
     pub named: NamedUnits,
     /// Labels of a text that are no heights.
     pub left_out: LeftOut,
@@ -56,12 +56,14 @@ pub enum NamedUnits {
 }
 
 /// Labels of a matrix of numbers in a text, which hold no heights.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct LeftOut {
-    /// The line of column names or column numbers.
+    /// The line of column names, column numbers or coordinates of columns.
     pub header: Option<usize>,
-    /// Whether the first column numbers or names the lines.
+    /// Whether the first column numbers or names the lines, or holds their coordinates.
     pub index_column: bool,
+    /// Distance of the columns by that line, and of the lines by that column, in the unit of the file, where they hold coordinates.
+    pub spacing: [Option<f64>; 2],
 }
 
 /// Pixel and unit for a file whose format does not store them.
@@ -121,11 +123,14 @@ impl Metadata {
     /// The units of the lengths in the file, m.
     ///
     /// # Errors
-    /// Names of columns with units that are not clear, where options give none.
+    /// Names of columns with units that are not clear, where options give none; others than the options give.
     pub fn units(&self, options: &ReadOptions) -> Result<LengthUnits, ReadOptionsError> {
         const METRE: LengthUnits = LengthUnits::same(1.0);
         match (&self.named, options.unit) {
             _ if self.has_unit => Ok(METRE),
+            (NamedUnits::Known(named), Some(given)) if *named != given => {
+                Err(ReadOptionsError::UnitNamed { named: *named, given })
+            }
             (_, Some(units)) => Ok(units),
             (NamedUnits::Known(units), None) => Ok(*units),
             (NamedUnits::None, None) => Ok(METRE),

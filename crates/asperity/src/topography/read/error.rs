@@ -1,7 +1,9 @@
 //! Errors in reading a map.
 
+use super::content::LengthUnits;
 use crate::npy::NpyError;
 use crate::topography::MapError;
+use crate::units::Dimension;
 
 /// An error in reading a map. Texts are predicates without the file name: "is empty".
 #[derive(Debug, thiserror::Error)]
@@ -15,6 +17,21 @@ pub enum ReadError {
     /// The format is known, but the content is not supported.
     #[error("{0}")]
     Unsupported(String),
+    /// Lines of words or sizes stand above the numbers of a text.
+    #[error(
+        "begins with {} that hold{} no row of the table (line {line}: \"{found}\"), the table begins in line {begin}; allowed: a table \
+         only, below lines that begin with #",
+        if *begin == line + 1 { "a line".to_owned() } else { format!("{} lines", begin - line) },
+        if *begin == line + 1 { "s" } else { "" },
+    )]
+    Heading {
+        /// The first of these lines, from 1.
+        line: usize,
+        /// Its text.
+        found: String,
+        /// The line in which the table begins.
+        begin: usize,
+    },
     /// The content is inconsistent or damaged.
     #[error("{0}")]
     Corrupt(String),
@@ -71,6 +88,19 @@ pub enum ReadOptionsError {
     /// Neither the file nor the options give a pixel.
     #[error("holds no pixel size, and none is given")]
     NoPixel,
+    /// Names of columns in the file and the options give different units.
+    #[error(
+        "names the units of its columns (x and y in {}, z in {}), and the unit given is {}; allowed: leave unit out, or correct \
+         the names of the columns",
+        name_of(named.xy), name_of(named.z),
+        if given.xy == given.z { name_of(given.xy) } else { format!("{} of x and y, {} of z", name_of(given.xy), name_of(given.z)) }
+    )]
+    UnitNamed {
+        /// The units that the columns name.
+        named: LengthUnits,
+        /// The units that the options give.
+        given: LengthUnits,
+    },
     /// Both the file and the options give a unit.
     #[error("is {format}, which holds its own unit of length; allowed: leave unit out")]
     UnitHeld {
@@ -88,6 +118,13 @@ pub enum ReadOptionsError {
         /// Text of the line.
         found: String,
     },
+}
+
+/// The name of a unit of length, m.
+fn name_of(unit: f64) -> String {
+    let length = Dimension::Length;
+    let found = length.documented().iter().find(|name| length.factor(name) == Some(unit));
+    found.map_or_else(|| format!("{unit:e} m"), |name| (*name).to_owned())
 }
 
 /// The largest height allowed, m: beyond it the unit is wrong.

@@ -2,10 +2,13 @@
 //! names of its lines, as tables of other programs have them.
 
 use super::separation::Separation;
-use super::table::is_missing;
+use super::table::{is_missing, significant_digits};
 
 /// Fewer in a line may be heights by chance.
 const FEWEST: usize = 4;
+
+/// Fewer equally spaced numbers other than 0, 1, 2, ... may be heights by chance.
+const FEWEST_COORDINATES: usize = 8;
 
 /// The first word of a line that is neither a number nor a mark of a missing point.
 pub(super) fn first_name(line: &str) -> Option<&str> {
@@ -25,14 +28,15 @@ pub(super) fn names(lines: &[(usize, &str)]) -> Option<(usize, bool)> {
     let first: Vec<&str> = separation.words(below.first()?.1).collect();
     let has_corner = has_corner(header.len(), first.len(), header.first()?.is_empty())?;
     let columns = if header.len() == first.len() && has_corner { &header[1..] } else { &header[..] };
-    let numbers: Vec<f64> = columns.iter().filter_map(|word| word.parse().ok()).collect();
+    let numbers: Vec<f64> =
+        columns.iter().filter_map(|word| separation.value(word)).filter(|number| !number.is_nan()).collect();
     let is_named = columns.iter().all(|word| name(word));
     // A name in the corner, numbers beside it.
     let is_numbered = || {
         columns.len() >= FEWEST
             && name(columns[0])
             && numbers.len() + 1 == columns.len()
-            && is_count(&numbers)
+            && (is_count(&numbers) || spacing(&columns[1..], &separation).is_some())
     };
     let has_numbers = || first[1..].iter().all(|word| !name(word));
     if columns.len() < FEWEST || !has_numbers() {
@@ -53,13 +57,97 @@ pub(super) fn numbers(lines: &[(usize, &str)], separation: &Separation) -> Optio
     let has_corner = has_corner(header.len(), below.len(), header.first()?.is_nan())?;
     let columns = if header.len() == below.len() && has_corner { &header[1..] } else { &header[..] };
     let heights = &below[below.len() - columns.len()..];
-    (is_count(columns) && !resembles_count(heights)).then_some((*number, has_corner))
+    (is_count(columns) && !resembles(heights, 1.0)).then_some((*number, has_corner))
+}
+
+/// Coordinates of the columns in the first line, and of the lines in the first column.
+#[derive(Debug, Default, PartialEq)]
+pub(super) struct Coordinates {
+    /// Distance of the columns, where the first line holds their coordinates.
+    pub columns: Option<f64>,
+    /// Whether the first column holds no heights.
+    pub index_column: bool,
+    /// Distance of the lines, where the first column holds their coordinates.
+    pub lines: Option<f64>,
+}
+
+/// Finds numbers that are equally spaced to their last digit, unlike those beside them, in a first line (unless it was left
+/// out), in a first column, or in both behind a corner that may hold any number.
+pub(super) fn coordinates(
+    lines: &[(usize, &str)],
+    separation: &Separation,
+    has_header: bool,
+) -> Option<Coordinates> {
+    let cells = |column: usize| lines.iter().filter_map(move |(_, line)| separation.words(line).nth(column));
+    let cells = [0, 1].map(|column| cells(column).collect::<Vec<&str>>());
+    let in_column = |from: usize| unlike(cells[0].get(from..)?, cells[1].get(from..)?, separation);
+    let words = |k: usize| lines.get(k).map(|(_, line)| separation.words(line).collect::<Vec<&str>>());
+    let (header, below) = (words(0)?, words(1)?);
+    if below.len() < FEWEST {
+        return None;
+    }
+    let is_counted = |from: usize| {
+        let numbers: Option<Vec<f64>> = cells[0][from..].iter().map(|word| separation.value(word)).collect();
+        numbers.is_some_and(|numbers| is_count(&numbers))
+    };
+    if has_header {
+        let lines = in_column(0).filter(|_| !is_counted(0));
+        return Some(Coordinates { columns: None, index_column: lines.is_some(), lines });
+    }
+    let in_line =
+        |from: usize| unlike(header.get(from..)?, &below[below.len() + from - header.len()..], separation);
+    let has_empty_corner = || separation.value(header[0]).is_some_and(f64::is_nan);
+    let (columns, has_corner) = match below.len().checked_sub(header.len())? {
+        0 if has_empty_corner() || in_column(1).is_some() => {
+            in_line(1).map_or_else(|| (in_line(0), false), |step| (Some(step), true))
+        }
+        0 => (in_line(0), false),
+        1 => (in_line(0), true),
+        _ => return None,
+    };
+    let from = usize::from(columns.is_some());
+    let lines = in_column(from).filter(|_| !is_counted(from));
+    Some(Coordinates { columns, index_column: columns.is_some() && has_corner || lines.is_some(), lines })
+}
+
+/// The spacing of coordinates that the heights `beside` them do not have.
+fn unlike(words: &[&str], beside: &[&str], separation: &Separation) -> Option<f64> {
+    let step = spacing(words, separation)?;
+    let heights: Option<Vec<f64>> = beside.iter().map(|word| separation.value(word)).collect();
+    (!resembles(&heights?, step) && spacing(beside, separation).is_none()).then_some(step.abs())
+}
+
+/// The step, which may be negative, of numbers that are equally spaced to their last digit.
+fn spacing(words: &[&str], separation: &Separation) -> Option<f64> {
+    /// A step of so many units of the last digit is told from its rounding.
+    const RESOLVED: f64 = 4.0;
+    /// Rounding of the numbers as they are read, relative to the largest.
+    const ROUNDING: f64 = 1e-12;
+    let numbers: Option<Vec<f64>> = words.iter().map(|word| separation.value(word)).collect();
+    let numbers = numbers.filter(|numbers| numbers.len() >= FEWEST_COORDINATES)?;
+    let (first, last) = (*numbers.first()?, *numbers.last()?);
+    let step = (last - first) / (numbers.len() - 1) as f64;
+    // Numbers with fewer digits may be written without the zeros at their end.
+    let most = words.iter().map(|word| significant_digits(word)).max()?;
+    let in_full = words.iter().filter(|word| significant_digits(word) == most);
+    let digit = in_full.map(|word| last_digit(word)).fold(0.0, f64::max);
+    let rounding = ROUNDING * first.abs().max(last.abs());
+    let allowed = if step.abs() >= RESOLVED * digit { digit } else { 0.0 } + rounding;
+    let is_spaced = |(z, k): (&f64, i32)| (z - (first + step * f64::from(k))).abs() <= allowed;
+    (step.abs() > rounding && numbers.iter().zip(0..).all(is_spaced)).then_some(step)
+}
+
+/// The value of one in the last digit of a number as it is written.
+fn last_digit(word: &str) -> f64 {
+    let (mantissa, exponent) = word.split_once(['e', 'E']).unwrap_or((word, "0"));
+    let decimals = mantissa.split_once(['.', ',']).map_or(0, |(_, decimals)| decimals.len());
+    10f64.powi(exponent.parse::<i32>().unwrap_or(0) - decimals as i32)
 }
 
 /// Whether the first of `columns` columns numbers the lines, unlike the column beside it.
 pub(super) fn number_lines(values: &[f64], columns: usize) -> bool {
     let column = |k: usize| values.iter().skip(k).step_by(columns).copied().collect::<Vec<f64>>();
-    columns >= FEWEST && is_count(&column(0)) && !resembles_count(&column(1))
+    columns >= FEWEST && is_count(&column(0)) && !resembles(&column(1), 1.0)
 }
 
 /// Whether the first cell of lines is that of a label, with `header` cells above `below`; `None` if they do not fit.
@@ -75,10 +163,10 @@ fn is_count(values: &[f64]) -> bool {
         && values.iter().zip(0..).all(|(value, k)| *value == first + f64::from(k))
 }
 
-/// Whether heights rise from one to the next by about one, as on an inclined plane of whole numbers.
-fn resembles_count(heights: &[f64]) -> bool {
+/// Whether heights rise from one to the next by about `step`, as on an inclined plane.
+fn resembles(heights: &[f64], step: f64) -> bool {
     let rises: Vec<f64> =
-        heights.windows(2).map(|pair| pair[1] - pair[0]).filter(|rise| !rise.is_nan()).collect();
+        heights.windows(2).map(|pair| (pair[1] - pair[0]) / step).filter(|rise| !rise.is_nan()).collect();
     let near = rises.iter().filter(|rise| (0.5..=1.5).contains(*rise)).count();
     !rises.is_empty() && 2 * near > rises.len()
 }
@@ -99,11 +187,32 @@ mod tests {
 
     #[test]
     fn heights_that_rise_like_a_count_are_heights() {
-        assert!(resembles_count(&[1.0, 2.0, 3.1, 4.0]) && !resembles_count(&[0.3, 0.2, 1.4, 0.1]));
-        assert!(!resembles_count(&[f64::NAN; 3]));
+        assert!(resembles(&[1.0, 2.0, 3.1, 4.0], 1.0) && !resembles(&[0.3, 0.2, 1.4, 0.1], 1.0));
+        assert!(!resembles(&[f64::NAN; 3], 1.0));
         let lines = [(1, "0 1 2 3 4"), (2, "1 2 3 4 5"), (3, "2 3 4 5 6")];
         assert_eq!(numbers(&lines, &Separation::new(&lines).unwrap()), None);
         let lines = [(1, "0 1 2 3 4"), (2, "5 2 9 4 5"), (3, "2 3 4 7 1")];
         assert_eq!(numbers(&lines, &Separation::new(&lines).unwrap()), Some((1, false)));
+    }
+
+    #[test]
+    fn coordinates_are_equally_spaced_to_their_last_digit() {
+        let spaced = |words: &str| {
+            let words: Vec<&str> = words.split(' ').collect();
+            spacing(&words, &Separation::new(&[(1, "0.5 1")]).unwrap())
+        };
+        let close = |words: &str, step: f64| (spaced(words).unwrap() - step).abs() < 2e-3 * step.abs();
+        assert!(close("0.00 0.80 1.60 2.40 3.20 4.00 4.80 5.60", 0.8));
+        assert!(close("0 0.33 0.67 1 1.33 1.67 2 2.33", 1.0 / 3.0), "rounded");
+        assert!(close("3.5e-3 3e-3 2.5e-3 2e-3 1.5e-3 1e-3 5e-4 0", -5e-4), "descending");
+        for words in [
+            "0.00 0.80 1.60 2.40 3.20 4.00 4.80",
+            "0.00 0.80 1.60 2.40 3.22 4.00 4.80 5.60",
+            "0 0.1 0.2 0.2 0.4 0.5 0.6 0.7",
+            "1.0 1.0 1.0 1.0 1.0 1.0 1.0 1.0",
+            "0 0.1 0.2 nan 0.4 0.5 0.6 0.7",
+        ] {
+            assert_eq!(spaced(words), None, "{words}");
+        }
     }
 }

@@ -3,7 +3,7 @@
 use super::columns;
 use super::content::{LeftOut, NamedUnits};
 use super::error::{FORMATS, ReadError, shortened};
-use super::labels;
+use super::labels::{self, Coordinates};
 use super::separation::Separation;
 
 /// Words for a missing point, in any case.
@@ -38,19 +38,27 @@ impl Table {
             left_out.index_column = columns::have_index(line);
             lines.remove(0);
         } else if let Some((number, has_corner)) = labels::names(&lines) {
-            left_out = LeftOut { header: Some(number), index_column: has_corner };
+            left_out = LeftOut { header: Some(number), index_column: has_corner, ..LeftOut::default() };
             lines.remove(0);
         }
         // Reject prose before checking its commas.
         if let Some(&(number, line)) = lines.first()
             && let Some(word) = labels::first_name(line)
         {
-            return Err(no_number(0, number, 1, word));
+            return Err(heading(&lines).unwrap_or_else(|| no_number(0, number, 1, word)));
         }
-        let separation = Separation::new(&lines)?;
+        let separation = Separation::new(&lines).map_err(|error| heading(&lines).unwrap_or(error))?;
         if let Some((number, has_corner)) = labels::numbers(&lines, &separation) {
-            left_out = LeftOut { header: Some(number), index_column: has_corner };
+            left_out = LeftOut { header: Some(number), index_column: has_corner, ..LeftOut::default() };
             lines.remove(0);
+        }
+        let coordinates = labels::coordinates(&lines, &separation, left_out.header.is_some());
+        if let Some(Coordinates { columns, index_column, lines: down }) = coordinates {
+            if columns.is_some() {
+                left_out.header = Some(lines.remove(0).0);
+            }
+            left_out.index_column |= index_column;
+            left_out.spacing = [columns, down];
         }
         let (mut values, mut columns, mut digits) = (Vec::new(), 0, 0);
         for (row, &(number, line)) in lines.iter().enumerate() {
@@ -62,7 +70,8 @@ impl Table {
                     continue;
                 }
                 let Some(value) = separation.value(word) else {
-                    return Err(no_number(row, number, column + 1, word));
+                    let error = || no_number(row, number, column + 1, word);
+                    return Err(if row == 0 { heading(&lines).unwrap_or_else(error) } else { error() });
                 };
                 digits = digits.max(significant_digits(word));
                 values.push(value);
@@ -70,6 +79,12 @@ impl Table {
             let found = values.len() - begin;
             if row == 0 {
                 columns = found;
+            } else if found > columns
+                && lines[row..].len() > 1
+                && lines[row..].iter().all(|(_, line)| separation.words(line).count() == found)
+            {
+                let (line, text) = lines[0];
+                return Err(ReadError::Heading { line, found: shortened(text), begin: number });
             } else if found != columns {
                 return Err(ReadError::Corrupt(format!(
                     "is ragged: line {number} holds {found} numbers; allowed: {columns}, as in its first line",
@@ -99,6 +114,28 @@ fn is_comment(line: &str) -> bool {
     line.is_empty() || line.starts_with('#')
 }
 
+/// The error of lines above a table of numbers, where there is one below them.
+fn heading(lines: &[(usize, &str)]) -> Option<ReadError> {
+    /// So many lines of numbers, or all to the end, are a table.
+    const ENOUGH: usize = 3;
+    let is_row = |(_, line): &&(usize, &str)| {
+        let mut words = line.split([' ', '\t', ';']).filter(|word| !word.is_empty()).peekable();
+        words.peek().is_some()
+            && words.all(|word| {
+                let is_part = |part: &str| is_missing(part) || part.parse::<f64>().is_ok();
+                is_part(word) || word.split(',').all(is_part)
+            })
+    };
+    let begin = lines.iter().position(|line| is_row(&line)).filter(|&begin| begin > 0)?;
+    let rows = lines[begin..].iter().take(ENOUGH).take_while(is_row).count();
+    let (line, text) = *lines.first()?;
+    (rows == ENOUGH.min(lines.len() - begin) && rows > 1).then(|| ReadError::Heading {
+        line,
+        found: shortened(text),
+        begin: lines[begin].0,
+    })
+}
+
 fn no_number(row: usize, line: usize, column: usize, word: &str) -> ReadError {
     let found = shortened(word);
     if row == 0 {
@@ -120,7 +157,8 @@ fn precision(digits: usize) -> f64 {
     if digits < MANY { f64::EPSILON } else { 0.5 * 0.1f64.powi(digits as i32 - 1) }.max(f64::EPSILON)
 }
 
-fn significant_digits(word: &str) -> usize {
+/// The significant digits of a number as it is written.
+pub(super) fn significant_digits(word: &str) -> usize {
     let mantissa = word.split(['e', 'E']).next().unwrap_or_default();
     mantissa.chars().filter(char::is_ascii_digit).skip_while(|&digit| digit == '0').count()
 }

@@ -55,7 +55,8 @@ struct Main {
     heights: Heights,
 }
 
-struct Archive(ZipArchive<BufReader<File>>);
+/// The archive, and the folder in it that `main.xml` is in, with a slash behind it: a folder that was packed rather than its content.
+struct Archive(ZipArchive<BufReader<File>>, String);
 
 /// The header, its links checked against the sizes of the files in the archive.
 ///
@@ -103,18 +104,30 @@ pub(super) fn measured(path: &Path) -> Result<Measured, ReadError> {
     Ok(Measured { metadata, heights, scale: 1.0, offset, precision: stored.scaled_precision() })
 }
 
+/// The name of an entry for either path separator.
+fn plain(name: &str) -> String {
+    let name = name.trim().replace('\\', "/").to_lowercase();
+    name.trim_start_matches("./").trim_start_matches('/').to_owned()
+}
+
 impl Archive {
     fn open(path: &Path) -> Result<Self, ReadError> {
-        Ok(Self(ZipArchive::new(BufReader::new(File::open(path)?)).map_err(of_zip)?))
+        let archive = ZipArchive::new(BufReader::new(File::open(path)?)).map_err(of_zip)?;
+        let mut all = Self(archive, String::new());
+        if all.find(MAIN).is_none() {
+            let mut folders = all.0.file_names().flatten().filter_map(|name| {
+                let name = plain(&name);
+                name.strip_suffix(MAIN).filter(|folder| folder.ends_with('/')).map(str::to_owned)
+            });
+            let folder = folders.next().filter(|_| folders.next().is_none());
+            all.1 = folder.unwrap_or_default();
+        }
+        Ok(all)
     }
 
     /// The index of the entry `name`, for either path separator.
     fn find(&self, name: &str) -> Option<usize> {
-        let plain = |name: &str| {
-            let name = name.trim().replace('\\', "/").to_lowercase();
-            name.trim_start_matches("./").trim_start_matches('/').to_owned()
-        };
-        let wanted = plain(name);
+        let wanted = self.1.clone() + &plain(name);
         let is_wanted =
             |index| matches!(self.0.name_for_index(index), Some(Ok(name)) if plain(&name) == wanted);
         (0..self.0.len()).find(|&index| is_wanted(index))
@@ -182,8 +195,9 @@ impl Archive {
 
     fn main(&mut self) -> Result<Main, ReadError> {
         let index = self.find(MAIN).ok_or_else(|| {
+            let unpack = if self.names().to_lowercase().contains(".x3p") { "; unpack it first" } else { "" };
             ReadError::Mismatch(format!(
-                "is a zip archive without {MAIN}, not an X3P file; found: {}",
+                "is a zip archive without {MAIN}, not an X3P file; found: {}{unpack}",
                 self.names()
             ))
         })?;

@@ -80,6 +80,24 @@ fn bad_text_is_refused_with_its_place() {
         "# Head\nProse, with commas; and 1.5 numbers.\n"
     );
     assert_refused!(Mismatch, "begins with \"\\x00\\x01", b"\0\x01\x02\x03 binary");
+    let table = "0.5 1 2\n3 4.5 5\n6 7 8.5\n";
+    for (head, begin) in [
+        ("Instrument XY Export v1.2\nDate: 2024-01-02, 5.5\nOperator: me\n", 4),
+        ("h=650, w=650.5\n", 2),
+        ("\\Exported image units: nm\n", 2),
+        ("# a comment\n3\n3\n", 4),
+    ] {
+        assert_refused!(
+            Heading,
+            &format!("the table begins in line {begin}; allowed: a table only"),
+            format!("{head}{table}")
+        );
+    }
+    assert_refused!(
+        Heading,
+        "begins with a line that holds no row of the table (line 1: \"3 3\")",
+        format!("3 3\n{table}")
+    );
     assert_refused!(Corrupt, "is empty", "");
     assert_refused!(Corrupt, "holds no number", "# only a comment\n");
     assert_refused!(Corrupt, "line 3, column 2: found \"oops\"", "1 2 3 4\n1 2 3 4\n1 oops 3 4\n");
@@ -157,7 +175,7 @@ fn points_of_no_grid_are_refused() {
 }
 
 #[test]
-fn units_in_the_names_of_columns_are_read_and_may_be_overridden() {
+fn units_in_the_names_of_columns_are_read_and_hold() {
     let grid = points([0.5, 0.25], |x| x);
     let none = ReadOptions::default();
     let head = assert_map(format!("x [um] y [um] z [nm]\n{grid}"), none, 1e-9, [0.5e-6, 0.25e-6]);
@@ -166,7 +184,16 @@ fn units_in_the_names_of_columns_are_read_and_may_be_overridden() {
     let pandas = format!(",x_um,y_um,height_nm\n{}", indexed(&grid.replace(' ', ",")));
     assert!(assert_map(pandas, none, 1e-9, [0.5e-6, 0.25e-6]).left_out.index_column);
     let given = ReadOptions { unit: Some(LengthUnits { xy: 1e-5, z: 1e-8 }), ..none };
-    assert_map(format!("x [um] y [um] z [nm]\n{grid}"), given, 1e-8, [0.5e-5, 0.25e-5]);
+    let named = format!("x [um] y [um] z [nm]\n{grid}");
+    let same = ReadOptions { unit: Some(LengthUnits { xy: 1e-6, z: 1e-9 }), ..none };
+    assert_map(&named, same, 1e-9, [0.5e-6, 0.25e-6]);
+    let (_folder, path) = file(&named);
+    let other = ReadOptions { unit: Some(LengthUnits::same(1e-6)), ..none };
+    assert_eq!(
+        height_map(&path, other).unwrap_err().to_string(),
+        "names the units of its columns (x and y in um, z in nm), and the unit given is um; allowed: leave unit out, or correct the \
+         names of the columns"
+    );
     // Units that are not clear are an error unless others are given.
     let unclear = format!("x [px] y [px] z [nm]\n{grid}");
     assert_map(&unclear, given, 1e-8, [0.5e-5, 0.25e-5]);
@@ -202,7 +229,7 @@ fn numbers_and_names_of_columns_and_lines_are_no_heights() {
         (matrix.clone(), None, false),
     ] {
         let head = assert_map(&text, IN_NM, 1e-9, PIXEL);
-        assert_eq!(head.left_out, LeftOut { header, index_column }, "{text}");
+        assert_eq!(head.left_out, LeftOut { header, index_column, ..LeftOut::default() }, "{text}");
     }
     // An inclined plane of whole numbers is a map.
     let plane: String =
@@ -212,6 +239,49 @@ fn numbers_and_names_of_columns_and_lines_are_no_heights() {
         (metadata(&path).unwrap().points, metadata(&path).unwrap().left_out),
         ([6, 6], LeftOut::default())
     );
+}
+
+/// Coordinates that are equally spaced to their last digit are no heights; a tilted plane is.
+#[test]
+fn coordinates_of_columns_and_lines_are_no_heights() {
+    let height = |ix: usize, iy: usize| ((ix * 7 + iy * 5) % 11) as f64 * 0.25;
+    let row = |values: Vec<String>| values.join(" ") + "\n";
+    let matrix = |column: &dyn Fn(usize) -> String| -> String {
+        (0..10).map(|iy| column(iy) + &row((0..9).map(|ix| height(ix, iy).to_string()).collect())).collect()
+    };
+    let across = || row((0..9).map(|k| format!("{:.4}", 0.8 * k as f64)).collect());
+    let along = |iy: usize| format!("{:.2} ", -1.5 + iy as f64 / 3.0);
+    let none = |_: usize| String::new();
+    for (text, header, index_column, spacing) in [
+        (format!("0 {}{}", across(), matrix(&along)), Some(1), true, [Some(0.8), Some(1.0 / 3.0)]),
+        (format!("y/x {}{}", across(), matrix(&along)), Some(1), true, [None, Some(1.0 / 3.0)]),
+        (format!("{}{}", across(), matrix(&along)), Some(1), true, [Some(0.8), Some(1.0 / 3.0)]),
+        (format!("{}{}", across(), matrix(&none)), Some(1), false, [Some(0.8), None]),
+        (matrix(&along), None, true, [None, Some(1.0 / 3.0)]),
+        (matrix(&none), None, false, [None, None]),
+    ] {
+        let (_folder, path) = file(&text);
+        let head = metadata(&path).unwrap();
+        assert_eq!(
+            (head.points, head.left_out.header, head.left_out.index_column),
+            ([9, 10], header, index_column),
+            "{text}"
+        );
+        for (found, wanted) in head.left_out.spacing.iter().zip(spacing) {
+            assert_eq!(
+                found.map(|step| (step * 100.0).round()),
+                wanted.map(|step: f64| (step * 100.0).round()),
+                "{text}"
+            );
+        }
+        let map = height_map(&path, IN_NM).unwrap();
+        assert!((0..90).all(|k| (map.heights()[k] - height(k / 10, k % 10) * 1e-9).abs() < 1e-15), "{text}");
+    }
+    let plane: String = (0..9)
+        .map(|y| row((0..9).map(|x| format!("{:.2}", 0.8 * x as f64 + 0.3 * y as f64)).collect()))
+        .collect();
+    let (_folder, path) = file(&plane);
+    assert_eq!(metadata(&path).unwrap().points, [9, 9]);
 }
 
 #[test]

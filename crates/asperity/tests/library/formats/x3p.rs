@@ -106,6 +106,20 @@ fn zipped(files: &[(&str, Vec<u8>)]) -> Vec<u8> {
     archive.finish().unwrap().into_inner()
 }
 
+/// An archive of the folder rather than of its content.
+#[test]
+fn x3p_in_a_folder_of_the_archive_is_read() {
+    let x3p = X3p::linked("D", "1e-9", in_lines().flat_map(f64::to_le_bytes).collect());
+    let data = x3p.files[0].1.clone();
+    let main = || x3p.xml().into_bytes();
+    let folder = [("scan/main.xml", main()), ("scan/bindata/data.bin", data)];
+    assert_map(zipped(&folder), ReadOptions::default(), 1e-9, PIXEL);
+    let two = zipped(&[("a/main.xml", main()), ("b/main.xml", main())]);
+    assert_refused!(Mismatch, "without main.xml, not an X3P file; found: a/main.xml, b/main.xml", two);
+    let packed = zipped(&[("scan.x3p", x3p.bytes())]);
+    assert_refused!(Mismatch, "found: scan.x3p; unpack it first", packed);
+}
+
 #[test]
 fn x3p_of_every_data_type_scaled_and_moved() {
     // Eighths of a nanometre below 2 um.
