@@ -116,7 +116,7 @@ impl<'a> SurfaceFactory<'a> {
             progress: &Silent,
         };
         self.counter.add(Item::Surfaces, 1);
-        found(&self.plan.name, &search, &**self.raw.as_ref()?, &mut Timing::default()).ok()
+        found(&self.plan.name, &search, (&**self.raw.as_ref()?, [false; 2]), &mut Timing::default()).ok()
     }
 
     /// The surface of a `map` that was derived from the prepared map of a surface with these `facts`: not prepared further and not
@@ -135,7 +135,7 @@ impl<'a> SurfaceFactory<'a> {
             progress: &Silent,
         };
         self.counter.add(Item::Surfaces, 1);
-        found(&self.plan.name, &search, map, &mut Timing::default()).ok()
+        found(&self.plan.name, &search, (map, [false; 2]), &mut Timing::default()).ok()
     }
 
     /// Whether a map is divided into blocks: unless its realisations give the sampling error.
@@ -235,7 +235,7 @@ impl<'a> SurfaceFactory<'a> {
                     keeps_map: self.keeps_map,
                     progress: self.progress,
                 };
-                found(name, &search, &made.map, timing).map_err(|error| refuse(&error))
+                found(name, &search, (&made.map, [false; 2]), timing).map_err(|error| refuse(&error))
             }
             Origin::Map(map) => {
                 let refuse =
@@ -272,7 +272,7 @@ impl<'a> SurfaceFactory<'a> {
                     keeps_map: self.keeps_map,
                     progress: self.progress,
                 };
-                let mut surface = timed(name, &search, &*rows, timing)
+                let mut surface = timed(name, &search, (&*rows, map.is_held), timing)
                     .map_err(|error| refuse(&no_asperities(&error, map.size(), preparation.filter)))?;
                 surface.fit = fit.map(Box::new);
                 surface.warnings = own_warnings(&surface);
@@ -336,11 +336,11 @@ fn no_asperities(error: &NoAsperities, size: [f64; 2], filter: Option<Filter>) -
 /// The ratio is 1.2 for Gaussian heights, and 1.5 for those of machined surfaces.
 const FEW_FLAT_TOPS: f64 = 4.0;
 
-/// The surface of the asperities that are found on a map, with its warnings.
+/// The surface of the asperities that are found on a map, and whether its file holds pixel and unit, with its warnings.
 fn found(
     name: &str,
     search: &SummitSearch,
-    map: &dyn Rows,
+    map: (&dyn Rows, [bool; 2]),
     timing: &mut Timing,
 ) -> Result<Surface, NoAsperities> {
     let surface = timed(name, search, map, timing)?;
@@ -351,12 +351,15 @@ fn found(
 fn timed(
     name: &str,
     search: &SummitSearch,
-    map: &dyn Rows,
+    (map, is_held): (&dyn Rows, [bool; 2]),
     timing: &mut Timing,
 ) -> Result<Surface, NoAsperities> {
     let start = Instant::now();
-    let surface = search.surface(name, map)?;
+    let mut surface = search.surface(name, map)?;
     timing.summits += start.elapsed();
+    if let Some(map) = &mut surface.map {
+        map.is_held = is_held;
+    }
     Ok(surface)
 }
 

@@ -272,6 +272,15 @@ fn shared_height(share: &str, map: &MapFacts) -> String {
     format!("{points} points ({share}) have exactly the height {height}{which}: {why}")
 }
 
+/// The keys that say in which units a map is; `both` where its file holds neither.
+fn unit_keys(map: &MapFacts, both: &'static str) -> &'static str {
+    match map.is_held {
+        [_, true] => "the units in the file",
+        [true, false] => "`unit` (of coordinates and heights, as in `unit = { xy = \"um\", z = \"nm\" }`)",
+        [false, false] => both,
+    }
+}
+
 /// What to do about a failed check, in the keys of a spec where there is one.
 pub fn remedy(finding: &Finding, map: &MapFacts) -> String {
     let key = Remedy::new(finding, map).map(|remedy| format!("`{}`", written(remedy)));
@@ -316,15 +325,20 @@ pub fn remedy(finding: &Finding, map: &MapFacts) -> String {
         Measure::RadiusOverTip => "a sharper tip, or its radius measured to a tenth".to_owned(),
         Measure::Untraced => "`tip`: it is sharper than stated, or noise stands out, which an S filter removes".to_owned(),
         Measure::LengthOverSide => format!("a larger map, or an L filter such as {}", key()),
-        Measure::NominalArea => {
-            "`pixel` or `unit`: a number without a unit is in metres, as in `pixel = \"0.8 um\"`".to_owned()
-        }
-        Measure::LeastSlope => {
-            "`pixel` or `unit`: heights and pixel size are probably in different units (a number without a unit is in metres)"
-                .to_owned()
-        }
+        Measure::NominalArea => match map.is_held {
+            [_, true] => "the pixel that the file holds, with its unit".to_owned(),
+            [true, false] => "`unit`: without one lengths in the file are in metres, as in `unit = \"um\"`".to_owned(),
+            [false, false] => {
+                "`pixel` or `unit`: a number without a unit is in metres, as in `pixel = \"0.8 um\"`".to_owned()
+            }
+        },
+        Measure::LeastSlope => format!(
+            "{}: heights and pixel size are probably in different units (a number without a unit is in metres)",
+            unit_keys(map, "`pixel` or `unit`")
+        ),
         Measure::Slope if finding.is_of_units() => format!(
-            "`unit` or `pixel`: heights and pixel size are probably in different units (no surface has slopes above {})",
+            "{}: heights and pixel size are probably in different units (no surface has slopes above {})",
+            unit_keys(map, "`unit` or `pixel`"),
             number(LARGEST_FLANKS)
         ),
         Measure::Slope if finding.is_blocking() => {

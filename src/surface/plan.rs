@@ -68,6 +68,8 @@ pub(super) struct MapPlan {
     pub(super) points: [usize; 2],
     /// Their distances, m.
     pub(super) pixel: [f64; 2],
+    /// Whether its file holds pixel and unit.
+    pub(super) is_held: [bool; 2],
     /// Whether its heights stay on disk.
     pub(super) is_on_disk: bool,
     /// Whether it continues periodically.
@@ -272,7 +274,18 @@ impl SurfacePlan {
             s: filter.is_some_and(|filter| filter.s().is_some()),
             l: filter.is_some_and(|filter| filter.l().is_some()),
         });
-        Ok(Origin::Map(MapPlan { file, caveats, points, pixel, is_on_disk, is_periodic, preparation, fit }))
+        let is_held = [metadata.pixel.is_some(), metadata.has_unit];
+        Ok(Origin::Map(MapPlan {
+            file,
+            caveats,
+            points,
+            pixel,
+            is_held,
+            is_on_disk,
+            is_periodic,
+            preparation,
+            fit,
+        }))
     }
 
     /// The file that it is read from.

@@ -83,6 +83,8 @@ pub struct MapFacts {
     pub points: [usize; 2],
     /// Their distances, m.
     pub pixel: [f64; 2],
+    /// Whether its file holds pixel and unit of length, so that neither can be stated.
+    pub is_held: [bool; 2],
     /// Points tested for a summit.
     pub tested: usize,
     /// The form removed.

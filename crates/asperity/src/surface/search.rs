@@ -50,6 +50,21 @@ pub enum NoAsperities {
         /// Number of tested points.
         tested: usize,
     },
+    /// One summit, or none because no point could be one.
+    #[error(
+        "has {} on {} x {} points{}: two of different heights are the least, a comparison needs hundreds; allowed: {}",
+        if *summits == 0 { "no summit" } else { "one summit only" },
+        points[0], points[1], missing_share(*missing, *points),
+        if *missing == 0 { "a larger map" } else { "a larger map, or one with fewer missing points (a summit has none beside it)" },
+    )]
+    FewSummits {
+        /// Number of summits.
+        summits: usize,
+        /// Points along x and y.
+        points: [usize; 2],
+        /// Number of missing points.
+        missing: usize,
+    },
     /// Summits whose heights are equal but for rounding.
     #[error(
         "has {summits} summits that are equally high: separations are measured in their standard deviation; allowed: summits of \
@@ -62,6 +77,15 @@ pub enum NoAsperities {
     /// Asperities that cannot be.
     #[error(transparent)]
     Set(#[from] SetError),
+}
+
+/// ", 60 % of which are missing"; nothing without missing points.
+fn missing_share(missing: usize, [nx, ny]: [usize; 2]) -> String {
+    match missing as f64 / (nx * ny) as f64 {
+        0.0 => String::new(),
+        share if share < 0.01 => ", less than 1 % of which are missing".to_owned(),
+        share => format!(", {:.0} % of which are missing", 100.0 * share),
+    }
 }
 
 /// What is done to a map before its summits are searched, and what a summit is.
@@ -253,6 +277,13 @@ impl SummitSearch<'_> {
         };
         progress.stage("summits", 1.0);
         let summits = find(map, self.preparation.neighbours, detail);
+        if summits.heights.len() == 1 || summits.tested == 0 {
+            return Err(NoAsperities::FewSummits {
+                summits: summits.heights.len(),
+                points: map.points(),
+                missing: roughness.missing,
+            });
+        }
         if summits.heights.is_empty() {
             return Err(NoAsperities::NoSummit { tested: summits.tested });
         }
@@ -396,6 +427,7 @@ impl SummitSearch<'_> {
             offsets: None,
             tip: None,
             correlation: None,
+            is_held: [false; 2],
             generation: self.generation.clone(),
             whole: MapOverview::new(
                 map,
@@ -510,6 +542,26 @@ mod tests {
             assert_eq!((facts.saddles, larger), (smaller, 0));
             assert!(smaller > 0);
         }
+    }
+
+    #[test]
+    fn a_map_with_a_single_summit_says_why() {
+        let refused = |points, height: &dyn Fn(usize) -> f64| {
+            let preparation = Preparation { level: Level::None, ..Preparation::none(Neighbours::Four) };
+            SummitSearch::new(preparation).surface("a", &map(points, height)).err().unwrap().to_string()
+        };
+        let small = refused([8, 8], &|k| if k == 27 { 1.0 } else { 0.0 });
+        assert!(
+            small.starts_with("has one summit only on 8 x 8 points: two of different heights are"),
+            "{small}"
+        );
+        assert!(small.ends_with("; allowed: a larger map"), "{small}");
+        let holes = refused([8, 8], &|k| if k % 2 == 0 { f64::NAN } else { k as f64 });
+        assert!(
+            holes.starts_with("has no summit on 8 x 8 points, 50 % of which are missing: two"),
+            "{holes}"
+        );
+        assert!(holes.contains("fewer missing points"), "{holes}");
     }
 
     /// What is left of a plane far from zero is its rounding.
