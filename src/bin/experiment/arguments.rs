@@ -6,7 +6,7 @@ use asperity_contact_framework::divided::Part;
 use asperity_experiment::kind::KINDS;
 use asperity_experiment::surface::{ContactOptions, FileOptions};
 use clap::builder::PossibleValuesParser;
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, CommandFactory, Parser, Subcommand};
 
 /// Runs the statistical and the deterministic contact model on the same rough surface.
 ///
@@ -147,10 +147,10 @@ pub struct FileArguments {
     #[arg(long)]
     fit: bool,
     /// What becomes of spikes: keep, remove
-    #[arg(long, allow_hyphen_values = true)]
+    #[arg(long, allow_hyphen_values = true, value_name = "keep|remove")]
     outliers: Option<String>,
     /// Axis along which lines of the scan are set to the same mean height: x, y
-    #[arg(long, allow_hyphen_values = true)]
+    #[arg(long, allow_hyphen_values = true, value_name = "x|y")]
     align_lines: Option<String>,
     /// Radius of the stylus or tip that traced the map, which is eroded: "5 um"
     #[arg(long, allow_hyphen_values = true)]
@@ -165,7 +165,7 @@ pub struct FileArguments {
     #[arg(long, allow_hyphen_values = true)]
     l: Option<String>,
     /// Number of neighbours that a summit must exceed: four, eight
-    #[arg(long, allow_hyphen_values = true)]
+    #[arg(long, allow_hyphen_values = true, value_name = "four|eight")]
     neighbours: Option<String>,
     /// Material of both bodies, a name of the library (`experiment materials`); default: steel-100Cr6
     #[arg(long)]
@@ -197,6 +197,22 @@ pub struct FileArguments {
     /// Solve the contact of the map by boundary elements too, which know no asperities (seconds to minutes)
     #[arg(long)]
     reference: bool,
+}
+
+/// The option of a file that has another option where its value should be: values may begin with a hyphen, as -9999 does.
+pub fn without_value(words: &[String]) -> Option<String> {
+    let command = Cli::command();
+    let surface =
+        command.find_subcommand("surface").filter(|_| words.iter().any(|word| word == "surface"))?;
+    let is_open = |word: &str| {
+        let mut options = surface.get_arguments().filter(|option| option.is_allow_hyphen_values_set());
+        options.any(|option| option.get_long().is_some_and(|long| word.strip_prefix("--") == Some(long)))
+    };
+    let (option, next) = words
+        .iter()
+        .zip(words.iter().skip(1))
+        .find(|(word, next)| is_open(word) && next.starts_with("--"))?;
+    Some(format!("{option}: found the option {next}; allowed: a value, see `experiment surface --help`"))
 }
 
 impl From<FileArguments> for FileOptions {

@@ -66,6 +66,10 @@ impl From<ReportError> for Failure {
 }
 
 fn main() -> ExitCode {
+    let words: Vec<String> = std::env::args_os().map(|word| word.to_string_lossy().into_owned()).collect();
+    if let Some(message) = arguments::without_value(&words) {
+        return Failure::Input(message).report();
+    }
     let cli = Cli::parse();
     interrupt::handle();
     let outcome = match cli.command {
@@ -304,7 +308,7 @@ fn surface(
     write_index(&mut store, &options.out)
 }
 
-/// Refuses to save a spec of a spec, or over a file, before anything runs.
+/// Refuses to save a spec of a spec, over a file, or where none can be written, before anything runs.
 fn check_save_spec(file: &Path, spec: &Path) -> Result<(), Failure> {
     if file.extension().is_some_and(|ending| ending == "toml") {
         let message =
@@ -316,7 +320,22 @@ fn check_save_spec(file: &Path, spec: &Path) -> Result<(), Failure> {
             format!("--save-spec {}: found a file of this name; allowed: a new name", spec.display());
         return Err(Failure::Input(message));
     }
-    Ok(())
+    let folder = spec.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    if !folder.is_dir() {
+        let message = format!(
+            "--save-spec {}: found no folder {}; allowed: a new name in a folder that is there",
+            spec.display(),
+            folder.display()
+        );
+        return Err(Failure::Input(message));
+    }
+    // Nothing but an attempt says whether a file can be made there.
+    std::fs::File::create_new(spec).and_then(|_| std::fs::remove_file(spec)).map_err(|error| {
+        Failure::Input(format!(
+            "--save-spec {}: {error}; allowed: a file that can be written",
+            spec.display()
+        ))
+    })
 }
 
 /// Writes a file that is not there yet.

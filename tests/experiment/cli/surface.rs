@@ -309,9 +309,52 @@ fn maps_of_labs_are_read_from_the_command_line() {
     assert!(is_read, "{error}");
     close(sq(&name)["pixel_x_m"].as_f64().unwrap(), 5e-7, 1e-9);
     let found = sq(&name)["sq_m"].as_f64().unwrap();
-    let (.., name) = run("points.csv", &["--unit", "xy=mm, z=nm"]);
-    close(sq(&name)["pixel_x_m"].as_f64().unwrap(), 5e-4, 1e-9);
+    let (is_read, error, ..) = run("points.csv", &["--unit", "xy=mm, z=nm"]);
+    assert!(!is_read && error.contains("names the units of its columns (x and y in um, z in nm)"), "{error}");
+    assert!(
+        error.contains("and the unit given is mm of x and y, nm of z; allowed: leave unit out"),
+        "{error}"
+    );
+
+    // Points in an unknown unit hold their pixel: only the unit can be stated.
+    fs::write(folder.path().join("points.csv"), format!("x, y, height\n{points}")).unwrap();
+    let (is_read, error, card, _) = run("points.csv", &["--unit", "xy=m, z=nm"]);
+    assert!(is_read, "{error}");
+    assert!(card.contains("Next step: `unit`") && !card.contains("or `pixel`"), "{card}");
+    assert!(!card.contains("pixel = "), "{card}");
+    let (.., name) = run("points.csv", &["--unit", "xy=um, z=nm"]);
     close(sq(&name)["sq_m"].as_f64().unwrap(), found, 1e-9);
+
+    // Lines above the table, and a table in which there is a single summit.
+    fs::write(folder.path().join("headed.txt"), format!("Export 1.2\nUnits: nm\n{heights}")).unwrap();
+    let (is_read, error, ..) = run("headed.txt", &in_nm);
+    assert!(!is_read && error.contains("headed.txt begins with 2 lines"), "{error}");
+    assert!(error.contains("the table begins in line 3") && error.contains("put # before each"), "{error}");
+    fs::write(folder.path().join("small.txt"), "0 0 0 0\n0 3 0 1\n0 0 0 0\n0 1 0 2\n").unwrap();
+    let (is_read, error, ..) = run("small.txt", &["--pixel", "1 um", "--unit", "nm", "--level", "none"]);
+    assert!(!is_read && error.contains("small.txt has one summit only on 4 x 4 points: "), "{error}");
+}
+
+/// What cannot be carried out is refused before anything runs.
+#[test]
+fn options_of_a_surface_are_checked_before_it_runs() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("map.txt"), rough()).unwrap();
+    for (arguments, words) in [
+        (
+            &["--align-lines", "--level", "plane"][..],
+            "--align-lines: found the option --level; allowed: a value",
+        ),
+        (&["--missing", "--fit"], "--missing: found the option --fit; allowed: a value"),
+        (&["--save-spec", "none/mine.toml"], "--save-spec none/mine.toml: found no folder none; allowed"),
+        (&["--save-spec", "map.txt"], "--save-spec map.txt: found a file of this name"),
+    ] {
+        let all = [&["surface", "map.txt", "--pixel", "1 um", "--unit", "nm"], arguments].concat();
+        let output = experiment(&all, folder.path());
+        let said = text(&output.stderr);
+        assert!(output.status.code() == Some(2) && said.contains(words), "{said}");
+        assert!(!folder.path().join("reports").exists(), "{arguments:?}");
+    }
 }
 
 /// `--fit` prints its steps, keeps what is stated, and saves the spec that does the same by hand.

@@ -155,12 +155,29 @@ impl Source {
 
     /// Refuses the spec as its parser did.
     pub fn parse_error(&self, error: &toml::de::Error) -> InputError {
-        let message = plain_message(error.message());
+        let mut message = plain_message(error.message());
+        let line = |span: Range<usize>| {
+            let begin = self.text.get(..span.start)?.rfind('\n').map_or(0, |end| end + 1);
+            self.text.get(begin..)?.lines().next()
+        };
+        if is_of_escape(error.message())
+            && error.span().and_then(line).is_some_and(|line| line.contains('\\'))
+        {
+            message = format!(
+                "found a backslash in double quotes that begins no escape ({message}); allowed: single quotes, as in \
+                 'C:\\maps\\a.npy', or forward slashes, as in \"C:/maps/a.npy\""
+            );
+        }
         match error.span() {
             Some(span) => self.error_at(span, message),
             None => InputError::file(&self.path, message),
         }
     }
+}
+
+/// Whether the parser's message is about what follows a backslash.
+fn is_of_escape(message: &str) -> bool {
+    ["escape", "unicode"].iter().any(|word| message.contains(word))
 }
 
 /// Message of the parser as what was found and what is allowed.
