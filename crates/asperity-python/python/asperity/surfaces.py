@@ -130,8 +130,8 @@ class Topography:
             Distance of neighbouring points along x and y in m, only where the file holds none. The first index of a ``.npy``
             is x; in a text x runs along a line.
         unit : str or {"xy": str, "z": str}, optional
-            Unit of the lengths in the file such as ``"um"``, or one of coordinates and one of heights. It overrides units in
-            the names of columns.
+            Unit of the lengths in the file such as ``"um"``, or one of coordinates and one of heights. Not where the file
+            has a unit; names of columns that state another one are an error.
         missing : float or sequence of float, optional
             Heights that mark missing points, in the unit of the file. An empty sequence: every number is a height, although
             one is far from all others.
