@@ -16,8 +16,8 @@ pub const ORDER: [ComparedQuantity; 3] =
     [ComparedQuantity::Area, ComparedQuantity::Separation, ComparedQuantity::Stiffness];
 
 /// The answer on one surface under one law and thickness: the results at the load, whether the integral may replace the sum there on this
-/// map, and on such surfaces, and what holds of such surfaces at the other loads. The load acts on `load_area` (m²).
-pub fn answer(case: &CaseStudy, surface: &Surface, load_area: f64) -> Vec<String> {
+/// map, and on such surfaces, and, of the only case, what holds of such surfaces at the other loads. The load acts on `load_area` (m²).
+pub fn answer(case: &CaseStudy, surface: &Surface, load_area: f64, is_only: bool) -> Vec<String> {
     let verdicts = &case.verdicts;
     let mut sentences: Vec<String> = results(case, surface, load_area).into_iter().collect();
     let Some(at) = case.reported_load() else { return sentences };
@@ -28,7 +28,8 @@ pub fn answer(case: &CaseStudy, surface: &Surface, load_area: f64) -> Vec<String
     }
     let is_admissible = at.exceeded().is_none();
     let here = if is_admissible { replace::on_surface(at, verdicts) } else { not_admissible(case, at) };
-    let of_surface = std::iter::once(here).chain(by_load(verdicts)).chain(dependence(case));
+    let by_load = by_load(verdicts).filter(|_| is_only);
+    let of_surface = std::iter::once(here).chain(by_load).chain(dependence(case));
     sentences.push(of_surface.collect::<Vec<_>>().join(" "));
     sentences
 }

@@ -84,6 +84,16 @@ fn need(estimate: &Estimate, quantity: ComparedQuantity, verdicts: &Verdicts) ->
     })
 }
 
+/// Whether an area is named that would tell.
+fn needs(at: &Difference, verdicts: &Verdicts) -> bool {
+    let growth = |quantity: ComparedQuantity| {
+        let estimate = at.estimates[quantity as usize]?;
+        let band = verdicts.accepted.band(quantity);
+        estimate.growth(band).filter(|_| Verdict::from_estimate(&estimate, band) == Verdict::CannotTell)
+    };
+    ORDER.into_iter().any(|quantity| growth(quantity).is_some())
+}
+
 /// Why some quantity cannot be told: what there is of the surface, and why there is no interval.
 fn why_open(at: &Difference, verdicts: &Verdicts) -> String {
     let now = nominal_area(verdicts.area, false);
@@ -102,7 +112,8 @@ fn why_open(at: &Difference, verdicts: &Verdicts) -> String {
         Some(area) => {
             format!("; an interval needs at least {} of surface, now {now}{reason}", nominal_area(area, true))
         }
-        None => format!("; the surface has {now}{reason}"),
+        None if needs(at, verdicts) => format!("; the surface has {now}{reason}"),
+        None => reason,
     }
 }
 
@@ -178,5 +189,8 @@ mod tests {
         let [_, surface] = answers(&verdicts(90.0, [0.1, 0.3], Some(0.05)));
         let expected = ": cannot be told in real contact area (0 to +22.1 %; about 450 mm² would tell); the surface has 1 mm².";
         assert!(surface.ends_with(expected), "{surface}");
+        // On the edge itself no area tells, and none is stated.
+        let [_, surface] = answers(&verdicts(90.0, [0.1f64.ln_1p(), 0.3], Some(0.05)));
+        assert!(surface.contains("cannot be told") && !surface.contains("mm²"), "{surface}");
     }
 }
