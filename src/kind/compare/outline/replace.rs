@@ -186,8 +186,8 @@ mod tests {
         let expected =
             ": cannot be told in real contact area; an interval needs at least 4 mm² of surface, now 1 mm².";
         assert!(surface.ends_with(expected), "{surface}");
-        let [_, surface] = answers(&verdicts(90.0, [0.1, 0.3], Some(0.05)));
-        let expected = ": cannot be told in real contact area (0 to +22.1 %; about 450 mm² would tell); the surface has 1 mm².";
+        let [_, surface] = answers(&verdicts(90.0, [0.13, 0.3], Some(0.03)));
+        let expected = ": cannot be told in real contact area (+7.25 to +20.9 %; about 3 mm² would tell); the surface has 1 mm².";
         assert!(surface.ends_with(expected), "{surface}");
         // On the edge itself no area tells, and none is stated.
         let [_, surface] = answers(&verdicts(90.0, [0.1f64.ln_1p(), 0.3], Some(0.05)));
