@@ -8,8 +8,20 @@ use super::lead::ORDER;
 use crate::presentation::quantity_name;
 
 /// The answer over several cases: for how many the models differ by more than is accepted at some load, for how many they agree
-/// wherever that can be told.
-pub fn count(all: &[&Verdicts]) -> String {
+/// wherever that can be told; of those on maps that are fit.
+pub fn count(cases: &[&Verdicts]) -> String {
+    let all: Vec<&Verdicts> = cases.iter().copied().filter(|verdicts| !verdicts.is_blocked).collect();
+    let blocked = match cases.len() - all.len() {
+        0 => String::new(),
+        count if all.is_empty() => {
+            return format!(
+                "The maps of all {count} cases fail a fitness check: no conclusion until they are fit."
+            );
+        }
+        count => {
+            format!(" The maps of {count} more fail a fitness check: no conclusion until they are fit.")
+        }
+    };
     let has = |verdicts: &Verdicts, compared: ComparedQuantity, is_wanted: fn(Verdict) -> bool| {
         verdicts.stretches.iter().any(|stretch| stretch.quantity == compared && is_wanted(stretch.verdict))
     };
@@ -41,15 +53,10 @@ pub fn count(all: &[&Verdicts]) -> String {
     } else {
         String::new()
     };
-    let blocked = match all.iter().filter(|verdicts| verdicts.is_blocked).count() {
-        0 => String::new(),
-        count => {
-            format!(" {count} are on maps that fail a fitness check: no conclusion until those are fit.")
-        }
-    };
     format!(
-        "Of {} cases, beyond what is accepted at some load, surely or very likely: {beyond}. Within it wherever that can be told: {within}.{open}{blocked}",
-        all.len()
+        "Of {} case{}, beyond what is accepted at some load, surely or very likely: {beyond}. Within it wherever that can be told: {within}.{open}{blocked}",
+        all.len(),
+        if all.len() == 1 { "" } else { "s" }
     )
 }
 
@@ -81,6 +88,12 @@ mod tests {
         assert!(text.contains("at any load: real contact area 1, separation 2"), "{text}");
         assert!(text.contains("is accepted for real contact area 1, separation 0 and stiffness 0"), "{text}");
         let blocked = Verdicts { is_blocked: true, ..within };
-        assert!(count(&[&beyond, &blocked]).contains("1 are on maps that fail a fitness check"));
+        let text = count(&[&beyond, &blocked]);
+        assert!(
+            text.starts_with("Of 1 case, ") && text.contains("The maps of 1 more fail a fitness check"),
+            "{text}"
+        );
+        assert!(text.contains("can be told: real contact area 0,"), "{text}");
+        assert!(count(&[&blocked, &blocked]).starts_with("The maps of all 2 cases fail a fitness check"));
     }
 }
