@@ -401,7 +401,7 @@ fn filters_that_cannot_be_meant_are_named() {
     let mut heights = gaussian(&spectrum, 1e-7, [9; 32]);
     heights[100 * side + 90] += 3e-6;
     let file = fs::File::create(folder.path().join("map.npy")).unwrap();
-    asperity::npy::write(file, [side; 2], heights.into_iter()).unwrap();
+    asperity::npy::write(file, [side; 2], heights).unwrap();
     let look = |more: &[&str]| {
         experiment(
             &[&["surface", "map.npy", "--pixel", "1 um", "--load", "0.1 N"], more].concat(),
