@@ -13,7 +13,7 @@ const ANSWERS: [(Verdict, &str); 5] = [
     (Verdict::Beyond, "no"),
     (Verdict::VeryLikelyBeyond, "very likely not"),
     (Verdict::Within, "yes"),
-    (Verdict::VeryLikelyWithin, "very likely"),
+    (Verdict::VeryLikelyWithin, "very likely yes"),
     (Verdict::CannotTell, "cannot be told"),
 ];
 
