@@ -21,15 +21,28 @@ pub fn limit_words(limit: Limit) -> String {
     }
 }
 
-/// "On such surfaces: no verdict, because this load is not admissible: ... Remedy: ..." of a load at which a limit is exceeded.
+/// Of a load at which limits are exceeded: which, and the remedy; where contacts are too few a larger surface, else neither model is for it.
 pub fn not_admissible(case: &CaseStudy, at: &Difference) -> String {
     let verdicts = &case.verdicts;
     let none = verdicts.admissible.stretches.is_empty() && verdicts.differences.len() > 1;
-    let which = if none { "no load is" } else { "this load is not" };
-    let exceeded: Vec<String> = at.exceeded().limits().map(|limit| beyond(limit, at)).collect();
+    let exceeded = at.exceeded();
+    let limits: Vec<String> = exceeded.limits().map(|limit| beyond(limit, at)).collect();
+    let limits = listed(&limits);
+    if exceeded.limits().all(is_of_few) {
+        let which = if none { "no load is" } else { "this load is not" };
+        let more = more_surface(at, verdicts, exceeded);
+        return format!(
+            "On such surfaces: no verdict, because {which} admissible: {limits}. Remedy: {more}."
+        );
+    }
+    let which = if none { "at any load" } else { "at this load" };
+    let why = if exceeded.limits().any(|limit| limit == Limit::LargeStrain) {
+        "contacts are not small against their asperities, of which spheres are a poor model"
+    } else {
+        "neighbouring contacts interact"
+    };
     format!(
-        "On such surfaces: no verdict, because {which} admissible: {}. Remedy: {}.",
-        listed(&exceeded),
+        "On such surfaces: neither model is admissible {which}: {limits}; {why}. Remedy: {}.",
         remedy(case, at)
     )
 }
@@ -47,15 +60,11 @@ fn beyond(limit: Limit, at: &Difference) -> String {
     format!("{words} ({value})")
 }
 
-/// What to do: more surface where contacts are few; else an S filter, lower loads, or boundary elements.
+/// What to do where asperities strain or interact: lower loads, an S filter, or boundary elements.
 fn remedy(case: &CaseStudy, at: &Difference) -> String {
-    let verdicts = &case.verdicts;
-    let exceeded = at.exceeded();
-    if exceeded.limits().all(is_of_few) {
-        return more_surface(at, verdicts, exceeded);
-    }
     let mut ways = Vec::new();
-    let lower = verdicts.admissible.stretches.iter().map(|stretch| stretch[1]).filter(|load| *load < at.load);
+    let admissible = case.verdicts.admissible.stretches.iter();
+    let lower = admissible.map(|stretch| stretch[1]).filter(|load| *load < at.load);
     if let Some(load) = lower.max_by(f64::total_cmp) {
         ways.push(format!("loads of at most {}", input_quantity(load, "Pa")));
     }
@@ -64,12 +73,7 @@ fn remedy(case: &CaseStudy, at: &Difference) -> String {
         Some(_) => "the boundary elements".to_owned(),
         None => "boundary elements (`\"reference\"` among the `models`)".to_owned(),
     });
-    let why = if exceeded.limits().any(|limit| limit == Limit::LargeStrain) {
-        "contacts are not small against their asperities, of which spheres are a poor model"
-    } else {
-        "neighbouring contacts interact"
-    };
-    format!("{}; {why}", ways.join(", or "))
+    ways.join(", or ")
 }
 
 /// Whether more surface lifts a limit.
