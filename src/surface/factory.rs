@@ -16,11 +16,11 @@ use asperity_contact_framework::report::format::{input_quantity, quantity};
 use super::files::Files;
 use super::fit::{self, as_written};
 use super::fitness;
-use super::plan::{self, Origin, SurfacePlan};
+use super::plan::{Origin, SurfacePlan};
 use super::read_error::{list_message, spec_message};
 use super::spec::DrawSpec;
 use asperity::surface::{AnalysisDepth, Fit, Independence};
-use asperity::surface::{MapFacts, Surface};
+use asperity::surface::{MapFacts, Surface, usual_long_filter};
 use asperity::surface::{NoAsperities, Preparation, SummitSearch};
 
 /// Makes or reads the realisations of a surface.
@@ -319,7 +319,7 @@ fn no_asperities(error: &NoAsperities, size: [f64; 2], filter: Option<Filter>) -
              {kept:.0e} of their variance; allowed: a longer one, such as `filter = {{ l = \"{}\" }}` (a sixth of the shorter side), or none",
             input_quantity(l, "m"),
             quantity(wavelength, "m"),
-            input_quantity(plan::long_filter(size), "m")
+            input_quantity(usual_long_filter(size), "m")
         );
     }
     match (error, filter.and_then(|filter| filter.s())) {

@@ -3,6 +3,7 @@
 use asperity::topography::fitness::{Check, Finding, Measure};
 use asperity_contact_framework::report::format::{count, input_quantity, number, percent, quantity};
 
+use asperity::numeric::two_digits_up;
 use asperity::surface::{Fit, MOST_SPIKE_POINTS, MapFacts, NotApplied, Remedy, Surface};
 use asperity::topography::HeightPlace;
 use asperity::topography::fitness::LARGEST_FLANKS;
@@ -102,10 +103,7 @@ pub fn remedy_left(finding: &Finding, map: &MapFacts, fit: Option<&Fit>) -> Stri
 /// Sides (m) of a map of the same surface that would hold enough patches, rounded up to two digits.
 fn larger_sides(finding: &Finding, map: &MapFacts) -> [f64; 2] {
     [0, 1].map(|axis| {
-        let side = map.points[axis] as f64 * map.pixel[axis] * finding.value / finding.threshold();
-        let digit = 10f64.powf(side.log10().floor() - 1.0);
-        let rounded = (side / digit).ceil() * digit;
-        format!("{rounded:.1e}").parse().unwrap_or(rounded)
+        two_digits_up(map.points[axis] as f64 * map.pixel[axis] * finding.value / finding.threshold())
     })
 }
 

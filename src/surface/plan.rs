@@ -7,13 +7,13 @@ use std::path::PathBuf;
 
 use crate::plausibility;
 use crate::surface::files::Reading;
+use crate::surface::filters;
 use crate::surface::generation::Generation;
 use crate::surface::read_error::{list_message, options_message, spec_message};
 use crate::surface::reading;
 use crate::surface::spec::{
     DrawSpec, FileSpec, FitSpec, ListSpec, Outliers, PopulationHeights, PopulationSpec, SurfaceSpec,
 };
-use asperity::surface::{AnalysisDepth, MOST_ANALYSED_POINTS};
 use asperity::surface::{Kept, Preparation};
 use asperity::topography::read::{MapFile, Metadata, ReadOptions, ReadOptionsError};
 use asperity::topography::{Boundary, Filter, Level, read};
@@ -23,8 +23,6 @@ use asperity::{
 use asperity_contact_framework::input::Spanned;
 use asperity_contact_framework::input::quantity::{Length, Pure, Quantity};
 use asperity_contact_framework::input::{InMemory, InputError, Source, SpecFile, Whole};
-use asperity_contact_framework::report::format::input_quantity;
-use asperity_contact_framework::{Memory, set_memory};
 
 /// A surface that can be made.
 #[derive(Debug)]
@@ -244,7 +242,7 @@ impl SurfacePlan {
                     Ok(made)
                 });
                 let made = made.map_err(|error| source.error_at(filter.span(), error))?;
-                check_long_filter(made, points, pixel)
+                filters::check_long(made, points, pixel)
                     .map_err(|message| source.error_at(filter.span(), message))?;
                 Some(made)
             }
@@ -266,7 +264,7 @@ impl SurfacePlan {
             None => file.stays_on_disk().map_err(|error| refuse(&spec_message(&error)))?,
         };
         let mut caveats = reading::caveats(&metadata, pixel, file.transpose);
-        caveats.extend(filter.and_then(|filter| short_filter_caveat(filter, pixel)));
+        caveats.extend(filter.and_then(|filter| filters::short_caveat(filter, pixel)));
         let fit = raw.fit.map(|FitSpec::Auto| Kept {
             spikes: raw.outliers.is_some(),
             lines: raw.align_lines.is_some(),
@@ -384,17 +382,6 @@ impl SurfacePlan {
         }
     }
 
-    /// What its file takes as long as another surface needs it too, bytes.
-    pub fn kept_file(&self) -> u128 {
-        const BYTES_PER_POINT: u128 = 8;
-        const BYTES_PER_ROW: u128 = 32;
-        match &self.origin {
-            Origin::List { .. } => self.most_asperities() * BYTES_PER_ROW,
-            Origin::Map(MapPlan { points, is_on_disk: false, .. }) => area(*points) * BYTES_PER_POINT,
-            _ => 0,
-        }
-    }
-
     /// What it is, for a plan that a person reads.
     pub fn describe(&self) -> String {
         let what = match &self.origin {
@@ -407,96 +394,6 @@ impl SurfacePlan {
             }
         };
         if self.realisations > 1 { format!("{what}, {} realisations", self.realisations) } else { what }
-    }
-
-    /// The most asperities that it can have.
-    pub fn most_asperities(&self) -> u128 {
-        /// Four neighbours cannot all be summits.
-        const POINTS_PER_SUMMIT: u128 = 2;
-        match &self.origin {
-            Origin::List { rows, .. } => *rows as u128,
-            Origin::Population { count, .. } => *count as u128,
-            Origin::Generated(generation) => area(generation.points()) / POINTS_PER_SUMMIT,
-            Origin::Map(MapPlan { points, .. }) => area(*points) / POINTS_PER_SUMMIT,
-        }
-    }
-
-    /// An estimate of the memory that it needs at its peak, bytes, with as many summits as a rough surface has: on
-    /// noise there are twice as many. `is_treated` is whether other treatments of a measured map are examined.
-    pub fn memory(&self, depth: AnalysisDepth, is_treated: bool) -> u128 {
-        /// A map that is read at once and transposed.
-        const BYTES_PER_READ_POINT: u128 = 32;
-        /// The transforms of an autocorrelation, over one and a half times the side of an open map.
-        const BYTES_PER_ANALYSED_POINT: u128 = 96;
-        /// A copy of a random surface, which its spectrum is made from.
-        const BYTES_PER_POINT_OF_SPECTRUM: u128 = 8;
-        const BYTES_PER_HEIGHT: u128 = 8;
-        /// Both erosions of a map by a tip, with the apexes of each.
-        const BYTES_PER_ERODED_POINT: u128 = 72;
-        /// What is found of a summit, room for a fifth more, and the models' copies.
-        const BYTES_PER_SUMMIT: u128 = 200;
-        /// Its curvatures, and the ordered copy of the spheres that stand for it.
-        const BYTES_PER_ELLIPSE: u128 = 64;
-        let summits = self.likely_asperities() * BYTES_PER_SUMMIT;
-        match &self.origin {
-            &Origin::Map(MapPlan { points, pixel, is_on_disk, preparation, fit, .. }) => {
-                let filtering = |filter: Filter| filter.memory(points, pixel);
-                let own = match fit {
-                    None => preparation.filter.map_or(0, filtering),
-                    // The map as it was, and filters that are tried.
-                    Some(_) => {
-                        area(points) * BYTES_PER_HEIGHT + longest_filters(points, pixel).map_or(0, filtering)
-                    }
-                };
-                let treated = self.short_filter().filter(|_| is_treated).map_or(0, filtering);
-                let is_analysed =
-                    depth == AnalysisDepth::Everything && area(points) <= MOST_ANALYSED_POINTS as u128;
-                let analysis = if is_analysed { area(points) * BYTES_PER_ANALYSED_POINT } else { 0 };
-                // The map as read stays until its last treatment.
-                let raw = if is_on_disk { 0 } else { area(points) };
-                let reading = raw * BYTES_PER_READ_POINT;
-                let eroding =
-                    if preparation.tip.is_some() { area(points) * BYTES_PER_ERODED_POINT } else { 0 };
-                reading.max(raw * BYTES_PER_HEIGHT + own.max(treated) + analysis + eroding) + summits
-            }
-            Origin::Generated(generation) => {
-                let depth = match depth {
-                    AnalysisDepth::Everything => BYTES_PER_ANALYSED_POINT,
-                    _ => BYTES_PER_POINT_OF_SPECTRUM,
-                };
-                area(generation.points()) * (BYTES_PER_HEIGHT * generation.arrays() + depth) + summits
-            }
-            _ => {
-                let ellipses = if self.as_ellipses { BYTES_PER_ELLIPSE } else { 0 };
-                set_memory(self.most_asperities()) + self.most_asperities() * ellipses
-            }
-        }
-    }
-
-    /// The S filters that other treatments of a measured map have: of a few pixels, before its own L filter.
-    fn short_filter(&self) -> Option<Filter> {
-        const PIXELS: f64 = 2.0;
-        let Origin::Map(map) = &self.origin else { return None };
-        let l = map.preparation.filter.and_then(|filter| filter.l());
-        Filter::new(Some(PIXELS * map.pixel[0].max(map.pixel[1])), l).ok()
-    }
-
-    /// An estimate of the bytes of its asperities, which are kept for the report.
-    pub fn kept(&self) -> u128 {
-        const BYTES_PER_ASPERITY: u128 = 16;
-        const BYTES_PER_ELLIPSE: u128 = 16;
-        let ellipses = if self.as_ellipses { BYTES_PER_ELLIPSE } else { 0 };
-        self.likely_asperities() * (BYTES_PER_ASPERITY + ellipses)
-    }
-
-    /// As many asperities as a rough surface of its size has.
-    fn likely_asperities(&self) -> u128 {
-        const POINTS_PER_SUMMIT: u128 = 10;
-        match &self.origin {
-            Origin::Generated(generation) => area(generation.points()) / POINTS_PER_SUMMIT,
-            Origin::Map(MapPlan { points, .. }) => area(*points) / POINTS_PER_SUMMIT,
-            Origin::List { .. } | Origin::Population { .. } => self.most_asperities(),
-        }
     }
 }
 
@@ -560,21 +457,6 @@ pub fn inputs(surfaces: &[SurfacePlan]) -> Vec<PathBuf> {
     paths
 }
 
-/// An estimate of the memory that surfaces need, analysed to `depth`: the asperities of each are kept for the report, one map
-/// at a time and those that are needed again. `is_treated` is whether other treatments of measured maps are examined.
-pub fn memory(surfaces: &[SurfacePlan], depth: AnalysisDepth, is_treated: bool) -> Memory {
-    let readings: Vec<_> = surfaces.iter().map(SurfacePlan::reading).collect();
-    let again = |k: usize| readings[k].is_some() && readings[k + 1..].contains(&readings[k]);
-    let kept = surfaces.iter().enumerate();
-    let kept: u128 =
-        kept.map(|(k, surface)| surface.kept() + if again(k) { surface.kept_file() } else { 0 }).sum();
-    let largest = surfaces.iter().max_by_key(|surface| surface.memory(depth, is_treated));
-    Memory {
-        bytes: kept + largest.map_or(0, |surface| surface.memory(depth, is_treated)),
-        key: largest.map(|surface| surface.size_key.clone()),
-    }
-}
-
 /// A line for each surface, for a plan that a person reads.
 pub fn describe(surfaces: &[SurfacePlan], f: &mut fmt::Formatter) -> fmt::Result {
     surfaces.iter().try_for_each(|surface| writeln!(f, "  surface {}: {}", surface.name, surface.describe()))
@@ -599,55 +481,6 @@ pub fn curvature_ratio(
         return Ok(Some(ratio));
     }
     Err(source.error_at(raw.span(), format!("found {ratio}; allowed: 1 to {LONGEST:e}")))
-}
-
-/// Refuses an L filter that leaves waves of a few points only.
-fn check_long_filter(filter: Filter, points: [usize; 2], pixel: [f64; 2]) -> Result<(), String> {
-    /// Of its nesting index, pixels.
-    const FEWEST: f64 = 4.0;
-    let least = FEWEST * pixel[0].max(pixel[1]);
-    let Some(l) = filter.l().filter(|l| *l < least) else { return Ok(()) };
-    let size = [0, 1].map(|axis| points[axis] as f64 * pixel[axis]);
-    Err(format!(
-        "found an L filter of {}, which removes all waves longer than that and so the roughness: the points are {} apart; allowed: at \
-         least {FEWEST} pixels ({}), usually a sixth of the shorter side ({})",
-        input_quantity(l, "m"),
-        input_quantity(pixel[0].max(pixel[1]), "m"),
-        input_quantity(least, "m"),
-        input_quantity(long_filter(size), "m")
-    ))
-}
-
-/// Warns of an S filter that is shorter than any wave of a map.
-fn short_filter_caveat(filter: Filter, pixel: [f64; 2]) -> Option<String> {
-    /// Of the shortest wave that a map holds, pixels.
-    const SHORTEST: f64 = 2.0;
-    let shortest = SHORTEST * pixel[0].min(pixel[1]);
-    let s = filter.s().filter(|s| *s < shortest)?;
-    Some(format!(
-        "its S filter of {} has hardly any effect: the shortest wave that its points can hold is {} long (two pixels); an S filter of at \
-         least four pixels, {}, removes noise.",
-        input_quantity(s, "m"),
-        input_quantity(shortest, "m"),
-        input_quantity(2.0 * shortest, "m")
-    ))
-}
-
-/// The usual L filter of a map of this size, m: a sixth of its shorter side to two digits.
-pub fn long_filter(size: [f64; 2]) -> f64 {
-    let sixth = size[0].min(size[1]) / 6.0;
-    format!("{sixth:.1e}").parse().unwrap_or(sixth)
-}
-
-/// Filters as long as any that a fit tries.
-fn longest_filters(points: [usize; 2], pixel: [f64; 2]) -> Option<Filter> {
-    const SHORT_PIXELS: f64 = 4.0;
-    let side = [0, 1].map(|axis| points[axis] as f64 * pixel[axis]);
-    Filter::new(Some(SHORT_PIXELS * pixel[0].max(pixel[1])), Some(side[0].min(side[1]) / 6.0)).ok()
-}
-
-fn area([nx, ny]: [usize; 2]) -> u128 {
-    nx as u128 * ny as u128
 }
 
 /// A file named relative to the spec, there and not empty; or the name of what is in memory.

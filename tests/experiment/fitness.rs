@@ -409,7 +409,8 @@ fn an_s_filter_that_makes_loads_admissible_is_named() {
         outcome.outline().markdown().lines().take(12).collect::<Vec<_>>().join("\n")
     };
     let sharp = page("sharp.npy", "");
-    let neither = "neither model is admissible at any load: more than 10 % of the load at a/R above 0.3";
+    let neither =
+        "neither model is admissible at any compared load: more than 10 % of the load at a/R above 0.3";
     assert!(sharp.contains(neither), "{sharp}");
     let (_, named) = sharp.split_once("an S filter of ").unwrap_or_else(|| panic!("{sharp}"));
     let index = named.split_once(" µm").unwrap().0;

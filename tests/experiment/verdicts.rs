@@ -276,6 +276,53 @@ fn the_answer_stands_first_and_in_the_files() {
     assert!(csv.contains(",within,"));
 }
 
+/// The first lines of the page of a comparison.
+fn answer(compare: &str, surfaces: &str) -> String {
+    let page = run(tempfile::tempdir().unwrap().path(), compare, surfaces).outline().markdown();
+    page.lines().skip(1).take_while(|line| !line.starts_with(['#', '!'])).collect::<Vec<_>>().join("\n")
+}
+
+/// Why a load is not admissible, and what to do instead: lower loads where asperities interact, more surface where contacts are few.
+#[test]
+fn a_load_that_is_not_admissible_has_its_remedy() {
+    let sweep = "separation = { from = 3, to = 1, points = 9 }";
+    let surface = population("a", 30_000, "");
+    let at = |load: &str| answer(&format!("{sweep}\npressure = {{ values = [\"{load}\"] }}"), &surface);
+    let high = at("600 MPa");
+    let words = "On such surfaces: neither model is admissible at this load: contact area above 5 % (";
+    assert!(high.contains(words) && high.contains("Remedy: loads of at most "), "{high}");
+    assert!(high.contains("boundary elements") && !high.contains("overlap"), "{high}");
+    assert!(at("9 GPa").contains("[contact area above 5 %; asperities overlap completely: no model"));
+    let low = at("2 kPa");
+    assert!(
+        low.contains("no verdict, because this load is not admissible: fewer than 30 effective"),
+        "{low}"
+    );
+    assert!(
+        low.contains("Remedy: a load of at least ") && low.contains("mm² of surface (now 0.5 mm²)"),
+        "{low}"
+    );
+    let admissible = at("20 MPa");
+    assert!(
+        !admissible.contains("Remedy") && !admissible.contains("admissible at this load"),
+        "{admissible}"
+    );
+}
+
+/// Two or three cases are answered each by itself, more are counted.
+#[test]
+fn few_cases_are_answered_and_more_are_counted() {
+    let surfaces = |names: &[&str]| names.iter().map(|name| population(name, 3000, "")).collect::<String>();
+    let few = answer(LOADS, &surfaces(&["a", "b", "c"]));
+    for name in ["a", "b", "c"] {
+        assert!(few.contains(&format!("\n{name}: At ")), "{few}");
+    }
+    assert!(few.matches("On such surfaces").count() == 3 && !few.contains("At admissible loads"), "{few}");
+    let many = answer(LOADS, &surfaces(&["a", "b", "c", "d"]));
+    assert!(many.contains("Of 4 cases") && !many.contains("On such surfaces"), "{many}");
+    assert!(answer(LOADS, &surfaces(&["a"])).contains("dmissible load"));
+}
+
 /// A sweep of separations gives each realisation loads of its own.
 #[test]
 fn realisations_without_a_common_load_are_not_compared() {

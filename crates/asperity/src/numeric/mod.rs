@@ -31,3 +31,25 @@ pub(crate) const INTEGER_BIAS: f64 = 4_503_599_627_370_496.0;
 pub fn is_positive(value: f64) -> bool {
     (1.0 / LARGEST..=LARGEST).contains(&value)
 }
+
+/// The nearest value with two significant digits; the value itself if it is not finite.
+pub fn two_digits(value: f64) -> f64 {
+    format!("{value:.1e}").parse().unwrap_or(value)
+}
+
+/// The least value of two significant digits that is not below a positive one.
+pub fn two_digits_up(value: f64) -> f64 {
+    let nearest = two_digits(value);
+    if nearest < value { two_digits(nearest + 10f64.powf(value.log10().floor() - 1.0)) } else { nearest }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn two_digits_are_the_nearest_or_the_next_above() {
+        assert_eq!([1.24e-6, 1.26e-6, 9.96, 0.0].map(two_digits), [1.2e-6, 1.3e-6, 10.0, 0.0]);
+        assert_eq!([1.24e-6, 1.2e-6, 9.94, 9.96].map(two_digits_up), [1.3e-6, 1.2e-6, 10.0, 10.0]);
+    }
+}

@@ -190,6 +190,20 @@ mod tests {
         }
     }
 
+    /// Where the map's own load is not admissible there is no verdict that could depend on anything.
+    #[test]
+    fn no_verdict_depends_on_nothing() {
+        let few = LoadSharing { effective_contacts: 9.0, largest_share: 0.01, large_strain_share: 0.0 };
+        let own = Difference { sharing: Some(few), ..at(0.2, 0.01) };
+        let filters = [at(0.05, 0.01), at(0.3, 0.01)]
+            .map(|other| Treated { treatment: Treatment::ShortWaves(None), differences: vec![other] });
+        let found = |own: &Difference| {
+            let quantity = ComparedQuantity::Separation;
+            Dependence::at_load(Choice::ShortWaves, quantity, own, &filters, &Accepted::DEFAULT).is_some()
+        };
+        assert!(!found(&own) && found(&at(0.2, 0.01)));
+    }
+
     #[test]
     fn points_that_may_be_wrong_open_a_verdict_that_others_do_not() {
         let (decided, open) = (at(0.2, 0.01), at(0.11, 0.01));

@@ -24,7 +24,7 @@ const MOST_UNTIL_ADMISSIBLE: usize = 41;
 
 /// Compares the models on a measured map, which was prepared as `own` and gave `cases`, under other treatments; `prepare` gives the surface of
 /// the map in another preparation, not checked, with blocks by the same correlation lengths. Where no load is admissible, only S filters, with
-/// which some may be. `None` unless both models were run and compared at equal load on a map.
+/// which some may be, if the map is fit. `None` unless both models were run and compared at equal load on a map.
 pub fn under_treatments(
     setup: Setup,
     surface: &Surface,
@@ -33,8 +33,11 @@ pub fn under_treatments(
     prepare: impl Fn(Preparation) -> Option<Surface>,
     counter: &Counter,
 ) -> Option<Vec<TreatedCases>> {
-    let is_admissible = |at: &&Difference| at.exceeded().is_none();
-    let any_is_admissible = cases.iter().flat_map(|case| &case.differences).any(|at| is_admissible(&at));
+    let is_admissible = |at: &Difference| at.exceeded().is_none();
+    let any_is_admissible = cases.iter().flat_map(|case| &case.differences).any(is_admissible);
+    if !any_is_admissible && surface.is_blocked() {
+        return None;
+    }
     let considered = |case: &CaseResults| -> Vec<f64> {
         let all = case.differences.iter();
         all.filter(|at| !any_is_admissible || is_admissible(at)).map(|at| at.load).collect()

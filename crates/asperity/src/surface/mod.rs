@@ -13,7 +13,7 @@ mod search;
 pub use fit::{Fit, FitStep, Kept, NotApplied};
 pub use independence::{Independence, MapBlocks};
 pub use overview::{AnalysisDepth, MOST_ANALYSED_POINTS, MapOverview};
-pub use remedy::Remedy;
+pub use remedy::{Remedy, usual_long_filter};
 pub use search::{FoundSpikes, MOST_SPIKE_POINTS, NoAsperities, Preparation, SummitSearch};
 
 use crate::compare::Division;

@@ -1,6 +1,7 @@
 //! What a preparation can do about a failed fitness check.
 
 use super::{MapFacts, Preparation};
+use crate::numeric::two_digits;
 use crate::topography::fitness::{Check, Finding, Lines, Measure};
 use crate::topography::{Filter, FilterError, Level};
 
@@ -142,9 +143,9 @@ impl MapFacts {
     }
 }
 
-/// A length to two digits.
-fn two_digits(length: f64) -> f64 {
-    format!("{length:.1e}").parse().unwrap_or(length)
+/// The L filter (m) that leaves enough patches on most maps with these sides, m: a sixth of the shorter one.
+pub fn usual_long_filter(sides: [f64; 2]) -> f64 {
+    two_digits(OF_SIDE * sides[0].min(sides[1]))
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! The answer on one case, from typed facts: what the models say at the load, what holds on the map, and what holds of such surfaces.
 
 use asperity::compare::{ComparedQuantity, Stretch};
+use asperity::numeric::{two_digits, two_digits_up};
 use asperity::study::{CaseStudy, Choice, Verdicts};
 use asperity::surface::Surface;
 use asperity_contact_framework::report::format::{input_quantity, listed};
@@ -59,10 +60,14 @@ fn told(verdicts: &Verdicts, quantity: ComparedQuantity) -> Option<String> {
         (one.verdict.is_beyond(), one.verdict.is_within(), one.verdict.is_beyond() && is_above)
     };
     let sides = stretches.chunk_by(|a, b| side(a) == side(b));
+    let mut said = "";
     let words = |stretches: &[&Stretch]| {
         let loads = over([stretches[0].loads[0], stretches[stretches.len() - 1].loads[1]]);
-        let name = if stretches[0].verdict.is_beyond() { "beyond" } else { "within" };
-        stretches[0].verdict.is_told().then(|| format!("{name} {loads}"))
+        let name = if stretches[0].verdict.is_beyond() { "beyond " } else { "within " };
+        stretches[0].verdict.is_told().then(|| {
+            let name = if std::mem::replace(&mut said, name) == name { "" } else { name };
+            format!("{name}{loads}")
+        })
     };
     let each: Vec<String> = sides.filter_map(words).collect();
     (!each.is_empty()).then(|| format!("{} {}", quantity_name(quantity), listed(&each)))
@@ -90,10 +95,7 @@ fn choice_words(choice: Choice) -> &'static str {
 
 /// A nominal area (m²) with two digits, rounded `up` or to the nearest.
 pub fn nominal_area(area: f64, up: bool) -> String {
-    let nearest: f64 = format!("{area:.1e}").parse().unwrap_or(area);
-    let unit = 10f64.powf(area.log10().floor() - 1.0);
-    let rounded = if up && nearest < area { nearest + unit } else { nearest };
-    area_text(rounded)
+    area_text(if up { two_digits_up(area) } else { two_digits(area) })
 }
 
 /// "from 0.5 MPa to 40 MPa", or "at 1 MPa".

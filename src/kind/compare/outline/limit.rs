@@ -29,13 +29,13 @@ pub fn not_admissible(case: &CaseStudy, at: &Difference) -> String {
     let limits: Vec<String> = exceeded.limits().map(|limit| beyond(limit, at)).collect();
     let limits = listed(&limits);
     if exceeded.limits().all(is_of_few) {
-        let which = if none { "no load is" } else { "this load is not" };
+        let which = if none { "no compared load is" } else { "this load is not" };
         let more = more_surface(at, verdicts, exceeded);
         return format!(
             "On such surfaces: no verdict, because {which} admissible: {limits}. Remedy: {more}."
         );
     }
-    let which = if none { "at any load" } else { "at this load" };
+    let which = if none { "at any compared load" } else { "at this load" };
     let why = if exceeded.limits().any(|limit| limit == Limit::LargeStrain) {
         "contacts are not small against their asperities, of which spheres are a poor model"
     } else {

@@ -43,17 +43,19 @@ pub fn on_map(at: &Difference, verdicts: &Verdicts) -> Option<String> {
 
 /// "On such surfaces (model-based 95 % intervals): no in real contact area (+131 to +272 %), cannot be told in separation (...)."
 pub fn on_surface(at: &Difference, verdicts: &Verdicts) -> String {
+    let mut is_area_named = false;
     let answer = |quantity: ComparedQuantity| {
         let estimate = at.estimates[quantity as usize]?;
         let verdict = Verdict::from_estimate(&estimate, verdicts.accepted.band(quantity));
         let interval = estimate.interval().map(|interval| ends(quantity, interval));
         let need = (verdict == Verdict::CannotTell).then(|| need(&estimate, quantity, verdicts)).flatten();
+        is_area_named |= need.is_some();
         let figures: Vec<String> = interval.into_iter().chain(need).collect();
         Some((quantity, verdict, figures.join("; ")))
     };
     let answers: Answers = ORDER.into_iter().filter_map(answer).collect();
     let is_open = answers.iter().any(|(_, verdict, _)| *verdict == Verdict::CannotTell);
-    let why = if is_open { why_open(at, verdicts) } else { String::new() };
+    let why = if is_open { why_open(at, verdicts, is_area_named) } else { String::new() };
     format!("On such surfaces{}: {}{why}.", intervals(verdicts), in_words(&answers))
 }
 
@@ -84,18 +86,8 @@ fn need(estimate: &Estimate, quantity: ComparedQuantity, verdicts: &Verdicts) ->
     })
 }
 
-/// Whether an area is named that would tell.
-fn needs(at: &Difference, verdicts: &Verdicts) -> bool {
-    let growth = |quantity: ComparedQuantity| {
-        let estimate = at.estimates[quantity as usize]?;
-        let band = verdicts.accepted.band(quantity);
-        estimate.growth(band).filter(|_| Verdict::from_estimate(&estimate, band) == Verdict::CannotTell)
-    };
-    ORDER.into_iter().any(|quantity| growth(quantity).is_some())
-}
-
 /// Why some quantity cannot be told: what there is of the surface, and why there is no interval.
-fn why_open(at: &Difference, verdicts: &Verdicts) -> String {
+fn why_open(at: &Difference, verdicts: &Verdicts, is_area_named: bool) -> String {
     let now = nominal_area(verdicts.area, false);
     let reason = match verdicts.basis {
         Basis::Unstated => {
@@ -112,7 +104,7 @@ fn why_open(at: &Difference, verdicts: &Verdicts) -> String {
         Some(area) => {
             format!("; an interval needs at least {} of surface, now {now}{reason}", nominal_area(area, true))
         }
-        None if needs(at, verdicts) => format!("; the surface has {now}{reason}"),
+        None if is_area_named => format!("; the surface has {now}{reason}"),
         None => reason,
     }
 }
