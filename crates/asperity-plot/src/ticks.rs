@@ -29,11 +29,20 @@ pub(super) fn ticks(scale: &Scale, most: usize, fits: impl Fn(&[Tick]) -> bool) 
             break;
         }
     }
-    let finer = (most + 1..=FINER * most).map(divided);
-    match finer.into_iter().find(|ticks| labels(ticks) > 1 && fits(ticks)) {
-        Some(ticks) if labels(&best) < 2 => ticks,
-        _ => best,
+    if labels(&best) > 1 {
+        return best;
     }
+    let is_scale = |ticks: &Vec<Tick>| labels(ticks) > 1 && fits(ticks);
+    let finer = || (1..=FINER * most).map(divided);
+    let found = finer().skip(most).find(is_scale).or_else(|| finer().map(every_other).find(is_scale));
+    found.unwrap_or(best)
+}
+
+/// The same ticks, of which every second label is left out.
+fn every_other(mut ticks: Vec<Tick>) -> Vec<Tick> {
+    let labelled = ticks.iter_mut().filter(|tick| tick.label.is_some());
+    labelled.skip(1).step_by(2).for_each(|tick| tick.label = None);
+    ticks
 }
 
 /// Equal steps of 1, 2 or 5 times a power of ten.
@@ -211,6 +220,19 @@ mod tests {
             ["10⁻¹⁴", "10⁻¹²", "10⁻¹⁰", "10⁻⁸", "10⁻⁶", "10⁻⁴", "10⁻²", "10⁰"]
         );
         assert!(labels(Spread::Log, 1e-300, 1e300, 8).len() <= 8);
+    }
+
+    /// Labels that all together do not fit are halved rather than reduced to one.
+    #[test]
+    fn rather_every_second_label_than_one() {
+        let scale = Scale { spread: Spread::Log, from: 16f64.log10(), to: 375f64.log10() };
+        let of = |most: usize| -> Vec<String> {
+            let fits = |ticks: &[Tick]| ticks.iter().filter(|tick| tick.label.is_some()).count() <= most;
+            ticks(&scale, 4, fits).into_iter().filter_map(|tick| tick.label).collect()
+        };
+        assert_eq!(of(4), ["20", "50", "100", "200"]);
+        assert_eq!(of(2), ["20", "100"]);
+        assert_eq!(of(1), ["100"]);
     }
 
     #[test]

@@ -16,19 +16,21 @@ pub fn against_filter(case: &CaseStudy, surface: &SurfaceResults) -> Option<Figu
     let own_cut_off = surface.own_cut_off?;
     let verdicts = &case.verdicts;
     let map = surface.surface.map.as_ref()?;
-    let pixel = 1e6 * map.pixel[0].max(map.pixel[1]);
+    let pixel = map.pixel[0].max(map.pixel[1]);
+    let (unit, scale) = if pixel < 1e-7 { ("nm", 1e9) } else { ("µm", 1e6) };
+    let pixel = scale * pixel;
     let mut filtered: Vec<(f64, &[Difference])> = case
         .treated
         .iter()
         .filter_map(|one| match one.treatment {
-            Treatment::ShortWaves(s) => Some((s.map_or(pixel, |s| 1e6 * s), &one.differences[..])),
+            Treatment::ShortWaves(s) => Some((s.map_or(pixel, |s| scale * s), &one.differences[..])),
             _ => None,
         })
         .filter(|(_, differences)| !differences.is_empty())
         .collect();
     let has_none =
         own_cut_off.is_none() || case.treated.iter().any(|one| one.treatment == Treatment::ShortWaves(None));
-    filtered.push((own_cut_off.map_or(pixel, |s| 1e6 * s), &verdicts.differences));
+    filtered.push((own_cut_off.map_or(pixel, |s| scale * s), &verdicts.differences));
     filtered.sort_by(|a, b| a.0.total_cmp(&b.0));
     if filtered.len() < 2 {
         return None;
@@ -49,9 +51,10 @@ pub fn against_filter(case: &CaseStudy, surface: &SurfaceResults) -> Option<Figu
         verdicts.differences.iter().any(|at| at.estimates[compared as usize].is_some())
     };
     let panels = panels.into_iter().filter(|(compared, ..)| is_compared(*compared));
+    let along = format!("S filter ({unit})");
     let plots = panels.map(|(compared, label, unit)| {
         let accepted = unit * verdicts.accepted.limit(compared);
-        let axis = Axis::log("S filter (µm)").range(ends[0], ends[1]);
+        let axis = Axis::log(along.as_str()).range(ends[0], ends[1]);
         let values = filtered.iter().flat_map(|(_, differences)| differences.iter());
         let values = values.filter(|at| shown.contains(&at.load));
         let values =
