@@ -87,12 +87,7 @@ pub fn remedy_left(finding: &Finding, map: &MapFacts, fit: Option<&Fit>) -> Stri
         return format!("{}, which `fit` did not apply because {why}", remedy(finding, map));
     }
     let instead = match finding.measure {
-        Measure::LengthOverSide => {
-            let [x, y] = larger_sides(finding, map).map(|side| input_quantity(side, "m"));
-            format!(
-                "a larger map, at least {x} along x and {y} along y ({FEWEST_LENGTHS} correlation lengths)"
-            )
-        }
+        Measure::LengthOverSide => larger_map(finding, map),
         Measure::StepOverDrop => "a measurement with finer height steps".to_owned(),
         Measure::NoiseGrowth | Measure::GrowthRise => "a measurement with less noise".to_owned(),
         _ => "a part of the map without it, or another measurement".to_owned(),
@@ -100,11 +95,13 @@ pub fn remedy_left(finding: &Finding, map: &MapFacts, fit: Option<&Fit>) -> Stri
     format!("{instead}: `fit` refused `{}`, because {why}", written(refused))
 }
 
-/// Sides (m) of a map of the same surface that would hold enough patches, rounded up to two digits.
-fn larger_sides(finding: &Finding, map: &MapFacts) -> [f64; 2] {
-    [0, 1].map(|axis| {
-        two_digits_up(map.points[axis] as f64 * map.pixel[axis] * finding.value / finding.threshold())
-    })
+/// A map of the same surface that would hold enough patches, its sides rounded up to two digits.
+fn larger_map(finding: &Finding, map: &MapFacts) -> String {
+    let [x, y] = [0, 1].map(|axis| {
+        let side = map.points[axis] as f64 * map.pixel[axis] * finding.value / finding.threshold();
+        input_quantity(two_digits_up(side), "m")
+    });
+    format!("a larger map, at least {x} along x and {y} along y ({FEWEST_LENGTHS} correlation lengths)")
 }
 
 /// Whether so many points stand out that they are no single wrong ones.
@@ -322,7 +319,10 @@ pub fn remedy(finding: &Finding, map: &MapFacts) -> String {
         }
         Measure::RadiusOverTip => "a sharper tip, or its radius measured to a tenth".to_owned(),
         Measure::Untraced => "`tip`: it is sharper than stated, or noise stands out, which an S filter removes".to_owned(),
-        Measure::LengthOverSide => format!("a larger map, or an L filter such as {}", key()),
+        Measure::LengthOverSide => {
+            let larger = larger_map(finding, map);
+            format!("{larger}, or an L filter where the longest waves are form and do not matter to your contact")
+        }
         Measure::NominalArea => match map.is_held {
             [_, true] => "the pixel that the file holds, with its unit".to_owned(),
             [true, false] => "`unit`: without one lengths in the file are in metres, as in `unit = \"um\"`".to_owned(),

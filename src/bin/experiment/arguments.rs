@@ -199,11 +199,19 @@ pub struct FileArguments {
     reference: bool,
 }
 
-/// The option of a file that has another option where its value should be: values may begin with a hyphen, as -9999 does.
-pub fn without_value(words: &[String]) -> Option<String> {
+/// What is wrong with the options of a file that are not what they seem: another option where a value should be, since values may begin with a
+/// hyphen, as -9999 does; a load after `--force`, which has no value.
+pub fn misread(words: &[String]) -> Option<String> {
     let command = Cli::command();
     let surface =
         command.find_subcommand("surface").filter(|_| words.iter().any(|word| word == "surface"))?;
+    let is_load = |word: &str| word.starts_with(|first: char| first.is_ascii_digit());
+    let load = words.windows(2).find(|pair| pair[0] == "--force" && is_load(&pair[1]));
+    if let Some([_, load]) = load {
+        return Some(format!(
+            "--force: found \"{load}\" after it; --force runs an unchanged spec again and has no value; a load is --load \"{load}\""
+        ));
+    }
     let is_open = |word: &str| {
         let mut options = surface.get_arguments().filter(|option| option.is_allow_hyphen_values_set());
         options.any(|option| option.get_long().is_some_and(|long| word.strip_prefix("--") == Some(long)))

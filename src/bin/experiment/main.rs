@@ -67,7 +67,7 @@ impl From<ReportError> for Failure {
 
 fn main() -> ExitCode {
     let words: Vec<String> = std::env::args_os().map(|word| word.to_string_lossy().into_owned()).collect();
-    if let Some(message) = arguments::without_value(&words) {
+    if let Some(message) = arguments::misread(&words) {
         return Failure::Input(message).report();
     }
     let cli = Cli::parse();

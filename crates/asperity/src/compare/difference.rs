@@ -256,7 +256,8 @@ impl Difference {
                 independent_error: sampling.independent.as_ref().and_then(error),
                 support: Support::Sampled,
             };
-            if let Some((error, quantile)) = generated.and_then(|generated| generated.error(quantity, index))
+            if let Some((error, quantile)) =
+                generated.and_then(|generated| generated.error(quantity, contrast, index))
             {
                 estimate = Estimate { error: Some(error), quantile, support: Support::Generated, ..estimate };
             } else if let Some(least) =

@@ -2,11 +2,11 @@
 
 use rayon::prelude::*;
 
+use crate::HeightMap;
 use crate::compare::{Generated, NotModelled, Scatter, State, pairs_at};
 use crate::numeric::stream_seed;
 use crate::surface::{AnalysisDepth, Preparation, SummitSearch, Surface};
 use crate::topography::generate::{FittedProcess, roughness_scatter};
-use crate::{HeightMap, Statistics};
 
 use super::law::LawContact;
 use super::models::SurfaceModels;
@@ -19,12 +19,10 @@ pub const GENERATED_SURFACES: usize = 32;
 /// Points of a map above which surfaces are generated one after the other, so that memory holds one for all threads.
 const LARGE: usize = 1 << 22;
 
-/// The largest differences between a map and the mean of generated surfaces: of ln(mean radius), and of the correlation of height and radius. They lie
-/// above what stationary Gaussian and skewed processes give, and below what plateaus do (`coverage-of-small-maps`: plateaus get no interval).
-const ALIKE: [f64; 2] = [0.2, 0.3];
-
-/// Standard deviations by which the scatter of the roughness over a map may exceed that of generated surfaces.
-const PATCHY: f64 = 3.0;
+/// How many times the scatter of the roughness over a map may exceed that of generated surfaces. From the first on, intervals are widened by it:
+/// stationary surfaces stay below, and wider ones cover the truth where the amplitude scatters by up to 30 % (`coverage-of-small-maps`). Beyond the
+/// second none is claimed.
+const PATCHY: [f64; 2] = [2.0, 4.0];
 
 /// Both models of each case on generated surfaces at the loads of its pairs; `None` for a surface that is no small map.
 pub fn generated(
@@ -45,7 +43,6 @@ type CaseStates = Vec<Vec<Option<[State; 2]>>>;
 /// One generated surface.
 struct Sample {
     states: CaseStates,
-    statistics: Statistics,
     roughness_scatter: f64,
 }
 
@@ -69,10 +66,11 @@ fn on_surfaces(
         (0..GENERATED_SURFACES).into_par_iter().map(sample).collect()
     };
     let samples = samples?;
-    check(&surface.statistics, process, &samples)?;
+    let scatters: Vec<f64> = samples.iter().map(|sample| sample.roughness_scatter).collect();
+    let widening = process.widening() * patchiness(process.own_scatter(), &scatters)?;
     let of_case = |case: usize| Generated {
         states: samples.iter().map(|sample| sample.states[case].clone()).collect(),
-        widening: process.widening(),
+        widening,
     };
     Ok((0..cases.len()).map(of_case).collect())
 }
@@ -80,35 +78,23 @@ fn on_surfaces(
 /// Both models on a map of the process, treated as the measured one; `None` where they cannot be run on it.
 fn of_map(setup: Setup, surface: &Surface, map: &HeightMap, cases: &[CaseResults]) -> Option<Sample> {
     let facts = surface.map.as_ref()?;
-    let preparation = Preparation { level: facts.level, ..Preparation::none(facts.neighbours) };
+    let map = facts.level.apply(map).ok()?;
     let search = SummitSearch {
         as_ellipses: surface.set.ellipses().is_some(),
         depth: AnalysisDepth::Asperities,
         divides: false,
-        ..SummitSearch::new(preparation)
+        ..SummitSearch::new(Preparation::none(facts.neighbours))
     };
-    let found = search.surface(&surface.name, map).ok()?;
+    let found = search.surface(&surface.name, &map).ok()?;
     let models = SurfaceModels::new(&found, setup.statistical, setup.law_specs, true).ok()?;
-    Some(Sample {
-        states: states(setup, &models, cases)?,
-        roughness_scatter: roughness_scatter(map),
-        statistics: found.statistics,
-    })
+    Some(Sample { states: states(setup, &models, cases)?, roughness_scatter: roughness_scatter(&map) })
 }
 
-/// Whether a map is one that its process could have given.
-fn check(own: &Statistics, process: &FittedProcess, samples: &[Sample]) -> Result<(), NotModelled> {
-    let over = |of: &dyn Fn(&Sample) -> f64| Scatter::new(&samples.iter().map(of).collect::<Vec<_>>());
-    let scatter = over(&|sample| sample.roughness_scatter);
-    if process.own_scatter() > scatter.mean + PATCHY * scatter.deviation {
-        return Err(NotModelled::Patchy);
-    }
-    let log_radius = over(&|sample| sample.statistics.mean_radius.ln()).mean;
-    let correlation = |statistics: &Statistics| statistics.height_radius_correlation.unwrap_or_default();
-    let correlated = over(&|sample| correlation(&sample.statistics)).mean;
-    let gaps = [own.mean_radius.ln() - log_radius, correlation(own) - correlated];
-    let is_alike = gaps.iter().zip(ALIKE).all(|(gap, largest)| gap.abs() <= largest);
-    if is_alike { Ok(()) } else { Err(NotModelled::Unlike) }
+/// By how much the intervals are widened because the roughness of a map varies from place to place, from its scatter and those of generated
+/// surfaces.
+fn patchiness(own: f64, generated: &[f64]) -> Result<f64, NotModelled> {
+    let ratio = own / Scatter::new(generated).mean;
+    if ratio <= PATCHY[1] { Ok((ratio / PATCHY[0]).max(1.0)) } else { Err(NotModelled::Patchy) }
 }
 
 /// Both models at the loads of the pairs of each case; `None` where no sum is asked for.
@@ -142,4 +128,18 @@ pub fn on_halves(
         (0..loads).map(at_load).collect()
     };
     cases.iter().enumerate().map(of_case).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn roughness_that_varies_widens_the_intervals_until_none_is_claimed() {
+        let of = |own: f64| patchiness(own, &[0.1, 0.12, 0.08]);
+        assert_eq!(of(0.15), Ok(1.0));
+        assert!((of(0.3).unwrap() - 1.5).abs() < 1e-12);
+        assert_eq!(of(0.41), Err(NotModelled::Patchy));
+        assert_eq!(of(f64::NAN), Err(NotModelled::Patchy));
+    }
 }

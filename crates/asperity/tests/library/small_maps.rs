@@ -1,6 +1,6 @@
 //! Maps too small for blocks: model-based intervals where a process can be fitted to them, and none where it cannot.
 
-use asperity::compare::{Accepted, NotModelled, Support};
+use asperity::compare::{Accepted, ComparedQuantity, NotModelled, Support};
 use asperity::study::{Basis, CaseStudy, LawContact, verdicts};
 use asperity::surface::{Preparation, SummitSearch};
 use asperity::topography::Level;
@@ -37,7 +37,7 @@ fn study(map: &HeightMap) -> CaseStudy {
     let laws = [LawContact::bare(contact_law::named("zmc").unwrap(), &steel, &steel).unwrap()];
     let preparation = Preparation { level: Level::Plane, ..Preparation::none(Neighbours::Four) };
     let surface = SummitSearch::new(preparation).surface("small", map).unwrap();
-    verdicts(&surface, &laws, &[5e6, 2e7], Accepted::DEFAULT).unwrap().remove(0)
+    verdicts(&surface, &laws, &[5e6, 2e7, 6e7], Accepted::DEFAULT).unwrap().remove(0)
 }
 
 fn reason(case: &CaseStudy) -> Option<NotModelled> {
@@ -59,14 +59,22 @@ fn a_stationary_map_of_ten_correlation_lengths_has_model_based_intervals() {
 
 #[test]
 fn no_interval_is_claimed_where_no_process_describes_the_map() {
-    // So small a variation only the slopes of blocks show.
-    let patchy = study(&window(55.0, None, |x| 1.0 + 0.3 * (6.0 * x).sin()));
-    assert_eq!(reason(&patchy), Some(NotModelled::Patchy));
-    let plateau = Plateau { process: process(12.0, 3e-8), height: 3e-8 };
-    let worn = study(&window(55.0, Some(plateau), |_| 1.0));
-    assert!(reason(&worn).is_some(), "{:?}", worn.verdicts.basis);
+    let patchy = study(&window(55.0, None, |x| 1.0 + 0.45 * (6.0 * x).sin()));
+    assert_eq!(reason(&patchy), Some(NotModelled::Unfitted(Unfitted::Patchy)));
     let long = study(&window(180.0, None, |_| 1.0));
     assert_eq!(reason(&long), Some(NotModelled::Unfitted(Unfitted::TooShort)));
+}
+
+/// Plateaus are no transform of a Gaussian surface: the process does not reproduce the difference on such a map, and its interval is wider for it.
+#[test]
+fn intervals_are_wider_where_the_process_describes_the_map_less() {
+    let error = |plateau: Option<Plateau>| {
+        let case = study(&window(55.0, plateau, |_| 1.0));
+        assert_eq!(case.verdicts.basis, Basis::ModelBased);
+        case.verdicts.differences[2].estimates[ComparedQuantity::Area as usize].unwrap().error.unwrap()
+    };
+    let [stationary, worn] = [None, Some(Plateau { process: process(12.0, 3e-8), height: 3e-8 })].map(error);
+    assert!(worn > 1.5 * stationary, "{stationary} {worn}");
 }
 
 /// What holds on the map itself is said without any interval.

@@ -35,12 +35,11 @@ impl SurfaceCase<'_> {
     }
 }
 
-/// The answer in a few sentences: what the models say at the load, what holds on the map, and what holds of such surfaces, of the only
-/// case also at other loads.
-pub fn answer(case: SurfaceCase, is_only: bool) -> Vec<String> {
+/// The answer in a few sentences: what the models say at the load, what holds on the map, and what holds of such surfaces.
+pub fn answer(case: SurfaceCase) -> Vec<String> {
     let verdicts = case.verdicts();
     if !verdicts.differences.is_empty() {
-        return lead::answer(case.case, &case.surface.surface, case.surface.load_area, is_only);
+        return lead::answer(case.case, &case.surface.surface, case.surface.load_area);
     }
     vec![without_differences(case)]
 }

@@ -17,8 +17,8 @@ pub const ORDER: [ComparedQuantity; 3] =
     [ComparedQuantity::Area, ComparedQuantity::Separation, ComparedQuantity::Stiffness];
 
 /// The answer on one surface under one law and thickness: the results at the load, whether the integral may replace the sum there on this
-/// map, and on such surfaces, and, of the only case, what holds of such surfaces at the other loads. The load acts on `load_area` (m²).
-pub fn answer(case: &CaseStudy, surface: &Surface, load_area: f64, is_only: bool) -> Vec<String> {
+/// map, and on such surfaces, and what holds of such surfaces at the other loads. The load acts on `load_area` (m²).
+pub fn answer(case: &CaseStudy, surface: &Surface, load_area: f64) -> Vec<String> {
     let verdicts = &case.verdicts;
     let mut sentences: Vec<String> = results(case, surface, load_area).into_iter().collect();
     let Some(at) = case.reported_load() else { return sentences };
@@ -29,8 +29,7 @@ pub fn answer(case: &CaseStudy, surface: &Surface, load_area: f64, is_only: bool
     }
     let is_admissible = at.exceeded().is_none();
     let here = if is_admissible { replace::on_surface(at, verdicts) } else { not_admissible(case, at) };
-    let by_load = by_load(verdicts).filter(|_| is_only);
-    let of_surface = std::iter::once(here).chain(by_load).chain(dependence(case));
+    let of_surface = std::iter::once(here).chain(by_load(verdicts)).chain(dependence(case));
     sentences.push(of_surface.collect::<Vec<_>>().join(" "));
     sentences
 }
@@ -59,7 +58,11 @@ fn told(verdicts: &Verdicts, quantity: ComparedQuantity) -> Option<String> {
         let is_above = one.largest.is_some_and(|(_, estimate)| estimate.contrast > 0.0);
         (one.verdict.is_beyond(), one.verdict.is_within(), one.verdict.is_beyond() && is_above)
     };
-    let sides = stretches.chunk_by(|a, b| side(a) == side(b));
+    let is_admissible_between = |a: &Stretch, b: &Stretch| {
+        let between = verdicts.differences.iter().filter(|at| a.loads[1] < at.load && at.load < b.loads[0]);
+        between.into_iter().all(|at| at.exceeded().is_none())
+    };
+    let sides = stretches.chunk_by(|a, b| side(a) == side(b) && is_admissible_between(a, b));
     let mut said = "";
     let words = |stretches: &[&Stretch]| {
         let loads = over([stretches[0].loads[0], stretches[stretches.len() - 1].loads[1]]);

@@ -1,5 +1,7 @@
 //! Why a load is not admissible, and what to do about it.
 
+use std::cmp::Ordering;
+
 use asperity::compare::Difference;
 use asperity::study::{CaseStudy, Treatment, Verdicts};
 use asperity::{Exceeded, INTERACTION, LARGE_STRAIN_SHARE, LARGEST_LOAD_SHARE, Limit, MIN_CONTACTS};
@@ -14,7 +16,7 @@ pub fn limit_words(limit: Limit) -> String {
         Limit::DominantContact => {
             format!("more than {} of the load in one contact", percent(LARGEST_LOAD_SHARE))
         }
-        Limit::Interaction => format!("contact area above {}", percent(INTERACTION)),
+        Limit::Interaction => format!("contact area of either model above {}", percent(INTERACTION)),
         Limit::LargeStrain => {
             format!("more than {} of the load at a/R above 0.3", percent(LARGE_STRAIN_SHARE))
         }
@@ -52,7 +54,8 @@ fn beyond(limit: Limit, at: &Difference) -> String {
     let words = limit_words(limit);
     let value = match (limit, &at.sharing) {
         (Limit::Interaction, _) => percent(at.area_ratio),
-        (Limit::FewContacts, Some(sharing)) => number(sharing.effective_contacts),
+        // Below the limit also as a reader sees it.
+        (Limit::FewContacts, Some(sharing)) => number(sharing.effective_contacts.min(MIN_CONTACTS - 0.1)),
         (Limit::DominantContact, Some(sharing)) => percent(sharing.largest_share),
         (Limit::LargeStrain, Some(sharing)) => percent(sharing.large_strain_share),
         (_, None) => return words,
@@ -68,11 +71,14 @@ fn remedy(case: &CaseStudy, at: &Difference) -> String {
     if let Some(load) = lower.max_by(f64::total_cmp) {
         ways.push(format!("loads of at most {}", input_quantity(load, "Pa")));
     }
-    ways.extend(filtered(case));
-    ways.push(match case.first().reference {
-        Some(_) => "the boundary elements".to_owned(),
-        None => "boundary elements (`\"reference\"` among the `models`)".to_owned(),
-    });
+    ways.extend(filtered(case, at.load));
+    match &case.first().reference {
+        Some(curve) if curve.unreached.contains(&at.load) => {
+            ways.push("a load that the surface can bear: check it, its area and their units".to_owned());
+        }
+        Some(_) => ways.push("the boundary elements".to_owned()),
+        None => ways.push("boundary elements (`\"reference\"` among the `models`)".to_owned()),
+    }
     ways.join(", or ")
 }
 
@@ -107,8 +113,8 @@ fn more_surface(at: &Difference, verdicts: &Verdicts, exceeded: Exceeded) -> Str
     }
 }
 
-/// The shortest S filter with which some load is admissible, where none is without.
-fn filtered(case: &CaseStudy) -> Option<String> {
+/// Where no load is admissible, the shortest S filter with which this `load` (Pa) is, or else some other.
+fn filtered(case: &CaseStudy, load: f64) -> Option<String> {
     if !case.verdicts.admissible.stretches.is_empty() {
         return None;
     }
@@ -121,9 +127,12 @@ fn filtered(case: &CaseStudy) -> Option<String> {
         Treatment::ShortWaves(Some(index)) => Some((index, admissible(&one.differences)?)),
         _ => None,
     });
-    let (index, loads) = found.min_by(|a, b| a.0.total_cmp(&b.0))?;
+    let is_here = |[from, to]: [f64; 2]| (from..=to).contains(&load);
+    let (index, loads) = found
+        .min_by(|a, b| (!is_here(a.1), a.0).partial_cmp(&(!is_here(b.1), b.0)).unwrap_or(Ordering::Equal))?;
+    let other = if is_here(loads) { "" } else { ", this one is not" };
     Some(format!(
-        "an S filter of {}, where shorter waves do not matter, with which loads {} are admissible",
+        "an S filter of {}, where shorter waves do not matter, with which loads {} are admissible{other}",
         input_quantity(index, "m"),
         over(loads)
     ))

@@ -127,7 +127,7 @@ impl Outcome for CompareResults {
         }
         let text = |surface: &SurfaceResults| {
             let answers: String = SurfaceCase::on_surface(surface)
-                .map(|case| format!("\n{}\n{}\n", case.name(self), case::answer(case, true).join("\n")))
+                .map(|case| format!("\n{}\n{}\n", case.name(self), case::answer(case).join("\n")))
                 .collect();
             format!("\n{}{}", section::for_terminal(&surface.surface), answers).trim_end().to_owned()
         };
@@ -144,12 +144,16 @@ fn answer(results: &CompareResults) -> Vec<String> {
     let compared = |case: &&SurfaceCase| !case.verdicts().differences.is_empty();
     let verdicts: Vec<&Verdicts> = cases.iter().filter(compared).map(|case| case.verdicts()).collect();
     match (&cases[..], verdicts.len()) {
-        ([only], _) => case::answer(*only, true),
+        ([only], _) => case::answer(*only),
         // Of few cases each by itself.
         (all, compared) if compared == 0 || all.len() <= FEW => {
-            let each = cases
-                .iter()
-                .map(|case| format!("{}: {}", case.name(results), case::answer(*case, false).join(" ")));
+            let each = cases.iter().flat_map(|case| {
+                let mut sentences = case::answer(*case);
+                if let Some(first) = sentences.first_mut() {
+                    first.insert_str(0, &format!("{}: ", case.name(results)));
+                }
+                sentences
+            });
             each.collect()
         }
         _ => vec![count::count(&verdicts)],

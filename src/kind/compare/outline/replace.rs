@@ -1,5 +1,6 @@
 //! May the integral replace the sum at one load: on the compared surface itself, and on such surfaces.
 
+use asperity::Limit;
 use asperity::compare::{ComparedQuantity, Difference, Estimate, NotModelled, Verdict};
 use asperity::study::{Basis, Verdicts};
 use asperity::topography::generate::Unfitted;
@@ -20,8 +21,12 @@ const ANSWERS: [(Verdict, &str); 5] = [
 /// The answer in each quantity that is compared, with its figures.
 type Answers = Vec<(ComparedQuantity, Verdict, String)>;
 
+/// The words where the numbers agree or differ, and neither model is to be trusted.
+const NUMBERS: [(Verdict, &str); 2] =
+    [(Verdict::Beyond, "beyond what is accepted"), (Verdict::Within, "within what is accepted")];
+
 /// "May the integral replace the sum at this load? On this map: no in real contact area (+193 %; accepted 10 %), yes in separation
-/// (...)." `None` where nothing is compared.
+/// (...)."; where the map is not fit or neither model is for the load, the numbers without an answer. `None` where nothing is compared.
 pub fn on_map(at: &Difference, verdicts: &Verdicts) -> Option<String> {
     let answer = |quantity: ComparedQuantity| {
         let contrast = at.estimates[quantity as usize]?.contrast;
@@ -37,8 +42,19 @@ pub fn on_map(at: &Difference, verdicts: &Verdicts) -> Option<String> {
         Basis::Asperities | Basis::Unstated => "On these asperities".to_owned(),
         Basis::Blocks { .. } | Basis::TooSmall { .. } | Basis::ModelBased => "On this map".to_owned(),
     };
-    (!answers.is_empty())
-        .then(|| format!("May the integral replace the sum at this load? {whose}: {}.", in_words(&answers)))
+    let is_invalid = |limit| matches!(limit, Limit::Interaction | Limit::LargeStrain);
+    let untrusted = if verdicts.is_blocked {
+        Some("the map is not fit to tell")
+    } else {
+        at.exceeded().limits().any(is_invalid).then_some("neither model is admissible here")
+    };
+    let answer = match untrusted {
+        Some(why) => {
+            format!("No answer, because {why}. {whose} the difference is {}", in_words(&answers, &NUMBERS))
+        }
+        None => format!("{whose}: {}", in_words(&answers, &ANSWERS)),
+    };
+    (!answers.is_empty()).then(|| format!("May the integral replace the sum at this load? {answer}."))
 }
 
 /// "On such surfaces (model-based 95 % intervals): no in real contact area (+131 to +272 %), cannot be told in separation (...)."
@@ -56,13 +72,13 @@ pub fn on_surface(at: &Difference, verdicts: &Verdicts) -> String {
     let answers: Answers = ORDER.into_iter().filter_map(answer).collect();
     let is_open = answers.iter().any(|(_, verdict, _)| *verdict == Verdict::CannotTell);
     let why = if is_open { why_open(at, verdicts, is_area_named) } else { String::new() };
-    format!("On such surfaces{}: {}{why}.", intervals(verdicts), in_words(&answers))
+    format!("On such surfaces{}: {}{why}.", intervals(verdicts), in_words(&answers, &ANSWERS))
 }
 
 /// "no in real contact area (+193 %) and stiffness (+168 %), yes in separation (-0.05 σ)".
-fn in_words(answers: &Answers) -> String {
-    let of = |(verdict, words): (Verdict, &str)| {
-        let with = answers.iter().filter(|(_, other, _)| *other == verdict);
+fn in_words(answers: &Answers, words: &[(Verdict, &str)]) -> String {
+    let of = |(verdict, words): &(Verdict, &str)| {
+        let with = answers.iter().filter(|(_, other, _)| other == verdict);
         let each: Vec<String> = with
             .map(|(quantity, _, figures)| {
                 let name = quantity_name(*quantity);
@@ -71,7 +87,7 @@ fn in_words(answers: &Answers) -> String {
             .collect();
         (!each.is_empty()).then(|| format!("{words} in {}", listed(&each)))
     };
-    ANSWERS.into_iter().filter_map(of).collect::<Vec<_>>().join(", ")
+    words.iter().filter_map(of).collect::<Vec<_>>().join(", ")
 }
 
 /// What would tell in a quantity whose interval is across the edge of what is accepted: an area of surface, or a number of realisations.
@@ -101,8 +117,11 @@ fn why_open(at: &Difference, verdicts: &Verdicts, is_area_named: bool) -> String
     };
     let has_interval = at.estimates.iter().flatten().all(|one| one.interval().is_some());
     match at.area_needed.filter(|_| !has_interval) {
-        Some(area) => {
+        Some(area) if area.is_finite() => {
             format!("; an interval needs at least {} of surface, now {now}{reason}", nominal_area(area, true))
+        }
+        Some(_) => {
+            format!("; no interval: the heights correlate over more than half of the map{reason}")
         }
         None if is_area_named => format!("; the surface has {now}{reason}"),
         None => reason,
@@ -120,7 +139,6 @@ fn no_model(reason: NotModelled) -> &'static str {
         }
         NotModelled::Unfitted(Unfitted::Flat) => "the heights do not scatter",
         NotModelled::Unfitted(Unfitted::Periodic) => "the surface is periodic",
-        NotModelled::Unlike => "surfaces of its spectrum and heights have other asperities",
         NotModelled::Failed => "surfaces of its spectrum and heights could not be compared",
     }
 }

@@ -11,8 +11,6 @@ pub enum NotModelled {
     Unfitted(Unfitted),
     /// The roughness varies over the map more than over generated surfaces.
     Patchy,
-    /// The asperities of generated surfaces are unlike those of the map: mean radius, correlation of height and radius.
-    Unlike,
     /// A generated surface on which the models cannot be run.
     Failed,
 }
@@ -22,17 +20,26 @@ pub enum NotModelled {
 pub struct Generated {
     /// On each surface, at each load, the statistical and the deterministic model; `None` where one has no contact.
     pub states: Vec<Vec<Option<[State; 2]>>>,
-    /// By how much the process underestimates the scatter of samples, because its long waves are estimated from the map itself.
+    /// By how much the scatter of samples exceeds theirs: the long waves of the process are estimated from the map itself, and its amplitude
+    /// does not vary from place to place.
     pub widening: f64,
 }
 
+/// Standard deviations of the generated surfaces by which the difference on the map may lie off their mean without being a misfit: for Gaussian
+/// surfaces as many as a quarter of the maps exceed them.
+const EXPECTED_GAP: f64 = 2.0;
+
 impl Generated {
-    /// The standard error of the contrast at the load of index `load`, and the half-width of its 95 % interval in standard errors; `None`
-    /// where a surface has no contact.
-    pub fn error(&self, quantity: ComparedQuantity, load: usize) -> Option<(f64, f64)> {
+    /// The standard error of the `contrast` of the map at the load of index `load`, and the half-width of its 95 % interval in standard errors;
+    /// `None` where a surface has no contact.
+    ///
+    /// A process that does not reproduce the contrast of its own map is not trusted with its scatter: what the contrast lies off the mean of the
+    /// surfaces beyond two standard deviations is added (squares).
+    pub fn error(&self, quantity: ComparedQuantity, contrast: f64, load: usize) -> Option<(f64, f64)> {
         let contrasts = self.contrasts(quantity, load)?;
-        let error = self.widening * Scatter::new(&contrasts).deviation;
-        Some((error, student_quantile(contrasts.len())))
+        let Scatter { mean, deviation } = Scatter::new(&contrasts);
+        let misfit = ((contrast - mean).powi(2) - (EXPECTED_GAP * deviation).powi(2)).max(0.0).sqrt();
+        Some(((self.widening * deviation).hypot(misfit), student_quantile(contrasts.len())))
     }
 
     fn contrasts(&self, quantity: ComparedQuantity, load: usize) -> Option<Vec<f64>> {
@@ -47,13 +54,16 @@ impl Generated {
 mod tests {
     use super::*;
 
+    /// Of contrasts 1, 2, 3 the mean is 2, the standard deviation 1: at 2 there is no misfit, at 5 one of sqrt(9 - 4).
     #[test]
-    fn the_error_is_the_widened_scatter_of_the_differences() {
+    fn the_error_is_the_widened_scatter_and_the_misfit() {
         let states = |integral: f64| vec![Some([[integral, 0.0, 0.0], [1.0, 0.0, 0.0]]), None];
-        let generated = Generated { states: [1.0, 2.0, 3.0].map(states).to_vec(), widening: 1.5 };
-        let (error, quantile) = generated.error(ComparedQuantity::Separation, 0).unwrap();
+        let generated = Generated { states: [2.0, 3.0, 4.0].map(states).to_vec(), widening: 1.5 };
+        let of = |contrast: f64| generated.error(ComparedQuantity::Separation, contrast, 0).unwrap();
+        let (error, quantile) = of(2.0);
         assert!((error - 1.5).abs() < 1e-15 && (quantile - 4.302_652_7).abs() < 1e-6, "{error} {quantile}");
-        assert_eq!(generated.error(ComparedQuantity::Area, 0).unwrap().0, 0.0);
-        assert_eq!(generated.error(ComparedQuantity::Separation, 1), None, "a surface without contact");
+        assert!((of(5.0).0 - (2.25f64 + 5.0).sqrt()).abs() < 1e-14);
+        assert_eq!(generated.error(ComparedQuantity::Area, 0.0, 0).unwrap().0, 0.0);
+        assert_eq!(generated.error(ComparedQuantity::Separation, 2.0, 1), None, "a surface without contact");
     }
 }
