@@ -78,7 +78,7 @@ mod tests {
             "begins with 3 lines that hold no row of the table (line 1: \"Date: now\"), the table begins in line 4"
         ));
         assert!(
-            message.contains("put # before each; a pixel and a unit that they state go to pixel = "),
+            message.contains("put # before each (three columns are x, y and the height, in this order); a pixel and a unit that they"),
             "{message}"
         );
         let mark = ReadError::Mark { value: -9999.0, count: 1329, low: -3.0, high: 5.0 };

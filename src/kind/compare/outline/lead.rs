@@ -109,6 +109,8 @@ pub fn over([from, to]: [f64; 2]) -> String {
 
 #[cfg(test)]
 mod tests {
+    use asperity::compare::{AdmissibleRange, Difference};
+
     use super::super::examples::verdicts;
     use super::*;
 
@@ -131,5 +133,19 @@ mod tests {
             "It cannot be told at any admissible load (from 1 MPa to 10 MPa)."
         );
         assert_eq!(by_load(&verdicts(9.0, [0.2, 0.3], Some(0.01))), None);
+    }
+
+    #[test]
+    fn a_stretch_ends_at_a_load_that_is_not_admissible() {
+        let mut with_few = verdicts(90.0, [0.2, 0.3], Some(0.01));
+        let few = verdicts(9.0, [0.2, 0.3], Some(0.01)).differences.remove(0);
+        with_few.differences.insert(1, Difference { load: 3e6, ..few });
+        with_few.stretches = Stretch::all(&with_few.differences, &with_few.accepted);
+        let loads = with_few.differences.iter().map(|at| (at.load, at.exceeded()));
+        with_few.admissible = AdmissibleRange::new(loads);
+        assert_eq!(
+            by_load(&with_few).unwrap(),
+            "At admissible loads (at 1 MPa and at 10 MPa), surely or very likely: real contact area beyond at 1 MPa and at 10 MPa."
+        );
     }
 }

@@ -199,6 +199,13 @@ mod tests {
         let [_, surface] = answers(&verdicts(90.0, [0.13, 0.3], Some(0.03)));
         let expected = ": cannot be told in real contact area (+7.25 to +20.9 %; about 3 mm² would tell); the surface has 1 mm².";
         assert!(surface.ends_with(expected), "{surface}");
+        let mut endless = verdicts(90.0, [0.2, 0.3], None);
+        endless.differences[0].area_needed = Some(f64::INFINITY);
+        let [_, surface] = answers(&endless);
+        assert!(
+            surface.ends_with("; no interval: the heights correlate over more than half of the map."),
+            "{surface}"
+        );
         // On the edge itself no area tells, and none is stated.
         let [_, surface] = answers(&verdicts(90.0, [0.1f64.ln_1p(), 0.3], Some(0.05)));
         assert!(surface.contains("cannot be told") && !surface.contains("mm²"), "{surface}");
