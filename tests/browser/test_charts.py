@@ -167,3 +167,22 @@ def test_differences_are_shown_with_their_zero(open_page):
     page.wait_for_selector("#case-2-verdicts.drawn canvas")
     ticks = figure.locator("canvas").evaluate_all("all => all.map(canvas => canvas.written)")
     assert len(ticks) == 3 and all("0" in written for written in ticks), ticks
+
+
+def test_points_at_one_place_are_all_there(open_page, tmp_path):
+    """Three points of a curve at each place instead of one."""
+    text = REPORT.read_text(encoding="utf-8")
+    start, end = re.search(r'<script type="application/json">(.*?)</script>', text, re.DOTALL).span(1)
+    data = json.loads(text[start:end])
+    panel = data["panels"][1]
+    curve = next(series for series in panel["series"] if series["name"] == CURVE)
+    panel["places"].append([place for place in panel["places"][curve["x"]] for _ in range(3)])
+    curve["x"] = len(panel["places"]) - 1
+    curve["y"] = [value + shift for value in curve["y"] for shift in (0, 1, 2)]
+    path = tmp_path / "report.html"
+    path.write_text(text[:start] + json.dumps(data) + text[end:], encoding="utf-8")
+    page = open_page(path)
+    page.wait_for_selector(f"{FIGURE}.drawn canvas")
+    values = re.search(rf"{re.escape(CURVE)}: (.*)", hover(page, 0.5, panel=1))[1].replace("−", "-").split(", ")
+    first = float(values[0])
+    assert [round(float(each) - first) for each in values] == [0, 1, 2], values

@@ -36,18 +36,33 @@ const Chart = (() => {
     return parts.map((part, place) => (place % 2 ? element("sub", {}, part) : part));
   };
 
-  // All places of a panel in growing order, and each series along them: undefined where it has none, null where its line breaks.
+  // All places of a panel in growing order, and each series along them: undefined where it has none, null where its line breaks. A place
+  // that a series has several times is there as often.
   const aligned = (panel, unitX, unitY, logX, logY) => {
     const shown = (value, unit, log) => (value === null || (log && value <= 0) ? null : value * unit.factor);
     const places = panel.places.map(list => list.map(value => shown(value, unitX, logX)));
-    const all = [...new Set(places.flat().filter(value => value !== null))].sort((a, b) => a - b);
-    const index = new Map(all.map((value, place) => [value, place]));
+    const times = new Map();
+    const numbered = places.map(list => {
+      const seen = new Map();
+      return list.map(place => {
+        const number = seen.get(place) || 0;
+        seen.set(place, number + 1);
+        if (place !== null) times.set(place, Math.max(times.get(place) || 0, number + 1));
+        return number;
+      });
+    });
+    const all = [];
+    const first = new Map();
+    for (const place of [...times.keys()].sort((a, b) => a - b)) {
+      first.set(place, all.length);
+      for (let k = 0; k < times.get(place); k++) all.push(place);
+    }
     const columns = [];
     for (const series of panel.series) {
       for (const values of series.kind === "band" ? [series.y, series.top] : [series.y]) {
         const column = new Array(all.length).fill(undefined);
         places[series.x].forEach((place, k) => {
-          if (place !== null) column[index.get(place)] = shown(values[k], unitY, logY);
+          if (place !== null) column[first.get(place) + numbered[series.x][k]] = shown(values[k], unitY, logY);
         });
         columns.push(column);
       }
@@ -391,7 +406,8 @@ const Chart = (() => {
         if (!plot.series[k + 1].show || value === undefined || value === null) return;
         place = place === null ? data[0][at] : place;
         if (key.kind === "band" && keys[k + 1] === key) return;
-        const text = key.kind === "band" ? `${number(data[k][at])} to ${number(value)}` : number(value);
+        const isHere = (other, j) => data[0][j] === data[0][at] && other !== undefined && other !== null;
+        const text = key.kind === "band" ? `${number(data[k][at])} to ${number(value)}` : data[k + 1].filter(isHere).map(number).join(", ");
         const row = element("div", {}, ...typeset(key.name ? `${key.name}: ` : ""), text);
         row.style.borderLeft = `4px solid ${shade(key.colour)}`;
         row.style.paddingLeft = "4px";
