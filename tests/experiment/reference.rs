@@ -408,3 +408,30 @@ fn a_map_too_coarse_for_its_shortest_wave_is_warned_of() {
         );
     }
 }
+
+/// At a pressure that no contact carries the answer says why there are no boundary elements, and does not send the reader to them.
+#[test]
+fn a_pressure_above_the_hardness_is_named_in_the_answer() {
+    let fine = ROUGH.replace("40 um", "20 um").replace("8 um", "3 um");
+    let at = |pressure: &str| {
+        let sweep = "separation = { from = 3, to = 1, points = 5 }\nreference = { loads = 2 }";
+        run(&format!("law = \"zmc\"\n{THREE}pressure = {{ values = [\"{pressure}\"] }}\n{sweep}"), &fine)
+            .terminal()
+            .unwrap()
+    };
+    let above = at("8 GPa");
+    assert!(
+        above.contains("; no boundary elements, because no contact carries so high a pressure."),
+        "{above}"
+    );
+    assert!(
+        above.contains("a load that the surface can bear") && !above.contains("the boundary elements"),
+        "{above}"
+    );
+    let below = at("2 GPa");
+    assert!(
+        below.contains("by boundary elements") && below.contains("Remedy: the boundary elements."),
+        "{below}"
+    );
+    assert!(!below.contains("so high a pressure") && !below.contains("can bear"), "{below}");
+}

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use asperity::units::Dimension;
 use asperity_contact_framework::divided::Part;
 use asperity_experiment::kind::KINDS;
 use asperity_experiment::surface::{ContactOptions, FileOptions};
@@ -205,7 +206,7 @@ pub fn misread(words: &[String]) -> Option<String> {
     let command = Cli::command();
     let surface =
         command.find_subcommand("surface").filter(|_| words.iter().any(|word| word == "surface"))?;
-    let is_load = |word: &str| word.starts_with(|first: char| first.is_ascii_digit());
+    let is_load = |word: &str| word.parse::<f64>().is_ok() || Dimension::Force.parse(word).is_some();
     let load = words.windows(2).find(|pair| pair[0] == "--force" && is_load(&pair[1]));
     if let Some([_, load]) = load {
         return Some(format!(

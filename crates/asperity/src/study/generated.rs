@@ -19,9 +19,9 @@ pub const GENERATED_SURFACES: usize = 32;
 /// Points of a map above which surfaces are generated one after the other, so that memory holds one for all threads.
 const LARGE: usize = 1 << 22;
 
-/// How many times the scatter of the roughness over a map may exceed that of generated surfaces. From the first on, intervals are widened by it:
-/// stationary surfaces stay below, and wider ones cover the truth where the amplitude scatters by up to 30 % (`coverage-of-small-maps`). Beyond the
-/// second none is claimed.
+/// How many times the scatter of the roughness over a map may exceed that of generated surfaces. From the first on, which a tenth at most of
+/// stationary surfaces reach, intervals are widened by it, and cover the truth where the amplitude scatters by up to 30 %
+/// (`coverage-of-small-maps`). Beyond the second none is claimed.
 const PATCHY: [f64; 2] = [2.0, 4.0];
 
 /// Both models of each case on generated surfaces at the loads of its pairs; `None` for a surface that is no small map.

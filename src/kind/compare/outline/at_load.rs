@@ -5,7 +5,7 @@ use asperity::study::{CaseStudy, ModelResult};
 use asperity::surface::Surface;
 use asperity_contact_framework::report::format::{input_quantity, number, percent, quantity, signed};
 
-use super::limit::limit_words;
+use super::limit::{is_unreached, limit_words};
 
 /// "At 5 N on 4 mm² (1.25 MPa): real contact area 3200 µm² (0.08 %) in 180 contacts at 1.55 GPa, 97 % of the load elastic-plastic, by the sum; 3600 µm²
 /// by the integral, 3000 µm² (-5 % against the sum) by boundary elements."; on a `nominal` area (m²). `None` where neither sum nor integral was run.
@@ -37,8 +37,8 @@ pub fn results(case: &CaseStudy, surface: &Surface, nominal: f64) -> Option<Stri
         format!("; from {count}a surface of {}", area(own))
     };
     let mut others = others(&at_load.models, model, name, nominal);
-    if case.first().reference.as_ref().is_some_and(|curve| curve.unreached.contains(&model.point.pressure)) {
-        others.push_str("; no boundary elements, because no contact carries so much");
+    if case.reported_load().is_some_and(|at| is_unreached(case, at.load)) {
+        others.push_str("; no boundary elements, because no contact carries so high a pressure");
     }
     Some(format!(
         "At {force} on {nominal_area} ({pressure}{sample}){marks}: {} by the {name}{others}.",

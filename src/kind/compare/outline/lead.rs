@@ -58,11 +58,11 @@ fn told(verdicts: &Verdicts, quantity: ComparedQuantity) -> Option<String> {
         let is_above = one.largest.is_some_and(|(_, estimate)| estimate.contrast > 0.0);
         (one.verdict.is_beyond(), one.verdict.is_within(), one.verdict.is_beyond() && is_above)
     };
-    let is_admissible_between = |a: &Stretch, b: &Stretch| {
-        let between = verdicts.differences.iter().filter(|at| a.loads[1] < at.load && at.load < b.loads[0]);
-        between.into_iter().all(|at| at.exceeded().is_none())
+    let are_neighbours = |a: &Stretch, b: &Stretch| {
+        let mut admissible = verdicts.admissible.stretches.iter();
+        admissible.any(|[from, to]| *from <= a.loads[0] && b.loads[1] <= *to)
     };
-    let sides = stretches.chunk_by(|a, b| side(a) == side(b) && is_admissible_between(a, b));
+    let sides = stretches.chunk_by(|a, b| side(a) == side(b) && are_neighbours(a, b));
     let mut said = "";
     let words = |stretches: &[&Stretch]| {
         let loads = over([stretches[0].loads[0], stretches[stretches.len() - 1].loads[1]]);

@@ -1,8 +1,6 @@
 //! Why a load is not admissible, and what to do about it.
 
-use std::cmp::Ordering;
-
-use asperity::compare::Difference;
+use asperity::compare::{AdmissibleRange, Difference};
 use asperity::study::{CaseStudy, Treatment, Verdicts};
 use asperity::{Exceeded, INTERACTION, LARGE_STRAIN_SHARE, LARGEST_LOAD_SHARE, Limit, MIN_CONTACTS};
 use asperity_contact_framework::report::format::{input_quantity, listed, number, percent};
@@ -73,13 +71,18 @@ fn remedy(case: &CaseStudy, at: &Difference) -> String {
     }
     ways.extend(filtered(case, at.load));
     match &case.first().reference {
-        Some(curve) if curve.unreached.contains(&at.load) => {
+        Some(_) if is_unreached(case, at.load) => {
             ways.push("a load that the surface can bear: check it, its area and their units".to_owned());
         }
         Some(_) => ways.push("the boundary elements".to_owned()),
         None => ways.push("boundary elements (`\"reference\"` among the `models`)".to_owned()),
     }
     ways.join(", or ")
+}
+
+/// Whether a load (Pa) is more than any contact of the reference carries.
+pub fn is_unreached(case: &CaseStudy, load: f64) -> bool {
+    case.first().reference.as_ref().is_some_and(|curve| curve.unreached.contains(&load))
 }
 
 /// Whether more surface lifts a limit.
@@ -118,24 +121,36 @@ fn filtered(case: &CaseStudy, load: f64) -> Option<String> {
     if !case.verdicts.admissible.stretches.is_empty() {
         return None;
     }
-    let admissible = |differences: &[Difference]| {
-        let loads = || differences.iter().filter(|at| at.exceeded().is_none()).map(|at| at.load);
-        let [from, to] = [loads().min_by(f64::total_cmp)?, loads().max_by(f64::total_cmp)?];
-        Some([from, to])
-    };
     let found = case.treated.iter().filter_map(|one| match one.treatment {
-        Treatment::ShortWaves(Some(index)) => Some((index, admissible(&one.differences)?)),
+        Treatment::ShortWaves(Some(index)) => {
+            let loads = one.differences.iter().map(|at| (at.load, at.exceeded()));
+            Some((index, AdmissibleRange::new(loads).stretches))
+                .filter(|(_, stretches)| !stretches.is_empty())
+        }
         _ => None,
     });
-    let is_here = |[from, to]: [f64; 2]| (from..=to).contains(&load);
-    let (index, loads) = found
-        .min_by(|a, b| (!is_here(a.1), a.0).partial_cmp(&(!is_here(b.1), b.0)).unwrap_or(Ordering::Equal))?;
-    let other = if is_here(loads) { "" } else { ", this one is not" };
+    let found: Vec<(f64, Vec<[f64; 2]>)> = found.collect();
+    let (index, stretches) = shortest_filter(&found, load)?;
+    let other = if holds(stretches, load) { "" } else { ", this one is not" };
+    let loads: Vec<String> = stretches.iter().map(|loads| over(*loads)).collect();
     Some(format!(
         "an S filter of {}, where shorter waves do not matter, with which loads {} are admissible{other}",
-        input_quantity(index, "m"),
-        over(loads)
+        input_quantity(*index, "m"),
+        listed(&loads)
     ))
+}
+
+/// The shortest filter whose stretches of admissible loads hold a load, or else the shortest.
+fn shortest_filter(filters: &[(f64, Vec<[f64; 2]>)], load: f64) -> Option<&(f64, Vec<[f64; 2]>)> {
+    let shortest = |only_here: bool| {
+        let suitable = filters.iter().filter(|(_, stretches)| !only_here || holds(stretches, load));
+        suitable.min_by(|a, b| a.0.total_cmp(&b.0))
+    };
+    shortest(true).or_else(|| shortest(false))
+}
+
+fn holds(stretches: &[[f64; 2]], load: f64) -> bool {
+    stretches.iter().any(|[from, to]| (*from..=*to).contains(&load))
 }
 
 #[cfg(test)]
@@ -148,11 +163,22 @@ mod tests {
         let few = verdicts(9.0, [0.2, 0.3], Some(0.01));
         let at = &few.differences[0];
         assert_eq!(beyond(Limit::FewContacts, at), "fewer than 30 effective contacts (9)");
+        let nearly = verdicts(29.98, [0.2, 0.3], Some(0.01));
+        let text = beyond(Limit::FewContacts, &nearly.differences[0]);
+        assert_eq!(text, "fewer than 30 effective contacts (29.9)");
         let needed = more_surface(at, &few, at.exceeded());
         assert_eq!(needed, "at least 3.4 mm² of surface (now 1 mm²)");
         let unsampled = verdicts(9.0, [0.2, 0.3], None);
         let at = &unsampled.differences[0];
         let needed = more_surface(at, &unsampled, at.exceeded());
         assert_eq!(needed, "at least 4 mm² of surface (now 1 mm²)");
+    }
+    #[test]
+    fn a_filter_that_helps_at_the_load_comes_before_a_shorter_one() {
+        let filters =
+            [(1e-6, vec![[1e6, 2e6], [8e6, 9e6]]), (2e-6, vec![[1e6, 9e6]]), (4e-6, vec![[1e6, 9e6]])];
+        let index = |load: f64| shortest_filter(&filters, load).unwrap().0;
+        assert_eq!([2e6, 5e6, 1e8].map(index), [1e-6, 2e-6, 1e-6]);
+        assert!(shortest_filter(&[], 1e6).is_none());
     }
 }

@@ -121,7 +121,7 @@ fn why_open(at: &Difference, verdicts: &Verdicts, is_area_named: bool) -> String
             format!("; an interval needs at least {} of surface, now {now}{reason}", nominal_area(area, true))
         }
         Some(_) => {
-            format!("; no interval: the heights correlate over more than half of the map{reason}")
+            format!("; no interval: heights or their amplitude correlate over half of the map{reason}")
         }
         None if is_area_named => format!("; the surface has {now}{reason}"),
         None => reason,
@@ -189,6 +189,29 @@ mod tests {
         assert!(surface.contains(": yes in real contact area (-0.995 to +3.05 %)."), "{surface}");
     }
 
+    /// Models that agree where neither is admissible, or on a map with faults, do not make a yes.
+    #[test]
+    fn numbers_that_are_not_trusted_are_no_answer() {
+        let mut crowded = verdicts(90.0, [0.01, 0.3], Some(0.01));
+        crowded.differences[0].area_ratio = 0.2;
+        let mut blocked = verdicts(90.0, [0.01, 0.3], Some(0.01));
+        blocked.is_blocked = true;
+        let few = verdicts(9.0, [0.01, 0.3], Some(0.01));
+        let text = |verdicts: &Verdicts| on_map(&verdicts.differences[0], verdicts).unwrap();
+        for (verdicts, why) in
+            [(crowded, "neither model is admissible here"), (blocked, "the map is not fit to tell")]
+        {
+            assert_eq!(
+                text(&verdicts),
+                format!(
+                    "May the integral replace the sum at this load? No answer, because {why}. On these asperities the difference is \
+                     within what is accepted in real contact area (+1.01 %; accepted 10 %)."
+                )
+            );
+        }
+        assert!(text(&few).contains("On these asperities: yes"), "the sum over its own asperities is exact");
+    }
+
     #[test]
     fn what_cannot_be_told_names_what_it_needs() {
         let [map, surface] = answers(&verdicts(90.0, [0.2, 0.3], None));
@@ -203,7 +226,7 @@ mod tests {
         endless.differences[0].area_needed = Some(f64::INFINITY);
         let [_, surface] = answers(&endless);
         assert!(
-            surface.ends_with("; no interval: the heights correlate over more than half of the map."),
+            surface.ends_with("; no interval: heights or their amplitude correlate over half of the map."),
             "{surface}"
         );
         // On the edge itself no area tells, and none is stated.

@@ -25,8 +25,8 @@ pub struct Generated {
     pub widening: f64,
 }
 
-/// Standard deviations of the generated surfaces by which the difference on the map may lie off their mean without being a misfit: for Gaussian
-/// surfaces as many as a quarter of the maps exceed them.
+/// Standard deviations of the generated surfaces by which the difference on the map may lie off their mean without being a misfit: of Gaussian
+/// surfaces a quarter of the maps exceed them in the area, and hardly any in separation and stiffness.
 const EXPECTED_GAP: f64 = 2.0;
 
 impl Generated {
