@@ -359,6 +359,10 @@ fn options_of_a_surface_are_checked_before_it_runs() {
         assert!(output.status.code() == Some(2) && said.contains(words), "{said}");
         assert!(!folder.path().join("reports").exists(), "{arguments:?}");
     }
+    fs::rename(folder.path().join("map.txt"), folder.path().join("2 maps.txt")).unwrap();
+    let output =
+        experiment(&["surface", "--force", "2 maps.txt", "--pixel", "1 um", "--unit", "nm"], folder.path());
+    assert!(output.status.success(), "a file is no load: {}", text(&output.stderr));
 }
 
 /// `--fit` prints its steps, keeps what is stated, and saves the spec that does the same by hand.
