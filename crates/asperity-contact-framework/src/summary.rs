@@ -8,6 +8,7 @@ use serde_json::{Map, Value};
 
 use crate::kind::Outcome;
 use crate::metadata::Metadata;
+use crate::report::answer::Answer;
 use crate::report::table::Tables;
 use crate::report::{PROGRAM, Page};
 use asperity::work::Work;
@@ -18,7 +19,7 @@ struct Summary<'a> {
     version: &'static str,
     title: &'a str,
     kind: &'static str,
-    answer: String,
+    answer: Answer,
     #[serde(skip_serializing_if = "Option::is_none")]
     figure: Option<&'a str>,
     spec_sha256: &'a str,

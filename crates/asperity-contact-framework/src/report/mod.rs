@@ -4,6 +4,7 @@
 //!
 //! | module | what lives there |
 //! |---|---|
+//! | [`answer`] | what a page says first: a sentence, or a card of labelled lines |
 //! | `page` | a page as Markdown and as self-contained HTML |
 //! | [`mod@format`] | numbers and quantities as people read them |
 //! | [`sections`] | sections of every page: set-up, provenance, references |
@@ -15,6 +16,7 @@
 //! | [`store`] | the only module that writes to disk: a folder is replaced atomically |
 //! | [`verify`] | comparison of new reports with committed ones |
 
+pub mod answer;
 pub mod digest;
 pub mod format;
 mod index;

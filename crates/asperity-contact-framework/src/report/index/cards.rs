@@ -55,6 +55,6 @@ fn card(entry: &Entry) -> String {
         kind = escape(&entry.kind),
         page = entry.page(),
         surfaces = surfaces.join("\n"),
-        answer = escape(&with_minus(&entry.answer)),
+        answer = escape(&with_minus(&entry.answer.sentence)),
     )
 }

@@ -11,9 +11,10 @@ mod overlay;
 use std::fs;
 use std::path::Path;
 
-use serde::Deserialize;
+use serde::{Deserialize, Deserializer};
 use serde_json::{Map, Value};
 
+use super::answer::Answer;
 use super::page::{Cell, Page};
 
 /// The program name in `summary.json`.
@@ -43,9 +44,9 @@ struct Entry {
     title: String,
     #[serde(default)]
     kind: String,
-    /// What it found, in a sentence or two.
-    #[serde(default)]
-    answer: String,
+    /// What it found.
+    #[serde(default, deserialize_with = "answer")]
+    answer: Answer,
     /// File name of its main figure.
     #[serde(default)]
     figure: Option<String>,
@@ -57,6 +58,14 @@ struct Entry {
     warnings: Vec<String>,
     #[serde(default)]
     files: Vec<String>,
+}
+
+/// An answer; of a report by an earlier version a sentence alone.
+fn answer<'de, D: Deserializer<'de>>(of: D) -> Result<Answer, D::Error> {
+    Ok(match Value::deserialize(of)? {
+        Value::String(sentence) => Answer { sentence, lines: Vec::new() },
+        other => serde_json::from_value(other).unwrap_or_default(),
+    })
 }
 
 impl Entry {

@@ -5,7 +5,9 @@
 
 use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, TagEnd};
 
+use super::markdown::escape_around_code;
 use super::{Block, Drawn};
+use crate::report::answer::CardLine;
 
 const STYLE: &str = include_str!("assets/page.css");
 /// The style of charts.
@@ -109,6 +111,7 @@ impl Writer<'_> {
                     push_markdown(&mut self.body, markdown);
                     self.body.push_str("</div>\n");
                 }
+                Block::Card(lines) => self.card(lines),
                 Block::Markdown(text) => push_markdown(&mut self.body, text),
                 Block::Table { markdown, verdicts } => self.table(markdown, verdicts),
                 Block::Figure { caption, .. } => self.figure(caption),
@@ -119,6 +122,20 @@ impl Writer<'_> {
                 }
             }
         }
+    }
+
+    fn card(&mut self, lines: &[CardLine]) {
+        let row = |line: &CardLine| {
+            let text = |text: &String| {
+                let mut html = String::new();
+                push_markdown(&mut html, &escape_around_code(text));
+                html
+            };
+            let texts: String = line.texts.iter().map(text).collect();
+            format!("<div>\n<dt>{}</dt>\n<dd>{texts}</dd>\n</div>\n", escape(&line.label))
+        };
+        let rows: String = lines.iter().map(row).collect();
+        self.body.push_str(&format!("<dl class=\"card\">\n{rows}</dl>\n"));
     }
 
     fn table(&mut self, markdown: &str, verdicts: &[usize]) {

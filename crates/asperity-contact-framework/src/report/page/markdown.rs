@@ -1,6 +1,7 @@
 //! Text as Markdown: nothing in a user's text is markup.
 
 use super::Cell;
+use crate::report::answer::CardLine;
 
 /// Plain text as Markdown that shows exactly that text: nothing in it is markup. Line breaks and other
 /// control characters become blanks.
@@ -80,6 +81,17 @@ pub(super) fn cell_markdown(cell: &Cell) -> String {
 
 pub(super) fn line_of(cells: impl Iterator<Item = String>) -> String {
     format!("| {} |", cells.collect::<Vec<_>>().join(" | "))
+}
+
+/// A card as a table without a header.
+pub(super) fn card(lines: &[CardLine]) -> String {
+    let row = |line: &CardLine| {
+        let texts: Vec<String> = line.texts.iter().map(|text| escape_around_code(text)).collect();
+        line_of([format!("**{}**", escape(&line.label)), texts.join("<br>")].into_iter())
+    };
+    let rows = lines.iter().map(row);
+    let header = ["|  |  |".to_owned(), "| --- | --- |".to_owned()];
+    header.into_iter().chain(rows).collect::<Vec<_>>().join("\n")
 }
 
 /// Whether a column holds numbers, with or without a unit or a percent sign, and no text.

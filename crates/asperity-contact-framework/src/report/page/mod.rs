@@ -7,6 +7,7 @@
 mod html;
 mod markdown;
 
+use super::answer::{Answer, CardLine};
 use super::view::{View, ViewText};
 use asperity_plot::{Figure, Size};
 use rayon::prelude::*;
@@ -46,6 +47,8 @@ enum Block {
     },
     /// What a reader should know first.
     Lead(String),
+    /// The same as a card.
+    Card(Vec<CardLine>),
     /// Any block whose HTML follows from its Markdown.
     Markdown(String),
     /// A table, with the places of the columns whose cells are verdicts.
@@ -117,6 +120,12 @@ impl Page {
     /// Adds what a reader should know first: a sentence or two of inline Markdown.
     pub fn lead(&mut self, markdown: &str) -> &mut Self {
         self.blocks.push(Block::Lead(one_line(markdown)));
+        self
+    }
+
+    /// Adds the card of one case.
+    pub fn card(&mut self, lines: Vec<CardLine>) -> &mut Self {
+        self.blocks.push(Block::Card(lines));
         self
     }
 
@@ -259,13 +268,21 @@ impl Page {
         }
     }
 
-    /// What a reader should know first, as plain text.
-    pub fn answer(&self) -> String {
+    /// What a reader should know first: the card with its answer as the sentence, or the sentences before the first figure.
+    pub fn answer(&self) -> Answer {
         let lead = |block: &Block| match block {
             Block::Lead(markdown) => Some(html::plain(markdown)),
             _ => None,
         };
-        self.blocks.iter().filter_map(lead).collect::<Vec<_>>().join(" ")
+        let card = self.blocks.iter().find_map(|block| match block {
+            Block::Card(lines) => Some(lines.clone()),
+            _ => None,
+        });
+        let lines = card.unwrap_or_default();
+        let of_card = lines.iter().find(|line| line.key == CardLine::ANSWER).map(CardLine::text);
+        let sentence =
+            of_card.unwrap_or_else(|| self.blocks.iter().filter_map(lead).collect::<Vec<_>>().join(" "));
+        Answer { sentence, lines }
     }
 
     /// The file of the first figure.
@@ -319,6 +336,7 @@ fn markdown_of(blocks: &[Block], parts: &mut Vec<String>) {
         match block {
             Block::Title(text) => parts.push(heading(1, text)),
             Block::Heading { level, text } => parts.push(heading(*level, text)),
+            Block::Card(lines) => parts.push(markdown::card(lines)),
             Block::Lead(text) | Block::Markdown(text) | Block::Table { markdown: text, .. } => {
                 parts.push(text.clone());
             }

@@ -1,0 +1,105 @@
+//! What a page says first: a sentence, or a card of labelled lines.
+
+use std::fmt;
+
+use serde::{Deserialize, Serialize};
+
+/// The words that a sentence, or a text of a card, may have at most.
+pub const MOST_WORDS: usize = 25;
+
+/// The answer of a report.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub struct Answer {
+    /// In one or two sentences.
+    #[serde(default)]
+    pub sentence: String,
+    /// The card of one case; empty of several, and of an experiment that has no cases.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub lines: Vec<CardLine>,
+}
+
+/// A line of a card.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct CardLine {
+    /// Its name for machines.
+    pub key: String,
+    /// Its label.
+    pub label: String,
+    /// What it says, in one text or several, with code between backticks.
+    pub texts: Vec<String>,
+}
+
+impl CardLine {
+    /// The key of the line that answers the question of the experiment.
+    pub const ANSWER: &str = "answer";
+
+    /// A line of one text.
+    pub fn new(key: &str, label: &str, text: impl Into<String>) -> Self {
+        Self { key: key.to_owned(), label: label.to_owned(), texts: vec![text.into()] }
+    }
+
+    /// Its texts in one.
+    pub fn text(&self) -> String {
+        self.texts.join(" ")
+    }
+}
+
+/// A sentence followed by others as long as all of them have at most [`MOST_WORDS`] words; `rest` are alternatives or additions in the order of
+/// their importance, of which those that do not fit are left out.
+pub fn within_words(first: &str, rest: impl IntoIterator<Item = String>) -> String {
+    let mut text = first.to_owned();
+    let mut count = words(first);
+    for part in rest {
+        let more = words(&part);
+        if count + more <= MOST_WORDS {
+            text.push_str(&part);
+            count += more;
+        }
+    }
+    text
+}
+
+/// The number of words of a text, as `tests/prose.py` counts them.
+pub fn words(text: &str) -> usize {
+    text.split_whitespace().count()
+}
+
+/// The lines with their labels in a column of their own, or the sentence.
+impl fmt::Display for Answer {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        if self.lines.is_empty() {
+            return f.write_str(&self.sentence);
+        }
+        let width = self.lines.iter().map(|line| line.label.chars().count()).max().unwrap_or(0);
+        for (index, line) in self.lines.iter().enumerate() {
+            for (place, text) in line.texts.iter().enumerate() {
+                if index + place > 0 {
+                    f.write_str("\n")?;
+                }
+                write!(f, "{:width$}  {text}", if place == 0 { line.label.as_str() } else { "" })?;
+            }
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_does_not_fit_is_left_out() {
+        let long = " word".repeat(24);
+        assert_eq!(within_words("one", [" two".to_owned(), long, " three".to_owned()]), "one two three");
+    }
+
+    #[test]
+    fn labels_stand_in_a_column() {
+        let mut line = CardLine::new("b", "Longer", "two");
+        line.texts.push("three".to_owned());
+        let answer = Answer { sentence: String::new(), lines: vec![CardLine::new("a", "One", "1"), line] };
+        assert_eq!(answer.to_string(), "One     1\nLonger  two\n        three");
+        let sentence = Answer { sentence: "Yes.".to_owned(), lines: Vec::new() };
+        assert_eq!(sentence.to_string(), "Yes.");
+    }
+}
