@@ -12,19 +12,15 @@ pub fn rule_warning(findings: &ModulusFindings, layer: &str, rule: ModulusModel)
     let size = findings.worst_of(rule).map_or_else(String::new, |worst| {
         let direction = if worst.ratio > 1.0 { "stiff" } else { "compliant" };
         format!(
-            ". Without yielding, rule \"{}\" is up to {:.2} times too {direction} (load at equal indentation relative to \
-             the exact solution, a/t from {} to {}; largest at a/t = {})",
+            "; rule `{}` is up to {:.2} times too {direction}, at a/t = {}",
             rule.name(),
             worst.factor(),
-            number(findings.range[0]),
-            number(findings.range[1]),
-            number(worst.contact_ratio),
+            number(worst.contact_ratio)
         )
     });
     let [from, to] = GOOD_RATIO;
     Some(format!(
-        "layer {layer}: its modulus is {} times the substrate's, outside the {from} to {to} in which rule \"gao\" is \
-         accurate{size}",
+        "layer {layer}: its modulus is {} times the substrate's; {from} to {to} suit rule `gao`{size}",
         number(findings.modulus_ratio)
     ))
 }
@@ -46,9 +42,7 @@ pub fn hardness_warning(layer: &str, ratios: impl Iterator<Item = (f64, f64)>) -
         format!("{} to {}", quantity(thin, "m"), quantity(thick, "m"))
     };
     Some(format!(
-        "layer {layer} of {of}: the mean contact radius a reaches {} times the thickness t. The largest shear stress lies 0.48 a deep, \
-         in the substrate from a/t of about 2, and the effective hardness, a rule in w/t, does not look there. From a/t = {WIDE} on \
-         shares of yielding are uncertain",
+        "layer {layer} of {of}: contacts are up to {} times as wide as it is thick (a/t); from {WIDE} on shares of yielding are uncertain",
         number(largest)
     ))
 }
@@ -76,17 +70,14 @@ impl CoatedSurface<'_> {
         let of = format!("layer {layer} of {} on the rough body, surface {}", quantity(t, "m"), self.name);
         let curved = (t > THICK * self.radius).then(|| {
             format!(
-                "{of}: the thickness is {} times the mean radius of the asperities, {}. A coated asperity is taken as a layered half-space, \
-                 by the models and by boundary elements, which needs a radius of at least ten times the thickness; beyond, what \
-                 the layer changes is uncertain",
+                "{of}: it is {} times as thick as the mean radius, {}; above 0.1 what it changes is uncertain",
                 number(t / self.radius),
                 quantity(self.radius, "m")
             )
         });
         let filling = self.sq.filter(|sq| t > *sq).map(|sq| {
             format!(
-                "{of}: the thickness is {} times Sq, {}. So thick a layer may fill valleys instead of following the surface: the map must \
-                 be that of the coated surface, and the thickness below a summit may differ by about Sq, {} %, from that of the spec",
+                "{of}: it is {} times as thick as Sq, {}, and may fill valleys; thickness below summits may differ by {} %",
                 number(t / sq),
                 quantity(sq, "m"),
                 number(100.0 * sq / t)

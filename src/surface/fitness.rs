@@ -75,6 +75,43 @@ pub fn next_step(surface: &Surface) -> Option<String> {
     Some(format!("{remedy}{fit} ({}){others}", fault(first, map)))
 }
 
+/// The same on a card, with the remedy and without: "No conclusion until the map is fit: 6 spikes; `outliers = \"remove\"`."
+pub fn in_short(surface: &Surface) -> Vec<String> {
+    let unfit = "No conclusion until the map is fit";
+    let Some((map, first)) =
+        surface.map.as_ref().and_then(|map| Some((map, *map.blocking_in_order().first()?)))
+    else {
+        return vec![format!("{unfit}.")];
+    };
+    let fault = short_fault(first);
+    let remedy = remedy_left(first, map, surface.fit.as_deref());
+    vec![format!("{unfit}: {fault}; {remedy}."), format!("{unfit}: {fault}.")]
+}
+
+/// A fault in a few words.
+fn short_fault(finding: &Finding) -> String {
+    let found = value(finding.measure, finding.value);
+    match finding.measure {
+        Measure::SharedHeight => format!("{found} of the points have one height"),
+        Measure::Spikes if finding.value == 1.0 => "1 spike".to_owned(),
+        Measure::Spikes => format!("{found} spikes"),
+        Measure::FormShare => "form is left".to_owned(),
+        Measure::SlopeCorrelation => "its lay lies at an angle to the grid".to_owned(),
+        Measure::AspectRatio => "its lay is strong".to_owned(),
+        Measure::LineOffsets => "lines are offset".to_owned(),
+        Measure::StepOverDrop => "height steps make the summits".to_owned(),
+        Measure::CurvatureGrowth | Measure::DensityOverTheory | Measure::CurvatureOverTheory => {
+            "the pixel makes the summits".to_owned()
+        }
+        Measure::NoiseGrowth | Measure::GrowthRise => "noise makes the summits".to_owned(),
+        Measure::RadiusOverTip | Measure::Untraced => "the tip makes the summits".to_owned(),
+        Measure::LengthOverSide => "it is too small for its long waves".to_owned(),
+        Measure::Slope => "its slopes are too steep".to_owned(),
+        Measure::LeastSlope => "its slopes are implausibly small".to_owned(),
+        Measure::NominalArea => "its area is implausible".to_owned(),
+    }
+}
+
 /// What to do about a failed check, where `fit` may have refused the remedy.
 pub fn remedy_left(finding: &Finding, map: &MapFacts, fit: Option<&Fit>) -> String {
     let mut steps = fit.into_iter().flat_map(|fit| &fit.steps);

@@ -69,9 +69,21 @@ pub(super) fn x_ticks_up_to(most: usize, scale: &Scale, length: f64) -> Vec<Tick
     })
 }
 
-/// Ticks of the y axis with labels that do not overlap.
+/// Ticks of a scale along y with labels that do not overlap.
 pub(super) fn y_ticks(scale: &Scale, length: f64) -> Vec<Tick> {
     y_ticks_up_to((length / 36.0) as usize, scale, length)
+}
+
+/// Ticks of the y axis: those of its scale, or its named places.
+pub(super) fn ticks_of_y(axis: &Axis, scale: &Scale, length: f64) -> Vec<Tick> {
+    if axis.names.is_empty() {
+        return y_ticks(scale, length);
+    }
+    let tick = |(index, name): (usize, &String)| Tick {
+        place: scale.place_measured(index as f64),
+        label: Some(name.clone()),
+    };
+    axis.names.iter().enumerate().map(tick).collect()
 }
 
 /// As [`y_ticks`], with a number of labels not to exceed.

@@ -64,7 +64,7 @@ impl<'a> Layout<'a> {
         };
         let x = scale(&plot.x, &shown.iter().map(|p| p.0).collect::<Vec<_>>(), stand(Direction::Y));
         let y = scale(&plot.y, &shown.iter().map(|p| p.1).collect::<Vec<_>>(), stand(Direction::X));
-        let y_ticks = axes::y_ticks(&y, height);
+        let y_ticks = axes::ticks_of_y(&plot.y, &y, height);
         let bar = raster.and_then(|raster| Bar::new(raster, height)).map_or(0.0, |bar| bar.room());
         let right = axes::right_margin(&axes::x_ticks(&x, 0.8 * width));
         let margins = (axes::left_margin(&plot.y, &y_ticks), right.max(bar));
@@ -117,7 +117,8 @@ impl<'a> Layout<'a> {
         self.draw_title(canvas, corner.0, &rect);
         let frame = Frame { x: self.x, y: self.y, rect };
         let x_ticks = axes::x_ticks(&self.x, frame_width);
-        let lower = (frame_height != self.height).then(|| axes::y_ticks(&self.y, frame_height));
+        let lower =
+            (frame_height != self.height).then(|| axes::ticks_of_y(&self.plot.y, &self.y, frame_height));
         let y_ticks = lower.as_ref().unwrap_or(&self.y_ticks);
         let label_x = start + 6.0 + LABEL / 2.0;
         let taken = self.draw_panel(canvas, &frame, &x_ticks, y_ticks, |canvas| {

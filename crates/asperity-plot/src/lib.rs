@@ -79,17 +79,40 @@ pub struct Axis {
     zero: bool,
     /// Other units, each with its label and its number to one of the axis.
     units: Vec<(String, f64)>,
+    /// Names of the places 0, 1, ... instead of numbers.
+    names: Vec<String>,
 }
 
 impl Axis {
     /// A linear axis; the label names the quantity and its unit, e.g. "separation d (µm)".
     pub fn linear(label: impl Into<String>) -> Self {
-        Self { label: label.into(), spread: Spread::Linear, range: None, zero: false, units: Vec::new() }
+        Self {
+            label: label.into(),
+            spread: Spread::Linear,
+            range: None,
+            zero: false,
+            units: Vec::new(),
+            names: Vec::new(),
+        }
+    }
+
+    /// An axis of named places 0, 1, ..., each from half before it to half after it; along y the first is at the top.
+    pub fn named(names: impl IntoIterator<Item = String>) -> Self {
+        let names: Vec<String> = names.into_iter().collect();
+        let last = names.len() as f64 - 0.5;
+        Self { names, ..Self::linear("").range(last, -0.5) }
     }
 
     /// A logarithmic axis.
     pub fn log(label: impl Into<String>) -> Self {
-        Self { label: label.into(), spread: Spread::Log, range: None, zero: false, units: Vec::new() }
+        Self {
+            label: label.into(),
+            spread: Spread::Log,
+            range: None,
+            zero: false,
+            units: Vec::new(),
+            names: Vec::new(),
+        }
     }
 
     /// Shows exactly this range instead of the range of the data; the first value stands left (or

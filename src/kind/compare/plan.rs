@@ -92,9 +92,7 @@ pub(super) fn plan(file: &SpecFile, table: &Spanned<CompareSpec>) -> Result<Comp
     let [bare, _] = study.bare_and_coated();
     let resolved = Resolved { bare, flats: &study.flats, laws: &study.laws, surfaces: &study.surfaces };
     let reference = reference(file, &reference_keys(raw), &resolved)?.map(Box::new);
-    let warnings: Vec<String> =
-        reference.iter().flat_map(|reference| reference.warnings(&study.surfaces)).collect();
-    study.implausible.extend(warnings);
+    study.implausible.extend(reference.iter().find_map(|reference| reference.warning(&study.surfaces)));
     let lines = lines(file, raw, &study.surfaces, reference.as_deref())?;
     Ok(ComparePlan {
         models: raw.models.as_ref().map_or_else(Models::default, |models| models.get_ref().clone()).kinds,

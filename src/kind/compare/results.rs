@@ -13,7 +13,7 @@ use asperity_contact_framework::metadata::Metadata;
 use super::reference::{ContactView, ElasticCase};
 use crate::layer::{CoatedSurface, hardness_warning, rule_warning};
 use crate::surface::rows::SurfaceRow;
-use crate::surface::warnings;
+use crate::surface::{fitness, warnings};
 
 /// Both models on given surfaces.
 #[derive(Debug)]
@@ -71,7 +71,25 @@ impl CompareResults {
     /// Warnings about the results, one per line.
     pub fn warnings(&self) -> Vec<String> {
         let mut lines = warnings(self.surfaces.iter().map(|results| &results.surface));
-        lines.extend(self.implausible.iter().cloned());
+        lines.extend(self.warnings_of_contact());
+        lines
+    }
+
+    /// The warnings of a page, where faults of maps stand in a table of their own.
+    pub fn page_warnings(&self) -> Vec<String> {
+        let of_surface = |results: &SurfaceResults| {
+            let failures = fitness::failures(&results.surface);
+            let others = results.surface.warnings.iter().filter(|warning| !failures.contains(warning));
+            others.map(|warning| format!("surface {}: {warning}", results.surface.name)).collect::<Vec<_>>()
+        };
+        let mut lines: Vec<String> = self.surfaces.iter().flat_map(of_surface).collect();
+        lines.extend(self.warnings_of_contact());
+        lines
+    }
+
+    fn warnings_of_contact(&self) -> Vec<String> {
+        let mut lines = self.implausible.clone();
+        lines.extend(self.elastic_reference_note());
         lines.extend(self.contact.caveats.iter().cloned());
         lines.extend(
             self.contact

@@ -57,7 +57,6 @@ impl Outcome for LawsResults {
         page.heading(2, "Laws").view(&tables.view::<LawRow>()).note(include_str!("notes/laws.md"));
         for surface in &compared.surfaces {
             section::section(&mut page, tables, &surface.surface, Some(&surface.realisations[0].population));
-            outline::inputs(&mut page, surface);
         }
         sections::notes(&mut page, &compared.metadata);
         sections::what_was_run(&mut page, &compared.metadata, &compared.contact);

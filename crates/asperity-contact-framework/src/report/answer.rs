@@ -44,19 +44,16 @@ impl CardLine {
     }
 }
 
-/// A sentence followed by others as long as all of them have at most [`MOST_WORDS`] words; `rest` are alternatives or additions in the order of
-/// their importance, of which those that do not fit are left out.
-pub fn within_words(first: &str, rest: impl IntoIterator<Item = String>) -> String {
-    let mut text = first.to_owned();
-    let mut count = words(first);
-    for part in rest {
-        let more = words(&part);
-        if count + more <= MOST_WORDS {
-            text.push_str(&part);
-            count += more;
+/// The first of some texts, from the fullest to the shortest, that has at most [`MOST_WORDS`] words; the last where none has.
+pub fn fitting(texts: impl IntoIterator<Item = String>) -> String {
+    let mut last = String::new();
+    for text in texts {
+        last = text;
+        if words(&last) <= MOST_WORDS {
+            break;
         }
     }
-    text
+    last
 }
 
 /// The number of words of a text, as `tests/prose.py` counts them.
@@ -88,9 +85,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_does_not_fit_is_left_out() {
-        let long = " word".repeat(24);
-        assert_eq!(within_words("one", [" two".to_owned(), long, " three".to_owned()]), "one two three");
+    fn the_fullest_text_that_fits_is_taken() {
+        let of = |count: usize| "word ".repeat(count);
+        assert_eq!(words(&fitting([of(26), of(25), of(3)])), 25);
+        assert_eq!(words(&fitting([of(30), of(28)])), 28);
     }
 
     #[test]

@@ -83,6 +83,13 @@ pub fn ratio(value: f64) -> String {
     format!("{value:.decimals$}")
 }
 
+/// A range in one unit: "0.24 to 100 MPa"; of equal ends one value.
+pub fn range([from, to]: [f64; 2], unit: &str) -> String {
+    let Prefix { name, size } = Prefix::for_value(to, unit);
+    let [first, last] = [from, to].map(|value| plain_number(value / size, input_digits(value)));
+    if first == last { format!("{last} {name}") } else { format!("{first} to {last} {name}") }
+}
+
 /// A result with its sign: "+1.2", "-3", and "0".
 pub fn signed(value: f64) -> String {
     let number = number(value);

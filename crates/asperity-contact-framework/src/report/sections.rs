@@ -9,11 +9,14 @@ use crate::metadata::{Again, Metadata};
 use asperity::Material;
 use asperity::law::Body;
 
-/// Notes of the author of the spec.
+/// Notes of the author of the spec, folded.
 pub fn notes(page: &mut Page, metadata: &Metadata) {
-    for paragraph in metadata.notes.split("\n\n").map(str::trim).filter(|paragraph| !paragraph.is_empty()) {
-        page.paragraph(&escape_around_code(&paragraph.replace('\n', " ")));
-    }
+    page.details(2, "Notes", |page| {
+        let paragraphs = metadata.notes.split("\n\n").map(str::trim);
+        for paragraph in paragraphs.filter(|paragraph| !paragraph.is_empty()) {
+            page.paragraph(&escape_around_code(&paragraph.replace('\n', " ")));
+        }
+    });
 }
 
 /// What a reader should know first: the first of the findings (inline Markdown) as the lead, the others as a list.
@@ -43,7 +46,10 @@ pub fn warnings(page: &mut Page, warnings: &[String]) {
 
 /// The command that runs the experiment again, and `spec` where it has no file.
 pub fn run_again(page: &mut Page, metadata: &Metadata, spec: Option<&str>) {
-    page.heading(2, "How to run it again");
+    page.details(2, "How to run it again", |page| again(page, metadata, spec));
+}
+
+fn again(page: &mut Page, metadata: &Metadata, spec: Option<&str>) {
     if let Some(spec) = spec {
         page.paragraph("This spec runs the same (`--save-spec FILE` writes it):");
         page.code("toml", spec);
@@ -61,15 +67,14 @@ pub fn run_again(page: &mut Page, metadata: &Metadata, spec: Option<&str>) {
             page.code("toml", spec);
         }
     }
-    page.paragraph(
-        "The same spec and the same version give the same numbers on any number of threads; `experiment verify` compares two folders of \
-         reports.",
-    );
 }
 
-/// The set-up: bodies and spec.
+/// The set-up: bodies and spec, folded.
 pub fn what_was_run(page: &mut Page, metadata: &Metadata, contact: &ContactMetadata) {
-    page.heading(2, "Set-up");
+    page.details(2, "Set-up", |page| set_up(page, metadata, contact));
+}
+
+fn set_up(page: &mut Page, metadata: &Metadata, contact: &ContactMetadata) {
     let layer = contact.layer.as_ref();
     let [rough, flat] = match layer.map(|layer| layer.on) {
         None => ["rough", "flat"],
@@ -173,6 +178,7 @@ pub fn provenance(metadata: &Metadata) -> String {
 
 /// The papers that the experiment is based on.
 pub fn sources(page: &mut Page, metadata: &Metadata) {
-    page.heading(2, "References");
-    page.bullets(metadata.papers.iter().map(|paper| paper.full));
+    page.details(2, "References", |page| {
+        page.bullets(metadata.papers.iter().map(|paper| paper.full));
+    });
 }

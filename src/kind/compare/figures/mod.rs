@@ -10,6 +10,7 @@
 //! | `lines` | closed results beside the models |
 //! | `filter` | differences against the S filter |
 //! | `contact` | pressures of the reference |
+//! | `verdict_map` | the verdicts on several cases over load |
 
 pub mod axes;
 pub mod causes;
@@ -19,3 +20,4 @@ pub mod differences;
 pub mod filter;
 pub mod layers;
 pub mod lines;
+pub mod verdict_map;

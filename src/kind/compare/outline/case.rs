@@ -1,14 +1,10 @@
 //! One surface under one law and thickness: its answer, figures and tables.
 
 use asperity::compare::{ComparedQuantity, Comparison, Difference, of_each_decade};
-use asperity::study::RealisationFacts;
-use asperity::topography::generate::SigmaOf;
-use asperity_contact_framework::report::format::{input_quantity, number, percent};
 use asperity_contact_framework::report::page::Page;
 use asperity_contact_framework::report::table::{Reading, Tables};
 use asperity_contact_framework::report::view::View;
 
-use super::lead;
 use crate::kind::compare::figures::axes::Units;
 use crate::kind::compare::figures::curves::{self, Setting};
 use crate::kind::compare::figures::{causes, contact, differences as figure, filter, lines};
@@ -33,59 +29,6 @@ impl SurfaceCase<'_> {
         let key = self.key();
         view.only("surface", key.surface).only("law", key.law).only("layer_thickness_m", key.thickness)
     }
-}
-
-/// The answer in a few sentences: what the models say at the load, what holds on the map, and what holds of such surfaces.
-pub fn answer(case: SurfaceCase) -> Vec<String> {
-    let verdicts = case.verdicts();
-    if !verdicts.differences.is_empty() {
-        return lead::answer(case.case, &case.surface.surface, case.surface.load_area);
-    }
-    vec![without_differences(case)]
-}
-
-/// What there is to say where the models are not compared at equal load.
-fn without_differences(case: SurfaceCase) -> String {
-    let comparison = &case.first().comparison;
-    if comparison.curves.is_empty() {
-        return of_reference_alone(case);
-    }
-    if comparison.pairs.is_empty() {
-        return "One model was run, so that no models are compared.".to_owned();
-    }
-    if !comparison.unpaired.is_empty() {
-        return "At these separations one of the models does not reach the load of the other above -10 σ, so that they are not compared at \
-                equal load; separations of 4 to 0 σ cover most surfaces."
-            .to_owned();
-    }
-    if case.surface.realisations.len() == 1 {
-        return "Both models are in contact at none of the separations, so that they are not compared at equal load.".to_owned();
-    }
-    "The realisations have no load in common, so that the models are not compared at equal load; add `pressure` or `force` to the spec."
-        .to_owned()
-}
-
-/// The area at the lowest and the highest load, where only the reference was run.
-fn of_reference_alone(case: SurfaceCase) -> String {
-    let points = || case.first().reference.iter().flat_map(|curve| &curve.points);
-    let lowest = points().min_by(|a, b| a.pressure.total_cmp(&b.pressure));
-    let highest = points().max_by(|a, b| a.pressure.total_cmp(&b.pressure));
-    let (Some(lowest), Some(highest)) = (lowest, highest) else { return "No load was solved.".to_owned() };
-    let at_load = |point: &asperity::compare::ReferencePoint| {
-        let separation = point.separation_over_sigma.map(|h| format!(" at d = {} σ", number(h)));
-        format!(
-            "{} of the nominal area{} under {}",
-            percent(point.area_ratio),
-            separation.unwrap_or_default(),
-            input_quantity(point.pressure, "Pa")
-        )
-    };
-    let ends = if lowest == highest {
-        at_load(lowest)
-    } else {
-        format!("{}, {}", at_load(lowest), at_load(highest))
-    };
-    format!("The reference alone was run: {ends}.")
 }
 
 /// The figure behind the verdicts; nothing of one load, and where no models are compared.
@@ -217,10 +160,6 @@ fn robustness(page: &mut Page, tables: &Tables, case: SurfaceCase, stem: &str) {
                 "Differences between the models against the nesting index of the S filter; without a filter at one pixel; green: accepted.",
             );
     }
-    page.paragraph(&format!(
-        "Differences under other treatments of the map, at {}:",
-        input_quantity(load, "Pa")
-    ));
     let view = case.rows(tables.view::<RobustnessRow>()).only("at_pa", load).without(&["choice"]);
     page.view(
         &view
@@ -261,40 +200,6 @@ fn curves(page: &mut Page, results: &CompareResults, case: SurfaceCase, name: &s
     );
     if let Some(figure) = curves::regimes(&setting).filter(|_| !case.first().comparison.curves.is_empty()) {
         page.figure(&file("regimes"), figure, "Share of the load by contact regime, by model.");
-    }
-}
-
-/// Inputs of the statistical model, and where separations are measured from.
-pub fn inputs(page: &mut Page, surface: &SurfaceResults) {
-    if surface.realisations.len() > 1 {
-        page.paragraph(&format!("Shown: the first of {} realisations.", surface.realisations.len()));
-    }
-    if surface.surface.separations_of() == SigmaOf::Surface {
-        page.paragraph(
-            "Separations are measured from the mean plane of the surface and normalised by the standard deviation of the surface heights.",
-        );
-    }
-    let RealisationFacts { population, model, .. } = &surface.realisations[0];
-    page.paragraph(&match model.joint {
-        Some(joint) => format!(
-            "The statistical model has the joint density of height and curvature of {}.",
-            joint.label()
-        ),
-        None => format!(
-            "Inputs of the statistical model: {} heights with σ = {}, radius {} ({}), density {} /m².",
-            population.heights.label(),
-            input_quantity(population.sigma, "m"),
-            input_quantity(population.radius, "m"),
-            model.mean_radius.name(),
-            number(population.density),
-        ),
-    });
-    if let Some(mean) = &surface.surface.ellipticity {
-        page.paragraph(&format!(
-            "Under an elliptic law: mean curvature {} /m, mean ratio of the smaller to the larger principal curvature {}.",
-            number(mean.mean_curvature),
-            number(mean.mean_ratio),
-        ));
     }
 }
 

@@ -1,25 +1,15 @@
-//! The page of a comparison: the answer first, then its figure, the verdicts, why, how sure, the surfaces, and what the results rest on.
+//! The page of a comparison: the card of one case, or the verdict map of several, then the main figure; all else is folded.
 //!
 //! | module | what it writes |
 //! |---|---|
-//! | `lead`, `at_load`, `replace`, `limit` | the answer on one case: results at the load, on this map, on such surfaces; why a load is not admissible |
-//! | `count` | the answer over several cases |
 //! | `case` | one surface under one law |
 //! | `series` | one surface under one law by layer thickness |
 //! | `sections` | what is shown of all cases together |
 
-mod at_load;
 mod case;
-mod count;
-#[cfg(test)]
-mod examples;
-mod lead;
-mod limit;
-mod replace;
 mod sections;
 mod series;
 
-pub use case::inputs;
 pub(crate) use sections::verdicts;
 
 use asperity::compare::Tolerances;
@@ -28,16 +18,17 @@ use asperity::study::Verdicts;
 use asperity_contact_framework::Outcome;
 use asperity_contact_framework::contact::ContactSummary;
 use asperity_contact_framework::metadata::Metadata;
-use asperity_contact_framework::report::page::{Page, escape_around_code};
+use asperity_contact_framework::report::answer::Answer;
+use asperity_contact_framework::report::page::Page;
 use asperity_contact_framework::report::sections as common;
 use asperity_contact_framework::report::table::{Table, Tables};
 use serde_json::{Map, Value, json};
 
-use super::figures::differences;
+use super::card::{Card, CaseAnswer, Counts};
+use super::figures::verdict_map;
 use super::results::{CompareResults, SurfaceResults};
 use super::rows::{RuleRow, SurfaceCase, tables};
 use super::series::Series;
-use crate::presentation::limits_note;
 use crate::surface::{rows as surface_rows, section};
 
 impl Outcome for CompareResults {
@@ -56,37 +47,42 @@ impl Outcome for CompareResults {
     fn page(&self, tables: &Tables) -> Page {
         let mut page = Page::new(&self.metadata.title);
         let series = Series::all(self);
-        for sentence in answer(self).into_iter().chain(self.elastic_reference_note()) {
-            page.lead(&escape_around_code(&sentence));
+        let cases: Vec<SurfaceCase> = SurfaceCase::all(self).collect();
+        match &cases[..] {
+            [only] => {
+                page.card(Card::new(*only).lines());
+                case::differences(&mut page, self, *only);
+            }
+            _ => several(&mut page, self, tables, &series),
         }
-        common::warnings(&mut page, &self.warnings());
-        main_figure(&mut page, self, &series);
-        sections::results(&mut page, tables);
-        sections::verdicts(&mut page, tables);
-        sections::reference(&mut page, self, tables);
-        sections::models(&mut page, tables);
-        sections::layer(&mut page, self, tables);
         for series in &series {
             page.details(2, &format!("{}: by layer thickness", series.subject), |page| {
                 series::figures(series, page);
                 series::table(series, page, tables);
             });
         }
+        common::warnings(&mut page, &self.page_warnings());
+        sections::results(&mut page, tables);
+        sections::verdicts(&mut page, tables);
+        sections::reference(&mut page, self, tables);
+        sections::models(&mut page, tables);
+        sections::layer(&mut page, self, tables);
         if series.is_empty() {
-            SurfaceCase::all(self).for_each(|case| case::section(&mut page, self, tables, case));
-            sections::causes(&mut page, self);
+            cases.iter().for_each(|case| case::section(&mut page, self, tables, *case));
         }
         for surface in &self.surfaces {
-            page.heading(2, &format!("Surface {}", surface.surface.name));
-            section::section(&mut page, tables, &surface.surface, Some(&surface.realisations[0].population));
-            case::inputs(&mut page, surface);
-            case::contacts(&mut page, self, surface);
+            let which = match surface.realisations.len() {
+                1 => String::new(),
+                count => format!(", the first of {count} realisations"),
+            };
+            page.details(2, &format!("Surface {}{which}", surface.surface.name), |page| {
+                section::section(page, tables, &surface.surface, Some(&surface.realisations[0].population));
+                case::contacts(page, self, surface);
+            });
         }
         sections::readings(&mut page, tables);
         common::notes(&mut page, &self.metadata);
         common::what_was_run(&mut page, &self.metadata, &self.contact);
-        limits_note(&mut page);
-        sections::tolerance(&mut page, self.tolerances);
         let spec = self.described.as_ref().map(|described| described.spec.as_str());
         common::run_again(&mut page, &self.metadata, spec);
         common::sources(&mut page, &self.metadata);
@@ -123,66 +119,69 @@ impl Outcome for CompareResults {
 
     fn terminal(&self) -> Option<String> {
         if self.described.is_none() {
-            return Some(answer(self).join("\n"));
+            return Some(self.for_terminal(SurfaceCase::all(self).collect()));
         }
         let text = |surface: &SurfaceResults| {
-            let answers: String = SurfaceCase::on_surface(surface)
-                .map(|case| format!("\n{}\n{}\n", case.name(self), case::answer(case).join("\n")))
-                .collect();
-            format!("\n{}{}", section::for_terminal(&surface.surface), answers).trim_end().to_owned()
+            let cases = SurfaceCase::on_surface(surface).collect();
+            format!(
+                "\n{}\n\n{}",
+                section::for_terminal(&surface.surface).trim_end(),
+                self.for_terminal(cases)
+            )
         };
         Some(self.surfaces.iter().map(text).collect::<Vec<_>>().join("\n"))
     }
 }
 
-/// The most cases of which each is answered by itself.
-const FEW: usize = 3;
-
-/// The answer: of few cases each by itself, of more counted.
-fn answer(results: &CompareResults) -> Vec<String> {
-    let cases: Vec<SurfaceCase> = SurfaceCase::all(results).collect();
-    let compared = |case: &&SurfaceCase| !case.verdicts().differences.is_empty();
-    let verdicts: Vec<&Verdicts> = cases.iter().filter(compared).map(|case| case.verdicts()).collect();
-    match (&cases[..], verdicts.len()) {
-        ([only], _) => case::answer(*only),
-        // Of few cases each by itself.
-        (all, compared) if compared == 0 || all.len() <= FEW => {
-            let each = cases.iter().flat_map(|case| {
-                let mut sentences = case::answer(*case);
-                if let Some(first) = sentences.first_mut() {
-                    first.insert_str(0, &format!("{}: ", case.name(results)));
-                }
-                sentences
-            });
-            each.collect()
+impl CompareResults {
+    /// The cards of few cases, or a sentence and a table of many.
+    fn for_terminal(&self, cases: Vec<SurfaceCase>) -> String {
+        /// The most cases of which each has its card.
+        const FEW: usize = 3;
+        let card = |case: &SurfaceCase| Answer { lines: Card::new(*case).lines(), ..Answer::default() };
+        match &cases[..] {
+            [only] => card(only).to_string(),
+            few if few.len() <= FEW => {
+                let each = few.iter().map(|case| format!("{}\n{}", case.name(self), card(case)));
+                each.collect::<Vec<_>>().join("\n\n")
+            }
+            many => {
+                let tables = Tables::new(tables(self));
+                format!("{}\n{}", count(many.iter().copied()), sections::answers(&tables).text().lines())
+            }
         }
-        _ => vec![count::count(&verdicts)],
     }
 }
 
-/// The differences behind the verdicts: of one case with intervals, of several cases together.
-fn main_figure(page: &mut Page, results: &CompareResults, series: &[Series]) {
-    let cases: Vec<SurfaceCase> = SurfaceCase::all(results).collect();
-    if let [only] = &cases[..] {
-        return case::differences(page, results, *only);
+/// How many cases have which answer, in a sentence.
+fn count<'a>(cases: impl IntoIterator<Item = SurfaceCase<'a>>) -> String {
+    let answers: Vec<CaseAnswer> = cases.into_iter().filter_map(CaseAnswer::new).collect();
+    if answers.is_empty() {
+        return "The models are not compared at equal load in any case.".to_owned();
     }
-    let mut draw = |file: &str, subject: &str, cases: &[(String, &Verdicts)]| {
-        let title = format!("{subject}statistical − deterministic model at equal load, admissible loads");
-        if let Some(figure) = differences::of_cases(cases, &title) {
-            let caption =
-                "Differences between the models at equal load, at admissible loads; green: accepted.";
+    Counts::new(&answers).sentence()
+}
+
+/// What a page of several cases begins with: a sentence, a row for each case, and the verdict map.
+fn several(page: &mut Page, results: &CompareResults, tables: &Tables, series: &[Series]) {
+    page.lead(&count(SurfaceCase::all(results)));
+    page.view(&sections::answers(tables));
+    let mut draw = |file: &str, title: &str, cases: &[(String, &Verdicts)]| {
+        if let Some(figure) = verdict_map::figure(cases, title) {
+            let caption = "May the integral replace the sum, by load? Blank: the load is not admissible.";
             page.figure(file, figure.headed(title), caption);
         }
     };
     if series.is_empty() {
-        if !cases.iter().all(|case| case.first().is_single()) {
-            let named = cases.iter().map(|case| (case.name(results), case.verdicts()));
-            draw("verdicts.svg", "", &named.collect::<Vec<_>>());
-        }
-        return;
+        let named: Vec<(String, &Verdicts)> =
+            SurfaceCase::all(results).map(|case| (case.name(results), case.verdicts())).collect();
+        draw("verdicts.svg", "Verdict map", &named);
     }
     for series in series {
-        let subject = format!("{}: ", series.subject);
-        draw(&format!("{}-verdicts.svg", series.stem), &subject, &series.named_verdicts());
+        draw(
+            &format!("{}-verdicts.svg", series.stem),
+            &format!("Verdict map: {}", series.subject),
+            &series.named_verdicts(),
+        );
     }
 }

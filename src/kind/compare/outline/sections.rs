@@ -1,16 +1,15 @@
 //! What is shown of all cases together: views of tables.
 
-use asperity::compare::{ComparedQuantity, GOOD_RATIO, ModelKind, Tolerances};
-use asperity_contact_framework::report::format::{capitalised, listed, number};
+use asperity::compare::{ComparedQuantity, GOOD_RATIO};
+use asperity_contact_framework::report::format::{capitalised, number};
 use asperity_contact_framework::report::page::{Page, escape};
 use asperity_contact_framework::report::table::{Reading, Tables};
 use asperity_contact_framework::report::view::View;
 
-use super::lead::ORDER;
 use crate::kind::compare::results::CompareResults;
 use crate::kind::compare::rows::{
-    CaseRow, DecreaseRow, NearerRow, ReadingRow, ReferenceCurveRow, ResultRow, RuleRow, StandingRow,
-    ThresholdRow, VerdictRow,
+    AnswerRow, CaseRow, DecreaseRow, NearerRow, ReadingRow, ReferenceCurveRow, ResultRow, RuleRow,
+    StandingRow, ThresholdRow, VerdictRow,
 };
 use crate::model_tables::REFERENCE;
 use crate::presentation::quantity_name;
@@ -20,6 +19,11 @@ const CASE: [&str; 3] = ["surface", "law", "layer_thickness_m"];
 
 /// More rows are folded.
 const MOST_OPEN: usize = 12;
+
+/// May the integral replace the sum, case by case.
+pub fn answers<'t>(tables: &'t Tables) -> View<'t> {
+    tables.view::<AnswerRow>().without_constant(&CASE)
+}
 
 /// The answer at the one load or separation of a spec.
 pub fn results(page: &mut Page, tables: &Tables) {
@@ -45,7 +49,6 @@ pub fn verdicts(page: &mut Page, tables: &Tables) {
     }
     page.heading(2, "May the integral replace the sum?");
     by_quantity(page, &view);
-    page.note(include_str!("notes/verdicts.md"));
     page.details(3, "How sure are the verdicts?", |page| {
         page.view(&tables.view::<CaseRow>().without_constant(&CASE));
     });
@@ -53,7 +56,7 @@ pub fn verdicts(page: &mut Page, tables: &Tables) {
 
 /// A view of each quantity, whose differences have a unit of their own.
 fn by_quantity(page: &mut Page, view: &View) {
-    for quantity in ORDER {
+    for quantity in ComparedQuantity::REPORTED {
         let view = view.clone().only("quantity", quantity.name()).without_constant(&CASE);
         let view = ["difference", "low", "high"].into_iter().fold(view, |view, column| match quantity {
             ComparedQuantity::Separation => view,
@@ -91,7 +94,6 @@ pub fn reference(page: &mut Page, results: &CompareResults, tables: &Tables) {
         page.view(&nearer.filter("quantity", |cell| cell.text() != ComparedQuantity::Area.name()));
         by_quantity(page, &tables.view::<VerdictRow>().only("against", REFERENCE));
         page.view(&solved.without_constant(&CASE));
-        page.note(include_str!("notes/reference.md"));
     });
 }
 
@@ -103,12 +105,11 @@ pub fn models(page: &mut Page, tables: &Tables) {
     }
     page.details(2, "Which statistical models are within what is accepted on this surface?", |page| {
         by_quantity_of_models(page, &view);
-        page.note(include_str!("notes/models.md"));
     });
 }
 
 fn by_quantity_of_models(page: &mut Page, view: &View) {
-    for quantity in ORDER {
+    for quantity in ComparedQuantity::REPORTED {
         let view =
             view.clone().only("quantity", quantity.name()).without_constant(&CASE).without(&["within"]);
         let view = match quantity {
@@ -157,33 +158,10 @@ pub fn layer(page: &mut Page, results: &CompareResults, tables: &Tables) {
     }
 }
 
-/// How the differences are divided among their causes, once for all cases.
-pub fn causes(page: &mut Page, results: &CompareResults) {
-    if results.is_attributed() {
-        page.details(2, "How causes are told apart", |page| {
-            page.note(include_str!("notes/causes.md"));
-        });
-    }
-}
-
 /// σ and d read as those of the asperities, or of the surface.
 pub fn readings(page: &mut Page, tables: &Tables) {
     let view = tables.view::<ReadingRow>();
     if !view.is_empty() {
-        page.heading(2, "Two readings of σ and d").view(&view).note(include_str!("notes/readings.md"));
-    }
-}
-
-/// Error of interpolated curves; nothing where they are exact.
-pub fn tolerance(page: &mut Page, tolerances: Tolerances) {
-    let part =
-        |kind: ModelKind| Some(format!("to {:e} for the {} model", tolerances.for_model(kind)?, kind.name()));
-    let parts: Vec<String> =
-        [ModelKind::Statistical, ModelKind::Deterministic].into_iter().filter_map(part).collect();
-    if !parts.is_empty() {
-        page.paragraph(&format!(
-            "Load and area of the curves over d/σ agree with direct evaluation {}; between exact points they are interpolated.",
-            listed(&parts)
-        ));
+        page.heading(2, "Two readings of σ and d").view(&view);
     }
 }

@@ -16,7 +16,7 @@ impl CompareResults {
         elastic.iter().find(|elastic| elastic.law == *law && elastic.thickness == *thickness)
     }
 
-    /// A sentence on all cases in which both models were compared with an elastic reference while contacts of the sum yielded.
+    /// A warning on all cases in which both models were compared with an elastic reference while contacts of the sum yielded.
     pub(crate) fn elastic_reference_note(&self) -> Option<String> {
         /// A smaller share of the load in contacts that yield changes nothing to speak of.
         const SMALL: f64 = 0.01;
@@ -31,8 +31,7 @@ impl CompareResults {
         laws.sort();
         laws.dedup();
         Some(format!(
-            "The reference stays elastic although contacts yield under law {} (up to {} of the load in the sum): which model is nearer \
-             to it leaves yielding out.",
+            "reference: it stays elastic although contacts yield under law {} (up to {} of the load in the sum); which model is nearer leaves yielding out",
             listed(&laws),
             percent(largest)
         ))

@@ -153,8 +153,8 @@ impl ReferencePlan {
         Duration::from_secs_f64(points * loads * steps * seconds_per_point(self.boundary(surface)))
     }
 
-    /// A warning for each surface whose shortest waves the grid resolves too coarsely for an area of contact.
-    pub fn warnings(&self, surfaces: &[SurfacePlan]) -> Vec<String> {
+    /// A warning where the grid resolves the shortest waves of surfaces too coarsely for an area of contact.
+    pub fn warning(&self, surfaces: &[SurfacePlan]) -> Option<String> {
         /// Points per shortest wave that are enough for the corrected area.
         const ENOUGH: f64 = 4.0;
         let of = |surface: &SurfacePlan| {
@@ -164,21 +164,22 @@ impl ReferencePlan {
             if points >= ENOUGH * (1.0 - ROUNDING) {
                 return None;
             }
-            let why = if surface.is_measured() && surface.points_per_wave()? <= 2.0 {
-                " (a map without S filter holds waves of two pixels)"
-            } else {
-                ""
-            };
-            Some(format!(
-                "reference on surface {}: {} points per shortest wave{why}, fewer than {ENOUGH}: its area depends on the grid. With 4 \
-                 points the counted area was 10 to 26 % too large in our measurements, most at light loads, and 1 to 7 % too small \
-                 once corrected for the perimeter; with fewer the error is larger. `reference = {{ refine = 2 }}` solves on twice the \
-                 points and adds the difference to the error bar.",
-                surface.name,
-                number(points),
-            ))
+            Some((surface.name.clone(), points))
         };
-        surfaces.iter().filter_map(of).collect()
+        let coarse: Vec<(String, f64)> = surfaces.iter().filter_map(of).collect();
+        let (first, least) = match &coarse[..] {
+            [] => return None,
+            [(name, points)] => (format!("surface {name}"), *points),
+            several => {
+                let least = several.iter().map(|(_, points)| *points).fold(f64::INFINITY, f64::min);
+                (format!("{} surfaces", several.len()), least)
+            }
+        };
+        Some(format!(
+            "reference on {first}: {} points per shortest wave, fewer than {ENOUGH}: contact areas depend on the grid; \
+             `reference = {{ refine = 2 }}` adds this to the error bar.",
+            number(least),
+        ))
     }
 
     /// A line for each surface, for a plan that a person reads.

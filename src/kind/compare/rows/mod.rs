@@ -1,5 +1,6 @@
 //! The tables of a comparison besides curves and pairs: a type of rows in each file.
 
+mod answers;
 mod attribution;
 mod cases;
 mod curves;
@@ -17,6 +18,7 @@ mod spread;
 mod standings;
 mod verdicts;
 
+pub(crate) use answers::AnswerRow;
 pub(crate) use attribution::AttributionRow;
 pub(crate) use cases::CaseRow;
 pub(crate) use layer::{DecreaseRow, RuleRow, ThresholdRow};
@@ -25,7 +27,7 @@ pub(crate) use nearer::{NearerRow, ReferenceCurveRow};
 pub(crate) use on_map::OnMapRow;
 pub(crate) use readings::ReadingRow;
 pub(crate) use results::{GapRow, ResultRow};
-pub(crate) use robustness::RobustnessRow;
+pub(crate) use robustness::{RobustnessRow, words as treatment_words};
 pub(crate) use spread::SpreadRow;
 pub(crate) use standings::StandingRow;
 pub(crate) use verdicts::VerdictRow;
@@ -98,6 +100,7 @@ fn case_columns<R>(key: impl for<'r> Fn(&'r R) -> CaseKey<'r> + Copy + 'static) 
 /// The tables of a comparison.
 pub(crate) fn schemas() -> Vec<Schema> {
     let mut schemas = vec![
+        Schema::of::<AnswerRow>(),
         Schema::of::<OnMapRow>(),
         Schema::of::<VerdictRow>(),
         Schema::of::<CaseRow>(),
@@ -134,6 +137,7 @@ pub(crate) fn tables(results: &CompareResults) -> Vec<Table> {
         pairs = pairs.without_part(REFERENCE);
     }
     let mut tables = vec![
+        Table::new(answers::rows(results)),
         Table::new(on_map::rows(results)),
         Table::new(verdicts::rows(results)),
         Table::new(cases::rows(results)),

@@ -17,7 +17,8 @@ const CHARTS: &str = include_str!("assets/uPlot.iife.min.js");
 const SCRIPT: &str = include_str!("assets/page.js");
 
 /// Classes of the cells of verdicts, by how they begin.
-const VERDICTS: [(&str, &str); 3] = [("within", "within"), ("beyond", "beyond"), ("", "open")];
+const VERDICTS: [(&str, &str); 5] =
+    [("within", "within"), ("yes", "within"), ("beyond", "beyond"), ("no", "beyond"), ("", "open")];
 
 /// Pages with more sections than this list them.
 const MOST_UNLISTED: usize = 3;

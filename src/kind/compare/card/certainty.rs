@@ -1,0 +1,161 @@
+//! How sure the answer is: its intervals, the contacts behind it, and the choices in the analysis that it depends on.
+
+use asperity::compare::{ComparedQuantity, Difference, NotModelled, Verdict};
+use asperity::numeric::two_digits;
+use asperity::study::{Basis, Choice, Dependence};
+use asperity::topography::generate::Unfitted;
+use asperity_contact_framework::report::answer::fitting;
+use asperity_contact_framework::report::format::{number, quantity as quantity_text, signed};
+
+use super::{Card, State, name, nominal_area, unit, with_additions};
+use crate::kind::compare::rows::treatment_words;
+
+impl Card<'_> {
+    pub(super) fn certainty(&self, at: &Difference) -> Option<String> {
+        match self.state(at) {
+            State::Unfit | State::NeitherModel => return None,
+            State::FewContacts => return Some(format!("{}.", self.no_interval(at))),
+            State::Admissible => {}
+        }
+        let [interval, short_interval] = self.interval(at);
+        if let Some(dependence) = self.dependence() {
+            let [full, short] = self.dependence_words(dependence, at.load);
+            return Some(fitting([
+                format!("{short_interval}. {full}."),
+                format!("{full}."),
+                format!("{short_interval}. {short}."),
+            ]));
+        }
+        let tried = self.case.treated.len();
+        let robust =
+            (tried > 0).then(|| format!("; the answer holds under all {tried} other treatments of the map"));
+        let contacts = at
+            .sharing
+            .as_ref()
+            .map(|sharing| format!("; {} effective contacts", number(sharing.effective_contacts.round())));
+        let additions: Vec<String> = self.need(at).into_iter().chain(robust).chain(contacts).collect();
+        Some(with_additions(&interval, &additions))
+    }
+
+    /// The interval of the first quantity that has one, or why there is none; and in short.
+    fn interval(&self, at: &Difference) -> [String; 2] {
+        let basis = match self.verdicts().basis {
+            Basis::ModelBased => "Model-based 95 % interval",
+            _ => "95 % interval",
+        };
+        let half = |quantity: ComparedQuantity| {
+            let half = at.estimates[quantity as usize]?.half_width()?;
+            let (unit, factor) = unit(quantity);
+            let half = number(two_digits(factor * quantity.reported(half)));
+            Some([
+                format!("{basis} of ±{half} {unit} in {}", name(quantity)),
+                format!("{basis} ±{half} {unit}"),
+            ])
+        };
+        ComparedQuantity::REPORTED.into_iter().find_map(half).unwrap_or_else(|| {
+            let reason = self.no_interval(at);
+            [reason, "No interval".to_owned()]
+        })
+    }
+
+    /// What would tell where an interval is across the edge of what is accepted: an area of surface, or a number of realisations.
+    fn need(&self, at: &Difference) -> Option<String> {
+        let verdicts = self.verdicts();
+        let growth = |quantity: ComparedQuantity| {
+            let estimate = at.estimates[quantity as usize]?;
+            let band = verdicts.accepted.band(quantity);
+            let is_open = Verdict::from_estimate(&estimate, band) == Verdict::CannotTell;
+            Some((quantity, estimate.growth(band).filter(|_| is_open)?))
+        };
+        let (quantity, growth) = ComparedQuantity::REPORTED.into_iter().find_map(growth)?;
+        let needed = match verdicts.basis {
+            Basis::Realisations(now) => {
+                format!("about {} realisations", number((growth * now as f64).ceil().max(now as f64 + 1.0)))
+            }
+            _ => format!("about {}", nominal_area(growth * verdicts.area, true)),
+        };
+        Some(format!("; {needed} would tell for {}", name(quantity)))
+    }
+
+    fn no_interval(&self, at: &Difference) -> String {
+        let verdicts = self.verdicts();
+        let now = nominal_area(verdicts.area, false);
+        match verdicts.basis {
+            Basis::Unstated => {
+                "No interval: the list needs `independent = true`, or columns `x` and `y`".to_owned()
+            }
+            Basis::TooSmall { not_modelled: Some(reason), .. } => {
+                format!("No interval: {}", no_model(reason))
+            }
+            _ => match at.area_needed {
+                Some(area) if area.is_finite() => {
+                    format!("No interval: it needs {} of surface, now {now}", nominal_area(area, true))
+                }
+                Some(_) => {
+                    "No interval: heights or their amplitude correlate over half of the map".to_owned()
+                }
+                None => "No interval".to_owned(),
+            },
+        }
+    }
+
+    /// The dependence that matters most: in the first quantity, on the first choice.
+    fn dependence(&self) -> Option<&Dependence> {
+        let place = |one: &&Dependence| {
+            let quantity = ComparedQuantity::REPORTED.iter().position(|quantity| *quantity == one.quantity);
+            (quantity, Choice::ALL.iter().position(|choice| *choice == one.choice))
+        };
+        self.case.dependences.iter().min_by_key(place)
+    }
+
+    /// "The answer depends on the S filter: contact area +10 % with S filter 3.15 µm, +79 % as analysed", and shorter.
+    fn dependence_words(&self, dependence: &Dependence, of_card: f64) -> [String; 2] {
+        let Dependence { choice, quantity, treatments, contrasts, load } = dependence;
+        let at = if *load == of_card { String::new() } else { format!(" at {}", quantity_text(*load, "Pa")) };
+        let treatment = |place: Option<usize>| {
+            place.map_or_else(
+                || "as analysed".to_owned(),
+                |place| format!("with {}", treatment_words(self.case.treated[place].treatment)),
+            )
+        };
+        let each = treatments.iter().zip(contrasts).map(|(place, contrast)| {
+            format!("{} {}", in_two_digits(*quantity, *contrast), treatment(*place))
+        });
+        let each = each.collect::<Vec<_>>().join(", ");
+        let short = format!("The answer depends on {}", choice_words(*choice));
+        [format!("{short}: {}{at} {each}", name(*quantity)), short]
+    }
+}
+
+/// A difference that may change with the analysis: two digits.
+fn in_two_digits(quantity: ComparedQuantity, contrast: f64) -> String {
+    let (unit, factor) = unit(quantity);
+    format!("{} {unit}", signed(two_digits(factor * quantity.reported(contrast))))
+}
+
+/// A choice in the analysis of a map.
+fn choice_words(choice: Choice) -> &'static str {
+    match choice {
+        Choice::ShortWaves => "the S filter",
+        Choice::Summits => "the number of neighbours that a summit exceeds",
+        Choice::MeanRadius => "the mean radius",
+        Choice::Level => "the form removed",
+        Choice::Spikes => "narrow points that may be wrong",
+        Choice::Part => "the part of the map",
+    }
+}
+
+/// Why there is no model-based interval.
+fn no_model(reason: NotModelled) -> &'static str {
+    match reason {
+        NotModelled::Unfitted(Unfitted::TooShort) => {
+            "a side of the map is shorter than 8 correlation lengths"
+        }
+        NotModelled::Unfitted(Unfitted::Patchy) | NotModelled::Patchy => {
+            "the roughness varies from place to place"
+        }
+        NotModelled::Unfitted(Unfitted::Flat) => "the heights do not scatter",
+        NotModelled::Unfitted(Unfitted::Periodic) => "the surface is periodic",
+        NotModelled::Failed => "surfaces of its spectrum and heights could not be compared",
+    }
+}

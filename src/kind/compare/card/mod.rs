@@ -1,0 +1,198 @@
+//! The card of one case: at most seven labelled lines of at most 25 words, from typed facts.
+//!
+//! | module | line |
+//! |---|---|
+//! | `result` | Result at your load |
+//! | `replace` | May the integral replace the sum? |
+//! | `difference` | Difference |
+//! | `cause` | Why |
+//! | `instead` | Use instead |
+//! | `nearer` | Nearer to boundary elements |
+//! | `certainty` | How sure |
+//! | `limit` | what makes a load inadmissible, and the remedy: parts of several lines |
+//! | `row` | the same in a row of a table, for several cases |
+
+mod cause;
+mod certainty;
+mod difference;
+#[cfg(test)]
+pub(super) mod examples;
+mod instead;
+mod limit;
+mod nearer;
+mod replace;
+mod result;
+mod row;
+
+pub use row::{CaseAnswer, Counts};
+
+use asperity::Limit;
+use asperity::compare::{ComparedQuantity, Difference};
+use asperity::numeric::{two_digits, two_digits_up};
+use asperity::study::{Basis, CaseStudy, Verdicts};
+use asperity::surface::Surface;
+use asperity_contact_framework::report::answer::{CardLine, fitting};
+use asperity_contact_framework::report::format::{listed, number, quantity};
+
+use super::rows::SurfaceCase;
+
+/// One case with what its card needs.
+#[derive(Clone, Copy)]
+pub struct Card<'a> {
+    case: &'a CaseStudy,
+    surface: &'a Surface,
+    /// The area that the load acts on, m².
+    load_area: f64,
+    /// Why the difference is not divided among causes; `None` where it is.
+    undivided: Option<&'static str>,
+}
+
+/// What the load of a card allows to say.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum State {
+    /// The map has faults.
+    Unfit,
+    /// Asperities interact or strain too much: neither model is for this load.
+    NeitherModel,
+    /// Too few contacts for a statement about such surfaces; the sum over this one is exact.
+    FewContacts,
+    /// Both models may be used.
+    Admissible,
+}
+
+impl<'a> Card<'a> {
+    pub fn new(case: SurfaceCase<'a>) -> Self {
+        let results = case.surface;
+        Self {
+            case: case.case,
+            surface: &results.surface,
+            load_area: results.load_area,
+            undivided: results.realisations[0].model.undivided(),
+        }
+    }
+
+    /// The lines.
+    pub fn lines(&self) -> Vec<CardLine> {
+        let result = if self.is_asked() { "Result at your load" } else { "Result at a mid-range load" };
+        let line = |key, label, texts: Vec<String>| {
+            (!texts.is_empty()).then(|| CardLine { texts, ..CardLine::new(key, label, "") })
+        };
+        let one = |text: Option<String>| text.into_iter().collect();
+        let Some(at) = self.case.reported_load() else {
+            let lines = [
+                line("result", result, one(self.result())),
+                line(CardLine::ANSWER, REPLACE, vec![self.uncompared()]),
+            ];
+            return lines.into_iter().flatten().collect();
+        };
+        let lines = [
+            line("result", result, one(self.result())),
+            line(CardLine::ANSWER, REPLACE, self.replace(at)),
+            line("difference", "Difference", one(self.difference(at))),
+            line("why", "Why", one(self.cause(at))),
+            line("instead", "Use instead", one(self.instead(at))),
+            line("nearer", "Nearer to boundary elements", one(self.nearer(at))),
+            line("certainty", "How sure", one(self.certainty(at))),
+        ];
+        lines.into_iter().flatten().collect()
+    }
+
+    /// Whether the load of the card is the one load that was asked for.
+    fn is_asked(&self) -> bool {
+        let curves = &self.case.first().comparison.curves;
+        let mut asked: Vec<f64> = curves.iter().filter_map(|point| point.prescribed_pressure).collect();
+        asked.sort_by(f64::total_cmp);
+        asked.dedup();
+        asked.len() == 1 || self.case.first().is_single()
+    }
+
+    fn verdicts(&self) -> &'a Verdicts {
+        &self.case.verdicts
+    }
+
+    fn state(&self, at: &Difference) -> State {
+        let exceeded = at.exceeded();
+        if self.verdicts().is_blocked {
+            State::Unfit
+        } else if exceeded.limits().any(|limit| matches!(limit, Limit::Interaction | Limit::LargeStrain)) {
+            State::NeitherModel
+        } else if !exceeded.is_none() {
+            State::FewContacts
+        } else {
+            State::Admissible
+        }
+    }
+
+    /// What was compared: "On this map", "On these asperities", "In the mean of 8 realisations".
+    fn scope(&self) -> String {
+        match self.verdicts().basis {
+            Basis::Realisations(count) => format!("In the mean of {count} realisations"),
+            Basis::Asperities | Basis::Unstated => "On these asperities".to_owned(),
+            Basis::Blocks { .. } | Basis::TooSmall { .. } | Basis::ModelBased => "On this map".to_owned(),
+        }
+    }
+
+    /// What there is to say where the models are not compared at equal load.
+    fn uncompared(&self) -> String {
+        let comparison = &self.case.first().comparison;
+        if comparison.curves.is_empty() {
+            "Not asked: boundary elements alone were run."
+        } else if comparison.pairs.is_empty() {
+            "Not asked: one model was run."
+        } else if !comparison.unpaired.is_empty() {
+            "Not told: at these separations one model never reaches the load of the other; separations of 4 to 0 σ suit most surfaces."
+        } else if self.case.realisations.len() == 1 {
+            "Not told: both models are in contact at none of the separations; give `pressure` or `force`."
+        } else {
+            "Not told: the realisations have no load in common; give `pressure` or `force`."
+        }
+        .to_owned()
+    }
+}
+
+/// The question of the card.
+const REPLACE: &str = "May the integral replace the sum?";
+
+/// A quantity on a card.
+fn name(quantity: ComparedQuantity) -> &'static str {
+    match quantity {
+        ComparedQuantity::Separation => "separation",
+        ComparedQuantity::Area => "contact area",
+        ComparedQuantity::Stiffness => "stiffness",
+    }
+}
+
+/// The names of some quantities.
+fn names(quantities: impl IntoIterator<Item = ComparedQuantity>) -> String {
+    listed(&quantities.into_iter().map(|one| name(one).to_owned()).collect::<Vec<_>>())
+}
+
+/// The unit of a difference in a quantity, and the factor to it.
+fn unit(quantity: ComparedQuantity) -> (&'static str, f64) {
+    match quantity {
+        ComparedQuantity::Separation => ("σ", 1.0),
+        ComparedQuantity::Area | ComparedQuantity::Stiffness => ("%", 100.0),
+    }
+}
+
+/// An area (m²): in mm² from 0.01 mm² to 1 m², in µm² from 0.01 µm².
+fn area(area: f64) -> String {
+    if (1e-8..1.0).contains(&area) {
+        format!("{} mm²", number(1e6 * area))
+    } else if (1e-14..1e-8).contains(&area) {
+        format!("{} µm²", number(1e12 * area))
+    } else {
+        quantity(area, "m²")
+    }
+}
+
+/// A nominal area (m²) with two digits, rounded `up` or to the nearest.
+fn nominal_area(nominal: f64, up: bool) -> String {
+    area(if up { two_digits_up(nominal) } else { two_digits(nominal) })
+}
+
+/// A sentence with as many of its `additions` at the end, in their order, as fit.
+fn with_additions(sentence: &str, additions: &[String]) -> String {
+    let text = |count: usize| format!("{sentence}{}.", additions[..count].concat());
+    fitting((0..=additions.len()).rev().map(text))
+}

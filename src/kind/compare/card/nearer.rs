@@ -1,0 +1,74 @@
+//! Which model is nearer to boundary elements.
+
+use asperity::compare::{ComparedQuantity, Difference, ModelKind, NearerStretch};
+use asperity_contact_framework::report::answer::fitting;
+use asperity_contact_framework::report::format::listed;
+
+use super::difference::size_in_signs;
+use super::replace::stretch;
+use super::{Card, State};
+
+impl Card<'_> {
+    /// In contact area: "The sum, from 1 to 40 MPa; at 5 MPa it differs by -5 %, the integral by +82 %."
+    pub(super) fn nearer(&self, at: &Difference) -> Option<String> {
+        if self.state(at) == State::Unfit {
+            return None;
+        }
+        if self.surface.map.is_none() {
+            return Some("Not possible: the surface has no map.".to_owned());
+        }
+        if self.case.first().reference.is_none() {
+            return Some("Not computed: put `\"reference\"` among the `models`.".to_owned());
+        }
+        let Some(reference) = &self.verdicts().reference else {
+            return Some("Not told: no load was compared with them.".to_owned());
+        };
+        let is_area = |one: &&NearerStretch| one.quantity == ComparedQuantity::Area;
+        let mut stretches: Vec<&NearerStretch> = reference.nearer.iter().filter(is_area).collect();
+        stretches.sort_by(|a, b| a.loads[0].total_cmp(&b.loads[0]));
+        let is_one_map = self.verdicts().has_one_surface();
+        let nearer = |one: &NearerStretch| if is_one_map { one.nearer_here } else { one.nearer };
+        let said = [
+            (Some(ModelKind::Deterministic), "the sum"),
+            (Some(ModelKind::Statistical), "the integral"),
+            (None, "neither"),
+        ];
+        let parts = said.into_iter().filter_map(|(model, words)| {
+            let groups =
+                stretches.chunk_by(|a, b| nearer(a) == nearer(b)).filter(|group| nearer(group[0]) == model);
+            let loads: Vec<String> =
+                groups.map(|group| stretch([group[0].loads[0], group[group.len() - 1].loads[1]])).collect();
+            (!loads.is_empty()).then(|| format!("{words} {}", listed(&loads)))
+        });
+        let parts: Vec<String> = parts.collect();
+        if parts.is_empty() {
+            return Some("Not told: no load of theirs is admissible.".to_owned());
+        }
+        let sizes = self.from_reference(at.load).map_or_else(String::new, |[integral, sum]| {
+            format!("; at this load sum {sum}, integral {integral}")
+        });
+        let elastic = match reference.yields
+            && self.case.first().reference.as_ref().is_some_and(|curve| curve.cap.is_none())
+        {
+            true => " (elastic ones)",
+            false => "",
+        };
+        let nearest = parts.join("; ");
+        Some(fitting([
+            format!("In contact area{elastic} {nearest}{sizes}."),
+            format!("In contact area{elastic} {nearest}."),
+            format!("It changes with the load{sizes}."),
+        ]))
+    }
+
+    /// The differences of integral and sum in area from the reference at a load.
+    fn from_reference(&self, load: f64) -> Option<[String; 2]> {
+        let models = &self.verdicts().reference.as_ref()?.against.models;
+        let size = |model: usize| {
+            let at = models[model].iter().find(|at| at.load == load)?;
+            let contrast = at.estimates[ComparedQuantity::Area as usize]?.contrast;
+            Some(size_in_signs(ComparedQuantity::Area, [contrast; 2]))
+        };
+        Some([size(0)?, size(1)?])
+    }
+}

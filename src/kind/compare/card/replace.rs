@@ -1,0 +1,139 @@
+//! May the integral replace the sum: on the compared surface itself, on such surfaces, and at other loads.
+
+use asperity::compare::{ComparedQuantity, Difference, Verdict};
+use asperity::study::Basis;
+use asperity_contact_framework::report::answer::fitting;
+use asperity_contact_framework::report::format::{listed, range};
+
+use super::limit::exceeded_words;
+use super::{Card, State, names};
+use crate::surface::fitness;
+
+/// The answers in the order in which they are given.
+const ANSWERS: [(Verdict, &str); 5] = [
+    (Verdict::Beyond, "no"),
+    (Verdict::VeryLikelyBeyond, "very likely not"),
+    (Verdict::Within, "yes"),
+    (Verdict::VeryLikelyWithin, "very likely yes"),
+    (Verdict::CannotTell, "cannot be told"),
+];
+
+impl Card<'_> {
+    /// A text for this map, one for such surfaces, and one for other loads, as far as each has something to say.
+    pub(super) fn replace(&self, at: &Difference) -> Vec<String> {
+        match self.state(at) {
+            State::Unfit => vec![fitting(fitness::in_short(self.surface))],
+            State::NeitherModel => {
+                let mut texts = vec![format!("Neither model is for this load: {}.", exceeded_words(at))];
+                texts.extend(self.over_loads());
+                texts
+            }
+            State::FewContacts => {
+                let such = format!("Such surfaces: cannot be told with {}.", exceeded_words(at));
+                std::iter::once(self.on_map(at)).chain([such]).chain(self.over_loads()).collect()
+            }
+            State::Admissible => std::iter::once(self.on_map(at))
+                .chain([self.on_surfaces(at)])
+                .chain(self.over_loads())
+                .collect(),
+        }
+    }
+
+    /// "On this map: no for contact area; yes for separation and stiffness."
+    fn on_map(&self, at: &Difference) -> String {
+        format!("{}: {}.", self.scope(), in_words(&self.on_this_map(at)))
+    }
+
+    /// The verdict in each quantity on the compared surface, by the difference itself.
+    pub(super) fn on_this_map(&self, at: &Difference) -> Vec<(ComparedQuantity, Verdict)> {
+        let verdict = |quantity: ComparedQuantity| {
+            let contrast = at.estimates[quantity as usize]?.contrast;
+            let [low, high] = self.verdicts().accepted.band(quantity);
+            let is_within = (low..=high).contains(&contrast);
+            Some((quantity, if is_within { Verdict::Within } else { Verdict::Beyond }))
+        };
+        ComparedQuantity::REPORTED.into_iter().filter_map(verdict).collect()
+    }
+
+    /// "Such surfaces: very likely not for contact area; cannot be told for separation (model-based intervals)."
+    fn on_surfaces(&self, at: &Difference) -> String {
+        let intervals = match self.verdicts().basis {
+            Basis::ModelBased => " (model-based intervals)",
+            Basis::Blocks { .. } | Basis::Realisations(_) | Basis::Asperities => " (95 % intervals)",
+            Basis::TooSmall { .. } | Basis::Unstated => " (no interval)",
+        };
+        let answers = in_words(&self.of_such_surfaces(at));
+        fitting([intervals, ""].map(|intervals| format!("Such surfaces: {answers}{intervals}.")))
+    }
+
+    /// The verdict in each quantity on such surfaces.
+    pub(super) fn of_such_surfaces(&self, at: &Difference) -> Vec<(ComparedQuantity, Verdict)> {
+        let verdict = |quantity: ComparedQuantity| {
+            let estimate = at.estimates[quantity as usize]?;
+            Some((quantity, Verdict::from_estimate(&estimate, self.verdicts().accepted.band(quantity))))
+        };
+        ComparedQuantity::REPORTED.into_iter().filter_map(verdict).collect()
+    }
+
+    /// "Other loads: no from 0.5 to 20 MPa, yes from 40 to 50 MPa, else cannot be told; admissible from 0.5 to 50 MPa."; of one load nothing.
+    fn over_loads(&self) -> Option<String> {
+        let verdicts = self.verdicts();
+        if verdicts.differences.len() < 2 {
+            return None;
+        }
+        let admissible: Vec<String> =
+            verdicts.admissible.stretches.iter().map(|loads| stretch(*loads)).collect();
+        if admissible.is_empty() {
+            return Some("No compared load is admissible.".to_owned());
+        }
+        let answered = |at: &Difference| {
+            let each = self.of_such_surfaces(at);
+            let has = |is_wanted: fn(Verdict) -> bool| each.iter().any(|(_, verdict)| is_wanted(*verdict));
+            let is_told = has(Verdict::is_beyond) || each.iter().all(|(_, verdict)| verdict.is_within());
+            (at.exceeded().is_none() && !each.is_empty() && is_told).then(|| has(Verdict::is_beyond))
+        };
+        let mut sorted: Vec<&Difference> = verdicts.differences.iter().collect();
+        sorted.sort_by(|a, b| a.load.total_cmp(&b.load));
+        let mut told = [Vec::new(), Vec::new()];
+        for group in sorted.chunk_by(|a, b| answered(a) == answered(b)) {
+            if let Some(is_beyond) = answered(group[0]) {
+                told[usize::from(!is_beyond)].push(stretch([group[0].load, group[group.len() - 1].load]));
+            }
+        }
+        let is_open = sorted.iter().any(|at| at.exceeded().is_none() && answered(at).is_none());
+        let parts = ["no", "yes"].into_iter().zip(&told).filter(|(_, loads)| !loads.is_empty());
+        let mut parts: Vec<String> =
+            parts.map(|(answer, loads)| format!("{answer} {}", listed(loads))).collect();
+        if is_open {
+            parts.push(if parts.is_empty() { "cannot be told" } else { "else cannot be told" }.to_owned());
+        }
+        let loads = parts.join(", ");
+        let admissible = listed(&admissible);
+        Some(fitting([
+            format!("All loads: {loads}; admissible {admissible}."),
+            format!("All loads: {loads}."),
+            format!("The answer changes with the load, as the figure shows; admissible {admissible}."),
+            "The answer changes with the load, as the figure shows.".to_owned(),
+        ]))
+    }
+}
+
+/// "from 0.5 to 40 MPa", or "at 1 MPa".
+pub(super) fn stretch(loads: [f64; 2]) -> String {
+    let preposition = if loads[0] == loads[1] { "at" } else { "from" };
+    format!("{preposition} {}", range(loads, "Pa"))
+}
+
+/// "no for contact area; yes for separation and stiffness"; "no" where all are alike.
+fn in_words(answers: &[(ComparedQuantity, Verdict)]) -> String {
+    let of = |(verdict, words): &(Verdict, &str)| {
+        let alike: Vec<ComparedQuantity> =
+            answers.iter().filter(|(_, other)| other == verdict).map(|(quantity, _)| *quantity).collect();
+        match alike.len() {
+            0 => None,
+            all if all == answers.len() => Some((*words).to_owned()),
+            _ => Some(format!("{words} for {}", names(alike))),
+        }
+    };
+    ANSWERS.iter().filter_map(of).collect::<Vec<_>>().join("; ")
+}

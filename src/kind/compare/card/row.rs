@@ -1,0 +1,166 @@
+//! The answer on one case in a row of a table, and on several cases in a sentence.
+
+use asperity::compare::{ComparedQuantity, Stretch};
+use asperity_contact_framework::report::format::listed;
+
+use super::Card;
+use crate::kind::compare::rows::SurfaceCase;
+
+/// May the integral replace the sum in one quantity, over the admissible loads.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Answered {
+    /// At all of them, surely or very likely.
+    Yes,
+    /// At none where it can be told.
+    No,
+    /// At some of them.
+    InPart,
+    /// It cannot be told, or only where it may.
+    Open,
+    /// No load is admissible.
+    Outside,
+    /// The map is not fit.
+    Unfit,
+}
+
+impl Answered {
+    /// What a cell of a table says.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Yes => "yes",
+            Self::No => "no",
+            Self::InPart => "in part",
+            Self::Open => "?",
+            Self::Outside => "outside",
+            Self::Unfit => "unfit",
+        }
+    }
+}
+
+/// The answer on one case.
+pub struct CaseAnswer {
+    /// In the order of [`ComparedQuantity::REPORTED`]: the answer and the largest difference, as reported; `None` of a quantity that is not compared.
+    pub quantities: [Option<(Answered, Option<f64>)>; 3],
+    /// The cause at the load of its card, in a few words.
+    pub why: String,
+    /// What to use there, in a few words.
+    pub instead: String,
+}
+
+impl CaseAnswer {
+    /// `None` of a case whose models are not compared at equal load.
+    pub fn new(case: SurfaceCase) -> Option<Self> {
+        let card = Card::new(case);
+        let at = case.case.reported_load()?;
+        Some(Self {
+            quantities: ComparedQuantity::REPORTED.map(|quantity| of_quantity(case, quantity)),
+            why: card.cause_in_short(at),
+            instead: card.instead_in_short(at),
+        })
+    }
+
+    /// The answer in all quantities together.
+    fn overall(&self) -> Answered {
+        let mut each: Vec<Answered> = self.quantities.iter().flatten().map(|(answer, _)| *answer).collect();
+        each.dedup();
+        match each[..] {
+            [only] => only,
+            _ if each.contains(&Answered::No) => Answered::No,
+            _ if each.contains(&Answered::InPart) => Answered::InPart,
+            _ => Answered::Open,
+        }
+    }
+}
+
+fn of_quantity(case: SurfaceCase, quantity: ComparedQuantity) -> Option<(Answered, Option<f64>)> {
+    let verdicts = case.verdicts();
+    let stretches: Vec<&Stretch> = verdicts.stretches.iter().filter(|one| one.quantity == quantity).collect();
+    let largest = stretches.iter().filter_map(|one| Some(one.largest?.1.contrast));
+    let largest =
+        largest.max_by(|a, b| a.abs().total_cmp(&b.abs())).map(|contrast| quantity.reported(contrast));
+    let has = |is_wanted: fn(&&&Stretch) -> bool| stretches.iter().any(|one| is_wanted(&one));
+    let [beyond, within, open] = [
+        has(|one| one.verdict.is_beyond()),
+        has(|one| one.verdict.is_within()),
+        has(|one| !one.verdict.is_told()),
+    ];
+    let answer = match () {
+        () if stretches.is_empty() => return None,
+        () if verdicts.is_blocked => Answered::Unfit,
+        () if verdicts.admissible.stretches.is_empty() => Answered::Outside,
+        () if beyond && within => Answered::InPart,
+        () if beyond => Answered::No,
+        () if within && !open => Answered::Yes,
+        () => Answered::Open,
+    };
+    Some((answer, largest))
+}
+
+/// How many cases have which answer.
+pub struct Counts(Vec<Answered>);
+
+impl Counts {
+    /// Of the answers of all cases.
+    pub fn new<'a>(answers: impl IntoIterator<Item = &'a CaseAnswer>) -> Self {
+        Self(answers.into_iter().map(CaseAnswer::overall).collect())
+    }
+
+    /// "May the integral replace the sum? Of 7 cases: no in 3, at some loads in 2, cannot be told in 2."
+    pub fn sentence(&self) -> String {
+        const WORDS: [(Answered, &str); 6] = [
+            (Answered::Yes, "yes in"),
+            (Answered::InPart, "at some loads in"),
+            (Answered::No, "no in"),
+            (Answered::Open, "cannot be told in"),
+            (Answered::Outside, "no admissible load in"),
+            (Answered::Unfit, "unfit map in"),
+        ];
+        let Self(answers) = self;
+        let part = |(answer, words): &(Answered, &str)| {
+            let count = answers.iter().filter(|other| *other == answer).count();
+            match count {
+                0 => None,
+                all if all == answers.len() => Some(format!("{words} all")),
+                some => Some(format!("{words} {some}")),
+            }
+        };
+        let parts: Vec<String> = WORDS.iter().filter_map(part).collect();
+        let cases = if answers.len() == 1 { "1 case".to_owned() } else { format!("{} cases", answers.len()) };
+        format!("May the integral replace the sum? Of {cases}: {}.", listed(&parts))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn answer(quantities: [Answered; 3]) -> CaseAnswer {
+        CaseAnswer {
+            quantities: quantities.map(|answer| Some((answer, None))),
+            why: String::new(),
+            instead: String::new(),
+        }
+    }
+
+    #[test]
+    fn one_quantity_that_is_beyond_makes_a_no() {
+        use Answered::{InPart, No, Open, Yes};
+        let overall = |quantities| answer(quantities).overall();
+        assert_eq!(overall([Yes; 3]), Yes);
+        assert_eq!(overall([Yes, No, Open]), No);
+        assert_eq!(overall([Yes, InPart, Open]), InPart);
+        assert_eq!(overall([Yes, Open, Yes]), Open);
+    }
+
+    #[test]
+    fn cases_are_counted_in_a_sentence() {
+        use Answered::{No, Unfit, Yes};
+        let sentence = |all: &[CaseAnswer]| Counts::new(all).sentence();
+        let [yes, no] = [Yes, No].map(|one| answer([one; 3]));
+        assert_eq!(
+            sentence(&[yes, no, answer([Unfit; 3])]),
+            "May the integral replace the sum? Of 3 cases: yes in 1, no in 1 and unfit map in 1."
+        );
+        assert!(sentence(&[answer([No; 3]), answer([Yes, No, Yes])]).ends_with("Of 2 cases: no in all."));
+    }
+}
