@@ -66,7 +66,10 @@ fn row(canvas: &mut Canvas, plots: &[&Plot], width: f64, top: f64) -> f64 {
     let is_shared = shares_names(plots);
     let mut height = top;
     for plots in plots.chunks(columns) {
-        let lower = |plot: &Plot| plot.height.min(STEEPEST * each);
+        // Named places need the height that they were given.
+        let lower = |plot: &Plot| {
+            if plot.y.names.is_empty() { plot.height.min(STEEPEST * each) } else { plot.height }
+        };
         let sketches: Vec<Layout<'_>> =
             plots.iter().map(|plot| Layout::new(plot, (each, lower(plot)))).collect();
         let head = sketches.iter().map(Layout::head).fold(0.0, f64::max);

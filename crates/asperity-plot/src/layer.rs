@@ -165,6 +165,11 @@ impl Layer {
         Self { label: text.into(), ..Self::new(Shape::Tile(from, to)) }
     }
 
+    /// Nothing but a filled key in the legend.
+    pub fn key() -> Self {
+        Self::tile((f64::NAN, f64::NAN), (f64::NAN, f64::NAN), "")
+    }
+
     /// A field of values as an image, with a colour bar beside the plot; of several, the first has the
     /// bar. Both axes must be linear, else it is not shown.
     pub fn raster(raster: Raster) -> Self {

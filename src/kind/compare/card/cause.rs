@@ -82,7 +82,7 @@ impl Card<'_> {
         let short = |cause: Cause| self.words(cause, at).short;
         match self.finding(quantity, parts) {
             Finding::Leads(cause) => short(cause).to_owned(),
-            Finding::Largest(cause) => format!("{} (this map)", short(cause)),
+            Finding::Largest(cause) => format!("{} (here)", short(cause)),
             Finding::Cancel(_) => "two causes nearly cancel".to_owned(),
             Finding::Open => "none stands out".to_owned(),
         }

@@ -5,7 +5,7 @@ use asperity::numeric::two_digits;
 use asperity::study::{Basis, Choice, Dependence};
 use asperity::topography::generate::Unfitted;
 use asperity_contact_framework::report::answer::fitting;
-use asperity_contact_framework::report::format::{number, quantity as quantity_text, signed};
+use asperity_contact_framework::report::format::{capitalised, number, quantity as quantity_text, signed};
 
 use super::{Card, State, name, nominal_area, unit, with_additions};
 use crate::kind::compare::rows::treatment_words;
@@ -21,10 +21,11 @@ impl Card<'_> {
         if let Some(dependence) = self.dependence() {
             let [full, short] = self.dependence_words(dependence, at.load);
             return Some(fitting([
-                format!("{short_interval}. {full}."),
+                format!("{short_interval}; {full}."),
                 format!("{full}."),
-                format!("{short_interval}. {short}."),
-            ]));
+                format!("{short_interval}; {short}."),
+            ]))
+            .map(|text| capitalised(&text));
         }
         let tried = self.case.treated.len();
         let robust =
@@ -49,7 +50,7 @@ impl Card<'_> {
             let half = number(two_digits(factor * quantity.reported(half)));
             Some([
                 format!("{basis} of ±{half} {unit} in {}", name(quantity)),
-                format!("{basis} ±{half} {unit}"),
+                format!("{} ±{half} {unit}", basis.replace(" 95 %", "")),
             ])
         };
         ComparedQuantity::REPORTED.into_iter().find_map(half).unwrap_or_else(|| {
@@ -111,7 +112,12 @@ impl Card<'_> {
     /// "The answer depends on the S filter: contact area +10 % with S filter 3.15 µm, +79 % as analysed", and shorter.
     fn dependence_words(&self, dependence: &Dependence, of_card: f64) -> [String; 2] {
         let Dependence { choice, quantity, treatments, contrasts, load } = dependence;
-        let at = if *load == of_card { String::new() } else { format!(" at {}", quantity_text(*load, "Pa")) };
+        const NEAR: f64 = 1.5;
+        let at = if (load / of_card).max(of_card / load) < NEAR {
+            String::new()
+        } else {
+            format!(" at {}", quantity_text(*load, "Pa"))
+        };
         let treatment = |place: Option<usize>| {
             place.map_or_else(
                 || "as analysed".to_owned(),
@@ -122,7 +128,7 @@ impl Card<'_> {
             format!("{} {}", in_two_digits(*quantity, *contrast), treatment(*place))
         });
         let each = each.collect::<Vec<_>>().join(", ");
-        let short = format!("The answer depends on {}", choice_words(*choice));
+        let short = format!("the answer depends on {}", choice_words(*choice));
         [format!("{short}: {}{at} {each}", name(*quantity)), short]
     }
 }

@@ -17,20 +17,31 @@ const TOO_SMALL: Mark = (Colour::Statistical, "− integral too small", "−");
 const OPEN: Mark = (Colour::Neutral, "? cannot be told", "?");
 const UNFIT: Mark = (Colour::Others, "× map not fit", "×");
 
+const MARKS: [Mark; 5] = [WITHIN, TOO_LARGE, TOO_SMALL, OPEN, UNFIT];
+
 /// The verdicts on several cases at their admissible loads; blank where a load is not admissible. `None` where no load is admissible.
 pub fn figure(cases: &[(String, &Verdicts)], title: &str) -> Option<Figure> {
-    let has_tiles = |quantity: &ComparedQuantity| {
-        cases.iter().any(|(_, verdicts)| !tiles(verdicts, *quantity).is_empty())
-    };
-    let panels: Vec<Plot> = ComparedQuantity::REPORTED
+    /// Longer names leave too little room for panels side by side.
+    const LONGEST: usize = 10;
+    let of_quantity =
+        |quantity| cases.iter().map(|(_, verdicts)| tiles(verdicts, quantity)).collect::<Vec<_>>();
+    let panels: Vec<(ComparedQuantity, Vec<Tiles>)> = ComparedQuantity::REPORTED
+        .map(|quantity| (quantity, of_quantity(quantity)))
         .into_iter()
-        .filter(has_tiles)
-        .map(|quantity| panel(cases, quantity))
+        .filter(|(_, rows)| rows.iter().any(|tiles| !tiles.is_empty()))
         .collect();
-    (!panels.is_empty()).then(|| Figure::column(title, panels))
+    let is_shown =
+        |mark: &Mark| panels.iter().flat_map(|(_, rows)| rows).flatten().any(|(_, shown)| shown == mark);
+    let marks: Vec<Mark> = MARKS.into_iter().filter(is_shown).collect();
+    let plots: Vec<Plot> =
+        panels.iter().map(|(quantity, rows)| panel(cases, *quantity, rows, &marks)).collect();
+    let is_narrow = cases.iter().all(|(name, _)| name.chars().count() <= LONGEST);
+    let arranged = if is_narrow { Figure::row } else { Figure::column };
+    (!plots.is_empty()).then(|| arranged(title, plots))
 }
 
-fn panel(cases: &[(String, &Verdicts)], quantity: ComparedQuantity) -> Plot {
+/// A panel, with a key for each of the `marks` of the figure.
+fn panel(cases: &[(String, &Verdicts)], quantity: ComparedQuantity, rows: &[Tiles], marks: &[Mark]) -> Plot {
     /// Height of a row.
     const ROW: f64 = 24.0;
     let loads = cases.iter().flat_map(|(_, verdicts)| &verdicts.differences).map(|at| megapascals(at.load));
@@ -41,18 +52,23 @@ fn panel(cases: &[(String, &Verdicts)], quantity: ComparedQuantity) -> Plot {
         Axis::named(cases.iter().map(|(name, _)| name.clone())),
     )
     .height(ROW * cases.len() as f64);
-    for (row, (_, verdicts)) in cases.iter().enumerate() {
+    for (colour, name, _) in marks {
+        plot = plot.with(Layer::key().coloured(*colour).named(*name));
+    }
+    for (row, tiles) in rows.iter().enumerate() {
         let row = row as f64;
-        for ([from, to], (colour, name, sign)) in tiles(verdicts, quantity) {
-            let tile = Layer::tile((from, row - 0.42), (to, row + 0.42), sign);
-            plot = plot.with(tile.coloured(colour).named(name));
+        for ([from, to], (colour, _, sign)) in tiles {
+            plot = plot.with(Layer::tile((*from, row - 0.42), (*to, row + 0.42), *sign).coloured(*colour));
         }
     }
     plot
 }
 
+/// Stretches of loads, MPa, with what they say.
+type Tiles = Vec<([f64; 2], Mark)>;
+
 /// The stretches of admissible loads (MPa) that say the same, each to half way to its neighbours.
-fn tiles(verdicts: &Verdicts, quantity: ComparedQuantity) -> Vec<([f64; 2], Mark)> {
+fn tiles(verdicts: &Verdicts, quantity: ComparedQuantity) -> Tiles {
     let mut sorted: Vec<&Difference> =
         verdicts.differences.iter().filter(|at| at.estimates[quantity as usize].is_some()).collect();
     sorted.sort_by(|a, b| a.load.total_cmp(&b.load));
@@ -63,7 +79,7 @@ fn tiles(verdicts: &Verdicts, quantity: ComparedQuantity) -> Vec<([f64; 2], Mark
         let after = if k + 1 < sorted.len() { half_way(k, k + 1) } else { at * MARGIN.sqrt() };
         [before, after]
     };
-    let mut tiles: Vec<([f64; 2], Mark)> = Vec::new();
+    let mut tiles = Tiles::new();
     for (k, at) in sorted.iter().enumerate() {
         let Some(mark) = mark(at, verdicts, quantity) else { continue };
         let [from, to] = ends(k);

@@ -37,7 +37,7 @@ impl Row for AnswerRow<'_> {
             separation_difference["1", label("largest (σ)"), signed, scale(1.0)] = row.difference(1), "The largest difference, in sigma.";
             stiffness["text", verdict] = row.answer(2), "The answer for the stiffness.";
             stiffness_difference["1", label("largest"), signed_percent] = row.difference(2), "The largest difference, relative.";
-            why["text"] = row.answer.why.as_str(), "The cause at the load of the case's card: the leading one; with \"(this map)\" the largest on the compared surface.";
+            why["text"] = row.answer.why.as_str(), "The cause at the load of the case's card: the leading one; with \"(here)\" the largest on the compared surface.";
             use_instead["text", label("use")] = row.answer.instead.as_str(), "What to use at that load: `the integral`, a statistical model of `ranking.csv` within what is accepted, `the sum`, or `boundary elements`.";
         });
         columns
