@@ -56,26 +56,8 @@ pub fn failures(surface: &Surface) -> Vec<String> {
     map.blocking_in_order().into_iter().map(sentence).collect()
 }
 
-/// The one thing to do next to a map that may not carry a verdict: its first fault with the remedy, which `--fit` may find too; `None`
-/// where there is none.
-pub fn next_step(surface: &Surface) -> Option<String> {
-    let map = surface.map.as_ref()?;
-    let blocking = map.blocking_in_order();
-    let first = blocking.first()?;
-    let is_remedied =
-        surface.fit.is_none() && Remedy::new(first, map).is_some() && !has_too_many_spikes(first, map);
-    let fit =
-        if is_remedied { ", or let `--fit` (`fit = \"auto\"` in a spec) find the preparation" } else { "" };
-    let others = match blocking.len() - 1 {
-        0 => String::new(),
-        1 => "; one more check fails, perhaps of the same fault".to_owned(),
-        count => format!("; {count} more checks fail, perhaps of the same fault"),
-    };
-    let remedy = remedy_left(first, map, surface.fit.as_deref());
-    Some(format!("{remedy}{fit} ({}){others}", fault(first, map)))
-}
-
-/// The same on a card, with the remedy and without: "No conclusion until the map is fit: 6 spikes; `outliers = \"remove\"`."
+/// The first fault of a map that may not carry a verdict, as a card says it, with the remedy and without: "No conclusion until the map is fit: 6 spikes;
+/// `outliers = \"remove\"`." Where `--fit` may find the preparation, it is named.
 pub fn in_short(surface: &Surface) -> Vec<String> {
     let unfit = "No conclusion until the map is fit";
     let Some((map, first)) =
@@ -85,7 +67,20 @@ pub fn in_short(surface: &Surface) -> Vec<String> {
     };
     let fault = short_fault(first);
     let remedy = remedy_left(first, map, surface.fit.as_deref());
-    vec![format!("{unfit}: {fault}; {remedy}."), format!("{unfit}: {fault}.")]
+    let is_remedied =
+        surface.fit.is_none() && Remedy::new(first, map).is_some() && !has_too_many_spikes(first, map);
+    let others = match map.blocking_in_order().len() {
+        1 => String::new(),
+        count => format!(" (the first of {count} faults)"),
+    };
+    let with = |others: &str, remedy: &str| format!("{unfit}: {fault}{others}{remedy}.");
+    let fit = if is_remedied { "; try `--fit` (`fit = \"auto\"`)" } else { "" };
+    vec![
+        with(&others, &format!("; {remedy}{fit}")),
+        with(&others, &format!("; {remedy}")),
+        with(&others, fit),
+        with("", fit),
+    ]
 }
 
 /// A fault in a few words.

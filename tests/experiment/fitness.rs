@@ -9,6 +9,7 @@ use asperity::MeanRadius;
 use asperity::compare::{ComparedQuantity, Difference, Verdict};
 use asperity::npy;
 use asperity::study::{Choice, Treatment};
+use asperity::surface::Surface;
 use asperity::topography::Level;
 use asperity::topography::fitness::Check;
 use asperity::topography::generate::gaussian;
@@ -19,6 +20,7 @@ use asperity_contact_framework::progress::Silent;
 use asperity_contact_framework::report::format::number;
 use asperity_experiment::Experiment;
 use asperity_experiment::kind::compare::results::{CompareResults, SurfaceResults};
+use asperity_experiment::surface::fitness::in_short;
 use rand::{RngExt, SeedableRng};
 
 const SIDE: usize = 640;
@@ -241,6 +243,11 @@ fn a_fit_remedies_planted_faults_as_its_keys_by_hand_do() {
     assert!(hand.fit.is_none() && auto.warnings[0].contains("found by `fit`"), "{:?}", auto.warnings);
 }
 
+/// The fault of a map that is not fit on a card, in full, and its warnings.
+fn said(surface: &Surface) -> String {
+    format!("{} {}", in_short(surface)[0], surface.warnings.join(" "))
+}
+
 /// A map that blocks names its next step and `--fit`, unless `fit` is there or cannot help: steep flanks, and units.
 #[test]
 fn the_next_step_names_the_fit_where_it_helps() {
@@ -258,9 +265,8 @@ fn the_next_step_names_the_fit_where_it_helps() {
         ("fitted", "many.npy", "fit = \"auto\""),
     ];
     let results: CompareResults = crate::downcast(run(folder.path(), "robustness = false", &maps));
-    let step =
-        |k: usize| asperity_experiment::surface::fitness::next_step(&results.surfaces[k].surface).unwrap();
-    assert!(step(0).starts_with("`level = \"quadratic\"`, or let `--fit` (`fit = \"auto\"`"), "{}", step(0));
+    let step = |k: usize| said(&results.surfaces[k].surface);
+    assert!(step(0).contains("; `level = \"quadratic\"`; try `--fit` (`fit = \"auto\"`)."), "{}", step(0));
     assert!(step(1).contains("steep flanks") && step(1).contains("assumes small slopes"), "{}", step(1));
     assert!(!step(1).contains("units") && !step(1).contains("--fit"), "{}", step(1));
     assert!(step(2).contains("probably in different units") && !step(2).contains("--fit"), "{}", step(2));
@@ -300,8 +306,8 @@ fn waves_that_belong_to_the_surface_need_a_larger_map() {
     assert!(!warning.contains("part of the map") && !warning.contains("or an L filter"), "{warning}");
     let blocking: Vec<Check> = failed(&results.surfaces[0]);
     if blocking == [Check::LongWaves] {
-        let step = asperity_experiment::surface::fitness::next_step(surface).unwrap();
-        assert!(step.starts_with("a larger map, at least "), "{step}");
+        let step = &in_short(surface)[0];
+        assert!(step.contains("it is too small for its long waves; a larger map, at least "), "{step}");
     }
     let fitted = surface.warnings.iter().find(|warning| warning.starts_with("`fit`")).unwrap();
     assert!(fitted.contains("long-waves") && fitted.contains("no verdict may rest on it"), "{fitted}");
@@ -334,13 +340,13 @@ fn heights_that_many_points_share_block_and_are_named() {
     maps.extend(plain.iter().zip(&names).map(|(name, path)| (name.as_str(), path.as_str(), "")));
     let results: CompareResults = crate::downcast(run(folder.path(), "robustness = false", &maps));
     let of = |name: &str| results.surfaces.iter().find(|found| found.surface.name == name).unwrap();
-    let next = |name: &str| asperity_experiment::surface::fitness::next_step(&of(name).surface).unwrap();
+    let next = |name: &str| said(&of(name).surface);
     for name in ["clipped", "filled"] {
         assert_eq!(failed(of(name))[0], Check::EqualHeights, "{name}");
         assert!(of(name).cases[0].verdicts.is_blocked, "{name}");
     }
     let clipped = next("clipped");
-    assert!(clipped.starts_with("a measurement whose range holds the highest points"), "{clipped}");
+    assert!(clipped.contains("; a measurement whose range holds the highest points"), "{clipped}");
     assert!(
         clipped.contains("exactly the height 200 nm, the largest: the instrument was saturated"),
         "{clipped}"
@@ -348,7 +354,8 @@ fn heights_that_many_points_share_block_and_are_named() {
     assert!(clipped.contains("`missing = 2e-7`"), "{clipped}");
     let filled = next("filled");
     assert!(
-        filled.starts_with("`missing = 0` (3,600 points (0.879 %) have exactly the height 0 m"),
+        filled.contains("; `missing = 0`.")
+            && filled.contains("3,600 points (0.879 %) have exactly the height 0 m"),
         "{filled}"
     );
     let others =

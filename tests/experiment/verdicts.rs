@@ -17,6 +17,7 @@ use asperity::topography::summits::Neighbours;
 use asperity::{HeightMap, Heights, Limit, Material};
 use asperity_contact_framework::Outcome;
 use asperity_contact_framework::progress::Silent;
+use asperity_contact_framework::report::answer::{Answer, CardLine, MOST_WORDS, words};
 use asperity_experiment::Experiment;
 use asperity_experiment::kind::compare::results::CompareResults;
 
@@ -252,18 +253,22 @@ fn realisations_give_the_interval_directly() {
     assert!(half(several) < half(one), "{} {}", half(several), half(one));
 }
 
-/// The page answers first; `summary.json` and `differences.csv` hold the same.
+/// The page answers first, with a card that `summary.json` and the terminal have too.
 #[test]
-fn the_answer_stands_first_and_in_the_files() {
+fn the_card_stands_first_and_in_the_files() {
     let outcome = run(tempfile::tempdir().unwrap().path(), LOADS, &population("case", 100_000, ""));
     let page = outcome.outline().markdown();
-    let first = page.lines().nth(2).unwrap();
-    assert!(first.starts_with("At ") && first.contains("real contact area"), "{first}");
-    assert!(page.contains("On such surfaces (95 % intervals): yes in real contact area"), "{page}");
-    assert!(
-        page.contains("May the integral replace the sum at this load?") && page.contains("; accepted 10 %)")
-    );
-    assert!(!page.to_lowercase().contains("trust") && page.contains("case-differences.svg"));
+    let first = page.lines().nth(4).unwrap();
+    assert!(first.starts_with("| **Result at a mid-range load** | "), "{first}");
+    let answer = outcome.outline().answer();
+    let keys: Vec<&str> = answer.lines.iter().map(|line| line.key.as_str()).collect();
+    assert_eq!(keys, ["result", "answer", "difference", "why", "instead", "nearer", "certainty"]);
+    assert_eq!(answer.sentence, answer.lines[1].text());
+    assert!(answer.sentence.contains("Such surfaces: yes (95 % intervals)."), "{answer}");
+    for text in answer.lines.iter().flat_map(|line| &line.texts) {
+        assert!(words(text) <= MOST_WORDS, "{text}");
+    }
+    assert_eq!(outcome.terminal().unwrap(), Answer { sentence: String::new(), ..answer.clone() }.to_string());
     let json = serde_json::Value::Object(outcome.records());
     let all = json["verdicts"].as_array().unwrap();
     let area = all.iter().find(|one| one["quantity"] == "area" && one["verdict"] == "within").unwrap();
@@ -276,10 +281,13 @@ fn the_answer_stands_first_and_in_the_files() {
     assert!(csv.contains(",within,"));
 }
 
-/// The first lines of the page of a comparison.
-fn answer(compare: &str, surfaces: &str) -> String {
-    let page = run(tempfile::tempdir().unwrap().path(), compare, surfaces).outline().markdown();
-    page.lines().skip(1).take_while(|line| !line.starts_with(['#', '!'])).collect::<Vec<_>>().join("\n")
+/// The card of a case.
+fn card(compare: &str, surfaces: &str) -> Answer {
+    run(tempfile::tempdir().unwrap().path(), compare, surfaces).outline().answer()
+}
+
+fn line(card: &Answer, key: &str) -> String {
+    card.lines.iter().find(|line| line.key == key).map(CardLine::text).unwrap_or_default()
 }
 
 /// Why a load is not admissible, and what to do instead: lower loads where asperities interact, more surface where contacts are few.
@@ -287,47 +295,44 @@ fn answer(compare: &str, surfaces: &str) -> String {
 fn a_load_that_is_not_admissible_has_its_remedy() {
     let sweep = "separation = { from = 3, to = 1, points = 9 }";
     let surface = population("a", 30_000, "");
-    let at = |load: &str| answer(&format!("{sweep}\npressure = {{ values = [\"{load}\"] }}"), &surface);
+    let at = |load: &str| card(&format!("{sweep}\npressure = {{ values = [\"{load}\"] }}"), &surface);
     let high = at("600 MPa");
-    let words = "On such surfaces: neither model is admissible at this load: contact area of either model above 5 % (";
-    assert!(high.contains(words) && high.contains("Remedy: loads of at most "), "{high}");
-    assert!(high.contains("No answer, because neither model is admissible here."), "{high}");
-    assert!(high.contains("boundary elements") && !high.contains("overlap"), "{high}");
+    let [answer, instead] = ["answer", "instead"].map(|key| line(&high, key));
+    assert!(answer.starts_with("Neither model is for this load: contact area "), "{high}");
+    assert!(answer.contains("% of the nominal (at most 5 %). All loads: "), "{high}");
     assert!(
-        at("9 GPa")
-            .contains("[contact area of either model above 5 %; asperities overlap completely: no model")
+        instead.starts_with("Boundary elements (`\"reference\"` among the `models`) or loads of at most "),
+        "{high}"
     );
+    assert_eq!(line(&high, "certainty"), "");
     let low = at("2 kPa");
-    assert!(
-        low.contains("no verdict, because this load is not admissible: fewer than 30 effective"),
-        "{low}"
-    );
-    assert!(
-        low.contains("Remedy: a load of at least ") && low.contains("mm² of surface (now 0.5 mm²)"),
-        "{low}"
-    );
+    assert!(line(&low, "answer").contains("Such surfaces: cannot be told with "), "{low}");
+    assert!(line(&low, "answer").contains("effective contacts (at least 30)"), "{low}");
+    let instead = line(&low, "instead");
+    assert!(instead.starts_with("The sum on this surface; for such surfaces loads of at least "), "{low}");
+    assert!(instead.contains("mm² of surface (now 0.5 mm²)"), "{low}");
     let admissible = at("20 MPa");
     assert!(
-        !admissible.contains("Remedy") && !admissible.contains("admissible at this load"),
+        !line(&admissible, "answer").contains("Neither") && line(&admissible, "certainty").contains('±'),
         "{admissible}"
     );
+    assert!(line(&admissible, "result").starts_with("10 N on 0.5 mm² (20 MPa): "), "{admissible}");
 }
 
-/// Two or three cases are answered each by itself, more are counted.
+/// Several cases are counted, with a row of a table each; of few the terminal has the cards.
 #[test]
-fn few_cases_are_answered_and_more_are_counted() {
+fn several_cases_are_counted_and_have_a_row_each() {
     let surfaces = |names: &[&str]| names.iter().map(|name| population(name, 3000, "")).collect::<String>();
-    let few = answer(LOADS, &surfaces(&["a", "b", "c"]));
-    for name in ["a", "b", "c"] {
-        assert!(few.contains(&format!("\n{name}: At ")), "{few}");
-    }
-    assert!(
-        few.matches("On such surfaces").count() == 3 && few.matches("dmissible load").count() == 3,
-        "{few}"
-    );
-    let many = answer(LOADS, &surfaces(&["a", "b", "c", "d"]));
-    assert!(many.contains("Of 4 cases") && !many.contains("On such surfaces"), "{many}");
-    assert!(answer(LOADS, &surfaces(&["a"])).contains("dmissible load"));
+    let outcome = |names: &[&str]| run(tempfile::tempdir().unwrap().path(), LOADS, &surfaces(names));
+    let few = outcome(&["a", "b", "c"]);
+    let page = few.outline();
+    assert!(page.answer().sentence.starts_with("May the integral replace the sum? Of 3 cases: "));
+    assert!(page.answer().lines.is_empty() && page.markdown().contains("![Verdict map](verdicts.svg)"));
+    assert_eq!(few.records()["answers"].as_array().unwrap().len(), 3);
+    let terminal = few.terminal().unwrap();
+    assert_eq!(terminal.matches("May the integral replace the sum?  ").count(), 3, "{terminal}");
+    let many = outcome(&["a", "b", "c", "d"]).terminal().unwrap();
+    assert!(many.contains("Of 4 cases") && !many.contains("Such surfaces"), "{many}");
 }
 
 /// A sweep of separations gives each realisation loads of its own.
@@ -336,10 +341,10 @@ fn realisations_without_a_common_load_are_not_compared() {
     let several = population("a", 3000, "realisations = 2");
     let page =
         |compare: &str| run(tempfile::tempdir().unwrap().path(), compare, &several).outline().markdown();
-    assert!(page("separation = { values = [2, 1] }").contains("The realisations have no load in common"));
+    assert!(page("separation = { values = [2, 1] }").contains("the realisations have no load in common"));
     assert!(!page("pressure = { values = [\"20 MPa\"] }").contains("no load in common"));
     let one = page("models = [\"deterministic\"]\npressure = { values = [\"20 MPa\"] }");
-    assert!(one.contains("One model was run"), "{one}");
+    assert!(one.contains("one model was run"), "{one}");
 }
 
 /// The library needs no spec: the same map, laws and loads give the same verdicts as the program.

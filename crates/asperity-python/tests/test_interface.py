@@ -332,7 +332,10 @@ def test_ctrl_c_ends_the_wait_and_the_work():
 def test_a_report_is_written(tmp_path):
     results = asperity.compare(asperities(), CONTACT, pressures=[1e6], report=tmp_path, name="mine", title="Mine")
     page = (tmp_path / "mine" / "report.html").read_text()
-    assert results.report == tmp_path / "mine" and "Mine" in page and results.answer
+    assert results.report == tmp_path / "mine" and "Mine" in page
+    answer = results.answer
+    assert list(answer.lines)[:3] == ["result", "answer", "difference"] and answer.sentence == answer.lines["answer"]
+    assert str(answer).startswith("Result at your load: 1 N on 1 mm²") and len(results.answers) == 1
     with pytest.raises(ValueError, match="figure"):
         spec, surfaces = study._spec(CONTACT, asperities())
         spec["compare"]["pressure"] = 1e6

@@ -18,7 +18,7 @@ use super::results::{IntervalResults, QUANTITIES, Series, SurfaceResults, Variat
 use super::rows::{GapRow, LeadRow, LimitRow, ScaleRow, tables};
 use super::trend::Trend;
 use crate::presentation::{limits_note, quantity_name};
-use crate::surface::fitness::next_step;
+use crate::surface::fitness::in_short;
 use crate::surface::{section, warnings};
 
 impl Outcome for IntervalResults {
@@ -67,13 +67,9 @@ impl Outcome for IntervalResults {
 
 /// Which of the main quantities have a limit on a surface that is varied so; for a map that is not fit, why, once.
 fn answer(results: &IntervalResults, surface: &SurfaceResults, variation: Variation) -> Option<String> {
-    if let Some(step) = next_step(&surface.surface) {
-        return (variation == Variation::Interval).then(|| {
-            format!(
-                "**{}**: no conclusion is drawn, because its map is not fit. Next step: {step}.",
-                escape(&surface.surface.name)
-            )
-        });
+    if surface.surface.is_blocked() {
+        return (variation == Variation::Interval)
+            .then(|| format!("**{}**: {}", escape(&surface.surface.name), in_short(&surface.surface)[0]));
     }
     let series = surface.series.iter().find(|series| series.variation == variation)?;
     Some(outcomes(series, main_load(surface, &results.loads).map(|load| results.loads[load])))

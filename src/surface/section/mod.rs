@@ -4,10 +4,9 @@ mod figures;
 
 use crate::surface::fit::keys;
 use crate::surface::fit_rows::{FitStepRow, STEP};
-use crate::surface::fitness::next_step;
 use crate::surface::rows::{self, FitnessRow, MapRow, ProcessRow, SurfaceRow, TargetRow, TheoryRow};
 use asperity::surface::{MapFacts, Surface};
-use asperity_contact_framework::report::format::{count, number, percent, quantity};
+use asperity_contact_framework::report::format::{count, percent};
 use asperity_contact_framework::report::page::Page;
 use asperity_contact_framework::report::table::Tables;
 use asperity_contact_framework::report::view::View;
@@ -44,30 +43,6 @@ pub fn section(page: &mut Page, tables: &Tables, surface: &Surface, assumed: Opt
     if let Some(map) = &surface.map {
         page.details(3, &format!("{name}: heights and spectrum"), |page| spectra(page, name, map));
     }
-}
-
-/// A surface in a sentence: its roughness, its asperities, and whether its map may carry a verdict.
-pub fn sentence(surface: &Surface) -> String {
-    let statistics = &surface.reported_statistics();
-    let roughness = surface.map.as_ref().map_or_else(String::new, |map| {
-        let moments = &map.roughness.moments;
-        let shape = moments.ssk.zip(moments.sku).map_or_else(String::new, |(skewness, kurtosis)| {
-            format!(", skewness {}, kurtosis {}", number(skewness), number(kurtosis))
-        });
-        format!("Sq = {}{shape}; ", quantity(moments.sq, "m"))
-    });
-    let fitness = match (surface.map.is_some(), next_step(surface)) {
-        (false, _) => String::new(),
-        (true, None) => " No check of the map blocks a verdict.".to_owned(),
-        (true, Some(step)) => format!(" The map carries no verdict until it is fit. Next step: {step}."),
-    };
-    format!(
-        "{roughness}{} asperities ({} /m²) of mean radius {}, their heights with σ = {}.{fitness}",
-        count(surface.set.count()),
-        number(surface.set.density()),
-        quantity(statistics.mean_radius, "m"),
-        quantity(statistics.sigma, "m")
-    )
 }
 
 /// Columns of the checks for people.

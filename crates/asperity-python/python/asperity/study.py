@@ -17,6 +17,33 @@ from .surfaces import Topography, keys
 Surface = Topography | Asperities | Mapping[str, Any]
 
 
+class Answer:
+    """What a report says first.
+
+    Attributes
+    ----------
+    sentence : str
+        The answer in one or two sentences.
+    lines : dict of str to str
+        The card of one case by ``result``, ``answer``, ``difference``, ``why``, ``instead``, ``nearer`` and ``certainty``, as far as
+        each has something to say; empty of several cases.
+    labels : dict of str to str
+        The labels of these lines.
+    """
+
+    def __init__(self, answer: Mapping[str, Any]) -> None:
+        lines = answer.get("lines", [])
+        self.sentence: str = answer["sentence"]
+        self.lines = {line["key"]: " ".join(line["texts"]) for line in lines}
+        self.labels = {line["key"]: line["label"] for line in lines}
+
+    def __str__(self) -> str:
+        return "\n".join(f"{self.labels[key]}: {text}" for key, text in self.lines.items()) or self.sentence
+
+    def __repr__(self) -> str:
+        return f"<Answer: {self.sentence}>"
+
+
 class Results:
     """What an experiment gives.
 
@@ -61,10 +88,15 @@ class Results:
         """The curves of all models: ``curves.csv``."""
         return self.tables["curves"]
 
+    @cached_property
+    def answer(self) -> Answer:
+        """The answer as the report gives it: the card of one case, or a sentence; ``print`` shows it."""
+        return Answer(self.summary["answer"])
+
     @property
-    def answer(self) -> str | None:
-        """The verdict in one sentence, where the experiment has one."""
-        return self.summary.get("answer")
+    def answers(self) -> list[dict[str, Any]]:
+        """May the integral replace the sum: one entry for each surface, law and layer thickness."""
+        return self.summary.get("answers", [])
 
     @property
     def at_load(self) -> list[dict[str, Any]]:

@@ -194,3 +194,79 @@ fn one_or_two(prefix: &str, first: Words, second: Option<Words>) -> String {
         sentence(first.sentence.clone()),
     ])
 }
+
+#[cfg(test)]
+mod tests {
+    use asperity::compare::{Attribution, Contribution, Estimate, Support};
+    use asperity::study::Verdicts;
+
+    use super::super::examples::{verdicts, with_card};
+    use super::*;
+
+    fn estimate(contrast: f64, error: Option<f64>) -> Estimate {
+        Estimate {
+            contrast,
+            error,
+            quantile: 2.0,
+            bound: 0.0,
+            independent_error: None,
+            support: Support::Sampled,
+        }
+    }
+
+    /// Verdicts whose difference in area is divided into these parts of heights, radii and correlation; the separation has their opposites.
+    fn divided(parts: [f64; 3], error: Option<f64>) -> Verdicts {
+        let of = |sign: f64| {
+            let causes = parts.map(|part| Contribution::from(estimate(sign * part, error)));
+            Contributions {
+                total: estimate(sign * parts.iter().sum::<f64>(), error),
+                causes,
+                radii: causes[1],
+                with_other_radius: None,
+            }
+        };
+        let gap = parts.iter().sum();
+        let mut verdicts = verdicts(90.0, [gap, gap], Some(0.01));
+        let load = verdicts.differences[0].load;
+        verdicts.attribution = vec![Attribution { load, quantities: [Some(of(-1.0)), Some(of(1.0)), None] }];
+        verdicts
+    }
+
+    fn text(parts: [f64; 3], error: Option<f64>) -> String {
+        with_card(divided(parts, error), |card, at| card.cause(at)).unwrap()
+    }
+
+    #[test]
+    fn a_cause_speaks_of_the_surface_in_the_direction_of_its_contribution() {
+        let sure = Some(0.001);
+        assert!(
+            text([0.3, 0.0, 0.01], sure)
+                .starts_with("Asperity heights (skewness 0, kurtosis 1.5): more high ones")
+        );
+        assert!(text([-0.3, 0.0, -0.01], sure).contains("fewer high ones than the integral assumes"));
+        assert_eq!(
+            text([0.0, 0.01, 0.3], sure),
+            "High asperities are sharper than low ones (correlation of height and radius -1)."
+        );
+        // The coefficient, -1, would contradict it.
+        assert_eq!(text([0.0, -0.01, -0.3], sure), "High asperities are blunter than low ones.");
+        assert!(text([0.2, 0.0, 0.3], sure).contains("; then: asperity heights"));
+    }
+
+    #[test]
+    fn a_cause_without_an_interval_is_that_of_these_asperities_alone() {
+        assert!(text([0.3, 0.0, 0.01], None).starts_with("Largest on this map: asperity heights"));
+        let alike = text([0.15, 0.15, 0.01], None);
+        assert_eq!(
+            alike,
+            "No cause stands out in contact area: heights +16.2 %, radii +16.2 %, correlation +1.01 %."
+        );
+    }
+
+    #[test]
+    fn causes_that_cancel_are_named_and_those_that_do_not_are_not() {
+        let cancel = text([0.4, 0.0, -0.35], Some(0.001));
+        assert!(cancel.starts_with("Two causes nearly cancel: asperity heights"), "{cancel}");
+        assert!(!text([0.4, 0.0, -0.1], Some(0.001)).contains("cancel"));
+    }
+}

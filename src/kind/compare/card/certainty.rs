@@ -165,3 +165,41 @@ fn no_model(reason: NotModelled) -> &'static str {
         NotModelled::Failed => "surfaces of its spectrum and heights could not be compared",
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use asperity::study::Verdicts;
+
+    use super::super::examples::{verdicts, with_card};
+
+    fn text(verdicts: Verdicts) -> Option<String> {
+        with_card(verdicts, |card, at| card.certainty(at))
+    }
+
+    #[test]
+    fn an_interval_has_its_width_and_what_would_tell() {
+        let sure = text(verdicts(90.0, [0.2, 0.3], Some(0.01))).unwrap();
+        assert_eq!(sure, "95 % interval of ±2 % in contact area; 90 effective contacts.");
+        let open = text(verdicts(90.0, [0.13, 0.3], Some(0.03))).unwrap();
+        assert!(open.contains("; about 3 mm² would tell for contact area"), "{open}");
+        // On the edge itself no area tells, and none is stated.
+        let edge = text(verdicts(90.0, [0.1f64.ln_1p(), 0.3], Some(0.05))).unwrap();
+        assert!(!edge.contains("mm²"), "{edge}");
+    }
+
+    #[test]
+    fn without_an_interval_its_need_or_the_reason() {
+        let none = verdicts(90.0, [0.2, 0.3], None);
+        assert_eq!(
+            text(none).unwrap(),
+            "No interval: it needs 4 mm² of surface, now 1 mm²; 90 effective contacts."
+        );
+        let mut endless = verdicts(90.0, [0.2, 0.3], None);
+        endless.differences[0].area_needed = Some(f64::INFINITY);
+        assert!(
+            text(endless).unwrap().starts_with("No interval: heights or their amplitude correlate over half")
+        );
+        let unfit = Verdicts { is_blocked: true, ..verdicts(90.0, [0.2, 0.3], Some(0.01)) };
+        assert_eq!(text(unfit), None);
+    }
+}

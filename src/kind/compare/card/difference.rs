@@ -94,7 +94,7 @@ fn size_in_words(quantity: ComparedQuantity, contrasts: [f64; 2]) -> String {
     format!("{range} {unit} too {side}")
 }
 
-/// "-3.7 to +19 %"; what is below a hundredth of what matters anywhere is "< 0.001 σ", "< 0.1 %".
+/// "-4 to +19 %"; what is below a hundredth of what matters anywhere is "< 0.001 σ", "< 0.1 %".
 pub(super) fn size_in_signs(quantity: ComparedQuantity, contrasts: [f64; 2]) -> String {
     let (unit, factor) = unit(quantity);
     let [low, high] = reported(quantity, contrasts);
@@ -118,7 +118,7 @@ mod tests {
         let area = |ends: [f64; 2]| size_in_words(ComparedQuantity::Area, ends.map(f64::ln_1p));
         assert_eq!(area([0.123, 0.361]), "12 to 36 % too large");
         assert_eq!(area([-0.4, -0.2]), "20 to 40 % too small");
-        assert_eq!(area([-0.037, 0.19]), "-3.7 to +19 %");
+        assert_eq!(area([-0.037, 0.19]), "-4 to +19 %");
         assert_eq!(area([0.1234; 2]), "12.3 % too large");
         let separation = |ends| size_in_signs(ComparedQuantity::Separation, ends);
         assert_eq!(separation([9.5e-4, 9.5e-4]), "< 0.001 σ");

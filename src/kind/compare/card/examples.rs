@@ -1,8 +1,14 @@
-//! Verdicts to test sentences with.
+//! Verdicts and cards to test sentences with.
 
-use asperity::LoadSharing;
-use asperity::compare::{Accepted, AdmissibleRange, Difference, Estimate, OnMap, Stretch, Support};
-use asperity::study::{Basis, Verdicts};
+use asperity::compare::{
+    Accepted, AdmissibleRange, AgainstReference, Comparison, Difference, Estimate, Gaps, OnMap, Stretch,
+    Support,
+};
+use asperity::study::{Basis, CaseResults, CaseStudy, Verdicts};
+use asperity::surface::Surface;
+use asperity::{AsperitySet, LoadSharing, Statistics};
+
+use super::Card;
 
 /// Verdicts on a surface of 1 mm² from contrasts and standard errors of the area at 1 and 10 MPa.
 pub fn verdicts(contacts: f64, contrasts: [f64; 2], error: Option<f64>) -> Verdicts {
@@ -44,4 +50,44 @@ pub fn verdicts(contacts: f64, contrasts: [f64; 2], error: Option<f64>) -> Verdi
         is_blocked: false,
         reference: None,
     }
+}
+
+/// What a card of these verdicts says, of a set of asperities whose high ones are sharper.
+pub fn with_card<T>(verdicts: Verdicts, read: impl FnOnce(&Card, &Difference) -> T) -> T {
+    with_case(verdicts, |_| (), read)
+}
+
+/// The same after a change to the case.
+pub fn with_case<T>(
+    verdicts: Verdicts,
+    change: impl FnOnce(&mut CaseStudy),
+    read: impl FnOnce(&Card, &Difference) -> T,
+) -> T {
+    let set = AsperitySet::new(vec![0.0, 1e-6, 2e-6], vec![3e-6, 2e-6, 1e-6], 1e-6).unwrap();
+    let statistics = Statistics::new(&set);
+    let surface = Surface::new("a", set, statistics);
+    let results = CaseResults {
+        law: "zmc".to_owned(),
+        yields: true,
+        thickness: None,
+        plasticity_index: None,
+        comparison: Comparison::default(),
+        gaps: Gaps::default(),
+        differences: Vec::new(),
+        not_modelled: None,
+        attribution: Vec::new(),
+        reference: None,
+        against_reference: AgainstReference::default(),
+    };
+    let mut case = CaseStudy {
+        realisations: vec![results],
+        spread: Vec::new(),
+        verdicts,
+        ranking: None,
+        treated: Vec::new(),
+        dependences: Vec::new(),
+    };
+    change(&mut case);
+    let card = Card { case: &case, surface: &surface, load_area: 1e-6, undivided: None };
+    read(&card, &case.verdicts.differences[0])
 }

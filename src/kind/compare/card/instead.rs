@@ -182,3 +182,58 @@ fn as_alternatives(prefix: &str, ways: &[String]) -> String {
     };
     fitting((1..=ways.len()).rev().map(text))
 }
+
+#[cfg(test)]
+mod tests {
+    use asperity::study::LargestErrors;
+
+    use super::super::examples::{verdicts, with_case};
+    use super::*;
+
+    /// A model whose area differs by so much in sample, and held out.
+    fn ranked(heights: HeightModel, area: f64, held_out: Option<f64>, evaluations: f64) -> Ranked {
+        let errors = |area: f64| LargestErrors {
+            from_sum: [None, Some((area.ln_1p(), 1e6)), None],
+            from_reference: [None; 3],
+        };
+        let model =
+            StatisticalModel { heights: Some(heights), mean_radius: MeanRadius::InContact, joint: None };
+        Ranked { model, in_sample: errors(area), held_out: held_out.map(errors), evaluations }
+    }
+
+    fn text(contrast: f64, models: Vec<Ranked>) -> String {
+        let ranking = Ranking { models, tested_on: Some(HeldOut::MapHalves), ..Ranking::default() };
+        with_case(
+            verdicts(90.0, [contrast, contrast], Some(0.01)),
+            |case| case.ranking = Some(ranking),
+            |card, at| card.instead(at).unwrap(),
+        )
+    }
+
+    #[test]
+    fn the_cheapest_model_within_what_is_accepted_on_other_asperities_is_named() {
+        let models = vec![
+            ranked(HeightModel::Own, 0.01, Some(0.08), 90.0),
+            ranked(HeightModel::FittedJohnson, 0.01, Some(0.3), 10.0),
+            ranked(HeightModel::FittedWeibull, 0.01, Some(0.01), 200.0),
+        ];
+        assert_eq!(
+            text(0.3, models),
+            "The surface's own heights with the mean radius in contact: contact area within 8 % on the other half of the map."
+        );
+    }
+
+    #[test]
+    fn none_is_named_where_all_are_beyond_or_tested_on_their_own_asperities_only() {
+        let far = text(0.3, vec![ranked(HeightModel::Own, 0.01, Some(0.52), 90.0)]);
+        assert!(
+            far.starts_with("The sum: no statistical model is near enough; nearest: the surface's own"),
+            "{far}"
+        );
+        assert!(far.contains("(contact area 52 %)"), "{far}");
+        let untested = text(0.3, vec![ranked(HeightModel::Own, 0.01, None, 90.0)]);
+        assert_eq!(untested, "The sum over the asperities.");
+        let within = text(0.01, vec![ranked(HeightModel::Own, 0.01, Some(0.01), 90.0)]);
+        assert_eq!(within, "Nothing else: the integral is within what is accepted.");
+    }
+}

@@ -132,3 +132,29 @@ fn shortest_filter(filters: &[(f64, Vec<[f64; 2]>)], load: f64) -> Option<&(f64,
 fn holds(stretches: &[[f64; 2]], load: f64) -> bool {
     stretches.iter().any(|[from, to]| (*from..=*to).contains(&load))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::examples::{verdicts, with_card};
+    use super::*;
+
+    #[test]
+    fn more_surface_lifts_the_limits_of_few_contacts() {
+        let words =
+            |contacts: f64| exceeded_words(&verdicts(contacts, [0.2, 0.3], Some(0.01)).differences[0]);
+        assert_eq!(words(9.0), "9 effective contacts (at least 30)");
+        assert_eq!(words(29.98), "29.9 effective contacts (at least 30)");
+        let needed = |error| with_card(verdicts(9.0, [0.2, 0.3], error), |card, at| card.more_contacts(at));
+        assert_eq!(needed(Some(0.01)), ["at least 3.4 mm² of surface (now 1 mm²)"]);
+        assert_eq!(needed(None), ["at least 4 mm² of surface (now 1 mm²)"]);
+    }
+
+    #[test]
+    fn a_filter_that_helps_at_the_load_comes_before_a_shorter_one() {
+        let filters =
+            [(1e-6, vec![[1e6, 2e6], [8e6, 9e6]]), (2e-6, vec![[1e6, 9e6]]), (4e-6, vec![[1e6, 9e6]])];
+        let index = |load: f64| shortest_filter(&filters, load).unwrap().0;
+        assert_eq!([2e6, 5e6, 1e8].map(index), [1e-6, 2e-6, 1e-6]);
+        assert!(shortest_filter(&[], 1e6).is_none());
+    }
+}

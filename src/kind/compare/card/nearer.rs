@@ -20,6 +20,10 @@ impl Card<'_> {
         if self.case.first().reference.is_none() {
             return Some("Not computed: put `\"reference\"` among the `models`.".to_owned());
         }
+        let curve = self.case.first().reference.as_ref();
+        if curve.is_some_and(|curve| curve.unreached.contains(&at.load)) {
+            return Some("None: no contact carries so high a pressure.".to_owned());
+        }
         let Some(reference) = &self.verdicts().reference else {
             return Some("Not told: no load was compared with them.".to_owned());
         };

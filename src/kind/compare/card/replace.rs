@@ -137,3 +137,63 @@ fn in_words(answers: &[(ComparedQuantity, Verdict)]) -> String {
     };
     ANSWERS.iter().filter_map(of).collect::<Vec<_>>().join("; ")
 }
+
+#[cfg(test)]
+mod tests {
+    use asperity::study::Verdicts;
+
+    use super::super::examples::{verdicts, with_card};
+    use super::*;
+
+    fn texts(verdicts: Verdicts) -> Vec<String> {
+        with_card(verdicts, |card, at| card.replace(at))
+    }
+
+    #[test]
+    fn the_question_is_answered_for_these_asperities_for_such_surfaces_and_for_all_loads() {
+        assert_eq!(
+            texts(verdicts(90.0, [0.2, 0.01], Some(0.01))),
+            [
+                "On these asperities: no.",
+                "Such surfaces: no (95 % intervals).",
+                "All loads: no at 1 MPa, yes at 10 MPa; admissible from 1 to 10 MPa."
+            ]
+        );
+        let open = texts(verdicts(90.0, [0.2, 0.3], None));
+        assert_eq!(open[1], "Such surfaces: cannot be told (95 % intervals).");
+        assert_eq!(open[2], "All loads: cannot be told; admissible from 1 to 10 MPa.");
+    }
+
+    /// Models that agree where neither is admissible, or on a map with faults, do not make a yes.
+    #[test]
+    fn numbers_that_are_not_trusted_are_no_answer() {
+        let mut crowded = verdicts(90.0, [0.01, 0.3], Some(0.01));
+        crowded.differences.iter_mut().for_each(|at| at.area_ratio = 0.2);
+        crowded.admissible.stretches.clear();
+        assert_eq!(
+            texts(crowded),
+            [
+                "Neither model is for this load: contact area 20 % of the nominal (at most 5 %).",
+                "No compared load is admissible."
+            ]
+        );
+        let unfit = Verdicts { is_blocked: true, ..verdicts(90.0, [0.01, 0.3], Some(0.01)) };
+        assert_eq!(texts(unfit), ["No conclusion until the map is fit."]);
+        let few = texts(verdicts(9.0, [0.01, 0.3], Some(0.01)));
+        assert_eq!(few[0], "On these asperities: yes.", "the sum over its own asperities is exact");
+        assert_eq!(few[1], "Such surfaces: cannot be told with 9 effective contacts (at least 30).");
+    }
+
+    #[test]
+    fn quantities_with_one_answer_are_named_together() {
+        use ComparedQuantity::{Area, Separation, Stiffness};
+        let words = |verdicts: [Verdict; 3]| {
+            in_words(&[Area, Separation, Stiffness].into_iter().zip(verdicts).collect::<Vec<_>>())
+        };
+        assert_eq!(words([Verdict::Within; 3]), "yes");
+        assert_eq!(
+            words([Verdict::Beyond, Verdict::Within, Verdict::Within]),
+            "no for contact area; yes for separation and stiffness"
+        );
+    }
+}

@@ -13,9 +13,9 @@ pub enum Answered {
     Yes,
     /// At none where it can be told.
     No,
-    /// At some of them.
+    /// At some of them; at others not, or it cannot be told.
     InPart,
-    /// It cannot be told, or only where it may.
+    /// It cannot be told.
     Open,
     /// No load is admissible.
     Outside,
@@ -88,9 +88,9 @@ fn of_quantity(case: SurfaceCase, quantity: ComparedQuantity) -> Option<(Answere
         () if stretches.is_empty() => return None,
         () if verdicts.is_blocked => Answered::Unfit,
         () if verdicts.admissible.stretches.is_empty() => Answered::Outside,
-        () if beyond && within => Answered::InPart,
+        () if within && !beyond && !open => Answered::Yes,
+        () if within => Answered::InPart,
         () if beyond => Answered::No,
-        () if within && !open => Answered::Yes,
         () => Answered::Open,
     };
     Some((answer, largest))

@@ -25,7 +25,7 @@ impl AnswerRow<'_> {
 
 impl Row for AnswerRow<'_> {
     const FILE: &'static str = "answers.csv";
-    const ROWS: &'static str = "One row for each surface, law and layer thickness: may the integral replace the sum on such surfaces, over the admissible loads. `yes`: within what is accepted at all of them, surely or very likely; `no`: beyond it where that can be told; `in part`: within at some and beyond at others; `?`: cannot be told; `outside`: no load is admissible; `unfit`: the map fails a fitness check.";
+    const ROWS: &'static str = "One row for each surface, law and layer thickness: may the integral replace the sum on such surfaces, over the admissible loads. `yes`: within what is accepted at all of them, surely or very likely; `no`: beyond it where that can be told; `in part`: within at some of them only; `?`: cannot be told; `outside`: no load is admissible; `unfit`: the map fails a fitness check.";
     const RECORDS: Option<&'static str> = Some("answers");
 
     fn columns() -> Vec<Column<Self>> {
