@@ -127,7 +127,7 @@ fn a_grid_of_moments_is_empty_where_no_surface_has_the_summits() {
     assert!(at(0.0, 4.5)["without_surface"].contains("density * radius * sigma"));
     let made = at(-1.0, 4.5);
     assert!(made["without_surface"].is_empty() && number(made, "asperities") > 100.0, "{made:?}");
-    assert!(outcome.outline().markdown().contains("of 4 grid points have surfaces"));
+    assert!(outcome.outline().markdown().contains("Of 4 grid points, "));
 }
 
 /// A difference that is accepted is divided, but counts for no cause.

@@ -225,19 +225,21 @@ fn of_verdicts(results: &CausesResults) -> String {
         let [low, high] = counts.range?.map(|contrast| signed(size * quantity.reported(contrast)));
         Some(format!("{low} to {high} {unit}"))
     });
-    let ranges = listed(&ranges.collect::<Vec<_>>());
-    let differences =
-        if ranges.is_empty() { String::new() } else { format!(" The integral differs by {ranges}.") };
+    let ranges: Vec<String> = ranges.collect();
+    let differences = match &ranges[..] {
+        [] => "No load is admissible at any grid point.".to_owned(),
+        ranges => {
+            format!("The integral may replace the sum {}; it differs by {}.", listed(&within), listed(ranges))
+        }
+    };
     let made = || results.points.iter().filter(|point| point.surfaces.is_ok());
     let is_admissible = |point: &&GridPoint| {
         results.conditions().any(|condition| point.at(condition).is_some_and(|at| at.exceeded.is_none()))
     };
     format!(
-        "The integral may replace the sum {}.{differences} {} of {} grid points have surfaces with what is asked for, {} of them admissible \
-         loads.",
-        listed(&within),
-        made().count(),
+        "{differences} Of {} grid points, {} have surfaces with what is asked for, {} of them admissible loads.",
         results.points.len(),
+        made().count(),
         made().filter(is_admissible).count(),
     )
 }

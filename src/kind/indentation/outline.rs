@@ -1,7 +1,7 @@
 //! The page of a sphere on layers: load, changes of regime, accuracy of the effective-modulus models.
 
 use asperity::ModulusModel;
-use asperity::compare::GOOD_RATIO;
+use asperity::compare::{GOOD_RATIO, ModulusError};
 use asperity::sphere::{LARGEST_SLOPE, Point};
 use asperity_contact_framework::Outcome;
 use asperity_contact_framework::metadata::Metadata;
@@ -25,7 +25,7 @@ impl Outcome for IndentationResults {
         let [from, to] = GOOD_RATIO;
         let moduli = (inaccurate > 0).then(|| {
             format!(
-                "Young's modulus of {inaccurate} of {} layers is not {from} to {to} times the substrate's, where rule `gao` is accurate",
+                "Rule `gao` is accurate for layers {from} to {to} times as stiff as the substrate; {inaccurate} of {} are not",
                 layers.len()
             )
         });
@@ -103,9 +103,8 @@ fn answer(results: &IndentationResults) -> String {
         [layer] => layer.laws.first().map(|law| load(layer, law)),
         _ => None,
     };
-    let errors = ModulusModel::ALL.into_iter().filter_map(|model| largest_error(&layers, model));
-    let errors: Vec<String> = errors.collect();
-    if errors.is_empty() {
+    let errors = largest_errors(&layers);
+    if errors.is_none() {
         let none = "No contact is small enough for the exact elastic solution.".to_owned();
         return load.into_iter().chain([none]).collect::<Vec<_>>().join(" ");
     }
@@ -119,7 +118,7 @@ fn load(layer: &LayerResults, law: &LawCurves) -> String {
     let load =
         |point: Option<&Point>| point.map_or_else(String::new, |point| quantity(point.contact.load, "N"));
     format!(
-        "At w = {} the contact with {} is {} under `{}` and carries {} (uncoated {}, bulk layer material {}).",
+        "At an indentation of {} the contact with {} is {} under `{}` and carries {} (uncoated {}, bulk layer material {}).",
         coated.map_or_else(String::new, |point| input_quantity(point.indentation, "m")),
         escape(&layer.label()),
         coated.map_or("", |point| point.contact.regime.name()),
@@ -130,18 +129,22 @@ fn load(layer: &LayerResults, law: &LawCurves) -> String {
     )
 }
 
-/// The largest error of an effective-modulus model; `None` where no layer has an exact solution.
-fn largest_error(layers: &[&LayerResults], model: ModulusModel) -> Option<String> {
-    let worst = layers.iter().filter_map(|layer| Some((layer, layer.check.worst_of(model)?)));
-    let (layer, worst) = worst.max_by(|a, b| a.1.factor().total_cmp(&b.1.factor()))?;
-    Some(format!(
-        "Without yielding, `{}` {} the load by a factor of up to {} ({} at a/t = {}).",
-        model.name(),
-        if worst.ratio > 1.0 { "overestimates" } else { "underestimates" },
-        number(worst.factor()),
-        escape(&layer.label()),
-        number(worst.contact_ratio),
-    ))
+/// The largest errors of the effective-modulus models, the smaller one first; `None` where no layer has an exact solution.
+fn largest_errors(layers: &[&LayerResults]) -> Option<String> {
+    let worst = ModulusModel::ALL.into_iter().filter_map(|model| {
+        let errors = layers.iter().filter_map(|layer| Some((layer, layer.check.worst_of(model)?)));
+        let (layer, worst) = errors.max_by(|a, b| a.1.factor().total_cmp(&b.1.factor()))?;
+        Some((model, layer.label(), worst))
+    });
+    let mut worst: Vec<_> = worst.collect();
+    worst.sort_by(|a, b| a.2.factor().total_cmp(&b.2.factor()));
+    let error = |(model, layer, worst): &(ModulusModel, String, &ModulusError)| {
+        let direction = if worst.ratio > 1.0 { "overestimates" } else { "underestimates" };
+        let on = if layers.len() > 1 { format!(" ({})", escape(layer)) } else { String::new() };
+        format!("`{}` {direction} the load by a factor of up to {}{on}", model.name(), number(worst.factor()))
+    };
+    let errors: Vec<String> = worst.iter().map(error).collect();
+    (!errors.is_empty()).then(|| format!("Without yielding, {}.", listed(&errors)))
 }
 
 /// For how many layers each model is close to the exact solution.
@@ -218,7 +221,7 @@ fn set_up(page: &mut Page, results: &IndentationResults) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use asperity::compare::{ModulusError, ModulusFindings};
+    use asperity::compare::ModulusFindings;
     use asperity::sphere::Curve;
     use asperity::{Contact, Regime};
 
@@ -258,24 +261,23 @@ mod tests {
         let layer = layer(None);
         assert_eq!(
             load(&layer, &layer.laws[0]),
-            "At w = 400 nm the contact with lead 1 µm is plastic under `zmc` and carries 2 N (uncoated 3 N, bulk layer material 250 mN)."
+            "At an indentation of 400 nm the contact with lead 1 µm is plastic under `zmc` and carries 2 N (uncoated 3 N, bulk layer material 250 mN)."
         );
     }
 
     #[test]
     fn the_largest_error_has_a_direction_and_is_unknown_without_an_exact_contact() {
         let [half, tenfold, close_by, none] = [Some(0.5), Some(10.0), Some(1.05), None].map(layer);
-        let error = |layers: &[&LayerResults]| largest_error(layers, ModulusModel::Gao);
         assert_eq!(
-            error(&[&half, &none]).unwrap(),
-            "Without yielding, `gao` underestimates the load by a factor of up to 2 (lead 1 µm at a/t = 0.71)."
+            largest_errors(&[&half]).unwrap(),
+            "Without yielding, `gao` underestimates the load by a factor of up to 2."
         );
+        let errors = largest_errors(&[&half, &tenfold]).unwrap();
         assert!(
-            error(&[&half, &tenfold])
-                .unwrap()
-                .contains("`gao` overestimates the load by a factor of up to 10")
+            errors.ends_with("`gao` overestimates the load by a factor of up to 10 (lead 1 µm)."),
+            "{errors}"
         );
-        assert_eq!(error(&[&none]), None);
+        assert_eq!(largest_errors(&[&none]), None);
         assert_eq!(close(&[&half, &close_by]), "Within 10 %, of 2 layers: `gao` for 1 and `series` for 0.");
     }
 }

@@ -95,8 +95,8 @@ fn answer(slopes: &[ErrorSlope]) -> String {
         return "Too few contacts are expected for a fit to the error.".to_owned();
     };
     format!(
-        "From {} to {} random asperities the error of the sum falls with their number to the power −½, within {}. With heights at the \
-         quantiles the power is the expected one within {}.",
+        "The sum approaches the integral: its error falls with the number of random asperities ({} to {}) to the power −½ within {}. With \
+         heights at the quantiles the power is the expected one within {}.",
         count(from as usize),
         count(to as usize),
         deviation(HeightSampling::Random),
@@ -154,7 +154,7 @@ mod tests {
         assert!(super::caption(&all[..2], LimitQuantity::Load).ends_with("slope no fit."));
         let answer = answer(&all);
         assert!(
-            answer.starts_with("From 100 to 10,000 random") && answer.contains("−½, within 0.02."),
+            answer.contains("asperities (100 to 10,000) to") && answer.contains("−½ within 0.02."),
             "{answer}"
         );
         assert!(answer.ends_with("within 0.005."), "{answer}");

@@ -123,12 +123,16 @@ fn limits(series: &[(&Series, Option<f64>)]) -> String {
             input_quantity(load, "Pa")
         )
     });
+    let (asperities, areas) = (asperities.count(), areas.count());
+    let instrument = if asperities.min(areas) < series.len() {
+        " Without a limit they are those of the instrument."
+    } else {
+        ""
+    };
     format!(
-        "As the sampling interval shrinks, density and radius of the asperities have a limit on {} of {} surfaces, the contact area of the \
-         sum on {}.{}",
-        asperities.count(),
+        "As the sampling interval shrinks, density and radius of the asperities have a limit on {asperities} of {} surfaces, the contact area \
+         of the sum on {areas}.{instrument}{}",
         series.len(),
-        areas.count(),
         largest.unwrap_or_default(),
     )
 }
@@ -223,10 +227,14 @@ mod tests {
         assert_eq!(
             limits(&[(&smooth, Some(1e6)), (&rough, Some(1e6))]),
             "As the sampling interval shrinks, density and radius of the asperities have a limit on 2 of 2 surfaces, the contact area of the \
-             sum on 1. The last refinement changes that area by up to -50 % (b at 1 MPa)."
+             sum on 1. Without a limit they are those of the instrument. The last refinement changes that area by up to -50 % (b at 1 MPa)."
         );
+        assert!(!limits(&[(&smooth, Some(1e6))]).contains("instrument"));
         let rough = series("b", 1.0, 0.0);
         let words = limits(&[(&smooth, None), (&rough, None)]);
-        assert!(words.ends_with("a limit on 1 of 2 surfaces, the contact area of the sum on 0."), "{words}");
+        assert!(
+            words.contains("a limit on 1 of 2 surfaces, the contact area of the sum on 0. Without"),
+            "{words}"
+        );
     }
 }

@@ -31,9 +31,9 @@ fn bounds_claim(benchmarks: &[Benchmark]) -> Option<String> {
         (_, 0) => {
             Some(format!("All {bounds} errors against known solutions are within their bounds{hertz}."))
         }
-        _ => {
-            Some(format!("{exceeded} of {bounds} errors against known solutions exceed their bounds{hertz}."))
-        }
+        _ => Some(format!(
+            "Of {bounds} errors against known solutions, {exceeded} exceed their bounds{hertz}."
+        )),
     }
 }
 
@@ -42,9 +42,9 @@ fn area_claim(extrapolated: &[EnsemblePoint]) -> Option<String> {
     let differences = || extrapolated.iter().filter_map(EnsemblePoint::difference);
     let largest = differences().max_by(|a, b| a.mean.abs().total_cmp(&b.mean.abs()))?;
     Some(format!(
-        "{} of {} published areas are met within {} and {ERRORS} standard errors; the largest difference is {} %.",
-        differences().filter(|it| is_near(*it)).count(),
+        "Of {} published areas, {} are met within {} and {ERRORS} standard errors; the largest difference is {} %.",
         differences().count(),
+        differences().filter(|it| is_near(*it)).count(),
         percent(PUBLISHED_WITHIN),
         mean_and_deviation(100.0 * largest.mean, 100.0 * largest.error),
     ))
@@ -103,7 +103,7 @@ mod tests {
             benchmark(Problem::Hertz, BenchmarkQuantity::Pressures, 0.004, Some(0.003)),
         ];
         let hertz = "; Hertz's area is within 0.07 % at 64 pixels per contact radius.";
-        let some = format!("1 of 2 errors against known solutions exceed their bounds{hertz}");
+        let some = format!("Of 2 errors against known solutions, 1 exceed their bounds{hertz}");
         assert_eq!(bounds_claim(&all).unwrap(), some);
         let none = format!("All 1 errors against known solutions are within their bounds{hertz}");
         assert_eq!(bounds_claim(&all[..2]).unwrap(), none);
@@ -121,7 +121,7 @@ mod tests {
         let near = point(0.01, 0.0763, 1e-4);
         let claim = area_claim(&[near.clone(), point(0.025, 0.2, 1e-4)]).unwrap();
         assert!(
-            claim.starts_with("1 of 2 published areas are met within 5 % and 2 standard errors; "),
+            claim.starts_with("Of 2 published areas, 1 are met within 5 % and 2 standard errors; "),
             "{claim}"
         );
         let claim = area_claim(&[near]).unwrap();
