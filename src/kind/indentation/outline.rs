@@ -24,10 +24,11 @@ impl Outcome for IndentationResults {
         let inaccurate = layers.iter().filter(|layer| !layer.check.is_good()).count();
         let [from, to] = GOOD_RATIO;
         let moduli = (inaccurate > 0).then(|| {
-            format!(
-                "Rule `gao` is accurate for layers {from} to {to} times as stiff as the substrate; {inaccurate} of {} are not",
-                layers.len()
-            )
+            let not = match layers.len() {
+                1 => "this one is not".to_owned(),
+                all => format!("{inaccurate} of {all} are not"),
+            };
+            format!("Rule `gao` is accurate for layers {from} to {to} times as stiff as the substrate; {not}")
         });
         let slope = layers.iter().map(|layer| layer.largest_slope(self.radius)).fold(0.0, f64::max);
         let large = (slope > LARGEST_SLOPE).then(|| {
@@ -118,14 +119,14 @@ fn load(layer: &LayerResults, law: &LawCurves) -> String {
     let load =
         |point: Option<&Point>| point.map_or_else(String::new, |point| quantity(point.contact.load, "N"));
     format!(
-        "At an indentation of {} the contact with {} is {} under `{}` and carries {} (uncoated {}, bulk layer material {}).",
-        coated.map_or_else(String::new, |point| input_quantity(point.indentation, "m")),
-        escape(&layer.label()),
-        coated.map_or("", |point| point.contact.regime.name()),
+        "Under `{}`, {} carries {} at an indentation of {} (uncoated {}, bulk {}); the contact is {}.",
         law.law,
+        escape(&layer.label()),
         load(coated),
+        coated.map_or_else(String::new, |point| input_quantity(point.indentation, "m")),
         load(uncoated),
         load(all_layer),
+        coated.map_or("", |point| point.contact.regime.name()),
     )
 }
 
@@ -138,12 +139,13 @@ fn largest_errors(layers: &[&LayerResults]) -> Option<String> {
     });
     let mut worst: Vec<_> = worst.collect();
     worst.sort_by(|a, b| a.2.factor().total_cmp(&b.2.factor()));
-    let error = |(model, layer, worst): &(ModulusModel, String, &ModulusError)| {
+    let error = |(k, (model, layer, worst)): (usize, &(ModulusModel, String, &ModulusError))| {
         let direction = if worst.ratio > 1.0 { "overestimates" } else { "underestimates" };
+        let load = if k == 0 { "the load" } else { "it" };
         let on = if layers.len() > 1 { format!(" ({})", escape(layer)) } else { String::new() };
-        format!("`{}` {direction} the load by a factor of up to {}{on}", model.name(), number(worst.factor()))
+        format!("`{}` {direction} {load} up to {}-fold{on}", model.name(), number(worst.factor()))
     };
-    let errors: Vec<String> = worst.iter().map(error).collect();
+    let errors: Vec<String> = worst.iter().enumerate().map(error).collect();
     (!errors.is_empty()).then(|| format!("Without yielding, {}.", listed(&errors)))
 }
 
@@ -155,7 +157,7 @@ fn close(layers: &[&LayerResults]) -> String {
         let worst = layers.iter().filter_map(|layer| layer.check.worst_of(model));
         format!("`{}` for {}", model.name(), worst.filter(|worst| worst.factor() <= CLOSE).count())
     });
-    format!("Within 10 %, of {} layers: {}.", layers.len(), listed(&counts))
+    format!("Loads within 10 %: {} of {} layers.", listed(&counts), layers.len())
 }
 
 const RULES: &str = "Elastic load by each model over the exact elastic load at equal indentation, against the exact contact radius \
@@ -261,7 +263,7 @@ mod tests {
         let layer = layer(None);
         assert_eq!(
             load(&layer, &layer.laws[0]),
-            "At an indentation of 400 nm the contact with lead 1 µm is plastic under `zmc` and carries 2 N (uncoated 3 N, bulk layer material 250 mN)."
+            "Under `zmc`, lead 1 µm carries 2 N at an indentation of 400 nm (uncoated 3 N, bulk 250 mN); the contact is plastic."
         );
     }
 
@@ -270,14 +272,14 @@ mod tests {
         let [half, tenfold, close_by, none] = [Some(0.5), Some(10.0), Some(1.05), None].map(layer);
         assert_eq!(
             largest_errors(&[&half]).unwrap(),
-            "Without yielding, `gao` underestimates the load by a factor of up to 2."
+            "Without yielding, `gao` underestimates the load up to 2-fold."
         );
         let errors = largest_errors(&[&half, &tenfold]).unwrap();
-        assert!(
-            errors.ends_with("`gao` overestimates the load by a factor of up to 10 (lead 1 µm)."),
-            "{errors}"
-        );
+        assert!(errors.ends_with("`gao` overestimates the load up to 10-fold (lead 1 µm)."), "{errors}");
         assert_eq!(largest_errors(&[&none]), None);
-        assert_eq!(close(&[&half, &close_by]), "Within 10 %, of 2 layers: `gao` for 1 and `series` for 0.");
+        assert_eq!(
+            close(&[&half, &close_by]),
+            "Loads within 10 %: `gao` for 1 and `series` for 0 of 2 layers."
+        );
     }
 }

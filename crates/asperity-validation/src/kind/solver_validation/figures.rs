@@ -229,7 +229,7 @@ pub fn grid(grid: &[GridPoint]) -> Figure {
     const MARKERS: [Marker; 5] =
         [Marker::Circle, Marker::Square, Marker::Triangle, Marker::Cross, Marker::Ring];
     let panel = |(quantity, name): (usize, &str)| {
-        let points = Axis::log("points per shortest wave, coarser axis").range(1.6, 10.0);
+        let points = Axis::log("points per shortest wave").range(1.6, 10.0);
         let plot = plot(&capitalised(name), points, Axis::linear("errors beyond their bound (%)"));
         let plot = plot.height(300.0).with_zero().with(Layer::at_y(100.0 * MAY_EXCEED, "allowed of all"));
         GridCase::ALL.into_iter().zip(MARKERS).enumerate().fold(plot, |plot, (k, (case, marker))| {

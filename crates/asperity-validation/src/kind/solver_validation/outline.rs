@@ -169,8 +169,8 @@ fn parts<'a>(results: &SolverResults, tables: &'a Tables) -> Vec<Part<'a>> {
         title: "Bounds of the errors by the grid",
         file: "grid.svg",
         figure: figures::grid(&results.grid),
-        caption: "Share of the contacts whose error exceeds the bound that the reference states, by surface and grid; of all contacts 5 % \
-                  may."
+        caption: "Share of the contacts whose error exceeds the bound that the reference states, against points per shortest wave on the \
+                  coarser axis; of all contacts 5 % may."
             .to_owned(),
         view: tables.view::<&GridPoint>(),
     });
