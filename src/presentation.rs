@@ -1,8 +1,7 @@
-//! Words, colours and notes that pages of several kinds share.
+//! Words and colours that pages of several kinds share.
 
 use asperity::Regime;
 use asperity::compare::{Cause, ComparedQuantity};
-use asperity_contact_framework::report::page::Page;
 use asperity_plot::Colour;
 
 /// A quantity in words.
@@ -30,9 +29,4 @@ pub fn regime_colour(regime: Regime) -> Colour {
         Regime::ElasticPlastic => Colour::ElasticPlastic,
         Regime::Plastic => Colour::Plastic,
     }
-}
-
-/// The limits within which results are admissible.
-pub fn limits_note(page: &mut Page) {
-    page.heading(2, "Limits of validity").note(include_str!("notes/limits.md"));
 }

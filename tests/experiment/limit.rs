@@ -29,7 +29,7 @@ fn slopes_at_the_quantiles_are_those_of_the_leading_error() {
         number(of_heights.map(|slope| slope["deviation"].as_f64().unwrap().abs()).fold(0.0, f64::max))
     };
     let lead = format!(
-        "within {} of −½ with random heights, and within {} of the expected slope with heights at the quantiles.",
+        "to the power −½ within {}. With heights at the quantiles the power is the expected one within {}.",
         largest("random"),
         largest("quantiles")
     );

@@ -39,25 +39,19 @@ pub struct Lead {
 impl Findings {
     /// Law by law, load by load, quantity by quantity.
     pub fn all(results: &CausesResults) -> Vec<Self> {
-        let quantities =
-            |condition| QUANTITIES.map(|quantity| Self::new(results, quantity, condition, &|_| true));
+        let quantities = |condition| QUANTITIES.map(|quantity| Self::new(results, quantity, condition));
         results.conditions().flat_map(quantities).collect()
     }
 
-    /// Of the points whose skewness is in a class.
-    pub fn new<'a>(
-        results: &'a CausesResults,
-        quantity: ComparedQuantity,
-        condition: [usize; 2],
-        is_in_class: &dyn Fn(f64) -> bool,
-    ) -> Self {
-        let in_class = || results.points.iter().filter(|point| is_in_class(point.skewness));
+    /// Of one quantity under a law at a load.
+    pub fn new<'a>(results: &'a CausesResults, quantity: ComparedQuantity, condition: [usize; 2]) -> Self {
         let divided = |point: &'a GridPoint| Some((point.skewness, point.unaccepted(condition, quantity)?));
-        let divided: Vec<(f64, &Contributions)> = in_class().filter_map(divided).collect();
+        let divided: Vec<(f64, &Contributions)> = results.points.iter().filter_map(divided).collect();
         let lead = |cause: Option<Cause>| {
             let with_it: Vec<f64> =
                 divided.iter().filter(|(_, parts)| parts.leading() == cause).map(|(at, _)| *at).collect();
-            let rows = |skewness: f64| in_class().filter(|point| point.skewness == skewness).count();
+            let rows =
+                |skewness: f64| results.points.iter().filter(|point| point.skewness == skewness).count();
             let mut in_every_row = with_it.clone();
             in_every_row.sort_by(f64::total_cmp);
             in_every_row.dedup();
@@ -103,10 +97,10 @@ pub struct NearerCounts {
 }
 
 impl NearerCounts {
-    /// Of a quantity under one law.
-    pub fn new(results: &CausesResults, quantity: ComparedQuantity, law: usize) -> Self {
+    /// Of a quantity.
+    pub fn new(results: &CausesResults, quantity: ComparedQuantity) -> Self {
         let mut counts = Self::default();
-        for condition in results.conditions().filter(|condition| condition[0] == law) {
+        for condition in results.conditions() {
             for point in &results.points {
                 let Some(stretch) = point.quantity(condition, quantity).and_then(|at| at.nearer.as_ref())
                 else {

@@ -4,7 +4,7 @@ use asperity::compare::ComparedQuantity;
 use asperity::topography::fitness::LARGEST_SLOPE;
 use asperity_contact_framework::contact::ContactSummary;
 use asperity_contact_framework::metadata::Metadata;
-use asperity_contact_framework::report::format::{input_quantity, number, signed};
+use asperity_contact_framework::report::format::{capitalised, input_quantity, listed, number, signed};
 use asperity_contact_framework::report::page::Page;
 use asperity_contact_framework::report::sections;
 use asperity_contact_framework::report::table::{Table, Tables};
@@ -27,6 +27,7 @@ impl Outcome for CausesResults {
     fn warnings(&self) -> Vec<String> {
         let mut warnings = self.contact.caveats.clone();
         warnings.extend(steep(self));
+        warnings.extend(strained(self));
         warnings
     }
 
@@ -53,10 +54,7 @@ impl Outcome for CausesResults {
         }
         page.details(2, "Which cause leads how often", |page| {
             maps(page, self, &LEADING);
-            page.view(&tables.view::<LeadRow>()).note(include_str!("notes/leads.md"));
-            if self.axis == Axis::Bandwidth {
-                page.note(include_str!("notes/bandwidth.md"));
-            }
+            page.view(&tables.view::<LeadRow>());
         });
         if self.axis == Axis::Bandwidth {
             page.details(2, "Contributions over the skewness", |page| over_skewness(page, self));
@@ -76,7 +74,7 @@ impl Outcome for CausesResults {
         sections::notes(&mut page, &self.metadata);
         sections::what_was_run(&mut page, &self.metadata, &self.contact);
         page.paragraph(&format!(
-            "Laws: {}; {} surfaces of each point of the grid, {}.",
+            "Laws: {}; {} surfaces of each point of the grid, {}. Method: [theory](../../docs/theory.md#why-the-models-differ).",
             self.laws.join(", "),
             self.realisations,
             self.common
@@ -177,7 +175,7 @@ const VERDICTS: GridMap = GridMap {
 const NEARER: GridMap = GridMap {
     file: "nearer",
     draw: nearer,
-    caption: "Which model is nearer to boundary elements. A cell: statistical | deterministic model less the reference. Empty: not compared, since the load is not admissible or the area of the reference exceeds 5 %",
+    caption: "Which model is nearer to boundary elements. A cell: statistical | deterministic model less the reference. Empty: load not admissible, or area of the reference above 5 %",
 };
 
 fn maps(page: &mut Page, results: &CausesResults, map: &GridMap) {
@@ -198,90 +196,88 @@ fn answer(results: &CausesResults) -> String {
 
 /// How often each model is nearer to the reference.
 fn of_nearness(results: &CausesResults) -> String {
-    let of_law = |law: usize| {
-        let of_quantity = |quantity| {
-            let counts = NearerCounts::new(results, quantity, law);
-            let strained = match counts.beyond_small_strains {
-                0 => String::new(),
-                count => format!(" ({count} beyond small strains)"),
-            };
-            format!(
-                "{} integral {}, sum {} of {}{strained}",
-                quantity_name(quantity),
-                counts.statistical,
-                counts.deterministic,
-                counts.compared
-            )
-        };
-        format!("{}: {}", results.laws[law], QUANTITIES.map(of_quantity).join("; "))
+    let of_quantity = |quantity: ComparedQuantity| {
+        let counts = NearerCounts::new(results, quantity);
+        let sum = ("sum", counts.deterministic);
+        let integral = ("integral", counts.statistical);
+        let [(first, more), (second, less)] =
+            if sum.1 >= integral.1 { [sum, integral] } else { [integral, sum] };
+        format!(
+            "In {} the {first} is nearer to boundary elements in {more} of {} cases, the {second} in {less}.",
+            quantity_name(quantity),
+            counts.compared
+        )
     };
-    let laws: Vec<String> = (0..results.laws.len()).map(of_law).collect();
     format!(
-        "How often each model is nearer to boundary elements, by 95 % intervals point by point. {}. Elsewhere it cannot be told, or both are as near.",
-        laws.join(". ")
+        "{} Elsewhere 95 % intervals do not tell, or both are as near.",
+        QUANTITIES.map(of_quantity).join(" ")
     )
 }
 
 /// How often the integral may replace the sum, and how far both are apart.
 fn of_verdicts(results: &CausesResults) -> String {
-    let of_quantity = |quantity: ComparedQuantity| {
-        let counts = VerdictCounts::new(results, quantity);
-        let (unit, size) = if quantity == ComparedQuantity::Separation { ("σ", 1.0) } else { ("%", 100.0) };
-        let range = counts.range.map_or_else(String::new, |range| {
-            let [low, high] = range.map(|contrast| signed(size * quantity.reported(contrast)));
-            format!(" ({low} to {high} {unit})")
-        });
-        format!(
-            "{} {} within, {} beyond, of {}{range}",
-            quantity_name(quantity),
-            counts.within,
-            counts.beyond,
-            counts.compared
-        )
+    let all = QUANTITIES.map(|quantity| (quantity, VerdictCounts::new(results, quantity)));
+    let within = all.each_ref().map(|(quantity, counts)| {
+        format!("for {} in {} of {} cases", quantity_name(*quantity), counts.within, counts.compared)
+    });
+    let ranges = all.iter().filter_map(|(quantity, counts)| {
+        let (unit, size) = if *quantity == ComparedQuantity::Separation { ("σ", 1.0) } else { ("%", 100.0) };
+        let [low, high] = counts.range?.map(|contrast| signed(size * quantity.reported(contrast)));
+        Some(format!("{low} to {high} {unit}"))
+    });
+    let ranges: Vec<String> = ranges.collect();
+    let differences = match &ranges[..] {
+        [] => "No load is admissible at any grid point.".to_owned(),
+        ranges => {
+            format!("The integral may replace the sum {}; it differs by {}.", listed(&within), listed(ranges))
+        }
     };
     let made = || results.points.iter().filter(|point| point.surfaces.is_ok());
     let is_admissible = |point: &&GridPoint| {
         results.conditions().any(|condition| point.at(condition).is_some_and(|at| at.exceeded.is_none()))
     };
     format!(
-        "{} of {} points of the grid have surfaces with what is asked for, {} of these at admissible loads. The verdicts at those points and loads: {}.",
-        made().count(),
+        "{differences} Of {} grid points, {} have surfaces with what is asked for, {} of them admissible loads.",
         results.points.len(),
+        made().count(),
         made().filter(is_admissible).count(),
-        QUANTITIES.map(of_quantity).join("; ")
     )
 }
 
-/// The name of some skewnesses, and whether one belongs to them.
-type Class = (&'static str, fn(f64) -> bool);
-
-/// How often radii and heights contribute more than the other, by the sign of the skewness.
+/// How often radii and heights contribute more than the other.
 fn of_causes(results: &CausesResults) -> String {
-    let of_class = |(name, is_in_class): Class| {
-        let of_quantity = |quantity| {
-            let all: Vec<Findings> = results
-                .conditions()
-                .map(|condition| Findings::new(results, quantity, condition, &is_in_class))
-                .collect();
-            let count = |of: fn(&Findings) -> usize| all.iter().map(of).sum::<usize>();
-            format!(
-                "{} radii {}, heights {} of {}",
-                quantity_name(quantity),
-                count(|findings| findings.radii_exceed),
-                count(|findings| findings.heights_exceed),
-                count(|findings| findings.divided)
-            )
-        };
-        format!("Skewness {name}: {}", QUANTITIES.map(of_quantity).join("; "))
+    let of_quantity = |quantity| {
+        let all = || results.conditions().map(|condition| Findings::new(results, quantity, condition));
+        let count = |of: fn(&Findings) -> usize| all().map(|findings| of(&findings)).sum::<usize>();
+        let heights = ("heights", count(|findings| findings.heights_exceed));
+        let radii = ("radii", count(|findings| findings.radii_exceed));
+        let [(first, more), (second, less)] =
+            if heights.1 >= radii.1 { [heights, radii] } else { [radii, heights] };
+        let quantity = quantity_name(quantity);
+        match count(|findings| findings.divided) {
+            0 => format!("No difference in {quantity} needs a cause."),
+            cases => format!(
+                "{} explain the difference in {quantity} better than {second} in {more} of {cases} cases, {second} in {less}.",
+                capitalised(first)
+            ),
+        }
     };
-    let classes: [Class; 3] = [("below 0", |s| s < 0.0), ("0", |s| s == 0.0), ("above 0", |s| s > 0.0)];
-    let has_points = |class: &Class| results.points.iter().any(|point| class.1(point.skewness));
-    let classes: Vec<String> = classes.into_iter().filter(has_points).map(of_class).collect();
     format!(
-        "Where the models differ by more than is known to be accepted, which contributes more, with 95 % intervals apart. {}. Radii: their \
-         spread and their correlation with the heights together.",
-        classes.join(". ")
+        "{} Cases: grid points and loads whose difference is not known to be accepted.",
+        QUANTITIES.map(of_quantity).join(" ")
     )
+}
+
+/// How many comparisons with the reference are beyond small strains.
+fn strained(results: &CausesResults) -> Option<String> {
+    let counts = QUANTITIES.map(|quantity| NearerCounts::new(results, quantity));
+    let strained: usize = counts.iter().map(|counts| counts.beyond_small_strains).sum();
+    (strained > 0).then(|| {
+        format!(
+            "{strained} of {} comparisons with boundary elements are beyond small strains: they stand for lower surfaces of the same shape",
+            counts.iter().map(|counts| counts.compared).sum::<usize>()
+        )
+    })
 }
 
 /// How many points have slopes that a measured map would be cautioned for.
@@ -324,7 +320,7 @@ fn over_skewness(page: &mut Page, results: &CausesResults) {
                 &results.file(&format!("contributions-{}", quantity.name()), condition),
                 contributions(results, quantity, condition),
                 &format!(
-                    "Contributions to the difference in {}, means over the surfaces with 95 % intervals; a panel for each row of the grid. {}.",
+                    "Contributions to the difference in {}, means over the surfaces with 95 % intervals; a panel per row of the grid. {}.",
                     quantity_name(quantity),
                     results.at(condition),
                 ),

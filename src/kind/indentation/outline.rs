@@ -1,10 +1,11 @@
 //! The page of a sphere on layers: load, changes of regime, accuracy of the effective-modulus models.
 
 use asperity::ModulusModel;
+use asperity::compare::{GOOD_RATIO, ModulusError};
 use asperity::sphere::{LARGEST_SLOPE, Point};
 use asperity_contact_framework::Outcome;
 use asperity_contact_framework::metadata::Metadata;
-use asperity_contact_framework::report::format::{count, input_quantity, number, quantity};
+use asperity_contact_framework::report::format::{count, input_quantity, listed, number, quantity};
 use asperity_contact_framework::report::page::{Page, escape};
 use asperity_contact_framework::report::sections;
 use asperity_contact_framework::report::table::{Row, Table, Tables};
@@ -12,7 +13,6 @@ use asperity_contact_framework::report::table::{Row, Table, Tables};
 use super::figures;
 use super::rows::{ChangeRow, DecreaseRow, LawRow, LayerRow, OverlayRow, RuleRow, tables};
 use super::run::{IndentationResults, LawCurves, LayerResults};
-use crate::layer::{rule_warning, thickness_words};
 
 impl Outcome for IndentationResults {
     fn metadata(&self) -> &Metadata {
@@ -20,18 +20,24 @@ impl Outcome for IndentationResults {
     }
 
     fn warnings(&self) -> Vec<String> {
-        let of_layer = |layer: &LayerResults| {
-            let name = format!("{} of {}", layer.name, thickness_words(layer.thickness));
-            let slope = layer.largest_slope(self.radius);
-            let large = (slope > LARGEST_SLOPE).then(|| {
-                format!(
-                    "layer {name}: the contact radius reaches {slope:.2} of the ball's; beyond {LARGEST_SLOPE} the ball is no \
-                     paraboloid and strains are not small"
-                )
-            });
-            rule_warning(&layer.check, &name, layer.rule).into_iter().chain(large)
-        };
-        self.layers.iter().flat_map(of_layer).collect()
+        let layers = self.distinct_layers();
+        let inaccurate = layers.iter().filter(|layer| !layer.check.is_good()).count();
+        let [from, to] = GOOD_RATIO;
+        let moduli = (inaccurate > 0).then(|| {
+            let not = match layers.len() {
+                1 => "this one is not".to_owned(),
+                all => format!("{inaccurate} of {all} are not"),
+            };
+            format!("Rule `gao` is accurate for layers {from} to {to} times as stiff as the substrate; {not}")
+        });
+        let slope = layers.iter().map(|layer| layer.largest_slope(self.radius)).fold(0.0, f64::max);
+        let large = (slope > LARGEST_SLOPE).then(|| {
+            format!(
+                "The contact radius reaches {slope:.2} of the ball's; beyond {LARGEST_SLOPE} the ball is no paraboloid and strains are not \
+                 small"
+            )
+        });
+        moduli.into_iter().chain(large).collect()
     }
 
     fn tables(&self) -> Vec<Table> {
@@ -40,101 +46,139 @@ impl Outcome for IndentationResults {
 
     fn page(&self, tables: &Tables) -> Page {
         let mut page = Page::new(&self.metadata.title);
-        let loads = self.layers.iter().flat_map(|layer| layer.laws.iter().map(|law| loads(layer, law)));
-        let errors = self.layers.iter().map(error_of_rule);
+        page.lead(&answer(self));
+        let layers = self.distinct_layers();
+        let is_solved = layers.iter().any(|layer| !layer.errors.concat().is_empty());
         // Several layers are compared in the errors of their models.
-        if self.layers.len() > 1 {
-            sections::findings(&mut page, errors.chain(loads));
-        } else {
-            sections::findings(&mut page, loads.chain(errors));
+        let models_first = self.layers.len() > 1 && is_solved;
+        if models_first {
+            page.figure("rules.svg", figures::rules(&layers), RULES);
+        } else if let Some(law) = self.layers.first().and_then(|layer| layer.laws.first()) {
+            load_figure(&mut page, self, 0, law);
         }
         sections::warnings(&mut page, &self.warnings());
-        if self.layers.len() > 1 {
-            accuracy(&mut page, self, tables);
+        page.heading(2, "Accuracy of the effective-modulus models");
+        if is_solved && !models_first {
+            page.figure("rules.svg", figures::rules(&layers), RULES);
+        }
+        page.view(&tables.view::<LayerRow>().without(&["gao_indentation_ratio", "series_indentation_ratio"]));
+        if is_solved {
+            page.details(2, "Errors against a/t", |page| errors(page, &layers, tables));
         }
         for (k, layer) in self.layers.iter().enumerate() {
-            for law in &layer.laws {
-                curves(&mut page, self, k, law);
+            for (n, law) in layer.laws.iter().enumerate() {
+                page.details(
+                    2,
+                    &format!("{}, {}, law {}", layer.label(), layer.rule.name(), law.law),
+                    |page| {
+                        if models_first || (k, n) != (0, 0) {
+                            load_figure(page, self, k, law);
+                        }
+                        page.figure(
+                            &file(layer, k, law, "ratios"),
+                            figures::ratios(self, layer, law),
+                            RATIOS,
+                        );
+                    },
+                );
             }
         }
-        if self.layers.len() == 1 {
-            accuracy(&mut page, self, tables);
-        }
-        page.heading(2, "Loads and changes of regime");
-        view::<LawRow>(&mut page, tables);
-        view::<ChangeRow>(&mut page, tables);
-        view::<DecreaseRow>(&mut page, tables);
-        view::<OverlayRow>(&mut page, tables);
+        page.details(2, "Loads and changes of regime", |page| {
+            view::<LawRow>(page, tables);
+            view::<ChangeRow>(page, tables);
+            view::<DecreaseRow>(page, tables);
+            view::<OverlayRow>(page, tables);
+        });
         sections::notes(&mut page, &self.metadata);
         set_up(&mut page, self);
-        page.heading(2, "Limits of validity").note(include_str!("notes/limits.md"));
         sections::run_again(&mut page, &self.metadata, None);
         sections::sources(&mut page, &self.metadata);
         page
     }
 }
 
+/// The load at the largest indentation of a single layer, and the largest errors of both effective-modulus models.
+fn answer(results: &IndentationResults) -> String {
+    let layers = results.distinct_layers();
+    let load = match &results.layers[..] {
+        [layer] => layer.laws.first().map(|law| load(layer, law)),
+        _ => None,
+    };
+    let errors = largest_errors(&layers);
+    if errors.is_none() {
+        let none = "No contact is small enough for the exact elastic solution.".to_owned();
+        return load.into_iter().chain([none]).collect::<Vec<_>>().join(" ");
+    }
+    let close = (layers.len() > 1).then(|| close(&layers));
+    load.into_iter().chain(errors).chain(close).collect::<Vec<_>>().join(" ")
+}
+
 /// Regime and loads at the largest indentation.
-fn loads(layer: &LayerResults, law: &LawCurves) -> String {
+fn load(layer: &LayerResults, law: &LawCurves) -> String {
     let [coated, uncoated, all_layer] = law.curves().map(|(_, curve)| curve.points.last());
     let load =
         |point: Option<&Point>| point.map_or_else(String::new, |point| quantity(point.contact.load, "N"));
     format!(
-        "**{}, {}, law {}**: at w = {} the contact is {} and carries {} (uncoated {}, bulk layer material {}).",
+        "Under `{}`, {} carries {} at an indentation of {} (uncoated {}, bulk {}); the contact is {}.",
+        law.law,
         escape(&layer.label()),
-        layer.rule.name(),
-        escape(&law.law),
-        coated.map_or_else(String::new, |point| input_quantity(point.indentation, "m")),
-        coated.map_or("", |point| point.contact.regime.name()),
         load(coated),
+        coated.map_or_else(String::new, |point| input_quantity(point.indentation, "m")),
         load(uncoated),
         load(all_layer),
+        coated.map_or("", |point| point.contact.regime.name()),
     )
 }
 
-/// The largest error of the layer's effective-modulus model.
-fn error_of_rule(layer: &LayerResults) -> String {
-    let Some(worst) = layer.check.worst_of(layer.rule) else {
-        return format!("**{}**: no contact is small enough for the exact solution.", escape(&layer.label()));
+/// The largest errors of the effective-modulus models, the smaller one first; `None` where no layer has an exact solution.
+fn largest_errors(layers: &[&LayerResults]) -> Option<String> {
+    let worst = ModulusModel::ALL.into_iter().filter_map(|model| {
+        let errors = layers.iter().filter_map(|layer| Some((layer, layer.check.worst_of(model)?)));
+        let (layer, worst) = errors.max_by(|a, b| a.1.factor().total_cmp(&b.1.factor()))?;
+        Some((model, layer.label(), worst))
+    });
+    let mut worst: Vec<_> = worst.collect();
+    worst.sort_by(|a, b| a.2.factor().total_cmp(&b.2.factor()));
+    let error = |(k, (model, layer, worst)): (usize, &(ModulusModel, String, &ModulusError))| {
+        let direction = if worst.ratio > 1.0 { "overestimates" } else { "underestimates" };
+        let load = if k == 0 { "the load" } else { "it" };
+        let on = if layers.len() > 1 { format!(" ({})", escape(layer)) } else { String::new() };
+        format!("`{}` {direction} {load} up to {}-fold{on}", model.name(), number(worst.factor()))
     };
-    format!(
-        "**{}**: without yielding, `{}` {} the load by a factor of up to {} (at a/t = {}).",
-        escape(&layer.label()),
-        layer.rule.name(),
-        if worst.ratio > 1.0 { "overestimates" } else { "underestimates" },
-        number(worst.factor()),
-        number(worst.contact_ratio),
-    )
+    let errors: Vec<String> = worst.iter().enumerate().map(error).collect();
+    (!errors.is_empty()).then(|| format!("Without yielding, {}.", listed(&errors)))
+}
+
+/// For how many layers each model is close to the exact solution.
+fn close(layers: &[&LayerResults]) -> String {
+    /// Factor between loads that are close.
+    const CLOSE: f64 = 1.1;
+    let counts = ModulusModel::ALL.map(|model| {
+        let worst = layers.iter().filter_map(|layer| layer.check.worst_of(model));
+        format!("`{}` for {}", model.name(), worst.filter(|worst| worst.factor() <= CLOSE).count())
+    });
+    format!("Loads within 10 %: {} of {} layers.", listed(&counts), layers.len())
 }
 
 const RULES: &str = "Elastic load by each model over the exact elastic load at equal indentation, against the exact contact radius \
                      over the layer thickness. One panel per model, one line per layer.";
 
-/// The largest errors of both models, and those at round contact radii.
-fn accuracy(page: &mut Page, results: &IndentationResults, tables: &Tables) {
-    page.heading(2, "Accuracy of the effective-modulus models");
-    let layers = results.distinct_layers();
-    let is_solved = layers.iter().any(|layer| !layer.errors.concat().is_empty());
-    if is_solved {
-        page.figure("rules.svg", figures::rules(&layers), RULES);
-    }
-    page.view(&tables.view::<LayerRow>().without(&["gao_indentation_ratio", "series_indentation_ratio"]));
-    if !is_solved {
-        return;
-    }
-    page.details(3, "Errors against a/t", |page| {
-        page.note(include_str!("notes/accuracy.md"));
-        for layer in layers {
-            for model in ModulusModel::ALL {
-                page.heading(4, &format!("{}, model {}", layer.label(), model.name()));
-                let view = tables.view::<RuleRow>().only("layer", layer.name.as_str());
-                let view = view.only("layer_thickness_m", layer.thickness).only("rule", model.name());
-                page.view(
-                    &view.without(&["indentation_m"]).each_decade("contact_radius_over_thickness", 3.0),
-                );
-            }
+const LOAD: &str = "Load and indentation: coated (coloured by regime), uncoated, bulk layer material, and the exact elastic solution \
+                    for ball, layer and substrate. Left: logarithmic axes; right: linear axes.";
+
+const RATIOS: &str = "The same curves normalised by Hertz without a layer: load over (4/3) E* R^½ w^(3/2) with E* of the uncoated pair, \
+                      and real contact area over π R w.";
+
+/// The errors of both models at round contact radii.
+fn errors(page: &mut Page, layers: &[&LayerResults], tables: &Tables) {
+    for layer in layers {
+        for model in ModulusModel::ALL {
+            page.heading(3, &format!("{}, model {}", layer.label(), model.name()));
+            let view = tables.view::<RuleRow>().only("layer", layer.name.as_str());
+            let view = view.only("layer_thickness_m", layer.thickness).only("rule", model.name());
+            page.view(&view.without(&["indentation_m"]).each_decade("contact_radius_over_thickness", 3.0));
         }
-    });
+    }
 }
 
 /// A table without the columns of the layer and the law where there is only one.
@@ -143,27 +187,17 @@ fn view<R: Row>(page: &mut Page, tables: &Tables) {
     page.view(&view);
 }
 
-/// The figures of layer `k` under a law.
-fn curves(page: &mut Page, results: &IndentationResults, k: usize, law: &LawCurves) {
+/// The file of a figure of layer `k` under a law.
+fn file(layer: &LayerResults, k: usize, law: &LawCurves, what: &str) -> String {
+    let name = format!("{}-{}-{}-{what}", k + 1, layer.name, law.law);
+    let plain = |c: char| if c.is_alphanumeric() || c == '-' || c == '_' { c } else { '-' };
+    name.chars().map(plain).collect::<String>() + ".svg"
+}
+
+/// Load and indentation of layer `k` under a law.
+fn load_figure(page: &mut Page, results: &IndentationResults, k: usize, law: &LawCurves) {
     let layer = &results.layers[k];
-    page.heading(2, &format!("{}, {}, law {}", layer.label(), layer.rule.name(), law.law));
-    let file = |what: &str| {
-        let name = format!("{}-{}-{}-{what}", k + 1, layer.name, law.law);
-        let plain = |c: char| if c.is_alphanumeric() || c == '-' || c == '_' { c } else { '-' };
-        name.chars().map(plain).collect::<String>() + ".svg"
-    };
-    page.figure(
-        &file("load"),
-        figures::load(results, layer, law),
-        "Load and indentation: coated (coloured by regime), uncoated, bulk layer material, and the exact elastic solution \
-         for ball, layer and substrate. Left: logarithmic axes; right: linear axes.",
-    );
-    page.figure(
-        &file("ratios"),
-        figures::ratios(results, layer, law),
-        "The same curves normalised by Hertz without a layer: load over (4/3) E* R^½ w^(3/2) with E* of the uncoated pair, \
-         and real contact area over π R w.",
-    );
+    page.figure(&file(layer, k, law, "load"), figures::load(results, layer, law), LOAD);
 }
 
 fn set_up(page: &mut Page, results: &IndentationResults) {
@@ -176,7 +210,7 @@ fn set_up(page: &mut Page, results: &IndentationResults) {
         if roles.is_empty() { "not used".to_owned() } else { roles.join(", ") }
     });
     page.paragraph(&format!(
-        "Ball of radius {} on a flat of {}; {} indentations from {} to {}. {}",
+        "Ball of radius {} on a flat of {}; {} indentations from {} to {}. {} Method: [theory](../../docs/theory.md#4-the-layered-flat).",
         input_quantity(*radius, "m"),
         escape(flat),
         count(indentations.len()),
@@ -189,7 +223,7 @@ fn set_up(page: &mut Page, results: &IndentationResults) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use asperity::compare::{ModulusError, ModulusFindings};
+    use asperity::compare::ModulusFindings;
     use asperity::sphere::Curve;
     use asperity::{Contact, Regime};
 
@@ -228,19 +262,24 @@ mod tests {
     fn the_loads_are_those_at_the_largest_indentation() {
         let layer = layer(None);
         assert_eq!(
-            loads(&layer, &layer.laws[0]),
-            "**lead 1 µm, gao, law zmc**: at w = 400 nm the contact is plastic and carries 2 N (uncoated 3 N, bulk layer material 250 mN)."
+            load(&layer, &layer.laws[0]),
+            "Under `zmc`, lead 1 µm carries 2 N at an indentation of 400 nm (uncoated 3 N, bulk 250 mN); the contact is plastic."
         );
     }
 
     #[test]
-    fn the_error_of_the_rule_has_a_direction_and_is_unknown_without_an_exact_contact() {
-        let error = |worst| error_of_rule(&layer(worst));
+    fn the_largest_error_has_a_direction_and_is_unknown_without_an_exact_contact() {
+        let [half, tenfold, close_by, none] = [Some(0.5), Some(10.0), Some(1.05), None].map(layer);
         assert_eq!(
-            error(Some(0.5)),
-            "**lead 1 µm**: without yielding, `gao` underestimates the load by a factor of up to 2 (at a/t = 0.71)."
+            largest_errors(&[&half]).unwrap(),
+            "Without yielding, `gao` underestimates the load up to 2-fold."
         );
-        assert!(error(Some(2.0)).contains("`gao` overestimates the load by a factor of up to 2"));
-        assert!(error(None).ends_with("no contact is small enough for the exact solution."));
+        let errors = largest_errors(&[&half, &tenfold]).unwrap();
+        assert!(errors.ends_with("`gao` overestimates the load up to 10-fold (lead 1 µm)."), "{errors}");
+        assert_eq!(largest_errors(&[&none]), None);
+        assert_eq!(
+            close(&[&half, &close_by]),
+            "Loads within 10 %: `gao` for 1 and `series` for 0 of 2 layers."
+        );
     }
 }

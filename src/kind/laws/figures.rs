@@ -7,7 +7,7 @@ use asperity::Contact;
 use asperity::compare::{AtLoad, Influence, Measure, ModelKind};
 use asperity::numeric::extremes;
 use asperity::sphere::LARGEST_SLOPE;
-use asperity_contact_framework::report::format::{listed, number};
+use asperity_contact_framework::report::format::listed;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
 
 /// Half-width of a band in standard errors: 95 % of all samples lie within.
@@ -175,26 +175,18 @@ fn range(results: &LawsResults, influence: &Influence, measure: Measure) -> Opti
     (margin > 0.0).then_some([low - margin, high + margin])
 }
 
-/// " Outside the axes of the area: hertz (0.1 to 0.4).": the laws whose sums are at all admissible loads, and between which
-/// values. Empty if there is none.
+/// " Off the axes: hertz.": the laws whose sums are there at all admissible loads. Empty if there is none.
 pub fn outside(results: &LawsResults, influence: &Influence) -> String {
-    let of_measure = |measure| {
-        let [low, high] = range(results, influence, measure)?;
-        let of_law = |law: usize| {
-            let differences =
-                influence.counting().map(|at| at.deviation(measure, law, ModelKind::Deterministic));
-            let [least, most] = extremes(differences.map(|difference| ordinate(measure, difference)))?;
-            let is_outside = most < low || least > high;
-            is_outside.then(|| format!("{} ({} to {})", influence.laws[law], number(least), number(most)))
-        };
-        let names: Vec<String> = (0..results.laws.len()).filter_map(of_law).collect();
-        let what = match measure {
-            Measure::Separation => "separation",
-            Measure::Area => "area",
-        };
-        (!names.is_empty()).then(|| format!(" Outside the axes of the {what}: {}.", listed(&names)))
+    let is_outside = |law: usize, measure: Measure| {
+        let differences = influence.counting().map(|at| at.deviation(measure, law, ModelKind::Deterministic));
+        let ends = extremes(differences.map(|difference| ordinate(measure, difference)));
+        let axis = range(results, influence, measure);
+        ends.zip(axis).is_some_and(|([least, most], [low, high])| most < low || least > high)
     };
-    Measure::ALL.into_iter().filter_map(of_measure).collect()
+    let is_named = |law: &usize| Measure::ALL.into_iter().any(|measure| is_outside(*law, measure));
+    let names: Vec<String> =
+        (0..results.laws.len()).filter(is_named).map(|law| influence.laws[law].clone()).collect();
+    if names.is_empty() { String::new() } else { format!(" Off the axes: {}.", listed(&names)) }
 }
 
 fn beside(results: &LawsResults, influence: &Influence, measure: Measure, plot: Plot) -> Plot {

@@ -3,19 +3,17 @@
 use asperity::compare::{Dominance, Dominant, Measure};
 use asperity_contact_framework::Outcome;
 use asperity_contact_framework::metadata::Metadata;
-use asperity_contact_framework::report::format::{input_number, input_quantity, listed, number, quantity};
-use asperity_contact_framework::report::page::{Page, escape};
+use asperity_contact_framework::report::format::{number, percent, quantity};
+use asperity_contact_framework::report::page::Page;
 use asperity_contact_framework::report::sections;
 use asperity_contact_framework::report::table::{Reading, Table, Tables};
 use asperity_contact_framework::report::view::View;
 use serde_json::{Map, Value, json};
 
 use super::figures;
-use super::results::LawsResults;
-use super::rows::{BoundaryRow, ChoiceRow, DominanceRow, InfluenceRow, LawRow, tables};
+use super::results::{LawsResults, SurfaceInfluence};
+use super::rows::{BoundaryRow, ChoiceRow, DominanceRow, InfluenceRow, LawRow, reported, tables};
 use crate::kind::compare::outline;
-use crate::kind::compare::results::SurfaceResults;
-use crate::presentation::limits_note;
 use crate::surface::section;
 
 impl Outcome for LawsResults {
@@ -34,11 +32,12 @@ impl Outcome for LawsResults {
     fn page(&self, tables: &Tables) -> Page {
         let compared = &self.compare;
         let mut page = Page::new(&compared.metadata.title);
-        for measure in Measure::ALL {
-            if let Some(answer) = answer(measure, &findings(self, measure)) {
-                page.lead(&answer);
-            }
+        page.lead(&answer(self));
+        for surface in &compared.surfaces {
+            law_or_model(&mut page, self, &surface.surface.name);
         }
+        sections::warnings(&mut page, &self.warnings());
+        page.heading(2, "What matters more?");
         for measure in Measure::ALL {
             let view = tables.view::<DominanceRow>();
             let view = by_measure(view, measure, &DOMINANCE, Reading::Percent).columns(&OVERVIEW);
@@ -47,20 +46,23 @@ impl Outcome for LawsResults {
                 Measure::Area => view,
             });
         }
-        page.note(include_str!("notes/influence.md"));
-        sections::warnings(&mut page, &self.warnings());
+        for surface in &compared.surfaces {
+            by_law(&mut page, tables, &surface.surface.name);
+        }
+        page.details(2, "Single asperity", |page| on_asperity(page, self, tables));
+        page.details(2, "Laws", |page| {
+            page.view(&tables.view::<LawRow>());
+        });
         outline::verdicts(&mut page, tables);
         for surface in &compared.surfaces {
-            on_surface(&mut page, self, tables, surface);
-        }
-        on_asperity(&mut page, self, tables);
-        page.heading(2, "Laws").view(&tables.view::<LawRow>()).note(include_str!("notes/laws.md"));
-        for surface in &compared.surfaces {
-            section::section(&mut page, tables, &surface.surface, Some(&surface.realisations[0].population));
+            page.details(2, &format!("Surface {}", surface.surface.name), |page| {
+                let population = &surface.realisations[0].population;
+                section::section(page, tables, &surface.surface, Some(population));
+            });
         }
         sections::notes(&mut page, &compared.metadata);
         sections::what_was_run(&mut page, &compared.metadata, &compared.contact);
-        limits_note(&mut page);
+        page.paragraph("Method: [theory](../../docs/theory.md#law-or-summation).");
         sections::run_again(&mut page, &compared.metadata, None);
         sections::sources(&mut page, &compared.metadata);
         page
@@ -110,141 +112,105 @@ fn by_measure<'a>(view: View<'a>, measure: Measure, differences: &[&str], relati
     }
 }
 
-/// What matters more on a surface, or why that is not said.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Finding {
-    Decided(Dominant),
-    NoInterval,
-    NoLoad,
-}
-
-impl Finding {
-    /// In the order in which they are said.
-    fn all() -> impl Iterator<Item = Self> {
-        Dominant::ALL.into_iter().map(Self::Decided).chain([Self::NoInterval, Self::NoLoad])
-    }
-
-    fn new(dominance: Option<&Dominance>) -> Self {
-        match dominance.map(|dominance| (dominance.dominant(), dominance.sampling)) {
-            None => Self::NoLoad,
-            Some((Dominant::Undecided, None)) => Self::NoInterval,
-            Some((dominant, _)) => Self::Decided(dominant),
-        }
-    }
-
-    /// The finding, and its reason where nothing matters more.
-    fn words(self) -> [&'static str; 2] {
-        match self {
-            Self::Decided(Dominant::Law) => ["the contact law", ""],
-            Self::Decided(Dominant::Summation) => ["the summation method", ""],
-            Self::Decided(Dominant::Equal) => ["both equally", ""],
-            Self::Decided(Dominant::Undecided) => ["cannot be told", " (within the sampling uncertainty)"],
-            Self::NoInterval => ["cannot be told", " (no sampling interval is claimed)"],
-            Self::NoLoad => ["not evaluated", " (no load is admissible under every law)"],
-        }
-    }
-}
-
-/// What matters more on each surface by a measure.
-fn findings(results: &LawsResults, measure: Measure) -> Vec<(String, Finding)> {
+/// On how many surfaces which of both matters more, by each measure, and how far laws and models are apart.
+fn answer(results: &LawsResults) -> String {
     let surfaces = results.compare.surfaces.iter();
-    let first = surfaces.filter_map(|surface| results.first_influence(&surface.surface.name));
-    let each = first.map(|influence| {
-        let mut dominances = influence.dominances.iter();
-        (influence.surface.clone(), Finding::new(dominances.find(|dominance| dominance.measure == measure)))
-    });
-    each.collect()
-}
-
-/// "**What matters more for d/σ**: the contact law on case-1; the summation method on case-2." `None` without surfaces.
-fn answer(measure: Measure, findings: &[(String, Finding)]) -> Option<String> {
-    /// More surfaces are counted.
-    const MOST_NAMED: usize = 3;
-    let part = |finding: Finding| {
-        let [what, why] = finding.words();
-        let names: Vec<String> =
-            findings.iter().filter(|(_, each)| *each == finding).map(|(name, _)| escape(name)).collect();
-        match names.len() {
-            0 => None,
-            1..=MOST_NAMED => Some(format!("{what} on {}{why}", listed(&names))),
-            more => Some(format!("{what} on {more} surfaces{why}")),
-        }
+    let first: Vec<&SurfaceInfluence> =
+        surfaces.filter_map(|surface| results.first_influence(&surface.surface.name)).collect();
+    let of_measure = |measure| {
+        let all = first.iter().flat_map(|influence| &influence.dominances);
+        all.filter(|dominance| dominance.measure == measure).copied().collect::<Vec<Dominance>>()
     };
-    let parts: Vec<String> = Finding::all().filter_map(part).collect();
-    let quantity = match measure {
-        Measure::Separation => "d/σ",
-        Measure::Area => "real area",
-    };
-    (!parts.is_empty()).then(|| format!("**What matters more for {quantity}**: {}.", parts.join("; ")))
-}
-
-/// The figure and the views of one surface.
-fn on_surface(page: &mut Page, results: &LawsResults, tables: &Tables, surface: &SurfaceResults) {
-    let name = &surface.surface.name;
-    let Some(influence) = results.first_influence(name) else { return };
-    page.heading(2, &format!("{name}: contact law or summation method?"));
-    if influence.dominances.is_empty() {
-        page.paragraph("No load is admissible under every law, so the effects are not compared.");
+    let sentences = Measure::ALL.map(|measure| matters_more(&of_measure(measure), measure, first.len()));
+    let sentences: Vec<String> = sentences.into_iter().rev().flatten().collect();
+    if sentences.is_empty() {
+        return "No load is admissible under every law, so that laws and summation are not compared."
+            .to_owned();
     }
+    sentences.join(" ")
+}
+
+/// "The summation method changes the separation more than the contact law on 2 of 3 surfaces, less on 0: by up to 1.1 σ against
+/// 0.13 σ." `None` where nothing is compared.
+fn matters_more(dominances: &[Dominance], measure: Measure, surfaces: usize) -> Option<String> {
+    let count = |what: Dominant| dominances.iter().filter(|dominance| dominance.dominant() == what).count();
+    let largest = |effect: fn(&Dominance) -> f64| {
+        let largest =
+            dominances.iter().map(|dominance| reported(measure, effect(dominance))).reduce(f64::max)?;
+        Some(match measure {
+            Measure::Separation => format!("{} σ", number(largest)),
+            Measure::Area => percent(largest),
+        })
+    };
+    let law = ("contact law", count(Dominant::Law), largest(|dominance| dominance.law.mean)?);
+    let summation =
+        ("summation method", count(Dominant::Summation), largest(|dominance| dominance.summation.mean)?);
+    let [(first, more, of_first), (second, less, of_second)] =
+        if law.1 > summation.1 { [law, summation] } else { [summation, law] };
+    let name = match measure {
+        Measure::Separation => "separation",
+        Measure::Area => "real contact area",
+    };
+    Some(match more {
+        0 => format!(
+            "Which changes the {name} more, {first} or {second}, cannot be told on any of {surfaces} surfaces (up to {of_first} against \
+             {of_second})."
+        ),
+        _ => format!(
+            "The {first} changes the {name} more than the {second} on {more} of {surfaces} surfaces, less on {less}: by up to {of_first} \
+             against {of_second}."
+        ),
+    })
+}
+
+/// The figure of one surface.
+fn law_or_model(page: &mut Page, results: &LawsResults, name: &str) {
+    let Some(SurfaceInfluence { influence, .. }) = results.first_influence(name) else { return };
     page.figure(
         &format!("{name}-law-or-model.svg"),
-        figures::law_or_model(results, &influence.influence),
+        figures::law_or_model(results, influence),
         &format!(
-            "The contact law matters more where the coloured lines lie further apart than the black line from zero (or one). All at equal \
-             load, relative to the sum under {}; bands: 1.96 standard errors of the difference between the models; shaded: loads beyond \
-             the admissible range.{}",
-            influence.influence.laws[0],
-            figures::outside(results, &influence.influence),
+            "{name}: the law matters more where coloured lines lie further apart than the black one from zero (or one). At equal load, \
+             relative to the sum under {}; bands: 95 %; shaded: not admissible.{}",
+            influence.laws[0],
+            figures::outside(results, influence),
         ),
     );
+}
+
+/// The views of one surface.
+fn by_law(page: &mut Page, tables: &Tables, name: &str) {
     for measure in Measure::ALL {
         let title = match measure {
             Measure::Separation => "separation",
             Measure::Area => "real area",
         };
-        page.details(3, &format!("{name}: {title} law by law and load by load"), |page| {
-            let choices = tables.view::<ChoiceRow>().only("surface", name.as_str());
+        page.details(2, &format!("{name}: {title} law by law and load by load"), |page| {
+            let choices = tables.view::<ChoiceRow>().only("surface", name);
             page.view(&by_measure(choices, measure, &CHOICE, Reading::SignedPercent));
-            let loads = tables.view::<InfluenceRow>().only("surface", name.as_str());
+            let loads = tables.view::<InfluenceRow>().only("surface", name);
             let loads = by_measure(loads, measure, &[], Reading::Plain);
             page.view(&loads.each_decade("pressure_pa", 1.0).without(&["counts"]));
         });
-    }
-    if let Some(mean) = &surface.surface.ellipticity {
-        page.paragraph(&format!(
-            "Under an elliptic law the statistical model uses the mean curvature (radius {}), under the others the radius {}; part of the \
-             effect of the law is due to this.",
-            quantity(mean.mean_curvature.recip(), "m"),
-            input_quantity(surface.realisations[0].population.radius, "m"),
-        ));
     }
 }
 
 /// The laws on a single asperity.
 fn on_asperity(page: &mut Page, results: &LawsResults, tables: &Tables) {
     let critical = &results.critical;
-    page.heading(2, "Single asperity");
-    let ellipse = match results.curvature_ratio {
-        1.0 => String::new(),
-        ratio => format!(
-            " Elliptic laws use the same mean curvature and a ratio of principal curvatures of {}.",
-            input_number(ratio)
-        ),
-    };
-    page.paragraph(&format!(
-        "Radius R = {}. Indentations are normalised by the onset of yield of a sphere after Zhao, Maietta and Chang: wc = (0.3 π)² R (H/E*)² \
-         = {}; Pc = {} and Ac = {} are Hertz's load and area there.{ellipse}",
-        input_quantity(results.radius, "m"),
-        quantity(critical.indentation, "m"),
-        quantity(critical.load, "N"),
-        quantity(critical.area, "m²"),
-    ));
-    if let Some(end) = results.end_of_small_strains() {
-        page.paragraph(&format!(
-            "Strains are small up to w/wc = {}; beyond, the curves extrapolate the laws.",
-            number(end / critical.indentation)
-        ));
-    }
+    let mut unit = vec![
+        vec!["radius R".to_owned(), quantity(results.radius, "m")],
+        vec!["ratio of principal curvatures (elliptic laws)".to_owned(), number(results.curvature_ratio)],
+        vec!["indentation at first yield, wc".to_owned(), quantity(critical.indentation, "m")],
+        vec!["Hertz's load at wc, Pc".to_owned(), quantity(critical.load, "N")],
+        vec!["Hertz's area at wc, Ac".to_owned(), quantity(critical.area, "m²")],
+    ];
+    unit.extend(
+        results
+            .end_of_small_strains()
+            .map(|end| vec!["small strains up to w/wc".to_owned(), number(end / critical.indentation)]),
+    );
+    page.table(["asperity", "value"], unit);
     page.figure(
         "asperity-curves.svg",
         figures::curves(results),
@@ -272,52 +238,40 @@ mod tests {
     use super::*;
     use asperity::compare::{Effect, Group};
 
-    const LAW: Finding = Finding::Decided(Dominant::Law);
-
-    #[test]
-    fn surfaces_are_named_with_what_matters_more_on_them() {
-        let findings = |each: &[(&str, Finding)]| -> Vec<(String, Finding)> {
-            each.iter().map(|(name, finding)| (name.to_string(), *finding)).collect()
-        };
-        let some = findings(&[("a", Finding::NoInterval), ("b", LAW), ("c", LAW), ("d", Finding::new(None))]);
-        assert_eq!(
-            answer(Measure::Area, &some).unwrap(),
-            "**What matters more for real area**: the contact law on b and c; cannot be told on a (no sampling interval is claimed); \
-             not evaluated on d (no load is admissible under every law)."
-        );
-        let many = findings(&["a", "b", "c", "d"].map(|name| (name, LAW)));
-        assert!(answer(Measure::Area, &many).unwrap().ends_with("the contact law on 4 surfaces."));
-        assert_eq!(answer(Measure::Separation, &[]), None);
+    fn dominance(law: f64, summation: f64, error: Option<f64>) -> Dominance {
+        let effect = |mean| Effect { mean, largest: mean, at: 1.0 };
+        Dominance {
+            measure: Measure::Area,
+            group: Group::All,
+            law: effect(law),
+            summation: effect(summation),
+            sampling: error.map(effect),
+            without_furthest: None,
+        }
     }
 
     #[test]
-    fn what_is_found_depends_on_both_effects_and_the_sampling_error() {
-        let effect = |mean| Effect { mean, largest: mean, at: 1.0 };
-        let of = |law, summation, error: Option<f64>| {
-            Finding::new(Some(&Dominance {
-                measure: Measure::Area,
-                group: Group::All,
-                law: effect(law),
-                summation: effect(summation),
-                sampling: error.map(effect),
-                without_furthest: None,
-            }))
-        };
-        let found = [
-            of(3.0, 1.0, Some(0.1)),
-            of(1.0, 3.0, Some(0.1)),
-            of(1.0, 1.0, Some(0.1)),
-            of(3.0, 1.0, Some(1.0)),
-            of(3.0, 1.0, None),
-        ];
-        let decided = Finding::Decided;
-        let expected = [
-            LAW,
-            decided(Dominant::Summation),
-            decided(Dominant::Equal),
-            decided(Dominant::Undecided),
-            Finding::NoInterval,
-        ];
-        assert_eq!(found, expected);
+    fn surfaces_are_counted_by_what_matters_more_on_them() {
+        let law = dominance(0.3, 0.1, Some(0.01));
+        let summation = dominance(0.1, 0.4, Some(0.01));
+        let equal = dominance(0.1, 0.1, Some(0.01));
+        let unknown = dominance(0.3, 0.1, None);
+        let answer = |all: &[Dominance], measure| matters_more(all, measure, 6);
+        assert_eq!(
+            answer(&[law, law, summation, equal, unknown], Measure::Separation).unwrap(),
+            "The contact law changes the separation more than the summation method on 2 of 6 surfaces, less on 1: by up to 0.3 σ against \
+             0.4 σ."
+        );
+        let of_area = answer(&[law, summation], Measure::Area).unwrap();
+        assert!(
+            of_area.ends_with("on 1 of 6 surfaces, less on 1: by up to 49.2 % against 35 %."),
+            "{of_area}"
+        );
+        let of_neither = answer(&[equal, unknown], Measure::Area).unwrap();
+        assert!(
+            of_neither.contains("summation method or contact law, cannot be told on any"),
+            "{of_neither}"
+        );
+        assert_eq!(answer(&[], Measure::Area), None);
     }
 }

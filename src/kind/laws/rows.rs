@@ -148,7 +148,7 @@ fn influence_columns<R>(
 }
 
 /// A difference of d/sigma, or of an area relative to what it is compared with.
-fn reported(measure: Measure, difference: f64) -> f64 {
+pub(super) fn reported(measure: Measure, difference: f64) -> f64 {
     match measure {
         Measure::Separation => difference,
         Measure::Area => difference.exp_m1(),

@@ -4,7 +4,7 @@ use asperity::compare::{ErrorSlope, HeightSampling, LimitQuantity};
 use asperity::numeric::extremes;
 use asperity_contact_framework::contact::ContactSummary;
 use asperity_contact_framework::metadata::Metadata;
-use asperity_contact_framework::report::format::{input_number, input_quantity, number, signed};
+use asperity_contact_framework::report::format::{count, input_number, input_quantity, number, signed};
 use asperity_contact_framework::report::page::Page;
 use asperity_contact_framework::report::sections;
 use asperity_contact_framework::report::table::{Table, Tables};
@@ -45,10 +45,10 @@ impl Outcome for LimitResults {
             page.view(&tables.view::<ConvergenceRow>().only("quantity", "load").without(&["fitted"]));
         });
         sections::notes(&mut page, &self.metadata);
-        page.heading(2, "Method").note(include_str!("notes/method.md"));
         sections::what_was_run(&mut page, &self.metadata, &self.contact);
         page.paragraph(&format!(
-            "Radius {}, σ = {}, η = {} /m²; {} random sets of each size, each with its own seed.",
+            "Radius {}, σ = {}, η = {} /m²; {} random sets of each size, each with its own seed. Method: \
+             [theory](../../docs/theory.md#7-surfaces).",
             input_quantity(self.sets.population.radius, "m"),
             input_quantity(self.sets.population.sigma, "m"),
             input_number(self.sets.population.density),
@@ -76,26 +76,29 @@ fn caption(slopes: &[ErrorSlope], quantity: LimitQuantity) -> String {
         if steepest == flattest { steepest } else { format!("{steepest} to {flattest}") }
     };
     format!(
-        "Slope of the relative error of the {} over the number of asperities, where more than 30 contacts are expected: {} with random \
-         heights (left: root mean square; theory −½), {} with heights at the quantiles (right).",
+        "Relative error of the {} against the number of asperities. Left: random heights, root mean square, slope {} (theory −½). Right: \
+         heights at the quantiles, slope {}.",
         quantity.name(),
         range(HeightSampling::Random),
         range(HeightSampling::Quantiles),
     )
 }
 
-/// How far the slopes of the error are from the expected ones.
+/// At which rate the sum approaches the integral, and how far that is from the expected one.
 fn answer(slopes: &[ErrorSlope]) -> String {
     let deviation = |sampling: HeightSampling| {
         let of_sampling = slopes.iter().filter(|slope| slope.sampling == sampling);
         number(of_sampling.map(ErrorSlope::deviation).fold(0.0, f64::max))
     };
-    if slopes.is_empty() {
+    let counts = slopes.iter().flat_map(|slope| slope.errors.iter().map(|(count, _)| *count));
+    let Some([from, to]) = extremes(counts) else {
         return "Too few contacts are expected for a fit to the error.".to_owned();
-    }
+    };
     format!(
-        "The slope of the error over the number of asperities is within {} of −½ with random heights, and within {} of the \
-         expected slope with heights at the quantiles.",
+        "The sum approaches the integral: its error falls with the number of random asperities ({} to {}) to the power −½ within {}. With \
+         heights at the quantiles the power is the expected one within {}.",
+        count(from as usize),
+        count(to as usize),
         deviation(HeightSampling::Random),
         deviation(HeightSampling::Quantiles),
     )
@@ -137,7 +140,7 @@ mod tests {
             separation: 0.0,
             quantity: LimitQuantity::Load,
             sampling,
-            errors: Vec::new(),
+            errors: vec![(100.0, 0.1), (1e4, 0.01)],
             fit: SlopeFit { slope, standard_error: 0.0, points: 3 },
             expected,
         };
@@ -145,12 +148,16 @@ mod tests {
         let all = [random.to_vec(), vec![slope(HeightSampling::Quantiles, -1.04, -1.045)]].concat();
         let caption = caption(&all, LimitQuantity::Load);
         assert!(
-            caption.contains(": -0.52 to -0.49 with random") && caption.contains(", -1.04 with heights"),
+            caption.contains("slope -0.52 to -0.49 (theory") && caption.ends_with("quantiles, slope -1.04."),
             "{caption}"
         );
-        assert!(super::caption(&all[..2], LimitQuantity::Load).contains(", no fit with heights"));
+        assert!(super::caption(&all[..2], LimitQuantity::Load).ends_with("slope no fit."));
         let answer = answer(&all);
-        assert!(answer.contains("within 0.02 of −½") && answer.contains("within 0.005 of"), "{answer}");
+        assert!(
+            answer.contains("asperities (100 to 10,000) to") && answer.contains("−½ within 0.02."),
+            "{answer}"
+        );
+        assert!(answer.ends_with("within 0.005."), "{answer}");
     }
 
     #[test]

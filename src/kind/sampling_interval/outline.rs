@@ -3,7 +3,7 @@
 use asperity::compare::ComparedQuantity;
 use asperity_contact_framework::contact::ContactSummary;
 use asperity_contact_framework::metadata::Metadata;
-use asperity_contact_framework::report::format::{input_quantity, quantity, signed};
+use asperity_contact_framework::report::format::{input_quantity, signed};
 use asperity_contact_framework::report::page::{Page, escape};
 use asperity_contact_framework::report::sections;
 use asperity_contact_framework::report::table::{Reading, Table, Tables};
@@ -16,9 +16,8 @@ use super::findings::main_load;
 use super::quantity::TrendQuantity;
 use super::results::{IntervalResults, QUANTITIES, Series, SurfaceResults, Variation};
 use super::rows::{GapRow, LeadRow, LimitRow, ScaleRow, tables};
-use super::trend::Trend;
-use crate::presentation::{limits_note, quantity_name};
-use crate::surface::fitness::in_short;
+use super::trend::{Convergence, Trend};
+use crate::presentation::quantity_name;
 use crate::surface::{section, warnings};
 
 impl Outcome for IntervalResults {
@@ -38,21 +37,34 @@ impl Outcome for IntervalResults {
 
     fn page(&self, tables: &Tables) -> Page {
         let mut page = Page::new(&self.metadata.title);
-        let answers =
-            |variation| self.surfaces.iter().filter_map(move |surface| answer(self, surface, variation));
-        answers(Variation::Interval).for_each(|line| {
-            page.lead(&line);
-        });
-        page.bullets(answers(Variation::Filter));
-        sections::warnings(&mut page, &self.warnings());
+        page.lead(&answer(self));
         for surface in &self.surfaces {
-            surface_section(&mut page, tables, self, surface);
+            let name = &surface.surface.name;
+            page.figure(
+                &format!("{name}-over-length.svg"),
+                figures::asperities(surface),
+                &format!(
+                    "{name}: asperity density and radii against the sampling interval (solid) and the nesting index of the S filter \
+                     (dashed). A straight line is a power law without a limit, a level end towards the left a limit."
+                ),
+            );
         }
-        page.heading(2, "What is called a limit").note(include_str!("notes/criterion.md"));
+        sections::warnings(&mut page, &self.warnings());
+        page.heading(2, "Which results have a limit?");
+        let limits = tables.view::<LimitRow>().only("variation", Variation::Interval.name());
+        let limits = limits.filter("quantity", |cell| MAIN.iter().any(|main| cell.text() == main.name()));
+        page.view(&limits.columns(&["surface", "quantity", "pressure_pa", "relative_change", "outcome"]));
+        for surface in &self.surfaces {
+            page.details(2, &format!("Surface {}", surface.surface.name), |page| {
+                surface_section(page, tables, self, surface);
+            });
+        }
         sections::notes(&mut page, &self.metadata);
         sections::what_was_run(&mut page, &self.metadata, &self.contact);
-        page.paragraph(&format!("Law {}.", escape(&self.law)));
-        limits_note(&mut page);
+        page.paragraph(&format!(
+            "Law {}. Method: [theory](../../docs/theory.md#limits-over-the-sampling-interval).",
+            escape(&self.law)
+        ));
         sections::run_again(&mut page, &self.metadata, None);
         sections::sources(&mut page, &self.metadata);
         page
@@ -65,45 +77,63 @@ impl Outcome for IntervalResults {
     }
 }
 
-/// Which of the main quantities have a limit on a surface that is varied so; for a map that is not fit, why, once.
-fn answer(results: &IntervalResults, surface: &SurfaceResults, variation: Variation) -> Option<String> {
-    if surface.surface.is_blocked() {
-        return (variation == Variation::Interval)
-            .then(|| format!("**{}**: {}", escape(&surface.surface.name), in_short(&surface.surface)[0]));
-    }
-    let series = surface.series.iter().find(|series| series.variation == variation)?;
-    Some(outcomes(series, main_load(surface, &results.loads).map(|load| results.loads[load])))
+/// What the answer is about.
+const MAIN: [TrendQuantity; 3] =
+    [TrendQuantity::Density, TrendQuantity::MeanRadius, TrendQuantity::DeterministicArea];
+
+/// On how many surfaces asperities and contact area have a limit, and how much the area still changes.
+fn answer(results: &IntervalResults) -> String {
+    let fit = || results.surfaces.iter().filter(|surface| !surface.surface.is_blocked());
+    let series: Vec<(&Series, Option<f64>)> = fit()
+        .filter_map(|surface| {
+            let load = main_load(surface, &results.loads).map(|load| results.loads[load]);
+            let is_interval = |series: &&Series| series.variation == Variation::Interval;
+            Some((surface.series.iter().find(is_interval)?, load))
+        })
+        .collect();
+    let unfit = match results.surfaces.len() - fit().count() {
+        0 => None,
+        unfit => Some(format!("Of {unfit} surfaces nothing is concluded, because their maps are not fit.")),
+    };
+    let limits = (!series.is_empty()).then(|| limits(&series));
+    limits.into_iter().chain(unfit).collect::<Vec<_>>().join(" ")
 }
 
-/// "**ground, sampling interval from 2 µm to 1 µm**: density +24 % (approaching); mean radius -41 % (no limit)."
-fn outcomes(series: &Series, load: Option<f64>) -> String {
-    const MAIN: [TrendQuantity; 3] =
-        [TrendQuantity::Density, TrendQuantity::MeanRadius, TrendQuantity::DeterministicArea];
-    let item = |trend: &Trend| {
-        let change = signed((100.0 * trend.quantity.relative(trend.change).unwrap_or(trend.change)).round());
-        let at = trend.load.map_or_else(String::new, |load| format!(" at {}", input_quantity(load, "Pa")));
-        let [quantity, outcome] =
-            [trend.quantity.name(), trend.outcome.name()].map(|name| name.replace('-', " "));
-        format!("{quantity}{at} {change} % ({outcome})")
+/// The same of surfaces over their sampling intervals, each with its load.
+fn limits(series: &[(&Series, Option<f64>)]) -> String {
+    let has_limit = |series: &Series, quantity: TrendQuantity, load: Option<f64>| {
+        let is_it = |trend: &&Trend| trend.quantity == quantity && trend.load == load;
+        series.trends.iter().find(is_it).map(|trend| trend.outcome == Convergence::Limit)
     };
-    let is_main =
-        |trend: &&Trend| MAIN.contains(&trend.quantity) && (trend.load.is_none() || trend.load == load);
-    let main: Vec<&Trend> = series.trends.iter().filter(is_main).collect();
-    let mut items: Vec<String> = main.iter().copied().map(item).collect();
-    if main.iter().all(|trend| trend.load.is_none()) {
-        items.push(
-            "deterministic area at loads that are not admissible at one of the three finest lengths"
-                .to_owned(),
-        );
-    }
-    let (name, variation) = (escape(&series.surface), series.variation.label());
-    match &series.scales[..] {
-        [finest, second, ..] if !main.is_empty() => {
-            let [from, to] = [second, finest].map(|scale| quantity(scale.length, "m"));
-            format!("**{name}, {variation} from {from} to {to}**: {}.", items.join("; "))
-        }
-        _ => format!("**{name}, {variation}**: no asperities at one of the three finest lengths."),
-    }
+    let asperities = series.iter().filter(|(series, _)| {
+        let [density, radius, _] = MAIN.map(|quantity| has_limit(series, quantity, None));
+        density == Some(true) && radius == Some(true)
+    });
+    let areas = series.iter().filter(|(series, load)| has_limit(series, MAIN[2], *load) == Some(true));
+    let changes = series.iter().flat_map(|(series, load)| {
+        let at_load = series.trends.iter().filter(|trend| trend.quantity == MAIN[2] && trend.load == *load);
+        at_load.filter_map(move |trend| Some((series, trend.load?, trend.quantity.relative(trend.change)?)))
+    });
+    let largest = changes.max_by(|a, b| a.2.abs().total_cmp(&b.2.abs())).map(|(series, load, change)| {
+        format!(
+            " The last refinement changes that area by up to {} % ({} at {}).",
+            signed((100.0 * change).round()),
+            escape(&series.surface),
+            input_quantity(load, "Pa")
+        )
+    });
+    let (asperities, areas) = (asperities.count(), areas.count());
+    let instrument = if asperities.min(areas) < series.len() {
+        " Without a limit they are those of the instrument."
+    } else {
+        ""
+    };
+    format!(
+        "As the sampling interval shrinks, density and radius of the asperities have a limit on {asperities} of {} surfaces, the contact area \
+         of the sum on {areas}.{instrument}{}",
+        series.len(),
+        largest.unwrap_or_default(),
+    )
 }
 
 const NO_GAP: &str =
@@ -113,13 +143,6 @@ fn surface_section(page: &mut Page, tables: &Tables, results: &IntervalResults, 
     let name = surface.surface.name.as_str();
     let load = main_load(surface, &results.loads);
     let pressure = load.map(|load| results.loads[load]);
-    page.heading(2, &format!("Surface {name}"));
-    page.figure(
-        &format!("{name}-over-length.svg"),
-        figures::asperities(surface),
-        "Asperity density and radii against the sampling interval (solid) and the nesting index of the S filter (dashed). A straight \
-         line is a power law without a limit, a level end towards the left a limit.",
-    );
     let limits = tables.view::<LimitRow>().only("surface", name);
     let limits = limits.filter("pressure_pa", |cell| cell.is_empty() || cell.number() == pressure);
     page.heading(3, "Towards the finest length").view(&limits.without(&["remainder", "tolerance"]));
@@ -182,32 +205,35 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_line_has_the_outcome_of_every_quantity_that_is_known() {
+    fn surfaces_with_a_limit_are_counted() {
         let lengths = [1e-6, 2e-6, 4e-6];
         let scale = |&length: &f64| Scale { multiple: 1.0, length, results: Err(String::new()) };
-        let series = |variation, trends| {
-            let scales = lengths.iter().map(scale).collect();
-            Series { surface: "a".into(), variation, scales, trends }
-        };
         let trend = |quantity, load, exponent: f64| {
             let point = |&length: &f64| Point { length, value: exponent * length.ln(), without: None };
             let points: Vec<Point> = lengths.iter().map(point).collect();
             Trend::new(quantity, load, &points, &[], 0.05).unwrap()
         };
-        let trends = vec![
-            trend(TrendQuantity::Density, None, -1.0),
-            trend(TrendQuantity::MeanRadius, None, 0.0),
-            trend(TrendQuantity::DeterministicArea, Some(1e6), 0.0),
-        ];
-        let intervals = series(Variation::Interval, trends);
-        let line =
-            "**a, sampling interval from 2 µm to 1 µm**: density +100 % (no limit); mean radius 0 % (limit)";
-        let at_load = format!("{line}; deterministic area at 1 MPa 0 % (limit).");
-        assert_eq!(outcomes(&intervals, Some(1e6)), at_load);
-        let beyond = "deterministic area at loads that are not admissible at one of the three finest lengths";
-        assert_eq!(outcomes(&intervals, None), format!("{line}; {beyond}."));
-        let none = series(Variation::Filter, Vec::new());
-        let line = "**a, S nesting index**: no asperities at one of the three finest lengths.";
-        assert_eq!(outcomes(&none, None), line);
+        let series = |surface: &str, radius: f64, area: f64| {
+            let trends = vec![
+                trend(TrendQuantity::Density, None, 0.0),
+                trend(TrendQuantity::MeanRadius, None, radius),
+                trend(TrendQuantity::DeterministicArea, Some(1e6), area),
+            ];
+            let scales = lengths.iter().map(scale).collect();
+            Series { surface: surface.into(), variation: Variation::Interval, scales, trends }
+        };
+        let [smooth, rough] = [series("a", 0.0, 0.0), series("b", 0.0, 1.0)];
+        assert_eq!(
+            limits(&[(&smooth, Some(1e6)), (&rough, Some(1e6))]),
+            "As the sampling interval shrinks, density and radius of the asperities have a limit on 2 of 2 surfaces, the contact area of the \
+             sum on 1. Without a limit they are those of the instrument. The last refinement changes that area by up to -50 % (b at 1 MPa)."
+        );
+        assert!(!limits(&[(&smooth, Some(1e6))]).contains("instrument"));
+        let rough = series("b", 1.0, 0.0);
+        let words = limits(&[(&smooth, None), (&rough, None)]);
+        assert!(
+            words.contains("a limit on 1 of 2 surfaces, the contact area of the sum on 0. Without"),
+            "{words}"
+        );
     }
 }

@@ -4,7 +4,7 @@ use asperity::compare::ModelKind;
 use asperity::law::Body;
 use asperity_contact_framework::contact::ContactSummary;
 use asperity_contact_framework::metadata::Metadata;
-use asperity_contact_framework::report::format::{count, input_number, number, percent, signed, thickness};
+use asperity_contact_framework::report::format::{count, input_number, percent, quantity, signed, thickness};
 use asperity_contact_framework::report::page::{Page, escape};
 use asperity_contact_framework::report::sections;
 use asperity_contact_framework::report::table::{Table, Tables};
@@ -15,7 +15,6 @@ use serde_json::{Map, Value, json};
 use super::results::{LawResults, TiledResults, TiledSurface};
 use super::rows::{INTERVAL, SeparationRow, surface_row, tables};
 use crate::layer::CoatedSurface;
-use crate::presentation::limits_note;
 use crate::surface::rows::{SurfaceRow, records};
 
 impl Outcome for TiledResults {
@@ -40,8 +39,7 @@ impl Outcome for TiledResults {
 
     fn page(&self, tables: &Tables) -> Page {
         let mut page = Page::new(&self.metadata.title);
-        sections::findings(&mut page, self.laws.iter().map(answer));
-        sections::warnings(&mut page, &self.warnings());
+        page.lead(&answer(&self.laws));
         for law in &self.laws {
             let name = name(law);
             let layer = law.thickness.map_or_else(String::new, |at| format!("-layer-{at:e}"));
@@ -53,22 +51,22 @@ impl Outcome for TiledResults {
                  interval of the sum from the scatter of the tiles.",
             );
         }
+        sections::warnings(&mut page, &self.warnings());
         page.details(2, "Both models at equal separation", |page| {
             page.view(&tables.view::<SeparationRow>().without_constant(&["law", "layer_thickness_m"]));
         });
         let TiledSurface { name, count: asperities, nominal_area, tiles, .. } = &self.surface;
-        page.heading(2, &format!("Surface {name}"));
+        page.details(2, &format!("Surface {name}"), |page| {
+            page.properties(&tables.view::<SurfaceRow>().without(&["surface", "realisation"]));
+        });
+        sections::notes(&mut page, &self.metadata);
+        sections::what_was_run(&mut page, &self.metadata, &self.contact);
         page.paragraph(&format!(
-            "{} asperities on {} m² in {} tiles.",
+            "{} asperities on {} in {} tiles. Method: [theory](../../docs/theory.md#surfaces-in-tiles).",
             count(*asperities),
-            number(*nominal_area),
+            quantity(*nominal_area, "m²"),
             count(*tiles)
         ));
-        page.properties(&tables.view::<SurfaceRow>().without(&["surface", "realisation"]));
-        sections::notes(&mut page, &self.metadata);
-        page.heading(2, "Method").note(include_str!("notes/method.md"));
-        sections::what_was_run(&mut page, &self.metadata, &self.contact);
-        limits_note(&mut page);
         sections::run_again(&mut page, &self.metadata, None);
         sections::sources(&mut page, &self.metadata);
         page
@@ -91,25 +89,26 @@ fn name(law: &LawResults) -> String {
 }
 
 /// How far the models are apart at equal separation, as far as the sampling error lets that be known.
-fn answer(law: &LawResults) -> String {
-    let name = escape(&name(law));
-    let rows: Vec<SeparationRow> = SeparationRow::all(law).collect();
-    let judged: Vec<&SeparationRow> = rows.iter().filter(|row| row.is_within().is_some()).collect();
-    let excess = |row: &&&SeparationRow| row.ratio().map_or(0.0, |ratio| (ratio - 1.0).abs());
-    let largest = judged.iter().max_by(|a, b| excess(a).total_cmp(&excess(b)));
-    let Some(largest) = largest else {
-        return format!(
-            "**{name}**: the sum has no interval at any separation whose load is admissible: its heights are at the quantiles, or fewer than \
-             eight tiles carry load."
-        );
+fn answer(laws: &[LawResults]) -> String {
+    let rows: Vec<(String, SeparationRow)> = laws
+        .iter()
+        .flat_map(|law| SeparationRow::all(law).map(|row| (name(law), row)))
+        .filter(|(_, row)| row.is_within().is_some())
+        .collect();
+    let excess = |row: &SeparationRow| row.ratio().map_or(0.0, |ratio| ratio - 1.0);
+    let largest = rows.iter().max_by(|a, b| excess(&a.1).abs().total_cmp(&excess(&b.1).abs()));
+    let Some((law, largest)) = largest else {
+        return "The sum has no interval at any admissible load: its heights are at the quantiles, or fewer than eight tiles carry load."
+            .to_owned();
     };
-    let beyond = judged.iter().filter(|row| row.is_within() == Some(false)).count();
+    let within = rows.iter().filter(|(_, row)| row.is_within() == Some(true)).count();
     format!(
-        "**{name}**: at equal separation the pressure of the integral is outside the 95 % interval of the sum at {beyond} of {} valid \
-         separations; the largest difference is {} % at d/σ = {} (interval ±{}).",
-        judged.len(),
-        signed(100.0 * (largest.ratio().unwrap_or(1.0) - 1.0)),
+        "At equal separation the integral is within the 95 % interval of the sum's pressure at {within} of {} separations. It differs most \
+         at d/σ = {} ({}): by {} % (interval ±{}).",
+        rows.len(),
         input_number(largest.separation()),
+        escape(law),
+        signed(100.0 * excess(largest)),
         percent(INTERVAL * largest.relative_error().unwrap_or(0.0)),
     )
 }

@@ -92,9 +92,9 @@ fn laws_have_their_tables_and_say_what_matters() {
 
     let page = fs::read_to_string(out.join("laws/report.md")).unwrap();
     for words in [
-        "**What matters more for d/σ**: cannot be told on drawn (within the sampling uncertainty).",
-        "contact law or summation method?",
-        "mean curvature 50000 /m",
+        "Which changes the separation more, summation method or contact law, cannot be told on any of 1 surfaces",
+        "## What matters more?",
+        "| mean curvature | 50000 /m |",
     ] {
         assert!(page.contains(words), "{words}");
     }

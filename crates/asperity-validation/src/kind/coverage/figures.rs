@@ -6,24 +6,14 @@ use crate::coverage::{Coverage, VerdictCount};
 use asperity::numeric::extremes;
 use asperity_plot::{Axis, Colour, Figure, Layer, Legend, Marker, Plot};
 
-/// The range of coverages of both kinds of intervals, and what a point is.
+/// What a point is, and how far intervals fall short that take asperities as independent.
 pub fn caption(results: &CoverageResults) -> String {
-    let (kind, least) = match results.intervals {
-        Intervals::Blocks => ("Intervals from blocks", "90 %"),
-        Intervals::ModelBased => ("Model-based intervals", "half"),
-    };
-    let cases = &results.cases;
-    let range = |points: fn(&CaseResults) -> Vec<(f64, f64)>| {
-        let [low, high] = extremes(cases.iter().flat_map(points).map(|(_, share)| share))?;
-        Some(format!("{low:.1} to {high:.1} %"))
-    };
-    let finding = |kind: &str, range: Option<String>| {
-        range.map_or_else(String::new, |range| format!("{kind} cover the truth in {range} of the windows. "))
-    };
+    let independent = results.cases.iter().flat_map(independent_where_claimed).map(|(_, share)| share);
+    let below = extremes(independent).map_or_else(String::new, |[low, high]| {
+        format!(" Below: asperities taken as independent; where blocks give intervals, these cover {low:.1} to {high:.1} %.")
+    });
     format!(
-        "{}{}A point is a quantity at a load; band: {}.",
-        finding(&format!("{kind}, where at least {least} of the windows have one,"), range(claimed)),
-        finding("There, intervals that take asperities as independent", range(independent_where_claimed)),
+        "Coverage against effective contacts; a point is a quantity at a load, the band {}.{below}",
         results.intervals.band_name(),
     )
 }
@@ -99,25 +89,8 @@ fn shares(count: &VerdictCount) -> Option<(f64, f64)> {
     Some((100.0 * count.wrong_share()?, 100.0 * count.wrong_window_share()?))
 }
 
-/// In how many processes more decided verdicts than allowed are wrong, and what a point is.
-pub fn wrong_verdicts_caption(results: &CoverageResults) -> String {
-    let more = |of: fn(&CaseResults) -> &VerdictCount| {
-        let shares = results.cases.iter().filter_map(|case| shares(of(case)));
-        let (over, all) =
-            shares.fold((0, 0), |(over, all), (share, _)| (over + usize::from(share > ALLOWED), all + 1));
-        format!("{over} of {all}")
-    };
-    let robust = if results.cases.iter().any(|case| case.robust.windows > 0) {
-        format!(", with robustness in {}", more(|case| &case.robust))
-    } else {
-        String::new()
-    };
-    format!(
-        "More than 5 % of the decided verdicts are wrong in {} processes{robust}. A point is a process: circles are verdicts by themselves in all \
-         windows, crosses those that depend on no choice in the analysis, in the windows studied.",
-        more(|case| &case.verdicts),
-    )
-}
+pub const WRONG_VERDICTS: &str = "Wrong verdicts; a point is a process. Circles: verdicts by themselves, in all windows; crosses: those that \
+                                  depend on no choice in the analysis, in the windows studied.";
 
 pub fn wrong_verdicts(results: &CoverageResults) -> Figure {
     let all = results.cases.iter().flat_map(|case| [&case.verdicts, &case.robust]);

@@ -137,11 +137,9 @@ impl Intervals {
     }
 }
 
-impl CoverageResults {
-    /// Sums over all cases.
-    pub fn total(&self, of: fn(&CaseResults) -> &VerdictCount) -> VerdictCount {
-        self.cases.iter().fold(VerdictCount::default(), |sum, case| sum.plus(of(case)))
-    }
+/// Sums over all cases.
+pub fn total(cases: &[CaseResults], of: fn(&CaseResults) -> &VerdictCount) -> VerdictCount {
+    cases.iter().fold(VerdictCount::default(), |sum, case| sum.plus(of(case)))
 }
 
 impl CaseResults {

@@ -5,7 +5,7 @@ use asperity_contact_framework::columns;
 use asperity_contact_framework::report::table::{Column, Row, Table};
 
 use super::plan::WindowPlan;
-use super::results::{CaseResults, CoverageResults, LoadCoverage, SpikedResults};
+use super::results::{CaseResults, CoverageResults, LoadCoverage, SpikedResults, total};
 use super::spec::Intervals;
 use crate::coverage::{CheckCount, Coverage, CoveredQuantity, VerdictCount};
 use asperity::numeric::extremes;
@@ -237,7 +237,7 @@ fn verdict_rows(results: &CoverageResults) -> Vec<Counted> {
             .collect::<Vec<_>>()
     };
     let mut rows: Vec<_> = results.cases.iter().flat_map(of_case).collect();
-    let all = |of| results.total(of);
+    let all = |of| total(&results.cases, of);
     rows.push((ALL_CASES.to_owned(), DECIDED, ALONE, all(|case| &case.verdicts), None));
     if results.intervals == Intervals::ModelBased {
         rows.push((ALL_CASES.to_owned(), LIKELY, ALONE, all(|case| &case.likely), None));

@@ -1,4 +1,4 @@
-//! The page of `[precision]`: of integral, sum, surface and boundary elements a finding, a figure of time against error, and the table.
+//! The page of `[precision]`: of integral, sum, surface and boundary elements a figure of time against error, and the table.
 
 use super::run::PrecisionResults;
 use crate::precision::integral::{IntegralPoint, Rule};
@@ -7,7 +7,7 @@ use crate::precision::sum::{Method, POINTS, SEPARATIONS, SumPoint};
 use crate::precision::surface::{Statistic, SurfacePoint};
 use crate::precision::{Case, Cost};
 use asperity_contact_framework::report::format::{
-    count, input_number, input_quantity, number, percent, quantity,
+    capitalised, count, input_number, input_quantity, listed, number, one_digit, percent, quantity,
 };
 use asperity_contact_framework::report::page::{Page, escape};
 use asperity_contact_framework::report::sections;
@@ -20,73 +20,59 @@ const FLOOR: f64 = 3e-17;
 
 pub fn page(results: &PrecisionResults, tables: &Tables) -> Page {
     let mut page = Page::new(&results.metadata.title);
-    let per_case = |line: fn(&PrecisionResults, &str) -> Option<String>| {
-        results.cases.iter().filter_map(move |case| line(results, &case.name))
-    };
-    let lines = per_case(integral_line).chain(per_case(sum_line));
-    let lines = lines.chain(surface_line(&results.maps)).chain(reference_line(&results.contacts));
-    sections::findings(&mut page, lines);
+    page.lead(&answer(results));
     let separations: Vec<String> = results.separations.iter().map(|&h| input_number(h)).collect();
     let [from, to] = SEPARATIONS;
-    section(
-        &mut page,
-        "Integral",
-        &format!(
-            "Area and load at d/σ = {}; reference: a tanh-sinh rule in 32 digits, from the equations of the law only. Errors below 3e-17 are \
-             shown at 3e-17. Gauss-Legendre (`gauss-quad`) by its order and adaptive Gauss-Kronrod (`quad-rs`) by its tolerance compute area \
-             and load alone, over the whole range to a density of exp(-40), or split where the law changes with w^½ as variable. The shipped \
-             rule also returns regimes, contacts and stiffness.",
-            separations.join(", ")
-        ),
-        (
-            "integral.svg",
-            integral_figure(results),
-            "Time against error of quadrature rules; cross: the shipped rule.",
-        ),
-        &tables.view::<&IntegralPoint>(),
-    );
-    section(
-        &mut page,
-        "Sum",
-        &format!(
-            "Random sets at {POINTS} separations from {from} to {to} σ, on one thread; reference: the sum of the same terms in 32 digits. \
-             *Naive*: one term after the other; *compensated*: with the rounding error of every addition. The shipped sum also returns \
-             regimes, contacts, stiffness and sampling errors.",
-        ),
-        (
-            "sum.svg",
-            sum_figure(results),
-            "Time against error of sums; the number of asperities increases along each line.",
-        ),
-        &tables.view::<&SumPoint>(),
-    );
-    section(
-        &mut page,
-        "Surface",
-        "Gaussian surfaces with the autocorrelation exp(-(r/l)²), for which the five-point summits on a grid are known in theory. *Bias*: theory \
-         on this grid relative to a fine grid, which has 1.306 times the summits of a continuous surface (Nayak). *Scatter*: deviation of a \
-         single map from theory on its own grid, root mean square.",
-        (
-            "surface.svg",
-            surface_figure(&results.maps),
-            "Time for a map and its summits against bias and scatter together. The size of the map increases along each line; where the line \
-             turns up, only a finer grid reduces the error.",
-        ),
-        &tables.view::<&SurfacePoint>(),
-    );
-    section(
-        &mut page,
-        "Boundary elements",
-        "A paraboloid on a half-space under a given load (Hertz), solved to a relative dual gap of 1e-11. The area is that of the points in \
-         contact, and the same corrected for its border. The load is compared at the computed indentation. `[solver-validation]` \
-         compares further solutions.",
-        (
-            "boundary_elements.svg",
-            reference_figure(&results.contacts),
-            "Time for map, kernel and contact against error; the number of pixels per contact radius increases along each line.",
-        ),
-        &tables.view::<&ReferencePoint>(),
-    );
+    let parts = [
+        Part {
+            title: "Integral",
+            file: "integral.svg",
+            draw: integral_figure,
+            caption: format!(
+                "Time against error of quadrature rules at d/σ = {}. Cross: the shipped rule, which also returns regimes, contacts and \
+                 stiffness. Smaller errors are shown at 3e-17.",
+                separations.join(", ")
+            ),
+            view: tables.view::<&IntegralPoint>(),
+        },
+        Part {
+            title: "Sum",
+            file: "sum.svg",
+            draw: sum_figure,
+            caption: format!(
+                "Time against error of sums at {POINTS} separations from {from} to {to} σ, on one thread; the number of asperities increases \
+                 along each line."
+            ),
+            view: tables.view::<&SumPoint>(),
+        },
+        Part {
+            title: "Surface",
+            file: "surface.svg",
+            draw: surface_figure,
+            caption: "Time for a map and its summits against bias and scatter together. The map grows along each line; where the line turns \
+                      up, only a finer grid reduces the error."
+                .to_owned(),
+            view: tables.view::<&SurfacePoint>(),
+        },
+        Part {
+            title: "Boundary elements",
+            file: "boundary_elements.svg",
+            draw: reference_figure,
+            caption: "Time for map, kernel and Hertz's contact against error; the number of pixels per contact radius increases along each \
+                      line."
+                .to_owned(),
+            view: tables.view::<&ReferencePoint>(),
+        },
+    ];
+    let parts = || parts.iter().filter(|part| !part.view.is_empty());
+    for part in parts() {
+        page.figure(part.file, (part.draw)(results), &part.caption);
+    }
+    for part in parts() {
+        page.details(2, &format!("Times and errors: {}", part.title.to_lowercase()), |page| {
+            page.view(&part.view);
+        });
+    }
     sections::notes(&mut page, &results.metadata);
     sections::what_was_run(&mut page, &results.metadata, &results.contact);
     page.bullets(results.cases.iter().map(|Case { name, population }| {
@@ -99,8 +85,7 @@ pub fn page(results: &PrecisionResults, tables: &Tables) -> Page {
         )
     }));
     page.paragraph(&format!(
-        "Law {}; {} threads for surfaces and boundary elements. Each time is the median of runs of all candidates in turn; it varies between \
-         machines and between runs. Ratios are significant beyond about 10 %.",
+        "Law {}; {} threads for surfaces and boundary elements. Method: [theory](../../docs/theory.md#run-time-against-error).",
         escape(&results.law),
         results.threads,
     ));
@@ -109,20 +94,74 @@ pub fn page(results: &PrecisionResults, tables: &Tables) -> Page {
     page
 }
 
-/// What was measured, a figure and its table; nothing without rows.
-fn section(page: &mut Page, title: &str, method: &str, figure: (&str, Figure, &str), view: &View) {
-    if view.is_empty() {
-        return;
-    }
-    let (file, figure, caption) = figure;
-    page.heading(2, title).paragraph(method).figure(file, figure, caption);
-    page.details(3, &format!("Times and errors: {}", title.to_lowercase()), |page| {
-        page.view(view);
-    });
+/// What was measured: a figure and its table; neither is shown without rows.
+struct Part<'a> {
+    title: &'static str,
+    file: &'static str,
+    draw: fn(&PrecisionResults) -> Figure,
+    caption: String,
+    view: View<'a>,
 }
 
-fn time(seconds: f64) -> String {
-    quantity(seconds, "s")
+/// What integral and sum take and how exact they are, and what a map and a contact take.
+fn answer(results: &PrecisionResults) -> String {
+    let cases = || results.cases.iter().map(|case| case.name.as_str());
+    let of_integrals = cases().filter_map(|case| integral(&results.integrals, case)).collect::<Vec<_>>();
+    let of_sums = cases().filter_map(|case| sum(&results.sums, case)).collect::<Vec<_>>();
+    let asperities = results.sums.iter().map(|point| point.asperities).max();
+    let integral = Comparison::slowest(&of_integrals).map(|slowest| {
+        let others = slowest.others.map_or_else(
+            || "no other rule is within 1e-12".to_owned(),
+            |ratio| format!("other rules within 1e-12 take at least {} times as long", times(ratio)),
+        );
+        format!(
+            "The integral takes at most {} per separation, with errors up to {}; {others}.",
+            slowest.time(),
+            slowest.error()
+        )
+    });
+    let sum = Comparison::slowest(&of_sums).zip(asperities).map(|(slowest, asperities)| {
+        let naive = slowest.others.map_or_else(String::new, |ratio| {
+            format!("; the naive sum takes at least {} times as long", times(ratio))
+        });
+        format!(
+            "The sum of {} asperities takes at most {}, with errors up to {}{naive}.",
+            count(asperities),
+            slowest.time(),
+            slowest.error()
+        )
+    });
+    let sentences = integral.into_iter().chain(sum).chain(map_and_contact(results));
+    sentences.collect::<Vec<_>>().join(" ")
+}
+
+/// The shipped method, and how many times as long the fastest other one takes that is as exact as asked for.
+#[derive(Debug, Clone, Copy)]
+struct Comparison {
+    shipped: Cost,
+    others: Option<f64>,
+}
+
+impl Comparison {
+    /// The longest time, the largest error and the smallest ratio of several.
+    fn slowest(all: &[Self]) -> Option<Self> {
+        all.iter().copied().reduce(|a, b| Self {
+            shipped: Cost {
+                seconds: a.shipped.seconds.max(b.shipped.seconds),
+                area_error: a.shipped.area_error.max(b.shipped.area_error),
+                load_error: a.shipped.load_error.max(b.shipped.load_error),
+            },
+            others: a.others.into_iter().chain(b.others).reduce(f64::min),
+        })
+    }
+
+    fn time(&self) -> String {
+        quantity(self.shipped.seconds, "s")
+    }
+
+    fn error(&self) -> String {
+        one_digit(self.shipped.error())
+    }
 }
 
 /// A ratio of times to two significant digits.
@@ -144,77 +183,47 @@ fn cost(cost: &Cost) -> (f64, f64) {
     (cost.error(), cost.seconds)
 }
 
-fn integral_line(results: &PrecisionResults, case: &str) -> Option<String> {
+fn integral(points: &[IntegralPoint], case: &str) -> Option<Comparison> {
     /// Within this the shipped rule is compared with the fastest other one.
     const LEVEL: f64 = 1e-12;
-    let of_case = || results.integrals.iter().filter(|point| point.case == case);
-    let shipped = of_case().find(|point| point.rule == Rule::Shipped)?;
+    let of_case = || points.iter().filter(|point| point.case == case);
+    let shipped = of_case().find(|point| point.rule == Rule::Shipped)?.cost;
     let others = of_case().filter(|point| point.rule != Rule::Shipped);
     let other = fastest(others, LEVEL, |point| cost(&point.cost));
-    let comparison = other.map_or_else(
-        || "no other rule is within 1e-12".to_owned(),
-        |other| {
-            let effort = other.rule.order().map_or_else(String::new, |order| format!(", order {order}"));
-            let ratio = times(other.cost.seconds / shipped.cost.seconds);
-            format!(
-                "the fastest other rule within 1e-12, {}{effort}, takes {ratio} times as long",
-                other.rule.name()
-            )
-        },
-    );
-    Some(format!(
-        "**Integral, {}**: {} per separation with an error of {}; {comparison}.",
-        escape(case),
-        time(shipped.cost.seconds),
-        number(shipped.cost.error()),
-    ))
+    Some(Comparison { shipped, others: other.map(|other| other.cost.seconds / shipped.seconds) })
 }
 
-fn sum_line(results: &PrecisionResults, case: &str) -> Option<String> {
-    let largest = results.sums.iter().map(|point| point.asperities).max()?;
+/// Of the largest number of asperities.
+fn sum(points: &[SumPoint], case: &str) -> Option<Comparison> {
+    let largest = points.iter().map(|point| point.asperities).max()?;
     let of = |method: Method| {
         let is_it = |point: &&SumPoint| {
             (point.case.as_str(), point.asperities, point.method) == (case, largest, method)
         };
-        results.sums.iter().find(is_it).map(|point| point.cost)
+        points.iter().find(is_it).map(|point| point.cost)
     };
-    let (naive, shipped) = (of(Method::Naive)?, of(Method::Shipped)?);
-    Some(format!(
-        "**Sum, {}**: {} asperities take {} per separation with an error of {}; the naive sum takes {} times as long with an error of {}.",
-        escape(case),
-        count(largest),
-        time(shipped.seconds),
-        number(shipped.error()),
-        times(naive.seconds / shipped.seconds),
-        number(naive.error()),
-    ))
+    let shipped = of(Method::Shipped)?;
+    Some(Comparison { shipped, others: of(Method::Naive).map(|naive| naive.seconds / shipped.seconds) })
 }
 
-fn surface_line(maps: &[SurfacePoint]) -> Option<String> {
-    /// A radius within this is sought.
-    const LEVEL: f64 = 0.03;
-    let map = fastest(maps.iter(), LEVEL, |map| (map.error(Statistic::Radius), map.seconds))?;
-    Some(format!(
-        "**Surface**: the fastest map with the mean asperity radius within {} has {} points per correlation length and a side of {} correlation \
-         lengths ({}).",
-        percent(LEVEL),
-        input_number(map.per_length),
-        input_number(map.lengths),
-        time(map.seconds),
-    ))
-}
-
-fn reference_line(contacts: &[ReferencePoint]) -> Option<String> {
-    /// An area within this is sought.
-    const LEVEL: f64 = 0.01;
-    let contact = fastest(contacts.iter(), LEVEL, |contact| cost(&contact.cost))?;
-    Some(format!(
-        "**Boundary elements**: {} pixels per contact radius give the area within {} and the load within {} ({}).",
-        contact.pixels,
-        percent(contact.cost.area_error),
-        percent(contact.cost.load_error),
-        time(contact.cost.seconds),
-    ))
+fn map_and_contact(results: &PrecisionResults) -> Option<String> {
+    /// A mean radius within this, and an area.
+    const LEVELS: [f64; 2] = [0.03, 0.01];
+    let time = |seconds: f64| quantity(seconds, "s");
+    let map = fastest(results.maps.iter(), LEVELS[0], |map| (map.error(Statistic::Radius), map.seconds));
+    let map = map.map(|map| {
+        format!("a map whose mean radius is within {} takes {}", percent(LEVELS[0]), time(map.seconds))
+    });
+    let contact = fastest(results.contacts.iter(), LEVELS[1], |contact| cost(&contact.cost));
+    let contact = contact.map(|contact| {
+        let area = percent(LEVELS[1]);
+        format!(
+            "boundary elements give the area of a contact within {area} in {}",
+            time(contact.cost.seconds)
+        )
+    });
+    let parts: Vec<String> = map.into_iter().chain(contact).collect();
+    (!parts.is_empty()).then(|| format!("{}.", capitalised(&listed(&parts))))
 }
 
 /// Time against error: a line with a marker at each point, named once.
@@ -271,8 +280,8 @@ fn sum_figure(results: &PrecisionResults) -> Figure {
     })
 }
 
-fn surface_figure(maps: &[SurfacePoint]) -> Figure {
-    let grids: Vec<&[SurfacePoint]> = maps.chunk_by(|a, b| a.per_length == b.per_length).collect();
+fn surface_figure(results: &PrecisionResults) -> Figure {
+    let grids: Vec<&[SurfacePoint]> = results.maps.chunk_by(|a, b| a.per_length == b.per_length).collect();
     let plot = |title: &str, statistic: Statistic| {
         let error = Axis::log(format!("relative error of the {}", title.to_lowercase()));
         let plot = Plot::new(title, error, Axis::log("time for a map and its summits (s)"));
@@ -286,7 +295,7 @@ fn surface_figure(maps: &[SurfacePoint]) -> Figure {
     Figure::row("Surface: time against error", plots)
 }
 
-fn reference_figure(contacts: &[ReferencePoint]) -> Figure {
+fn reference_figure(results: &PrecisionResults) -> Figure {
     type Error = (&'static str, fn(&ReferencePoint) -> f64);
     let errors: [Error; 3] = [
         ("area, points counted", |contact| contact.counted_area_error),
@@ -299,7 +308,8 @@ fn reference_figure(contacts: &[ReferencePoint]) -> Figure {
         Axis::log("time per contact (ms)"),
     );
     let plot = errors.iter().zip(MARKERS).enumerate().fold(plot, |plot, (k, ((name, error), marker))| {
-        let places = contacts.iter().map(|contact| (error(contact), 1e3 * contact.cost.seconds)).collect();
+        let places =
+            results.contacts.iter().map(|contact| (error(contact), 1e3 * contact.cost.seconds)).collect();
         series(plot, places, name, Colour::Series(k), marker)
     });
     plot.into()

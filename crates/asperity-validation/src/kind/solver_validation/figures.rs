@@ -1,12 +1,14 @@
 //! Figures of the comparisons.
 
-use super::results::{ErrorRow, SolverResults, convolutions, errors, loads};
+use super::results::{ErrorRow, GRID_QUANTITIES, SolverResults, convolutions, errors, loads};
 use crate::solver::ensemble::{EnsemblePoint, EnsembleResults, Mean, bush_gibson_thomas, persson};
+use crate::solver::grid::{GridCase, GridPoint, MAY_EXCEED};
 use crate::solver::published::{ENSEMBLE, PUBLISHED, PublishedArea, published};
 use crate::solver::work::WorkPoint;
 use crate::solver::{Benchmark, BenchmarkQuantity, LAYERED_CASES, Problem, Profile};
 use asperity::analytical;
 use asperity::numeric::extremes;
+use asperity_contact_framework::report::format::capitalised;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
 
 /// Standard errors of a band: 95 % of many surfaces.
@@ -220,4 +222,25 @@ pub fn work(work: &[WorkPoint]) -> Figure {
         with_series(plot, line, colour, Marker::Circle, &format!("p/(E* g) = {load}"))
     };
     loads.iter().enumerate().fold(plot, with_load).into()
+}
+
+/// The share of the contacts whose errors by the grid exceed their bounds, against points per shortest wave on the coarser axis.
+pub fn grid(grid: &[GridPoint]) -> Figure {
+    const MARKERS: [Marker; 5] =
+        [Marker::Circle, Marker::Square, Marker::Triangle, Marker::Cross, Marker::Ring];
+    let panel = |(quantity, name): (usize, &str)| {
+        let points = Axis::log("points per shortest wave").range(1.6, 10.0);
+        let plot = plot(&capitalised(name), points, Axis::linear("errors beyond their bound (%)"));
+        let plot = plot.height(300.0).with_zero().with(Layer::at_y(100.0 * MAY_EXCEED, "allowed of all"));
+        GridCase::ALL.into_iter().zip(MARKERS).enumerate().fold(plot, |plot, (k, (case, marker))| {
+            let place = |point: &GridPoint| {
+                let share = point.checks[quantity].exceeded as f64 / point.contacts as f64;
+                (point.points.into_iter().fold(usize::MAX, usize::min) as f64, 100.0 * share)
+            };
+            let places = grid.iter().filter(|point| point.case == case).map(place);
+            plot.with(Layer::points(places, marker).coloured(Colour::Series(k)).named(case.name()))
+        })
+    };
+    let panels = GRID_QUANTITIES.into_iter().enumerate().map(panel);
+    Figure::row("Errors by the grid beyond their bounds", panels.collect())
 }

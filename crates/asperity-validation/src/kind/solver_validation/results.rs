@@ -8,7 +8,7 @@ use crate::solver::{Benchmark, BenchmarkQuantity, Problem, Profile};
 use asperity::compare::SlopeFit;
 use asperity::numeric::extremes;
 use asperity_contact_framework::metadata::Metadata;
-use asperity_contact_framework::report::format::{input_number, number, percent};
+use asperity_contact_framework::report::format::{number, percent};
 
 /// The lowest order of convergence of Hertz's indentation that is accepted; 2 is expected.
 pub const LOWEST_ORDER: f64 = 1.7;
@@ -88,14 +88,18 @@ pub fn grid_warnings(grid: &[GridPoint]) -> Vec<String> {
     parts.filter(|(_, part)| *part > MAY_EXCEED).map(line).collect()
 }
 
-/// Bounds that are exceeded, a line each.
+/// Bounds that are exceeded, a line for each kind.
 pub fn warnings(benchmarks: &[Benchmark], ensemble: Option<&EnsembleResults>) -> Vec<String> {
-    let exceeded = benchmarks.iter().filter(|benchmark| !benchmark.is_within()).map(|benchmark| {
-        let Benchmark { problem, case, points, quantity, error, allowed, .. } = benchmark;
+    let exceeded: Vec<&Benchmark> = benchmarks.iter().filter(|benchmark| !benchmark.is_within()).collect();
+    let factor = |benchmark: &Benchmark| benchmark.error.abs() / benchmark.allowed.unwrap_or(f64::INFINITY);
+    let farthest = exceeded.iter().max_by(|a, b| factor(a).total_cmp(&factor(b)));
+    let known = farthest.map(|benchmark| {
+        let Benchmark { problem, points, quantity, error, allowed, .. } = benchmark;
         format!(
-            "{}, {case}, {points} points: the error of the {} is {}; allowed: {}",
-            problem.name(),
+            "{} errors against known solutions exceed their bounds, most that of the {} ({}, {points} points): {}; allowed: {}",
+            exceeded.len(),
             quantity.words(),
+            problem.name(),
             number(error.abs()),
             number(allowed.unwrap_or(f64::INFINITY)),
         )
@@ -105,17 +109,18 @@ pub fn warnings(benchmarks: &[Benchmark], ensemble: Option<&EnsembleResults>) ->
         format!("hertz: the indentation converges with order {order}; allowed: at least {LOWEST_ORDER}")
     });
     let areas = ensemble.into_iter().flat_map(|ensemble| &ensemble.extrapolated);
-    let distant = areas.filter_map(|point| {
-        let difference = point.difference().filter(|difference| !is_near(*difference))?;
-        Some(format!(
-            "ensemble, p/E* = {}: the extrapolated area is {} ± {} from the published one; allowed: {} plus {ERRORS} standard errors",
-            input_number(point.pressure),
-            percent(difference.mean),
-            percent(difference.error),
-            percent(PUBLISHED_WITHIN)
-        ))
+    let distant: Vec<Mean> =
+        areas.filter_map(EnsemblePoint::difference).filter(|difference| !is_near(*difference)).collect();
+    let farthest = distant.iter().map(|difference| difference.mean.abs()).reduce(f64::max);
+    let distant = farthest.map(|farthest| {
+        format!(
+            "ensemble: {} extrapolated areas are further than {} and {ERRORS} standard errors from the published ones (at most {})",
+            distant.len(),
+            percent(PUBLISHED_WITHIN),
+            percent(farthest),
+        )
     });
-    exceeded.chain(order).chain(distant).collect()
+    known.into_iter().chain(order).chain(distant).collect()
 }
 
 /// The benchmarks of a problem at one resolution; there is at least one.
@@ -249,7 +254,8 @@ mod tests {
         let lines = warnings(&poor, None);
         assert_eq!(lines.len(), 2, "{lines:?}");
         assert!(
-            lines[0].contains("64 points: the error of the indentation is 4e-5; allowed: 2.5e-5"),
+            lines[0].starts_with("1 errors")
+                && lines[0].contains("(hertz, 64 points): 4e-5; allowed: 2.5e-5"),
             "{lines:?}"
         );
         assert_eq!(order(&poor[..1]), None);

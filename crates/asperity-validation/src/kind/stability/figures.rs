@@ -50,13 +50,12 @@ pub fn caption(map: &Map) -> &'static str {
             "Relative error of the integral for steel on steel under ZMC. White: below a tenth of the unit roundoff, or zero."
         }
         "transition" => {
-            "Relative error of a single steel contact for any ratio c = w₂/w₁: elastic left of w₁, plastic right of \
-             w₂. Between them the error increases as 1/(c − 1) where c is near 1, because of the rounding of w₁ alone."
+            "Relative error of a single steel contact for any ratio c = w₂/w₁: elastic left of w₁, plastic right of w₂. Between them it \
+             grows as 1/(c − 1), by the rounding of w₁ alone."
         }
         _ => {
-            "Relative error of a single contact under a layer a tenth as stiff and as hard as the flat, from uncoated \
-             (left) to bulk layer material (right). Stripes: elastic (top), where the hardness has no effect, and plastic \
-             (bottom), where the modulus has none."
+            "Relative error of a single contact under a layer a tenth as stiff and as hard as the flat, from uncoated (left) to bulk \
+             layer material (right). Stripes: elastic (top) and plastic (bottom) contacts."
         }
     }
 }

@@ -28,15 +28,15 @@ impl Outcome for StabilityResults {
     fn page(&self, tables: &Tables) -> Page {
         let mut page = Page::new(&self.metadata.title);
         page.lead(&answer(&self.groups));
-        sections::warnings(&mut page, &self.warnings());
         for map in &self.maps {
             page.figure(&format!("{}-errors.svg", map.name), error_map(map), caption(map));
         }
-        sections::notes(&mut page, &self.metadata);
+        sections::warnings(&mut page, &self.warnings());
         for kind in CheckKind::ALL.map(CheckKind::name) {
-            page.heading(2, &format!("{}: largest errors", capitalised(kind)));
-            let groups = tables.view::<&GroupResults>().only("kind", kind);
-            page.view(&groups.without(&["description", "not_finite", "within_bounds"]));
+            page.details(2, &format!("{}: largest errors", capitalised(kind)), |page| {
+                let groups = tables.view::<&GroupResults>().only("kind", kind);
+                page.view(&groups.without(&["description", "not_finite", "within_bounds"]));
+            });
         }
         page.details(2, "Groups of cases", |page| {
             page.view(&tables.view::<&GroupResults>().columns(&["kind", "group", "description"]));
@@ -45,19 +45,23 @@ impl Outcome for StabilityResults {
             let sums = tables.view::<WorstRow>().only("kind", CheckKind::Sum.name());
             page.view(&sums.columns(&["group", "quantity", "worst_error", "plain_error"]));
         });
+        sections::notes(&mut page, &self.metadata);
+        page.heading(2, "Set-up");
         let [_, laws] = CoveredLaw::coverage();
-        page.heading(2, "Method").note(include_str!("notes/method.md"));
+        let method = "Method: [stability](../../docs/stability.md).".to_owned();
         let provenance = sections::provenance(&self.metadata);
-        not_covered(laws, &uncovered_heights()).into_iter().chain([provenance]).for_each(|sentence| {
-            page.paragraph(&sentence);
-        });
+        not_covered(laws, &uncovered_heights()).into_iter().chain([method, provenance]).for_each(
+            |sentence| {
+                page.paragraph(&sentence);
+            },
+        );
         sections::run_again(&mut page, &self.metadata, None);
         sections::sources(&mut page, &self.metadata);
         page
     }
 }
 
-/// The number of cases, whether all are within their bounds, and the largest error of each kind.
+/// The number of cases, whether all are within their bounds, and the largest error.
 fn answer(groups: &[GroupResults]) -> String {
     let cases: u64 = groups.iter().map(|group| group.cases).sum();
     let cases = count(cases as usize);
@@ -65,12 +69,13 @@ fn answer(groups: &[GroupResults]) -> String {
         0 => format!("All {cases} cases are within their error bounds"),
         beyond => format!("{beyond} of {} groups of cases are not within their error bounds", groups.len()),
     };
-    let largest = CheckKind::ALL.into_iter().filter_map(|kind| {
-        let of_kind = groups.iter().filter(|group| group.group.kind() == kind);
-        let errors = of_kind.flat_map(|group| group.worst.iter().map(|worst| worst.largest));
-        Some(format!("{} {}", kind.name(), one_digit(errors.max_by(f64::total_cmp)?)))
+    let errors = groups
+        .iter()
+        .flat_map(|group| group.worst.iter().map(move |worst| (worst.largest, group.group.kind())));
+    let largest = errors.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(error, kind)| {
+        format!(" The largest relative error against 32 digits is {} ({}).", one_digit(error), kind.name())
     });
-    format!("**{verdict}.** Largest errors: {}.", largest.collect::<Vec<_>>().join(", "))
+    format!("{verdict}.{}", largest.unwrap_or_default())
 }
 
 /// What is wrong first in a group.
@@ -104,15 +109,15 @@ mod tests {
         let mut groups = [group(Group::Contacts), group(Group::Integrals)];
         let lead = answer(&groups);
         assert!(
-            lead.starts_with("**All 6 cases are within their error bounds.** Largest errors: single"),
+            lead.starts_with("All 6 cases are within their error bounds. The largest relative error against"),
             "{lead}"
         );
         assert_eq!(groups.iter().find_map(warning), None);
         groups[1].worst[0].checked = 0.02;
         groups[1].worst[0].largest = 0.03;
         let lead = answer(&groups);
-        assert!(lead.starts_with("**1 of 2 groups of cases are not within their error bounds.**"), "{lead}");
-        assert!(lead.contains("integral 3e-2"), "{lead}");
+        assert!(lead.starts_with("1 of 2 groups of cases are not within their error bounds."), "{lead}");
+        assert!(lead.ends_with("32 digits is 3e-2 (integral)."), "{lead}");
         let warning = warning(&groups[1]).unwrap();
         assert!(warning.starts_with("any integral, case "), "{warning}");
         assert!(warning.ends_with(": error of 2.0e-2 in area, beyond the bound of 1.0e-13"), "{warning}");
