@@ -58,7 +58,7 @@ pub use legend::Legend;
 pub use raster::Raster;
 pub use style::{DARK_COLOURS, Size, dark_rules};
 
-use layer::Shape;
+use layer::{Direction, Shape};
 
 /// How values are spread along an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -315,7 +315,7 @@ impl Figure {
     }
 
     /// Draws the first plot as the text of an SVG file for a card: narrow, with letters as large as on a page; names that would take more room
-    /// than the plot are left out.
+    /// than the plot are left out, and labels of regions that stand upright.
     pub fn card(&self) -> String {
         const MOST_NAMES: usize = 4;
         let Some(plot) = self.plots.first() else { return String::new() };
@@ -323,6 +323,8 @@ impl Figure {
         if plot.names().len() > MOST_NAMES {
             plot.legend = Legend::Hidden;
         }
+        let upright = |layer: &&mut Layer| matches!(layer.shape, Shape::Region(Direction::X, ..));
+        plot.layers.iter_mut().filter(upright).for_each(|layer| layer.label.clear());
         draw::card(&self.title, &plot)
     }
 

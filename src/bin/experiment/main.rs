@@ -469,7 +469,8 @@ fn write_report(
     // Of several reports the pages have them.
     let mut count = String::new();
     if !place.is_alone() && !warnings.is_empty() {
-        count = format!(", {} warnings", warnings.len());
+        let plural = if warnings.len() == 1 { "" } else { "s" };
+        count = format!(", {} warning{plural}", warnings.len());
     } else if !options.quiet {
         for warning in warnings {
             let warning = experiment.for_its_user(&warning);

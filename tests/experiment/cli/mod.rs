@@ -322,7 +322,8 @@ fn of_several_specs_the_quick_ones_run_first_and_three_lines_end_the_run() {
     assert!(output.contains("3 reports: 1 written, 2 unchanged, 0 failed"), "{output}");
     assert!(listed("c-long").contains("up to date      long, 0 s"), "{}", listed("c-long"));
     let summary = folder.path().join("reports/c-long/summary.json");
-    let other = fs::read_to_string(&summary).unwrap().replacen("library_sha256\": \"", "library_sha256\": \"0", 1);
+    let other =
+        fs::read_to_string(&summary).unwrap().replacen("library_sha256\": \"", "library_sha256\": \"0", 1);
     fs::write(&summary, other).unwrap();
     assert!(listed("c-long").contains("edited"));
     fs::remove_file(folder.path().join("reports/c-long/manifest.json")).unwrap();
@@ -330,7 +331,10 @@ fn of_several_specs_the_quick_ones_run_first_and_three_lines_end_the_run() {
     let index = fs::read_to_string(folder.path().join("reports/index.html")).unwrap();
     let place = |text: &str| index.find(text).unwrap_or_else(|| panic!("no {text}"));
     assert!(place("Your surfaces</h2>") < place("a-large/report.html"));
-    assert!(place("a-large/report.html") < place("Laws</h2>") && place("Laws</h2>") < place("b-small/report.html"));
+    assert!(
+        place("a-large/report.html") < place("Laws</h2>")
+            && place("Laws</h2>") < place("b-small/report.html")
+    );
     assert!(!index.contains("Reality check</h2>"));
     let glossary = fs::read_to_string(folder.path().join("reports/glossary.md")).unwrap();
     assert!(glossary.contains("| effective contacts |"));
@@ -339,7 +343,8 @@ fn of_several_specs_the_quick_ones_run_first_and_three_lines_end_the_run() {
 #[test]
 fn what_memory_cannot_hold_is_refused_with_the_way_out() {
     let folder = tempfile::tempdir().unwrap();
-    let spec = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("experiments/precision.toml")).unwrap();
+    let spec =
+        fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("experiments/precision.toml")).unwrap();
     let spec = spec.replace("[1e7, 1e8]", "[1e12]");
     fs::write(folder.path().join("precision.toml"), spec).unwrap();
     let check = |more: &[&str]| experiment(&[&["check", "precision.toml"], more].concat(), folder.path());
