@@ -16,9 +16,22 @@ const FOLDERS: [&str; 7] = [
     "crates/asperity-validation/src",
 ];
 
+/// Those of them that numbers follow from, whatever a page says of them.
+const LIBRARY: [&str; 2] = ["crates/asperity/src", "crates/asperity-fft/src"];
+
 fn main() {
-    let mut files = vec![PathBuf::from("Cargo.toml"), PathBuf::from("Cargo.lock"), PathBuf::from("build.rs")];
-    for folder in FOLDERS {
+    let manifests = ["Cargo.toml", "Cargo.lock", "build.rs"];
+    println!("cargo:rustc-env=ASPERITY_SOURCES={}", hash_of(&manifests, &FOLDERS));
+    println!("cargo:rustc-env=ASPERITY_LIBRARY={}", hash_of(&[], &LIBRARY));
+    for watched in FOLDERS.into_iter().chain(manifests) {
+        println!("cargo:rerun-if-changed={watched}");
+    }
+}
+
+/// SHA-256 of files and of all files of folders, hexadecimal.
+fn hash_of(files: &[&str], folders: &[&str]) -> String {
+    let mut files: Vec<PathBuf> = files.iter().map(PathBuf::from).collect();
+    for folder in folders {
         collect(Path::new(folder), &mut files);
     }
     files.sort();
@@ -29,11 +42,7 @@ fn main() {
         hash.update((content.len() as u64).to_le_bytes());
         hash.update(&content);
     }
-    let hex: String = hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect();
-    println!("cargo:rustc-env=ASPERITY_SOURCES={hex}");
-    for watched in FOLDERS.into_iter().chain(["Cargo.toml", "Cargo.lock", "build.rs"]) {
-        println!("cargo:rerun-if-changed={watched}");
-    }
+    hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 fn collect(folder: &Path, files: &mut Vec<PathBuf>) {

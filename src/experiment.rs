@@ -16,7 +16,7 @@ use asperity_contact_framework::metadata::Timing;
 use asperity_contact_framework::progress::{Progress, Silent};
 use asperity_contact_framework::report::format::listed;
 use asperity_contact_framework::report::store::{is_plain, plain};
-use asperity_contact_framework::{AnyKind, AnyPlan, Outcome, Planned, Print, RunContext};
+use asperity_contact_framework::{AnyKind, Group, Outcome, Planned, Print, RunContext};
 use asperity_plot::Size;
 use indexmap::IndexMap;
 use sha2::{Digest, Sha256};
@@ -28,6 +28,9 @@ use crate::surface::{FileOptions, SurfaceFactory, SurfacesPlan, by_hand, files_o
 
 /// SHA-256 of the sources that this program was built from.
 const SOURCES: &str = env!("ASPERITY_SOURCES");
+
+/// SHA-256 of the sources of the library that this program was built from.
+pub const LIBRARY: &str = env!("ASPERITY_LIBRARY");
 
 /// Figures as PDF and PNG (300 pixels per inch, as journals ask for), where this build has the feature `print`.
 #[cfg(feature = "print")]
@@ -51,6 +54,7 @@ pub struct Experiment {
     notes: String,
     figure: Option<Size>,
     is_long: bool,
+    group: Option<Group>,
     seed: u64,
     materials: IndexMap<String, Material>,
     origins: IndexMap<String, MaterialOrigin>,
@@ -67,16 +71,16 @@ impl Experiment {
         Self::read_spec(path, false)
     }
 
-    /// The same, to run also what takes minutes and gigabytes, where the spec has such a thing.
+    /// The same, to run also what needs gigabytes, where the spec has such a thing.
     ///
     /// # Errors
     /// As [`Self::read`].
-    pub fn read_in_full(path: &Path) -> Result<Self, InputError> {
+    pub fn read_huge(path: &Path) -> Result<Self, InputError> {
         Self::read_spec(path, true)
     }
 
-    fn read_spec(path: &Path, full: bool) -> Result<Self, InputError> {
-        Self::of_spec(SpecFile::read(path, &tables())?, stem_of(path)?, full)
+    fn read_spec(path: &Path, huge: bool) -> Result<Self, InputError> {
+        Self::of_spec(SpecFile::read(path, &tables())?, stem_of(path)?, huge)
     }
 
     /// An experiment from a text, whose report is called `stem`.
@@ -87,10 +91,11 @@ impl Experiment {
         Self::of_spec(SpecFile::parse(source, &tables())?, stem.to_owned(), false)
     }
 
-    fn of_spec(spec: SpecFile, stem: String, full: bool) -> Result<Self, InputError> {
+    fn of_spec(spec: SpecFile, stem: String, huge: bool) -> Result<Self, InputError> {
         let kind = kind(&spec)?;
-        let planned = kind.plan(&spec, full)?;
-        Self::new(spec, stem, kind.name(), planned)
+        let planned = kind.plan(&spec, huge)?;
+        let group = spec.group.or(kind.group());
+        Ok(Self { group, ..Self::new(spec, stem, kind.name(), planned)? })
     }
 
     /// Describes the surfaces of a spec; or that of a measured file with `options`, as in `[surface.NAME.file]`, and compares both
@@ -139,8 +144,7 @@ impl Experiment {
         let materials = spec.materials().map(|(name, body)| (name.get_ref().clone(), *body)).collect();
         let origins = spec.origins();
         let SpecFile { source, title, notes, figure, is_long, seed, .. } = spec;
-        check_memory(&*planned.plan, &source)?;
-        let described = None;
+        check_memory(&planned, &source)?;
         Ok(Self {
             source,
             stem,
@@ -149,11 +153,12 @@ impl Experiment {
             notes,
             figure,
             is_long,
+            group: None,
             seed,
             materials,
             origins,
             planned,
-            described,
+            described: None,
         })
     }
 
@@ -175,6 +180,11 @@ impl Experiment {
     /// Whether it runs only where it is named or long runs are asked for.
     pub fn is_long(&self) -> bool {
         self.is_long
+    }
+
+    /// An estimate of the work of a run: micro-contacts evaluated.
+    pub fn work(&self) -> u128 {
+        self.planned.plan.work()
     }
 
     /// Its spec.
@@ -290,6 +300,8 @@ impl Experiment {
             notes,
             figure: *figure,
             is_long: self.is_long,
+            group: self.group,
+            library_sha256: LIBRARY,
             seed: *seed,
             materials,
             origins,
@@ -373,17 +385,18 @@ fn kind(spec: &SpecFile) -> Result<&'static dyn AnyKind, InputError> {
 }
 
 /// Refuses what memory cannot hold, before anything is allocated.
-fn check_memory(plan: &dyn AnyPlan, source: &Source) -> Result<(), InputError> {
+fn check_memory(planned: &Planned, source: &Source) -> Result<(), InputError> {
     let mut system = sysinfo::System::new();
     system.refresh_memory();
     let available = u128::from(system.available_memory());
-    let needed = plan.memory();
+    let needed = planned.plan.memory();
     // Without a known limit nothing is refused.
     if available == 0 || needed.bytes <= available {
         return Ok(());
     }
+    let smaller = if planned.variant.is_empty() { "" } else { "the same without --huge, " };
     let message = format!(
-        "this needs about {:.1} GB of memory; available: {:.1} GB. Allowed: fewer asperities, a smaller map, where it compares models \
+        "this needs about {:.1} GB of memory; available: {:.1} GB. Allowed: {smaller}fewer asperities, a smaller map, where it compares models \
          on a measured map, robustness = false, or [tiled], which sums a surface of any size at given separations",
         needed.bytes as f64 / 1e9,
         available as f64 / 1e9

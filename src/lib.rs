@@ -20,5 +20,5 @@ pub mod surface;
 #[cfg(feature = "cli")]
 pub mod terminal;
 
-pub use experiment::{Experiment, PRINT, TEMPLATE, make_surface, saved_spec};
+pub use experiment::{Experiment, LIBRARY, PRINT, TEMPLATE, make_surface, saved_spec};
 pub use parts::{Merged, PartError, PartRun};

@@ -209,8 +209,8 @@ impl State<'_> {
     }
 }
 
-/// A time in the unit that suits it.
-fn words(seconds: f64) -> String {
+/// A time, s, in the unit that suits it.
+pub fn words(seconds: f64) -> String {
     if seconds < 100.0 {
         format!("{seconds:.0} s")
     } else if seconds < 6000.0 {

@@ -7,6 +7,7 @@ use rayon::prelude::*;
 
 use crate::digest::{hexadecimal, sha256};
 use crate::kind::Outcome;
+use crate::report::CARD;
 use crate::report::digest::digest;
 use crate::report::store::Folder;
 use crate::report::table::Tables;
@@ -62,6 +63,9 @@ pub fn folder(outcome: &dyn Outcome, key: &str, print: Option<Print>) -> Result<
     }
     for (name, svg) in files.figures {
         folder.file(name, svg);
+    }
+    if let Some(svg) = files.card {
+        folder.file(CARD, svg);
     }
     for table in tables.iter() {
         folder.file(table.schema.file, table.csv()?);

@@ -16,6 +16,7 @@ use serde_json::{Map, Value};
 
 use crate::digest::{hexadecimal, sha256};
 use crate::divided::AnyDivided;
+use crate::group::Group;
 use crate::input::material::MaterialOrigin;
 use crate::input::{InputError, Source, Spanned, SpecFile};
 use crate::metadata::{Again, Metadata, Timing};
@@ -47,18 +48,21 @@ pub trait Kind: Sync {
     /// Whether its page holds measured times, which no second run repeats.
     const IS_TIMED: bool = false;
 
+    /// Where the index lists its reports, unless a spec says something else.
+    const GROUP: Option<Group> = None;
+
     /// Its table.
     type Spec: DeserializeOwned + JsonSchema;
 
     /// Its plan.
     type Plan: Plan + Send + Sync + 'static;
 
-    /// Reads what the table refers to, and checks everything that can be checked without running it; `full` includes parts that
-    /// take minutes and gigabytes.
+    /// Reads what the table refers to, and checks everything that can be checked without running it; `huge` includes parts that
+    /// need gigabytes.
     ///
     /// # Errors
     /// The first thing that keeps it from running.
-    fn plan(file: &SpecFile, table: &Spanned<Self::Spec>, full: bool) -> Result<Self::Plan, InputError>;
+    fn plan(file: &SpecFile, table: &Spanned<Self::Spec>, huge: bool) -> Result<Self::Plan, InputError>;
 
     /// A plan with how it may be run.
     fn planned(plan: Self::Plan) -> Planned {
@@ -83,11 +87,14 @@ pub trait AnyKind: Sync {
     /// Whether its page holds measured times.
     fn is_timed(&self) -> bool;
 
+    /// Where the index lists its reports, unless a spec says something else.
+    fn group(&self) -> Option<Group>;
+
     /// See [`Kind::plan`].
     ///
     /// # Errors
     /// A table that cannot be read, and as [`Kind::plan`].
-    fn plan(&self, file: &SpecFile, full: bool) -> Result<Planned, InputError>;
+    fn plan(&self, file: &SpecFile, huge: bool) -> Result<Planned, InputError>;
 
     /// The tables that its reports may hold.
     fn tables(&self) -> Vec<Schema>;
@@ -110,8 +117,12 @@ impl<K: Kind> AnyKind for K {
         K::IS_TIMED
     }
 
-    fn plan(&self, file: &SpecFile, full: bool) -> Result<Planned, InputError> {
-        K::plan(file, &file.required_table::<K::Spec>(K::NAME)?, full).map(K::planned)
+    fn group(&self) -> Option<Group> {
+        K::GROUP
+    }
+
+    fn plan(&self, file: &SpecFile, huge: bool) -> Result<Planned, InputError> {
+        K::plan(file, &file.required_table::<K::Spec>(K::NAME)?, huge).map(K::planned)
     }
 
     fn tables(&self) -> Vec<Schema> {
@@ -275,6 +286,10 @@ pub struct RunContext<'a> {
     pub figure: Option<Size>,
     /// Whether it runs only where it is named or long runs are asked for.
     pub is_long: bool,
+    /// Where the index lists its report.
+    pub group: Option<Group>,
+    /// SHA-256 of the sources of the library, hexadecimal.
+    pub library_sha256: &'static str,
     /// Every random number is drawn from it.
     pub seed: u64,
     /// The bodies of the spec, in file order.
@@ -304,6 +319,8 @@ impl RunContext<'_> {
             seed: self.seed,
             figure: self.figure,
             is_long: self.is_long,
+            group: self.group,
+            library_sha256: self.library_sha256,
             origins: self.origins.clone(),
             papers,
             timing,

@@ -10,6 +10,7 @@ pub mod contact;
 pub mod digest;
 pub mod divided;
 mod folder;
+mod group;
 pub mod input;
 pub mod keys;
 mod kind;
@@ -20,6 +21,7 @@ pub mod report;
 mod summary;
 
 pub use folder::{Print, PrintError, ReportError, folder};
+pub use group::Group;
 pub use kind::{
     AnyKind, AnyPlan, Kind, Memory, Outcome, Plan, Planned, Reads, RunContext, fields, set_memory,
 };

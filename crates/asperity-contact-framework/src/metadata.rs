@@ -1,5 +1,6 @@
 //! What every experiment has: title, seed, sources, time and work.
 
+use crate::group::Group;
 use crate::input::material::MaterialOrigin;
 use asperity::Paper;
 pub use asperity::work::Timing;
@@ -28,6 +29,10 @@ pub struct Metadata {
     pub figure: Option<Size>,
     /// Whether it runs only where it is named or long runs are asked for.
     pub is_long: bool,
+    /// Where the index lists its report.
+    pub group: Option<Group>,
+    /// SHA-256 of the sources of the library, hexadecimal.
+    pub library_sha256: &'static str,
     /// Every random number came from it.
     pub seed: u64,
     /// The materials whose values are from the library.

@@ -6,6 +6,7 @@ use indexmap::IndexMap;
 use serde::Serialize;
 use serde_json::{Map, Value};
 
+use crate::group::Group;
 use crate::kind::Outcome;
 use crate::metadata::Metadata;
 use crate::report::answer::Answer;
@@ -19,6 +20,8 @@ struct Summary<'a> {
     version: &'static str,
     title: &'a str,
     kind: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    group: Option<Group>,
     answer: Answer,
     #[serde(skip_serializing_if = "Option::is_none")]
     figure: Option<&'a str>,
@@ -32,6 +35,9 @@ struct Summary<'a> {
     warnings: Vec<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     run: Option<&'static str>,
+    /// Of a long run, which is not made again with each change of the program.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    library_sha256: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     work: Option<Work>,
     papers: Vec<&'static str>,
@@ -83,6 +89,7 @@ pub(super) fn summary(
         version: env!("CARGO_PKG_VERSION"),
         title: &metadata.title,
         kind: metadata.kind,
+        group: metadata.group,
         answer: page.answer(),
         figure: page.main_figure(),
         spec_sha256: &metadata.spec_sha256,
@@ -99,6 +106,7 @@ pub(super) fn summary(
         of_kind,
         warnings: outcome.warnings(),
         run: metadata.is_long.then_some(LONG),
+        library_sha256: metadata.is_long.then_some(metadata.library_sha256),
         work: metadata.work,
         papers: metadata.papers.iter().map(|paper| paper.full).collect(),
         committed,

@@ -5,7 +5,7 @@ use super::joint;
 use super::layer::Layer;
 use super::layout::Layout;
 use super::legend::{self, Legend};
-use super::style::{LABEL, NARROWEST, NOTE_INK, STEEPEST, Size, WIDTH, dark_rules};
+use super::style::{CARD, LABEL, NARROWEST, NOTE_INK, STEEPEST, Size, WIDTH, dark_rules};
 use super::text::wrap;
 use super::{Arrangement, Plot};
 
@@ -27,6 +27,15 @@ pub(super) fn figure(
     };
     let rules = file.then(dark_rules);
     canvas.finish(title, (width, height.max(1.0)), print, rules.as_deref())
+}
+
+/// The SVG text of a plot as wide as a card.
+pub(super) fn card(title: &str, plot: &Plot) -> String {
+    let (width, height) = CARD;
+    let mut canvas = Canvas::default();
+    let layout = Layout::new(plot, (width, height));
+    let bottom = layout.draw(&mut canvas, (0.0, 0.0), layout.margins, layout.head(), true);
+    canvas.finish(title, (width, bottom), None, Some(&dark_rules()))
 }
 
 /// Writes the heading of a figure and returns where its plots begin.
@@ -83,18 +92,12 @@ fn row(canvas: &mut Canvas, plots: &[&Plot], width: f64, top: f64) -> f64 {
 
 /// Whether several plots name the same layers, so that one legend does for all.
 fn shares_names(plots: &[&Plot]) -> bool {
-    let names = |plot: &Plot| -> Vec<String> {
-        let mut names: Vec<String> = plot.layers.iter().filter_map(|layer| layer.name.clone()).collect();
-        names.sort_unstable();
-        names.dedup();
-        names
-    };
     let Some((first, rest)) = plots.split_first() else { return false };
-    let first = names(first);
+    let first = first.names();
     !rest.is_empty()
         && !first.is_empty()
         && plots.iter().all(|plot| matches!(plot.legend, Legend::Auto | Legend::Below))
-        && rest.iter().all(|plot| names(plot) == first)
+        && rest.iter().all(|plot| plot.names() == first)
 }
 
 fn shared_legend(canvas: &mut Canvas, plots: &[&Plot], top: f64, width: f64) -> f64 {

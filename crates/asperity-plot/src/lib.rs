@@ -58,7 +58,7 @@ pub use legend::Legend;
 pub use raster::Raster;
 pub use style::{DARK_COLOURS, Size, dark_rules};
 
-use layer::Shape;
+use layer::{Direction, Shape};
 
 /// How values are spread along an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -262,6 +262,14 @@ impl Plot {
         })
     }
 
+    /// The names of its layers, each once, sorted.
+    fn names(&self) -> Vec<&str> {
+        let mut names: Vec<&str> = self.layers.iter().filter_map(|layer| layer.name.as_deref()).collect();
+        names.sort_unstable();
+        names.dedup();
+        names
+    }
+
     /// As many names as layers: adds a key to the legend that shows a way to draw lines, such as dashes for a model.
     pub fn with_key(self, name: &str, dash: Dash) -> Self {
         self.with(Layer::line([]).coloured(Colour::Neutral).dashed(dash).named(name))
@@ -327,6 +335,20 @@ impl Figure {
     /// Draws the figure as part of a page that has the [`dark_rules`].
     pub fn part_of_page(&self) -> String {
         self.draw(None, false)
+    }
+
+    /// Draws the first plot as the text of an SVG file for a card: narrow, with letters as large as on a page; names that would take more room
+    /// than the plot are left out, and labels of regions that stand upright.
+    pub fn card(&self) -> String {
+        const MOST_NAMES: usize = 4;
+        let Some(plot) = self.plots.first() else { return String::new() };
+        let mut plot = plot.clone();
+        if plot.names().len() > MOST_NAMES {
+            plot.legend = Legend::Hidden;
+        }
+        let upright = |layer: &&mut Layer| matches!(layer.shape, Shape::Region(Direction::X, ..));
+        plot.layers.iter_mut().filter(upright).for_each(|layer| layer.label.clear());
+        draw::card(&self.title, &plot)
     }
 
     /// What the figure shows as numbers; `None` of a figure that is more than lines, points, bands and references.

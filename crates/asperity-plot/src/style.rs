@@ -12,6 +12,8 @@ use plotters::style::RGBColor;
 
 /// Width of a figure on a page, CSS pixels; all sizes below are in the same unit.
 pub(super) const WIDTH: f64 = 720.0;
+/// Width of a figure on a card, and the height between its axes.
+pub(super) const CARD: (f64, f64) = (340.0, 170.0);
 /// Titles of plots.
 pub(super) const TITLE: f64 = 15.0;
 /// Labels of axes.

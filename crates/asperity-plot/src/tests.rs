@@ -465,6 +465,25 @@ fn a_size_in_print_sets_width_and_text() {
 }
 
 #[test]
+fn a_card_shows_the_first_plot_with_few_names() {
+    let named = |count: usize| {
+        let line = |k: usize| Layer::line([(0.0, k as f64), (1.0, 2.0)]).named(format!("curve {k}"));
+        (0..count).fold(Plot::new("Area", Axis::linear("x"), Axis::linear("y")), |plot, k| plot.with(line(k)))
+    };
+    let second = Plot::new("Separation", Axis::linear("x"), Axis::linear("y"));
+    let card = |count| Figure::column("Both", vec![named(count), second.clone()]).card();
+    assert_sound(&card(2));
+    assert!(
+        card(2).contains("width=\"340\"") && card(2).contains("curve 1") && !card(2).contains("Separation")
+    );
+    assert!(!card(5).contains("curve 1"));
+    assert_eq!(
+        card(2).matches("font-size=\"125\"").count(),
+        Figure::from(named(2)).file(None).matches("font-size=\"125\"").count()
+    );
+}
+
+#[test]
 fn plots_in_a_row_keep_the_size_of_text_and_share_their_legend() {
     let named =
         |names: &[&str]| names.iter().fold(plot(), |plot, name| plot.with(Layer::line(wave(9)).named(*name)));

@@ -17,6 +17,9 @@ use clap::{Args, CommandFactory, Parser, Subcommand};
 pub struct Cli {
     #[command(subcommand)]
     pub command: Option<Command>,
+    /// Include specs with `run = "long"`, which take minutes each
+    #[arg(long)]
+    pub full: bool,
     #[command(flatten)]
     pub extent: Extent,
     #[command(flatten)]
@@ -258,9 +261,9 @@ impl From<FileArguments> for FileOptions {
 /// Extent of a run.
 #[derive(Args)]
 pub struct Extent {
-    /// Include what takes minutes and gigabytes: specs with `run = "long"`, the largest sets of a precision experiment
+    /// Include what needs gigabytes of memory: the largest sets of a precision experiment
     #[arg(long)]
-    pub full: bool,
+    pub huge: bool,
 }
 
 /// How to run it.

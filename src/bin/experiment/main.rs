@@ -2,6 +2,7 @@
 
 mod arguments;
 mod interrupt;
+mod several;
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -23,6 +24,7 @@ use asperity_experiment::{Experiment, PRINT, PartError, TEMPLATE, saved_spec};
 use clap::{CommandFactory, Parser};
 
 use arguments::{Cli, Command, Extent, RunOptions};
+use several::{Counts, Done, Place, listed, quick_first};
 
 /// Folder of the specs.
 const SPECS: &str = "experiments";
@@ -75,14 +77,14 @@ fn main() -> ExitCode {
     let outcome = match cli.command {
         None => specs_in(Path::new(SPECS)).and_then(|files| {
             let experiments = read_all(&files, &cli.extent)?;
-            let is_run = |experiment: &Experiment| cli.extent.full || !experiment.is_long();
-            run(&experiments.into_iter().filter(is_run).collect::<Vec<_>>(), &cli.options)
+            let is_run = |experiment: &Experiment| cli.full || !experiment.is_long();
+            run(experiments.into_iter().filter(is_run).collect(), &cli.options)
         }),
         Some(Command::Run { files, extent, options, part: Some(part), parts }) => {
             run_parts(&files, &extent, &options, part, &parts)
         }
         Some(Command::Run { files, extent, options, .. }) => {
-            read_all(&files, &extent).and_then(|experiments| run(&experiments, &options))
+            read_all(&files, &extent).and_then(|experiments| run(experiments, &options))
         }
         Some(Command::Merge { files, parts, options }) => merge(&files, &parts, &options),
         Some(Command::List { out }) => list(&out),
@@ -163,7 +165,7 @@ fn read_all(files: &[PathBuf], extent: &Extent) -> Result<Vec<Experiment>, Failu
     let mut experiments: Vec<Experiment> = Vec::new();
     let mut errors = Vec::new();
     for file in files {
-        let read = if extent.full { Experiment::read_in_full } else { Experiment::read };
+        let read = if extent.huge { Experiment::read_huge } else { Experiment::read };
         match read(file) {
             Ok(experiment) if experiments.iter().any(|other| other.stem() == experiment.stem()) => {
                 errors.push(format!(
@@ -180,13 +182,27 @@ fn read_all(files: &[PathBuf], extent: &Extent) -> Result<Vec<Experiment>, Failu
     if errors.is_empty() { Ok(experiments) } else { Err(Failure::Input(errors.join("\nerror: "))) }
 }
 
-fn run(experiments: &[Experiment], options: &RunOptions) -> Result<(), Failure> {
+fn run(mut experiments: Vec<Experiment>, options: &RunOptions) -> Result<(), Failure> {
     set_threads(options)?;
     let mut store = open_store(options)?;
-    let mut failures: Vec<Failure> =
-        experiments.iter().filter_map(|experiment| run_one(experiment, &mut store, options).err()).collect();
-    if let Err(failure) = write_index(&mut store, &options.out) {
-        failures.push(failure);
+    quick_first(&mut experiments, &store);
+    let of = experiments.len();
+    let mut counts = Counts::default();
+    let mut failures = Vec::new();
+    for (index, experiment) in experiments.iter().enumerate() {
+        let place = Place { number: index + 1, of };
+        // Each report can be opened as soon as it is written.
+        let run = run_one(experiment, place, &mut store, options);
+        match run.and_then(|done| write_index(&mut store, &options.out).map(|()| done)) {
+            Ok(done) => counts.add(done),
+            Err(failure) => {
+                counts.add(Done::Failed);
+                failures.push(failure);
+            }
+        }
+    }
+    if of > 1 {
+        counts.lines(&options.out).iter().for_each(|line| say(options, line));
     }
     // A failed run takes precedence over an invalid input and is reported last.
     failures.sort_by_key(|failure| matches!(failure, Failure::Run(_)));
@@ -209,7 +225,8 @@ fn run_parts(
     interrupt::of_parts();
     for experiment in read_all(files, extent)? {
         let start = Instant::now();
-        let run = watched(&experiment, options, |progress| experiment.run_part(part, folder, progress))?;
+        let run =
+            watched(experiment.stem(), options, |progress| experiment.run_part(part, folder, progress))?;
         let name = format!("{} part {part}", experiment.stem());
         for path in &run.written {
             say(options, &format!("{name}: {} written in {} s", path.display(), seconds(start)));
@@ -238,25 +255,25 @@ fn run_parts(
 fn merge(files: &[PathBuf], folder: &Path, options: &RunOptions) -> Result<(), Failure> {
     set_threads(options)?;
     let mut store = open_store(options)?;
-    for experiment in read_all(files, &Extent { full: false })? {
+    for experiment in read_all(files, &Extent { huge: false })? {
         let start = Instant::now();
         store.check(experiment.stem())?;
-        let merged = watched(&experiment, options, |progress| experiment.merge(folder, progress))?;
-        write_report(&experiment, &*merged.outcome, &merged.key, &mut store, options, start)?;
+        let merged = watched(experiment.stem(), options, |progress| experiment.merge(folder, progress))?;
+        write_report(&experiment, Place::ALONE, &*merged.outcome, &merged.key, &mut store, options, start)?;
     }
     write_index(&mut store, &options.out)
 }
 
 /// Runs with a display of progress, unless that is not wanted.
 fn watched<T, E>(
-    experiment: &Experiment,
+    name: &str,
     options: &RunOptions,
     run: impl FnOnce(&dyn Progress) -> Result<T, E>,
 ) -> Result<T, E> {
     if options.quiet {
         return run(&Silent);
     }
-    let monitor = Monitor::new(experiment.stem());
+    let monitor = Monitor::new(name);
     let done = run(&monitor);
     monitor.finish();
     done
@@ -296,7 +313,7 @@ fn surface(
     let mut store = open_store(options)?;
     store.check(experiment.stem())?;
     check_same_file(&experiment, &options.out.join(experiment.stem()))?;
-    let results = run_and_write(&experiment, &experiment.key()?, &mut store, options)?;
+    let results = run_and_write(&experiment, Place::ALONE, &experiment.key()?, &mut store, options)?;
     say_answer(&experiment, &*results, options);
     if let Some(spec) = save_spec {
         write_new(spec, &saved_spec(&file_options, file, spec, &*results))?;
@@ -363,7 +380,7 @@ fn check_same_file(experiment: &Experiment, folder: &Path) -> Result<(), Failure
 
 /// Writes the index of all reports, if it has changed.
 fn write_index(store: &mut Store, out: &Path) -> Result<(), Failure> {
-    let index = Index::read(out);
+    let index = Index::read(out, KINDS);
     if index.is_empty() {
         return Ok(());
     }
@@ -376,18 +393,25 @@ fn write_index(store: &mut Store, out: &Path) -> Result<(), Failure> {
 }
 
 /// Runs an experiment and writes its report, unless it is up to date.
-fn run_one(experiment: &Experiment, store: &mut Store, options: &RunOptions) -> Result<(), Failure> {
+fn run_one(
+    experiment: &Experiment,
+    place: Place,
+    store: &mut Store,
+    options: &RunOptions,
+) -> Result<Done, Failure> {
     let start = Instant::now();
     let key = experiment.key()?;
     let folder = options.out.join(experiment.stem());
     if !options.force && store.is_current(experiment.stem(), &key) {
-        say(options, &format!("{} is unchanged ({} s)", folder.display(), seconds(start)));
-        return Ok(());
+        say(options, &format!("{place}{} is unchanged ({} s)", folder.display(), seconds(start)));
+        return Ok(Done::Unchanged);
     }
     store.check(experiment.stem())?;
-    let results = run_and_write(experiment, &key, store, options)?;
-    say_answer(experiment, &*results, options);
-    Ok(())
+    let results = run_and_write(experiment, place, &key, store, options)?;
+    if place.is_alone() {
+        say_answer(experiment, &*results, options);
+    }
+    Ok(Done::Written)
 }
 
 /// Prints what a run has to say in the terminal.
@@ -400,25 +424,28 @@ fn say_answer(experiment: &Experiment, results: &dyn Outcome, options: &RunOptio
 /// Runs an experiment, which had `key` before, and writes its report.
 fn run_and_write(
     experiment: &Experiment,
+    place: Place,
     key: &str,
     store: &mut Store,
     options: &RunOptions,
 ) -> Result<Box<dyn Outcome>, Failure> {
     let start = Instant::now();
-    let results = watched(experiment, options, |progress| experiment.run(progress))?;
+    let name = format!("{place}{}", experiment.stem());
+    let results = watched(&name, options, |progress| experiment.run(progress))?;
     if experiment.key()? != key {
         return Err(Failure::Run(format!(
             "{}: an input file changed while it was read; run again",
             experiment.stem()
         )));
     }
-    write_report(experiment, &*results, key, store, options, start)?;
+    write_report(experiment, place, &*results, key, store, options, start)?;
     Ok(results)
 }
 
 /// Writes the report on results that `key` identifies.
 fn write_report(
     experiment: &Experiment,
+    place: Place,
     results: &dyn Outcome,
     key: &str,
     store: &mut Store,
@@ -438,15 +465,26 @@ fn write_report(
             folder.join(kept).display()
         ));
     }
-    if !options.quiet {
-        for warning in results.warnings() {
+    let warnings = results.warnings();
+    // Of several reports the pages have them.
+    let mut count = String::new();
+    if !place.is_alone() && !warnings.is_empty() {
+        let plural = if warnings.len() == 1 { "" } else { "s" };
+        count = format!(", {} warning{plural}", warnings.len());
+    } else if !options.quiet {
+        for warning in warnings {
             let warning = experiment.for_its_user(&warning);
             print_error(format_args!("warning: {}: {warning}", experiment.stem()));
         }
     }
     say(
         options,
-        &format!("{} written: {} files in {} s", folder.display(), report.names().count(), seconds(start)),
+        &format!(
+            "{place}{} written: {} files in {} s{count}",
+            folder.display(),
+            report.names().count(),
+            seconds(start)
+        ),
     );
     if results.metadata().figure.is_some() && PRINT.is_none() {
         say(
@@ -481,19 +519,8 @@ fn list(out: &Path) -> Result<(), Failure> {
     let store = Store::new(out);
     for file in specs_in(Path::new(SPECS))? {
         match Experiment::read(&file) {
-            Ok(experiment) => {
-                let stem = experiment.stem();
-                let is_current = store.is_current(stem, &experiment.key()?)
-                    || store.is_committed(stem, &experiment.input()?);
-                let state = if is_current { "up to date" } else { "to run" };
-                let extent = if experiment.is_long() { "long" } else { "" };
-                print(format_args!(
-                    "{:<28} {state:<11} {extent:<5} {}",
-                    experiment.stem(),
-                    experiment.title()
-                ));
-            }
-            Err(error) => print(format_args!("{:<28} invalid     {error}", file.display())),
+            Ok(experiment) => print(format_args!("{}", listed(&experiment, &store)?)),
+            Err(error) => print(format_args!("{:<28} invalid         {error}", file.display())),
         }
     }
     Ok(())

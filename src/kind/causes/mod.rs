@@ -12,7 +12,7 @@ mod spec;
 
 use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 use asperity_contact_framework::report::table::Schema;
-use asperity_contact_framework::{Kind, Reads};
+use asperity_contact_framework::{Group, Kind, Reads};
 use asperity_contact_framework::{Memory, Plan, RunContext};
 
 use plan::CausesPlan;
@@ -23,6 +23,7 @@ pub struct Causes;
 
 impl Kind for Causes {
     const NAME: &'static str = "causes";
+    const GROUP: Option<Group> = Some(Group::Why);
     const READS: Reads = Reads { materials: true, surfaces: false };
     type Spec = spec::CausesSpec;
     type Plan = CausesPlan;

@@ -274,7 +274,84 @@ fn check_runs_nothing_and_list_says_what_is_up_to_date() {
     assert!(listed().contains("up to date"));
     let list = specs.join("list.csv");
     fs::write(&list, fs::read_to_string(&list).unwrap() + "\n").unwrap();
-    assert!(listed().contains("to run"));
+    assert!(listed().contains("input changed"));
+}
+
+/// A spec of one population; `keys` are common keys, more asperities are more work.
+fn population(folder: &Path, name: &str, keys: &str, count: usize) {
+    let spec = format!(
+        concat!(
+            "title = \"{}\"\n{}\n",
+            steel!(),
+            "[compare]\nrough = \"steel\"\nflat = \"steel\"\nlaw = \"hertz\"\npressure = \"1 MPa\"\n[surface.a.population]\n",
+            case_1!(),
+            "count = {}\n"
+        ),
+        name, keys, count
+    );
+    fs::write(folder.join(format!("{name}.toml")), spec).unwrap();
+}
+
+#[test]
+fn of_several_specs_the_quick_ones_run_first_and_three_lines_end_the_run() {
+    let folder = tempfile::tempdir().unwrap();
+    let specs = folder.path().join("experiments");
+    fs::create_dir(&specs).unwrap();
+    population(&specs, "a-large", "", 50_000);
+    population(&specs, "b-small", "group = \"laws\"", 500);
+    population(&specs, "c-long", "run = \"long\"", 500);
+    let said = |arguments: &[&str]| text(&experiment(arguments, folder.path()).stdout);
+    let listed = |name: &str| said(&["list"]).lines().find(|line| line.starts_with(name)).unwrap().to_owned();
+    assert!(listed("c-long").contains("long, not run here") && listed("a-large").contains("to run"));
+
+    let output = said(&[]);
+    let lines: Vec<&str> = output.lines().collect();
+    assert_eq!(lines.len(), 5, "{output}");
+    assert!(lines[0].starts_with("1 of 2: reports/b-small written"), "{output}");
+    assert!(lines[1].starts_with("2 of 2: reports/a-large written"), "{output}");
+    assert_eq!(lines[2], "2 reports: 2 written, 0 unchanged, 0 failed");
+    assert!(lines[4].ends_with("reports/index.html"));
+    // What the last run took counts more than an estimate.
+    let timing = folder.path().join("reports/b-small/timing.json");
+    fs::write(&timing, r#"{ "total_s": 1e3 }"#).unwrap();
+    let output = said(&["--force"]);
+    assert!(output.starts_with("1 of 2: reports/a-large"), "{output}");
+
+    let output = said(&["--full"]);
+    assert!(output.contains("3 of 3: reports/c-long written"), "{output}");
+    assert!(output.contains("3 reports: 1 written, 2 unchanged, 0 failed"), "{output}");
+    assert!(listed("c-long").contains("up to date      long, 0 s"), "{}", listed("c-long"));
+    let summary = folder.path().join("reports/c-long/summary.json");
+    let other =
+        fs::read_to_string(&summary).unwrap().replacen("library_sha256\": \"", "library_sha256\": \"0", 1);
+    fs::write(&summary, other).unwrap();
+    assert!(listed("c-long").contains("edited"));
+    fs::remove_file(folder.path().join("reports/c-long/manifest.json")).unwrap();
+    assert!(listed("c-long").contains("older library"), "{}", listed("c-long"));
+    let index = fs::read_to_string(folder.path().join("reports/index.html")).unwrap();
+    let place = |text: &str| index.find(text).unwrap_or_else(|| panic!("no {text}"));
+    assert!(place("Your surfaces</h2>") < place("a-large/report.html"));
+    assert!(
+        place("a-large/report.html") < place("Laws</h2>")
+            && place("Laws</h2>") < place("b-small/report.html")
+    );
+    assert!(!index.contains("Reality check</h2>"));
+    let glossary = fs::read_to_string(folder.path().join("reports/glossary.md")).unwrap();
+    assert!(glossary.contains("| effective contacts |"));
+}
+
+#[test]
+fn what_memory_cannot_hold_is_refused_with_the_way_out() {
+    let folder = tempfile::tempdir().unwrap();
+    let spec =
+        fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("experiments/precision.toml")).unwrap();
+    let spec = spec.replace("[1e7, 1e8]", "[1e12]");
+    fs::write(folder.path().join("precision.toml"), spec).unwrap();
+    let check = |more: &[&str]| experiment(&[&["check", "precision.toml"], more].concat(), folder.path());
+    assert!(check(&[]).status.success());
+    let refused = check(&["--huge"]);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(text(&refused.stderr).contains("the same without --huge"), "{}", text(&refused.stderr));
 }
 
 #[test]

@@ -22,7 +22,7 @@ law = "zmc"
 separation = { values = [0, 2] }
 [precision.sum]
 count = { values = [1e3, 5e4] }
-full-count = { values = [6e4] }
+huge-count = { values = [6e4] }
 [precision.surface]
 points-per-length = { values = [2, 4, 8] }
 lengths = { values = [10, 20] }
@@ -81,17 +81,17 @@ fn times_and_errors_are_what_they_should_be() {
 
 #[test]
 fn the_largest_sets_are_run_only_in_full() {
-    let (folder, out) = written(&["--full", "--quiet"]);
+    let (folder, out) = written(&["--huge", "--quiet"]);
     assert!(table(&out.join("small"), "sum.csv").iter().any(|row| row["asperities"] == "60000"));
     // In full it is another experiment.
     let again = |more: &[&str]| text(&run(&folder.path().join("small.toml"), &out, more).stdout);
-    assert!(again(&["--full"]).contains("unchanged"));
+    assert!(again(&["--huge"]).contains("unchanged"));
     let check = |more: &[&str]| {
         let mut arguments = vec!["check", "small.toml"];
         arguments.extend(more);
         text(&experiment(&arguments, folder.path()).stdout)
     };
-    assert!(!check(&[]).contains("60000") && check(&["--full"]).contains("60000"));
+    assert!(!check(&[]).contains("60000") && check(&["--huge"]).contains("60000"));
 }
 
 /// Times of another run differ, and are not compared.

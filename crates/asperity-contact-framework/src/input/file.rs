@@ -16,6 +16,7 @@ use super::material::{MaterialOrigin, MaterialSpec};
 use super::schema::without_null;
 use super::spanned::Spanned;
 use super::whole::Whole;
+use crate::group::Group;
 use asperity::Material;
 use asperity_plot::Size;
 
@@ -34,6 +35,8 @@ pub struct SpecFile {
     pub figure: Option<Size>,
     /// Whether it runs only where it is named or long runs are asked for.
     pub is_long: bool,
+    /// Where the index lists its report.
+    pub group: Option<Group>,
     materials: IndexMap<Spanned<String>, MaterialSpec>,
     /// Names and positions of the other tables, in file order.
     tables: Vec<(String, Range<usize>)>,
@@ -61,6 +64,9 @@ struct CommonKeys {
     #[serde(default)]
     #[schemars(extend("examples" = ["long"]))]
     run: RunSpec,
+    /// Where the index of reports lists it.
+    #[schemars(extend("x-default" = "your surfaces; of kinds that measure the program `trust`, of `[causes]` `why`", "examples" = ["layers"]))]
+    group: Option<Group>,
     /// The bodies by name.
     #[serde(default)]
     material: IndexMap<Spanned<String>, MaterialSpec>,
@@ -78,7 +84,7 @@ enum RunSpec {
 }
 
 /// Names of the fields of [`CommonKeys`].
-const COMMON: [&str; 6] = ["title", "notes", "seed", "figure", "run", "material"];
+const COMMON: [&str; 7] = ["title", "notes", "seed", "figure", "run", "group", "material"];
 
 impl SpecFile {
     /// Reads a spec that may hold, besides the common keys, the tables named in `tables`.
@@ -117,7 +123,7 @@ impl SpecFile {
             document.get_mut().remove(name.as_str());
         }
         let keys = CommonKeys::deserialize(Deserializer::from(document));
-        let CommonKeys { title, notes, seed, figure, run, material } =
+        let CommonKeys { title, notes, seed, figure, run, group, material } =
             keys.map_err(|error| source.parse_error(&error))?;
         Ok(Self {
             source,
@@ -126,6 +132,7 @@ impl SpecFile {
             seed: seed.0,
             figure: figure.map(|figure| figure.size()),
             is_long: run == RunSpec::Long,
+            group,
             materials: material,
             tables: found,
         })

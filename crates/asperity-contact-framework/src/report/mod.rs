@@ -11,6 +11,7 @@
 //! | [`table`] | columns with unit, meaning and value; CSV and records of JSON |
 //! | [`view`] | choices of a table's columns and rows, for people |
 //! | [`digest`] | sums of the columns of long tables, which stand for them where they are not kept |
+//! | `glossary` | the terms of the program, explained where they appear on a page and in a page of their own |
 //! | [`table_docs`] | the documentation of tables |
 //! | `index` | the pages that lead to all reports of a folder |
 //! | [`store`] | the only module that writes to disk: a folder is replaced atomically |
@@ -19,6 +20,7 @@
 pub mod answer;
 pub mod digest;
 pub mod format;
+mod glossary;
 mod index;
 pub mod page;
 pub mod sections;
@@ -29,5 +31,6 @@ mod text;
 pub mod verify;
 pub mod view;
 
+pub(crate) use index::CARD;
 pub use index::{Index, MARK, PROGRAM};
 pub use page::Page;

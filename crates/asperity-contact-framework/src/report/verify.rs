@@ -21,8 +21,8 @@ const TOLERANCE: f64 = 1e-9;
 
 const SUMMARY: &str = "summary.json";
 
-/// Keys of a summary that are not compared: the hashes of files whose content is compared, and the names of all files.
-const NOT_COMPARED: [&str; 2] = ["committed", "files"];
+/// Keys of a summary that are not compared: the hashes of files whose content is compared, those of sources, and the names of all files.
+const NOT_COMPARED: [&str; 3] = ["committed", "library_sha256", "files"];
 
 /// What a comparison of two folders found.
 #[derive(Debug, Default)]

@@ -1,6 +1,7 @@
-//! A card per report: title, answer and main figure; filtered by kind, surface and words.
+//! A card per report, by groups: title, answer and picture; filtered by kind, surface and words.
 
-use super::{Entry, MARK};
+use super::{CARD, Entry, MARK, groups};
+use crate::report::answer::{Answer, CardLine};
 use crate::report::page::{document, escape_html as escape, with_minus};
 
 const STYLE: &str = include_str!("assets/index.css");
@@ -9,11 +10,17 @@ const SCRIPT: &str = include_str!("assets/index.js");
 pub fn page(entries: &[Entry]) -> String {
     let kinds = sorted(entries.iter().map(|entry| entry.kind.clone()));
     let surfaces = sorted(entries.iter().flat_map(|entry| entry.surfaces().map(|(name, _)| name.clone())));
-    let cards: String = entries.iter().map(card).collect();
+    let group = |(place, (title, entries)): (usize, (&str, Vec<&Entry>))| {
+        let cards: String = entries.into_iter().map(card).collect();
+        format!(
+            "<section aria-labelledby=\"group-{place}\">\n<h2 id=\"group-{place}\">{title}</h2>\n<ul class=\"cards\">\n{cards}</ul>\n</section>\n"
+        )
+    };
+    let all: String = groups(entries).enumerate().map(group).collect();
     let body = format!(
-        "<h1>Reports</h1>\n<p>{} reports. <a href=\"comparison.html\">Compare curves of several reports</a>.</p>\n\
+        "<h1>Reports</h1>\n<p>{} reports. <a href=\"comparison.html\">Compare curves of several reports</a>; <a href=\"glossary.html\">glossary</a>.</p>\n\
          <form class=\"filter\" hidden>\n{}{}<label>Words <input type=\"search\" id=\"words\"></label>\n\
-         <span role=\"status\" id=\"count\"></span>\n</form>\n<ul class=\"cards\">\n{cards}</ul>\n<p>{MARK} overwritten by the next run.</p>\n",
+         <span role=\"status\" id=\"count\"></span>\n</form>\n{all}<p>{MARK} overwritten by the next run.</p>\n",
         entries.len(),
         choice("Kind", "kind", &kinds),
         choice("Surface", "surface", &surfaces),
@@ -39,9 +46,11 @@ fn choice(label: &str, id: &str, values: &[String]) -> String {
 fn card(entry: &Entry) -> String {
     let name = escape(&entry.name);
     let title = escape(&entry.title);
-    let figure = entry.figure.as_ref().map_or_else(String::new, |file| {
-        format!("<img src=\"{name}/{}\" alt=\"Main figure: {title}\" loading=\"lazy\">\n", escape(file))
-    });
+    let picture = if entry.files.iter().any(|file| file == CARD) {
+        format!("<img src=\"{name}/{CARD}\" alt=\"Main figure: {title}\" loading=\"lazy\">\n")
+    } else {
+        String::new()
+    };
     let surfaces: Vec<String> = entry.surfaces().map(|(name, _)| escape(name)).collect();
     let warnings = match entry.warnings.len() {
         0 => String::new(),
@@ -50,11 +59,25 @@ fn card(entry: &Entry) -> String {
     };
     let data = entry.data();
     format!(
-        "<li data-kind=\"{kind}\" data-surfaces=\"{surfaces}\">\n<h2><a href=\"{name}/{page}\">{title}</a></h2>\n{figure}\
-         <p class=\"answer\">{answer}</p>\n<p class=\"facts\">[{kind}]{warnings}; <a href=\"{name}/{data}\">{data}</a></p>\n</li>\n",
+        "<li data-kind=\"{kind}\" data-surfaces=\"{surfaces}\">\n<h3><a href=\"{name}/{page}\">{title}</a></h3>\n{picture}{answer}\
+         <p class=\"facts\">[{kind}]{warnings}; <a href=\"{name}/{data}\">{data}</a></p>\n</li>\n",
         kind = escape(&entry.kind),
         page = entry.page(),
         surfaces = surfaces.join("\n"),
-        answer = escape(&with_minus(&entry.answer.sentence)),
+        answer = answer(&entry.answer),
     )
+}
+
+/// What a report found: of a case the lines that a reader needs first, else the sentence.
+fn answer(answer: &Answer) -> String {
+    const SHOWN: [&str; 3] = [CardLine::ANSWER, "difference", "instead"];
+    let text = |text: &str| escape(&with_minus(&text.replace('`', "")));
+    let line = |line: &CardLine| format!("<dt>{}</dt><dd>{}</dd>\n", escape(&line.label), text(&line.text()));
+    let shown = answer.lines.iter().filter(|line| SHOWN.contains(&line.key.as_str()));
+    let lines: String = shown.map(line).collect();
+    if lines.is_empty() {
+        format!("<p class=\"answer\">{}</p>\n", text(&answer.sentence))
+    } else {
+        format!("<dl class=\"answer\">\n{lines}</dl>\n")
+    }
 }

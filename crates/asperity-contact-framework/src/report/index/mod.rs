@@ -1,8 +1,8 @@
-//! Index of all reports of a folder: a list in Markdown, cards in HTML, and a page that overlays their curves.
+//! Index of all reports of a folder: a list in Markdown, cards in HTML, a page that overlays their curves, and the glossary.
 //!
 //! | module | what it writes |
 //! |---|---|
-//! | `cards` | `index.html`: a card per report with its answer and main figure |
+//! | `cards` | `index.html`: a card per report with its answer and a picture |
 //! | `overlay` | `comparison.html`: curves of several reports in one figure |
 
 mod cards;
@@ -15,7 +15,10 @@ use serde::{Deserialize, Deserializer};
 use serde_json::{Map, Value};
 
 use super::answer::Answer;
+use super::glossary;
 use super::page::{Cell, Page};
+use crate::group::Group;
+use crate::kind::AnyKind;
 
 /// The program name in `summary.json`.
 pub const PROGRAM: &str = "asperity";
@@ -23,12 +26,15 @@ pub const PROGRAM: &str = "asperity";
 /// Begins the last line of an index page; a page with this text may be replaced by the next run.
 pub const MARK: &str = "Written by asperity;";
 
+/// The picture of a report's card, in its folder.
+pub const CARD: &str = "card.svg";
+
 /// The pages that lead to all reports of a folder.
 #[derive(Debug)]
 pub struct Index {
     reports: usize,
     /// File names and contents.
-    pub pages: [(&'static str, String); 3],
+    pub pages: [(&'static str, String); 5],
 }
 
 /// A report in the index.
@@ -44,12 +50,10 @@ struct Entry {
     title: String,
     #[serde(default)]
     kind: String,
+    group: Option<Group>,
     /// What it found.
     #[serde(default, deserialize_with = "answer")]
     answer: Answer,
-    /// File name of its main figure.
-    #[serde(default)]
-    figure: Option<String>,
     reduced_modulus_pa: Option<f64>,
     hardness_pa: Option<f64>,
     #[serde(default)]
@@ -88,56 +92,78 @@ impl Entry {
 
 impl Index {
     /// Names of its pages.
-    pub const FILES: [&'static str; 3] = ["README.md", "index.html", "comparison.html"];
+    pub const FILES: [&'static str; 5] =
+        ["README.md", "index.html", "comparison.html", "glossary.md", "glossary.html"];
 
     /// Whether there are no reports.
     pub fn is_empty(&self) -> bool {
         self.reports == 0
     }
 
-    /// The index of all reports in `directory`.
-    pub fn read(directory: &Path) -> Self {
+    /// The index of all reports in `directory`; a report whose summary names no group has that of its kind.
+    pub fn read(directory: &Path, kinds: &[&dyn AnyKind]) -> Self {
+        let group_of = |kind: &str| kinds.iter().find(|one| one.name() == kind)?.group();
         let read = |entry: fs::DirEntry| {
             let summary = fs::read(entry.path().join("summary.json")).ok()?;
             let found: Entry = serde_json::from_slice(&summary).ok()?;
             let name = entry.file_name().into_string().ok()?;
             let has_html = entry.path().join("report.html").is_file();
-            (found.program == PROGRAM && !name.starts_with('.')).then_some(Entry { name, has_html, ..found })
+            let group = found.group.or_else(|| group_of(&found.kind));
+            (found.program == PROGRAM && !name.starts_with('.')).then_some(Entry {
+                name,
+                has_html,
+                group,
+                ..found
+            })
         };
         let folders = fs::read_dir(directory).into_iter().flatten().flatten();
         let mut entries: Vec<Entry> = folders.filter_map(read).collect();
         entries.sort_by(|a, b| a.name.cmp(&b.name));
-        let [list, cards, overlay] = Self::FILES;
+        let [list, cards, overlay, terms, terms_html] = Self::FILES;
         let pages = [
             (list, markdown(&entries)),
             (cards, cards::page(&entries)),
             (overlay, overlay::page(directory, &entries)),
+            (terms, glossary::markdown()),
+            (terms_html, glossary::html()),
         ];
         Self { reports: entries.len(), pages }
     }
 }
 
+/// The groups that hold reports, in their order: headings, and what they hold.
+fn groups(entries: &[Entry]) -> impl Iterator<Item = (&'static str, Vec<&Entry>)> {
+    const YOURS: &str = "Your surfaces";
+    let all = [None].into_iter().chain(Group::ALL.map(Some));
+    all.map(|group| {
+        let of_group = entries.iter().filter(|entry| entry.group == group).collect();
+        (group.map_or(YOURS, Group::title), of_group)
+    })
+    .filter(|(_, entries): &(_, Vec<_>)| !entries.is_empty())
+}
+
 /// The list of reports, for those who read the folder on the web.
 fn markdown(entries: &[Entry]) -> String {
     let mut page = Page::new("Reports");
-    page.table(
-        ["report", "title", "warnings", "data"],
-        entries.iter().map(|entry| {
+    page.paragraph("[Glossary](glossary.md)");
+    for (title, entries) in groups(entries) {
+        let row = |entry: &&Entry| {
             let link = |text: &str, file: &str| Cell::Link {
                 text: text.to_owned(),
                 to: format!("{}/{file}", entry.name),
             };
             vec![
-                link(&entry.name, "report.md"),
-                Cell::from(entry.title.as_str()),
+                link(&entry.title, "report.md"),
+                Cell::AroundCode(entry.answer.sentence.clone()),
                 Cell::from(match entry.warnings.len() {
                     0 => "none".to_owned(),
                     count => count.to_string(),
                 }),
                 link("summary.json", "summary.json"),
             ]
-        }),
-    );
+        };
+        page.heading(2, title).table(["report", "answer", "warnings", "data"], entries.iter().map(row));
+    }
     page.paragraph(&format!("{MARK} overwritten by the next run."));
     page.markdown()
 }

@@ -8,6 +8,7 @@ use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, TagEnd};
 use super::markdown::escape_around_code;
 use super::{Block, Drawn};
 use crate::report::answer::CardLine;
+use crate::report::glossary::Explainer;
 
 const STYLE: &str = include_str!("assets/page.css");
 /// The style of charts.
@@ -25,7 +26,8 @@ const MOST_UNLISTED: usize = 3;
 
 /// The whole page; `figures` are those of its blocks, in their order.
 pub(super) fn page(title: &str, blocks: &[Block], figures: &[Drawn]) -> String {
-    let mut writer = Writer { figures, body: String::new(), sections: Vec::new() };
+    let mut writer =
+        Writer { figures, body: String::new(), sections: Vec::new(), explainer: Explainer::default() };
     writer.write(blocks);
     let contents = contents(&writer.sections);
     let mut body = writer.body.replacen(CONTENTS, &contents, 1);
@@ -37,12 +39,14 @@ pub(super) fn page(title: &str, blocks: &[Block], figures: &[Drawn]) -> String {
         )
         .replace("</table>", "</table></div>")
         .replace("<pre>", "<pre tabindex=\"0\">");
-    let (style, script) = if figures.iter().any(|figure| figure.data.is_some()) {
+    body.push_str(&writer.explainer.meanings());
+    let (chart_style, charts) = if figures.iter().any(|figure| figure.data.is_some()) {
         (CHART_STYLE, charts())
     } else {
         ("", String::new())
     };
-    document(title, &body, style, &script)
+    let (style, script) = writer.explainer.assets();
+    document(title, &body, &format!("{chart_style}\n{style}"), &format!("{charts}{script}"))
 }
 
 /// A document of its own with the style of all pages, and `style` and `script` (elements) besides.
@@ -87,6 +91,7 @@ struct Writer<'a> {
     body: String,
     /// Ids and names of the sections so far.
     sections: Vec<(String, String)>,
+    explainer: Explainer,
 }
 
 impl Writer<'_> {
@@ -108,9 +113,10 @@ impl Writer<'_> {
                     self.body.push_str(&format!("<h{level}>{}</h{level}>\n", escape(text)));
                 }
                 Block::Lead(markdown) => {
-                    self.body.push_str("<div class=\"lead\">\n");
-                    push_markdown(&mut self.body, markdown);
-                    self.body.push_str("</div>\n");
+                    let mut text = String::new();
+                    push_markdown(&mut text, markdown);
+                    let text = self.explainer.mark(&text);
+                    self.body.push_str(&format!("<div class=\"lead\">\n{text}</div>\n"));
                 }
                 Block::Card(lines) => self.card(lines),
                 Block::Markdown(text) => push_markdown(&mut self.body, text),
@@ -126,6 +132,7 @@ impl Writer<'_> {
     }
 
     fn card(&mut self, lines: &[CardLine]) {
+        let explainer = &mut self.explainer;
         let row = |line: &CardLine| {
             let text = |text: &String| {
                 let mut html = String::new();
@@ -133,6 +140,7 @@ impl Writer<'_> {
                 html
             };
             let texts: String = line.texts.iter().map(text).collect();
+            let texts = explainer.mark(&texts);
             format!("<div>\n<dt>{}</dt>\n<dd>{texts}</dd>\n</div>\n", escape(&line.label))
         };
         let rows: String = lines.iter().map(row).collect();
@@ -142,22 +150,8 @@ impl Writer<'_> {
     fn table(&mut self, markdown: &str, verdicts: &[usize]) {
         let mut table = String::new();
         push_markdown(&mut table, markdown);
-        if verdicts.is_empty() {
-            return self.body.push_str(&table);
-        }
-        for line in table.split_inclusive("<tr>") {
-            for (column, cell) in line.split_inclusive("</td>").enumerate() {
-                let text = cell.trim_start().strip_prefix("<td>").filter(|_| verdicts.contains(&column));
-                let class =
-                    text.and_then(|text| VERDICTS.iter().find(|(verdict, _)| text.starts_with(verdict)));
-                match class.zip(text) {
-                    Some(((_, class), text)) => {
-                        self.body.push_str(&format!("<td class=\"{class}\">{text}"));
-                    }
-                    None => self.body.push_str(cell),
-                }
-            }
-        }
+        let coloured = if verdicts.is_empty() { table } else { with_colours(&table, verdicts) };
+        self.body.push_str(&self.explainer.mark(&coloured));
     }
 
     fn figure(&mut self, caption: &str) {
@@ -172,9 +166,27 @@ impl Writer<'_> {
             "<figure id=\"{}\">\n<div class=\"picture\" role=\"region\" aria-label=\"Figure\" tabindex=\"0\">\n{}</div>\n{data}<figcaption>{}</figcaption>\n</figure>\n",
             escape(drawn.file.trim_end_matches(".svg")),
             drawn.part_of_page(),
-            escape(&with_minus(caption))
+            self.explainer.mark(&escape(&with_minus(caption)))
         ));
     }
+}
+
+/// A table with the classes of the cells in columns of verdicts.
+fn with_colours(table: &str, verdicts: &[usize]) -> String {
+    let mut coloured = String::with_capacity(table.len());
+    for line in table.split_inclusive("<tr>") {
+        for (column, cell) in line.split_inclusive("</td>").enumerate() {
+            let text = cell.trim_start().strip_prefix("<td>").filter(|_| verdicts.contains(&column));
+            let class = text.and_then(|text| VERDICTS.iter().find(|(verdict, _)| text.starts_with(verdict)));
+            match class.zip(text) {
+                Some(((_, class), text)) => {
+                    coloured.push_str(&format!("<td class=\"{class}\">{text}"));
+                }
+                None => coloured.push_str(cell),
+            }
+        }
+    }
+    coloured
 }
 
 fn push_markdown(body: &mut String, markdown: &str) {

@@ -100,6 +100,8 @@ pub struct Files {
     pub html: String,
     /// Names and contents of the pictures, which must be next to the Markdown file.
     pub figures: Vec<(String, String)>,
+    /// The picture for the index, of the main figure.
+    pub card: Option<String>,
 }
 
 /// A page under construction. Methods that take `markdown` accept inline markup (`*emphasis*`,
@@ -255,6 +257,7 @@ impl Page {
             })
             .collect();
         let html = html::page(&self.title, &self.blocks, &drawn);
+        let card = figures.first().map(|(_, figure, caption)| with_title(figure.card(), caption));
         let in_print = |(at, drawn): (usize, Drawn)| {
             (
                 drawn.file,
@@ -265,6 +268,7 @@ impl Page {
             markdown: self.markdown(),
             html,
             figures: drawn.into_iter().enumerate().map(in_print).collect(),
+            card,
         }
     }
 
@@ -451,13 +455,27 @@ mod tests {
         let html = page.html();
         for cell in [
             "class=\"within\">within",
-            "class=\"beyond\">beyond: +3 %",
-            "class=\"open\">cannot tell",
+            "class=\"beyond\"><button",
+            "class=\"open\"><button",
             "class=\"open\">blocked",
         ] {
             assert!(html.contains(cell), "{cell}");
         }
-        assert_eq!(html.matches("<td>within 2 N").count(), 5);
+        assert_eq!(html.matches("<td>within 2 N").count(), 4);
+    }
+
+    #[test]
+    fn terms_are_explained_once_where_they_stand_in_cells_captions_and_leads_and_not_in_paragraphs() {
+        let mut page = Page::new("t");
+        page.paragraph("The dual gap.").table(["effective contacts", "P"], vec![vec!["S filter", "1"]]);
+        page.figure("a.svg", figure("A"), "The S filter and the dual gap");
+        let html = page.html();
+        for (term, count) in [("effective-contacts", 1), ("S-filter", 1), ("dual-gap", 1), ("L-filter", 0)] {
+            let button = format!("<button type=\"button\" class=\"term\" popovertarget=\"term-{term}\"");
+            assert_eq!(html.matches(&button).count(), count, "{term}");
+            assert_eq!(html.matches(&format!("popover id=\"term-{term}\"")).count(), count, "{term}");
+        }
+        assert!(html.contains("<p>The dual gap.</p>"));
     }
 
     #[test]

@@ -120,6 +120,8 @@ struct Summary {
     files: Vec<String>,
     #[serde(default)]
     input_sha256: String,
+    /// Of a long run.
+    library_sha256: Option<String>,
     /// SHA-256 of the files that version control keeps.
     #[serde(default)]
     committed: BTreeMap<String, String>,
@@ -137,6 +139,16 @@ pub(super) fn is_committed(folder: &Path, input_sha256: &str) -> bool {
                         && fs::read(folder.join(name)).is_ok_and(|content| hash(&content) == *written)
                 })
         })
+}
+
+/// The hash of the input that the report in a folder is on.
+pub(super) fn input_of(folder: &Path) -> Option<String> {
+    summary(folder).map(|summary| summary.input_sha256)
+}
+
+/// The hash of the library's sources by which the report in a folder was made, where it says so.
+pub(super) fn library_of(folder: &Path) -> Option<String> {
+    summary(folder)?.library_sha256
 }
 
 /// The summary of a folder, if this program wrote one.

@@ -17,6 +17,7 @@ mod manifest;
 mod swap;
 
 use manifest::{Kept, MANIFEST, Manifest};
+use serde::Deserialize;
 use std::fs::{self, File, TryLockError};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -82,6 +83,21 @@ impl Folder {
     }
 }
 
+/// How a report stands to its experiment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum State {
+    /// Complete, on this input; one that was made here also by this program.
+    UpToDate,
+    /// Not there.
+    Missing,
+    /// The spec, or a file that it names, is another one.
+    InputChanged,
+    /// The program is another one.
+    ProgramChanged,
+    /// A file of it is missing or is another one.
+    Edited,
+}
+
 /// A folder of reports.
 #[derive(Debug)]
 pub struct Store {
@@ -105,9 +121,38 @@ impl Store {
                 .is_some_and(|manifest| manifest.key == key && manifest.matches(&self.directory.join(stem)))
     }
 
-    /// Whether a report without manifest is there, complete, on the input with this hash: one that came with a clone.
-    pub fn is_committed(&self, stem: &str, input_sha256: &str) -> bool {
-        is_plain(stem) && manifest::is_committed(&self.directory.join(stem), input_sha256)
+    /// How the report of this name stands to an experiment of this key and input.
+    pub fn state(&self, stem: &str, key: &str, input_sha256: &str) -> State {
+        let folder = self.directory.join(stem);
+        if !is_plain(stem) {
+            return State::Missing;
+        }
+        if self.is_current(stem, key) || manifest::is_committed(&folder, input_sha256) {
+            return State::UpToDate;
+        }
+        match manifest::input_of(&folder) {
+            None => State::Missing,
+            Some(input) if input != input_sha256 => State::InputChanged,
+            Some(_) if Manifest::read(&folder).is_some_and(|manifest| manifest.key != key) => {
+                State::ProgramChanged
+            }
+            Some(_) => State::Edited,
+        }
+    }
+
+    /// The seconds that the last run of this report took on this machine.
+    pub fn seconds(&self, stem: &str) -> Option<f64> {
+        #[derive(Deserialize)]
+        struct Times {
+            total_s: f64,
+        }
+        let times = fs::read(self.directory.join(stem).join("timing.json")).ok()?;
+        serde_json::from_slice(&times).ok().map(|Times { total_s }| total_s)
+    }
+
+    /// The hash of the library's sources by which a long report was made, where it says so.
+    pub fn library(&self, stem: &str) -> Option<String> {
+        manifest::library_of(&self.directory.join(stem))
     }
 
     /// Whether a report of this name may be written: [`StoreError::NotGenerated`] if something is in the

@@ -99,14 +99,26 @@ fn a_report_that_came_with_a_clone_is_recognised_by_its_input() {
     );
     fs::write(report.join("summary.json"), summary).unwrap();
     // With a manifest it was written here, and its key decides.
-    assert!(!store.is_committed("lead", "abc"));
+    let state = |input: &str| store.state("lead", "another key", input);
+    assert_eq!(state("abc"), State::ProgramChanged);
     fs::remove_file(report.join("manifest.json")).unwrap();
-    assert!(store.is_committed("lead", "abc") && !store.is_committed("lead", "abd"));
+    assert_eq!((state("abc"), state("abd")), (State::UpToDate, State::InputChanged));
+    assert_eq!(store.state("gold", "key", "abc"), State::Missing);
     // A page or picture of another run is noticed.
     fs::write(report.join("report.md"), "abd").unwrap();
-    assert!(!store.is_committed("lead", "abc"));
+    assert_eq!(state("abc"), State::Edited);
     fs::remove_file(report.join("report.md")).unwrap();
-    assert!(!store.is_committed("lead", "abc"));
+    assert_eq!(state("abc"), State::Edited);
+}
+
+#[test]
+fn the_time_of_the_last_run_and_its_library_are_known_where_they_are_written() {
+    let (_home, store) = stored();
+    assert_eq!((store.seconds("lead"), store.library("lead")), (None, None));
+    let report = store.directory.join("lead");
+    fs::write(report.join("timing.json"), r#"{ "read_s": 1.0, "total_s": 2.5 }"#).unwrap();
+    fs::write(report.join("summary.json"), r#"{ "program": "asperity", "library_sha256": "abc" }"#).unwrap();
+    assert_eq!((store.seconds("lead"), store.library("lead").as_deref()), (Some(2.5), Some("abc")));
 }
 
 #[test]

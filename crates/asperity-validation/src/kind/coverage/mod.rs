@@ -10,7 +10,7 @@ mod spec;
 
 use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 use asperity_contact_framework::report::table::Schema;
-use asperity_contact_framework::{Kind, Reads};
+use asperity_contact_framework::{Group, Kind, Reads};
 use asperity_contact_framework::{Memory, Plan, RunContext};
 
 use crate::coverage::WINDOWS_PER_MAP;
@@ -22,6 +22,7 @@ pub struct IntervalCoverage;
 
 impl Kind for IntervalCoverage {
     const NAME: &'static str = "coverage";
+    const GROUP: Option<Group> = Some(Group::Trust);
     const READS: Reads = Reads { materials: true, surfaces: false };
     type Spec = spec::CoverageSpec;
     type Plan = CoveragePlan;

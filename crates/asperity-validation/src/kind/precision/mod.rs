@@ -13,7 +13,7 @@ use asperity_contact_framework::metadata::Metadata;
 use asperity_contact_framework::report::Page;
 use asperity_contact_framework::report::table::{Schema, Table, Tables};
 use asperity_contact_framework::set_memory;
-use asperity_contact_framework::{Kind, Outcome, Planned, Reads, fields};
+use asperity_contact_framework::{Group, Kind, Outcome, Planned, Reads, fields};
 use asperity_contact_framework::{Memory, Plan, RunContext};
 use serde_json::{Map, Value};
 
@@ -27,17 +27,18 @@ pub struct Precision;
 
 impl Kind for Precision {
     const NAME: &'static str = "precision";
+    const GROUP: Option<Group> = Some(Group::Trust);
     const IS_TIMED: bool = true;
     const READS: Reads = Reads { materials: true, surfaces: false };
     type Spec = spec::PrecisionSpec;
     type Plan = PrecisionPlan;
 
-    fn plan(file: &SpecFile, table: &Spanned<Self::Spec>, full: bool) -> Result<PrecisionPlan, InputError> {
-        plan::plan(file, table, full)
+    fn plan(file: &SpecFile, table: &Spanned<Self::Spec>, huge: bool) -> Result<PrecisionPlan, InputError> {
+        plan::plan(file, table, huge)
     }
 
     fn planned(plan: PrecisionPlan) -> Planned {
-        let variant = if plan.full { "full" } else { "" };
+        let variant = if plan.huge { "huge" } else { "" };
         Planned { variant, ..Planned::new(plan) }
     }
 

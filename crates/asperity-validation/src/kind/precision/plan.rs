@@ -35,8 +35,8 @@ pub struct PrecisionPlan {
     pub surface: Option<SurfaceTask>,
     /// Pixels per contact radius of boundary elements; empty unless the spec requests them.
     pub pixels: Vec<usize>,
-    /// Whether the largest sizes are included (`--full`).
-    pub full: bool,
+    /// Whether the largest sizes are included (`--huge`).
+    pub huge: bool,
 }
 
 impl PrecisionPlan {
@@ -86,7 +86,7 @@ impl fmt::Display for PrecisionPlan {
 pub(super) fn plan(
     file: &SpecFile,
     table: &Spanned<PrecisionSpec>,
-    full: bool,
+    huge: bool,
 ) -> Result<PrecisionPlan, InputError> {
     let raw = table.get_ref();
     let (rough, flat) = (raw.rough.get_ref(), raw.flat.get_ref());
@@ -118,10 +118,10 @@ pub(super) fn plan(
         law: LawContact { label: spec.label(), thickness: None, contact, spec },
         cases: raw.case.get_ref().iter().map(case).collect(),
         separations: separations.transpose()?.unwrap_or_default(),
-        counts: raw.sum.as_ref().map(|raw| counts(file, raw, full)).transpose()?.unwrap_or_default(),
+        counts: raw.sum.as_ref().map(|raw| counts(file, raw, huge)).transpose()?.unwrap_or_default(),
         surface: raw.surface.as_ref().map(|raw| surface(file, raw)).transpose()?,
         pixels: pixels.transpose()?.unwrap_or_default(),
-        full,
+        huge,
     };
     if plan.steps() == 0 {
         let message = "found nothing to measure; allowed: at least one of [precision.integral], [precision.sum], \
@@ -159,11 +159,11 @@ fn separations(file: &SpecFile, raw: &spec::IntegralSpec) -> Result<Vec<f64>, In
     Ok(separations.clone())
 }
 
-/// Sizes, ascending: the largest only in full.
-fn counts(file: &SpecFile, raw: &spec::SumSpec, full: bool) -> Result<Vec<usize>, InputError> {
+/// Sizes, ascending: the largest only where they are asked for.
+fn counts(file: &SpecFile, raw: &spec::SumSpec, huge: bool) -> Result<Vec<usize>, InputError> {
     let mut counts = file.counts(&raw.count)?;
-    let further = raw.full_count.as_ref().map(|further| file.counts(further)).transpose()?;
-    counts.extend(further.filter(|_| full).into_iter().flatten());
+    let further = raw.huge_count.as_ref().map(|further| file.counts(further)).transpose()?;
+    counts.extend(further.filter(|_| huge).into_iter().flatten());
     counts.sort_unstable();
     counts.dedup();
     Ok(counts)

@@ -59,14 +59,14 @@ pub struct IntegralSpec {
 }
 
 #[derive(Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a table { count, full-count }")]
+#[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a table { count, huge-count }")]
 pub struct SumSpec {
     /// Sizes of the sets.
     #[schemars(extend("x-range" = "1 to 1e12", "examples" = [[1000, 1e6]]))]
     pub count: Spanned<LogSweep<Pure>>,
-    /// Further sizes, only with --full.
+    /// Further sizes, only with --huge.
     #[schemars(extend("x-range" = "1 to 1e12", "examples" = [1e9]))]
-    pub full_count: Option<Spanned<LogSweep<Pure>>>,
+    pub huge_count: Option<Spanned<LogSweep<Pure>>>,
 }
 
 /// Random maps with the autocorrelation exp(-(r/l)^2).

@@ -12,7 +12,7 @@ mod spec;
 use asperity::bem::Boundary;
 use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 use asperity_contact_framework::report::table::Schema;
-use asperity_contact_framework::{Kind, Reads};
+use asperity_contact_framework::{Group, Kind, Reads};
 use asperity_contact_framework::{Memory, Plan, RunContext};
 
 use crate::kind::boundary_elements::contact_memory;
@@ -28,6 +28,7 @@ pub struct SolverValidation;
 
 impl Kind for SolverValidation {
     const NAME: &'static str = "solver-validation";
+    const GROUP: Option<Group> = Some(Group::Trust);
     const READS: Reads = Reads { materials: false, surfaces: false };
     type Spec = spec::SolverSpec;
     type Plan = SolverPlan;

@@ -10,7 +10,7 @@ mod spec;
 
 use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 use asperity_contact_framework::report::table::Schema;
-use asperity_contact_framework::{Kind, Reads};
+use asperity_contact_framework::{Group, Kind, Reads};
 use asperity_contact_framework::{Memory, Plan, RunContext};
 
 use crate::stability::Counts;
@@ -23,6 +23,7 @@ pub struct Stability;
 
 impl Kind for Stability {
     const NAME: &'static str = "stability";
+    const GROUP: Option<Group> = Some(Group::Trust);
     const READS: Reads = Reads { materials: false, surfaces: false };
     type Spec = spec::StabilitySpec;
     type Plan = StabilityPlan;

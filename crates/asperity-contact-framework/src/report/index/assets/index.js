@@ -12,6 +12,7 @@
         && (!surface.value || card.dataset.surfaces.split("\n").includes(surface.value))
         && wanted.every(word => text.includes(word)));
     }
+    for (const group of document.querySelectorAll("main > section")) group.hidden = !group.querySelector("li:not([hidden])");
     document.getElementById("count").textContent = `${cards.filter(card => !card.hidden).length} of ${cards.length}`;
   };
   form.addEventListener("input", filter);

@@ -104,7 +104,9 @@ const Chart = (() => {
       ticks = all.filter(tick => tick >= low && tick <= high);
       if (ticks.length > 2) break;
     }
-    const every = Math.ceil(ticks.length / 8);
+    // Numbers along x need room.
+    const most = plot.axes[axis].side % 2 ? 8 : Math.max(3, Math.floor(plot.bbox.width / devicePixelRatio / 48));
+    const every = Math.ceil(ticks.length / Math.min(8, most));
     return ticks.filter((_, k) => k % every === 0);
   };
 
