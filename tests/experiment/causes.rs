@@ -48,7 +48,7 @@ fn the_height_distribution_leads_on_skewed_surfaces_only() {
     let page = outcome.outline().markdown();
     assert!(
         page.contains(
-            "Heights explain the difference in separation better than radii in 2 of 4 cases, radii in 0."
+            "Heights explain the difference in separation better than radii in 2 of 4 cases, radii in 1."
         ),
         "{page}"
     );

@@ -124,13 +124,13 @@ fn limits(series: &[(&Series, Option<f64>)]) -> String {
     });
     let (asperities, areas) = (asperities.count(), areas.count());
     let instrument = if asperities.min(areas) < series.len() {
-        " Without a limit they are those of the instrument."
+        " What has no limit belongs to the instrument."
     } else {
         ""
     };
     format!(
-        "As the sampling interval shrinks, density and radius of the asperities have a limit on {asperities} of {} surfaces, the contact area \
-         of the sum on {areas}.{instrument}{}",
+        "As the sampling interval shrinks, asperity density and radius are known to have a limit on {asperities} of {} surfaces, the contact \
+         area on {areas}.{instrument}{}",
         series.len(),
         largest.unwrap_or_default(),
     )
@@ -225,14 +225,14 @@ mod tests {
         let [smooth, rough] = [series("a", 0.0, 0.0), series("b", 0.0, 1.0)];
         assert_eq!(
             limits(&[(&smooth, Some(1e6)), (&rough, Some(1e6))]),
-            "As the sampling interval shrinks, density and radius of the asperities have a limit on 2 of 2 surfaces, the contact area of the \
-             sum on 1. Without a limit they are those of the instrument. The last refinement changes that area by up to -50 % (b at 1 MPa)."
+            "As the sampling interval shrinks, asperity density and radius are known to have a limit on 2 of 2 surfaces, the contact area on \
+             1. What has no limit belongs to the instrument. The last refinement changes that area by up to -50 % (b at 1 MPa)."
         );
         assert!(!limits(&[(&smooth, Some(1e6))]).contains("instrument"));
         let rough = series("b", 1.0, 0.0);
         let words = limits(&[(&smooth, None), (&rough, None)]);
         assert!(
-            words.contains("a limit on 1 of 2 surfaces, the contact area of the sum on 0. Without"),
+            words.contains("a limit on 1 of 2 surfaces, the contact area on 0. What has no limit"),
             "{words}"
         );
     }
