@@ -122,9 +122,9 @@ mod tests {
     #[test]
     fn three_lines_say_what_became_of_all() {
         let mut counts = Counts::default();
-        [Done::Written, Done::Failed, Done::Written, Done::Unchanged]
-            .into_iter()
-            .for_each(|done| counts.add(done));
+        for done in [Done::Written, Done::Failed, Done::Written, Done::Unchanged] {
+            counts.add(done);
+        }
         let [all, place, open] = counts.lines(Path::new("out"));
         assert_eq!(all, "4 reports: 2 written, 1 unchanged, 1 failed");
         assert!(place.ends_with("out") && open.ends_with("index.html"), "{place} {open}");

@@ -80,10 +80,10 @@ fn times_and_errors_are_what_they_should_be() {
 }
 
 #[test]
-fn the_largest_sets_are_run_only_in_full() {
+fn the_largest_sets_are_run_only_where_they_are_asked_for() {
     let (folder, out) = written(&["--huge", "--quiet"]);
     assert!(table(&out.join("small"), "sum.csv").iter().any(|row| row["asperities"] == "60000"));
-    // In full it is another experiment.
+    // With them it is another experiment.
     let again = |more: &[&str]| text(&run(&folder.path().join("small.toml"), &out, more).stdout);
     assert!(again(&["--huge"]).contains("unchanged"));
     let check = |more: &[&str]| {
