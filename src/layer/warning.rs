@@ -98,7 +98,7 @@ mod tests {
         assert_eq!(warnings(&[0.0, 0.4e-6, f64::INFINITY]), Vec::<String>::new());
         let between = warnings(&[0.0, 1e-6]);
         assert!(
-            matches!(&between[..], [one] if one.starts_with("layer dlc of 1 µm on the rough body, surface a: the thickness is 2.5 times Sq, 400 nm") && one.contains("about Sq, 40 %,")),
+            matches!(&between[..], [one] if one.starts_with("layer dlc of 1 µm on the rough body, surface a: it is 2.5 times as thick as Sq, 400 nm") && one.contains("by 40 %")),
             "{between:?}"
         );
         let thick = warnings(&[1e-7, 2e-6]);
@@ -111,11 +111,11 @@ mod tests {
     fn contacts_wider_than_the_layer_are_cautioned() {
         let text = hardness_warning("dlc", [(1e-8, 14.6), (1e-7, 1.46), (1e-6, 0.15)].into_iter()).unwrap();
         assert!(
-            text.starts_with("layer dlc of 10 nm to 100 nm: the mean contact radius a reaches 14.6 times"),
+            text.starts_with("layer dlc of 10 nm to 100 nm: contacts are up to 14.6 times as wide"),
             "{text}"
         );
         let text = hardness_warning("dlc", [(1e-8, 1.0)].into_iter()).unwrap();
-        assert!(text.starts_with("layer dlc of 10 nm: the mean contact radius a reaches 1 times"), "{text}");
+        assert!(text.starts_with("layer dlc of 10 nm: contacts are up to 1 times as wide"), "{text}");
         assert_eq!(hardness_warning("dlc", [(1e-6, 0.99)].into_iter()), None);
     }
 }

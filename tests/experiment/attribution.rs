@@ -110,9 +110,9 @@ fn the_cause_that_leads_is_named() {
     assert!(spread.map(|row| number(row, "contribution").abs()).fold(0.0, f64::max) < 1e-9);
 }
 
-/// A case without admissible loads has no line in the figure of all cases, and no name in its legend.
+/// The row of a case without admissible loads is blank in the verdict map.
 #[test]
-fn a_case_without_admissible_loads_is_left_out_of_the_figure() {
+fn a_case_without_admissible_loads_is_blank_in_the_verdict_map() {
     let folder = tempfile::tempdir().unwrap();
     list(folder.path(), "correlated.csv", 20_000, true);
     list(folder.path(), "few.csv", 100, true);
@@ -122,9 +122,10 @@ fn a_case_without_admissible_loads_is_left_out_of_the_figure() {
         surface("few", "few.csv", 100),
     ];
     let outcome = run(folder.path(), COMPARE, &surfaces.concat());
-    let legend = figure(&*outcome, "verdicts.svg").unwrap();
-    let has = |name: &str| legend.contains(&format!("\n{name}\n"));
-    assert!(has("a") && has("b") && !has("few"), "{legend}");
+    let map = figure(&*outcome, "verdicts.svg").unwrap();
+    assert!(["a", "b", "few"].iter().all(|name| map.contains(&format!("\n{name}\n"))), "{map}");
+    let pair = [surface("few", "few.csv", 100), surface("less", "few.csv", 100)];
+    assert!(figure(&*run(folder.path(), COMPARE, &pair.concat()), "verdicts.svg").is_none());
 }
 
 #[test]

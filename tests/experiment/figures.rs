@@ -37,9 +37,11 @@ fn files(figure: &str) -> Vec<(String, Vec<u8>)> {
 fn every_figure_is_there_in_the_size_of_print_and_in_all_formats() {
     let printed = files("figure = { width = \"85 mm\", font = \"8 pt\" }\n");
     let plain = files("");
+    // The picture of the index has its own size.
     let named = |files: &[(String, Vec<u8>)], ending: &str| {
         files
             .iter()
+            .filter(|(name, _)| name != "card.svg")
             .filter(|(name, _)| name.ends_with(ending))
             .map(|(name, _)| name.replace(ending, ""))
             .collect::<Vec<_>>()
@@ -50,7 +52,7 @@ fn every_figure_is_there_in_the_size_of_print_and_in_all_formats() {
     let converted = if cfg!(feature = "print") { figures } else { Vec::new() };
     assert_eq!([named(&printed, ".png"), named(&printed, ".pdf")], [converted.clone(), converted]);
     for (name, content) in &printed {
-        if name.ends_with(".svg") {
+        if name.ends_with(".svg") && name != "card.svg" {
             assert!(String::from_utf8_lossy(content).contains("width=\"85mm\""), "{name}");
         }
         if name.ends_with(".pdf") {

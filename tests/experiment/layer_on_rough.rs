@@ -79,13 +79,13 @@ fn check_page_and_summary_name_the_body_and_the_limits() {
     assert!(page.contains("200 nm of lead on the rough body"), "{page}");
     assert!(page.contains("Layer of lead on the rough body: "), "{page}");
     assert!(page.contains("A coated asperity is taken as a layered half-space"), "{page}");
-    let warning = "layer lead of 200 nm on the rough body, surface a: the thickness is ";
+    let warning = "layer lead of 200 nm on the rough body, surface a: it is ";
     let warnings = found.warnings();
     // Thicker than Sq, thin for its asperities.
     let limits: Vec<&String> = warnings.iter().filter(|line| line.starts_with(warning)).collect();
-    assert!(matches!(&limits[..], [one] if one.contains("times Sq")), "{warnings:?}");
+    assert!(matches!(&limits[..], [one] if one.contains("times as thick as Sq")), "{warnings:?}");
     let thick = run("steel", "titanium", "thickness = \"20 um\", on = \"rough\"").warnings();
-    assert!(thick.iter().any(|line| line.contains("times the mean radius of the asperities")), "{thick:?}");
+    assert!(thick.iter().any(|line| line.contains("times as thick as the mean radius")), "{thick:?}");
     let on_flat = run("steel", "titanium", "thickness = \"20 um\"").warnings();
     assert!(!on_flat.iter().any(|line| line.contains("on the rough body")), "{on_flat:?}");
 }

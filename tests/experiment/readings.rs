@@ -57,7 +57,7 @@ fn a_generated_surface_has_sigma_of_its_surface() {
                    summits = { radius = \"20 um\", sigma = \"48 nm\", density = \"6e10 /m^2\", heights = \"surface\" }\n";
     let outcome = run("[2, 1]", surface);
     let page = outcome.outline().markdown();
-    assert!(page.contains("Separations are measured from the mean plane of the surface"), "{page}");
+    assert!(page.contains("| separations from | mean plane of the surface |"), "{page}");
     assert!(!page.contains("Two readings"), "there is one reading only");
     let results: CompareResults = crate::downcast(outcome);
     let found = &results.surfaces[0];

@@ -240,7 +240,6 @@ fn a_measured_map_is_levelled_and_mirrored_and_a_finite_patch_has_no_separation(
         }
         assert!(number(&row, "area_ratio") > 0.0);
     }
-    assert!(finite.outline().markdown().contains("finite patch deforms as a whole"));
 }
 
 /// On well resolved waves four times the points change little; the correction for the perimeter shrinks.
@@ -292,7 +291,8 @@ fn it_runs_alone_at_one_load_and_at_several() {
             assert_eq!(table(&*outcome, "curves.csv").unwrap().len(), 2 * count);
             assert_eq!(of_model(&*outcome, "reference").len(), 2 * count);
             let text = outcome.outline().markdown();
-            assert!(text.contains("The reference alone was run: "), "{text}");
+            let said = ["boundary elements alone were run", "not compared at equal load in any case"];
+            assert!(text.contains(said[usize::from(!layer.is_empty())]), "{text}");
             assert!(!text.contains("NaN") && !text.contains("inf,"), "{text}");
             assert!(outcome.records()["verdicts"].as_array().unwrap().is_empty());
         }
@@ -393,10 +393,7 @@ fn a_map_too_coarse_for_its_shortest_wave_is_warned_of() {
     for (surface, points) in [
         (cut_off("3.9"), "3.9 points per shortest wave, fewer"),
         (filtered("3"), "3 points per shortest wave, fewer"),
-        (
-            MEASURED.to_owned(),
-            "2 points per shortest wave (a map without S filter holds waves of two pixels), fewer",
-        ),
+        (MEASURED.to_owned(), "2 points per shortest wave, fewer"),
         (exponential, "2 points per shortest wave, fewer"),
     ] {
         let warning = of("", &surface).unwrap();
@@ -420,17 +417,15 @@ fn a_pressure_above_the_hardness_is_named_in_the_answer() {
             .unwrap()
     };
     let above = at("8 GPa");
+    assert!(above.contains("None: no contact carries so high a pressure."), "{above}");
     assert!(
-        above.contains("; no boundary elements, because no contact carries so high a pressure."),
-        "{above}"
-    );
-    assert!(
-        above.contains("a load that the surface can bear") && !above.contains("the boundary elements"),
+        above.contains("a load that the surface can bear") && !above.contains("Boundary elements."),
         "{above}"
     );
     let below = at("2 GPa");
     assert!(
-        below.contains("by boundary elements") && below.contains("Remedy: the boundary elements."),
+        below.contains("boundary elements ")
+            && below.contains("Use instead                        Boundary elements"),
         "{below}"
     );
     assert!(!below.contains("so high a pressure") && !below.contains("can bear"), "{below}");

@@ -77,7 +77,7 @@ fn fit(page: &mut Page, tables: &Tables, surface: &Surface) {
     let name = &surface.name;
     page.heading(3, &format!("{name}: how the preparation was found"));
     let steps = on_surface(tables.view::<FitStepRow>(), name).columns(&STEP);
-    page.view(&steps).heading(4, "The same without `fit`").code("toml", &keys(fit).join("\n"));
+    page.view(&steps).heading(4, "The same by hand").code("toml", &keys(fit).join("\n"));
     let applied = fit.steps.iter().any(|step| step.not_applied.is_none());
     if let Some((map, spikes)) = fit.before.as_ref().filter(|_| applied) {
         let caption = format!("Height map of {name} before these steps; above it is as analysed.");

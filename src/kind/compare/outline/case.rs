@@ -1,6 +1,8 @@
 //! One surface under one law and thickness: its answer, figures and tables.
 
 use asperity::compare::{ComparedQuantity, Comparison, Difference, of_each_decade};
+use asperity::study::RealisationFacts;
+use asperity_contact_framework::report::format::{input_quantity, number};
 use asperity_contact_framework::report::page::Page;
 use asperity_contact_framework::report::table::{Reading, Tables};
 use asperity_contact_framework::report::view::View;
@@ -201,6 +203,21 @@ fn curves(page: &mut Page, results: &CompareResults, case: SurfaceCase, name: &s
     if let Some(figure) = curves::regimes(&setting).filter(|_| !case.first().comparison.curves.is_empty()) {
         page.figure(&file("regimes"), figure, "Share of the load by contact regime, by model.");
     }
+}
+
+/// Inputs of the statistical model.
+pub fn statistical_model(page: &mut Page, surface: &SurfaceResults) {
+    let RealisationFacts { population, model, .. } = &surface.realisations[0];
+    let inputs = match model.joint {
+        Some(joint) => [joint.label().to_owned(), String::new(), String::new(), number(population.density)],
+        None => [
+            population.heights.label().to_string(),
+            input_quantity(population.sigma, "m"),
+            format!("{} ({})", input_quantity(population.radius, "m"), model.mean_radius.name()),
+            number(population.density),
+        ],
+    };
+    page.table(["heights of the statistical model", "σ", "mean radius", "density (1/m²)"], [inputs.to_vec()]);
 }
 
 /// The contact in the reference at one load, of a few solutions.

@@ -64,9 +64,9 @@ impl Outcome for CompareResults {
         common::warnings(&mut page, &self.page_warnings());
         sections::results(&mut page, tables);
         sections::verdicts(&mut page, tables);
-        sections::reference(&mut page, self, tables);
+        sections::reference(&mut page, tables);
         sections::models(&mut page, tables);
-        sections::layer(&mut page, self, tables);
+        sections::layer(&mut page, tables);
         if series.is_empty() {
             cases.iter().for_each(|case| case::section(&mut page, self, tables, *case));
         }
@@ -77,12 +77,14 @@ impl Outcome for CompareResults {
             };
             page.details(2, &format!("Surface {}{which}", surface.surface.name), |page| {
                 section::section(page, tables, &surface.surface, Some(&surface.realisations[0].population));
+                case::statistical_model(page, surface);
                 case::contacts(page, self, surface);
             });
         }
         sections::readings(&mut page, tables);
         common::notes(&mut page, &self.metadata);
         common::what_was_run(&mut page, &self.metadata, &self.contact);
+        sections::tolerance(&mut page, self.tolerances);
         let spec = self.described.as_ref().map(|described| described.spec.as_str());
         common::run_again(&mut page, &self.metadata, spec);
         common::sources(&mut page, &self.metadata);

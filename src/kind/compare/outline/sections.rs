@@ -1,12 +1,11 @@
 //! What is shown of all cases together: views of tables.
 
-use asperity::compare::{ComparedQuantity, GOOD_RATIO};
-use asperity_contact_framework::report::format::{capitalised, number};
-use asperity_contact_framework::report::page::{Page, escape};
+use asperity::compare::{ComparedQuantity, ModelKind, Tolerances};
+use asperity_contact_framework::report::format::capitalised;
+use asperity_contact_framework::report::page::Page;
 use asperity_contact_framework::report::table::{Reading, Tables};
 use asperity_contact_framework::report::view::View;
 
-use crate::kind::compare::results::CompareResults;
 use crate::kind::compare::rows::{
     AnswerRow, CaseRow, DecreaseRow, NearerRow, ReadingRow, ReferenceCurveRow, ResultRow, RuleRow,
     StandingRow, ThresholdRow, VerdictRow,
@@ -80,14 +79,12 @@ fn by_quantity(page: &mut Page, view: &View) {
 }
 
 /// Both models against the reference.
-pub fn reference(page: &mut Page, results: &CompareResults, tables: &Tables) {
+pub fn reference(page: &mut Page, tables: &Tables) {
     let solved = tables.view::<ReferenceCurveRow>();
     if solved.is_empty() {
         return;
     }
     page.heading(2, "Which model is nearer to the reference?");
-    let elastic = results.reference.iter().flat_map(|reference| &reference.elastic);
-    page.bullets(elastic.map(|case| format!("{}.", escape(&case.to_string()))));
     let nearer = tables.view::<NearerRow>().without_constant(&CASE);
     page.view(&nearer.clone().only("quantity", ComparedQuantity::Area.name()));
     page.details(3, "Separation, stiffness, and both models against the reference", |page| {
@@ -125,7 +122,7 @@ fn by_quantity_of_models(page: &mut Page, view: &View) {
 }
 
 /// What the layer changes, and how good its effective modulus is.
-pub fn layer(page: &mut Page, results: &CompareResults, tables: &Tables) {
+pub fn layer(page: &mut Page, tables: &Tables) {
     let thresholds = tables.view::<ThresholdRow>().without_constant(&CASE[..2]);
     if !thresholds.is_empty() {
         page.heading(2, "Up to which thickness does the layer change the model's area by at most 5 %?")
@@ -134,19 +131,6 @@ pub fn layer(page: &mut Page, results: &CompareResults, tables: &Tables) {
     let rules = tables.view::<RuleRow>();
     if !rules.is_empty() {
         page.details(2, "Accuracy of the effective-modulus models", |page| {
-            let layer = results.contact.layer.iter();
-            for (layer, check) in layer.filter_map(|layer| Some((layer, layer.check.as_ref()?))) {
-                page.paragraph(&format!(
-                    "The layer modulus is {} times the substrate modulus, {} the range {} to {} in which the model `gao` is accurate \
-                     (Perriot and Barthel 2004); this experiment uses `{}`. This \
-                     concerns the modulus, not the effective hardness.",
-                    number(check.modulus_ratio),
-                    if check.is_good() { "within" } else { "outside" },
-                    GOOD_RATIO[0],
-                    GOOD_RATIO[1],
-                    layer.rule.name(),
-                ));
-            }
             page.view(&rules);
         });
     }
@@ -163,5 +147,16 @@ pub fn readings(page: &mut Page, tables: &Tables) {
     let view = tables.view::<ReadingRow>();
     if !view.is_empty() {
         page.heading(2, "Two readings of σ and d").view(&view);
+    }
+}
+
+/// The largest error of curves that are interpolated; nothing where they are exact.
+pub fn tolerance(page: &mut Page, tolerances: Tolerances) {
+    let row =
+        |kind: ModelKind| Some(vec![kind.name().to_owned(), format!("{:e}", tolerances.for_model(kind)?)]);
+    let rows: Vec<Vec<String>> =
+        [ModelKind::Statistical, ModelKind::Deterministic].into_iter().filter_map(row).collect();
+    if !rows.is_empty() {
+        page.table(["model", "largest error of interpolation"], rows);
     }
 }
