@@ -150,7 +150,7 @@ plateau = {{ height = \"-50 nm\", sigma = \"20 nm\", spectrum.exponential.correl
 
 #[test]
 fn tables_of_a_surface_agree_with_its_summary() {
-    let ([summary, surfaces], _) = look(
+    let ([summary, surfaces], report) = look(
         "[surface.met.generate]
 points = 512
 spectrum.self-affine.hurst = 0.8
