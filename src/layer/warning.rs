@@ -102,8 +102,8 @@ mod tests {
             "{between:?}"
         );
         let thick = warnings(&[1e-7, 2e-6]);
-        assert!(thick[0].contains("0.2 times the mean radius of the asperities, 10 µm"), "{thick:?}");
-        assert!(thick[1].contains("5 times Sq"), "{thick:?}");
+        assert!(thick[0].contains("0.2 times as thick as the mean radius, 10 µm"), "{thick:?}");
+        assert!(thick[1].contains("5 times as thick as Sq"), "{thick:?}");
         assert_eq!(CoatedSurface { sq: None, ..surface }.warnings("dlc", &[1e-6]), Vec::<String>::new());
     }
 
