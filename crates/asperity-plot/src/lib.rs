@@ -137,6 +137,11 @@ impl Plot {
         Self { title, x, y, layers: Vec::new(), legend: Legend::Auto, height: 380.0, equal: false }
     }
 
+    /// The same plot with another title.
+    pub fn titled(self, title: impl Into<String>) -> Self {
+        Self { title: title.into(), ..self }
+    }
+
     /// Adds a layer on top of those before it.
     pub fn with(mut self, layer: Layer) -> Self {
         self.layers.push(layer);
@@ -271,6 +276,12 @@ pub struct Figure {
 impl Figure {
     fn arranged(title: String, plots: Vec<Plot>, arrangement: Arrangement) -> Self {
         Self { title, heading: String::new(), plots, arrangement }
+    }
+
+    /// Titles the figure, and names its subject above all plots.
+    pub fn titled(self, title: impl Into<String>) -> Self {
+        let title = title.into();
+        Self { title: title.clone(), ..self.headed(title) }
     }
 
     /// Names the subject of all plots above them, for a picture that is seen without its page: the surface, the case.

@@ -1,5 +1,6 @@
 //! `[compare]`: both models on given surfaces.
 
+mod contact_map;
 pub mod figures;
 mod lines;
 mod names;

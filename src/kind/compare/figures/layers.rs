@@ -10,6 +10,12 @@ use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
 /// Separation and real area against load, by thickness.
 pub fn by_load(series: &Series) -> Figure {
+    let title = format!("{}: separation and real contact area by layer thickness", series.subject);
+    Figure::row(title.clone(), panels_by_load(series).into()).headed(title)
+}
+
+/// The same as panels.
+pub fn panels_by_load(series: &Series) -> [Plot; 2] {
     let (modulus, units) = (series.modulus, series.units);
     let mut separation = Plot::new("Separation", units.load_ratio(), units.separation());
     let mut area = Plot::new("Real contact area", units.load_ratio(), Axis::log("area ratio A/A_nom"))
@@ -45,8 +51,10 @@ pub fn by_load(series: &Series) -> Figure {
             }
         }
         let reference = |value| {
-            let line =
-                Layer::line(reference_line(case, modulus, value)).coloured(colour).dashed(Dash::DashDot);
+            let line = Layer::line(
+                reference_line(case, value).into_iter().map(|(load, value)| (load / modulus, value)),
+            );
+            let line = line.coloured(colour).dashed(Dash::DashDot);
             if kinds.is_empty() { line.named(thickness(case.thickness.unwrap_or(0.0))) } else { line }
         };
         if case.reference.is_some() {
@@ -54,9 +62,7 @@ pub fn by_load(series: &Series) -> Figure {
             area = area.with(reference(|point| Some(point.area_ratio)));
         }
     }
-    let panels = [separation, area].map(|plot| with_styles(plot, series)).to_vec();
-    let title = format!("{}: separation and real contact area by layer thickness", series.subject);
-    Figure::row(title.clone(), panels).headed(title)
+    [separation, area].map(|plot| with_styles(plot, series))
 }
 
 /// The line styles in the legend, where there is more than one.

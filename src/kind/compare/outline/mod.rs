@@ -33,7 +33,7 @@ use asperity_contact_framework::report::sections as common;
 use asperity_contact_framework::report::table::{Table, Tables};
 use serde_json::{Map, Value, json};
 
-use super::figures::differences;
+use super::figures::main_figure;
 use super::results::{CompareResults, SurfaceResults};
 use super::rows::{RuleRow, SurfaceCase, tables};
 use super::series::Series;
@@ -60,7 +60,7 @@ impl Outcome for CompareResults {
             page.lead(&escape_around_code(&sentence));
         }
         common::warnings(&mut page, &self.warnings());
-        main_figure(&mut page, self, &series);
+        main_figure::main_figure(&mut page, self, &series);
         sections::results(&mut page, tables);
         sections::verdicts(&mut page, tables);
         sections::reference(&mut page, self, tables);
@@ -157,32 +157,5 @@ fn answer(results: &CompareResults) -> Vec<String> {
             each.collect()
         }
         _ => vec![count::count(&verdicts)],
-    }
-}
-
-/// The differences behind the verdicts: of one case with intervals, of several cases together.
-fn main_figure(page: &mut Page, results: &CompareResults, series: &[Series]) {
-    let cases: Vec<SurfaceCase> = SurfaceCase::all(results).collect();
-    if let [only] = &cases[..] {
-        return case::differences(page, results, *only);
-    }
-    let mut draw = |file: &str, subject: &str, cases: &[(String, &Verdicts)]| {
-        let title = format!("{subject}statistical − deterministic model at equal load, admissible loads");
-        if let Some(figure) = differences::of_cases(cases, &title) {
-            let caption =
-                "Differences between the models at equal load, at admissible loads; green: accepted.";
-            page.figure(file, figure.headed(title), caption);
-        }
-    };
-    if series.is_empty() {
-        if !cases.iter().all(|case| case.first().is_single()) {
-            let named = cases.iter().map(|case| (case.name(results), case.verdicts()));
-            draw("verdicts.svg", "", &named.collect::<Vec<_>>());
-        }
-        return;
-    }
-    for series in series {
-        let subject = format!("{}: ", series.subject);
-        draw(&format!("{}-verdicts.svg", series.stem), &subject, &series.named_verdicts());
     }
 }

@@ -1,0 +1,217 @@
+//! What is in contact on a measured map, load by load, for a picture of it.
+
+use asperity::compare::{CurvePoint, ModelKind};
+use asperity::study::{CaseStudy, LawContact};
+use asperity::surface::{PreparedMap, Surface};
+use asperity::topography::{Window, thumbnail};
+use asperity::{HeightMap, Shape};
+
+use super::figures::curves::curve;
+use super::reference::plan::spread_over;
+
+/// What is in contact on a measured map, load by load.
+#[derive(Debug)]
+pub struct ContactMap {
+    /// The heights of what is shown, at most [`MOST_POINTS`] along each axis.
+    pub heights: HeightMap,
+    /// Whether that is the whole map, not only its middle.
+    pub is_whole: bool,
+    /// The loads, ascending.
+    pub loads: Vec<MapLoad>,
+    /// Index of the load at which results are reported.
+    pub reported: usize,
+    /// What is in contact at each of them.
+    pub patches: MapPatches,
+}
+
+/// One of its loads.
+#[derive(Debug)]
+pub struct MapLoad {
+    /// Nominal pressure, Pa.
+    pub pressure: f64,
+    /// Real over nominal contact area.
+    pub area_ratio: f64,
+}
+
+/// What is in contact.
+#[derive(Debug)]
+pub enum MapPatches {
+    /// The asperities of the sum.
+    Sum {
+        /// Their places, the highest first, m.
+        places: Vec<[f64; 2]>,
+        /// At each load the contact radii of those in contact, m: (A/pi)^.5.
+        radii: Vec<Vec<f64>>,
+    },
+    /// The points of the reference.
+    Reference {
+        /// Cells along x and y.
+        cells: [usize; 2],
+        /// At each load how much of each cell is in contact, of 255, y fastest.
+        covered: Vec<Vec<u8>>,
+    },
+}
+
+/// Points of the picture along an axis.
+pub const MOST_POINTS: usize = 256;
+/// Loads, beside the reported one.
+const MOST_LOADS: usize = 24;
+/// Asperities in contact at the highest load.
+const MOST_PLACES: usize = 1000;
+
+/// What is in contact at a nominal pressure (Pa) in the reference.
+pub type Covered = (f64, [usize; 2], Vec<u8>);
+
+impl ContactMap {
+    /// Of the only case on a measured map: by the reference where it was run, else by the sum under `law`. `None` where neither was.
+    pub fn new(
+        surface: &Surface,
+        prepared: &PreparedMap,
+        case: &CaseStudy,
+        law: &LawContact,
+        covered: &[Covered],
+    ) -> Option<Self> {
+        if covered.is_empty() {
+            Self::of_sum(surface, prepared, case, law)
+        } else {
+            Self::of_reference(prepared, case, covered)
+        }
+    }
+
+    fn of_reference(prepared: &PreparedMap, case: &CaseStudy, covered: &[Covered]) -> Option<Self> {
+        let curve = case.first().reference.as_ref()?;
+        let all: Vec<(MapLoad, &Covered)> = covered
+            .iter()
+            .filter_map(|one| {
+                Some((MapLoad { pressure: one.0, area_ratio: curve.at_load(one.0)?.area_ratio }, one))
+            })
+            .collect();
+        let (loads, reported) = chosen(case, all.iter().map(|(load, _)| load.pressure).collect())?;
+        let chosen = all.into_iter().filter(|(load, _)| loads.contains(&load.pressure));
+        let (loads, covered): (Vec<MapLoad>, Vec<&Covered>) = chosen.unzip();
+        let patches = MapPatches::Reference {
+            cells: covered.first()?.1,
+            covered: covered.into_iter().map(|one| one.2.clone()).collect(),
+        };
+        Some(Self {
+            heights: thumbnail(&prepared.map, MOST_POINTS),
+            is_whole: true,
+            loads,
+            reported,
+            patches,
+        })
+    }
+
+    fn of_sum(surface: &Surface, prepared: &PreparedMap, case: &CaseStudy, law: &LawContact) -> Option<Self> {
+        let points = curve(&case.first().comparison, ModelKind::Deterministic);
+        let all: Vec<f64> = points.iter().map(|point| point.response.pressure.total()).collect();
+        let (loads, reported) = chosen(case, all)?;
+        let at_load =
+            |&load: &f64| points.iter().copied().find(|point| point.response.pressure.total() == load);
+        let at_loads: Vec<&CurvePoint> = loads.iter().filter_map(at_load).collect();
+        let flat = |separation: f64| surface.plane.mean + separation;
+        let lowest = flat(at_loads.last()?.response.separation);
+        let (map, set) = (&prepared.map, &surface.set);
+        let in_contact = |window: &Window| -> Vec<usize> {
+            let holds = |position: usize| {
+                let at = [position / map.points()[1], position % map.points()[1]];
+                (0..2).all(|axis| {
+                    (window.first[axis]..window.first[axis] + window.points[axis]).contains(&at[axis])
+                })
+            };
+            let all = prepared.positions.iter().zip(set.heights()).enumerate();
+            let held = all.filter(|(_, (position, height))| **height > lowest && holds(**position));
+            held.map(|(index, _)| index).collect()
+        };
+        let mut most = map.points()[0].max(map.points()[1]);
+        let mut window = Window::centre(map, most);
+        let mut indices = in_contact(&window);
+        while indices.len() > MOST_PLACES {
+            most /= 2;
+            window = Window::centre(map, most);
+            indices = in_contact(&window);
+        }
+        indices.sort_by(|&a, &b| set.heights()[b].total_cmp(&set.heights()[a]));
+        let ellipses = set.ellipses().filter(|_| law.spec.is_elliptic());
+        let radius = |index: usize, flat: f64| {
+            let shape = ellipses.map_or(Shape::sphere(set.radii()[index]), |all| all[index].shape());
+            (law.contact.contact(set.heights()[index] - flat, shape).area / std::f64::consts::PI).sqrt()
+        };
+        let radii = at_loads.iter().map(|point| {
+            let flat = flat(point.response.separation);
+            let touching = indices.iter().take_while(|&&index| set.heights()[index] > flat);
+            touching.map(|&index| radius(index, flat)).collect()
+        });
+        let place = |&index: &usize| {
+            let position = prepared.positions[index];
+            let at = [position / map.points()[1], position % map.points()[1]];
+            [0, 1].map(|axis| ((at[axis] - window.first[axis]) as f64 + 0.5) * map.pixel()[axis])
+        };
+        let load = |point: &&CurvePoint| MapLoad {
+            pressure: point.response.pressure.total(),
+            area_ratio: point.response.area_ratio.total(),
+        };
+        Some(Self {
+            is_whole: window.points == map.points(),
+            loads: at_loads.iter().map(load).collect(),
+            reported,
+            patches: MapPatches::Sum { places: indices.iter().map(place).collect(), radii: radii.collect() },
+            heights: thumbnail(&window, MOST_POINTS),
+        })
+    }
+}
+
+/// Some of the loads at which a contact is known, the admissible ones where there are such, and the index of the reported one, or of
+/// the middle one where that is not among them.
+fn chosen(case: &CaseStudy, mut all: Vec<f64>) -> Option<(Vec<f64>, usize)> {
+    let stretches = &case.verdicts.admissible.stretches;
+    let is_admissible = |load: &f64| stretches.iter().any(|[from, to]| (*from..=*to).contains(load));
+    if all.iter().any(is_admissible) {
+        all.retain(is_admissible);
+    }
+    all.sort_by(f64::total_cmp);
+    all.dedup();
+    let reported = case.reported_load().map(|at| at.load).filter(|load| all.contains(load));
+    let reported = reported.or_else(|| all.get(all.len() / 2).copied())?;
+    let mut loads = spread_over(&all, MOST_LOADS);
+    if !loads.contains(&reported) {
+        loads.push(reported);
+        loads.sort_by(f64::total_cmp);
+    }
+    let index = loads.iter().position(|&load| load == reported)?;
+    Some((loads, index))
+}
+
+/// How much of each of at most [`MOST_POINTS`] cells along each axis is in contact, of 255, from pressures with y running fastest.
+pub fn covered(pressures: &[f64], points: [usize; 2]) -> ([usize; 2], Vec<u8>) {
+    let block = points.map(|count| count.div_ceil(MOST_POINTS));
+    let cells = [0, 1].map(|axis| points[axis].div_ceil(block[axis]));
+    let mut counts = vec![[0_u32; 2]; cells[0] * cells[1]];
+    for (row, line) in pressures.chunks(points[1]).enumerate() {
+        for (column, &pressure) in line.iter().enumerate() {
+            let [touching, all] = &mut counts[row / block[0] * cells[1] + column / block[1]];
+            *touching += u32::from(pressure > 0.0);
+            *all += 1;
+        }
+    }
+    (cells, counts.into_iter().map(|[touching, all]| (touching * 255).div_ceil(all) as u8).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cells_are_covered_by_the_share_of_their_points_in_contact() {
+        // Twice as many points along x as there are cells.
+        let points = [2 * MOST_POINTS, 3];
+        let mut pressures = vec![0.0; points[0] * points[1]];
+        pressures[0] = 1.0;
+        pressures[3 + 1] = 1.0;
+        pressures[1] = 2.0;
+        let (cells, covered) = super::covered(&pressures, points);
+        assert_eq!(cells, [MOST_POINTS, 3]);
+        assert_eq!(&covered[..4], [128, 255, 0, 0]);
+        assert!(covered[4..].iter().all(|&one| one == 0));
+    }
+}
