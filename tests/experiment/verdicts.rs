@@ -263,7 +263,7 @@ fn the_answer_stands_first_and_in_the_files() {
     assert!(
         page.contains("May the integral replace the sum at this load?") && page.contains("; accepted 10 %)")
     );
-    assert!(!page.to_lowercase().contains("trust") && page.contains("case-differences.svg"));
+    assert!(!page.to_lowercase().contains("trust") && page.contains("case-models.svg"));
     let json = serde_json::Value::Object(outcome.records());
     let all = json["verdicts"].as_array().unwrap();
     let area = all.iter().find(|one| one["quantity"] == "area" && one["verdict"] == "within").unwrap();

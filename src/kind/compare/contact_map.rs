@@ -55,9 +55,9 @@ pub enum MapPatches {
 /// Points of the picture along an axis.
 pub const MOST_POINTS: usize = 256;
 /// Loads, beside the reported one.
-const MOST_LOADS: usize = 24;
+const MOST_LOADS: usize = 16;
 /// Asperities in contact at the highest load.
-const MOST_PLACES: usize = 1000;
+const MOST_PLACES: usize = 3000;
 
 /// What is in contact at a nominal pressure (Pa) in the reference.
 pub type Covered = (f64, [usize; 2], Vec<u8>);

@@ -12,18 +12,17 @@ const LEAST: f64 = 0.003;
 
 /// Adds the map of the surface `name`.
 pub fn add(page: &mut Page, name: &str, map: &ContactMap) {
-    let (what, size) = match map.patches {
-        MapPatches::Sum { .. } => ("the asperities in contact in the sum, with their contact radius", ""),
-        MapPatches::Reference { .. } => ("what is in contact in the boundary elements", ""),
+    let what = match map.patches {
+        MapPatches::Sum { .. } => "the asperities in contact in the sum, with their contact radii",
+        MapPatches::Reference { .. } => "what is in contact in the boundary elements",
     };
     let part = if map.is_whole { "" } else { " (the middle of the map)" };
+    let slider = if map.loads.len() > 1 { "; in a browser a slider changes the load" } else { "" };
     let load = quantity(map.loads[map.reported].pressure, "Pa");
     page.figure(
         &format!("{name}-contact-map.svg"),
         figure(name, map),
-        &format!(
-            "Height map of {name}{part} with {what}, at {load}{size}. In a browser a slider changes the load."
-        ),
+        &format!("Height map of {name}{part} with {what}, at {load}{slider}."),
     );
 }
 

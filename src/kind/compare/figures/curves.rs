@@ -1,13 +1,13 @@
 //! Results of the models and the reference against load.
 
 use super::axes::{Loads, Units};
-use super::differences::invalid;
+use super::differences::{NOT_ADMISSIBLE, invalid};
 use crate::presentation::regime_colour;
 use asperity::compare::{
     AdmissibleRange, ComparedQuantity, Comparison, CurvePoint, ModelKind, ReferencePoint,
 };
 use asperity::study::CaseResults;
-use asperity::{INTERACTION, Limit, Regime};
+use asperity::{Limit, Regime};
 use asperity_contact_framework::report::format::capitalised;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
@@ -117,11 +117,8 @@ impl Setting<'_> {
         const OTHERS: &str = "deterministic, other realisations";
         let curves = Curves::new(quantity, &self.units);
         let mut plot = Plot::new(curves.title, self.axis(), curves.axis);
-        for region in invalid(self.valid, self.loads.per_pascal) {
+        for region in invalid(self.valid, self.loads.per_pascal, NOT_ADMISSIBLE) {
             plot = plot.with(region);
-        }
-        if quantity == ComparedQuantity::Area {
-            plot = plot.with(Layer::at_y(INTERACTION, "asperities interact above"));
         }
         let near = |comparison, kind| {
             let mut points = curve(comparison, kind);

@@ -167,7 +167,8 @@ fn panel(
     let [from, to] = shown_loads(&verdicts.admissible, loads).map(megapascals);
     let loads = units.pressure().range(from, to);
     let mut plot = Plot::new(title, loads, axis.range(low - room, high + room)).height(210.0);
-    for region in invalid(&verdicts.admissible, 1e-6) {
+    // A figure of its own names what it shades; below curves that do it needs no name.
+    for region in invalid(&verdicts.admissible, 1e-6, if title.is_empty() { "" } else { NOT_ADMISSIBLE }) {
         plot = plot.with(region);
     }
     // After the narrow regions: its label has more places.
@@ -224,9 +225,11 @@ pub fn megapascals(pressure: f64) -> f64 {
     1e-6 * pressure
 }
 
+/// The name of loads that are not admissible.
+pub const NOT_ADMISSIBLE: &str = "not admissible";
+
 /// The loads that are not admissible as shaded regions of an axis that shows the pressure (Pa) times `scale`.
-pub fn invalid(valid: &AdmissibleRange, scale: f64) -> Vec<Layer> {
-    const LABEL: &str = "not admissible";
+pub fn invalid(valid: &AdmissibleRange, scale: f64, name: &str) -> Vec<Layer> {
     let mut ends = vec![0.0];
     ends.extend(valid.stretches.iter().flatten().map(|load| load * scale));
     ends.push(f64::INFINITY);
@@ -238,7 +241,7 @@ pub fn invalid(valid: &AdmissibleRange, scale: f64) -> Vec<Layer> {
         index if index == last => !valid.above.is_none(),
         _ => true,
     };
-    let label = |index: usize| if index == 0 || index == last { LABEL } else { "" };
+    let label = |index: usize| if index == 0 || index == last { name } else { "" };
     let gaps = gaps.filter(|(index, _)| is_invalid(*index));
     gaps.map(|(index, gap)| Layer::region_x(gap[0], gap[1], label(index))).collect()
 }

@@ -520,8 +520,8 @@ const Chart = (() => {
       if (!isIntersecting) continue;
       watcher.unobserve(target);
       const data = JSON.parse(target.querySelector("script[type='application/json']").textContent);
-      if (data.frames) slider(target, data.frames);
-      else new Chart(target, data);
+      if (!data.frames) new Chart(target, data);
+      else if (data.frames.names.length > 1) slider(target, data.frames);
     }
   }, { rootMargin: "600px" });
   for (const data of document.querySelectorAll("figure > script[type='application/json']")) watcher.observe(data.parentElement);
