@@ -103,61 +103,70 @@ impl ContactMap {
     }
 
     fn of_sum(surface: &Surface, prepared: &PreparedMap, case: &CaseStudy, law: &LawContact) -> Option<Self> {
+        let set = &surface.set;
         let points = curve(&case.first().comparison, ModelKind::Deterministic);
-        let all: Vec<f64> = points.iter().map(|point| point.response.pressure.total()).collect();
-        let (loads, reported) = chosen(case, all)?;
-        let at_load =
-            |&load: &f64| points.iter().copied().find(|point| point.response.pressure.total() == load);
-        let at_loads: Vec<&CurvePoint> = loads.iter().filter_map(at_load).collect();
-        let flat = |separation: f64| surface.plane.mean + separation;
-        let lowest = flat(at_loads.last()?.response.separation);
-        let (map, set) = (&prepared.map, &surface.set);
-        let in_contact = |window: &Window| -> Vec<usize> {
-            let holds = |position: usize| {
-                let at = [position / map.points()[1], position % map.points()[1]];
-                (0..2).all(|axis| {
-                    (window.first[axis]..window.first[axis] + window.points[axis]).contains(&at[axis])
-                })
-            };
-            let all = prepared.positions.iter().zip(set.heights()).enumerate();
-            let held = all.filter(|(_, (position, height))| **height > lowest && holds(**position));
-            held.map(|(index, _)| index).collect()
+        let load = |point: &CurvePoint| {
+            let pressure = point.prescribed_pressure.unwrap_or(point.response.pressure.total());
+            MapLoad { pressure, area_ratio: point.response.area_ratio.total() }
         };
-        let mut most = map.points()[0].max(map.points()[1]);
-        let mut window = Window::centre(map, most);
-        let mut indices = in_contact(&window);
-        while indices.len() > MOST_PLACES {
-            most /= 2;
-            window = Window::centre(map, most);
-            indices = in_contact(&window);
-        }
-        indices.sort_by(|&a, &b| set.heights()[b].total_cmp(&set.heights()[a]));
+        let (loads, reported) = chosen(case, points.iter().map(|point| load(point).pressure).collect())?;
+        let at_load = |wanted: &f64| points.iter().find(|point| load(point).pressure == *wanted);
+        let points: Vec<&CurvePoint> = loads.iter().filter_map(at_load).copied().collect();
+        let flat = |point: &CurvePoint| surface.plane.mean + point.response.separation;
+        let lowest = points.iter().map(|point| flat(point)).reduce(f64::min)?;
+        let (window, mut touching) = middle(prepared, set.heights(), lowest);
+        touching.sort_by(|&a, &b| set.heights()[b].total_cmp(&set.heights()[a]));
         let ellipses = set.ellipses().filter(|_| law.spec.is_elliptic());
-        let radius = |index: usize, flat: f64| {
-            let shape = ellipses.map_or(Shape::sphere(set.radii()[index]), |all| all[index].shape());
-            (law.contact.contact(set.heights()[index] - flat, shape).area / std::f64::consts::PI).sqrt()
+        let radius = |asperity: usize, w: f64| {
+            let shape = ellipses.map_or(Shape::sphere(set.radii()[asperity]), |all| all[asperity].shape());
+            (law.contact.contact(w, shape).area / std::f64::consts::PI).sqrt()
         };
-        let radii = at_loads.iter().map(|point| {
-            let flat = flat(point.response.separation);
-            let touching = indices.iter().take_while(|&&index| set.heights()[index] > flat);
-            touching.map(|&index| radius(index, flat)).collect()
-        });
-        let place = |&index: &usize| {
-            let position = prepared.positions[index];
-            let at = [position / map.points()[1], position % map.points()[1]];
-            [0, 1].map(|axis| ((at[axis] - window.first[axis]) as f64 + 0.5) * map.pixel()[axis])
+        let radii = |point: &&CurvePoint| {
+            let indented = touching.iter().map(|&asperity| (asperity, set.heights()[asperity] - flat(point)));
+            indented.take_while(|(_, w)| *w > 0.0).map(|(asperity, w)| radius(asperity, w)).collect()
         };
-        let load = |point: &&CurvePoint| MapLoad {
-            pressure: point.response.pressure.total(),
-            area_ratio: point.response.area_ratio.total(),
+        let place = |&asperity: &usize| {
+            let (at, pixel) = (point_of(prepared, prepared.positions[asperity]), prepared.map.pixel());
+            [0, 1].map(|axis| ((at[axis] - window.first[axis]) as f64 + 0.5) * pixel[axis])
         };
         Some(Self {
-            is_whole: window.points == map.points(),
-            loads: at_loads.iter().map(load).collect(),
+            is_whole: window.points == prepared.map.points(),
+            loads: points.iter().map(|point| load(point)).collect(),
             reported,
-            patches: MapPatches::Sum { places: indices.iter().map(place).collect(), radii: radii.collect() },
+            patches: MapPatches::Sum {
+                places: touching.iter().map(place).collect(),
+                radii: points.iter().map(radii).collect(),
+            },
             heights: thumbnail(&window, MOST_POINTS),
         })
+    }
+}
+
+/// Index of a point along x and y.
+fn point_of(prepared: &PreparedMap, position: usize) -> [usize; 2] {
+    let columns = prepared.map.points()[1];
+    [position / columns, position % columns]
+}
+
+/// The largest middle part of a map with at most [`MOST_PLACES`] asperities above a height, by halves, and these asperities.
+fn middle<'a>(prepared: &'a PreparedMap, heights: &[f64], above: f64) -> (Window<'a>, Vec<usize>) {
+    let mut most = prepared.map.points().into_iter().fold(1, usize::max);
+    loop {
+        let window = Window::centre(&prepared.map, most);
+        let holds = |position: usize| {
+            let at = point_of(prepared, position);
+            let along = |axis: usize| window.first[axis]..window.first[axis] + window.points[axis];
+            (0..2).all(|axis| along(axis).contains(&at[axis]))
+        };
+        let all = prepared.positions.iter().zip(heights).enumerate();
+        let touching: Vec<usize> = all
+            .filter(|(_, (position, height))| **height > above && holds(**position))
+            .map(|(asperity, _)| asperity)
+            .collect();
+        if touching.len() <= MOST_PLACES {
+            return (window, touching);
+        }
+        most = most.div_ceil(2);
     }
 }
 
