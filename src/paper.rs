@@ -1,6 +1,8 @@
 //! Figures of Pasaribu and Schipper (2005) that specs reproduce.
 
-use serde::de::Error;
+use std::fmt;
+
+use serde::de::{Error, Visitor};
 use serde::{Deserialize, Deserializer};
 use serde_json::json;
 
@@ -44,6 +46,29 @@ impl<'de> Deserialize<'de> for SphereFigure {
     }
 }
 
+/// The number of a figure that the paper may not have.
+struct Number(i64);
+
+impl<'de> Deserialize<'de> for Number {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Integer;
+
+        impl Visitor<'_> for Integer {
+            type Value = Number;
+
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str(
+                    "the number of a figure of Pasaribu and Schipper (2005) from 3 to 6, without quotes",
+                )
+            }
+            fn visit_i64<E: Error>(self, number: i64) -> Result<Number, E> {
+                Ok(Number(number))
+            }
+        }
+        deserializer.deserialize_any(Integer)
+    }
+}
+
 /// Numbers of figures among those `allowed`, at least one, each once.
 fn read<'de, D: Deserializer<'de>>(
     deserializer: D,
@@ -52,9 +77,9 @@ fn read<'de, D: Deserializer<'de>>(
 ) -> Result<Vec<u8>, D::Error> {
     let names = listed(&allowed.iter().map(u8::to_string).collect::<Vec<_>>());
     let expected = format!("the number of a figure of Pasaribu and Schipper (2005): {names}");
-    let numbers: Vec<i64> = OneOrMany::read(deserializer, &expected)?.at_least_one("figure")?;
+    let numbers: Vec<Number> = OneOrMany::read(deserializer, &expected)?.at_least_one("figure")?;
     let mut figures = Vec::new();
-    for number in numbers {
+    for Number(number) in numbers {
         let known = allowed.iter().copied().find(|&figure| i64::from(figure) == number);
         match known.filter(|figure| !figures.contains(figure)) {
             Some(figure) => figures.push(figure),
