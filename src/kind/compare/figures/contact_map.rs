@@ -82,8 +82,8 @@ fn figure(name: &str, map: &ContactMap) -> Figure {
     });
     let frames = Frames { label: "load".to_owned(), names: names.collect(), shown: map.reported, patches };
     let axis = |name: &str, ends: (f64, f64)| Axis::linear(format!("{name} ({unit})")).range(ends.0, ends.1);
-    let part = if map.is_whole { "" } else { ", its middle" };
-    Plot::new(format!("{name}: contacts on the height map{part}"), axis("x", ends[0]), axis("y", ends[1]))
+    let place = if map.is_whole { "contacts on the height map" } else { "contacts, middle of the map" };
+    Plot::new(format!("{name}: {place}"), axis("x", ends[0]), axis("y", ends[1]))
         .height(420.0)
         .equal_aspect()
         .with(Layer::raster(relief))

@@ -58,8 +58,8 @@ struct Curves {
     title: &'static str,
     axis: Axis,
     model: fn(&CurvePoint) -> f64,
-    /// Standard error of a sum.
-    error: Box<dyn Fn(&CurvePoint) -> Option<f64>>,
+    /// Standard error of a sum; with the unit of separations, m.
+    error: fn(&CurvePoint, f64) -> Option<f64>,
     reference: fn(&ReferencePoint) -> Option<f64>,
 }
 
@@ -67,27 +67,26 @@ impl Curves {
     fn new(quantity: ComparedQuantity, units: &Units) -> Self {
         /// From Pa/m to MPa/µm.
         const STIFFNESS: f64 = 1e-12;
-        let sigma = units.sigma;
         match quantity {
             ComparedQuantity::Separation => Self {
                 title: "Separation",
                 axis: units.separation(),
                 model: |point| point.response.separation_over_sigma,
-                error: Box::new(move |point| point.response.separation_error(sigma)),
+                error: |point, sigma| point.response.separation_error(sigma),
                 reference: |point| point.separation_over_sigma,
             },
             ComparedQuantity::Area => Self {
                 title: "Real contact area",
                 axis: Axis::log("area ratio A/A_nom"),
                 model: |point| point.response.area_ratio.total(),
-                error: Box::new(|point| Some(point.response.sampling?.area_ratio)),
+                error: |point, _| Some(point.response.sampling?.area_ratio),
                 reference: |point| Some(point.area_ratio),
             },
             ComparedQuantity::Stiffness => Self {
                 title: "Stiffness",
                 axis: Axis::log("stiffness (MPa/µm)"),
                 model: |point| STIFFNESS * point.response.stiffness,
-                error: Box::new(|_| None),
+                error: |_, _| None,
                 reference: |point| Some(STIFFNESS * point.stiffness?),
             },
         }
@@ -134,7 +133,7 @@ impl Setting<'_> {
         for kind in [ModelKind::Deterministic, ModelKind::Statistical] {
             let points = near(&self.case.comparison, kind);
             let band = points.iter().filter_map(|point| {
-                let ((load, value), half) = (at(point), BAND * (curves.error)(point)?);
+                let ((load, value), half) = (at(point), BAND * (curves.error)(point, self.units.sigma)?);
                 Some((load, value - half, value + half))
             });
             let dash = if kind == ModelKind::Statistical { Dash::Dashed } else { Dash::Solid };
