@@ -1,9 +1,11 @@
 //! What is in contact on a measured map, load by load, for a picture of it.
 
+use std::f64::consts::PI;
+
 use asperity::compare::{CurvePoint, ModelKind};
 use asperity::study::{CaseStudy, LawContact};
 use asperity::surface::{PreparedMap, Surface};
-use asperity::topography::{Window, thumbnail};
+use asperity::topography::thumbnail;
 use asperity::{HeightMap, Shape};
 
 use super::figures::curves::curve;
@@ -12,10 +14,10 @@ use super::reference::plan::spread_over;
 /// What is in contact on a measured map, load by load.
 #[derive(Debug)]
 pub struct ContactMap {
-    /// The heights of what is shown, at most [`MOST_POINTS`] along each axis.
+    /// The heights of the map, at most [`MOST_POINTS`] along each axis.
     pub heights: HeightMap,
-    /// Whether that is the whole map, not only its middle.
-    pub is_whole: bool,
+    /// Whether it is in contact in the sum, and not in the reference.
+    pub is_of_sum: bool,
     /// The loads, ascending.
     pub loads: Vec<MapLoad>,
     /// Index of the load at which results are reported.
@@ -31,20 +33,22 @@ pub struct MapLoad {
     pub pressure: f64,
     /// Real over nominal contact area.
     pub area_ratio: f64,
+    /// Number of contacts, in the sum.
+    pub contacts: Option<usize>,
 }
 
 /// What is in contact.
 #[derive(Debug)]
 pub enum MapPatches {
-    /// The asperities of the sum.
-    Sum {
+    /// Few asperities.
+    Circles {
         /// Their places, the highest first, m.
         places: Vec<[f64; 2]>,
         /// At each load the contact radii of those in contact, m: (A/pi)^.5.
         radii: Vec<Vec<f64>>,
     },
-    /// The points of the reference.
-    Reference {
+    /// Many asperities, or the points of the reference.
+    Cells {
         /// Cells along x and y.
         cells: [usize; 2],
         /// At each load how much of each cell is in contact, of 255, y fastest.
@@ -56,8 +60,8 @@ pub enum MapPatches {
 pub const MOST_POINTS: usize = 256;
 /// Loads, beside the reported one.
 const MOST_LOADS: usize = 16;
-/// Asperities in contact at the highest load.
-const MOST_PLACES: usize = 3000;
+/// Asperities that are shown as circles.
+const MOST_CIRCLES: usize = 1500;
 
 /// What is in contact at a nominal pressure (Pa) in the reference.
 pub type Covered = (f64, [usize; 2], Vec<u8>);
@@ -83,19 +87,22 @@ impl ContactMap {
         let all: Vec<(MapLoad, &Covered)> = covered
             .iter()
             .filter_map(|one| {
-                Some((MapLoad { pressure: one.0, area_ratio: curve.at_load(one.0)?.area_ratio }, one))
+                Some((
+                    MapLoad { pressure: one.0, area_ratio: curve.at_load(one.0)?.area_ratio, contacts: None },
+                    one,
+                ))
             })
             .collect();
         let (loads, reported) = chosen(case, all.iter().map(|(load, _)| load.pressure).collect())?;
         let chosen = all.into_iter().filter(|(load, _)| loads.contains(&load.pressure));
         let (loads, covered): (Vec<MapLoad>, Vec<&Covered>) = chosen.unzip();
-        let patches = MapPatches::Reference {
+        let patches = MapPatches::Cells {
             cells: covered.first()?.1,
             covered: covered.into_iter().map(|one| one.2.clone()).collect(),
         };
         Some(Self {
             heights: thumbnail(&prepared.map, MOST_POINTS),
-            is_whole: true,
+            is_of_sum: false,
             loads,
             reported,
             patches,
@@ -107,67 +114,60 @@ impl ContactMap {
         let points = curve(&case.first().comparison, ModelKind::Deterministic);
         let load = |point: &CurvePoint| {
             let pressure = point.prescribed_pressure.unwrap_or(point.response.pressure.total());
-            MapLoad { pressure, area_ratio: point.response.area_ratio.total() }
+            MapLoad { pressure, area_ratio: point.response.area_ratio.total(), contacts: None }
         };
         let (loads, reported) = chosen(case, points.iter().map(|point| load(point).pressure).collect())?;
         let at_load = |wanted: &f64| points.iter().find(|point| load(point).pressure == *wanted);
         let points: Vec<&CurvePoint> = loads.iter().filter_map(at_load).copied().collect();
         let flat = |point: &CurvePoint| surface.plane.mean + point.response.separation;
         let lowest = points.iter().map(|point| flat(point)).reduce(f64::min)?;
-        let (window, mut touching) = middle(prepared, set.heights(), lowest);
+        let mut touching: Vec<usize> =
+            (0..set.count()).filter(|&asperity| set.heights()[asperity] > lowest).collect();
         touching.sort_by(|&a, &b| set.heights()[b].total_cmp(&set.heights()[a]));
         let ellipses = set.ellipses().filter(|_| law.spec.is_elliptic());
         let radius = |asperity: usize, w: f64| {
             let shape = ellipses.map_or(Shape::sphere(set.radii()[asperity]), |all| all[asperity].shape());
-            (law.contact.contact(w, shape).area / std::f64::consts::PI).sqrt()
+            (law.contact.contact(w, shape).area / PI).sqrt()
         };
-        let radii = |point: &&CurvePoint| {
+        let radii = |point: &&CurvePoint| -> Vec<f64> {
             let indented = touching.iter().map(|&asperity| (asperity, set.heights()[asperity] - flat(point)));
             indented.take_while(|(_, w)| *w > 0.0).map(|(asperity, w)| radius(asperity, w)).collect()
         };
+        let radii: Vec<Vec<f64>> = points.iter().map(radii).collect();
         let place = |&asperity: &usize| {
-            let (at, pixel) = (point_of(prepared, prepared.positions[asperity]), prepared.map.pixel());
-            [0, 1].map(|axis| ((at[axis] - window.first[axis]) as f64 + 0.5) * pixel[axis])
+            let (position, columns) = (prepared.positions[asperity], prepared.map.points()[1]);
+            let at = [position / columns, position % columns];
+            [0, 1].map(|axis| (at[axis] as f64 + 0.5) * prepared.map.pixel()[axis])
         };
+        let places: Vec<[f64; 2]> = touching.iter().map(place).collect();
+        let heights = thumbnail(&prepared.map, MOST_POINTS);
+        let loads = points.iter().zip(&radii);
         Some(Self {
-            is_whole: window.points == prepared.map.points(),
-            loads: points.iter().map(|point| load(point)).collect(),
+            is_of_sum: true,
+            loads: loads
+                .map(|(point, radii)| MapLoad { contacts: Some(radii.len()), ..load(point) })
+                .collect(),
             reported,
-            patches: MapPatches::Sum {
-                places: touching.iter().map(place).collect(),
-                radii: points.iter().map(radii).collect(),
+            patches: if places.len() <= MOST_CIRCLES {
+                MapPatches::Circles { places, radii }
+            } else {
+                let covered = radii.iter().map(|radii| covered_by(&heights, &places, radii)).collect();
+                MapPatches::Cells { cells: heights.points(), covered }
             },
-            heights: thumbnail(&window, MOST_POINTS),
+            heights,
         })
     }
 }
 
-/// Index of a point along x and y.
-fn point_of(prepared: &PreparedMap, position: usize) -> [usize; 2] {
-    let columns = prepared.map.points()[1];
-    [position / columns, position % columns]
-}
-
-/// The largest middle part of a map with at most [`MOST_PLACES`] asperities above a height, by halves, and these asperities.
-fn middle<'a>(prepared: &'a PreparedMap, heights: &[f64], above: f64) -> (Window<'a>, Vec<usize>) {
-    let mut most = prepared.map.points().into_iter().fold(1, usize::max);
-    loop {
-        let window = Window::centre(&prepared.map, most);
-        let holds = |position: usize| {
-            let at = point_of(prepared, position);
-            let along = |axis: usize| window.first[axis]..window.first[axis] + window.points[axis];
-            (0..2).all(|axis| along(axis).contains(&at[axis]))
-        };
-        let all = prepared.positions.iter().zip(heights).enumerate();
-        let touching: Vec<usize> = all
-            .filter(|(_, (position, height))| **height > above && holds(**position))
-            .map(|(asperity, _)| asperity)
-            .collect();
-        if touching.len() <= MOST_PLACES {
-            return (window, touching);
-        }
-        most = most.div_ceil(2);
+/// How much of each point of a coarse map is covered by circles that are hardly larger than one, of 255.
+fn covered_by(map: &HeightMap, places: &[[f64; 2]], radii: &[f64]) -> Vec<u8> {
+    let ([rows, columns], pixel) = (map.points(), map.pixel());
+    let mut covered = vec![0.0; rows * columns];
+    for (place, radius) in places.iter().zip(radii) {
+        let at = [0, 1].map(|axis| ((place[axis] / pixel[axis]) as usize).min(map.points()[axis] - 1));
+        covered[at[0] * columns + at[1]] += PI * radius * radius / (pixel[0] * pixel[1]);
     }
+    covered.into_iter().map(|share: f64| (255.0 * share).ceil().min(255.0) as u8).collect()
 }
 
 /// Some of the loads at which a contact is known, the admissible ones where there are such, and the index of the reported one, or of
@@ -222,5 +222,13 @@ mod tests {
         assert_eq!(cells, [MOST_POINTS, 3]);
         assert_eq!(&covered[..4], [128, 255, 0, 0]);
         assert!(covered[4..].iter().all(|&one| one == 0));
+    }
+
+    #[test]
+    fn circles_cover_the_cells_that_they_lie_in() {
+        let map = HeightMap::new([2, 3], [1.0; 2], vec![0.0; 6], 0.0).unwrap();
+        let places = [[0.5, 1.5], [0.4, 1.6], [1.5, 2.5], [1.5, 0.5]];
+        let half = (0.5 / PI).sqrt();
+        assert_eq!(covered_by(&map, &places, &[half, half, 1e-3]), [0, 255, 0, 0, 0, 1]);
     }
 }

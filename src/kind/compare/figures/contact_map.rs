@@ -12,18 +12,18 @@ const LEAST: f64 = 0.003;
 
 /// Adds the map of the surface `name`.
 pub fn add(page: &mut Page, name: &str, map: &ContactMap) {
-    let what = match map.patches {
-        MapPatches::Sum { .. } => "the asperities in contact in the sum, with their contact radii",
-        MapPatches::Reference { .. } => "what is in contact in the boundary elements",
-    };
-    let part = if map.is_whole { "" } else { " (the middle of the map)" };
+    let what = what(map);
     let slider = if map.loads.len() > 1 { "; in a browser a slider changes the load" } else { "" };
     let load = quantity(map.loads[map.reported].pressure, "Pa");
     page.figure(
         &format!("{name}-contact-map.svg"),
         figure(name, map),
-        &format!("Height map of {name}{part} with {what}, at {load}{slider}."),
+        &format!("Height map of {name}, and what is {what} at {load}{slider}."),
     );
+}
+
+fn what(map: &ContactMap) -> &'static str {
+    if map.is_of_sum { "in contact in the sum" } else { "in contact in the boundary elements" }
 }
 
 fn figure(name: &str, map: &ContactMap) -> Figure {
@@ -52,14 +52,14 @@ fn figure(name: &str, map: &ContactMap) -> Figure {
         limits: Some((low / height, high / height)),
         label: format!("height ({height_unit})"),
     };
-    let (patches, what) = match &map.patches {
-        MapPatches::Sum { places, radii } => {
+    let patches = match &map.patches {
+        MapPatches::Circles { places, radii } => {
             let least = LEAST * sides[0].max(sides[1]);
             let shown = |radii: &Vec<f64>| radii.iter().map(|radius| radius.max(least) / length).collect();
             let centres = places.iter().map(|[x, y]| (x / length, y / length)).collect();
-            (Patches::Circles { centres, radii: radii.iter().map(shown).collect() }, "in contact in the sum")
+            Patches::Circles { centres, radii: radii.iter().map(shown).collect() }
         }
-        MapPatches::Reference { cells: [columns, rows], covered } => {
+        MapPatches::Cells { cells: [columns, rows], covered } => {
             let turned = |one: &Vec<u8>| {
                 (0..*rows)
                     .flat_map(|iy| (0..*columns).map(move |ix| ix * rows + iy))
@@ -67,26 +67,20 @@ fn figure(name: &str, map: &ContactMap) -> Figure {
                     .collect()
             };
             let covered = covered.iter().map(turned).collect();
-            let patches = Patches::Cells { x: ends[0], y: ends[1], cells: [*columns, *rows], covered };
-            (patches, "in contact in the boundary elements")
+            Patches::Cells { x: ends[0], y: ends[1], cells: [*columns, *rows], covered }
         }
     };
-    let names = map.loads.iter().enumerate().map(|(index, load)| {
-        let contacts = match &map.patches {
-            MapPatches::Sum { radii, .. } if map.is_whole => {
-                format!("{} contacts, ", count(radii[index].len()))
-            }
-            _ => String::new(),
-        };
+    let names = map.loads.iter().map(|load| {
+        let contacts =
+            load.contacts.map_or_else(String::new, |contacts| format!("{} contacts, ", count(contacts)));
         format!("{}: {contacts}{} of the area", quantity(load.pressure, "Pa"), percent(load.area_ratio))
     });
     let frames = Frames { label: "load".to_owned(), names: names.collect(), shown: map.reported, patches };
     let axis = |name: &str, ends: (f64, f64)| Axis::linear(format!("{name} ({unit})")).range(ends.0, ends.1);
-    let place = if map.is_whole { "contacts on the height map" } else { "contacts, middle of the map" };
-    Plot::new(format!("{name}: {place}"), axis("x", ends[0]), axis("y", ends[1]))
+    Plot::new(format!("{name}: contacts on the height map"), axis("x", ends[0]), axis("y", ends[1]))
         .height(420.0)
         .equal_aspect()
         .with(Layer::raster(relief))
-        .with(Layer::frames(frames).coloured(Colour::Deterministic).named(what))
+        .with(Layer::frames(frames).coloured(Colour::Deterministic).named(what(map)))
         .into()
 }
