@@ -12,6 +12,7 @@ pub mod kind;
 mod layer;
 pub mod materials;
 pub mod model_tables;
+mod paper;
 mod parts;
 mod plausibility;
 mod presentation;

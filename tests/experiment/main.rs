@@ -34,6 +34,7 @@ mod layer_on_rough;
 mod layers;
 mod limit;
 mod lists;
+mod main_figure;
 mod materials;
 mod ranking;
 mod readings;

@@ -67,7 +67,7 @@ fn one_separation_and_one_model_too_and_the_middle_of_several_loads() {
         // The integral of a population is exact.
         assert_eq!(low < (1.0 - 1e-9) * area, row["model"] == "deterministic", "{row:?}");
     }
-    assert!(outcome.outline().files(None).figures.into_iter().any(|(name, _)| name == "a-area.svg"));
+    assert!(outcome.outline().files(None).figures.into_iter().any(|(name, _)| name == "a-models.svg"));
 }
 
 #[test]

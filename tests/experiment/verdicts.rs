@@ -269,6 +269,7 @@ fn the_card_stands_first_and_in_the_files() {
         assert!(words(text) <= MOST_WORDS, "{text}");
     }
     assert_eq!(outcome.terminal().unwrap(), Answer { sentence: String::new(), ..answer.clone() }.to_string());
+    assert!(page.contains("case-models.svg"));
     let json = serde_json::Value::Object(outcome.records());
     let all = json["verdicts"].as_array().unwrap();
     let area = all.iter().find(|one| one["quantity"] == "area" && one["verdict"] == "within").unwrap();

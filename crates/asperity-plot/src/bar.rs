@@ -41,7 +41,7 @@ impl<'a> Bar<'a> {
         let bar = Rect::new(frame.right + GAP, frame.top, WIDTH, frame.height());
         let colours = palette(self.raster.map);
         let indices: Vec<u8> = (1..=255).rev().collect();
-        if let Some(image) = encode(&indices, 1, indices.len(), &colours) {
+        if let Some(image) = encode(&indices, [1, indices.len()], &colours, &[0]) {
             canvas.image(&bar, &image);
         }
         let mut lines: Vec<Vec<Spot>> = vec![bar.outline().to_vec()];

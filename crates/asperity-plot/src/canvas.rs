@@ -225,6 +225,30 @@ impl Canvas {
         ));
     }
 
+    /// Elements in the units of axes whose 0 lies at `origin` and whose 1 at `unit`.
+    pub(super) fn scaled_group(
+        &mut self,
+        class: &str,
+        origin: Spot,
+        unit: Spot,
+        colour: RGBColor,
+        elements: &str,
+    ) {
+        let [x, y] = [origin.0, origin.1].map(|at| at * UNITS);
+        let [across, up] = [unit.0 - origin.0, unit.1 - origin.1].map(|length| length * UNITS);
+        self.body.push_str(&format!(
+            "<g class=\"{class}\" transform=\"matrix({across:.6} 0 0 {up:.6} {x:.2} {y:.2})\" fill=\"{}\">{elements}</g>\n",
+            hex(colour)
+        ));
+    }
+
+    /// Marks what `draw` puts down, for scripts.
+    pub(super) fn marked(&mut self, class: &str, draw: impl FnOnce(&mut Self)) {
+        self.body.push_str(&format!("<g class=\"{class}\">\n"));
+        draw(self);
+        self.body.push_str("</g>\n");
+    }
+
     /// What `draw` puts down shows inside `rect` only.
     pub(super) fn clipped(&mut self, rect: &Rect, draw: impl FnOnce(&mut Self)) {
         // A picture in the picture cuts off what is outside, and needs no id that another might have.

@@ -107,6 +107,8 @@ pub enum ColourMap {
     Sequential,
     /// Dark blue over light grey to dark red, for what lies on both sides of zero.
     Diverging,
+    /// Grey to white in few steps, for heights below coloured patches.
+    Relief,
     /// Light to dark blue in equal ratios, for counts: one stands out from the background, and what
     /// is not positive is not shown.
     Counts,
@@ -138,6 +140,9 @@ const DIVERGING: [(f64, f64, f64); 9] = [
     (127.0, 29.0, 24.0),
 ];
 
+/// Summits are white: a patch on one stands out, in greyscale too.
+const RELIEF: [(f64, f64, f64); 2] = [(96.0, 96.0, 96.0), (255.0, 255.0, 255.0)];
+
 /// Where counts begin in the map of densities: a single one must be seen.
 const ONE: f64 = 0.3;
 
@@ -147,6 +152,7 @@ impl ColourMap {
         match self {
             Self::Sequential => ramp(&SEQUENTIAL, place),
             Self::Diverging => ramp(&DIVERGING, place),
+            Self::Relief => ramp(&RELIEF, place),
             Self::Counts => ramp(&SEQUENTIAL, ONE + (1.0 - ONE) * place),
         }
     }
@@ -154,7 +160,7 @@ impl ColourMap {
     /// How values are spread over the map.
     pub(super) fn spread(self) -> Spread {
         match self {
-            Self::Sequential | Self::Diverging => Spread::Linear,
+            Self::Sequential | Self::Diverging | Self::Relief => Spread::Linear,
             Self::Counts => Spread::Log,
         }
     }

@@ -2,17 +2,20 @@
 
 use serde::Serialize;
 
+use super::frames::FramesData;
 use super::layer::{Dash, Direction, Layer, Marker, Shape};
 use super::{Axis, Plot, Spread};
 
 /// Numbers are rounded to so many significant digits.
 const DIGITS: i32 = 6;
 
-/// Lines, points, bands and references of each plot of a figure.
+/// Lines, points, bands and references of each plot of a figure; or the frames of a map.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct FigureData {
-    /// One for each plot.
+    /// One for each plot; none of a map.
     panels: Vec<Panel>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    frames: Option<FramesData>,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -76,9 +79,16 @@ struct Mark {
 
 /// The data of plots; `None` where one of them holds something else.
 pub(super) fn of(plots: &[Plot]) -> Option<FigureData> {
+    let frames = plots.iter().flat_map(|plot| &plot.layers).find_map(|layer| match &layer.shape {
+        Shape::Frames(frames) => Some(frames.data(layer)),
+        _ => None,
+    });
+    if frames.is_some() {
+        return Some(FigureData { panels: Vec::new(), frames });
+    }
     let panels: Vec<Panel> = plots.iter().map(panel).collect::<Option<_>>()?;
     let has_data = panels.iter().any(|panel| !panel.series.is_empty());
-    has_data.then_some(FigureData { panels })
+    has_data.then_some(FigureData { panels, frames })
 }
 
 fn panel(plot: &Plot) -> Option<Panel> {
@@ -124,7 +134,9 @@ fn panel(plot: &Plot) -> Option<Panel> {
             Shape::Region(direction, from, to) => panel.mark(layer, *direction, *from, *to),
             Shape::Level(direction, at) => panel.mark(layer, *direction, *at, *at),
             Shape::Slope { .. } | Shape::Note(_) => {}
-            Shape::Band(..) | Shape::Bars(..) | Shape::Tile(..) | Shape::Raster(_) => return None,
+            Shape::Band(..) | Shape::Bars(..) | Shape::Tile(..) | Shape::Raster(_) | Shape::Frames(_) => {
+                return None;
+            }
         }
     }
     Some(panel)

@@ -22,7 +22,8 @@ pub(super) fn figure(
     let top = headed(&mut canvas, heading, width);
     let height = match (arrangement, plots) {
         (Arrangement::Joint, [main, above, right]) => joint::draw(&mut canvas, [main, above, right], width),
-        (Arrangement::Row, _) => row(&mut canvas, plots, width, top),
+        (Arrangement::Row, _) => row(&mut canvas, plots, None, width, top),
+        (Arrangement::Grid(columns), _) => row(&mut canvas, plots, Some(columns), width, top),
         _ => column(&mut canvas, plots, width, top),
     };
     let rules = file.then(dark_rules);
@@ -65,27 +66,35 @@ fn column(canvas: &mut Canvas, plots: &[&Plot], width: f64, top: f64) -> f64 {
     if is_shared { height + shared_legend(canvas, plots, height, width) } else { height }
 }
 
-/// Plots side by side, in several rows where they would be too narrow.
-fn row(canvas: &mut Canvas, plots: &[&Plot], width: f64, top: f64) -> f64 {
+/// Plots side by side, in several rows where they would be too narrow; of a grid in `columns`, with one legend for each row.
+fn row(canvas: &mut Canvas, plots: &[&Plot], columns: Option<usize>, width: f64, top: f64) -> f64 {
     let count = plots.len().max(1);
-    let columns = ((width / NARROWEST) as usize).clamp(1, count);
+    let most = ((width / NARROWEST) as usize).clamp(1, count);
+    let grid = columns.filter(|columns| *columns <= most);
     // As many in each row.
-    let columns = count.div_ceil(count.div_ceil(columns));
+    let columns = grid.unwrap_or(count.div_ceil(count.div_ceil(most)));
     let each = width / columns as f64;
     let is_shared = shares_names(plots);
+    // Named places need the height that they were given.
+    let lower =
+        |plot: &Plot| if plot.y.names.is_empty() { plot.height.min(STEEPEST * each) } else { plot.height };
+    let sketches: Vec<Layout<'_>> = plots.iter().map(|plot| Layout::new(plot, (each, lower(plot)))).collect();
+    let in_column = |column: usize| {
+        let margins = sketches.iter().skip(column).step_by(columns).map(|layout| layout.margins);
+        margins.fold((0.0, 0.0), |a: (f64, f64), b| (a.0.max(b.0), a.1.max(b.1)))
+    };
+    let margins: Vec<(f64, f64)> = (0..columns).map(in_column).collect();
     let mut height = top;
-    for plots in plots.chunks(columns) {
-        // Named places need the height that they were given.
-        let lower = |plot: &Plot| {
-            if plot.y.names.is_empty() { plot.height.min(STEEPEST * each) } else { plot.height }
-        };
-        let sketches: Vec<Layout<'_>> =
-            plots.iter().map(|plot| Layout::new(plot, (each, lower(plot)))).collect();
+    for (plots, sketches) in plots.chunks(columns).zip(sketches.chunks(columns)) {
         let head = sketches.iter().map(Layout::head).fold(0.0, f64::max);
-        let ends = sketches.iter().enumerate().map(|(k, layout)| {
-            layout.draw(canvas, (each * k as f64, height), layout.margins, head, !is_shared)
+        let has_legend = !is_shared && grid.is_none();
+        let ends = sketches.iter().zip(&margins).enumerate().map(|(k, (layout, &margins))| {
+            layout.draw(canvas, (each * k as f64, height), margins, head, has_legend)
         });
         height = ends.fold(height, f64::max);
+        if grid.is_some() && !is_shared {
+            height += shared_legend(canvas, plots, height, width);
+        }
     }
     if is_shared { height + shared_legend(canvas, plots, height, width) } else { height }
 }

@@ -1,6 +1,6 @@
 //! What can be shown between two axes.
 
-use super::{Colour, Raster};
+use super::{Colour, Frames, Raster};
 
 /// How a line is broken up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -71,6 +71,7 @@ pub(super) enum Shape {
     /// Two opposite corners.
     Tile((f64, f64), (f64, f64)),
     Raster(Raster),
+    Frames(Frames),
 }
 
 /// One thing to show. A layer with a name stands in the legend; layers of one name share its key,
@@ -176,6 +177,11 @@ impl Layer {
         Self::new(Shape::Raster(raster))
     }
 
+    /// Patches that change with something. Both axes must be linear, else they are not shown.
+    pub fn frames(frames: Frames) -> Self {
+        Self::new(Shape::Frames(frames))
+    }
+
     /// Names the layer in the legend.
     pub fn named(mut self, name: impl Into<String>) -> Self {
         self.name = Some(name.into());
@@ -224,7 +230,7 @@ impl Layer {
             Shape::Slope { through: (x, y), slope } => Shape::Slope { through: (y, x), slope: 1.0 / slope },
             Shape::Note((x, y)) => Shape::Note((y, x)),
             Shape::Tile(from, to) => Shape::Tile((from.1, from.0), (to.1, to.0)),
-            Shape::Raster(raster) => Shape::Raster(raster),
+            field @ (Shape::Raster(_) | Shape::Frames(_)) => field,
         };
         self
     }
@@ -257,6 +263,7 @@ impl Layer {
                 corners.map(|p| along.turn(p)).collect()
             }
             Shape::Tile(from, to) => vec![*from, *to],
+            Shape::Frames(frames) => frames.reach(),
             Shape::Raster(raster) if raster.scale().is_some() => {
                 vec![(raster.x.0, raster.y.0), (raster.x.1, raster.y.1)]
             }

@@ -9,7 +9,7 @@ use super::legend::{self, Legend};
 use super::marks;
 use super::place::Taken;
 use super::scale::{Scale, measure};
-use super::style::{BAND_ROOM, INK, LABEL, TITLE};
+use super::style::{BAND_ROOM, INK, LABEL, TICK, TITLE};
 use super::text::{width, wrap};
 use super::ticks::Tick;
 use super::{Axis, Plot, Raster, Spread};
@@ -31,6 +31,8 @@ pub(super) struct Layout<'a> {
     /// Left and right of the frame.
     pub(super) margins: (f64, f64),
     title: Vec<String>,
+    /// What the frame says that is shown, below the title.
+    frame_name: Option<&'a str>,
     /// Height between the axes, unless the units of both axes are to be equally long.
     height: f64,
     nothing: bool,
@@ -69,6 +71,10 @@ impl<'a> Layout<'a> {
         let right = axes::right_margin(&axes::x_ticks(&x, 0.8 * width));
         let margins = (axes::left_margin(&plot.y, &y_ticks), right.max(bar));
         let title = wrap(&plot.title, BOLD * TITLE, width - 30.0, 3);
+        let frame_name = plot.layers.iter().find_map(|layer| match &layer.shape {
+            Shape::Frames(frames) => frames.names.get(frames.shown).map(String::as_str),
+            _ => None,
+        });
         let goes_on = |layer: &Layer| {
             matches!(layer.shape, Shape::Line(_) | Shape::Band(..))
                 && layer.reach().iter().filter(|point| can_show(point)).any(|point| {
@@ -80,12 +86,12 @@ impl<'a> Layout<'a> {
         };
         let is_cut = plot.layers.iter().any(goes_on);
         let nothing = shown.is_empty();
-        Self { plot, width, x, y, y_ticks, raster, margins, title, height, nothing, is_cut }
+        Self { plot, width, x, y, y_ticks, raster, margins, title, frame_name, height, nothing, is_cut }
     }
 
     /// Height of the title.
     pub(super) fn head(&self) -> f64 {
-        self.title.len() as f64 * (TITLE + 6.0)
+        (self.title.len() + usize::from(self.frame_name.is_some())) as f64 * (TITLE + 6.0)
     }
 
     /// Width and height of the frame in a space.
@@ -143,8 +149,14 @@ impl<'a> Layout<'a> {
         let first = rect.top - 2.0 - self.head() + TITLE / 2.0;
         let lines = self.title.iter().enumerate();
         let lines = lines.map(|(k, line)| (line.as_str(), (x, first + k as f64 * (TITLE + 6.0))));
-        canvas
-            .texts(lines, Type { size: TITLE, colour: INK, align: Align::Left, bold: true, upright: false });
+        let set = Type { size: TITLE, colour: INK, align: Align::Left, bold: true, upright: false };
+        canvas.texts(lines, set);
+        if let Some(name) = self.frame_name {
+            let spot = (x, first + self.title.len() as f64 * (TITLE + 6.0));
+            canvas.marked("frame-name", |canvas| {
+                canvas.texts([(name, spot)], Type { size: TICK, bold: false, ..set });
+            });
+        }
     }
 
     /// Draws the layers in their frame, and its axes as `draw_axes` does; says what is taken.

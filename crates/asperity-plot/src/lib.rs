@@ -13,6 +13,7 @@
 //! | `scale` | from a value to a place on the page |
 //! | `ticks` | positions and labels of ticks |
 //! | `raster` | fields of values and their images |
+//! | `frames` | patches that change with something |
 //! | `png` | small PNG files as data URIs |
 //! | `bar` | the colour bar |
 //! | `clip` | the parts of a line inside the frame |
@@ -36,6 +37,7 @@ mod clip;
 mod colour;
 mod data;
 mod draw;
+mod frames;
 mod joint;
 mod label;
 mod layer;
@@ -53,6 +55,7 @@ mod ticks;
 
 pub use colour::{Colour, ColourMap, series_colours};
 pub use data::FigureData;
+pub use frames::{Frames, Patches};
 pub use layer::{Dash, Layer, Marker};
 pub use legend::Legend;
 pub use raster::Raster;
@@ -155,6 +158,11 @@ impl Plot {
     pub fn new(title: impl Into<String>, x: Axis, y: Axis) -> Self {
         let title = title.into();
         Self { title, x, y, layers: Vec::new(), legend: Legend::Auto, height: 380.0, equal: false }
+    }
+
+    /// The same plot with another title.
+    pub fn titled(self, title: impl Into<String>) -> Self {
+        Self { title: title.into(), ..self }
     }
 
     /// Adds a layer on top of those before it.
@@ -280,6 +288,8 @@ impl Plot {
 enum Arrangement {
     Column,
     Row,
+    /// In so many columns, where there is room for them.
+    Grid(usize),
     /// The main plot, the one above it, the one at its right on its side.
     Joint,
 }
@@ -299,6 +309,12 @@ impl Figure {
         Self { title, heading: String::new(), plots, arrangement }
     }
 
+    /// Titles the figure, and names its subject above all plots.
+    pub fn titled(self, title: impl Into<String>) -> Self {
+        let title = title.into();
+        Self { title: title.clone(), ..self.headed(title) }
+    }
+
     /// Names the subject of all plots above them, for a picture that is seen without its page: the surface, the case.
     pub fn headed(mut self, heading: impl Into<String>) -> Self {
         self.heading = heading.into();
@@ -315,6 +331,12 @@ impl Figure {
     /// their legend.
     pub fn row(title: impl Into<String>, plots: Vec<Plot>) -> Self {
         Self::arranged(title.into(), plots, Arrangement::Row)
+    }
+
+    /// Plots in rows of `columns`, with the edges of each column in line and one legend for each row: quantities side by side, and
+    /// below each its difference on the same axis. Like [`Figure::row`] where the columns would be too narrow.
+    pub fn grid(title: impl Into<String>, columns: usize, plots: Vec<Plot>) -> Self {
+        Self::arranged(title.into(), plots, Arrangement::Grid(columns))
     }
 
     /// A main plot with a low one above it that shares its x axis exactly, and a narrow one at its right

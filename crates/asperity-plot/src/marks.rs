@@ -105,7 +105,10 @@ pub(super) fn draw(canvas: &mut Canvas, frame: &Frame, layer: &Layer, taken: &mu
         Shape::Raster(raster) if [frame.x.spread, frame.y.spread] == [Spread::Linear; 2] => {
             draw_raster(canvas, frame, raster, taken);
         }
-        Shape::Raster(_) => {}
+        Shape::Frames(frames) if [frame.x.spread, frame.y.spread] == [Spread::Linear; 2] => {
+            frames.draw(canvas, frame, layer);
+        }
+        Shape::Raster(_) | Shape::Frames(_) => {}
         Shape::Tile(..) => {
             if let Some(rect) = tile(frame, layer) {
                 canvas.rect(&rect, colour, layer.opacity);
@@ -140,7 +143,7 @@ pub(super) fn draw_key(canvas: &mut Canvas, layer: &Layer, key: &Rect) {
         }
         Shape::Points(_, marker) => markers(canvas, &[middle], *marker, layer),
         Shape::Raster(raster) => canvas.rect(key, raster.map.rgb(0.75), layer.opacity),
-        Shape::Band(..) | Shape::Bars(..) | Shape::Region(..) | Shape::Tile(..) => {
+        Shape::Band(..) | Shape::Bars(..) | Shape::Region(..) | Shape::Tile(..) | Shape::Frames(_) => {
             canvas.rect(key, colour, layer.opacity);
         }
         Shape::Note(_) => {}

@@ -4,24 +4,35 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use png::{BitDepth, ColorType, Compression, Encoder, Filter};
 
-/// Rows of indices into a palette of at most 256 colours, the upper row first; index 0 is
-/// transparent. None for an image without pixels.
-pub(super) fn encode(indices: &[u8], width: usize, height: usize, palette: &[[u8; 3]]) -> Option<String> {
+/// Rows of indices into a palette of at most 256 colours, the first row at the top; the first colours have these opacities, of 255,
+/// the others are opaque. None for an image without pixels.
+pub(super) fn encode(
+    indices: &[u8],
+    [width, height]: [usize; 2],
+    palette: &[[u8; 3]],
+    opacities: &[u8],
+) -> Option<String> {
     // Neighbours are alike in a smooth field, and in a rough one their differences are noise.
     let files = [Filter::NoFilter, Filter::Adaptive]
         .into_iter()
-        .filter_map(|filter| file(indices, width, height, palette, filter));
+        .filter_map(|filter| file(indices, [width, height], palette, opacities, filter));
     let smallest = files.min_by_key(Vec::len)?;
     Some(format!("data:image/png;base64,{}", STANDARD.encode(smallest)))
 }
 
-fn file(indices: &[u8], width: usize, height: usize, palette: &[[u8; 3]], filter: Filter) -> Option<Vec<u8>> {
+fn file(
+    indices: &[u8],
+    [width, height]: [usize; 2],
+    palette: &[[u8; 3]],
+    opacities: &[u8],
+    filter: Filter,
+) -> Option<Vec<u8>> {
     let mut bytes = Vec::new();
     let mut encoder = Encoder::new(&mut bytes, width.try_into().ok()?, height.try_into().ok()?);
     encoder.set_color(ColorType::Indexed);
     encoder.set_depth(BitDepth::Eight);
     encoder.set_palette(palette.as_flattened());
-    encoder.set_trns([0].as_slice());
+    encoder.set_trns(opacities);
     encoder.set_compression(Compression::Balanced);
     encoder.set_filter(filter);
     let mut writer = encoder.write_header().ok()?;
@@ -37,7 +48,7 @@ mod tests {
     #[test]
     fn the_file_holds_what_was_written() {
         let palette = [[255, 255, 255], [10, 20, 30], [40, 50, 60]];
-        let uri = encode(&[0, 1, 2, 1, 0, 2], 3, 2, &palette).unwrap();
+        let uri = encode(&[0, 1, 2, 1, 0, 2], [3, 2], &palette, &[0, 128]).unwrap();
         let bytes = STANDARD.decode(uri.strip_prefix("data:image/png;base64,").unwrap()).unwrap();
         let mut decoder = png::Decoder::new(std::io::Cursor::new(bytes));
         decoder.set_transformations(png::Transformations::IDENTITY);
@@ -46,12 +57,12 @@ mod tests {
         let info = reader.next_frame(&mut read).unwrap();
         assert_eq!((info.width, info.height, read.as_slice()), (3, 2, [0, 1, 2, 1, 0, 2].as_slice()));
         assert_eq!(reader.info().palette.as_deref(), Some(palette.as_flattened()));
-        assert_eq!(reader.info().trns.as_deref(), Some([0].as_slice()));
+        assert_eq!(reader.info().trns.as_deref(), Some([0, 128].as_slice()));
     }
 
     #[test]
     fn no_pixels_no_file() {
-        assert_eq!(encode(&[], 0, 2, &[[0; 3]]), None);
-        assert_eq!(encode(&[1], 2, 2, &[[0; 3]; 2]), None);
+        assert_eq!(encode(&[], [0, 2], &[[0; 3]], &[0]), None);
+        assert_eq!(encode(&[1], [2, 2], &[[0; 3]; 2], &[0]), None);
     }
 }

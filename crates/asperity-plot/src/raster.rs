@@ -37,6 +37,8 @@ const FINE: f64 = 2.0;
 const MOST_PER_CELL: usize = 3;
 /// Colours besides the transparent one: all that a byte can name.
 const COLOURS: u8 = 255;
+/// Steps of greys: files are half as large as with all colours.
+const GREYS: f64 = 24.0;
 
 impl Raster {
     /// How many points lie in each cell of a grid over `x` and `y`, coloured by equal ratios; cells
@@ -119,7 +121,7 @@ impl Raster {
         let own = match self.map {
             ColourMap::Sequential if low >= 0.0 => (0.0, if high > 0.0 { high } else { 1.0 }),
             ColourMap::Diverging => (-high.max(-low), high.max(-low)),
-            ColourMap::Sequential | ColourMap::Counts => (low, high),
+            ColourMap::Sequential | ColourMap::Counts | ColourMap::Relief => (low, high),
         };
         // Limits that cannot be used give way to the values.
         let usable = |ends: &(f64, f64)| [ends.0, ends.1].iter().all(|end| measure(spread, *end).is_some());
@@ -140,8 +142,9 @@ impl Raster {
         let index = |column: usize, row: usize| {
             let column = if reversed.0 { self.columns - 1 - column } else { column };
             let row = if reversed.1 { row } else { self.rows - 1 - row };
-            let place = scale.place(self.values[row * self.columns + column])?;
-            Some(1 + (place.clamp(0.0, 1.0) * f64::from(COLOURS - 1)).round() as u8)
+            let place = scale.place(self.values[row * self.columns + column])?.clamp(0.0, 1.0);
+            let place = if self.map == ColourMap::Relief { (place * GREYS).round() / GREYS } else { place };
+            Some(1 + (place * f64::from(COLOURS - 1)).round() as u8)
         };
         let mut indices = Vec::with_capacity(self.values.len() * wide * high);
         for row in 0..self.rows {
@@ -149,7 +152,7 @@ impl Raster {
             let line: Vec<u8> = cells.flat_map(|cell| std::iter::repeat_n(cell, wide)).collect();
             (0..high).for_each(|_| indices.extend_from_slice(&line));
         }
-        encode(&indices, self.columns * wide, self.rows * high, &palette(self.map))
+        encode(&indices, [self.columns * wide, self.rows * high], &palette(self.map), &[0])
     }
 }
 

@@ -499,6 +499,27 @@ fn plots_in_a_row_keep_the_size_of_text_and_share_their_legend() {
 }
 
 #[test]
+fn columns_of_a_grid_are_in_line_and_each_row_has_one_legend() {
+    let named = |name: &str, factor: f64| {
+        let line = wave(9).into_iter().map(|(x, y)| (x, factor * y));
+        Plot::new("", Axis::linear("x"), Axis::linear("y")).with(Layer::line(line).named(name))
+    };
+    let plots = || vec![named("a", 1.0), named("b", 1.0), named("c", 1234.567), named("c", 1.0)];
+    let svg = Figure::grid("four", 2, plots()).svg();
+    assert_sound(&svg);
+    let lefts: Vec<&str> =
+        svg.split("<svg x=\"").skip(1).map(|rest| rest.split_once('"').unwrap().0).collect();
+    assert_eq!((lefts[0], lefts[1]), (lefts[2], lefts[3]), "{lefts:?}");
+    assert_ne!(lefts[0], lefts[1]);
+    for name in ["a", "b", "c"] {
+        assert_eq!(count(&svg, &format!("\n{name}\n")), 1, "{name}: {svg}");
+    }
+    // No room for two columns: one below the other, each with its own legend.
+    let narrow = Figure::grid("four", 2, plots()).file(Some(Size::new(60.0, 8.0)));
+    assert_eq!(count(&narrow, "\nc\n"), 2);
+}
+
+#[test]
 fn many_ordered_curves_share_a_colour_scale() {
     let figure = |of: usize| {
         let line = |index: usize| {

@@ -1,6 +1,7 @@
 //! `[compare]`: both models on given surfaces.
 
 mod card;
+mod contact_map;
 pub mod figures;
 mod lines;
 mod names;

@@ -35,6 +35,8 @@ pub struct ComparePlan {
     pub is_ranked: bool,
     /// The measured file that the command line named: its surface is described in full.
     pub described: Option<PathBuf>,
+    /// The figures of the paper that it reproduces.
+    pub figures_of_paper: Vec<u8>,
 }
 
 impl ComparePlan {
@@ -49,6 +51,7 @@ impl ComparePlan {
             is_attributed: false,
             is_ranked: false,
             described: None,
+            figures_of_paper: Vec::new(),
         }
     }
 
@@ -101,9 +104,32 @@ pub(super) fn plan(file: &SpecFile, table: &Spanned<CompareSpec>) -> Result<Comp
         is_robustness_examined: raw.robustness,
         is_attributed: raw.attribution,
         is_ranked: raw.rank_models,
+        figures_of_paper: figures_of_paper(file, raw, &study)?,
         study,
         described: None,
     })
+}
+
+/// The figures of the paper, which the comparison must be able to show.
+fn figures_of_paper(file: &SpecFile, raw: &CompareSpec, study: &StudyPlan) -> Result<Vec<u8>, InputError> {
+    let Some(figures) = &raw.figure_of_paper else { return Ok(Vec::new()) };
+    let has_thicknesses = study.layer.as_ref().is_some_and(|layer| layer.thicknesses.len() > 1);
+    let has_both = raw.models.as_ref().is_none_or(|models| models.get_ref().kinds.len() == 2);
+    let needed = |figure: &u8| match figure {
+        4 if has_thicknesses || !has_both => {
+            Some("both models and no layer of several thicknesses, as Fig. 4 compares the models")
+        }
+        6 if !has_thicknesses => Some("a layer of several thicknesses, as Fig. 6 compares thicknesses"),
+        _ => None,
+    };
+    let numbers = &figures.get_ref().0;
+    match numbers.iter().find_map(|figure| Some((figure, needed(figure)?))) {
+        None => Ok(numbers.clone()),
+        Some((figure, needed)) => {
+            let message = format!("found the figure {figure} of the paper; allowed: with {needed}");
+            Err(file.source.error_at(figures.span(), message))
+        }
+    }
 }
 
 fn keys(table: &Spanned<CompareSpec>) -> StudyKeys<'_> {

@@ -10,6 +10,7 @@ use asperity::surface::Surface;
 use asperity_contact_framework::contact::ContactMetadata;
 use asperity_contact_framework::metadata::Metadata;
 
+use super::contact_map::ContactMap;
 use super::reference::{ContactView, ElasticCase};
 use crate::layer::{CoatedSurface, hardness_warning, rule_warning};
 use crate::surface::rows::SurfaceRow;
@@ -34,6 +35,8 @@ pub struct CompareResults {
     pub reference: Option<ReferenceMetadata>,
     /// Of a measured file that the command line named.
     pub described: Option<Described>,
+    /// The figures of the paper that it reproduces.
+    pub figures_of_paper: Vec<u8>,
 }
 
 /// How the reference was run.
@@ -158,6 +161,8 @@ pub struct SurfaceResults {
     pub own_cut_off: Option<Option<f64>>,
     /// The contact of each solution of the reference at one load, on the first.
     pub contacts: Vec<ContactView>,
+    /// The contacts on its map, where it was measured and is studied in a single case.
+    pub contact_map: Option<ContactMap>,
 }
 
 impl SurfaceResults {

@@ -16,6 +16,7 @@ use asperity_contact_framework::contact::{contact_metadata, papers_of};
 use asperity_contact_framework::input::InputError;
 use asperity_contact_framework::metadata::Timing;
 
+use super::contact_map::{ContactMap, Covered};
 use super::plan::ComparePlan;
 use super::reference::{ContactView, ReferenceRun};
 use super::results::{CompareResults, Described, ReferenceMetadata, SurfaceResults};
@@ -62,6 +63,7 @@ pub fn run(
         tolerances: compare.study.controls.tolerances,
         surfaces,
         lines: compare.lines.clone(),
+        figures_of_paper: compare.figures_of_paper.clone(),
         reference: compare.reference.as_deref().map(|reference| ReferenceMetadata {
             error: reference.error,
             refine: reference.refine,
@@ -130,6 +132,9 @@ struct Run<'a> {
     papers: Vec<Paper>,
 }
 
+/// Points of a map that a picture of its contacts is made of.
+const MOST_POINTS_OF_PICTURE: usize = 1 << 22;
+
 /// What only the first realisation of a surface gives.
 struct Sampled {
     samplings: Vec<CaseSampling>,
@@ -140,8 +145,12 @@ impl<'a> Run<'a> {
     /// All realisations of a surface, with what follows from them.
     fn surface(&mut self, plan: &'a SurfacePlan) -> Result<SurfaceResults, InputError> {
         let (context, compare, setup) = (self.context, self.compare, self.setup);
-        let mut factory =
-            SurfaceFactory::new(plan, context, self.counter).keeping_map(compare.reference.is_some());
+        let factory = SurfaceFactory::new(plan, context, self.counter);
+        // A picture of one case needs the map; a large one is not brought into memory for it.
+        let has_picture = factory.preparation().is_some()
+            && [compare.study.surfaces.len(), setup.laws.len(), plan.realisations] == [1; 3]
+            && plan.map_points().is_some_and(|[nx, ny]| nx * ny <= MOST_POINTS_OF_PICTURE);
+        let mut factory = factory.keeping_map(compare.reference.is_some() || has_picture);
         let mut surface = factory.make(1, compare.depth(), &mut self.files, &mut self.timing)?;
         let models = self.models(&surface)?;
         let mut first = self.both_models(&surface, &models)?;
@@ -168,7 +177,8 @@ impl<'a> Run<'a> {
         drop(models);
         let prepared = surface.prepared.take();
         let sampled = Sampled { samplings, is_viewed: true };
-        let contacts = self.reference(plan, &surface, prepared, &mut first.cases, &sampled)?;
+        let (contacts, covered) =
+            self.reference(plan, &surface, prepared.as_ref(), &mut first.cases, &sampled)?;
         let treatments =
             robustness::treatments(context, compare, &factory, &surface, &first.cases, self.counter);
         context.progress.step();
@@ -190,7 +200,11 @@ impl<'a> Run<'a> {
         let own_cut_off =
             treatments.map(|treatments| treatments.judge(&mut cases, &surface, compare.study.accept));
         let laws = LawFindings::all(&cases, &thresholds);
+        let contact_map = prepared.filter(|_| has_picture).and_then(|prepared| {
+            ContactMap::new(&surface, &prepared, cases.first()?, setup.laws.first()?, &covered)
+        });
         Ok(SurfaceResults {
+            contact_map,
             load_area: setup.load_area(&surface),
             surface,
             realisations,
@@ -221,7 +235,7 @@ impl<'a> Run<'a> {
         drop(models);
         let prepared = surface.prepared.take();
         let sampled = Sampled { samplings: Vec::new(), is_viewed: false };
-        self.reference(plan, &surface, prepared, &mut realisation.cases, &sampled)?;
+        self.reference(plan, &surface, prepared.as_ref(), &mut realisation.cases, &sampled)?;
         Ok(realisation)
     }
 
@@ -241,18 +255,18 @@ impl<'a> Run<'a> {
     }
 
     /// Adds the reference to the cases of a surface with its prepared map, and how far both models are from it. Gives a view of each
-    /// contact where it is viewed. Nothing where no reference is asked for.
+    /// contact, and what is in contact at each load, where they are viewed. Nothing where no reference is asked for.
     fn reference(
         &mut self,
         plan: &'a SurfacePlan,
         surface: &Surface,
-        prepared: Option<PreparedMap>,
+        prepared: Option<&PreparedMap>,
         cases: &mut [CaseResults],
         sampled: &Sampled,
-    ) -> Result<Vec<ContactView>, InputError> {
+    ) -> Result<(Vec<ContactView>, Vec<Covered>), InputError> {
         let compare = self.compare;
         let Some((reference, prepared)) = compare.reference.as_deref().zip(prepared) else {
-            return Ok(Vec::new());
+            return Ok(Default::default());
         };
         let run = ReferenceRun { reference, compare, plan, surface, prepared, is_viewed: sampled.is_viewed };
         let views = run.run(self.context, cases, &mut self.timing)?;

@@ -22,6 +22,8 @@ pub struct Series<'a> {
     pub realisations: usize,
     pub modulus: f64,
     pub units: Units,
+    /// Whether separation and area by thickness are the main figure of the page, as Fig. 6 of the paper.
+    pub is_figure_of_paper: bool,
     verdicts: Vec<&'a Verdicts>,
 }
 
@@ -45,6 +47,7 @@ impl<'a> Series<'a> {
             realisations: surface.realisations.len(),
             modulus: results.contact.reduced_modulus,
             units: Units::new(results, surface),
+            is_figure_of_paper: results.figures_of_paper.contains(&6),
             verdicts: cases().map(|case| &case.verdicts).collect(),
         })
     }

@@ -6,6 +6,7 @@ use serde_json::json;
 
 use super::reference::ReferenceSpec;
 use crate::layer::LayerSpec;
+use crate::paper::SurfaceFigures;
 use crate::study_plan::{RoughBody, StatisticalSpec};
 use asperity::analytical::AnalyticalLine;
 use asperity::compare::ModelKind;
@@ -64,6 +65,10 @@ pub struct CompareSpec {
     /// The surfaces to run on, by name.
     #[schemars(extend("x-default" = "all of the file", "examples" = [["ground"]]))]
     pub surfaces: Option<Vec<Spanned<String>>>,
+    /// The figures of Pasaribu and Schipper (2005) that the spec reproduces, by number: the main figure of its report shows them in the
+    /// paper's axes. 3: radii against heights of the asperities; 4: separation against load; 6: separation and area by layer thickness.
+    #[schemars(extend("x-default" = "none", "examples" = [[3, 4]]))]
+    pub figure_of_paper: Option<Spanned<SurfaceFigures>>,
     /// Separations at which the models run, d/sigma from the mean asperity height. At least one of `separation`, `pressure` and `force` is needed.
     pub separation: Option<LinearSweep>,
     /// Relative tolerance of load and area of curves over d/sigma; points between are interpolated.

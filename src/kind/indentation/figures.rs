@@ -10,6 +10,7 @@ use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
 
 use super::run::{IndentationResults, LawCurves, LayerResults};
 use super::spec::Show;
+use crate::paper::{SphereFigure, title};
 use crate::presentation::regime_colour;
 
 /// Micrometres in a metre: what indentations are drawn in.
@@ -73,7 +74,12 @@ pub fn load(results: &IndentationResults, layer: &LayerResults, law: &LawCurves)
         panel("Logarithmic", |label| Axis::log(label)).legend(Legend::Below),
         panel("Linear", |label| Axis::linear(label)).legend(Legend::Hidden),
     ];
-    Figure::row("Load and indentation", panels)
+    let figure = Figure::row("Load and indentation", panels);
+    match (results.figure_of_paper, results.show) {
+        (None, _) => figure,
+        (Some(SphereFigure), Show::Load) => figure.titled(title(5, "load against indentation")),
+        (Some(SphereFigure), Show::Approach) => figure.titled(title(5, "normal approach against load")),
+    }
 }
 
 /// Load and area over those of Hertz without a layer, against indentation.

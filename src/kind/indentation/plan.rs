@@ -10,6 +10,7 @@ use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 use super::overlay::OverlayPlan;
 use super::spec::{IndentationSpec, Show};
 use crate::layer::{LayerPlan, layer};
+use crate::paper::SphereFigure;
 
 /// One sphere on layered flats.
 pub struct IndentationPlan {
@@ -26,6 +27,8 @@ pub struct IndentationPlan {
     pub indentations: Vec<f64>,
     pub overlay: Option<OverlayPlan>,
     pub show: Show,
+    /// The figure of the paper that it reproduces.
+    pub figure_of_paper: Option<SphereFigure>,
 }
 
 impl IndentationPlan {
@@ -71,7 +74,9 @@ pub(super) fn plan(file: &SpecFile, raw: &IndentationSpec) -> Result<Indentation
     check_laws(file, raw, &ball, &flat, &layers)?;
     let overlay = raw.overlay.as_ref().map(|overlay| OverlayPlan::new(&file.source, overlay)).transpose()?;
     let laws = raw.law.get_ref().0.clone();
-    let plan = IndentationPlan { ball, radius, flat, layers, laws, indentations, overlay, show: raw.show };
+    let IndentationSpec { show, figure_of_paper, .. } = *raw;
+    let plan =
+        IndentationPlan { ball, radius, flat, layers, laws, indentations, overlay, show, figure_of_paper };
     check_overlay(file, raw, &plan)?;
     Ok(plan)
 }

@@ -20,6 +20,7 @@ use rayon::prelude::*;
 use super::plan::IndentationPlan;
 use super::spec::Show;
 use crate::layer::LayerPlan;
+use crate::paper::SphereFigure;
 
 /// One sphere on layered flats.
 #[derive(Debug)]
@@ -40,6 +41,8 @@ pub struct IndentationResults {
     pub indentations: Vec<f64>,
     /// Axes of the load figure.
     pub show: Show,
+    /// The figure of the paper that it reproduces.
+    pub figure_of_paper: Option<SphereFigure>,
     /// Layer by layer, thickness by thickness.
     pub layers: Vec<LayerResults>,
     /// Measured indentations (m) and loads (N).
@@ -146,6 +149,7 @@ pub(super) fn run(context: &RunContext, plan: &IndentationPlan) -> Result<Indent
         reduced_modulus: reduced_modulus(&plan.ball.1, &plan.flat.1),
         indentations: plan.indentations.clone(),
         show: plan.show,
+        figure_of_paper: plan.figure_of_paper,
         layers,
         overlay: plan.overlay.iter().flat_map(|overlay| overlay.points.clone()).collect(),
     })

@@ -6,6 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer};
 
 use crate::layer::LayerSpec;
+use crate::paper::SphereFigure;
 use asperity_contact_framework::input::OneOrMany;
 use asperity_contact_framework::input::Spanned;
 use asperity_contact_framework::input::law::Laws;
@@ -42,6 +43,9 @@ pub struct IndentationSpec {
     #[serde(default)]
     #[schemars(extend("default" = "load", "examples" = ["approach"]))]
     pub show: Show,
+    /// The figure of Pasaribu and Schipper (2005) that the spec reproduces: the load figure is named after it.
+    #[schemars(extend("x-default" = "none", "examples" = [5]))]
+    pub figure_of_paper: Option<SphereFigure>,
 }
 
 /// Axes of the load figure.

@@ -15,15 +15,15 @@ const RATIOS: (f64, f64) = (0.0, 5.0);
 /// which part of the asperities lies outside. Where all radii are equal, the heights alone.
 pub fn asperities(surface: &Surface, assumed: Option<&Population>) -> (Figure, f64) {
     let (name, statistics) = (&surface.name, &surface.statistics);
-    let standardised = surface.set.heights().iter().map(|z| (z - statistics.mean_height) / statistics.sigma);
-    let points: Vec<(f64, f64)> =
-        standardised.zip(surface.set.radii().iter().map(|b| b / statistics.mean_radius)).collect();
-    let x = || Axis::linear("height (z − mean)/σ").range(HEIGHTS.0, HEIGHTS.1);
+    let points = normalised(surface);
     let heights: Vec<f64> = points.iter().map(|point| point.0).collect();
     let (edges, density) = histogram(&heights, HEIGHTS);
-    let mut top =
-        Plot::new(format!("{name}: height distribution of the asperities"), x(), Axis::linear("density"))
-            .with(Layer::bars(&edges, &density).coloured(Colour::Deterministic).named("asperities"));
+    let mut top = Plot::new(
+        format!("{name}: height distribution of the asperities"),
+        height_axis(),
+        Axis::linear("density"),
+    )
+    .with(Layer::bars(&edges, &density).coloured(Colour::Deterministic).named("asperities"));
     if let Some(population) = assumed {
         let curve = (0..=200).map(|k| {
             let x = HEIGHTS.0 + 0.05 * f64::from(k);
@@ -42,25 +42,44 @@ pub fn asperities(surface: &Surface, assumed: Option<&Population>) -> (Figure, f
     if statistics.radius_cv == 0.0 {
         return (top.into(), outside);
     }
-    let y = || Axis::linear("radius ratio β/β_avg").range(RATIOS.0, RATIOS.1);
     let ratios: Vec<f64> = points.iter().map(|point| point.1).collect();
-    // Cells hold some points each where there are enough.
-    let cells = ((points.len() as f64).sqrt() as usize).clamp(30, 120);
-    let mut main = Plot::new(format!("{name}: radius ratio against normalised height"), x(), y()).with(
-        Layer::raster(Raster {
-            label: "asperities per cell".to_owned(),
-            ..Raster::of_points(points, HEIGHTS, RATIOS, cells, cells)
-        }),
-    );
-    if let Some(population) = assumed {
-        let ratio = population.radius / statistics.mean_radius;
-        let line = Layer::line([(HEIGHTS.0, ratio), (HEIGHTS.1, ratio)]).coloured(Colour::Statistical);
-        main = main.with(line.dashed(Dash::Dashed).named("radius of the statistical model"));
-    }
+    let title = format!("{name}: radius ratio against normalised height");
+    let main = radii_against_heights(surface, assumed, &title);
     let (edges, density) = histogram(&ratios, RATIOS);
-    let right = Plot::new("", y(), Axis::linear("density"))
+    let right = Plot::new("", ratio_axis(), Axis::linear("density"))
         .with(Layer::bars(&edges, &density).coloured(Colour::Deterministic).named("asperities"));
     (Figure::joint(format!("{name}: radii against heights of the asperities"), main, top, right), outside)
+}
+
+/// Normalised height and radius ratio of each asperity.
+fn normalised(surface: &Surface) -> Vec<(f64, f64)> {
+    let statistics = &surface.statistics;
+    let heights = surface.set.heights().iter().map(|z| (z - statistics.mean_height) / statistics.sigma);
+    heights.zip(surface.set.radii().iter().map(|b| b / statistics.mean_radius)).collect()
+}
+
+fn height_axis() -> Axis {
+    Axis::linear("height (z − mean)/σ").range(HEIGHTS.0, HEIGHTS.1)
+}
+
+fn ratio_axis() -> Axis {
+    Axis::linear("radius ratio β/β_avg").range(RATIOS.0, RATIOS.1)
+}
+
+/// Radius ratio against normalised height, as number of asperities per cell.
+pub fn radii_against_heights(surface: &Surface, assumed: Option<&Population>, title: &str) -> Plot {
+    let points = normalised(surface);
+    // Cells hold some points each where there are enough.
+    let cells = ((points.len() as f64).sqrt() as usize).clamp(30, 120);
+    let field = Raster {
+        label: "asperities per cell".to_owned(),
+        ..Raster::of_points(points, HEIGHTS, RATIOS, cells, cells)
+    };
+    let plot = Plot::new(title, height_axis(), ratio_axis()).with(Layer::raster(field));
+    let Some(population) = assumed else { return plot };
+    let ratio = population.radius / surface.statistics.mean_radius;
+    let line = Layer::line([(HEIGHTS.0, ratio), (HEIGHTS.1, ratio)]).coloured(Colour::Statistical);
+    plot.with(line.dashed(Dash::Dashed).named("radius of the statistical model"))
 }
 
 /// Counts in equal bins as a probability density of all values; bins as wide as Scott (1979) has

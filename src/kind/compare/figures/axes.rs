@@ -49,3 +49,23 @@ impl Units {
         Axis::linear(format!("{what} (σ)")).or_in(format!("{what} (nm)"), 1e9 * self.sigma)
     }
 }
+
+/// An axis of loads.
+pub struct Loads {
+    /// The axis.
+    pub axis: Axis,
+    /// What 1 Pa is on it.
+    pub per_pascal: f64,
+}
+
+impl Units {
+    /// Loads as ratios.
+    pub fn ratios(&self) -> Loads {
+        Loads { axis: self.load_ratio(), per_pascal: self.modulus.recip() }
+    }
+
+    /// Loads in MPa.
+    pub fn pressures(&self) -> Loads {
+        Loads { axis: self.pressure(), per_pascal: 1e-6 }
+    }
+}

@@ -6,7 +6,7 @@ use asperity_contact_framework::report::format::capitalised;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
 use super::axes::Units;
-use super::differences::{MARGIN, invalid, megapascals};
+use super::differences::{MARGIN, NOT_ADMISSIBLE, invalid, megapascals};
 use crate::presentation::{cause_colour, quantity_name};
 
 /// The quantities that are divided on the page.
@@ -36,7 +36,7 @@ fn panel(verdicts: &Verdicts, units: &Units, quantity: ComparedQuantity) -> Plot
     });
     let axis = units.pressure().range(ends[0] / MARGIN, ends[1] * MARGIN);
     let mut plot = Plot::new(capitalised(quantity_name(quantity)), axis, y).height(240.0);
-    for region in invalid(&verdicts.admissible, 1e-6) {
+    for region in invalid(&verdicts.admissible, 1e-6, NOT_ADMISSIBLE) {
         plot = plot.with(region);
     }
     let stacked = Cause::ALL.into_iter().zip(&parts);

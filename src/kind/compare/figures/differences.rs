@@ -17,10 +17,10 @@ fn unit(compared: ComparedQuantity) -> f64 {
     if compared == ComparedQuantity::Separation { 1.0 } else { 100.0 }
 }
 
-fn axis(compared: ComparedQuantity, units: &Units) -> Axis {
+fn axis(compared: ComparedQuantity, units: &Units, label: &str) -> Axis {
     match compared {
-        ComparedQuantity::Separation => units.separation_difference("difference"),
-        ComparedQuantity::Area | ComparedQuantity::Stiffness => Axis::linear("difference (%)"),
+        ComparedQuantity::Separation => units.separation_difference(label),
+        ComparedQuantity::Area | ComparedQuantity::Stiffness => Axis::linear(format!("{label} (%)")),
     }
 }
 
@@ -41,17 +41,32 @@ impl Curve<'_> {
     }
 }
 
-/// Differences of area, separation and stiffness between the models at equal load on the case `name`, one panel each.
-pub fn differences(name: &str, verdicts: &Verdicts, units: &Units) -> Figure {
-    let curve = Curve {
+/// The differences of area, separation and stiffness between the models at equal load that were compared, a plot without a title
+/// each.
+pub fn between_models(verdicts: &Verdicts, units: &Units) -> Vec<(ComparedQuantity, Plot)> {
+    let curves = [Curve {
         name: "statistical − deterministic".to_owned(),
         colour: Colour::Statistical,
         dash: Dash::Solid,
         differences: &verdicts.differences,
         has_intervals: true,
+    }];
+    let plot = |compared: ComparedQuantity| {
+        let label = match compared {
+            ComparedQuantity::Area => "area",
+            other => quantity_name(other),
+        };
+        let axis = axis(compared, units, &format!("difference in {label}"));
+        (compared, panel("", axis, verdicts, units, &curves, compared).height(150.0))
     };
-    let title = format!("{name}: statistical − deterministic model at equal load");
-    figure(&title, verdicts, units, &[curve]).headed(title)
+    compared(&curves).map(plot).collect()
+}
+
+/// The quantities of which curves have estimates.
+fn compared(curves: &[Curve]) -> impl Iterator<Item = ComparedQuantity> {
+    PANELS
+        .into_iter()
+        .filter(|&quantity| curves.iter().any(|curve| curve.estimates(quantity).next().is_some()))
 }
 
 /// The same of both models and the reference.
@@ -78,12 +93,16 @@ pub fn against_reference(
             has_intervals: true,
         },
     ];
-    figure(finding, verdicts, units, &curves)
+    let panel = |compared: ComparedQuantity| {
+        let axis = axis(compared, units, "difference");
+        panel(&capitalised(quantity_name(compared)), axis, verdicts, units, &curves, compared)
+    };
+    Figure::row(finding, compared(&curves).map(panel).collect())
 }
 
-/// The differences between the models on several surfaces, laws or thicknesses, at admissible loads; `finding` is what the figure
-/// shows, in words. Nothing where there is none.
-pub fn of_cases(cases: &[(String, &Verdicts)], finding: &str) -> Option<Figure> {
+/// The differences between the models on several surfaces, laws or thicknesses, at admissible loads; thicknesses have an order. Nothing
+/// where there is none.
+pub fn of_cases(cases: &[(String, &Verdicts)], has_order: bool) -> Option<Figure> {
     let panels = PANELS.map(|compared| {
         let axis = Axis::linear(match compared {
             ComparedQuantity::Separation => "difference (σ)",
@@ -112,7 +131,7 @@ pub fn of_cases(cases: &[(String, &Verdicts)], finding: &str) -> Option<Figure> 
                     Some((megapascals(at.load), unit(compared) * compared.reported(contrast)))
                 })
                 .collect();
-            let colour = if cases.len() > MOST_SERIES {
+            let colour = if has_order || cases.len() > MOST_SERIES {
                 Colour::Ordered { index, of: cases.len() }
             } else {
                 Colour::Series(index)
@@ -122,38 +141,34 @@ pub fn of_cases(cases: &[(String, &Verdicts)], finding: &str) -> Option<Figure> 
         plot
     });
     let has_admissible = cases.iter().any(|(_, verdicts)| !verdicts.admissible.stretches.is_empty());
-    has_admissible.then(|| Figure::row(finding, panels.into()))
+    has_admissible.then(|| Figure::row("", panels.into()))
 }
 
 /// More cases are shown in the colours of an order.
 const MOST_SERIES: usize = 8;
 
-fn figure(title: &str, verdicts: &Verdicts, units: &Units, curves: &[Curve]) -> Figure {
-    let is_compared =
-        |compared: &ComparedQuantity| curves.iter().any(|curve| curve.estimates(*compared).next().is_some());
-    let panels = PANELS.into_iter().filter(is_compared);
-    Figure::row(title, panels.map(|compared| panel(verdicts, units, curves, compared)).collect())
-}
-
-fn panel(verdicts: &Verdicts, units: &Units, curves: &[Curve], compared: ComparedQuantity) -> Plot {
+fn panel(
+    title: &str,
+    axis: Axis,
+    verdicts: &Verdicts,
+    units: &Units,
+    curves: &[Curve],
+    compared: ComparedQuantity,
+) -> Plot {
     let shown = |contrast: f64| unit(compared) * compared.reported(contrast);
     let accepted = unit(compared) * verdicts.accepted.limit(compared);
-    let loads = curves.iter().flat_map(|curve| curve.differences).map(|at| megapascals(at.load));
-    let tested = [loads.clone().fold(f64::INFINITY, f64::min), loads.fold(0.0, f64::max)];
+    let loads = curves.iter().flat_map(|curve| curve.differences).map(|at| at.load);
     let all = curves.iter().flat_map(|curve| curve.estimates(compared));
     let in_view = all.filter(|(at, _)| at.exceeded().is_none());
     let ends = in_view.flat_map(|(_, found)| found.interval().unwrap_or([found.contrast; 2])).map(shown);
     let [low, high] =
         ends.fold([-VIEW * accepted, VIEW * accepted], |[low, high], end| [low.min(end), high.max(end)]);
     let room = 0.05 * (high - low);
-    let [from, to] = shown_loads(&verdicts.admissible, tested);
-    let mut plot = Plot::new(
-        capitalised(quantity_name(compared)),
-        units.pressure().range(from, to),
-        axis(compared, units).range(low - room, high + room),
-    )
-    .height(210.0);
-    for region in invalid(&verdicts.admissible, 1e-6) {
+    let [from, to] = shown_loads(&verdicts.admissible, loads).map(megapascals);
+    let loads = units.pressure().range(from, to);
+    let mut plot = Plot::new(title, loads, axis.range(low - room, high + room)).height(210.0);
+    // A figure of its own names what it shades; below curves that do it needs no name.
+    for region in invalid(&verdicts.admissible, 1e-6, if title.is_empty() { "" } else { NOT_ADMISSIBLE }) {
         plot = plot.with(region);
     }
     // After the narrow regions: its label has more places.
@@ -195,12 +210,12 @@ pub const MARGIN: f64 = 1.3;
 /// How much of the axis is shown at least, in accepted differences.
 const VIEW: f64 = 1.5;
 
-/// Loads (MPa) that a figure shows of those tested: the valid ones, and some beyond them.
-fn shown_loads(valid: &AdmissibleRange, tested: [f64; 2]) -> [f64; 2] {
+/// First and last load that a figure shows of those `tested`: the admissible ones, and some beyond them.
+pub fn shown_loads(valid: &AdmissibleRange, tested: impl Iterator<Item = f64> + Clone) -> [f64; 2] {
     /// So far beyond the admissible loads, as a ratio.
     const BEYOND: f64 = 4.0;
-    let all = [tested[0] / MARGIN, tested[1] * MARGIN];
-    let ends = valid.stretches.iter().flatten().map(|load| megapascals(*load));
+    let all = [tested.clone().fold(f64::INFINITY, f64::min) / MARGIN, tested.fold(0.0, f64::max) * MARGIN];
+    let ends = valid.stretches.iter().flatten().copied();
     let [low, high] = [ends.clone().fold(f64::INFINITY, f64::min), ends.fold(0.0, f64::max)];
     if low > high { all } else { [all[0].max(low / BEYOND), all[1].min(high * BEYOND)] }
 }
@@ -210,9 +225,11 @@ pub fn megapascals(pressure: f64) -> f64 {
     1e-6 * pressure
 }
 
+/// The name of loads that are not admissible.
+pub const NOT_ADMISSIBLE: &str = "not admissible";
+
 /// The loads that are not admissible as shaded regions of an axis that shows the pressure (Pa) times `scale`.
-pub fn invalid(valid: &AdmissibleRange, scale: f64) -> Vec<Layer> {
-    const LABEL: &str = "not admissible";
+pub fn invalid(valid: &AdmissibleRange, scale: f64, name: &str) -> Vec<Layer> {
     let mut ends = vec![0.0];
     ends.extend(valid.stretches.iter().flatten().map(|load| load * scale));
     ends.push(f64::INFINITY);
@@ -224,7 +241,7 @@ pub fn invalid(valid: &AdmissibleRange, scale: f64) -> Vec<Layer> {
         index if index == last => !valid.above.is_none(),
         _ => true,
     };
-    let label = |index: usize| if index == 0 || index == last { LABEL } else { "" };
+    let label = |index: usize| if index == 0 || index == last { name } else { "" };
     let gaps = gaps.filter(|(index, _)| is_invalid(*index));
     gaps.map(|(index, gap)| Layer::region_x(gap[0], gap[1], label(index))).collect()
 }

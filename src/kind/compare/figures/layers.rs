@@ -1,6 +1,6 @@
 //! Figures by thickness of the layer.
 
-use super::curves::{curve, reference_line, shares_of_load};
+use super::curves::{curve, has_regimes, is_seen, reference_line, shares_of_load};
 use crate::kind::compare::series::{Series, is_valid_at};
 use asperity::compare::{ComparedQuantity, CurvePoint, ModelKind};
 use asperity::study::CaseResults;
@@ -10,6 +10,12 @@ use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
 /// Separation and real area against load, by thickness.
 pub fn by_load(series: &Series) -> Figure {
+    let title = format!("{}: separation and real contact area by layer thickness", series.subject);
+    Figure::row(title.clone(), panels_by_load(series).into()).headed(title)
+}
+
+/// The same as panels.
+pub fn panels_by_load(series: &Series) -> [Plot; 2] {
     let (modulus, units) = (series.modulus, series.units);
     let mut separation = Plot::new("Separation", units.load_ratio(), units.separation());
     let mut area = Plot::new("Real contact area", units.load_ratio(), Axis::log("area ratio A/A_nom"))
@@ -45,8 +51,10 @@ pub fn by_load(series: &Series) -> Figure {
             }
         }
         let reference = |value| {
-            let line =
-                Layer::line(reference_line(case, modulus, value)).coloured(colour).dashed(Dash::DashDot);
+            let line = Layer::line(
+                reference_line(case, value).into_iter().map(|(load, value)| (load / modulus, value)),
+            );
+            let line = line.coloured(colour).dashed(Dash::DashDot);
             if kinds.is_empty() { line.named(thickness(case.thickness.unwrap_or(0.0))) } else { line }
         };
         if case.reference.is_some() {
@@ -54,9 +62,7 @@ pub fn by_load(series: &Series) -> Figure {
             area = area.with(reference(|point| Some(point.area_ratio)));
         }
     }
-    let panels = [separation, area].map(|plot| with_styles(plot, series)).to_vec();
-    let title = format!("{}: separation and real contact area by layer thickness", series.subject);
-    Figure::row(title.clone(), panels).headed(title)
+    [separation, area].map(|plot| with_styles(plot, series))
 }
 
 /// The line styles in the legend, where there is more than one.
@@ -114,24 +120,37 @@ pub fn against_reference(series: &Series) -> Option<Figure> {
     })
 }
 
-/// Real contact area, mean contact pressure and plastic share against layer thickness, by load.
+/// Real contact area, mean contact pressure and the share of the load in plastic contacts, or of elastic-plastic ones where none is,
+/// against layer thickness, by load.
 pub fn by_thickness(series: &Series) -> Figure {
-    type Value = fn(&Response) -> Option<f64>;
-    let panels: [(&str, Axis, Value); 3] = [
-        ("real contact area", Axis::log("area ratio A/A_nom"), |r| Some(r.area_ratio.total())),
-        ("mean contact pressure", Axis::log("mean contact pressure (GPa)"), |r| {
-            r.mean_real_pressure().map(|p| p * 1e-9)
-        }),
-        ("plastic share", Axis::linear("plastic share of the load").range(0.0, 1.0), |r| {
-            r.pressure.shares().map(|shares| shares[Regime::Plastic as usize])
-        }),
-    ];
-    let plots = panels.map(|(title, axis, value)| against_thickness(series, title, axis, value));
-    let title = "real contact area, mean contact pressure and plastic share against layer thickness";
-    Figure::column(
-        format!("{}: {title}", series.subject),
-        plots.map(|plot| with_styles(plot, series)).to_vec(),
-    )
+    let area = against_thickness(series, "real contact area", Axis::log("area ratio A/A_nom"), |response| {
+        Some(response.area_ratio.total())
+    });
+    let pressure = Axis::log("mean contact pressure (GPa)");
+    let pressure = against_thickness(series, "mean contact pressure", pressure, |response| {
+        response.mean_real_pressure().map(|p| p * 1e-9)
+    });
+    let shares: Vec<[f64; 3]> = series.cases.iter().flat_map(|case| shares_at_loads(series, case)).collect();
+    let yielding = [Regime::Plastic, Regime::ElasticPlastic];
+    let yielding = yielding.into_iter().find(|&regime| is_seen(regime, shares.iter()));
+    let share = yielding.map(|regime| {
+        let axis = Axis::linear(format!("{} share of the load", regime.name())).range(0.0, 1.0);
+        against_thickness(series, &format!("{} share", regime.name()), axis, move |response| {
+            response.pressure.shares().map(|shares| shares[regime as usize])
+        })
+    });
+    let plots = [area, pressure].into_iter().chain(share).map(|plot| with_styles(plot, series));
+    let title = "real contact area, mean contact pressure and yielding share against layer thickness";
+    Figure::column(format!("{}: {title}", series.subject), plots.collect())
+}
+
+/// Shares of the regimes in both models at the loads at which thicknesses are compared.
+fn shares_at_loads<'a>(series: &'a Series, case: &'a CaseResults) -> impl Iterator<Item = [f64; 3]> + 'a {
+    let kinds = series.findings.models.iter();
+    let points = kinds.flat_map(move |&kind| {
+        series.findings.loads.iter().filter_map(move |&load| case.comparison.at_load(kind, load))
+    });
+    points.filter_map(|point| point.response.pressure.shares())
 }
 
 /// Circles on the curves.
@@ -140,7 +159,12 @@ const VALID: &str = "admissible";
 /// Markers at the ends of the thickness axis.
 const LIMITS: &str = "uncoated (left), bulk layer material (right)";
 
-fn against_thickness(series: &Series, title: &str, axis: Axis, value: fn(&Response) -> Option<f64>) -> Plot {
+fn against_thickness(
+    series: &Series,
+    title: &str,
+    axis: Axis,
+    value: impl Fn(&Response) -> Option<f64>,
+) -> Plot {
     /// Margin for the two limiting cases at the ends of the thickness axis, as a ratio.
     const ROOM: f64 = 1.6;
     let all: Vec<f64> = series.finite().map(|(t, _)| t).collect();
@@ -182,8 +206,12 @@ fn against_thickness(series: &Series, title: &str, axis: Axis, value: fn(&Respon
     plot
 }
 
-/// Shares of the regimes against thickness, at the lowest, a middle and the highest load.
-pub fn regimes(series: &Series) -> Figure {
+/// Shares of the regimes against thickness, at the lowest, a middle and the highest load. Nothing where one regime carries all.
+pub fn regimes(series: &Series) -> Option<Figure> {
+    let shares: Vec<[f64; 3]> = series.finite().flat_map(|(_, case)| shares_at_loads(series, case)).collect();
+    if !has_regimes(shares.iter()) {
+        return None;
+    }
     const PANELS: usize = 3;
     let kind = series.findings.main_model();
     let loads = &series.findings.loads;
@@ -199,7 +227,7 @@ pub fn regimes(series: &Series) -> Figure {
         shares_of_load(&format!("{}{mark}", input_quantity(load, "Pa")), thickness_axis(), shares)
     };
     let title = format!("{}: share of the load by contact regime, against layer thickness", series.subject);
-    Figure::row(title.clone(), chosen.into_iter().map(panel).collect()).headed(title)
+    Some(Figure::row(title.clone(), chosen.into_iter().map(panel).collect()).headed(title))
 }
 
 fn thickness_axis() -> Axis {

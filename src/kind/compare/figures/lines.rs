@@ -5,7 +5,8 @@ use asperity::compare::{ModelKind, ReferencePoint};
 use asperity::study::CaseResults;
 use asperity_plot::{Colour, Dash, Layer, Marker};
 
-use super::curves::curve;
+use super::curves::{all_loads, curve};
+use super::differences::megapascals;
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
 
 /// What the lines of one surface are computed from.
@@ -56,14 +57,14 @@ pub(crate) fn name(line: AnalyticalLine) -> &'static str {
     }
 }
 
-/// The lines in the figures of d/sigma and of the area against load.
+/// The lines beside d/sigma and the area against load (MPa).
 pub fn layers(results: &CompareResults, found: &SurfaceResults, case: &CaseResults) -> [Vec<Layer>; 2] {
     let Some(rough) = Rough::new(results, found) else { return [Vec::new(), Vec::new()] };
     let loads = dense(&loads(case));
     let area = |&line: &AnalyticalLine| {
         let at = |&load: &f64| {
             let ratio = load / rough.modulus;
-            Some((ratio, line.area_ratio(ratio, rough.gradient)?))
+            Some((megapascals(load), line.area_ratio(ratio, rough.gradient)?))
         };
         let points: Option<Vec<(f64, f64)>> = loads.iter().map(at).collect();
         let dash = if line == AnalyticalLine::Persson { Dash::Solid } else { Dash::Dotted };
@@ -79,7 +80,7 @@ pub fn layers(results: &CompareResults, found: &SurfaceResults, case: &CaseResul
             .iter()
             .map(|point| {
                 let (load, d) = (point.response.pressure.total(), point.response.separation_over_sigma);
-                (load / rough.modulus, rough.interacting(d, load))
+                (megapascals(load), rough.interacting(d, load))
             })
             .collect();
         if points.is_empty() {
@@ -92,7 +93,7 @@ pub fn layers(results: &CompareResults, found: &SurfaceResults, case: &CaseResul
     }
     let solved = case.reference.iter().flat_map(|curve| &curve.points);
     let solved: Vec<(f64, f64)> =
-        solved.filter_map(|point| Some((point.pressure / rough.modulus, rough.undeformed(point)?))).collect();
+        solved.filter_map(|point| Some((megapascals(point.pressure), rough.undeformed(point)?))).collect();
     if !solved.is_empty() {
         let points = Layer::points(solved, Marker::Triangle).coloured(Colour::Reference);
         separations.push(points.named("reference, to the undeformed mean plane"));
@@ -102,9 +103,7 @@ pub fn layers(results: &CompareResults, found: &SurfaceResults, case: &CaseResul
 
 /// Loads (Pa) of the reference, else of the models, ascending, each once.
 pub(crate) fn loads(case: &CaseResults) -> Vec<f64> {
-    let of_reference = case.reference.iter().flat_map(|curve| &curve.points).map(|point| point.pressure);
-    let of_models = case.comparison.curves.iter().map(|point| point.response.pressure.total());
-    let mut loads: Vec<f64> = of_reference.chain(of_models).filter(|&load| load > 0.0).collect();
+    let mut loads: Vec<f64> = all_loads(case).collect();
     loads.sort_by(f64::total_cmp);
     loads.dedup();
     loads

@@ -1,6 +1,6 @@
 //! One surface under one law and thickness: its answer, figures and tables.
 
-use asperity::compare::{ComparedQuantity, Comparison, Difference, of_each_decade};
+use asperity::compare::{ComparedQuantity, Difference, of_each_decade};
 use asperity::study::RealisationFacts;
 use asperity_contact_framework::report::format::{input_quantity, number};
 use asperity_contact_framework::report::page::Page;
@@ -9,7 +9,7 @@ use asperity_contact_framework::report::view::View;
 
 use crate::kind::compare::figures::axes::Units;
 use crate::kind::compare::figures::curves::{self, Setting};
-use crate::kind::compare::figures::{causes, contact, differences as figure, filter, lines};
+use crate::kind::compare::figures::{causes, contact, differences as figure, filter, main_figure};
 use crate::kind::compare::names::{stem, subject, under};
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
 use crate::kind::compare::rows::{AttributionRow, LineRow, RobustnessRow, SpreadRow, SurfaceCase};
@@ -20,7 +20,7 @@ const PER_DECADE: f64 = 2.0;
 
 impl SurfaceCase<'_> {
     /// The surface, with law and layer where there are several.
-    pub(super) fn name(&self, results: &CompareResults) -> String {
+    pub fn name(&self, results: &CompareResults) -> String {
         let layer = results.contact.layer.as_ref().zip(self.first().thickness);
         let layer = layer.map_or_else(String::new, |(layer, t)| format!(", {}", under(layer, t)));
         format!("{}{layer}", subject(results, self.surface, &self.first().law))
@@ -31,24 +31,6 @@ impl SurfaceCase<'_> {
         let key = self.key();
         view.only("surface", key.surface).only("law", key.law).only("layer_thickness_m", key.thickness)
     }
-}
-
-/// The figure behind the verdicts; nothing of one load, and where no models are compared.
-pub fn differences(page: &mut Page, results: &CompareResults, case: SurfaceCase) {
-    let verdicts = case.verdicts();
-    if case.first().is_single() || verdicts.differences.is_empty() {
-        return;
-    }
-    let name = case.name(results);
-    let units = Units::new(results, case.surface);
-    page.figure(
-        &format!("{}-differences.svg", stem(case.surface, &case.first().law)),
-        figure::differences(&name, verdicts, &units),
-        &format!(
-            "{name}: statistical minus deterministic model at equal load, {}. Green: accepted; grey: loads that are not admissible.",
-            intervals(&verdicts.differences),
-        ),
-    );
 }
 
 /// Why the models differ, how sure the verdicts are, and the curves, folded.
@@ -65,9 +47,9 @@ pub fn section(page: &mut Page, results: &CompareResults, tables: &Tables, case:
     });
     page.details(2, &format!("{name}: curves and tables"), |page| {
         if SurfaceCase::all(results).count() > 1 {
-            differences(page, results, case);
+            main_figure::of_case(page, results, case);
         }
-        curves(page, results, case, &name, &stem);
+        regimes(page, case, &name, &stem, units);
         page.view(&case.rows(tables.view::<LineRow>()));
         page.view(&case.rows(tables.view::<SpreadRow>()).each_decade("pressure_pa", PER_DECADE));
         page.view(&by_load(tables, case).columns(&[
@@ -177,31 +159,16 @@ fn robustness(page: &mut Page, tables: &Tables, case: SurfaceCase, stem: &str) {
     );
 }
 
-/// The figures of the curves over load.
-fn curves(page: &mut Page, results: &CompareResults, case: SurfaceCase, name: &str, stem: &str) {
+/// The share of the load by regime.
+fn regimes(page: &mut Page, case: SurfaceCase, name: &str, stem: &str, units: Units) {
     if case.first().is_single() {
         return;
     }
-    let surface = case.surface;
-    let others: Vec<&Comparison> =
-        case.case.realisations.iter().skip(1).map(|other| &other.comparison).collect();
-    let verdicts = case.verdicts();
-    let units = Units::new(results, surface);
-    let setting = Setting { name, case: case.first(), valid: &verdicts.admissible, units, finding: "" };
-    let [beside_separation, beside_area] = lines::layers(results, surface, case.first());
-    let file = |figure: &str| format!("{stem}-{figure}.svg");
-    page.figure(
-        &file("separation"),
-        curves::separation(&setting, &others, beside_separation),
-        "Separation against load. Bands: 95 % sampling uncertainty for independent asperities; grey: loads that are not admissible.",
-    );
-    page.figure(
-        &file("area"),
-        curves::area(&setting, beside_area),
-        "Real contact area against load; bands and grey as above.",
-    );
-    if let Some(figure) = curves::regimes(&setting).filter(|_| !case.first().comparison.curves.is_empty()) {
-        page.figure(&file("regimes"), figure, "Share of the load by contact regime, by model.");
+    let loads = units.pressures();
+    let valid = &case.verdicts().admissible;
+    let setting = Setting { case: case.first(), valid, units, loads, shown: [0.0, f64::INFINITY] };
+    if let Some(figure) = curves::regimes(&setting, name) {
+        page.figure(&format!("{stem}-regimes.svg"), figure, "Share of the load by contact regime, by model.");
     }
 }
 

@@ -14,7 +14,6 @@ pub(crate) use sections::verdicts;
 
 use asperity::compare::Tolerances;
 use asperity::law::Body;
-use asperity::study::Verdicts;
 use asperity_contact_framework::Outcome;
 use asperity_contact_framework::contact::ContactSummary;
 use asperity_contact_framework::metadata::Metadata;
@@ -25,7 +24,7 @@ use asperity_contact_framework::report::table::{Table, Tables};
 use serde_json::{Map, Value, json};
 
 use super::card::{Card, CaseAnswer, Counts};
-use super::figures::verdict_map;
+use super::figures::main_figure;
 use super::results::{CompareResults, SurfaceResults};
 use super::rows::{RuleRow, SurfaceCase, tables};
 use super::series::Series;
@@ -51,9 +50,14 @@ impl Outcome for CompareResults {
         match &cases[..] {
             [only] => {
                 page.card(Card::new(*only).lines());
-                case::differences(&mut page, self, *only);
+                main_figure::of_case_or_paper(&mut page, self, *only, &series);
             }
-            _ => several(&mut page, self, tables, &series),
+            several => {
+                page.lead(&count(several.iter().copied()));
+                main_figure::of_paper(&mut page, self, &series);
+                page.view(&sections::answers(tables));
+                main_figure::verdict_maps(&mut page, self, &series);
+            }
         }
         for series in &series {
             page.details(2, &format!("{}: by layer thickness", series.subject), |page| {
@@ -162,28 +166,4 @@ fn count<'a>(cases: impl IntoIterator<Item = SurfaceCase<'a>>) -> String {
         return "The models are not compared at equal load in any case.".to_owned();
     }
     Counts::new(&answers).sentence()
-}
-
-/// What a page of several cases begins with: a sentence, a row for each case, and the verdict map.
-fn several(page: &mut Page, results: &CompareResults, tables: &Tables, series: &[Series]) {
-    page.lead(&count(SurfaceCase::all(results)));
-    page.view(&sections::answers(tables));
-    let mut draw = |file: &str, title: &str, cases: &[(String, &Verdicts)]| {
-        if let Some(figure) = verdict_map::figure(cases, title) {
-            let caption = "May the integral replace the sum, by load? Blank: the load is not admissible.";
-            page.figure(file, figure.headed(title), caption);
-        }
-    };
-    if series.is_empty() {
-        let named: Vec<(String, &Verdicts)> =
-            SurfaceCase::all(results).map(|case| (case.name(results), case.verdicts())).collect();
-        draw("verdicts.svg", "Verdict map", &named);
-    }
-    for series in series {
-        draw(
-            &format!("{}-verdicts.svg", series.stem),
-            &format!("Verdict map: {}", series.subject),
-            &series.named_verdicts(),
-        );
-    }
 }

@@ -20,23 +20,26 @@ pub fn figures(series: &Series, page: &mut Page) {
             ),
         );
     }
-    page.figure(
-        &format!("{}-layers.svg", series.stem),
-        layers::by_load(series),
-        "Separation and real contact area against load, by layer thickness; thin lines: loads that are not admissible.",
-    );
+    if !series.is_figure_of_paper {
+        page.figure(
+            &format!("{}-layers.svg", series.stem),
+            layers::by_load(series),
+            "Separation and real contact area against load, by layer thickness; thin lines: loads that are not admissible.",
+        );
+    }
     if series.findings.loads.is_empty() || series.findings.models.is_empty() || series.finite().count() < 2 {
         return;
     }
     page.figure(
         &format!("{}-thickness.svg", series.stem),
         layers::by_thickness(series),
-        "Area, mean contact pressure and plastic share of the load against layer thickness; circles: admissible loads; markers at the \
+        "Area, mean contact pressure and share of the load that yields against layer thickness; circles: admissible loads; markers at the \
          edges: uncoated and bulk.",
     );
+    let Some(regimes) = layers::regimes(series) else { return };
     page.figure(
         &format!("{}-regimes.svg", series.stem),
-        layers::regimes(series),
+        regimes,
         &format!(
             "Share of the load by contact regime against layer thickness ({} model); an asterisk marks a load that is not admissible \
              at some thickness.",

@@ -407,7 +407,7 @@ fn whole(
 }
 
 /// At most `count` of the values, evenly spread over their indices, with both ends; of one the middle.
-pub(super) fn spread_over<T: Clone>(values: &[T], count: usize) -> Vec<T> {
+pub fn spread_over<T: Clone>(values: &[T], count: usize) -> Vec<T> {
     let last = values.len().saturating_sub(1);
     match count {
         _ if values.len() <= count => values.to_vec(),

@@ -18,6 +18,7 @@ use asperity_contact_framework::metadata::Timing;
 use super::plan::{ReferencePlan, Solution, spread_over};
 use super::point::SolvedContact;
 use super::view::{ContactView, SumAtLoad};
+use crate::kind::compare::contact_map::{Covered, covered};
 use crate::kind::compare::plan::ComparePlan;
 use crate::layer::thickness_words;
 use crate::surface::SurfacePlan;
@@ -33,14 +34,14 @@ pub struct ReferenceRun<'a> {
     /// The surface with its asperities.
     pub surface: &'a Surface,
     /// Its map.
-    pub prepared: PreparedMap,
+    pub prepared: &'a PreparedMap,
     /// Whether views of a contact are wanted.
     pub is_viewed: bool,
 }
 
 impl ReferenceRun<'_> {
-    /// Adds the reference to the results of the models, and gives a view of the contact of each solution where they are
-    /// wanted.
+    /// Adds the reference to the results of the models, and gives a view of the contact of each solution, and what is in contact at
+    /// each load of the only solution, where they are wanted.
     ///
     /// # Errors
     /// A map that cannot be solved, and a load at which the solver does not converge.
@@ -49,7 +50,7 @@ impl ReferenceRun<'_> {
         context: &RunContext,
         cases: &mut [CaseResults],
         timing: &mut Timing,
-    ) -> Result<Vec<ContactView>, InputError> {
+    ) -> Result<(Vec<ContactView>, Vec<Covered>), InputError> {
         let start = Instant::now();
         let reference = self.reference;
         let area = self.compare.setup(context).load_area(self.surface);
@@ -66,20 +67,21 @@ impl ReferenceRun<'_> {
         context.progress.stage("boundary elements", all.iter().map(Vec::len).sum::<usize>() as f64);
         let boundary = reference.boundary(self.plan);
         let map = self.map(boundary).map_err(|error| self.refuse(context, None, &error))?;
-        let mut views = Vec::new();
+        let (mut views, mut all_covered) = (Vec::new(), Vec::new());
         for (index, (solution, pressures)) in reference.solutions.iter().zip(&all).enumerate() {
             let served: Vec<usize> =
                 (0..cases.len()).filter(|&case| reference.serves[case] == index).collect();
             let sum_at =
                 |pressure: f64| served.iter().find_map(|&case| SumAtLoad::new(&cases[case], pressure));
-            let (solved, view) = self.solve(context, &map, solution, pressures, &sum_at)?;
+            let (mut solved, view) = self.solve(context, &map, solution, pressures, &sum_at)?;
             views.extend(view);
+            all_covered.append(&mut solved.covered);
             for case in served {
                 cases[case].reference = Some(solved.curve(boundary, solution.cap, &loads[case]));
             }
         }
         timing.reference += start.elapsed();
-        Ok(views)
+        Ok((views, all_covered))
     }
 
     /// The map that is solved.
@@ -145,6 +147,10 @@ impl ReferenceRun<'_> {
             let shares = blocks.as_ref().map(|blocks| found.block_shares(blocks));
             solved.blocks.insert(bits, shares.unwrap_or_default());
             let contact = &found.contact;
+            if self.is_viewed && self.reference.solutions.len() == 1 {
+                let (cells, shares) = covered(contact.pressures(), contact.points());
+                solved.covered.push((pressure, cells, shares));
+            }
             let is_nearer = |view: &ContactView| ContactView::distance(contact) < view.distance;
             if self.is_viewed && view.as_ref().is_none_or(is_nearer) {
                 view = Some(ContactView::new(self, solution, pressure, contact, sum_at(pressure)));
@@ -206,6 +212,8 @@ struct Solved {
     points: BTreeMap<u64, ReferencePoint>,
     blocks: BTreeMap<u64, Vec<BlockShare>>,
     unreached: Vec<f64>,
+    /// What is in contact, by growing load.
+    covered: Vec<Covered>,
 }
 
 impl Solved {

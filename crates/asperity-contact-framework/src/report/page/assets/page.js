@@ -445,7 +445,7 @@ const Chart = (() => {
         for (const series of panel.series.filter(one => !this.hidden.has(one.name))) {
           series.y.forEach((value, at) => {
             const x = panel.places[series.x][at];
-            rows.push([panel.title || String(k + 1), series.name, unitX.label, shown(x, unitX), unitY.label, shown(value, unitY), shown(series.top && series.top[at], unitY)]);
+            rows.push([panel.title || panel.y.units[0].label, series.name, unitX.label, shown(x, unitX), unitY.label, shown(value, unitY), shown(series.top && series.top[at], unitY)]);
           });
         }
       });
@@ -499,12 +499,31 @@ const Chart = (() => {
     }
   }
 
+  // A map whose patches change with something: a slider puts others into its picture.
+  const slider = (figure, { label, names, shown, circles, images }) => {
+    const patches = figure.querySelector(".patches");
+    const input = element("input", { type: "range", min: 0, max: names.length - 1, value: shown });
+    const said = element("output", {}, names[shown]);
+    const show = () => {
+      const at = Number(input.value);
+      if (images) patches.firstElementChild.setAttribute("href", images[at]);
+      else patches.innerHTML = circles[1][at].map((r, k) => `<circle cx="${circles[0][k][0]}" cy="${circles[0][k][1]}" r="${r}"/>`).join("");
+      for (const text of [figure.querySelector(".frame-name text"), said]) text.textContent = names[at];
+      input.setAttribute("aria-valuetext", names[at]);
+    };
+    input.setAttribute("aria-valuetext", names[shown]);
+    input.addEventListener("input", show);
+    figure.querySelector(".picture").after(element("label", { className: "slider" }, `${label}: `, input, said));
+  };
+
   // A chart is made when its figure comes near the screen.
   const watcher = new IntersectionObserver(entries => {
     for (const { isIntersecting, target } of entries) {
       if (!isIntersecting) continue;
       watcher.unobserve(target);
-      new Chart(target, JSON.parse(target.querySelector("script[type='application/json']").textContent));
+      const data = JSON.parse(target.querySelector("script[type='application/json']").textContent);
+      if (!data.frames) new Chart(target, data);
+      else if (data.frames.names.length > 1) slider(target, data.frames);
     }
   }, { rootMargin: "600px" });
   for (const data of document.querySelectorAll("figure > script[type='application/json']")) watcher.observe(data.parentElement);

@@ -1,0 +1,113 @@
+//! What a page is opened for: of a spec that reproduces a figure of Pasaribu and Schipper (2005) that one; of one case both models
+//! against load with their differences, and of a measured map the contacts on it; of several cases the verdict map.
+
+use asperity::compare::{ComparedQuantity, Comparison};
+use asperity::study::Verdicts;
+use asperity_contact_framework::report::format::input_quantity;
+use asperity_contact_framework::report::page::Page;
+use asperity_plot::{Figure, Layer, Plot};
+
+use super::axes::Units;
+use super::curves::{Setting, all_loads};
+use super::differences::{between_models, shown_loads};
+use super::{contact_map, lines, paper, verdict_map};
+use crate::kind::compare::names::stem;
+use crate::kind::compare::results::CompareResults;
+use crate::kind::compare::rows::SurfaceCase;
+use crate::kind::compare::series::Series;
+
+/// Adds the main figure of one case: that of the paper, or the models against load, and of a measured map the contacts on it.
+pub fn of_case_or_paper(page: &mut Page, results: &CompareResults, case: SurfaceCase, series: &[Series]) {
+    if !results.figures_of_paper.is_empty() {
+        return of_paper(page, results, series);
+    }
+    of_case(page, results, case);
+    if let Some(map) = &case.surface.contact_map {
+        contact_map::add(page, &case.surface.surface.name, map);
+    }
+}
+
+/// Adds the figures of Pasaribu and Schipper (2005) that a spec reproduces.
+pub fn of_paper(page: &mut Page, results: &CompareResults, series: &[Series]) {
+    if !results.figures_of_paper.is_empty() {
+        paper::figures(page, results, series);
+    }
+}
+
+/// Adds the verdict map of several cases; of layers one for each series.
+pub fn verdict_maps(page: &mut Page, results: &CompareResults, series: &[Series]) {
+    let mut draw = |file: &str, title: &str, cases: &[(String, &Verdicts)]| {
+        if let Some(figure) = verdict_map::figure(cases, title) {
+            let caption = "May the integral replace the sum, by load? Blank: the load is not admissible.";
+            page.figure(file, figure.headed(title), caption);
+        }
+    };
+    if series.is_empty() {
+        let named: Vec<(String, &Verdicts)> =
+            SurfaceCase::all(results).map(|case| (case.name(results), case.verdicts())).collect();
+        draw("verdicts.svg", "Verdict map", &named);
+    }
+    for series in series {
+        let title = format!("Verdict map: {}", series.subject);
+        draw(&format!("{}-verdicts.svg", series.stem), &title, &series.named_verdicts());
+    }
+}
+
+/// Both models and the reference against load, and below the differences between the models; nothing of one load.
+pub(crate) fn of_case(page: &mut Page, results: &CompareResults, case: SurfaceCase) {
+    if case.first().is_single() {
+        return;
+    }
+    let name = case.name(results);
+    let figure = figure(results, case).headed(format!("{name}: both models at equal load"));
+    let below = if case.verdicts().differences.is_empty() {
+        ""
+    } else {
+        "; below, statistical minus deterministic (green: accepted)"
+    };
+    let marked =
+        if case.case.reported_load().is_some() { "; vertical line: load of the results above" } else { "" };
+    page.figure(
+        &format!("{}-models.svg", stem(case.surface, &case.first().law)),
+        figure,
+        &format!("{name}: area, separation and stiffness against load{below}. Bands: 95 % intervals; grey: not admissible{marked}."),
+    );
+}
+
+fn figure(results: &CompareResults, case: SurfaceCase) -> Figure {
+    let verdicts = case.verdicts();
+    let units = Units::new(results, case.surface);
+    let tested: Vec<f64> = verdicts.differences.iter().map(|at| at.load).collect();
+    let shown = if tested.is_empty() {
+        shown_loads(&verdicts.admissible, all_loads(case.first()))
+    } else {
+        shown_loads(&verdicts.admissible, tested.into_iter())
+    };
+    let loads = units.pressures();
+    let setting = Setting { case: case.first(), valid: &verdicts.admissible, units, loads, shown };
+    let others: Vec<&Comparison> =
+        case.case.realisations.iter().skip(1).map(|other| &other.comparison).collect();
+    let [mut beside_separation, mut beside_area] = lines::layers(results, case.surface, case.first());
+    let reported = case.case.reported_load().map(|at| at.load);
+    let marked = |plot: Plot, label: &str| match reported {
+        Some(load) => plot.with(Layer::at_x(setting.loads.per_pascal * load, label)),
+        None => plot,
+    };
+    let label = reported.map_or_else(String::new, |load| input_quantity(load, "Pa"));
+    let (quantities, differences): (Vec<ComparedQuantity>, Vec<Plot>) =
+        between_models(verdicts, &units).into_iter().unzip();
+    let quantities =
+        if quantities.is_empty() { ComparedQuantity::REPORTED[..2].to_vec() } else { quantities };
+    let curves = quantities.iter().map(|&quantity| {
+        let (others, beside): (&[&Comparison], Vec<Layer>) = match quantity {
+            ComparedQuantity::Separation => (&others, std::mem::take(&mut beside_separation)),
+            ComparedQuantity::Area => (&[], std::mem::take(&mut beside_area)),
+            ComparedQuantity::Stiffness => (&[], Vec::new()),
+        };
+        marked(setting.plot(quantity, others, beside).height(190.0), &label)
+    });
+    let curves: Vec<Plot> = curves.collect();
+    let below = differences.into_iter().map(|plot| marked(plot, ""));
+    let title = format!("{}: both models against load, and their differences", case.name(results));
+    Figure::grid(title, quantities.len(), curves.into_iter().chain(below).collect())
+}
