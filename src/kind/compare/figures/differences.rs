@@ -100,53 +100,6 @@ pub fn against_reference(
     Figure::row(finding, compared(&curves).map(panel).collect())
 }
 
-/// The differences between the models on several surfaces, laws or thicknesses, at admissible loads; thicknesses have an order. Nothing
-/// where there is none.
-pub fn of_cases(cases: &[(String, &Verdicts)], has_order: bool) -> Option<Figure> {
-    let panels = PANELS.map(|compared| {
-        let axis = Axis::linear(match compared {
-            ComparedQuantity::Separation => "difference (σ)",
-            ComparedQuantity::Area | ComparedQuantity::Stiffness => "difference (%)",
-        });
-        let mut plot =
-            Plot::new(capitalised(quantity_name(compared)), Axis::log("nominal pressure (MPa)"), axis)
-                .height(210.0)
-                .with_zero();
-        // Accepted separations differ between surfaces in nm, not in sigma; shares not at all.
-        let accepted: Vec<f64> =
-            cases.iter().map(|(_, verdicts)| unit(compared) * verdicts.accepted.limit(compared)).collect();
-        if let [first, rest @ ..] = &accepted[..]
-            && rest.iter().all(|other| other == first)
-        {
-            plot = plot.with(Layer::region_y(-first, *first, "accepted").coloured(Colour::Series(2)));
-        }
-        // A case without admissible loads has no line, and no name in the legend.
-        let shown =
-            cases.iter().enumerate().filter(|(_, (_, verdicts))| !verdicts.admissible.stretches.is_empty());
-        for (index, (case, verdicts)) in shown {
-            let valid = verdicts.differences.iter().filter(|at| at.exceeded().is_none());
-            let line: Vec<(f64, f64)> = valid
-                .filter_map(|at| {
-                    let contrast = at.estimates[compared as usize]?.contrast;
-                    Some((megapascals(at.load), unit(compared) * compared.reported(contrast)))
-                })
-                .collect();
-            let colour = if has_order || cases.len() > MOST_SERIES {
-                Colour::Ordered { index, of: cases.len() }
-            } else {
-                Colour::Series(index)
-            };
-            plot = plot.with(Layer::line(line).coloured(colour).named(case.as_str()));
-        }
-        plot
-    });
-    let has_admissible = cases.iter().any(|(_, verdicts)| !verdicts.admissible.stretches.is_empty());
-    has_admissible.then(|| Figure::row("", panels.into()))
-}
-
-/// More cases are shown in the colours of an order.
-const MOST_SERIES: usize = 8;
-
 fn panel(
     title: &str,
     axis: Axis,
