@@ -158,24 +158,20 @@ pub fn written(remedy: Remedy) -> String {
 /// What a check measures.
 pub fn measured(measure: Measure) -> &'static str {
     match measure {
-        Measure::SharedHeight => "share of the points that have one height exactly",
+        Measure::SharedHeight => "share of points of one height",
         Measure::Spikes => "number of spikes",
-        Measure::FormShare => "share of the variance in the next higher polynomial",
+        Measure::FormShare => "variance share of the next higher polynomial",
         Measure::SlopeCorrelation => "correlation of slopes along x and y",
         Measure::AspectRatio => "texture aspect ratio Str",
-        Measure::LineOffsets => "share of line offsets in the variance of second differences across lines",
-        Measure::StepOverDrop => "height step over the median drop from a summit to its neighbours",
-        Measure::CurvatureGrowth | Measure::NoiseGrowth => {
-            "growth of the curvature at the pixel: log₂ of its ratio at S filters of 2 and 4 pixels"
-        }
+        Measure::LineOffsets => "line offsets in second differences across lines",
+        Measure::StepOverDrop => "height step over median drop from summits",
+        Measure::CurvatureGrowth | Measure::NoiseGrowth => "growth of the curvature at the pixel, log₂",
         Measure::DensityOverTheory => "density of summits over five-point theory",
         Measure::CurvatureOverTheory => "curvature of summits over five-point theory",
-        Measure::GrowthRise => "that growth less the growth at S filters of 4 and 8 pixels",
-        Measure::RadiusOverTip => {
-            "mean radius of the summits, of all or of the 30 highest, over that of the tip"
-        }
-        Measure::Untraced => "share of points higher than the tip can trace",
-        Measure::LengthOverSide => "correlation length over side of the map (geometric mean of x and y)",
+        Measure::GrowthRise => "rise of that growth towards the pixel",
+        Measure::RadiusOverTip => "mean summit radius over tip radius",
+        Measure::Untraced => "share of points that the tip cannot trace",
+        Measure::LengthOverSide => "correlation length over side of the map",
         Measure::Slope | Measure::LeastSlope => "r.m.s. slope",
         Measure::NominalArea => "nominal area, m²",
     }

@@ -14,7 +14,7 @@ use serde_json::{Map, Value};
 
 use super::fit_rows::FitStepRow;
 use super::fitness;
-use asperity::surface::{GenerationFacts, MapFacts, Surface};
+use asperity::surface::{GenerationFacts, MapFacts, Remedy, Surface};
 
 /// The statistics of asperities: each is a column here, and a field of [`Statistics`].
 pub fn statistics_columns<R>(
@@ -411,6 +411,14 @@ impl<'a> FitnessRow<'a> {
         let fit = self.surface.fit.as_deref();
         (!self.finding.has_passed()).then(|| fitness::remedy_left(self.finding, self.map, fit))
     }
+
+    fn setting(&self) -> Option<String> {
+        let remedy = Remedy::new(self.finding, self.map).filter(|_| !self.finding.has_passed())?;
+        let key = format!("`{}`", fitness::written(remedy));
+        let words = self.remedy()?;
+        // One that `fit` refused is no remedy.
+        (words.contains(&key) && !words.contains("`fit` refused")).then_some(key)
+    }
 }
 
 impl Row for FitnessRow<'_> {
@@ -431,6 +439,7 @@ impl Row for FitnessRow<'_> {
             blocks["true/false"] = row.finding.is_blocking(), "Whether it fails so that no verdict may rest on the map.";
             result["text"] = row.result(), "The result: `passed`, `caution` (verdicts stand) or `failed` (no verdict may rest on the map).";
             remedy["text"] = row.remedy(), "What to do about it, in the keys of a spec.";
+            setting["text", label("remedy")] = row.setting(), "The key of a spec that remedies it, where there is one.";
         }
     }
 }

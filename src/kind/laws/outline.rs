@@ -51,7 +51,7 @@ impl Outcome for LawsResults {
         }
         page.details(2, "Single asperity", |page| on_asperity(page, self, tables));
         page.details(2, "Laws", |page| {
-            page.view(&tables.view::<LawRow>());
+            page.view(&tables.view::<LawRow>().without(&["description"]));
         });
         outline::verdicts(&mut page, tables);
         for surface in &compared.surfaces {
@@ -130,7 +130,7 @@ fn answer(results: &LawsResults) -> String {
     sentences.join(" ")
 }
 
-/// "The summation method changes the separation more than the contact law on 2 of 3 surfaces, less on 0: by up to 1.1 σ against
+/// "The summation method changes the separation more than the contact law on 2 of 3 surfaces: by up to 1.1 σ against
 /// 0.13 σ." `None` where nothing is compared.
 fn matters_more(dominances: &[Dominance], measure: Measure, surfaces: usize) -> Option<String> {
     let count = |what: Dominant| dominances.iter().filter(|dominance| dominance.dominant() == what).count();
@@ -156,10 +156,13 @@ fn matters_more(dominances: &[Dominance], measure: Measure, surfaces: usize) -> 
             "Which changes the {name} more, {first} or {second}, cannot be told on any of {surfaces} surfaces (up to {of_first} against \
              {of_second})."
         ),
-        _ => format!(
-            "The {first} changes the {name} more than the {second} on {more} of {surfaces} surfaces, less on {less}: by up to {of_first} \
-             against {of_second}."
-        ),
+        _ => {
+            let less = if less == 0 { String::new() } else { format!(", less on {less}") };
+            format!(
+                "The {first} changes the {name} more than the {second} on {more} of {surfaces} surfaces{less}: by up to {of_first} \
+                 against {of_second}."
+            )
+        }
     })
 }
 

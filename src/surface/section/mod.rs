@@ -46,7 +46,7 @@ pub fn section(page: &mut Page, tables: &Tables, surface: &Surface, assumed: Opt
 }
 
 /// Columns of the checks for people.
-const CHECK: [&str; 6] = ["check", "measured", "value", "allowed", "result", "remedy"];
+const CHECK: [&str; 6] = ["check", "measured", "value", "allowed", "result", "setting"];
 
 /// Columns of the asperities that the height map has too.
 const OF_MAP: [&str; 3] = ["sq_m", "ssk", "sku"];

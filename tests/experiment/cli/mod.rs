@@ -465,7 +465,7 @@ fn the_measured_surfaces_end_to_end() {
     assert!(alone.contains("height steps of 3.91 nm"), "{alone}");
     let report = fs::read_to_string(out.join("quantised-ground/report.md")).unwrap();
     assert!(
-        report.contains("| steps | height step over the median drop")
+        report.contains("| steps | height step over median drop")
             && report.contains("No conclusion until the map is fit: 7 spikes")
     );
     let warnings = &summary(&out, "quantised-ground")["surfaces"]["ground"]["warnings"];

@@ -376,7 +376,7 @@ fn a_fit_is_told_and_saved_by_its_keys() {
     let output = experiment(&[&arguments[..], &["by-hand.toml", "--load", "0.1 N"]].concat(), folder.path());
     assert!(output.status.success(), "{}", text(&output.stderr));
     let said = text(&output.stdout);
-    assert!(said.contains("steps  height step over the median drop"), "{said}");
+    assert!(said.contains("steps  height step over median drop"), "{said}");
     assert!(said.contains("filter = { s = \"3.5 µm\" }") && said.contains("applied"), "{said}");
     let spec = fs::read_to_string(folder.path().join("by-hand.toml")).unwrap();
     assert!(!spec.contains("fit ="), "{spec}");

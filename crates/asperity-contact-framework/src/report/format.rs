@@ -96,6 +96,11 @@ pub fn signed(value: f64) -> String {
     if value > 0.0 && number != "0" { format!("+{number}") } else { number }
 }
 
+/// The same, and "< 0.001" of what is closer to zero than `least`, of which the sign says nothing.
+pub fn signed_or_small(value: f64, least: f64) -> String {
+    if value != 0.0 && value.abs() < least { format!("< {}", number(least)) } else { signed(value) }
+}
+
 /// A share of one in percent, with at most three significant digits: 0.1234 gives "12.3 %".
 pub fn percent(share: f64) -> String {
     format!("{} %", number(100.0 * share))
@@ -219,6 +224,14 @@ impl Digits {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn small_differences_and_ranges_are_written_as_people_do() {
+        assert_eq!(signed_or_small(-9.52e-4, 1e-3), "< 0.001");
+        assert_eq!([0.0, 1.24, -0.002].map(|value| signed_or_small(value, 1e-3)), ["0", "+1.24", "-0.002"]);
+        assert_eq!(range([2.4e5, 1e8], "Pa"), "0.24 to 100 MPa");
+        assert_eq!(range([1e6, 1e6], "Pa"), "1 MPa");
+    }
 
     #[test]
     fn numbers() {

@@ -76,6 +76,9 @@ impl Card<'_> {
 
     /// The cause in a few words, for a table; empty where nothing is said of it.
     pub(super) fn cause_in_short(&self, at: &Difference) -> String {
+        if self.undivided.is_some() {
+            return "not divided".to_owned();
+        }
         let Some((quantity, parts)) = self.divided(at).filter(|_| !self.verdicts().is_blocked) else {
             return String::new();
         };

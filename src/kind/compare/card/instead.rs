@@ -161,8 +161,8 @@ fn words(model: &StatisticalModel) -> String {
     let heights = match &model.heights {
         None => "Gaussian heights".to_owned(),
         Some(HeightModel::Own) => "the surface's own heights".to_owned(),
-        Some(HeightModel::FittedWeibull) => "Weibull heights of equal skewness".to_owned(),
-        Some(HeightModel::FittedJohnson) => "Johnson heights of equal skewness and kurtosis".to_owned(),
+        Some(HeightModel::FittedWeibull) => "Weibull heights".to_owned(),
+        Some(HeightModel::FittedJohnson) => "Johnson heights".to_owned(),
         Some(HeightModel::Given(given)) => format!("{} heights", capitalised(given.name())),
     };
     let radius = match model.mean_radius {

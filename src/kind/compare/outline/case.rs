@@ -107,10 +107,6 @@ const PARTS: &[&str] =
 
 fn why(page: &mut Page, tables: &Tables, case: SurfaceCase, stem: &str, units: &Units) {
     let verdicts = case.verdicts();
-    if let Some(reason) = case.surface.realisations[0].model.undivided() {
-        page.paragraph(&format!("The differences are not divided among their causes: {reason}."));
-        return;
-    }
     if verdicts.attribution.is_empty() {
         return;
     }
@@ -175,10 +171,13 @@ fn regimes(page: &mut Page, case: SurfaceCase, name: &str, stem: &str, units: Un
 /// Inputs of the statistical model.
 pub fn statistical_model(page: &mut Page, surface: &SurfaceResults) {
     let RealisationFacts { population, model, .. } = &surface.realisations[0];
+    let shape = population.heights.label().to_string();
     let inputs = match model.joint {
-        Some(joint) => [joint.label().to_owned(), String::new(), String::new(), number(population.density)],
+        Some(joint) => {
+            [format!("`{}`", joint.name()), String::new(), String::new(), number(population.density)]
+        }
         None => [
-            population.heights.label().to_string(),
+            shape.split(" (").next().unwrap_or_default().to_owned(),
             input_quantity(population.sigma, "m"),
             format!("{} ({})", input_quantity(population.radius, "m"), model.mean_radius.name()),
             number(population.density),

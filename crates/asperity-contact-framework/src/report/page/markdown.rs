@@ -106,7 +106,7 @@ pub(super) fn is_numeric(rows: &[Vec<Cell>], column: usize) -> bool {
         if matches!(text, "" | "–" | "∞") {
             continue;
         }
-        let mut words = text.split_whitespace();
+        let mut words = text.strip_prefix("< ").unwrap_or(text).split_whitespace();
         let number = words.next().unwrap_or("").replace(',', "").replace('−', "-");
         let is_number =
             number.ends_with(|c: char| c.is_ascii_digit()) && number.parse::<f64>().is_ok() || number == "∞";
