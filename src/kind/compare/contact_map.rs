@@ -226,9 +226,9 @@ mod tests {
 
     #[test]
     fn circles_cover_the_cells_that_they_lie_in() {
-        let map = HeightMap::new([2, 3], [1.0; 2], vec![0.0; 6], 0.0).unwrap();
+        let map = HeightMap::new([3, 3], [1.0; 2], vec![0.0; 9], 0.0).unwrap();
         let places = [[0.5, 1.5], [0.4, 1.6], [1.5, 2.5], [1.5, 0.5]];
         let half = (0.5 / PI).sqrt();
-        assert_eq!(covered_by(&map, &places, &[half, half, 1e-3]), [0, 255, 0, 0, 0, 1]);
+        assert_eq!(covered_by(&map, &places, &[half, half, 1e-3]), [0, 255, 0, 0, 0, 1, 0, 0, 0]);
     }
 }

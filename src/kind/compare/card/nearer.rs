@@ -18,7 +18,7 @@ impl Card<'_> {
             return Some("Not possible: the surface has no map.".to_owned());
         }
         if self.case.first().reference.is_none() {
-            return Some("Not computed: put `\"reference\"` among the `models`.".to_owned());
+            return Some("Not computed: it needs `\"reference\"` among the `models`.".to_owned());
         }
         let curve = self.case.first().reference.as_ref();
         if curve.is_some_and(|curve| curve.unreached.contains(&at.load)) {

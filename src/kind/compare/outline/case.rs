@@ -173,9 +173,7 @@ pub fn statistical_model(page: &mut Page, surface: &SurfaceResults) {
     let RealisationFacts { population, model, .. } = &surface.realisations[0];
     let shape = population.heights.label().to_string();
     let inputs = match model.joint {
-        Some(joint) => {
-            [format!("`{}`", joint.name()), String::new(), String::new(), number(population.density)]
-        }
+        Some(joint) => [joint.name().to_owned(), String::new(), String::new(), number(population.density)],
         None => [
             shape.split(" (").next().unwrap_or_default().to_owned(),
             input_quantity(population.sigma, "m"),
