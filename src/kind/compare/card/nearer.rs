@@ -48,7 +48,7 @@ impl Card<'_> {
         if parts.is_empty() {
             return Some("Not told: no load of theirs is admissible.".to_owned());
         }
-        let sizes = self.from_reference(at.load).map_or_else(String::new, |[integral, sum]| {
+        let sizes = self.sizes_against_reference(at.load).map_or_else(String::new, |[integral, sum]| {
             format!("; at this load sum {sum}, integral {integral}")
         });
         let elastic = match reference.yields
@@ -66,7 +66,7 @@ impl Card<'_> {
     }
 
     /// The differences of integral and sum in area from the reference at a load.
-    fn from_reference(&self, load: f64) -> Option<[String; 2]> {
+    fn sizes_against_reference(&self, load: f64) -> Option<[String; 2]> {
         let models = &self.verdicts().reference.as_ref()?.against.models;
         let size = |model: usize| {
             let at = models[model].iter().find(|at| at.load == load)?;
