@@ -421,12 +421,12 @@ fn an_s_filter_that_makes_loads_admissible_is_named() {
         "{sharp}"
     );
     assert!(sharp.contains("No compared load is admissible."), "{sharp}");
-    let (_, named) = sharp.split_once("an S filter of ").unwrap_or_else(|| panic!("{sharp}"));
+    let (_, named) = sharp.split_once("An S filter of ").unwrap_or_else(|| panic!("{sharp}"));
     let index = named.split_once(" µm").unwrap().0;
     let filtered = page("sharp.npy", &format!("filter = {{ s = \"{index} um\" }}"));
     assert!(filtered.contains("; admissible "), "{filtered}");
     let blunt = page("blunt.npy", "");
-    assert!(!blunt.contains("an S filter of "), "{blunt}");
+    assert!(!blunt.contains("An S filter of "), "{blunt}");
 }
 
 /// Bytes per point that a plan names, for a map that stays on disk.

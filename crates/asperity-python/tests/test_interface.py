@@ -335,7 +335,7 @@ def test_a_report_is_written(tmp_path):
     assert results.report == tmp_path / "mine" and "Mine" in page
     answer = results.answer
     assert list(answer.lines)[:3] == ["result", "answer", "difference"] and answer.sentence == answer.lines["answer"]
-    assert str(answer).startswith("Result at your load: 1 N on 1 mm²") and len(results.answers) == 1
+    assert str(answer).startswith("Result at your load: 16.7 mN on 0.0167 mm² (1 MPa): ") and len(results.answers) == 1
     with pytest.raises(ValueError, match="figure"):
         spec, surfaces = study._spec(CONTACT, asperities())
         spec["compare"]["pressure"] = 1e6

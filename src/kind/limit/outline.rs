@@ -91,13 +91,12 @@ fn answer(slopes: &[ErrorSlope]) -> String {
         number(of_sampling.map(ErrorSlope::deviation).fold(0.0, f64::max))
     };
     let counts = slopes.iter().flat_map(|slope| slope.errors.iter().map(|(count, _)| *count));
-    let Some([from, to]) = extremes(counts) else {
+    let Some([_, to]) = extremes(counts) else {
         return "Too few contacts are expected for a fit to the error.".to_owned();
     };
     format!(
-        "The sum approaches the integral: its error falls with the number of random asperities ({} to {}) to the power −½ within {}. With \
+        "The sum approaches the integral: its error falls with the number of random asperities (up to {}) to the power −½ within {}. With \
          heights at the quantiles the power is the expected one within {}.",
-        count(from as usize),
         count(to as usize),
         deviation(HeightSampling::Random),
         deviation(HeightSampling::Quantiles),
@@ -154,7 +153,7 @@ mod tests {
         assert!(super::caption(&all[..2], LimitQuantity::Load).ends_with("slope no fit."));
         let answer = answer(&all);
         assert!(
-            answer.contains("asperities (100 to 10,000) to") && answer.contains("−½ within 0.02."),
+            answer.contains("asperities (up to 10,000) to") && answer.contains("−½ within 0.02."),
             "{answer}"
         );
         assert!(answer.ends_with("within 0.005."), "{answer}");

@@ -1,6 +1,6 @@
 //! Why the models differ, in the terms of the surface.
 
-use asperity::compare::{Cause, ComparedQuantity, Contributions, Difference, Verdict};
+use asperity::compare::{Cause, ComparedQuantity, Contributions, Difference, Stretch, Verdict};
 use asperity_contact_framework::report::answer::fitting;
 use asperity_contact_framework::report::format::{capitalised, number, percent};
 
@@ -42,7 +42,7 @@ impl Card<'_> {
             ]));
         }
         let (quantity, parts) = self.divided(at)?;
-        let of = |cause: Cause| self.words(cause, at);
+        let of = |cause: Cause| self.words(cause, at.load);
         let second = |first: Cause| {
             let size = |cause: Cause| parts.part(first).signum() * parts.part(cause);
             let others = Cause::ALL.into_iter().filter(|other| *other != first);
@@ -50,15 +50,22 @@ impl Card<'_> {
                 .max_by(|a, b| size(*a).total_cmp(&size(*b)))
                 .filter(|other| 2.0 * size(*other) >= size(first))
         };
-        Some(match self.finding(quantity, parts) {
+        let finding = self.finding(quantity, parts);
+        let is_within = self.on_this_map(at).iter().all(|(_, verdict)| *verdict == Verdict::Within);
+        // Where the models agree, only that causes cancel is worth a word.
+        if is_within && !matches!(finding, Finding::Cancel(_)) {
+            return None;
+        }
+        Some(match finding {
             Finding::Leads(first) => one_or_two("", of(first), second(first).map(of)),
             Finding::Largest(first) => one_or_two("Largest on this map: ", of(first), second(first).map(of)),
             Finding::Cancel([a, b]) => {
                 let [a, b] = [a, b].map(of);
+                let of = name(quantity);
                 fitting([
-                    format!("Two causes nearly cancel: {}; {}.", a.full, b.full),
-                    format!("Two causes nearly cancel: {}; {}.", a.sentence, b.sentence),
-                    format!("Two causes nearly cancel: {}, {}.", a.short, b.short),
+                    format!("Two causes nearly cancel in {of}: {}; {}.", a.full, b.full),
+                    format!("Two causes nearly cancel in {of}: {}; {}.", a.sentence, b.sentence),
+                    format!("Two causes nearly cancel in {of}: {}, {}.", a.short, b.short),
                 ])
             }
             Finding::Open => {
@@ -74,21 +81,33 @@ impl Card<'_> {
         })
     }
 
-    /// The cause in a few words, for a table; empty where nothing is said of it.
-    pub(super) fn cause_in_short(&self, at: &Difference) -> String {
+    /// The cause of the largest difference that is beyond what is accepted on such surfaces, in the first quantity where there is one, in a
+    /// few words for a table; empty where there is none.
+    pub(super) fn cause_in_short(&self) -> String {
         if self.undivided.is_some() {
             return "not divided".to_owned();
         }
-        let Some((quantity, parts)) = self.divided(at).filter(|_| !self.verdicts().is_blocked) else {
+        let verdicts = self.verdicts();
+        let of_quantity = |quantity: ComparedQuantity| {
+            let beyond =
+                verdicts.stretches.iter().filter(|one| one.quantity == quantity && one.verdict.is_beyond());
+            let [from, to] = beyond.max_by(|a, b| largest(a).total_cmp(&largest(b)))?.loads;
+            let divided = verdicts.divided(quantity).filter(|(load, _)| (from..=to).contains(load));
+            let (load, parts) = divided.max_by(|a, b| a.1.gap().abs().total_cmp(&b.1.gap().abs()))?;
+            Some((quantity, load, parts))
+        };
+        let found = ComparedQuantity::REPORTED.into_iter().find_map(of_quantity);
+        let Some((quantity, load, parts)) = found.filter(|_| !verdicts.is_blocked) else {
             return String::new();
         };
-        let short = |cause: Cause| self.words(cause, at).short;
-        match self.finding(quantity, parts) {
+        let short = |cause: Cause| self.words(cause, load).short;
+        let text = match self.finding(quantity, parts) {
             Finding::Leads(cause) => short(cause).to_owned(),
             Finding::Largest(cause) => format!("{} (here)", short(cause)),
             Finding::Cancel(_) => "two causes nearly cancel".to_owned(),
             Finding::Open => "none stands out".to_owned(),
-        }
+        };
+        if quantity == ComparedQuantity::Area { text } else { format!("{}: {text}", name(quantity)) }
     }
 
     /// The quantity whose difference is explained, with its parts at the load.
@@ -117,9 +136,9 @@ impl Card<'_> {
     }
 
     /// A cause in the direction that its contributions at the load have.
-    fn words(&self, cause: Cause, at: &Difference) -> Words {
+    fn words(&self, cause: Cause, load: f64) -> Words {
         let statistics = self.surface.reported_statistics();
-        let part = |quantity| Some(self.verdicts().contributions(quantity, at.load)?.part(cause));
+        let part = |quantity| Some(self.verdicts().contributions(quantity, load)?.part(cause));
         match cause {
             Cause::Heights => {
                 heights(part(ComparedQuantity::Separation), statistics.skewness.zip(statistics.kurtosis))
@@ -139,6 +158,11 @@ impl Card<'_> {
             }
         }
     }
+}
+
+/// The size of the largest difference of a stretch.
+fn largest(stretch: &Stretch) -> f64 {
+    stretch.largest.map_or(0.0, |(_, estimate)| estimate.contrast.abs())
 }
 
 /// Heights: the integral, which has none of them, touches at a smaller separation where there are more high asperities than it assumes.
@@ -269,7 +293,7 @@ mod tests {
     #[test]
     fn causes_that_cancel_are_named_and_those_that_do_not_are_not() {
         let cancel = text([0.4, 0.0, -0.35], Some(0.001));
-        assert!(cancel.starts_with("Two causes nearly cancel: asperity heights"), "{cancel}");
+        assert!(cancel.starts_with("Two causes nearly cancel in contact area: asperity heights"), "{cancel}");
         assert!(!text([0.4, 0.0, -0.1], Some(0.001)).contains("cancel"));
     }
 }

@@ -38,44 +38,43 @@ impl Card<'_> {
         Some(with_additions(&interval, &additions))
     }
 
-    /// The interval of the first quantity that has one, or why there is none; and in short.
+    /// What the intervals rest on, or why there is none; and in short.
     fn interval(&self, at: &Difference) -> [String; 2] {
-        let basis = match self.verdicts().basis {
-            Basis::ModelBased => "Model-based 95 % interval",
-            _ => "95 % interval",
-        };
-        let half = |quantity: ComparedQuantity| {
-            let half = at.estimates[quantity as usize]?.half_width()?;
-            let (unit, factor) = unit(quantity);
-            let half = number(two_digits(factor * quantity.reported(half)));
-            Some([
-                format!("{basis} of ±{half} {unit} in {}", name(quantity)),
-                format!("{} ±{half} {unit}", basis.replace(" 95 %", "")),
-            ])
-        };
-        ComparedQuantity::REPORTED.into_iter().find_map(half).unwrap_or_else(|| {
-            let reason = self.no_interval(at);
-            [reason, "No interval".to_owned()]
-        })
+        if at.estimates.iter().flatten().all(|one| one.interval().is_none()) {
+            return [self.no_interval(at), "No interval".to_owned()];
+        }
+        let short = "95 % intervals";
+        match self.verdicts().basis {
+            Basis::ModelBased => {
+                ["Model-based 95 % intervals".to_owned(), "Model-based intervals".to_owned()]
+            }
+            Basis::Blocks { count, .. } => {
+                [format!("{short} from {count} blocks of the map"), short.to_owned()]
+            }
+            Basis::Realisations(count) => [format!("{short} from {count} realisations"), short.to_owned()],
+            _ => [format!("{short} from random groups of the asperities"), short.to_owned()],
+        }
     }
 
     /// What would tell where an interval is across the edge of what is accepted: an area of surface, or a number of realisations.
     fn need(&self, at: &Difference) -> Option<String> {
         let verdicts = self.verdicts();
-        let growth = |quantity: ComparedQuantity| {
+        let of_quantity = |quantity: ComparedQuantity| {
             let estimate = at.estimates[quantity as usize]?;
             let band = verdicts.accepted.band(quantity);
             let is_open = Verdict::from_estimate(&estimate, band) == Verdict::CannotTell;
-            Some((quantity, estimate.growth(band).filter(|_| is_open)?))
+            is_open.then(|| estimate.growth(band))
         };
-        let (quantity, growth) = ComparedQuantity::REPORTED.into_iter().find_map(growth)?;
+        // All that are open, of which each has such a size.
+        let open: Option<Vec<f64>> = ComparedQuantity::REPORTED.into_iter().filter_map(of_quantity).collect();
+        let growth = open?.into_iter().reduce(f64::max)?;
         let needed = match verdicts.basis {
             Basis::Realisations(now) => {
                 format!("about {} realisations", number((growth * now as f64).ceil().max(now as f64 + 1.0)))
             }
             _ => format!("about {}", nominal_area(growth * verdicts.area, true)),
         };
-        Some(format!("; {needed} would tell for {}", name(quantity)))
+        Some(format!("; {needed} would tell at this load"))
     }
 
     fn no_interval(&self, at: &Difference) -> String {
@@ -112,12 +111,7 @@ impl Card<'_> {
     /// "The answer depends on the S filter: contact area +10 % with S filter 3.15 µm, +79 % as analysed", and shorter.
     fn dependence_words(&self, dependence: &Dependence, of_card: f64) -> [String; 2] {
         let Dependence { choice, quantity, treatments, contrasts, load } = dependence;
-        const NEAR: f64 = 1.5;
-        let at = if (load / of_card).max(of_card / load) < NEAR {
-            String::new()
-        } else {
-            format!(" at {}", quantity_text(*load, "Pa"))
-        };
+        let at = if *load == of_card { String::new() } else { format!(" at {}", quantity_text(*load, "Pa")) };
         let treatment = |place: Option<usize>| {
             place.map_or_else(
                 || "as analysed".to_owned(),
@@ -177,11 +171,11 @@ mod tests {
     }
 
     #[test]
-    fn an_interval_has_its_width_and_what_would_tell() {
+    fn an_interval_has_its_basis_and_what_would_tell() {
         let sure = text(verdicts(90.0, [0.2, 0.3], Some(0.01))).unwrap();
-        assert_eq!(sure, "95 % interval of ±2 % in contact area; 90 effective contacts.");
+        assert_eq!(sure, "95 % intervals from random groups of the asperities; 90 effective contacts.");
         let open = text(verdicts(90.0, [0.13, 0.3], Some(0.03))).unwrap();
-        assert!(open.contains("; about 3 mm² would tell for contact area"), "{open}");
+        assert!(open.contains("; about 3 mm² would tell at this load"), "{open}");
         // On the edge itself no area tells, and none is stated.
         let edge = text(verdicts(90.0, [0.1f64.ln_1p(), 0.3], Some(0.05))).unwrap();
         assert!(!edge.contains("mm²"), "{edge}");

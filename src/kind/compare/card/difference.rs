@@ -8,7 +8,7 @@ use asperity_contact_framework::report::format::{capitalised, number, signed};
 use super::{Card, State, name, names, unit};
 
 impl Card<'_> {
-    /// "Contact area 12 to 36 % too large (accepted 10 %); separation and stiffness within what is accepted."; of a case without interval, or on an
+    /// "Contact area 12 to 36 % too large (accepted ±10 %); separation and stiffness within what is accepted."; of a case without interval, or on an
     /// unfit map: "On this map, without an interval: ..."
     pub(super) fn difference(&self, at: &Difference) -> Option<String> {
         let accepted = &self.verdicts().accepted;
@@ -30,12 +30,12 @@ impl Card<'_> {
         let scope =
             if has_interval { String::new() } else { format!("{}, without an interval: ", self.scope()) };
         let each = |in_words: bool| {
-            let texts = others.iter().map(|(quantity, estimate)| {
+            let texts = others.iter().enumerate().map(|(place, (quantity, estimate))| {
                 let size = if in_words { size_in_words } else { size_in_signs };
                 let (unit, factor) = unit(*quantity);
                 let limit = number(factor * accepted.limit(*quantity));
-                let accepted = if in_words { "accepted " } else { "" };
-                format!("{} {} ({accepted}{limit} {unit})", name(*quantity), size(*quantity, ends(estimate)))
+                let accepted = if in_words || place == 0 { "accepted " } else { "" };
+                format!("{} {} ({accepted}±{limit} {unit})", name(*quantity), size(*quantity, ends(estimate)))
             });
             let rest = names(within.iter().map(|(quantity, _)| *quantity));
             let rest = match (within.is_empty(), others.is_empty()) {
@@ -70,15 +70,19 @@ fn capitalised_after(scope: &str, text: &str) -> String {
     if scope.is_empty() { capitalised(text) } else { format!("{scope}{text}") }
 }
 
-/// A contrast as it is reported, in its unit; of an interval both ends to the second digit of the larger one.
+/// A contrast as it is reported, in its unit; of an interval each end to its second digit, and at most one digit beyond that of the larger one.
 fn reported(quantity: ComparedQuantity, [low, high]: [f64; 2]) -> [f64; 2] {
     let (_, factor) = unit(quantity);
     let ends = [low, high].map(|end| factor * quantity.reported(end));
     if low == high {
         return ends;
     }
-    let step = 10f64.powf(ends[0].abs().max(ends[1].abs()).log10().floor() - 1.0);
-    ends.map(|end| two_digits((end / step).round() * step))
+    let step = |size: f64| 10f64.powf(size.log10().floor() - 1.0);
+    let least = 0.1 * step(ends[0].abs().max(ends[1].abs()));
+    ends.map(|end| {
+        let step = step(end.abs().max(f64::MIN_POSITIVE)).max(least);
+        two_digits((end / step).round() * step)
+    })
 }
 
 /// "12 to 36 % too large"; an interval across zero has signs.
@@ -94,7 +98,7 @@ fn size_in_words(quantity: ComparedQuantity, contrasts: [f64; 2]) -> String {
     format!("{range} {unit} too {side}")
 }
 
-/// "-4 to +19 %"; what is below a hundredth of what matters anywhere is "< 0.001 σ", "< 0.1 %".
+/// "-3.7 to +19 %"; what is below a hundredth of what matters anywhere is "< 0.001 σ", "< 0.1 %".
 pub(super) fn size_in_signs(quantity: ComparedQuantity, contrasts: [f64; 2]) -> String {
     let (unit, factor) = unit(quantity);
     let [low, high] = reported(quantity, contrasts);
@@ -118,11 +122,11 @@ mod tests {
         let area = |ends: [f64; 2]| size_in_words(ComparedQuantity::Area, ends.map(f64::ln_1p));
         assert_eq!(area([0.123, 0.361]), "12 to 36 % too large");
         assert_eq!(area([-0.4, -0.2]), "20 to 40 % too small");
-        assert_eq!(area([-0.037, 0.19]), "-4 to +19 %");
+        assert_eq!(area([-0.037, 0.19]), "-3.7 to +19 %");
         assert_eq!(area([0.1234; 2]), "12.3 % too large");
         let separation = |ends| size_in_signs(ComparedQuantity::Separation, ends);
         assert_eq!(separation([9.5e-4, 9.5e-4]), "< 0.001 σ");
-        assert_eq!(separation([-9.5e-4, 0.12]), "0 to +0.12 σ");
-        assert_eq!(separation([-1.52, -0.414]), "-1.5 to -0.4 σ");
+        assert_eq!(separation([-9.52e-4, 0.12]), "-0.001 to +0.12 σ");
+        assert_eq!(separation([-1.52, -0.414]), "-1.5 to -0.41 σ");
     }
 }

@@ -1,13 +1,14 @@
 //! What to use instead of the integral.
 
-use asperity::MeanRadius;
-use asperity::compare::{ComparedQuantity, Difference};
+use asperity::compare::{ComparedQuantity, Difference, Verdict};
 use asperity::distribution::HeightModel;
 use asperity::numeric::two_digits;
 use asperity::study::{Against, HeldOut, JointModel, Ranked, Ranking, StatisticalModel};
+use asperity::{Limit, MeanRadius};
 use asperity_contact_framework::report::answer::fitting;
 use asperity_contact_framework::report::format::{alternatives, capitalised, number};
 
+use super::difference::size_in_signs;
 use super::{Card, State, name, unit};
 
 /// The statistical model to use.
@@ -35,6 +36,11 @@ impl Card<'_> {
             }
             State::Admissible => {}
         }
+        if let Some(difference) = self.sum_beyond_reference(at) {
+            return Some(format!(
+                "Boundary elements: the sum differs from them by {difference} in contact area."
+            ));
+        }
         let Some((choice, ranking)) = self.choice() else {
             return Some("The sum over the asperities.".to_owned());
         };
@@ -54,7 +60,7 @@ impl Card<'_> {
                 let size = worst
                     .map_or_else(String::new, |(quantity, size)| format!(" ({} {size})", name(quantity)));
                 fitting([
-                    format!("The sum: no statistical model is near enough; nearest: {model}{size}."),
+                    format!("The sum: no statistical model is near enough; nearest overall: {model}{size}."),
                     format!("The sum: no statistical model is near enough{size}."),
                 ])
             }
@@ -65,16 +71,32 @@ impl Card<'_> {
     pub(super) fn instead_in_short(&self, at: &Difference) -> String {
         match self.state(at) {
             State::Unfit => "a fit map".to_owned(),
+            State::NeitherModel if at.exceeded().limits().any(|limit| limit == Limit::LargeStrain) => {
+                "a filter or lower loads".to_owned()
+            }
             State::NeitherModel => "boundary elements".to_owned(),
             State::FewContacts => "the sum".to_owned(),
             State::Admissible if self.of_such_surfaces(at).iter().all(|(_, verdict)| verdict.is_within()) => {
                 "the integral".to_owned()
             }
+            State::Admissible if self.sum_beyond_reference(at).is_some() => "boundary elements".to_owned(),
             State::Admissible => match self.choice() {
                 Some((Choice::Within(ranked), _)) => format!("`{}`", ranked.model.name()),
                 _ => "the sum".to_owned(),
             },
         }
+    }
+
+    /// The difference in area of the sum from boundary elements at the load, where it is beyond what is accepted, whatever another solution in
+    /// their bounds would give.
+    fn sum_beyond_reference(&self, at: &Difference) -> Option<String> {
+        let [_, sum] = &self.verdicts().reference.as_ref()?.against.models;
+        let of_sum = sum.iter().find(|one| one.load == at.load)?;
+        let estimate = of_sum.estimates[ComparedQuantity::Area as usize]?.here();
+        let is_beyond =
+            Verdict::from_estimate(&estimate, self.verdicts().accepted.band(ComparedQuantity::Area))
+                .is_beyond();
+        is_beyond.then(|| size_in_signs(ComparedQuantity::Area, [estimate.contrast; 2]))
     }
 
     /// The model to use by the ranking; `None` where there is none.
@@ -227,7 +249,9 @@ mod tests {
     fn none_is_named_where_all_are_beyond_or_tested_on_their_own_asperities_only() {
         let far = text(0.3, vec![ranked(HeightModel::Own, 0.01, Some(0.52), 90.0)]);
         assert!(
-            far.starts_with("The sum: no statistical model is near enough; nearest: the surface's own"),
+            far.starts_with(
+                "The sum: no statistical model is near enough; nearest overall: the surface's own"
+            ),
             "{far}"
         );
         assert!(far.contains("(contact area 52 %)"), "{far}");

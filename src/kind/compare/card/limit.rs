@@ -52,22 +52,28 @@ fn is_of_few(limit: Limit) -> bool {
 }
 
 impl Card<'_> {
-    /// What to do where asperities strain or interact: boundary elements, lower loads, or an S filter; the first is the one to take.
+    /// What to do where asperities strain or interact: boundary elements where they only interact, lower loads, or an S filter.
     pub(super) fn remedies(&self, at: &Difference) -> Vec<String> {
+        // Boundary elements too take slopes as small.
+        let is_steep = at.exceeded().limits().any(|limit| limit == Limit::LargeStrain);
         let first = match &self.case.first().reference {
             Some(curve) if curve.unreached.contains(&at.load) => {
-                "a load that the surface can bear: check it, its area and their units"
+                Some("a load that the surface can bear: check it, its area and their units")
             }
-            Some(_) => "boundary elements",
-            None => "boundary elements (`\"reference\"` among the `models`)",
+            _ if is_steep => None,
+            Some(_) => Some("boundary elements"),
+            None => Some("boundary elements (`\"reference\"` among the `models`)"),
         };
-        let mut ways = vec![first.to_owned()];
+        let mut ways: Vec<String> = first.into_iter().map(str::to_owned).collect();
         let admissible = self.verdicts().admissible.stretches.iter();
         let lower = admissible.map(|stretch| stretch[1]).filter(|load| *load < at.load);
         if let Some(load) = lower.max_by(f64::total_cmp) {
             ways.push(format!("loads of at most {}", input_quantity(load, "Pa")));
         }
         ways.extend(filtered(self.case, at.load));
+        if ways.is_empty() {
+            ways.push("nothing here: contacts are too wide for their asperities, and slopes too steep for boundary elements".to_owned());
+        }
         ways
     }
 
@@ -117,7 +123,7 @@ fn filtered(case: &CaseStudy, load: f64) -> Option<String> {
     let (index, stretches) = shortest_filter(&found, load)?;
     let other = if holds(stretches, load) { "" } else { ", not this one" };
     let loads: Vec<String> = stretches.iter().map(|loads| stretch(*loads)).collect();
-    Some(format!("an S filter of {} (loads {} then{other})", quantity(*index, "m"), listed(&loads)))
+    Some(format!("an S filter of {} (loads {}, roughly{other})", quantity(*index, "m"), listed(&loads)))
 }
 
 /// The shortest filter whose stretches of admissible loads hold a load, or else the shortest.

@@ -49,7 +49,7 @@ impl Card<'_> {
             return Some("Not told: no load of theirs is admissible.".to_owned());
         }
         let sizes = self.sizes_against_reference(at.load).map_or_else(String::new, |[integral, sum]| {
-            format!("; at this load sum {sum}, integral {integral}")
+            format!("; against them, here, sum {sum}, integral {integral}")
         });
         let elastic = match reference.yields
             && self.case.first().reference.as_ref().is_some_and(|curve| curve.cap.is_none())

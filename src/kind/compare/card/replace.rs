@@ -75,7 +75,7 @@ impl Card<'_> {
         ComparedQuantity::REPORTED.into_iter().filter_map(verdict).collect()
     }
 
-    /// "Other loads: no from 0.5 to 20 MPa, yes from 40 to 50 MPa, else cannot be told; admissible from 0.5 to 50 MPa."; of one load nothing.
+    /// "All quantities, by load: no from 0.5 to 20 MPa, yes from 40 to 50 MPa, else cannot be told; admissible from 0.5 to 50 MPa."; of one load nothing.
     fn over_loads(&self) -> Option<String> {
         let verdicts = self.verdicts();
         if verdicts.differences.len() < 2 {
@@ -110,8 +110,8 @@ impl Card<'_> {
         let loads = parts.join(", ");
         let admissible = listed(&admissible);
         Some(fitting([
-            format!("All loads: {loads}; admissible {admissible}."),
-            format!("All loads: {loads}."),
+            format!("All quantities, by load: {loads}; admissible {admissible}."),
+            format!("All quantities, by load: {loads}."),
             format!("The answer changes with the load, as the figure shows; admissible {admissible}."),
             "The answer changes with the load, as the figure shows.".to_owned(),
         ]))
@@ -156,12 +156,12 @@ mod tests {
             [
                 "On these asperities: no.",
                 "Such surfaces: no (95 % intervals).",
-                "All loads: no at 1 MPa, yes at 10 MPa; admissible from 1 to 10 MPa."
+                "All quantities, by load: no at 1 MPa, yes at 10 MPa; admissible from 1 to 10 MPa."
             ]
         );
         let open = texts(verdicts(90.0, [0.2, 0.3], None));
         assert_eq!(open[1], "Such surfaces: cannot be told (95 % intervals).");
-        assert_eq!(open[2], "All loads: cannot be told; admissible from 1 to 10 MPa.");
+        assert_eq!(open[2], "All quantities, by load: cannot be told; admissible from 1 to 10 MPa.");
     }
 
     /// Models that agree where neither is admissible, or on a map with faults, do not make a yes.

@@ -11,9 +11,11 @@ use crate::kind::compare::rows::SurfaceCase;
 pub enum Answered {
     /// At all of them, surely or very likely.
     Yes,
+    /// At some of them; at the others it cannot be told.
+    YesWhereTold,
     /// At none where it can be told.
     No,
-    /// At some of them; at others not, or it cannot be told.
+    /// At some of them, at others not.
     InPart,
     /// It cannot be told.
     Open,
@@ -28,6 +30,7 @@ impl Answered {
     pub const fn name(self) -> &'static str {
         match self {
             Self::Yes => "yes",
+            Self::YesWhereTold => "yes/?",
             Self::No => "no",
             Self::InPart => "in part",
             Self::Open => "?",
@@ -41,9 +44,9 @@ impl Answered {
 pub struct CaseAnswer {
     /// In the order of [`ComparedQuantity::REPORTED`]: the answer and the largest difference, as reported; `None` of a quantity that is not compared.
     pub quantities: [Option<(Answered, Option<f64>)>; 3],
-    /// The cause at the load of its card, in a few words.
+    /// The cause of the largest difference that is beyond what is accepted, in a few words.
     pub why: String,
-    /// What to use there, in a few words.
+    /// What to use at the load of its card, in a few words.
     pub instead: String,
 }
 
@@ -54,7 +57,7 @@ impl CaseAnswer {
         let at = case.case.reported_load()?;
         Some(Self {
             quantities: ComparedQuantity::REPORTED.map(|quantity| of_quantity(case, quantity)),
-            why: card.cause_in_short(at),
+            why: card.cause_in_short(),
             instead: card.instead_in_short(at),
         })
     }
@@ -67,7 +70,8 @@ impl CaseAnswer {
             [only] => only,
             _ if each.contains(&Answered::No) => Answered::No,
             _ if each.contains(&Answered::InPart) => Answered::InPart,
-            _ => Answered::Open,
+            _ if each.contains(&Answered::Open) => Answered::Open,
+            _ => Answered::YesWhereTold,
         }
     }
 }
@@ -75,7 +79,11 @@ impl CaseAnswer {
 fn of_quantity(case: SurfaceCase, quantity: ComparedQuantity) -> Option<(Answered, Option<f64>)> {
     let verdicts = case.verdicts();
     let stretches: Vec<&Stretch> = verdicts.stretches.iter().filter(|one| one.quantity == quantity).collect();
-    let largest = stretches.iter().filter_map(|one| Some(one.largest?.1.contrast));
+    // Of a difference that is beyond what is accepted where it is known to be.
+    let is_beyond = |one: &&&Stretch| one.verdict.is_beyond();
+    let any_is_beyond = stretches.iter().any(|one| one.verdict.is_beyond());
+    let shown = stretches.iter().filter(|one| !any_is_beyond || is_beyond(one));
+    let largest = shown.filter_map(|one| Some(one.largest?.1.contrast));
     let largest =
         largest.max_by(|a, b| a.abs().total_cmp(&b.abs())).map(|contrast| quantity.reported(contrast));
     let has = |is_wanted: fn(&&&Stretch) -> bool| stretches.iter().any(|one| is_wanted(&one));
@@ -88,8 +96,9 @@ fn of_quantity(case: SurfaceCase, quantity: ComparedQuantity) -> Option<(Answere
         () if stretches.is_empty() => return None,
         () if verdicts.is_blocked => Answered::Unfit,
         () if verdicts.admissible.stretches.is_empty() => Answered::Outside,
-        () if within && !beyond && !open => Answered::Yes,
-        () if within => Answered::InPart,
+        () if within && beyond => Answered::InPart,
+        () if within && open => Answered::YesWhereTold,
+        () if within => Answered::Yes,
         () if beyond => Answered::No,
         () => Answered::Open,
     };
@@ -107,8 +116,9 @@ impl Counts {
 
     /// "May the integral replace the sum? Of 7 cases: no in 3, at some loads in 2, cannot be told in 2."
     pub fn sentence(&self) -> String {
-        const WORDS: [(Answered, &str); 6] = [
+        const WORDS: [(Answered, &str); 7] = [
             (Answered::Yes, "yes in"),
+            (Answered::YesWhereTold, "yes where it can be told in"),
             (Answered::InPart, "at some loads in"),
             (Answered::No, "no in"),
             (Answered::Open, "cannot be told in"),
@@ -150,6 +160,7 @@ mod tests {
         assert_eq!(overall([Yes, No, Open]), No);
         assert_eq!(overall([Yes, InPart, Open]), InPart);
         assert_eq!(overall([Yes, Open, Yes]), Open);
+        assert_eq!(overall([Yes, Answered::YesWhereTold, Yes]), Answered::YesWhereTold);
     }
 
     #[test]

@@ -38,7 +38,7 @@ pub fn of_paper(page: &mut Page, results: &CompareResults, series: &[Series]) {
 pub fn verdict_maps(page: &mut Page, results: &CompareResults, series: &[Series]) {
     let mut draw = |file: &str, title: &str, cases: &[(String, &Verdicts)]| {
         if let Some(figure) = verdict_map::figure(cases, title) {
-            let caption = "May the integral replace the sum, by load? Blank: the load is not admissible.";
+            let caption = "May the integral replace the sum, by load? Blank: not admissible. In the table yes/? is within where it can be told, outside has no admissible load, (here) holds on the compared surface alone.";
             page.figure(file, figure.headed(title), caption);
         }
     };

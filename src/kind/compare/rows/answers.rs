@@ -25,19 +25,19 @@ impl AnswerRow<'_> {
 
 impl Row for AnswerRow<'_> {
     const FILE: &'static str = "answers.csv";
-    const ROWS: &'static str = "One row for each surface, law and layer thickness: may the integral replace the sum on such surfaces, over the admissible loads. `yes`: within what is accepted at all of them, surely or very likely; `no`: beyond it where that can be told; `in part`: within at some of them only; `?`: cannot be told; `outside`: no load is admissible; `unfit`: the map fails a fitness check.";
+    const ROWS: &'static str = "One row for each surface, law and layer thickness: may the integral replace the sum on such surfaces, over the admissible loads. `yes`: within what is accepted at all of them, surely or very likely; `no`: beyond it where that can be told; `yes/?`: within it where that can be told; `in part`: within at some and beyond at others; `?`: cannot be told; `outside`: no load is admissible; `unfit`: the map fails a fitness check.";
     const RECORDS: Option<&'static str> = Some("answers");
 
     fn columns() -> Vec<Column<Self>> {
         let mut columns = case_columns(|row: &Self| row.key);
         columns.extend(columns! { row: Self =>
             area["text", label("contact area"), verdict] = row.answer(0), "The answer for the real contact area.";
-            area_difference["1", label("largest"), signed_percent] = row.difference(0), "The largest difference of the integral from the sum at admissible loads, relative.";
+            area_difference["1", label("largest"), signed_percent] = row.difference(0), "The largest difference of the integral from the sum at admissible loads, relative; where it is beyond what is accepted, at such loads.";
             separation["text", verdict] = row.answer(1), "The answer for the separation.";
             separation_difference["1", label("largest (σ)"), signed, scale(1.0)] = row.difference(1), "The largest difference, in sigma.";
             stiffness["text", verdict] = row.answer(2), "The answer for the stiffness.";
             stiffness_difference["1", label("largest"), signed_percent] = row.difference(2), "The largest difference, relative.";
-            why["text"] = row.answer.why.as_str(), "The cause at the load of the case's card: the leading one; with \"(here)\" the largest on the compared surface.";
+            why["text"] = row.answer.why.as_str(), "The cause of the largest difference that is beyond what is accepted, in area or else in the named quantity: the leading one; with `(here)` the largest on the compared surface.";
             use_instead["text", label("use")] = row.answer.instead.as_str(), "What to use at that load: `the integral`, a statistical model of `ranking.csv` within what is accepted, `the sum`, or `boundary elements`.";
         });
         columns

@@ -342,15 +342,16 @@ const Chart = (() => {
       const { left, top, width, height } = plot.bbox;
       for (const mark of panel.marks.filter(mark => mark.from !== mark.to)) {
         const unit = mark.axis === "x" ? unitX : unitY;
+        // Places grow to the right and down; what has no logarithm lies below all that has.
+        const towardsHigh = mark.axis === "x" ? Infinity : -Infinity;
         const ends = [mark.from, mark.to].map((end, k) => {
-          if (end === null) return k ? Infinity : -Infinity;
+          if (end === null) return k ? towardsHigh : -towardsHigh;
           const place = plot.valToPos(end * unit.factor, mark.axis, true);
-          return Number.isFinite(place) ? place : mark.axis === "x" ? -Infinity : Infinity;
+          return Number.isFinite(place) ? place : -towardsHigh;
         });
-        if (mark.axis === "y") ends.reverse();
         const [first, last] = mark.axis === "x" ? [left, left + width] : [top, top + height];
-        const from = Math.max(first, mark.axis === "y" && ends[0] === Infinity ? first : Math.min(...ends));
-        const to = Math.min(last, Math.max(...ends.map(end => (mark.axis === "y" && end === -Infinity ? last : end))));
+        const from = Math.max(first, Math.min(...ends));
+        const to = Math.min(last, Math.max(...ends));
         if (!(to > from)) continue;
         plot.ctx.fillStyle = faint(mark.colour, mark.opacity);
         if (mark.axis === "x") plot.ctx.fillRect(from, top, to - from, height);
