@@ -106,7 +106,6 @@ const SURFACE: &[&str] = &[
     "radius_cv",
     "height_radius_correlation",
     "plasticity_index",
-    "without_surface",
 ];
 
 const CONTRIBUTIONS: &[&str] = &[
