@@ -130,7 +130,7 @@ fn answer(results: &LawsResults) -> String {
     sentences.join(" ")
 }
 
-/// "The summation method changes the separation more than the contact law on 2 of 3 surfaces: by up to 1.1 σ against
+/// "The summation changes the separation more than the contact law on 2 of 3 surfaces: by up to 1.1 σ against
 /// 0.13 σ." `None` where nothing is compared.
 fn matters_more(dominances: &[Dominance], measure: Measure, surfaces: usize) -> Option<String> {
     let count = |what: Dominant| dominances.iter().filter(|dominance| dominance.dominant() == what).count();
@@ -139,7 +139,7 @@ fn matters_more(dominances: &[Dominance], measure: Measure, surfaces: usize) -> 
         Measure::Area => percent(reported(measure, effect)),
     };
     let law = ("contact law", count(Dominant::Law), Dominant::Law);
-    let summation = ("summation method", count(Dominant::Summation), Dominant::Summation);
+    let summation = ("summation", count(Dominant::Summation), Dominant::Summation);
     let [(first, more, dominant), (second, less, _)] =
         if law.1 > summation.1 { [law, summation] } else { [summation, law] };
     let effects = |dominance: &Dominance| {
@@ -152,7 +152,7 @@ fn matters_more(dominances: &[Dominance], measure: Measure, surfaces: usize) -> 
     let [of_first, of_second] = of_first.max_by(|a, b| a[0].total_cmp(&b[0]))?.map(size);
     let name = match measure {
         Measure::Separation => "separation",
-        Measure::Area => "real contact area",
+        Measure::Area => "contact area",
     };
     Some(match more {
         0 => format!(
@@ -163,7 +163,7 @@ fn matters_more(dominances: &[Dominance], measure: Measure, surfaces: usize) -> 
             let less = if less == 0 { String::new() } else { format!(", less on {less}") };
             format!(
                 "The {first} changes the {name} more than the {second} on {more} of {surfaces} surfaces{less}: by up to {of_first} \
-                 against {of_second} in the mean over loads."
+                 against {of_second} (mean over loads)."
             )
         }
     })
@@ -265,21 +265,18 @@ mod tests {
         let answer = |all: &[Dominance], measure| matters_more(all, measure, 6);
         assert_eq!(
             answer(&[law, law, summation, equal, unknown], Measure::Separation).unwrap(),
-            "The contact law changes the separation more than the summation method on 2 of 6 surfaces, less on 1: by up to 0.3 σ against \
-             0.1 σ in the mean over loads."
+            "The contact law changes the separation more than the summation on 2 of 6 surfaces, less on 1: by up to 0.3 σ against \
+             0.1 σ (mean over loads)."
         );
         let of_area = answer(&[law, summation], Measure::Area).unwrap();
         assert!(
             of_area.ends_with(
-                "on 1 of 6 surfaces, less on 1: by up to 49.2 % against 10.5 % in the mean over loads."
+                "on 1 of 6 surfaces, less on 1: by up to 49.2 % against 10.5 % (mean over loads)."
             ),
             "{of_area}"
         );
         let of_neither = answer(&[equal, unknown], Measure::Area).unwrap();
-        assert!(
-            of_neither.contains("summation method or contact law, cannot be told on any"),
-            "{of_neither}"
-        );
+        assert!(of_neither.contains("summation or contact law, cannot be told on any"), "{of_neither}");
         assert_eq!(answer(&[], Measure::Area), None);
     }
 }

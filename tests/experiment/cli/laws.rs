@@ -92,7 +92,7 @@ fn laws_have_their_tables_and_say_what_matters() {
 
     let page = fs::read_to_string(out.join("laws/report.md")).unwrap();
     for words in [
-        "Which changes the separation more, summation method or contact law, cannot be told on any of 1 surfaces",
+        "Which changes the separation more, summation or contact law, cannot be told on any of 1 surfaces",
         "## What matters more?",
         "| mean curvature | 50000 /m |",
     ] {

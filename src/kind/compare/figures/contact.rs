@@ -25,14 +25,10 @@ pub fn contact_figures(
     };
     let at = format!("{} ({material}{layer})", input_quantity(view.load, "Pa"));
     let title = format!("{}{layer}, {material}, {}", found.surface.name, input_quantity(view.load, "Pa"));
-    let part = if view.part.is_whole {
-        ""
-    } else {
-        ", on a part of the map with the same share of points in contact"
-    };
+    let part = if view.part.is_whole { "" } else { ", on a part of the map" };
     let summits = view.sum.as_ref().map_or_else(String::new, |sum| {
         format!(
-            " {} of the {} asperities in contact in the sum (law {}) touch here too (rings; the others: crosses).",
+            " {} of the {} asperities in contact in the sum ({}) touch here too (rings; others: crosses).",
             count(sum.touched),
             count(sum.count),
             sum.law,
@@ -42,7 +38,7 @@ pub fn contact_figures(
         &format!("{}-reference-contact{name}.svg", found.surface.name),
         contact(view, &title),
         &format!(
-            "Contact pressure of the reference at {at}{part}; {} of the points are in contact.{summits}",
+            "Contact pressure of the reference at {at}{part}; {} of the points touch.{summits}",
             percent(view.raw_area_ratio),
         ),
     );

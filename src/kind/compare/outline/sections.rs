@@ -96,7 +96,7 @@ pub fn reference(page: &mut Page, tables: &Tables) {
 
 /// Which statistical models are within what is accepted.
 pub fn models(page: &mut Page, tables: &Tables) {
-    let view = tables.view::<StandingRow>().without(&["inapplicable"]);
+    let view = tables.view::<StandingRow>().without(&["inapplicable", "within_in_sample"]);
     if view.is_empty() {
         return;
     }

@@ -176,7 +176,7 @@ impl ReferencePlan {
             }
         };
         Some(format!(
-            "reference on {first}: {} points per shortest wave, fewer than {ENOUGH}: contact areas depend on the grid; \
+            "reference on {first}: {} points per shortest wave, fewer than {ENOUGH}: areas depend on the grid; \
              `reference = {{ refine = 2 }}` adds this to the error bar.",
             number(least),
         ))
