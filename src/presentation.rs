@@ -13,6 +13,14 @@ pub fn quantity_name(compared: ComparedQuantity) -> &'static str {
     }
 }
 
+/// The unit of a difference in a quantity, and the factor to it from sigma or from a relative difference.
+pub fn difference_unit(compared: ComparedQuantity) -> (&'static str, f64) {
+    match compared {
+        ComparedQuantity::Separation => ("σ", 1.0),
+        ComparedQuantity::Area | ComparedQuantity::Stiffness => ("%", 100.0),
+    }
+}
+
 /// The colour of a cause.
 pub fn cause_colour(cause: Cause) -> Colour {
     match cause {

@@ -360,7 +360,7 @@ impl Figure {
     }
 
     /// Draws the first plot as the text of an SVG file for a card: narrow, with letters as large as on a page; names that would take more room
-    /// than the plot are left out, and labels of regions that stand upright.
+    /// than the plot are left out, and upright labels of regions.
     pub fn card(&self) -> String {
         const MOST_NAMES: usize = 4;
         let Some(plot) = self.plots.first() else { return String::new() };

@@ -89,7 +89,7 @@ impl Counts {
     }
 }
 
-/// A line of a list: name, how its report stands to it, of a long one what it took, title.
+/// A line of a list: name, state of its report, of a long one what it took, title.
 ///
 /// # Errors
 /// An input file that cannot be read.

@@ -6,8 +6,7 @@ use asperity_plot::{Axis as PlotAxis, Colour, Dash, Figure, Layer, Legend, Marke
 
 use super::plan::Axis;
 use super::results::{CausesResults, GridPoint, QUANTITIES};
-use crate::presentation::cause_colour;
-use crate::presentation::quantity_name;
+use crate::presentation::{cause_colour, difference_unit, quantity_name};
 
 /// The rows of the grid.
 fn rows(results: &CausesResults) -> Vec<&[GridPoint]> {
@@ -145,7 +144,7 @@ fn map_of(
         Axis::Kurtosis => (edges(&places.collect::<Vec<_>>()), PlotAxis::linear("kurtosis of the heights")),
     };
     let range = |axis: PlotAxis, edges: &[f64]| axis.range(edges[0], edges[edges.len() - 1]);
-    let unit = if quantity == ComparedQuantity::Separation { "σ" } else { "%" };
+    let (unit, _) = difference_unit(quantity);
     let title = format!("{}, {what} in {unit}", capitalised(quantity_name(quantity)));
     let x_axis = range(PlotAxis::linear("skewness of the heights"), &x);
     let mut plot = Plot::new(title, x_axis, range(y_axis, &y))

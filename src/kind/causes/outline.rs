@@ -17,7 +17,7 @@ use super::findings::{Findings, NearerCounts, VerdictCounts};
 use super::plan::Axis;
 use super::results::{CausesResults, GridPoint, QUANTITIES};
 use super::rows::{CauseRow, LeadRow, tables};
-use crate::presentation::quantity_name;
+use crate::presentation::{difference_unit, quantity_name};
 
 impl Outcome for CausesResults {
     fn metadata(&self) -> &Metadata {
@@ -217,10 +217,10 @@ fn of_nearness(results: &CausesResults) -> String {
 fn of_verdicts(results: &CausesResults) -> String {
     let all = QUANTITIES.map(|quantity| (quantity, VerdictCounts::new(results, quantity)));
     let within = all.each_ref().map(|(quantity, counts)| {
-        format!("for {} in {} of {} cases", quantity_name(*quantity), counts.within, counts.compared)
+        format!("{} of {} for {}", counts.within, counts.compared, quantity_name(*quantity))
     });
     let ranges = all.iter().filter_map(|(quantity, counts)| {
-        let (unit, size) = if *quantity == ComparedQuantity::Separation { ("σ", 1.0) } else { ("%", 100.0) };
+        let (unit, size) = difference_unit(*quantity);
         let [low, high] = counts.range?.map(|contrast| signed(size * quantity.reported(contrast)));
         Some(format!("{low} to {high} {unit}"))
     });
@@ -228,7 +228,11 @@ fn of_verdicts(results: &CausesResults) -> String {
     let differences = match &ranges[..] {
         [] => "No load is admissible at any grid point.".to_owned(),
         ranges => {
-            format!("The integral may replace the sum {}; it differs by {}.", listed(&within), listed(ranges))
+            format!(
+                "The integral may replace the sum in {} cases. It differs by {}.",
+                listed(&within),
+                listed(ranges)
+            )
         }
     };
     let made = || results.points.iter().filter(|point| point.surfaces.is_ok());
@@ -273,7 +277,7 @@ fn strained(results: &CausesResults) -> Option<String> {
     let strained: usize = counts.iter().map(|counts| counts.beyond_small_strains).sum();
     (strained > 0).then(|| {
         format!(
-            "{strained} of {} comparisons with boundary elements are beyond small strains: they stand for lower surfaces of the same shape",
+            "{strained} of {} comparisons with boundary elements are beyond small strains: they hold for lower surfaces of the same shape",
             counts.iter().map(|counts| counts.compared).sum::<usize>()
         )
     })

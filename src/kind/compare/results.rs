@@ -78,7 +78,7 @@ impl CompareResults {
         lines
     }
 
-    /// The warnings of a page, where faults of maps stand in a table of their own.
+    /// The warnings of a page, which has a table of the faults of maps.
     pub fn page_warnings(&self) -> Vec<String> {
         let of_surface = |results: &SurfaceResults| {
             let failures = fitness::failures(&results.surface);

@@ -464,18 +464,9 @@ fn the_measured_surfaces_end_to_end() {
     let alone = text(&run(&ground, &folder.path().join("alone"), &[]).stderr).to_owned();
     assert!(alone.contains("height steps of 3.91 nm"), "{alone}");
     let report = fs::read_to_string(out.join("quantised-ground/report.md")).unwrap();
-    assert!(
-        report.contains("| steps | height step over median drop")
-            && report.contains("No conclusion until the map is fit: 7 spikes")
-    );
+    assert!(report.contains("| steps | height step over median") && report.contains("map is fit: 7 spikes"));
     let warnings = &summary(&out, "quantised-ground")["surfaces"]["ground"]["warnings"];
-    assert!(
-        warnings
-            .as_array()
-            .unwrap()
-            .iter()
-            .any(|one| one.as_str().unwrap().contains("20 distinct curvatures"))
-    );
+    assert!(warnings.to_string().contains("20 distinct curvatures"));
 
     let mut reader = csv::Reader::from_path(out.join("measured-fine-finish/curves.csv")).unwrap();
     let header = reader.headers().unwrap().clone();

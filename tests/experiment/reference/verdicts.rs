@@ -3,6 +3,7 @@
 use super::{THREE, run};
 use crate::Report;
 use crate::results::{Row, figure, number, table};
+use asperity_contact_framework::Outcome;
 
 /// Rough, with a short correlation length: it holds blocks.
 const BLOCKS: &str = r#"
@@ -51,6 +52,20 @@ fn verdicts_against_the_reference_are_those_of_the_tables() {
     let nearer = summary["nearer_to_reference"].as_array().unwrap();
     let of_area: Vec<_> = nearer.iter().filter(|one| one["quantity"] == "area").collect();
     assert!(of_area.iter().any(|one| one["nearer_on_this_map"] == "deterministic"), "{nearer:?}");
+    // The card names the models that the table has at admissible loads, and the differences at its own.
+    let line = |outcome: &dyn Outcome, key: &str| {
+        let lines = outcome.outline().answer().lines;
+        lines.into_iter().find(|line| line.key == key).map(|line| line.text()).unwrap_or_default()
+    };
+    let said = line(&*outcome, "nearer");
+    for (model, name) in [("deterministic", "the sum "), ("statistical", "the integral ")] {
+        let is_it = |one: &&&serde_json::Value| one["nearer_on_this_map"] == model && one["limits"].is_null();
+        assert_eq!(said.contains(name), of_area.iter().any(|one| is_it(&one)), "{said}: {of_area:?}");
+    }
+    assert!(said.contains("against them") && !line(&*outcome, "instead").is_empty(), "{said}");
+    let without =
+        run(&format!("law = \"hertz\"\nmodels = [\"statistical\", \"deterministic\"]\n{loads}"), BLOCKS);
+    assert!(line(&*without, "nearer").starts_with("Not computed: "));
     assert!(outcome.outline().markdown().contains("Which model is nearer to the reference?"));
     assert!(figure(&*outcome, "a-against-reference.svg").unwrap().contains("deterministic − reference"));
     let layers = "layer = { material = \"lead\", thickness = [0, \"200 nm\"] }\n";

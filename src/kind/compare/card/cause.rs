@@ -58,7 +58,10 @@ impl Card<'_> {
         }
         Some(match finding {
             Finding::Leads(first) => one_or_two("", of(first), second(first).map(of)),
-            Finding::Largest(first) => one_or_two("Largest on this map: ", of(first), second(first).map(of)),
+            Finding::Largest(first) => {
+                let scope = self.scope().to_lowercase();
+                one_or_two(&format!("Largest {scope}: "), of(first), second(first).map(of))
+            }
             Finding::Cancel([a, b]) => {
                 let [a, b] = [a, b].map(of);
                 let of = name(quantity);
@@ -184,13 +187,18 @@ fn heights(separation: Option<f64>, moments: Option<(f64, f64)>) -> Words {
 
 /// Heights and radii: where high asperities are sharper, the sum has the smaller area.
 fn correlation(area: Option<f64>, coefficient: Option<f64>) -> Words {
-    let (sharper, short) = match area {
-        Some(part) if part < 0.0 => ("blunter", "high asperities blunter"),
-        _ => ("sharper", "high asperities sharper"),
+    let is_sharper = area.map(|part| part > 0.0).or(coefficient.map(|r| r < 0.0));
+    let (sharper, short) = match is_sharper {
+        Some(true) => ("sharper", "high asperities sharper"),
+        Some(false) => ("blunter", "high asperities blunter"),
+        None => {
+            let sentence = "radii change with the height".to_owned();
+            return Words { full: sentence.clone(), sentence, short: "radii change with height" };
+        }
     };
     let sentence = format!("high asperities are {sharper} than low ones");
     // The coefficient is that of all asperities; those in contact may tell another story.
-    let is_same = |r: &f64| (*r > 0.0) == (sharper == "blunter");
+    let is_same = |r: &f64| is_sharper == Some(*r < 0.0);
     let full = coefficient.filter(is_same).map_or_else(
         || sentence.clone(),
         |r| format!("{sentence} (correlation of height and radius {})", number(r)),
@@ -224,22 +232,11 @@ fn one_or_two(prefix: &str, first: Words, second: Option<Words>) -> String {
 
 #[cfg(test)]
 mod tests {
-    use asperity::compare::{Attribution, Contribution, Estimate, Support};
+    use asperity::compare::{Attribution, Contribution};
     use asperity::study::Verdicts;
 
-    use super::super::examples::{verdicts, with_card};
+    use super::super::examples::{estimate, verdicts, with_card};
     use super::*;
-
-    fn estimate(contrast: f64, error: Option<f64>) -> Estimate {
-        Estimate {
-            contrast,
-            error,
-            quantile: 2.0,
-            bound: 0.0,
-            independent_error: None,
-            support: Support::Sampled,
-        }
-    }
 
     /// Verdicts whose difference in area is divided into these parts of heights, radii and correlation; the separation has their opposites.
     fn divided(parts: [f64; 3], error: Option<f64>) -> Verdicts {
@@ -281,8 +278,16 @@ mod tests {
     }
 
     #[test]
+    fn radii_of_which_nothing_is_known_are_neither_sharper_nor_blunter() {
+        let short = |area, coefficient| correlation(area, coefficient).short;
+        assert_eq!(short(None, None), "radii change with height");
+        assert_eq!(short(None, Some(0.3)), "high asperities blunter");
+        assert_eq!(short(Some(0.1), Some(0.3)), "high asperities sharper");
+    }
+
+    #[test]
     fn a_cause_without_an_interval_is_that_of_these_asperities_alone() {
-        assert!(text([0.3, 0.0, 0.01], None).starts_with("Largest on this map: asperity heights"));
+        assert!(text([0.3, 0.0, 0.01], None).starts_with("Largest on these asperities: asperity heights"));
         let alike = text([0.15, 0.15, 0.01], None);
         assert_eq!(
             alike,

@@ -2,13 +2,14 @@
 
 use asperity::compare::{ComparedQuantity, Difference, NotModelled, Verdict};
 use asperity::numeric::two_digits;
-use asperity::study::{Basis, Choice, Dependence};
+use asperity::study::{Basis, Choice, Dependence, Treated};
 use asperity::topography::generate::Unfitted;
 use asperity_contact_framework::report::answer::fitting;
 use asperity_contact_framework::report::format::{capitalised, number, quantity as quantity_text, signed};
 
-use super::{Card, State, name, nominal_area, unit, with_additions};
+use super::{Card, State, has_interval, name, nominal_area, with_additions};
 use crate::kind::compare::rows::treatment_words;
+use crate::presentation::difference_unit;
 
 impl Card<'_> {
     pub(super) fn certainty(&self, at: &Difference) -> Option<String> {
@@ -27,9 +28,7 @@ impl Card<'_> {
             ]))
             .map(|text| capitalised(&text));
         }
-        let tried = self.case.treated.len();
-        let robust =
-            (tried > 0).then(|| format!("; the answer holds under all {tried} other treatments of the map"));
+        let robust = self.robust(at);
         let contacts = at
             .sharing
             .as_ref()
@@ -38,9 +37,18 @@ impl Card<'_> {
         Some(with_additions(&interval, &additions))
     }
 
+    /// That no other treatment of the map reverses a verdict, of those with an admissible load; nothing where no verdict is told.
+    fn robust(&self, at: &Difference) -> Option<String> {
+        let is_told = self.of_such_surfaces(at).iter().any(|(_, verdict)| verdict.is_told());
+        let has_load = |one: &&Treated| one.differences.iter().any(|at| at.exceeded().is_none());
+        let tried = self.case.treated.iter().filter(has_load).count();
+        (is_told && tried > 0)
+            .then(|| format!("; none of {tried} other treatments of the map reverses a verdict"))
+    }
+
     /// What the intervals rest on, or why there is none; and in short.
     fn interval(&self, at: &Difference) -> [String; 2] {
-        if at.estimates.iter().flatten().all(|one| one.interval().is_none()) {
+        if !has_interval(at) {
             return [self.no_interval(at), "No interval".to_owned()];
         }
         let short = "95 % intervals";
@@ -129,7 +137,7 @@ impl Card<'_> {
 
 /// A difference that may change with the analysis: two digits.
 fn in_two_digits(quantity: ComparedQuantity, contrast: f64) -> String {
-    let (unit, factor) = unit(quantity);
+    let (unit, factor) = difference_unit(quantity);
     format!("{} {unit}", signed(two_digits(factor * quantity.reported(contrast))))
 }
 
@@ -162,9 +170,10 @@ fn no_model(reason: NotModelled) -> &'static str {
 
 #[cfg(test)]
 mod tests {
-    use asperity::study::Verdicts;
+    use asperity::study::{Treatment, Verdicts};
 
-    use super::super::examples::{verdicts, with_card};
+    use super::super::examples::{verdicts, with_card, with_case};
+    use super::*;
 
     fn text(verdicts: Verdicts) -> Option<String> {
         with_card(verdicts, |card, at| card.certainty(at))
@@ -179,6 +188,22 @@ mod tests {
         // On the edge itself no area tells, and none is stated.
         let edge = text(verdicts(90.0, [0.1f64.ln_1p(), 0.3], Some(0.05))).unwrap();
         assert!(!edge.contains("mm²"), "{edge}");
+    }
+
+    #[test]
+    fn treatments_with_an_admissible_load_are_counted_where_a_verdict_is_told() {
+        let treatment = Treatment::Half(0);
+        let of = |error, contacts| {
+            let differences = verdicts(contacts, [0.2, 0.3], Some(0.01)).differences;
+            with_case(
+                verdicts(90.0, [0.2, 0.3], error),
+                |case| case.treated = vec![Treated { treatment, differences }],
+                |card, at| card.certainty(at).unwrap(),
+            )
+        };
+        assert!(of(Some(0.01), 90.0).contains("; none of 1 other treatments of the map reverses a verdict"));
+        assert!(!of(Some(0.01), 9.0).contains("treatments"), "no load is admissible");
+        assert!(!of(None, 90.0).contains("treatments"), "no verdict is told");
     }
 
     #[test]

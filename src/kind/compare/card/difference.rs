@@ -5,7 +5,8 @@ use asperity::numeric::two_digits;
 use asperity_contact_framework::report::answer::fitting;
 use asperity_contact_framework::report::format::{capitalised, number, signed};
 
-use super::{Card, State, name, names, unit};
+use super::{Card, State, has_interval, name, names};
+use crate::presentation::difference_unit;
 
 impl Card<'_> {
     /// "Contact area 12 to 36 % too large (accepted ±10 %); separation and stiffness within what is accepted."; of a case without interval, or on an
@@ -20,19 +21,20 @@ impl Card<'_> {
         let ends = |estimate: &Estimate| {
             estimate.interval().filter(|_| is_sampled).unwrap_or([estimate.contrast; 2])
         };
+        let has_interval = is_sampled && has_interval(at);
+        // Where others have an interval, a number without one is not known to be within.
         let is_within = |(quantity, estimate): &(ComparedQuantity, Estimate)| {
             let [low, high] = accepted.band(*quantity);
             let [from, to] = ends(estimate);
-            low <= from && to <= high
+            low <= from && to <= high && (estimate.interval().is_some() || !has_interval)
         };
         let (within, others): (Vec<_>, Vec<_>) = compared.iter().partition(|one| is_within(one));
-        let has_interval = is_sampled && compared.iter().any(|(_, estimate)| estimate.interval().is_some());
         let scope =
             if has_interval { String::new() } else { format!("{}, without an interval: ", self.scope()) };
         let each = |in_words: bool| {
             let texts = others.iter().enumerate().map(|(place, (quantity, estimate))| {
                 let size = if in_words { size_in_words } else { size_in_signs };
-                let (unit, factor) = unit(*quantity);
+                let (unit, factor) = difference_unit(*quantity);
                 let limit = number(factor * accepted.limit(*quantity));
                 let accepted = if in_words || place == 0 { "accepted " } else { "" };
                 format!("{} {} ({accepted}±{limit} {unit})", name(*quantity), size(*quantity, ends(estimate)))
@@ -72,7 +74,7 @@ fn capitalised_after(scope: &str, text: &str) -> String {
 
 /// A contrast as it is reported, in its unit; of an interval each end to its second digit, and at most one digit beyond that of the larger one.
 fn reported(quantity: ComparedQuantity, [low, high]: [f64; 2]) -> [f64; 2] {
-    let (_, factor) = unit(quantity);
+    let (_, factor) = difference_unit(quantity);
     let ends = [low, high].map(|end| factor * quantity.reported(end));
     if low == high {
         return ends;
@@ -87,7 +89,7 @@ fn reported(quantity: ComparedQuantity, [low, high]: [f64; 2]) -> [f64; 2] {
 
 /// "12 to 36 % too large"; an interval across zero has signs.
 fn size_in_words(quantity: ComparedQuantity, contrasts: [f64; 2]) -> String {
-    let (unit, _) = unit(quantity);
+    let (unit, _) = difference_unit(quantity);
     let [low, high] = reported(quantity, contrasts);
     if low < 0.0 && high > 0.0 {
         return size_in_signs(quantity, contrasts);
@@ -100,7 +102,7 @@ fn size_in_words(quantity: ComparedQuantity, contrasts: [f64; 2]) -> String {
 
 /// "-3.7 to +19 %"; what is below a hundredth of what matters anywhere is "< 0.001 σ", "< 0.1 %".
 pub(super) fn size_in_signs(quantity: ComparedQuantity, contrasts: [f64; 2]) -> String {
-    let (unit, factor) = unit(quantity);
+    let (unit, factor) = difference_unit(quantity);
     let [low, high] = reported(quantity, contrasts);
     let least = LEAST * factor;
     if low.abs().max(high.abs()) < least {

@@ -21,18 +21,7 @@ pub fn verdicts(contacts: f64, contrasts: [f64; 2], error: Option<f64>) -> Verdi
             large_strain_share: 0.0,
         }),
         area_ratio: 0.01,
-        estimates: [
-            None,
-            Some(Estimate {
-                contrast,
-                error,
-                quantile: 2.0,
-                bound: 0.0,
-                independent_error: error,
-                support: Support::Sampled,
-            }),
-            None,
-        ],
+        estimates: [None, Some(estimate(contrast, error)), None],
         of_models: [None; 2],
         area_needed: error.is_none().then_some(4e-6),
     };
@@ -49,6 +38,18 @@ pub fn verdicts(contacts: f64, contrasts: [f64; 2], error: Option<f64>) -> Verdi
         area: 1e-6,
         is_blocked: false,
         reference: None,
+    }
+}
+
+/// A contrast with its standard error.
+pub fn estimate(contrast: f64, error: Option<f64>) -> Estimate {
+    Estimate {
+        contrast,
+        error,
+        quantile: 2.0,
+        bound: 0.0,
+        independent_error: error,
+        support: Support::Sampled,
     }
 }
 

@@ -1,15 +1,17 @@
 //! What to use instead of the integral.
 
+use asperity::MeanRadius;
 use asperity::compare::{ComparedQuantity, Difference, Verdict};
 use asperity::distribution::HeightModel;
 use asperity::numeric::two_digits;
 use asperity::study::{Against, HeldOut, JointModel, Ranked, Ranking, StatisticalModel};
-use asperity::{Limit, MeanRadius};
 use asperity_contact_framework::report::answer::fitting;
 use asperity_contact_framework::report::format::{alternatives, capitalised, number};
 
 use super::difference::size_in_signs;
-use super::{Card, State, name, unit};
+use super::limit::is_steep;
+use super::{Card, State, name};
+use crate::presentation::difference_unit;
 
 /// The statistical model to use.
 enum Choice<'a> {
@@ -31,15 +33,15 @@ impl Card<'_> {
                     &self.more_contacts(at),
                 ));
             }
-            State::Admissible if self.of_such_surfaces(at).iter().all(|(_, verdict)| verdict.is_within()) => {
-                return Some("Nothing else: the integral is within what is accepted.".to_owned());
-            }
             State::Admissible => {}
         }
         if let Some(difference) = self.sum_beyond_reference(at) {
             return Some(format!(
                 "Boundary elements: the sum differs from them by {difference} in contact area."
             ));
+        }
+        if self.is_integral_enough(at) {
+            return Some("Nothing else: the integral is within what is accepted.".to_owned());
         }
         let Some((choice, ranking)) = self.choice() else {
             return Some("The sum over the asperities.".to_owned());
@@ -71,20 +73,21 @@ impl Card<'_> {
     pub(super) fn instead_in_short(&self, at: &Difference) -> String {
         match self.state(at) {
             State::Unfit => "a fit map".to_owned(),
-            State::NeitherModel if at.exceeded().limits().any(|limit| limit == Limit::LargeStrain) => {
-                "a filter or lower loads".to_owned()
-            }
+            State::NeitherModel if is_steep(at) => "a filter or lower loads".to_owned(),
             State::NeitherModel => "boundary elements".to_owned(),
             State::FewContacts => "the sum".to_owned(),
-            State::Admissible if self.of_such_surfaces(at).iter().all(|(_, verdict)| verdict.is_within()) => {
-                "the integral".to_owned()
-            }
             State::Admissible if self.sum_beyond_reference(at).is_some() => "boundary elements".to_owned(),
+            State::Admissible if self.is_integral_enough(at) => "the integral".to_owned(),
             State::Admissible => match self.choice() {
                 Some((Choice::Within(ranked), _)) => format!("`{}`", ranked.model.name()),
                 _ => "the sum".to_owned(),
             },
         }
+    }
+
+    /// Whether the integral is within what is accepted from the sum in all quantities, surely or very likely.
+    fn is_integral_enough(&self, at: &Difference) -> bool {
+        self.of_such_surfaces(at).iter().all(|(_, verdict)| verdict.is_within())
     }
 
     /// The difference in area of the sum from boundary elements at the load, where it is beyond what is accepted, whatever another solution in
@@ -158,7 +161,7 @@ impl Card<'_> {
 /// The largest difference of a model in a quantity: "8.1 %".
 fn size(quantity: ComparedQuantity, ranked: &Ranked) -> Option<String> {
     let (contrast, _) = ranked.ranked_by(Against::Sum, quantity)?;
-    let (unit, factor) = unit(quantity);
+    let (unit, factor) = difference_unit(quantity);
     Some(format!("{} {unit}", number(two_digits((factor * quantity.reported(contrast)).abs()))))
 }
 
@@ -207,9 +210,10 @@ fn as_alternatives(prefix: &str, ways: &[String]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use asperity::study::LargestErrors;
+    use asperity::compare::AgainstReference;
+    use asperity::study::{LargestErrors, ReferenceVerdicts};
 
-    use super::super::examples::{verdicts, with_case};
+    use super::super::examples::{verdicts, with_card, with_case};
     use super::*;
 
     /// A model whose area differs by so much in sample, and held out.
@@ -243,6 +247,29 @@ mod tests {
             text(0.3, models),
             "The surface's own heights with the mean radius in contact: contact area within 8 % on the other half of the map."
         );
+    }
+
+    #[test]
+    fn boundary_elements_come_first_where_the_sum_is_far_from_them() {
+        let of = |contrast: f64| {
+            let mut verdicts = verdicts(90.0, [0.01, 0.01], Some(0.01));
+            let mut sum = verdicts.differences.clone();
+            sum[0].estimates[1].as_mut().unwrap().contrast = contrast;
+            let against = AgainstReference { models: [Vec::new(), sum], nearness: Vec::new() };
+            verdicts.reference = Some(ReferenceVerdicts {
+                against,
+                stretches: [Vec::new(), Vec::new()],
+                nearer: Vec::new(),
+                yields: false,
+                is_layered: false,
+            });
+            with_card(verdicts, |card, at| [card.instead(at).unwrap(), card.instead_in_short(at)])
+        };
+        assert_eq!(
+            of(0.2),
+            ["Boundary elements: the sum differs from them by +22.1 % in contact area.", "boundary elements"]
+        );
+        assert_eq!(of(0.05), ["Nothing else: the integral is within what is accepted.", "the integral"]);
     }
 
     #[test]

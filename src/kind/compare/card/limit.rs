@@ -51,16 +51,19 @@ fn is_of_few(limit: Limit) -> bool {
     matches!(limit, Limit::FewContacts | Limit::DominantContact)
 }
 
+/// Whether contacts strain too much, for boundary elements too, which take slopes as small.
+pub(super) fn is_steep(at: &Difference) -> bool {
+    at.exceeded().limits().any(|limit| limit == Limit::LargeStrain)
+}
+
 impl Card<'_> {
     /// What to do where asperities strain or interact: boundary elements where they only interact, lower loads, or an S filter.
     pub(super) fn remedies(&self, at: &Difference) -> Vec<String> {
-        // Boundary elements too take slopes as small.
-        let is_steep = at.exceeded().limits().any(|limit| limit == Limit::LargeStrain);
         let first = match &self.case.first().reference {
             Some(curve) if curve.unreached.contains(&at.load) => {
                 Some("a load that the surface can bear: check it, its area and their units")
             }
-            _ if is_steep => None,
+            _ if is_steep(at) => None,
             Some(_) => Some("boundary elements"),
             None => Some("boundary elements (`\"reference\"` among the `models`)"),
         };

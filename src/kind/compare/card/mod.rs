@@ -150,6 +150,11 @@ impl<'a> Card<'a> {
     }
 }
 
+/// Whether some quantity has an interval at a load.
+fn has_interval(at: &Difference) -> bool {
+    at.estimates.iter().flatten().any(|one| one.interval().is_some())
+}
+
 /// The question of the card.
 const REPLACE: &str = "May the integral replace the sum?";
 
@@ -165,14 +170,6 @@ fn name(quantity: ComparedQuantity) -> &'static str {
 /// The names of some quantities.
 fn names(quantities: impl IntoIterator<Item = ComparedQuantity>) -> String {
     listed(&quantities.into_iter().map(|one| name(one).to_owned()).collect::<Vec<_>>())
-}
-
-/// The unit of a difference in a quantity, and the factor to it.
-fn unit(quantity: ComparedQuantity) -> (&'static str, f64) {
-    match quantity {
-        ComparedQuantity::Separation => ("σ", 1.0),
-        ComparedQuantity::Area | ComparedQuantity::Stiffness => ("%", 100.0),
-    }
 }
 
 /// An area (m²): in mm² from 0.01 mm² to 1 m², in µm² from 0.01 µm².

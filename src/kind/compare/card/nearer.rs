@@ -17,17 +17,17 @@ impl Card<'_> {
         if self.surface.map.is_none() {
             return Some("Not possible: the surface has no map.".to_owned());
         }
-        if self.case.first().reference.is_none() {
+        let Some(curve) = &self.case.first().reference else {
             return Some("Not computed: it needs `\"reference\"` among the `models`.".to_owned());
-        }
-        let curve = self.case.first().reference.as_ref();
-        if curve.is_some_and(|curve| curve.unreached.contains(&at.load)) {
+        };
+        if curve.unreached.contains(&at.load) {
             return Some("None: no contact carries so high a pressure.".to_owned());
         }
         let Some(reference) = &self.verdicts().reference else {
             return Some("Not told: no load was compared with them.".to_owned());
         };
-        let is_area = |one: &&NearerStretch| one.quantity == ComparedQuantity::Area;
+        // Others hold for lower surfaces of the same shape.
+        let is_area = |one: &&NearerStretch| one.quantity == ComparedQuantity::Area && one.beyond.is_none();
         let mut stretches: Vec<&NearerStretch> = reference.nearer.iter().filter(is_area).collect();
         stretches.sort_by(|a, b| a.loads[0].total_cmp(&b.loads[0]));
         let is_one_map = self.verdicts().has_one_surface();
@@ -35,7 +35,7 @@ impl Card<'_> {
         let said = [
             (Some(ModelKind::Deterministic), "the sum"),
             (Some(ModelKind::Statistical), "the integral"),
-            (None, "neither"),
+            (None, "undecided"),
         ];
         let parts = said.into_iter().filter_map(|(model, words)| {
             let groups =
@@ -49,14 +49,9 @@ impl Card<'_> {
             return Some("Not told: no load of theirs is admissible.".to_owned());
         }
         let sizes = self.sizes_against_reference(at.load).map_or_else(String::new, |[integral, sum]| {
-            format!("; against them, here, sum {sum}, integral {integral}")
+            format!("; at this load sum {sum}, integral {integral} against them")
         });
-        let elastic = match reference.yields
-            && self.case.first().reference.as_ref().is_some_and(|curve| curve.cap.is_none())
-        {
-            true => " (elastic ones)",
-            false => "",
-        };
+        let elastic = if reference.yields && curve.cap.is_none() { " (elastic ones)" } else { "" };
         let nearest = parts.join("; ");
         Some(fitting([
             format!("In contact area{elastic} {nearest}{sizes}."),

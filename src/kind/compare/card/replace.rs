@@ -6,7 +6,7 @@ use asperity_contact_framework::report::answer::fitting;
 use asperity_contact_framework::report::format::{listed, range};
 
 use super::limit::exceeded_words;
-use super::{Card, State, names};
+use super::{Card, State, has_interval, names};
 use crate::surface::fitness;
 
 /// The answers in the order in which they are given.
@@ -58,9 +58,9 @@ impl Card<'_> {
     /// "Such surfaces: very likely not for contact area; cannot be told for separation (model-based intervals)."
     fn on_surfaces(&self, at: &Difference) -> String {
         let intervals = match self.verdicts().basis {
+            _ if !has_interval(at) => " (no interval)",
             Basis::ModelBased => " (model-based intervals)",
-            Basis::Blocks { .. } | Basis::Realisations(_) | Basis::Asperities => " (95 % intervals)",
-            Basis::TooSmall { .. } | Basis::Unstated => " (no interval)",
+            _ => " (95 % intervals)",
         };
         let answers = in_words(&self.of_such_surfaces(at));
         fitting([intervals, ""].map(|intervals| format!("Such surfaces: {answers}{intervals}.")))
@@ -160,7 +160,7 @@ mod tests {
             ]
         );
         let open = texts(verdicts(90.0, [0.2, 0.3], None));
-        assert_eq!(open[1], "Such surfaces: cannot be told (95 % intervals).");
+        assert_eq!(open[1], "Such surfaces: cannot be told (no interval).");
         assert_eq!(open[2], "All quantities, by load: cannot be told; admissible from 1 to 10 MPa.");
     }
 

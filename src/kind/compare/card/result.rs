@@ -60,7 +60,7 @@ fn against(other: &ModelResult, model: &ModelResult) -> Option<String> {
     (ratio > 0.0 && ratio.is_finite()).then(|| format!("{} {difference} %", model_name(other.model)))
 }
 
-/// The number of contacts, their mean pressure, and the larger share of the load that yields.
+/// The number of contacts, their mean pressure, and the regime with the largest share of the load.
 fn details(model: &ModelResult, nominal: f64) -> [String; 3] {
     let point = &model.point;
     let contacts = point.contact_density.map_or_else(String::new, |density| {

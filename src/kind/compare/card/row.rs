@@ -1,6 +1,7 @@
 //! The answer on one case in a row of a table, and on several cases in a sentence.
 
 use asperity::compare::{ComparedQuantity, Stretch};
+use asperity::study::Verdicts;
 use asperity_contact_framework::report::format::listed;
 
 use super::Card;
@@ -56,7 +57,7 @@ impl CaseAnswer {
         let card = Card::new(case);
         let at = case.case.reported_load()?;
         Some(Self {
-            quantities: ComparedQuantity::REPORTED.map(|quantity| of_quantity(case, quantity)),
+            quantities: ComparedQuantity::REPORTED.map(|quantity| of_quantity(case.verdicts(), quantity)),
             why: card.cause_in_short(),
             instead: card.instead_in_short(at),
         })
@@ -76,8 +77,7 @@ impl CaseAnswer {
     }
 }
 
-fn of_quantity(case: SurfaceCase, quantity: ComparedQuantity) -> Option<(Answered, Option<f64>)> {
-    let verdicts = case.verdicts();
+fn of_quantity(verdicts: &Verdicts, quantity: ComparedQuantity) -> Option<(Answered, Option<f64>)> {
     let stretches: Vec<&Stretch> = verdicts.stretches.iter().filter(|one| one.quantity == quantity).collect();
     // Of a difference that is beyond what is accepted where it is known to be.
     let is_beyond = |one: &&&Stretch| one.verdict.is_beyond();
@@ -142,7 +142,29 @@ impl Counts {
 
 #[cfg(test)]
 mod tests {
+    use super::super::examples::verdicts;
     use super::*;
+
+    #[test]
+    fn an_answer_over_the_loads_says_where_it_holds() {
+        let of = |verdicts: &Verdicts| of_quantity(verdicts, ComparedQuantity::Area).unwrap();
+        let answered = |contrasts, error| of(&verdicts(90.0, contrasts, error)).0;
+        assert_eq!(answered([0.01, 0.02], Some(0.01)), Answered::Yes);
+        assert_eq!(answered([0.01, 0.1], Some(0.01)), Answered::YesWhereTold);
+        assert_eq!(answered([0.01, 0.2], Some(0.01)), Answered::InPart);
+        assert_eq!(answered([0.1, 0.1], Some(0.01)), Answered::Open);
+        assert_eq!(of(&verdicts(9.0, [0.01, 0.2], Some(0.01))).0, Answered::Outside);
+        let unfit = Verdicts { is_blocked: true, ..verdicts(90.0, [0.2, 0.3], Some(0.01)) };
+        assert_eq!(of(&unfit).0, Answered::Unfit);
+        // The larger difference is not known to be beyond.
+        let mut wide = verdicts(90.0, [0.2, 0.5], Some(0.01));
+        wide.differences[1].estimates[1].as_mut().unwrap().error = Some(0.3);
+        wide.stretches = Stretch::all(&wide.differences, &wide.accepted);
+        let (answer, largest) = of(&wide);
+        assert_eq!(answer, Answered::No);
+        assert!((largest.unwrap() - 0.2f64.exp_m1()).abs() < 1e-12, "{largest:?}");
+        assert!(of_quantity(&wide, ComparedQuantity::Stiffness).is_none());
+    }
 
     fn answer(quantities: [Answered; 3]) -> CaseAnswer {
         CaseAnswer {

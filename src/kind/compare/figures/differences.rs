@@ -7,15 +7,10 @@ use asperity_contact_framework::report::format::capitalised;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
 use super::axes::Units;
-use crate::presentation::quantity_name;
+use crate::presentation::{difference_unit, quantity_name};
 
 /// The quantities in the order of their panels.
 const PANELS: [ComparedQuantity; 3] = ComparedQuantity::REPORTED;
-
-/// The factor from a share or sigma to the unit of the axis.
-fn unit(compared: ComparedQuantity) -> f64 {
-    if compared == ComparedQuantity::Separation { 1.0 } else { 100.0 }
-}
 
 fn axis(compared: ComparedQuantity, units: &Units, label: &str) -> Axis {
     match compared {
@@ -108,8 +103,8 @@ fn panel(
     curves: &[Curve],
     compared: ComparedQuantity,
 ) -> Plot {
-    let shown = |contrast: f64| unit(compared) * compared.reported(contrast);
-    let accepted = unit(compared) * verdicts.accepted.limit(compared);
+    let shown = |contrast: f64| difference_unit(compared).1 * compared.reported(contrast);
+    let accepted = difference_unit(compared).1 * verdicts.accepted.limit(compared);
     let loads = curves.iter().flat_map(|curve| curve.differences).map(|at| at.load);
     let all = curves.iter().flat_map(|curve| curve.estimates(compared));
     let in_view = all.filter(|(at, _)| at.exceeded().is_none());

@@ -26,7 +26,7 @@ use serde_json::{Map, Value, json};
 use super::card::{Card, CaseAnswer, Counts};
 use super::figures::main_figure;
 use super::results::{CompareResults, SurfaceResults};
-use super::rows::{RuleRow, SurfaceCase, tables};
+use super::rows::{RuleRow, SurfaceCase, answers, tables};
 use super::series::Series;
 use crate::surface::{rows as surface_rows, section};
 
@@ -152,8 +152,8 @@ impl CompareResults {
                 each.collect::<Vec<_>>().join("\n\n")
             }
             many => {
-                let tables = Tables::new(tables(self));
-                format!("{}\n{}", count(many.iter().copied()), sections::answers(&tables).text().lines())
+                let answers = Tables::new(vec![Table::new(answers(self))]);
+                format!("{}\n{}", count(many.iter().copied()), sections::answers(&answers).text().lines())
             }
         }
     }

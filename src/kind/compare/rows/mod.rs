@@ -18,7 +18,7 @@ mod spread;
 mod standings;
 mod verdicts;
 
-pub(crate) use answers::AnswerRow;
+pub(crate) use answers::{AnswerRow, rows as answers};
 pub(crate) use attribution::AttributionRow;
 pub(crate) use cases::CaseRow;
 pub(crate) use layer::{DecreaseRow, RuleRow, ThresholdRow};

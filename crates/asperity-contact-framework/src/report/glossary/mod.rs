@@ -1,11 +1,11 @@
-//! The terms of the program: a list with meanings, as pages of its own and as explanations where a term first stands on a page.
+//! The terms of the program: a list with meanings, as pages of its own and as explanations where a term first appears on a page.
 
 use std::sync::LazyLock;
 
 use super::index::MARK;
 use super::page::{Cell, Page, document, escape_html};
 
-/// Lines of a term, the forms in which it stands in texts, and its meaning.
+/// Lines of a term, the forms in which it appears in texts, and its meaning.
 const LIST: &str = include_str!("terms.txt");
 const STYLE: &str = include_str!("glossary.css");
 const SCRIPT: &str = include_str!("glossary.js");
@@ -34,7 +34,7 @@ impl Term {
         words.collect::<Vec<_>>().join("-")
     }
 
-    /// The first place in a text (small letters) at which it stands as a whole word.
+    /// The first place in a text (small letters) at which it appears as a whole word.
     fn find(&self, text: &str) -> Option<(usize, usize)> {
         let is_letter = |c: Option<char>| c.is_some_and(|c| c.is_alphanumeric() || matches!(c, '-' | '_'));
         let of_form = |form: &String| {
@@ -75,7 +75,7 @@ pub fn html() -> String {
     document("Glossary", &body, STYLE, "")
 }
 
-/// Explains terms where they first stand on a page.
+/// Explains terms where they first appear on a page.
 #[derive(Default)]
 pub struct Explainer {
     /// Places in the list of the terms that are explained.
@@ -83,7 +83,7 @@ pub struct Explainer {
 }
 
 impl Explainer {
-    /// The HTML with terms that stand in it for the first time made buttons that show what they mean; not in links.
+    /// The HTML with the first occurrence of each term as a button that shows what it means; not in links.
     pub fn mark(&mut self, html: &str) -> String {
         let mut marked = String::with_capacity(html.len());
         let mut is_link = false;

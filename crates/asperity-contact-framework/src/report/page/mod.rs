@@ -465,7 +465,7 @@ mod tests {
     }
 
     #[test]
-    fn terms_are_explained_once_where_they_stand_in_cells_captions_and_leads_and_not_in_paragraphs() {
+    fn terms_are_explained_once_in_cells_captions_and_leads_and_not_in_paragraphs() {
         let mut page = Page::new("t");
         page.paragraph("The dual gap.").table(["effective contacts", "P"], vec![vec!["S filter", "1"]]);
         page.figure("a.svg", figure("A"), "The S filter and the dual gap");

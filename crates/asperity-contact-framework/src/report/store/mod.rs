@@ -83,7 +83,7 @@ impl Folder {
     }
 }
 
-/// How a report stands to its experiment.
+/// Whether a report is that of its experiment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum State {
     /// Complete, on this input; one that was made here also by this program.
@@ -121,7 +121,7 @@ impl Store {
                 .is_some_and(|manifest| manifest.key == key && manifest.matches(&self.directory.join(stem)))
     }
 
-    /// How the report of this name stands to an experiment of this key and input.
+    /// Whether the report of this name is that of an experiment of this key and input.
     pub fn state(&self, stem: &str, key: &str, input_sha256: &str) -> State {
         let folder = self.directory.join(stem);
         if !is_plain(stem) {

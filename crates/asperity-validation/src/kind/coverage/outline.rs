@@ -115,11 +115,11 @@ fn answer(intervals: Intervals, cases: &[CaseResults]) -> String {
     let claiming = cases.iter().filter(|case| case.claimed().next().is_some()).count();
     let outside = cases.iter().flat_map(CaseResults::outside).count();
     format!(
-        "{kind} cover the truth in {low:.1} to {high:.1} % of the windows ({claiming} of {} processes have them). Of {} combinations of load and \
-         quantity with intervals in at least {least} of the windows, {outside} are outside {}. {wrong}",
+        "{kind} cover the truth in {low:.1} to {high:.1} % of the windows ({claiming} of {} processes have them). Outside {}: {outside} of {} \
+         combinations of load and quantity with intervals in at least {least} of the windows. {wrong}",
         cases.len(),
-        coverages().count(),
         intervals.band_name(),
+        coverages().count(),
     )
 }
 
@@ -210,10 +210,10 @@ mod tests {
         let cases =
             [case("good", 1000, 950, 0.01), case("poor", 1000, 920, 0.01), case("wide", 950, 945, 0.2)];
         let lead = answer(Intervals::Blocks, &cases);
-        let expected = "95 % intervals cover the truth in 92.0 to 99.5 % of the windows (3 of 3 processes have them). Of 3 combinations of load and \
-                        quantity with intervals in at least 90 % of the windows, 2 are outside 93 to 97 %. ";
+        let expected = "95 % intervals cover the truth in 92.0 to 99.5 % of the windows (3 of 3 processes have them). Outside 93 to 97 %: 2 of 3 \
+                        combinations of load and quantity with intervals in at least 90 % of the windows. ";
         assert!(lead.starts_with(expected), "{lead}");
-        assert!(answer(Intervals::Blocks, &cases[..1]).contains(", 0 are outside 93 to 97 %."));
+        assert!(answer(Intervals::Blocks, &cases[..1]).contains("Outside 93 to 97 %: 0 of "));
     }
 
     #[test]
@@ -241,7 +241,10 @@ mod tests {
         let cases = [case("part", 500, 400, 0.01), case("few", 40, 10, 0.01), case("none", 0, 0, 0.01)];
         assert!(answer(Intervals::Blocks, &cases).starts_with("No combination of process"));
         let both = [case("all", 1000, 950, 0.01), case("part", 500, 400, 0.01)];
-        assert!(answer(Intervals::Blocks, &both).contains("(1 of 2 processes have them). Of 1 combinations"));
+        assert!(
+            answer(Intervals::Blocks, &both)
+                .contains("(1 of 2 processes have them). Outside 93 to 97 %: 0 of 1 combinations")
+        );
         let in_part = cases.iter().flat_map(CaseResults::claimed_in_part);
         assert!(in_part.map(|(_, coverage)| coverage).eq([0.8]));
     }

@@ -217,10 +217,7 @@ fn map_and_contact(results: &PrecisionResults) -> Option<String> {
     let contact = fastest(results.contacts.iter(), LEVELS[1], |contact| cost(&contact.cost));
     let contact = contact.map(|contact| {
         let area = percent(LEVELS[1]);
-        format!(
-            "boundary elements give the area of a contact within {area} in {}",
-            time(contact.cost.seconds)
-        )
+        format!("boundary elements take {} for Hertz's area within {area}", time(contact.cost.seconds),)
     });
     let parts: Vec<String> = map.into_iter().chain(contact).collect();
     (!parts.is_empty()).then(|| format!("{}.", capitalised(&listed(&parts))))

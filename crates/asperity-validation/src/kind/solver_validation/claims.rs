@@ -42,7 +42,7 @@ fn area_claim(extrapolated: &[EnsemblePoint]) -> Option<String> {
     let differences = || extrapolated.iter().filter_map(EnsemblePoint::difference);
     let largest = differences().max_by(|a, b| a.mean.abs().total_cmp(&b.mean.abs()))?;
     Some(format!(
-        "Of {} published areas, {} are met within {} and {ERRORS} standard errors; the largest difference is {} %.",
+        "Of {} published areas, {} are met within {} plus {ERRORS} standard errors; the largest difference is {} %.",
         differences().count(),
         differences().filter(|it| is_near(*it)).count(),
         percent(PUBLISHED_WITHIN),
@@ -121,7 +121,7 @@ mod tests {
         let near = point(0.01, 0.0763, 1e-4);
         let claim = area_claim(&[near.clone(), point(0.025, 0.2, 1e-4)]).unwrap();
         assert!(
-            claim.starts_with("Of 2 published areas, 1 are met within 5 % and 2 standard errors; "),
+            claim.starts_with("Of 2 published areas, 1 are met within 5 % plus 2 standard errors; "),
             "{claim}"
         );
         let claim = area_claim(&[near]).unwrap();
