@@ -72,13 +72,14 @@ impl Outcome for CausesResults {
             });
         }
         sections::notes(&mut page, &self.metadata);
-        sections::what_was_run(&mut page, &self.metadata, &self.contact);
-        page.paragraph(&format!(
+        sections::what_was_run(&mut page, &self.metadata, &self.contact, |page| {
+            page.paragraph(&format!(
             "Laws: {}; {} surfaces of each point of the grid, {}. Method: [theory](../../docs/theory.md#why-the-models-differ).",
             self.laws.join(", "),
             self.realisations,
             self.common
         ));
+        });
         sections::run_again(&mut page, &self.metadata, None);
         sections::sources(&mut page, &self.metadata);
         page

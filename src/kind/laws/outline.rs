@@ -61,8 +61,9 @@ impl Outcome for LawsResults {
             });
         }
         sections::notes(&mut page, &compared.metadata);
-        sections::what_was_run(&mut page, &compared.metadata, &compared.contact);
-        page.paragraph("Method: [theory](../../docs/theory.md#law-or-summation).");
+        sections::what_was_run(&mut page, &compared.metadata, &compared.contact, |page| {
+            page.paragraph("Method: [theory](../../docs/theory.md#law-or-summation).");
+        });
         sections::run_again(&mut page, &compared.metadata, None);
         sections::sources(&mut page, &compared.metadata);
         page

@@ -45,15 +45,16 @@ impl Outcome for LimitResults {
             page.view(&tables.view::<ConvergenceRow>().only("quantity", "load").without(&["fitted"]));
         });
         sections::notes(&mut page, &self.metadata);
-        sections::what_was_run(&mut page, &self.metadata, &self.contact);
-        page.paragraph(&format!(
-            "Radius {}, σ = {}, η = {} /m²; {} random sets of each size, each with its own seed. Method: \
+        sections::what_was_run(&mut page, &self.metadata, &self.contact, |page| {
+            page.paragraph(&format!(
+                "Radius {}, σ = {}, η = {} /m²; {} random sets of each size, each with its own seed. Method: \
              [theory](../../docs/theory.md#7-surfaces).",
-            input_quantity(self.sets.population.radius, "m"),
-            input_quantity(self.sets.population.sigma, "m"),
-            input_number(self.sets.population.density),
-            self.sets.draws,
-        ));
+                input_quantity(self.sets.population.radius, "m"),
+                input_quantity(self.sets.population.sigma, "m"),
+                input_number(self.sets.population.density),
+                self.sets.draws,
+            ));
+        });
         sections::run_again(&mut page, &self.metadata, None);
         sections::sources(&mut page, &self.metadata);
         page

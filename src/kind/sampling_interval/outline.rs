@@ -60,11 +60,12 @@ impl Outcome for IntervalResults {
             });
         }
         sections::notes(&mut page, &self.metadata);
-        sections::what_was_run(&mut page, &self.metadata, &self.contact);
-        page.paragraph(&format!(
-            "Law {}. Method: [theory](../../docs/theory.md#limits-over-the-sampling-interval).",
-            escape(&self.law)
-        ));
+        sections::what_was_run(&mut page, &self.metadata, &self.contact, |page| {
+            page.paragraph(&format!(
+                "Law {}. Method: [theory](../../docs/theory.md#limits-over-the-sampling-interval).",
+                escape(&self.law)
+            ));
+        });
         sections::run_again(&mut page, &self.metadata, None);
         sections::sources(&mut page, &self.metadata);
         page

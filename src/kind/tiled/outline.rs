@@ -60,13 +60,14 @@ impl Outcome for TiledResults {
             page.properties(&tables.view::<SurfaceRow>().without(&["surface", "realisation"]));
         });
         sections::notes(&mut page, &self.metadata);
-        sections::what_was_run(&mut page, &self.metadata, &self.contact);
-        page.paragraph(&format!(
-            "{} asperities on {} in {} tiles. Method: [theory](../../docs/theory.md#surfaces-in-tiles).",
-            count(*asperities),
-            quantity(*nominal_area, "m²"),
-            count(*tiles)
-        ));
+        sections::what_was_run(&mut page, &self.metadata, &self.contact, |page| {
+            page.paragraph(&format!(
+                "{} asperities on {} in {} tiles. Method: [theory](../../docs/theory.md#surfaces-in-tiles).",
+                count(*asperities),
+                quantity(*nominal_area, "m²"),
+                count(*tiles)
+            ));
+        });
         sections::run_again(&mut page, &self.metadata, None);
         sections::sources(&mut page, &self.metadata);
         page

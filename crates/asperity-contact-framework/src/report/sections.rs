@@ -69,9 +69,17 @@ fn again(page: &mut Page, metadata: &Metadata, spec: Option<&str>) {
     }
 }
 
-/// The set-up: bodies and spec, folded.
-pub fn what_was_run(page: &mut Page, metadata: &Metadata, contact: &ContactMetadata) {
-    page.details(2, "Set-up", |page| set_up(page, metadata, contact));
+/// The set-up: bodies and spec, and `more`, folded.
+pub fn what_was_run(
+    page: &mut Page,
+    metadata: &Metadata,
+    contact: &ContactMetadata,
+    more: impl FnOnce(&mut Page),
+) {
+    page.details(2, "Set-up", |page| {
+        set_up(page, metadata, contact);
+        more(page);
+    });
 }
 
 fn set_up(page: &mut Page, metadata: &Metadata, contact: &ContactMetadata) {

@@ -87,8 +87,9 @@ impl Outcome for CompareResults {
         }
         sections::readings(&mut page, tables);
         common::notes(&mut page, &self.metadata);
-        common::what_was_run(&mut page, &self.metadata, &self.contact);
-        sections::tolerance(&mut page, self.tolerances);
+        common::what_was_run(&mut page, &self.metadata, &self.contact, |page| {
+            sections::tolerance(page, self.tolerances);
+        });
         let spec = self.described.as_ref().map(|described| described.spec.as_str());
         common::run_again(&mut page, &self.metadata, spec);
         common::sources(&mut page, &self.metadata);

@@ -164,15 +164,6 @@ impl Page {
         self.markdown_block(items.join("\n"))
     }
 
-    /// Adds terms (plain text) and what each means (inline Markdown).
-    pub fn terms<T: AsRef<str>, M: AsRef<str>>(
-        &mut self,
-        terms: impl IntoIterator<Item = (T, M)>,
-    ) -> &mut Self {
-        let line = |(term, meaning): (T, M)| format!("**{}**: {}", escape(term.as_ref()), meaning.as_ref());
-        self.bullets(terms.into_iter().map(line))
-    }
-
     /// Adds a warning of inline Markdown in a box of its own.
     pub fn warning(&mut self, markdown: &str) -> &mut Self {
         self.markdown_block(format!("> [!WARNING]\n> {}", one_line(markdown)))
@@ -218,11 +209,6 @@ impl Page {
         let header: Vec<&str> = header.iter().map(String::as_str).collect();
         let rows = rows.into_iter().map(|row| row.into_iter().map(Cell::AroundCode).collect()).collect();
         self.rows(&header, rows, verdicts)
-    }
-
-    /// Adds a fixed note: Markdown that the program brings along.
-    pub fn note(&mut self, markdown: &'static str) -> &mut Self {
-        self.markdown_block(markdown.trim().to_owned())
     }
 
     fn rows(&mut self, header: &[&str], rows: Vec<Vec<Cell>>, verdicts: Vec<usize>) -> &mut Self {
@@ -496,7 +482,7 @@ mod tests {
     fn no_text_brings_markup_along() {
         let mut page = Page::new(ATTACK);
         page.heading(2, ATTACK).paragraph(&escape(ATTACK)).table([ATTACK], vec![vec![ATTACK]]);
-        page.terms([(ATTACK, escape(ATTACK))]).figure("x.svg", figure(ATTACK), ATTACK);
+        page.card(vec![CardLine::new("a", ATTACK, ATTACK)]).figure("x.svg", figure(ATTACK), ATTACK);
         // Not even where a caller forgot to escape.
         page.paragraph(ATTACK).bullets([ATTACK]).warning(ATTACK).paragraph("<img src=x onerror=alert(1)>");
         page.table(["l"], vec![vec![Cell::Link { text: ATTACK.into(), to: "javascript:alert(1)".into() }]]);

@@ -60,9 +60,9 @@ impl Outcome for CoverageResults {
             });
         }
         sections::notes(&mut page, &self.metadata);
-        sections::what_was_run(&mut page, &self.metadata, &self.contact);
-        let windows = &self.windows;
-        page.paragraph(&format!(
+        sections::what_was_run(&mut page, &self.metadata, &self.contact, |page| {
+            let windows = &self.windows;
+            page.paragraph(&format!(
             "Law {}. Self-affine surfaces of standard deviation {}, Hurst exponent {} and cut-off {}, seen in windows of {} x {} points \
              at a distance of {}. Method: [theory](../../docs/theory.md#coverage).",
             escape(&self.law),
@@ -73,7 +73,8 @@ impl Outcome for CoverageResults {
             windows.points,
             input_quantity(windows.pixel, "m"),
         ));
-        page.view(&tables.view::<ProcessRow>().columns(SETUP));
+            page.view(&tables.view::<ProcessRow>().columns(SETUP));
+        });
         sections::run_again(&mut page, &self.metadata, None);
         sections::sources(&mut page, &self.metadata);
         page

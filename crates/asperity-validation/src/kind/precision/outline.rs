@@ -74,21 +74,22 @@ pub fn page(results: &PrecisionResults, tables: &Tables) -> Page {
         });
     }
     sections::notes(&mut page, &results.metadata);
-    sections::what_was_run(&mut page, &results.metadata, &results.contact);
-    page.bullets(results.cases.iter().map(|Case { name, population }| {
-        format!(
-            "{}: radius {}, σ = {}, {} asperities per m².",
-            escape(name),
-            input_quantity(population.radius, "m"),
-            input_quantity(population.sigma, "m"),
-            input_number(population.density),
-        )
-    }));
-    page.paragraph(&format!(
+    sections::what_was_run(&mut page, &results.metadata, &results.contact, |page| {
+        page.bullets(results.cases.iter().map(|Case { name, population }| {
+            format!(
+                "{}: radius {}, σ = {}, {} asperities per m².",
+                escape(name),
+                input_quantity(population.radius, "m"),
+                input_quantity(population.sigma, "m"),
+                input_number(population.density),
+            )
+        }));
+        page.paragraph(&format!(
         "Law {}; {} threads for surfaces and boundary elements. Method: [theory](../../docs/theory.md#run-time-against-error).",
         escape(&results.law),
         results.threads,
     ));
+    });
     sections::run_again(&mut page, &results.metadata, None);
     sections::sources(&mut page, &results.metadata);
     page
