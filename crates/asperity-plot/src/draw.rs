@@ -32,9 +32,11 @@ pub(super) fn figure(
 
 /// The SVG text of a plot as wide as a card.
 pub(super) fn card(title: &str, plot: &Plot) -> String {
+    /// Height of a named place, so that names do not overlap.
+    const ROW: f64 = 17.0;
     let (width, height) = CARD;
     let mut canvas = Canvas::default();
-    let layout = Layout::new(plot, (width, height));
+    let layout = Layout::new(plot, (width, height.max(ROW * plot.y.names.len() as f64)));
     let bottom = layout.draw(&mut canvas, (0.0, 0.0), layout.margins, layout.head(), true);
     canvas.finish(title, (width, bottom), None, Some(&dark_rules()))
 }

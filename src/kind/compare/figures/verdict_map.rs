@@ -3,7 +3,7 @@
 use asperity::compare::{ComparedQuantity, Difference, Verdict};
 use asperity::study::Verdicts;
 use asperity_contact_framework::report::format::capitalised;
-use asperity_plot::{Axis, Colour, Figure, Layer, Plot};
+use asperity_plot::{Axis, Colour, Figure, Layer, Legend, Plot};
 
 use super::differences::{MARGIN, megapascals};
 use crate::presentation::quantity_name;
@@ -51,7 +51,8 @@ fn panel(cases: &[(String, &Verdicts)], quantity: ComparedQuantity, rows: &[Tile
         Axis::log("nominal pressure (MPa)").range(low / MARGIN, high * MARGIN),
         Axis::named(cases.iter().map(|(name, _)| name.clone())),
     )
-    .height(ROW * cases.len() as f64);
+    .height(ROW * cases.len() as f64)
+    .legend(Legend::Below);
     for (colour, name, _) in marks {
         plot = plot.with(Layer::key().coloured(*colour).named(*name));
     }
