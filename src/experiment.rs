@@ -32,12 +32,9 @@ const SOURCES: &str = env!("ASPERITY_SOURCES");
 /// SHA-256 of the sources of the library that this program was built from.
 pub const LIBRARY: &str = env!("ASPERITY_LIBRARY");
 
-/// Figures as PDF and PNG (300 pixels per inch, as journals ask for), where this build has the feature `print`.
+/// Figures as PDF and PNG, where this build has the feature `print`.
 #[cfg(feature = "print")]
-pub const PRINT: Option<Print> = Some(|svg| {
-    const DPI: f32 = 300.0;
-    Ok(vec![("pdf", asperity_print::pdf(svg)?), ("png", asperity_print::png(svg, DPI)?)])
-});
+pub const PRINT: Option<Print> = Some(|svg| Ok(asperity_print::files(svg)?));
 /// The same without the feature `print`: figures are SVG.
 #[cfg(not(feature = "print"))]
 pub const PRINT: Option<Print> = None;

@@ -50,6 +50,15 @@ fn tree(svg: &str) -> Result<Tree, PrintError> {
     Ok(Tree::from_str(svg, &options)?)
 }
 
+/// The files of a figure beside its SVG, by the endings of their names: a PDF, and a PNG of 300 pixels per inch, as journals ask for.
+///
+/// # Errors
+/// Text that is no SVG.
+pub fn files(svg: &str) -> Result<Vec<(&'static str, Vec<u8>)>, PrintError> {
+    const JOURNAL_DPI: f32 = 300.0;
+    Ok(vec![("pdf", pdf(svg)?), ("png", png(svg, JOURNAL_DPI)?)])
+}
+
 /// A PDF of one page, as large as the figure.
 ///
 /// # Errors
@@ -134,6 +143,21 @@ mod tests {
         let dark =
             (520..1000).flat_map(|x| (150..260).map(move |y| (x, y))).filter(|&(x, y)| at(x, y)[0] < 100);
         assert!(dark.count() > 1000);
+    }
+
+    #[test]
+    fn figures_of_a_report_are_converted() {
+        let report = concat!(env!("CARGO_MANIFEST_DIR"), "/../../reports/measured-fine-finish");
+        for name in ["fine-finish-models.svg", "fine-finish-contact-map.svg"] {
+            let svg = std::fs::read_to_string(std::path::Path::new(report).join(name)).unwrap();
+            let [(pdf_ending, pdf), (png_ending, png)] = files(&svg).unwrap().try_into().unwrap();
+            assert_eq!([pdf_ending, png_ending], ["pdf", "png"]);
+            assert!(
+                pdf.starts_with(b"%PDF-") && String::from_utf8_lossy(&pdf).contains("DejaVuSans"),
+                "{name}"
+            );
+            assert!(png.starts_with(b"\x89PNG"), "{name}");
+        }
     }
 
     #[test]
