@@ -7,13 +7,14 @@ use asperity::progress::Silent;
 use super::{rough, unit_body};
 
 #[test]
-fn a_hundred_maps_at_all_loads() {
+fn maps_of_all_kinds_at_all_loads() {
     let body = unit_body();
     let [soft, stiff] = [0.1, 20.0].map(|young| Material::new(young, 0.3, None, None).unwrap());
     let sizes = [[96, 96], [100, 130], [127, 97], [64, 160], [128, 128]];
     let loads = [1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.05, 0.2, 0.5, 1.0, 3.0];
     let (mut solved, mut most_steps) = (0, 0);
-    for seed in 0..100 {
+    // Sizes, spectra, borders and layers come together again after sixty.
+    for seed in 0..60 {
         let points = sizes[seed % sizes.len()];
         let hurst = [0.3, 0.8][seed % 2];
         let shortest = [2.0, 4.0, 8.0][seed % 3] / points[0] as f64;
@@ -34,7 +35,7 @@ fn a_hundred_maps_at_all_loads() {
             solved += 1;
         }
     }
-    assert!(solved > 900, "{solved}");
+    assert!(solved > 540, "{solved}");
     assert!(most_steps < 400, "{most_steps} steps");
 }
 
