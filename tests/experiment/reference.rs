@@ -339,9 +339,9 @@ fn the_contact_is_shown_with_the_asperities_of_the_sum() {
     assert!(contact.contains("in contact in the sum and in the reference"));
     assert!(figure(&*outcome, "a-reference-pressures.svg").is_some());
     assert!(figure(&*outcome, "a-models.svg").unwrap().contains("reference"));
-    assert!(outcome.outline().markdown().contains("touch here too"));
+    assert!(outcome.outline().markdown().contains("touch here (rings"));
     let (_folder, experiment) = read(&format!("law = \"hertz\"\nmodels = [\"reference\"]\n{SWEEP}"), SMOOTH);
-    assert!(!experiment.run(&Silent).unwrap().outline().markdown().contains("touch here too"));
+    assert!(!experiment.run(&Silent).unwrap().outline().markdown().contains("touch here (rings"));
 }
 
 #[test]

@@ -127,13 +127,13 @@ fn endless(side: usize, roll_off: f64) -> HeightMap {
     generator.surface(Seeds { process: [5; 32], plateau: [6; 32] }).unwrap().0
 }
 
-/// Cut at 512 to 4096 points: what a small window says, a large one does not deny.
+/// Cut at 512 to 2048 points: what a small window says, a large one does not deny.
 #[test]
 fn windows_of_one_surface_do_not_contradict_each_other() {
     let folder = tempfile::tempdir().unwrap();
-    let map = endless(4096, 32.0);
+    let map = endless(2048, 32.0);
     let mut surfaces = String::new();
-    for count in [512, 1024, 2048, 4096] {
+    for count in [512, 1024, 2048] {
         write_window(&map, count, &folder.path().join(format!("w{count}.npy")));
         surfaces += &format!(
             "[surface.w{count}.file]\npath = \"w{count}.npy\"\npixel = \"1 um\"\nlevel = \"mean\"\n"
@@ -143,13 +143,13 @@ fn windows_of_one_surface_do_not_contradict_each_other() {
     let loads =
         "accept = { separation = 0.15 }\npressure = { from = \"1 MPa\", to = \"60 MPa\", points = 12 }";
     let results: CompareResults = crate::downcast(run(folder.path(), loads, &surfaces));
-    let all: Vec<&Verdicts> = (0..4).map(|k| verdicts(&results, k)).collect();
+    let all: Vec<&Verdicts> = (0..3).map(|k| verdicts(&results, k)).collect();
     assert!(all.iter().all(|found| matches!(found.basis, Basis::Blocks { .. })));
     let told = |found: &Verdicts, quantity: ComparedQuantity, load: f64| {
         let at = of(found, quantity).find(|one| (one.loads[0]..=one.loads[1]).contains(&load))?;
         (at.verdict != Verdict::CannotTell).then_some(at.verdict)
     };
-    let mut conclusions = [0; 4];
+    let mut conclusions = [0; 3];
     for load in results.surfaces[0].cases[0].verdicts.differences.iter().map(|at| at.load) {
         for quantity in ComparedQuantity::ALL {
             let said: Vec<Option<Verdict>> = all.iter().map(|found| told(found, quantity, load)).collect();
@@ -161,7 +161,7 @@ fn windows_of_one_surface_do_not_contradict_each_other() {
             said.iter().zip(&mut conclusions).for_each(|(said, count)| *count += usize::from(said.is_some()));
         }
     }
-    assert!(conclusions[0] > 0 && conclusions[3] > conclusions[0], "{conclusions:?}");
+    assert!(conclusions[0] > 0 && conclusions[2] > conclusions[0], "{conclusions:?}");
 }
 
 /// Waves as long as the map: blocks of it are not independent.

@@ -21,17 +21,17 @@ pub fn contact_figures(
     let layer = layer.map_or_else(String::new, |(layer, thickness)| format!(", {}", under(layer, thickness)));
     let material = match view.cap {
         None => "elastic".to_owned(),
-        Some(cap) => format!("contact pressure at most {}", quantity(cap, "Pa")),
+        Some(cap) => format!("capped at {}", quantity(cap, "Pa")),
     };
     let at = format!("{} ({material}{layer})", input_quantity(view.load, "Pa"));
     let title = format!("{}{layer}, {material}, {}", found.surface.name, input_quantity(view.load, "Pa"));
-    let part = if view.part.is_whole { "" } else { ", on a part of the map" };
+    let part = if view.part.is_whole { "" } else { ", part of the map" };
     let summits = view.sum.as_ref().map_or_else(String::new, |sum| {
         format!(
-            " {} of the {} asperities in contact in the sum ({}) touch here too (rings; others: crosses).",
-            count(sum.touched),
+            " Of {} asperities in contact in the sum ({}), {} touch here (rings; others: crosses).",
             count(sum.count),
             sum.law,
+            count(sum.touched),
         )
     });
     page.figure(
