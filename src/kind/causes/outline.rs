@@ -218,7 +218,7 @@ fn of_nearness(results: &CausesResults) -> String {
 fn of_verdicts(results: &CausesResults) -> String {
     let all = QUANTITIES.map(|quantity| (quantity, VerdictCounts::new(results, quantity)));
     let within = all.each_ref().map(|(quantity, counts)| {
-        format!("{} of {} for {}", counts.within, counts.compared, quantity_name(*quantity))
+        format!("in {} of {} cases for {}", counts.within, counts.compared, quantity_name(*quantity))
     });
     let ranges = all.iter().filter_map(|(quantity, counts)| {
         let (unit, size) = difference_unit(*quantity);
@@ -229,11 +229,7 @@ fn of_verdicts(results: &CausesResults) -> String {
     let differences = match &ranges[..] {
         [] => "No load is admissible at any grid point.".to_owned(),
         ranges => {
-            format!(
-                "The integral may replace the sum in {} cases. It differs by {}.",
-                listed(&within),
-                listed(ranges)
-            )
+            format!("The integral may replace the sum {}. It differs by {}.", listed(&within), listed(ranges))
         }
     };
     let made = || results.points.iter().filter(|point| point.surfaces.is_ok());

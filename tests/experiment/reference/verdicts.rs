@@ -71,6 +71,29 @@ fn verdicts_against_the_reference_are_those_of_the_tables() {
     let layers = "layer = { material = \"lead\", thickness = [0, \"200 nm\"] }\n";
     let layered = run(&format!("law = \"hertz\"\n{THREE}{layers}{loads}"), BLOCKS);
     assert!(figure(&*layered, "a-against-reference.svg").unwrap().contains("200 nm"));
+    // Of several cases the nearer model is in the row of each, and counted.
+    let summary = layered.records();
+    let nearer = summary["nearer_to_reference"].as_array().unwrap();
+    let answers = table(&*layered, "answers.csv").unwrap();
+    assert_eq!(answers.len(), 2);
+    for answer in &answers {
+        let of_case = nearer.iter().filter(|one| {
+            one["layer_thickness_m"].as_f64() == answer["layer_thickness_m"].parse().ok()
+                && one["quantity"] == "area"
+                && one["limits"].is_null()
+        });
+        let found: Vec<_> = of_case.filter_map(|one| one["nearer_on_this_map"].as_str()).collect();
+        let expected = match ["deterministic", "statistical"].map(|model| found.contains(&model)) {
+            [true, true] => "by load",
+            [true, false] => "the sum",
+            [false, true] => "the integral",
+            [false, false] => "?",
+        };
+        assert_eq!(answer["nearer"], expected, "{found:?}");
+    }
+    let said = layered.outline().answer().sentence;
+    assert!(said.contains("Nearer to boundary elements in contact area: "), "{said}");
+    assert_eq!(table(&*without, "answers.csv").unwrap()[0]["nearer"], "");
 }
 
 /// On a broad spectrum the reference has half as much area again as the models: at 60 MPa more than 5 %.

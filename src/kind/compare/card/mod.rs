@@ -24,6 +24,7 @@ mod replace;
 mod result;
 mod row;
 
+pub use nearer::Nearer;
 pub use row::{CaseAnswer, Counts};
 
 use asperity::Limit;

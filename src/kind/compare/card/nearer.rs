@@ -8,7 +8,59 @@ use super::difference::size_in_signs;
 use super::replace::stretch;
 use super::{Card, State};
 
+/// Which model is nearer to boundary elements in contact area, over the admissible loads.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Nearer {
+    /// The sum at some of them, the integral at none.
+    Sum,
+    /// The integral at some of them, the sum at none.
+    Integral,
+    /// Each at some of them.
+    ByLoad,
+    /// It is undecided at all.
+    Undecided,
+}
+
+impl Nearer {
+    /// What a cell of a table says.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Sum => "the sum",
+            Self::Integral => "the integral",
+            Self::ByLoad => "by load",
+            Self::Undecided => "?",
+        }
+    }
+}
+
 impl Card<'_> {
+    /// `None` where it was not computed, no such load is admissible, or the map is not fit.
+    pub(super) fn nearer_over_loads(&self) -> Option<Nearer> {
+        let stretches = self.nearer_by_load();
+        if self.verdicts().is_blocked || stretches.is_empty() {
+            return None;
+        }
+        let is_somewhere = |model| stretches.iter().any(|(_, nearer)| *nearer == Some(model));
+        Some(match [ModelKind::Deterministic, ModelKind::Statistical].map(is_somewhere) {
+            [true, true] => Nearer::ByLoad,
+            [true, false] => Nearer::Sum,
+            [false, true] => Nearer::Integral,
+            [false, false] => Nearer::Undecided,
+        })
+    }
+
+    /// Stretches of load (Pa) in their order, and which model is nearer over each in contact area.
+    fn nearer_by_load(&self) -> Vec<([f64; 2], Option<ModelKind>)> {
+        let is_one_map = self.verdicts().has_one_surface();
+        let all = self.verdicts().reference.iter().flat_map(|reference| &reference.nearer);
+        // Others hold for lower surfaces of the same shape.
+        let is_area = |one: &&NearerStretch| one.quantity == ComparedQuantity::Area && one.beyond.is_none();
+        let nearer = |one: &NearerStretch| if is_one_map { one.nearer_here } else { one.nearer };
+        let mut stretches: Vec<_> = all.filter(is_area).map(|one| (one.loads, nearer(one))).collect();
+        stretches.sort_by(|(a, _), (b, _)| a[0].total_cmp(&b[0]));
+        stretches
+    }
+
     /// In contact area: "The sum, from 1 to 40 MPa; at 5 MPa it differs by -5 %, the integral by +82 %."
     pub(super) fn nearer(&self, at: &Difference) -> Option<String> {
         if self.state(at) == State::Unfit {
@@ -26,22 +78,16 @@ impl Card<'_> {
         let Some(reference) = &self.verdicts().reference else {
             return Some("Not told: no load was compared with them.".to_owned());
         };
-        // Others hold for lower surfaces of the same shape.
-        let is_area = |one: &&NearerStretch| one.quantity == ComparedQuantity::Area && one.beyond.is_none();
-        let mut stretches: Vec<&NearerStretch> = reference.nearer.iter().filter(is_area).collect();
-        stretches.sort_by(|a, b| a.loads[0].total_cmp(&b.loads[0]));
-        let is_one_map = self.verdicts().has_one_surface();
-        let nearer = |one: &NearerStretch| if is_one_map { one.nearer_here } else { one.nearer };
+        let stretches = self.nearer_by_load();
         let said = [
             (Some(ModelKind::Deterministic), "the sum"),
             (Some(ModelKind::Statistical), "the integral"),
             (None, "undecided"),
         ];
         let parts = said.into_iter().filter_map(|(model, words)| {
-            let groups =
-                stretches.chunk_by(|a, b| nearer(a) == nearer(b)).filter(|group| nearer(group[0]) == model);
+            let groups = stretches.chunk_by(|a, b| a.1 == b.1).filter(|group| group[0].1 == model);
             let loads: Vec<String> =
-                groups.map(|group| stretch([group[0].loads[0], group[group.len() - 1].loads[1]])).collect();
+                groups.map(|group| stretch([group[0].0[0], group[group.len() - 1].0[1]])).collect();
             (!loads.is_empty()).then(|| format!("{words} {}", listed(&loads)))
         });
         let parts: Vec<String> = parts.collect();

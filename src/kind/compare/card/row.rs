@@ -4,7 +4,7 @@ use asperity::compare::{ComparedQuantity, Stretch};
 use asperity::study::Verdicts;
 use asperity_contact_framework::report::format::listed;
 
-use super::Card;
+use super::{Card, Nearer};
 use crate::kind::compare::rows::SurfaceCase;
 
 /// May the integral replace the sum in one quantity, over the admissible loads.
@@ -49,6 +49,8 @@ pub struct CaseAnswer {
     pub why: String,
     /// What to use at the load of its card, in a few words.
     pub instead: String,
+    /// Which model is nearer to boundary elements; `None` where that was not computed.
+    pub nearer: Option<Nearer>,
 }
 
 impl CaseAnswer {
@@ -60,6 +62,7 @@ impl CaseAnswer {
             quantities: ComparedQuantity::REPORTED.map(|quantity| of_quantity(case.verdicts(), quantity)),
             why: card.cause_in_short(),
             instead: card.instead_in_short(at),
+            nearer: card.nearer_over_loads(),
         })
     }
 
@@ -106,17 +109,18 @@ fn of_quantity(verdicts: &Verdicts, quantity: ComparedQuantity) -> Option<(Answe
 }
 
 /// How many cases have which answer.
-pub struct Counts(Vec<Answered>);
+pub struct Counts<'a>(&'a [CaseAnswer]);
 
-impl Counts {
+impl<'a> Counts<'a> {
     /// Of the answers of all cases.
-    pub fn new<'a>(answers: impl IntoIterator<Item = &'a CaseAnswer>) -> Self {
-        Self(answers.into_iter().map(CaseAnswer::overall).collect())
+    pub const fn new(answers: &'a [CaseAnswer]) -> Self {
+        Self(answers)
     }
 
-    /// "May the integral replace the sum? Of 7 cases: no in 3, at some loads in 2, cannot be told in 2."
-    pub fn sentence(&self) -> String {
-        const WORDS: [(Answered, &str); 7] = [
+    /// "May the integral replace the sum? Of 7 cases: no in 3, at some loads in 2 and cannot be told in 2." With boundary elements also:
+    /// "Nearer to them in contact area: the sum in 5 and undecided in 2."
+    pub fn sentences(&self) -> String {
+        const ANSWERS: [(Answered, &str); 7] = [
             (Answered::Yes, "yes in"),
             (Answered::YesWhereTold, "yes where it can be told in"),
             (Answered::InPart, "at some loads in"),
@@ -125,19 +129,44 @@ impl Counts {
             (Answered::Outside, "no admissible load in"),
             (Answered::Unfit, "unfit map in"),
         ];
+        const NEARER: [(Nearer, &str); 4] = [
+            (Nearer::Sum, "the sum in"),
+            (Nearer::Integral, "the integral in"),
+            (Nearer::ByLoad, "it changes with the load in"),
+            (Nearer::Undecided, "undecided in"),
+        ];
         let Self(answers) = self;
-        let part = |(answer, words): &(Answered, &str)| {
-            let count = answers.iter().filter(|other| *other == answer).count();
-            match count {
-                0 => None,
-                all if all == answers.len() => Some(format!("{words} all")),
-                some => Some(format!("{words} {some}")),
-            }
+        let overall: Vec<Answered> = answers.iter().map(CaseAnswer::overall).collect();
+        let nearer: Vec<Nearer> = answers.iter().filter_map(|one| one.nearer).collect();
+        let replace = format!(
+            "May the integral replace the sum? Of {}: {}.",
+            cases(overall.len()),
+            counted(&overall, &ANSWERS)
+        );
+        if nearer.is_empty() {
+            return replace;
+        }
+        let of = if nearer.len() == overall.len() {
+            String::new()
+        } else {
+            format!(", of {}", cases(nearer.len()))
         };
-        let parts: Vec<String> = WORDS.iter().filter_map(part).collect();
-        let cases = if answers.len() == 1 { "1 case".to_owned() } else { format!("{} cases", answers.len()) };
-        format!("May the integral replace the sum? Of {cases}: {}.", listed(&parts))
+        format!("{replace} Nearer to boundary elements in contact area{of}: {}.", counted(&nearer, &NEARER))
     }
+}
+
+fn cases(count: usize) -> String {
+    if count == 1 { "1 case".to_owned() } else { format!("{count} cases") }
+}
+
+/// "yes in 2 and no in 5", "no in all".
+fn counted<T: PartialEq>(found: &[T], words: &[(T, &str)]) -> String {
+    let part = |(wanted, words): &(T, &str)| match found.iter().filter(|one| *one == wanted).count() {
+        0 => None,
+        all if all == found.len() => Some(format!("{words} all")),
+        some => Some(format!("{words} {some}")),
+    };
+    listed(&words.iter().filter_map(part).collect::<Vec<_>>())
 }
 
 #[cfg(test)]
@@ -171,6 +200,7 @@ mod tests {
             quantities: quantities.map(|answer| Some((answer, None))),
             why: String::new(),
             instead: String::new(),
+            nearer: None,
         }
     }
 
@@ -188,12 +218,29 @@ mod tests {
     #[test]
     fn cases_are_counted_in_a_sentence() {
         use Answered::{No, Unfit, Yes};
-        let sentence = |all: &[CaseAnswer]| Counts::new(all).sentence();
+        let sentence = |all: &[CaseAnswer]| Counts::new(all).sentences();
         let [yes, no] = [Yes, No].map(|one| answer([one; 3]));
         assert_eq!(
             sentence(&[yes, no, answer([Unfit; 3])]),
             "May the integral replace the sum? Of 3 cases: yes in 1, no in 1 and unfit map in 1."
         );
         assert!(sentence(&[answer([No; 3]), answer([Yes, No, Yes])]).ends_with("Of 2 cases: no in all."));
+    }
+
+    #[test]
+    fn the_model_that_is_nearer_to_boundary_elements_is_counted_where_they_were_run() {
+        let near = |nearer| CaseAnswer { nearer, ..answer([Answered::No; 3]) };
+        let said = |all: &[Option<Nearer>]| {
+            Counts::new(&all.iter().map(|one| near(*one)).collect::<Vec<_>>()).sentences()
+        };
+        assert!(!said(&[None, None]).contains("boundary elements"));
+        assert!(
+            said(&[Some(Nearer::Sum); 2])
+                .ends_with(" Nearer to boundary elements in contact area: the sum in all.")
+        );
+        assert!(
+            said(&[Some(Nearer::Integral), Some(Nearer::Undecided), None])
+                .ends_with(" in contact area, of 2 cases: the integral in 1 and undecided in 1.")
+        );
     }
 }

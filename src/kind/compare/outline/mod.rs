@@ -160,11 +160,11 @@ impl CompareResults {
     }
 }
 
-/// How many cases have which answer, in a sentence.
+/// How many cases have which answer, in one or two sentences.
 fn count<'a>(cases: impl IntoIterator<Item = SurfaceCase<'a>>) -> String {
     let answers: Vec<CaseAnswer> = cases.into_iter().filter_map(CaseAnswer::new).collect();
     if answers.is_empty() {
         return "The models are not compared at equal load in any case.".to_owned();
     }
-    Counts::new(&answers).sentence()
+    Counts::new(&answers).sentences()
 }
