@@ -484,6 +484,20 @@ fn a_card_shows_the_first_plot_with_few_names() {
 }
 
 #[test]
+fn a_card_has_room_for_each_named_place() {
+    let height = |count: usize| -> f64 {
+        let places = Axis::named((0..count).map(|k| format!("case {k}")));
+        let line = Layer::line([(0.0, 0.0), (1.0, 1.0)]);
+        let svg = Figure::from(Plot::new("Area", Axis::linear("x"), places).with(line)).card();
+        svg.split_once(" height=\"").unwrap().1.split_once('"').unwrap().0.parse().unwrap()
+    };
+    // Pixels of a line of text.
+    const LINE: f64 = 15.0;
+    assert!(height(20) > 20.0 * LINE, "{}", height(20));
+    assert!(height(2) == height(3) && height(2) < 20.0 * LINE, "{}", height(2));
+}
+
+#[test]
 fn plots_in_a_row_keep_the_size_of_text_and_share_their_legend() {
     let named =
         |names: &[&str]| names.iter().fold(plot(), |plot, name| plot.with(Layer::line(wave(9)).named(*name)));

@@ -156,7 +156,8 @@ mod tests {
                 pdf.starts_with(b"%PDF-") && String::from_utf8_lossy(&pdf).contains("DejaVuSans"),
                 "{name}"
             );
-            assert!(png.starts_with(b"\x89PNG"), "{name}");
+            let reader = png::Decoder::new(std::io::Cursor::new(png)).read_info().unwrap();
+            assert_eq!(reader.info().pixel_dims.unwrap().xppu, 11811, "{name}: 300 per inch");
         }
     }
 

@@ -118,7 +118,7 @@ impl<'a> Counts<'a> {
     }
 
     /// "May the integral replace the sum? Of 7 cases: no in 3, at some loads in 2 and cannot be told in 2." With boundary elements also:
-    /// "Nearer to them in contact area: the sum in 5 and undecided in 2."
+    /// "Nearer to boundary elements in contact area, where decided: the sum in 5 and undecided in 2."
     pub fn sentences(&self) -> String {
         const ANSWERS: [(Answered, &str); 7] = [
             (Answered::Yes, "yes in"),
@@ -132,7 +132,7 @@ impl<'a> Counts<'a> {
         const NEARER: [(Nearer, &str); 4] = [
             (Nearer::Sum, "the sum in"),
             (Nearer::Integral, "the integral in"),
-            (Nearer::ByLoad, "it changes with the load in"),
+            (Nearer::ByLoad, "depending on the load in"),
             (Nearer::Undecided, "undecided in"),
         ];
         let Self(answers) = self;
@@ -149,9 +149,12 @@ impl<'a> Counts<'a> {
         let of = if nearer.len() == overall.len() {
             String::new()
         } else {
-            format!(", of {}", cases(nearer.len()))
+            format!(" (of {})", cases(nearer.len()))
         };
-        format!("{replace} Nearer to boundary elements in contact area{of}: {}.", counted(&nearer, &NEARER))
+        format!(
+            "{replace} Nearer to boundary elements in contact area, where decided{of}: {}.",
+            counted(&nearer, &NEARER)
+        )
     }
 }
 
@@ -236,11 +239,11 @@ mod tests {
         assert!(!said(&[None, None]).contains("boundary elements"));
         assert!(
             said(&[Some(Nearer::Sum); 2])
-                .ends_with(" Nearer to boundary elements in contact area: the sum in all.")
+                .ends_with(" Nearer to boundary elements in contact area, where decided: the sum in all.")
         );
         assert!(
             said(&[Some(Nearer::Integral), Some(Nearer::Undecided), None])
-                .ends_with(" in contact area, of 2 cases: the integral in 1 and undecided in 1.")
+                .ends_with(", where decided (of 2 cases): the integral in 1 and undecided in 1.")
         );
     }
 }

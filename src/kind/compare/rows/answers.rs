@@ -39,7 +39,7 @@ impl Row for AnswerRow<'_> {
             stiffness_difference["1", label("largest"), signed_percent] = row.difference(2), "The largest difference, relative.";
             why["text"] = row.answer.why.as_str(), "The cause of the largest difference that is beyond what is accepted, in area or else in the named quantity: the leading one; with `(here)` the largest on the compared surface.";
             use_instead["text", label("use")] = row.answer.instead.as_str(), "What to use at that load: `the integral`, a statistical model of `ranking.csv` within what is accepted, `the sum`, or `boundary elements`.";
-            nearer["text", label("nearer to boundary elements")] = row.answer.nearer.map(Nearer::name), "Which model is nearer to boundary elements in contact area: `the sum` or `the integral` at some admissible loads and the other at none, `by load`: each at some, `?`: undecided; empty where they were not run.";
+            nearer["text", label("nearer to boundary elements")] = row.answer.nearer.map(Nearer::name), "Which model is nearer to boundary elements in contact area: `the sum` or `the integral` at some admissible loads and the other at none, `depends on load`: each at some, `?`: undecided at all; on the compared surface, of several realisations in their mean; empty where they were not run, no such load is admissible, or the map is not fit.";
         });
         columns
     }
