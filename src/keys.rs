@@ -1,5 +1,7 @@
 //! What a spec may hold: its JSON schema, all keys on a page, and one of them explained.
 
+use std::sync::LazyLock;
+
 use asperity_contact_framework::input::law::OneLaw;
 use asperity_contact_framework::input::{SpecFile, schema};
 use asperity_contact_framework::keys::{self, Default, Key};
@@ -20,7 +22,7 @@ pub fn spec_schema() -> Value {
 }
 
 /// All keys: those of every spec, materials and surfaces, the kinds of experiment, and the options of laws.
-fn all() -> Vec<Key> {
+static ALL: LazyLock<Vec<Key>> = LazyLock::new(|| {
     let mut keys = keys::keys(&spec_schema());
     let law = schema::generator().subschema_for::<OneLaw>();
     let options = keys::keys(&law.to_value()).into_iter().map(|mut key| {
@@ -33,7 +35,7 @@ fn all() -> Vec<Key> {
     });
     keys.extend(options);
     keys
-}
+});
 
 /// All keys as Markdown.
 pub fn all_keys() -> String {
@@ -41,7 +43,7 @@ pub fn all_keys() -> String {
                 (`\"210 GPa\"`), of a size from 1e-30 to 1e30 in SI; a bare number is in SI. A single value may stand for a list of one. `NAME` is a \
                 name that you choose. [specs.md](specs.md) says what the experiments do. Editors complete and check keys by \
                 [spec.schema.json](spec.schema.json) (`experiment schema`).\n";
-    format!("{head}{}", keys::markdown(&all()))
+    format!("{head}{}", keys::markdown(&ALL))
 }
 
 /// Explains the keys that `wanted` names.
@@ -49,10 +51,10 @@ pub fn all_keys() -> String {
 /// # Errors
 /// A name that no key has, with those that resemble it.
 pub fn explain(wanted: &str) -> Result<String, String> {
-    let keys = all();
-    let matching = keys::find(&keys, wanted);
+    let keys = &*ALL;
+    let matching = keys::find(keys, wanted);
     if matching.is_empty() {
-        let similar = keys::similar(&keys, wanted);
+        let similar = keys::similar(keys, wanted);
         let near =
             if similar.is_empty() { String::new() } else { format!(" (similar: {})", similar.join(", ")) };
         return Err(format!(

@@ -1,21 +1,12 @@
-//! The schema of specs, and what documentation and `experiment explain` say of their keys.
+//! The schema of specs (what it allows is in `tests/test_schema.py`), and what documentation and `experiment explain` say of their keys.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use asperity_contact_framework::keys::{Default, Key, keys};
 use asperity_experiment::keys::{all_keys, explain, spec_schema};
-use asperity_experiment::{Experiment, TEMPLATE};
-use jsonschema::Validator;
+use asperity_experiment::Experiment;
 use serde_json::Value;
-
-fn validator() -> Validator {
-    jsonschema::draft7::new(&spec_schema()).unwrap()
-}
-
-fn json(toml: &str) -> Value {
-    serde_json::to_value(toml.parse::<toml::Table>().unwrap()).unwrap()
-}
 
 fn specs(folder: &str) -> Vec<PathBuf> {
     let files = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
@@ -24,43 +15,6 @@ fn specs(folder: &str) -> Vec<PathBuf> {
     specs.sort();
     assert!(specs.len() > 5, "{folder}");
     specs
-}
-
-#[test]
-fn the_schema_allows_every_spec_that_is_read() {
-    let validator = validator();
-    let templates = [("template", TEMPLATE.to_owned())].map(|(name, text)| (PathBuf::from(name), text));
-    let files =
-        specs("experiments").into_iter().map(|path| (path.clone(), fs::read_to_string(path).unwrap()));
-    for (path, text) in files.chain(templates) {
-        let errors: Vec<String> =
-            validator.iter_errors(&json(&text)).map(|error| error.to_string()).collect();
-        assert!(errors.is_empty(), "{}: {errors:?}", path.display());
-    }
-}
-
-#[test]
-fn the_schema_refuses_what_is_refused() {
-    let validator = validator();
-    let valid = "title = \"t\"\nmaterial.a = { young = \"1 GPa\", poisson = 0.3 }\n[laws]\nrough = \"a\"\nflat = \"a\"\n\
-                 law = [\"hertz\", \"zmc\"]\nasperity.radius = \"1 um\"\nindentation = [1, 2]\npressure = \"1 MPa\"\n";
-    assert!(validator.is_valid(&json(valid)));
-    for (from, to) in [
-        ("title = \"t\"\n", ""),
-        ("poisson = 0.3", "poisson = 0.5"),
-        ("poisson = 0.3", "poisson = \"0.3\""),
-        ("young = \"1 GPa\"", "young = -1"),
-        ("young = ", "youngs = "),
-        ("\"hertz\"", "\"herz\""),
-        ("\"zmc\"", "{ zmc = { ratio = 2 } }"),
-        ("[laws]", "[law]"),
-        ("[1, 2]", "{ from = 1, to = 2 }"),
-        ("[1, 2]", "[]"),
-        ("\n[laws]", "\n[limit]\n[laws]"),
-    ] {
-        assert_ne!(valid.replace(from, to), valid);
-        assert!(!validator.is_valid(&json(&valid.replace(from, to))), "{from} -> {to}");
-    }
 }
 
 #[test]
@@ -89,36 +43,6 @@ fn every_key_is_explained() {
             );
         }
     }
-}
-
-#[test]
-fn examples_are_allowed() {
-    let schema = spec_schema();
-    for key in keys(&schema) {
-        let of_key = subschema(&schema, &key.path).unwrap_or_else(|| panic!("{}", key.name()));
-        let validator = jsonschema::draft7::new(of_key).unwrap();
-        for example in &key.examples {
-            let value = &json(&format!("value = {example}"))["value"];
-            assert!(validator.is_valid(value), "{}", key.line(example));
-        }
-        // Editors insert defaults.
-        if let Some(default) = of_key.get("default") {
-            assert!(validator.is_valid(default), "{}", key.line(&default.to_string()));
-        }
-    }
-}
-
-/// The schema of a key.
-fn subschema<'a>(schema: &'a Value, path: &[String]) -> Option<&'a Value> {
-    let [first, rest @ ..] = path else { return Some(schema) };
-    let of_first = schema["properties"]
-        .get(first)
-        .or_else(|| schema.get("additionalProperties").filter(|of| of.is_object() && first == "NAME"));
-    let of_alternatives = || {
-        let lists = ["anyOf", "oneOf"].into_iter().filter_map(|key| schema[key].as_array());
-        lists.flatten().find_map(|one| subschema(one, path))
-    };
-    of_first.and_then(|below| subschema(below, rest)).or_else(of_alternatives)
 }
 
 /// Values at and beyond the ends of each whole-number range that a spec of the project sets are read and refused.
