@@ -4,8 +4,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use asperity_contact_framework::keys::{Default, Key, keys};
-use asperity_experiment::keys::{all_keys, explain, spec_schema};
 use asperity_experiment::Experiment;
+use asperity_experiment::keys::{all_keys, explain, spec_schema};
 use serde_json::Value;
 
 fn specs(folder: &str) -> Vec<PathBuf> {
