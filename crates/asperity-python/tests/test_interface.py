@@ -311,7 +311,15 @@ def test_results_do_not_depend_on_threads():
     assert run("1") == run("2") == run("5") != b""
 
 
-def test_ctrl_c_ends_the_wait_and_the_work():
+@pytest.fixture
+def ctrl_c():
+    """Ctrl-C as in a terminal, also where a shell has started the tests in its background, in which it is ignored."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
+def test_ctrl_c_ends_the_wait_and_the_work(ctrl_c):
     timer = threading.Timer(0.7, os.kill, (os.getpid(), signal.SIGINT))
     timer.start()
     start = time.perf_counter()
