@@ -3,6 +3,7 @@
 use std::f64::consts::{PI, SQRT_2};
 use std::fmt;
 use std::ops::Range;
+use std::sync::OnceLock;
 
 use libm::erfc;
 use rayon::prelude::*;
@@ -45,8 +46,8 @@ pub struct Smoothed {
     table: LogDensity,
     /// The share of the kernels before each, and of all.
     shares_below: Vec<f64>,
-    /// Standard normal variables of ascending heights.
-    normals: Vec<Normal>,
+    /// Standard normal variables of ascending heights, once a height is asked for.
+    normals: OnceLock<Vec<Normal>>,
 }
 
 /// A standard normal variable g and the height z of the same cumulative probability.
@@ -115,11 +116,10 @@ impl Smoothed {
             count,
             table: LogDensity { start: 0.0, step: 1.0, values: Vec::new(), highest: Vec::new() },
             shares_below,
-            normals: Vec::new(),
+            normals: OnceLock::new(),
             kernels,
         };
         smoothed.table = LogDensity::new(&smoothed);
-        smoothed.normals = smoothed.tabulated_normals();
         Ok(smoothed)
     }
 
@@ -184,7 +184,8 @@ impl Smoothed {
     /// At the steps of the density, as far as both tails are above the smallest numbers.
     fn tabulated_normals(&self) -> Vec<Normal> {
         let LogDensity { start, step, values, .. } = &self.table;
-        let all = parallel::map(values.len(), |k| {
+        // By one thread: who waits for a table must not be who makes it.
+        let all = (0..values.len()).map(|k| {
             let z = start + step * k as f64;
             let [below, above] = self.tails(z);
             let standard = statrs::distribution::Normal::standard();
@@ -192,7 +193,7 @@ impl Smoothed {
             let slope = (-0.5 * g * g - 0.5 * (2.0 * PI).ln() - values[k][0]).exp();
             Normal { g, z, slope }
         });
-        let mut normals: Vec<Normal> = Vec::with_capacity(all.len());
+        let mut normals: Vec<Normal> = Vec::with_capacity(values.len());
         for one in all {
             let rises = normals.last().is_none_or(|last| one.g > last.g);
             if one.g.is_finite() && one.slope.is_finite() && rises {
@@ -294,10 +295,10 @@ impl HeightDistribution for Smoothed {
 
     /// From a table, within 1e-7; beyond it along the tail of the outermost kernel.
     fn height_at_normal(&self, g: f64) -> f64 {
-        let next = self.normals.partition_point(|one| one.g < g);
-        let (Some(low), Some(high)) = (next.checked_sub(1).map(|k| self.normals[k]), self.normals.get(next))
-        else {
-            let end = self.normals[next.saturating_sub(1).min(self.normals.len() - 1)];
+        let normals = self.normals.get_or_init(|| self.tabulated_normals());
+        let next = normals.partition_point(|one| one.g < g);
+        let (Some(low), Some(high)) = (next.checked_sub(1).map(|k| normals[k]), normals.get(next)) else {
+            let end = normals[next.saturating_sub(1).min(normals.len() - 1)];
             return end.z + end.slope * (g - end.g);
         };
         let step = high.g - low.g;
