@@ -32,9 +32,11 @@ def colours(picture):
 
 def serious_faults(page, **options):
     """What axe-core finds to keep people out."""
-    # Pictures are read as one image, whose title has a test of its own; the rows of a long table are alike.
-    context = {"exclude": [[".picture > svg"], ["tbody > tr:nth-child(n+7)"]]}
-    found = Axe().run(page, context=context, options={"resultTypes": ["violations"], **options}).response["violations"]
+    # The elements of a picture are read as one image.
+    pictures = {"exclude": [[".picture > svg > *"]]}
+    # What it finds in order, it need not describe.
+    options = {"resultTypes": ["violations"], **options}
+    found = Axe().run(page, context=pictures, options=options).response["violations"]
     serious = [one for one in found if one["impact"] in ("serious", "critical")]
     return [(one["id"], one["nodes"][0]["html"], one["nodes"][0]["failureSummary"]) for one in serious]
 
@@ -54,7 +56,7 @@ def test_page(report, open_page):
     for picture in page.query_selector_all("figure .picture > svg"):
         title = picture.query_selector("title")
         assert picture.get_attribute("role") == "img" and title and title.text_content().strip()
-    assert not serious_faults(page, rules={"color-contrast": {"enabled": False}})
+    assert not serious_faults(page)
     page.emulate_media(media="print")
     assert page.locator(".chart:visible").count() == 0
     if page.locator("figure .picture").count() > 0:
@@ -63,9 +65,8 @@ def test_page(report, open_page):
 
 # The colours are those of all pages.
 @pytest.mark.parametrize("name", ["index.html", "comparison.html", "measured-fine-finish/report.html", "laws/report.html"])
-@pytest.mark.parametrize("scheme", ["light", "dark"])
-def test_contrast(name, scheme, open_page):
-    page = open_page(REPORTS / name, color_scheme=scheme)
+def test_dark(name, open_page):
+    page = open_page(REPORTS / name, color_scheme="dark")
     draw_all(page)
     assert not serious_faults(page, runOnly=["color-contrast"])
 

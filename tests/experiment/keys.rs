@@ -33,6 +33,9 @@ fn every_key_is_explained() {
         let name = key.name();
         assert!(key.meaning.ends_with(['.', '?']), "{name}: {}", key.meaning);
         assert!(key.is_table || !key.kind.is_empty() && key.kind != "any", "{name}: {}", key.kind);
+        for example in &key.examples {
+            assert!(format!("value = {example}").parse::<toml::Table>().is_ok(), "{name}: {example}");
+        }
         let text = explain(&name).unwrap();
         assert!(text.starts_with(&name) && text.contains(&key.meaning), "{text}");
         // Every key that may be left out of a spec says what holds then, or its meaning does.

@@ -184,7 +184,7 @@ impl Smoothed {
     /// At the steps of the density, as far as both tails are above the smallest numbers.
     fn tabulated_normals(&self) -> Vec<Normal> {
         let LogDensity { start, step, values, .. } = &self.table;
-        // By one thread: who waits for a table must not be who makes it.
+        // Not in parallel: the thread that makes the table would take up other tasks meanwhile, and could wait for itself in one.
         let all = (0..values.len()).map(|k| {
             let z = start + step * k as f64;
             let [below, above] = self.tails(z);
