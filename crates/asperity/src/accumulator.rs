@@ -7,6 +7,7 @@ use crate::contact::{ByRegime, Contact, Contacts, LARGEST_SLOPE, Regime};
 use crate::numeric::lanes::{MOST, Mask, Real};
 use crate::numeric::sum::{LaneSum, Sum};
 use crate::shape::Shape;
+use crate::spot::SpotValues;
 
 /// The sums over contacts, area and load by regime. `S` is the type of each sum: see [`Total`] and [`Accumulator`];
 /// within a vector register, plain numbers for up to 16 contacts and compensated sums for more.
@@ -25,6 +26,8 @@ pub struct ContactSums<S> {
     large_strain_load: S,
     /// Largest load of a contact, N; of sums in registers only once they are complete.
     largest_load: f64,
+    /// By [`SpotQuantity`](crate::spot::SpotQuantity); `None` where they are not wanted.
+    spots: Option<[S; 3]>,
 }
 
 /// The area (m^2) above which strains are not small in the contact of `spheres` spheres of `radius` (m): a/R, with a of the
@@ -40,6 +43,13 @@ pub type Total = ContactSums<Sum>;
 
 /// Running sums, to which contacts are added one by one or a register at a time.
 pub type Accumulator = ContactSums<LaneSum>;
+
+impl<S: Default> ContactSums<S> {
+    /// Empty sums that take those over spots, too, where `wants_spots`.
+    pub fn empty(wants_spots: bool) -> Self {
+        Self { spots: wants_spots.then(Default::default), ..Self::default() }
+    }
+}
 
 /// The largest number of contacts that a lane adds without compensation: at most 15 rounding errors.
 pub(crate) const PLAIN_TERMS: usize = 16;
@@ -58,6 +68,7 @@ impl<S: Copy> ContactSums<S> {
             load_squared: zero,
             large_strain_load: zero,
             largest_load: 0.0,
+            spots: None,
         }
     }
 
@@ -90,6 +101,9 @@ impl<S: Copy> ContactSums<S> {
             }
         }
         self.stiffness += part.stiffness;
+        if let (Some(spots), Some(part)) = (&mut self.spots, part.spots) {
+            spots.iter_mut().zip(part).for_each(|(sum, part)| *sum += part);
+        }
     }
 }
 
@@ -135,6 +149,11 @@ impl Total {
         self.largest_load
     }
 
+    /// Sums of [`SpotQuantity`](crate::spot::SpotQuantity); `None` where they were not wanted.
+    pub fn spots(&self) -> Option<SpotValues> {
+        self.spots.map(|spots| spots.map(|sum| sum.value()))
+    }
+
     /// Load of the contacts whose a/R exceeds [`LARGEST_SLOPE`], N; a is the radius of a circle of the contact's area.
     pub fn large_strain_load(&self) -> f64 {
         self.large_strain_load.value()
@@ -148,6 +167,19 @@ fn sampling_error(squares: f64, total: f64, count: usize) -> f64 {
 }
 
 impl Accumulator {
+    /// Whether sums over spots are wanted.
+    pub fn wants_spots(&self) -> bool {
+        self.spots.is_some()
+    }
+
+    /// Adds the values of a spot times `weight`, where they are wanted.
+    #[inline]
+    pub fn add_spot(&mut self, values: SpotValues, weight: f64) {
+        if let Some(spots) = &mut self.spots {
+            spots.iter_mut().zip(values).for_each(|(sum, value)| *sum += weight * value);
+        }
+    }
+
     /// Adds `contact` times `weight` (a quadrature weight of the statistical model).
     #[inline]
     pub fn accumulate_weighted(&mut self, contact: &Contact, weight: f64) {
@@ -189,6 +221,7 @@ impl Accumulator {
             load_squared: self.load_squared.total(),
             large_strain_load: self.large_strain_load.total(),
             largest_load: self.largest_load,
+            spots: self.spots.map(|spots| spots.map(|sum| sum.total())),
         }
     }
 }

@@ -40,6 +40,7 @@
 //! | asperities | a [`Population`] with a height distribution ([`distribution`]), an [`AsperitySet`] from lists, or the summits of a [`HeightMap`] ([`topography`]) |
 //! | the models | [`Statistical`] and [`Deterministic`] implement [`Model`]: [`Model::respond`] at a separation, [`at_pressure`] at a load, [`respond_within`] for a curve to a tolerance |
 //! | the result | [`Response`]: contacts, area, pressure, stiffness, shares of the regimes, standard errors for independent asperities, [`LoadSharing`]; the limits of admissible loads that it exceeds: [`Response::exceeded`] |
+//! | what spots conduct, and their friction | [`spot`]; [`WithSpots`] adds it to a micro-contact, and [`Response::spots`] holds the sums |
 //! | one asperity | [`sphere`]: its curve, its critical indentations |
 //! | comparison of both models | [`compare`]: pairs at equal load and separation, [`Difference`](compare::Difference) with its 95 % interval, [`AdmissibleRange`](compare::AdmissibleRange), [`Stretch`](compare::Stretch) of loads with one [`Verdict`](compare::Verdict) |
 //! | a surface with all that is known of it | [`surface`]: its asperities, the fitness of its map, blocks; [`study`]: both models on it, with sampling errors, causes and verdicts; [`study::verdicts`] does all of it |
@@ -98,6 +99,7 @@ pub mod numeric;
 pub mod progress;
 mod shape;
 pub mod sphere;
+pub mod spot;
 pub mod study;
 pub mod surface;
 pub mod topography;
@@ -114,7 +116,8 @@ pub use contact::{ByRegime, Contact, Contacts, Regime};
 pub use contact_law::ContactLaw;
 pub use distribution::{HeightDistribution, Heights};
 pub use interface::{
-    ContactError, Flat, Interface, LayeredInterface, LoadBounds, MicroContact, Shapes, plasticity_index,
+    ContactError, Flat, Interface, LayeredInterface, LoadBounds, MicroContact, Shapes, WithSpots,
+    plasticity_index,
 };
 pub use law::{
     Ceb, FullyPlastic, Hertz, Inapplicable, JacksonGreen, KogutEtsion, Law, Pair, ScalableLaw, YieldLimits,

@@ -194,3 +194,39 @@ pub const CIAVARELLA_GREENWOOD_PAGGI_2008: Paper = Paper {
     short: "Ciavarella, Greenwood and Paggi 2008",
     full: "Ciavarella, M., Greenwood, J. A., Paggi, M. (2008). Inclusion of \"interaction\" in the Greenwood and Williamson contact theory. Wear 265(5-6), 729-734",
 };
+
+/// Conductance of contact spots.
+pub const HOLM_1967: Paper = Paper {
+    short: "Holm 1967",
+    full: "Holm, R. (1967). Electric Contacts: Theory and Application, 4th edition. Springer, Berlin. doi:10.1007/978-3-662-06688-1",
+};
+
+/// Conductance of an elastic contact from its stiffness.
+pub const BARBER_2003: Paper = Paper {
+    short: "Barber 2003",
+    full: "Barber, J. R. (2003). Bounds on the electrical resistance between contacting elastic rough bodies. Proceedings of the Royal Society A 459, 53-66. doi:10.1098/rspa.2002.1038",
+};
+
+/// Thermal conductance of a plastic contact, and the constriction of a spot in a tube.
+pub const COOPER_MIKIC_YOVANOVICH_1969: Paper = Paper {
+    short: "Cooper, Mikic and Yovanovich 1969",
+    full: "Cooper, M. G., Mikic, B. B., Yovanovich, M. M. (1969). Thermal contact conductance. International Journal of Heat and Mass Transfer 12(3), 279-300. doi:10.1016/0017-9310(69)90011-8",
+};
+
+/// Thermal conductance of an elastic contact.
+pub const MIKIC_1974: Paper = Paper {
+    short: "Mikic 1974",
+    full: "Mikic, B. B. (1974). Thermal contact conductance; theoretical considerations. International Journal of Heat and Mass Transfer 17(2), 205-214. doi:10.1016/0017-9310(74)90082-9",
+};
+
+/// Friction of metals and of thin soft films.
+pub const BOWDEN_TABOR_1950: Paper = Paper {
+    short: "Bowden and Tabor 1950",
+    full: "Bowden, F. P., Tabor, D. (1950). The Friction and Lubrication of Solids. Clarendon Press, Oxford",
+};
+
+/// Conductance of a cluster of spots.
+pub const GREENWOOD_1966: Paper = Paper {
+    short: "Greenwood 1966",
+    full: "Greenwood, J. A. (1966). Constriction resistance and the real area of contact. British Journal of Applied Physics 17(12), 1621-1632. doi:10.1088/0508-3443/17/12/310",
+};

@@ -1,6 +1,6 @@
 //! Verdicts in windows, held against the truth.
 
-use asperity::compare::{Accepted, ComparedQuantity, Verdict};
+use asperity::compare::{Accepted, ByQuantity, ComparedQuantity, Verdict};
 use asperity::study::Choice;
 
 use super::checks::upper_limit;
@@ -23,7 +23,7 @@ pub struct WindowVerdict {
 }
 
 /// The contrasts of a process, for each load in the order of [`ComparedQuantity::ALL`]; `None` where one has no value.
-pub type Truths = [[Option<f64>; 3]];
+pub type Truths = [ByQuantity<Option<f64>>];
 
 impl WindowVerdict {
     /// Whether the verdict is wrong, if it decides; `None` where it does not, or where the truth is not known.
@@ -131,7 +131,7 @@ mod tests {
     #[test]
     fn a_verdict_is_wrong_where_the_truth_is_on_another_side() {
         let wrong = |of: Verdict, contrast: f64, truth: Option<f64>| {
-            verdict(of, contrast, Vec::new()).is_wrong(&[[truth, None, None]])
+            verdict(of, contrast, Vec::new()).is_wrong(&[[truth, None, None, None, None, None]])
         };
         use Verdict::{Beyond, CannotTell, Within};
         assert_eq!(
@@ -148,7 +148,7 @@ mod tests {
 
     #[test]
     fn verdicts_that_do_not_count_are_not_decided() {
-        let truths = [[Some(0.2), None, None]];
+        let truths = [[Some(0.2), None, None, None, None, None]];
         let window = [
             verdict(Verdict::Within, 0.0, vec![Choice::Spikes]),
             verdict(Verdict::Beyond, 0.3, Vec::new()),

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 
 use super::Boundary;
 use super::column::Columns;
-use super::compliance::ElasticPair;
+use super::compliance::SurfaceResponse;
 use super::influence;
 use super::row::RowTransform;
 use crate::memory::zeros;
@@ -40,7 +40,7 @@ pub struct Buffers {
 
 impl Convolution {
     /// The convolution on a grid of `points` at a distance of `pixel` (m).
-    pub fn new(points: [usize; 2], pixel: [f64; 2], pair: &ElasticPair, boundary: Boundary) -> Self {
+    pub fn new(points: [usize; 2], pixel: [f64; 2], pair: &impl SurfaceResponse, boundary: Boundary) -> Self {
         let is_mirrored = boundary == Boundary::Mirrored;
         let factor = if boundary == Boundary::Finite { 2 } else { 1 };
         let [length, width] = points.map(|count| factor * count);
@@ -155,7 +155,7 @@ impl Convolution {
 
 /// The compliance for the waves of a map that repeats, over the numbers of its transform; none for the mean, which is no
 /// deformation.
-fn waves(points: [usize; 2], pixel: [f64; 2], pair: &ElasticPair, is_mirrored: bool) -> Vec<f64> {
+fn waves(points: [usize; 2], pixel: [f64; 2], pair: &impl SurfaceResponse, is_mirrored: bool) -> Vec<f64> {
     use std::f64::consts::{PI, TAU};
     let (turn, [nx, ny]) = if is_mirrored { (PI, points) } else { (TAU, points.map(|count| count / 2 + 1)) };
     let unit = |axis: usize| turn / (points[axis] as f64 * pixel[axis]);
@@ -164,7 +164,7 @@ fn waves(points: [usize; 2], pixel: [f64; 2], pair: &ElasticPair, is_mirrored: b
     response.par_chunks_mut(nx).enumerate().for_each(|(j, column)| {
         for (i, r) in column.iter_mut().enumerate() {
             let q = (unit(0) * i as f64).hypot(unit(1) * j as f64);
-            *r = if q == 0.0 { 0.0 } else { norm * pair.compliance(q) };
+            *r = if q == 0.0 { 0.0 } else { norm * pair.to_wave(q) };
         }
     });
     response

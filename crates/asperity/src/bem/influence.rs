@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use asperity_fft::{Complex64, FftDirection};
 use rayon::prelude::*;
 
-use super::compliance::{ElasticPair, Layer};
+use super::compliance::{Layer, SurfaceResponse};
 use crate::layer::exact_sphere::Influence;
 use crate::memory::zeros;
 use crate::numeric::quadrature::{Variable, panels};
@@ -21,7 +21,7 @@ const MOST_PARTS: usize = 32;
 
 /// The response to the waves of a map of `points` at a distance of `pixel` (m) in a map of zeros twice as long along
 /// both axes: for wave (i, j) at j (nx + 1) + i, over the numbers of the transform.
-pub fn response(points: [usize; 2], pixel: [f64; 2], pair: &ElasticPair) -> Vec<f64> {
+pub fn response(points: [usize; 2], pixel: [f64; 2], pair: &impl SurfaceResponse) -> Vec<f64> {
     let [nx, ny] = points;
     let [length, width] = [2 * nx, 2 * ny];
     let layer = pair.layer().map(|(layer, compliance)| {
@@ -153,6 +153,7 @@ impl Excess {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::bem::ElasticPair;
     use crate::material::Material;
 
     #[test]

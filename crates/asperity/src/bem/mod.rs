@@ -24,6 +24,7 @@
 mod active;
 mod column;
 mod compliance;
+mod conduction;
 mod contact;
 mod convolution;
 mod descent;
@@ -43,7 +44,8 @@ use std::ops::RangeInclusive;
 
 use crate::named_enum;
 
-pub use compliance::ElasticPair;
+pub use compliance::{ConductingPair, ElasticPair};
+pub use conduction::{Conductor, Current};
 pub use contact::Contact;
 pub use grid_error::GridError;
 pub use refine::refined;
@@ -118,6 +120,11 @@ pub enum SolverError {
          cap out (cap = \"none\")"
     )]
     CapUnderLayer,
+    /// The current under a layer is known on maps that repeat.
+    #[error(
+        "a conducting layer of finite thickness on a finite map; allowed: boundary \"periodic\" or \"mirrored\""
+    )]
+    LayeredConductor,
     /// The mean pressure must be positive and below the cap.
     #[error("mean pressure {pressure} Pa; allowed: above 0 and below the cap of {cap} Pa")]
     Pressure {

@@ -1,7 +1,8 @@
 //! The pressures under which a fixed set of points moves as one: K p = level on the patch, no pressure elsewhere, mean 1.
 //!
 //! Of a contact it is the derivative of the pressures by the load at a fixed patch, and its level that of the approach. With
-//! the potential of a current in place of the displacement it would be the current density through the patch.
+//! the potential of a current in place of the displacement it is the current density through the patch, with a film on it
+//! K p + film p = level.
 
 use rayon::prelude::*;
 
@@ -21,6 +22,8 @@ pub struct PatchGrid<'a> {
     pub stencil: Stencil,
     /// Whether a point on the border has its neighbours at the opposite one.
     pub wraps: bool,
+    /// What each load adds to the field at its own point, over the load.
+    pub film: f64,
 }
 
 /// A patch that moves as one.
@@ -100,7 +103,7 @@ impl State<'_> {
     /// Uniform pressures on the patch and their displacements; the sum of the products of both.
     fn start(&mut self, pressure: f64) -> f64 {
         let ny = self.width();
-        let patch = self.patch;
+        let (patch, film) = (self.patch, self.grid.film);
         self.pressures.par_chunks_mut(ny).zip(patch.rows()).for_each(|(row, words)| {
             members(words).for_each(|j| row[j] = pressure);
         });
@@ -108,7 +111,10 @@ impl State<'_> {
             |i, row| members(patch.row(i)).for_each(|j| row[j] = pressure),
             &mut self.displacements,
             &mut self.buffers,
-            |i, row| Sums([members(patch.row(i)).map(|j| pressure * row[j]).sum()]),
+            |i, row| {
+                members(patch.row(i)).for_each(|j| row[j] += film * pressure);
+                Sums([members(patch.row(i)).map(|j| pressure * row[j]).sum()])
+            },
         );
         total(&rows)[0]
     }
@@ -152,12 +158,15 @@ impl State<'_> {
     /// Goes to the minimum along the direction, the slope there being minus `product`; what p K p loses.
     fn advance(&mut self, product: f64) -> f64 {
         let ny = self.width();
-        let (direction, patch) = (&self.direction, self.patch);
+        let (direction, patch, film) = (&self.direction, self.patch, self.grid.film);
         let rows = self.grid.convolution.apply(
             |i, row| members(patch.row(i)).for_each(|j| row[j] = direction[i * ny + j]),
             &mut self.response,
             &mut self.buffers,
-            |i, row| Sums([members(patch.row(i)).map(|j| direction[i * ny + j] * row[j]).sum()]),
+            |i, row| {
+                members(patch.row(i)).for_each(|j| row[j] += film * direction[i * ny + j]);
+                Sums([members(patch.row(i)).map(|j| direction[i * ny + j] * row[j]).sum()])
+            },
         );
         let step = product / total(&rows)[0];
         let response = &self.response;

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::active::{Points, members};
-use super::compliance::ElasticPair;
+use super::compliance::SurfaceResponse;
 
 /// Wave numbers along each axis at which the compliance is sampled.
 const SAMPLES: usize = 128;
@@ -24,14 +24,15 @@ pub struct Stencil {
 }
 
 impl Stencil {
-    /// The 3 x 3 middle of the inverse of `pair`'s compliance on a grid of `pixel` (m).
-    pub fn new(pixel: [f64; 2], pair: &ElasticPair) -> Self {
+    /// The 3 x 3 middle of the inverse of `pair`'s response on a grid of `pixel` (m), with a `film` that adds so much of each load to the
+    /// field at its point.
+    pub fn new(pixel: [f64; 2], pair: &impl SurfaceResponse, film: f64) -> Self {
         let angle = |k: usize| PI * (k as f64 + 0.5) / SAMPLES as f64;
         let mut sums = [0.0; 4];
         for i in 0..SAMPLES {
             for j in 0..SAMPLES {
                 let (x, y) = (angle(i), angle(j));
-                let inverse = pair.compliance((x / pixel[0]).hypot(y / pixel[1])).recip();
+                let inverse = (pair.to_wave((x / pixel[0]).hypot(y / pixel[1])) + film).recip();
                 for (sum, factor) in sums.iter_mut().zip([1.0, x.cos(), y.cos(), x.cos() * y.cos()]) {
                     *sum += inverse * factor;
                 }

@@ -86,7 +86,7 @@ impl<'a> Level<'a> {
             highest: heights.iter().fold(f64::NEG_INFINITY, |highest, &z| highest.max(z)),
             heights,
             convolution: Convolution::new(points, pixel, pair, boundary),
-            stencil: Stencil::new(pixel, pair),
+            stencil: Stencil::new(pixel, pair, 0.0),
         }
     }
 }
@@ -208,8 +208,13 @@ impl<'a> Solver<'a> {
         if self.boundary != Boundary::Finite && contact.pressures.iter().all(|&p| p > 0.0) {
             return None;
         }
-        let grid =
-            PatchGrid { points: *points, convolution, stencil: *stencil, wraps: self.boundary.wraps() };
+        let grid = PatchGrid {
+            points: *points,
+            convolution,
+            stencil: *stencil,
+            wraps: self.boundary.wraps(),
+            film: 0.0,
+        };
         let response = grid.respond(&Tangent::patch(contact), self.error, STEPS)?;
         Some(Tangent::new(contact, response))
     }

@@ -70,11 +70,16 @@ impl Tangent {
 
     /// The part of an increase of the load that each block of a division of the points carries.
     pub fn block_shares(&self, blocks: &Blocks) -> Vec<f64> {
-        let all = self.pressures.len() as f64;
-        let mut shares = vec![0.0; blocks.count()];
-        for (k, &p) in self.pressures.iter().enumerate().filter(|(_, p)| **p != 0.0) {
-            shares[blocks.of_point(k)] += p / all;
-        }
-        shares
+        block_shares(&self.pressures, blocks)
     }
+}
+
+/// The part of the loads, whose mean is 1, on each block of a division of the points.
+pub(super) fn block_shares(loads: &[f64], blocks: &Blocks) -> Vec<f64> {
+    let all = loads.len() as f64;
+    let mut shares = vec![0.0; blocks.count()];
+    for (k, &load) in loads.iter().enumerate().filter(|(_, load)| **load != 0.0) {
+        shares[blocks.of_point(k)] += load / all;
+    }
+    shares
 }

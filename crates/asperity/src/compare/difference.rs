@@ -2,11 +2,12 @@
 
 use super::sampling::{Generated, NotModelled, jackknife_error, jackknife_quantile, student_quantile};
 use super::{Pair, Pairing};
-use crate::model::{Exceeded, LoadSharing, MIN_CONTACTS, ReferencePlane};
+use crate::model::{Exceeded, LoadSharing, MIN_CONTACTS, ReferencePlane, Response};
 use crate::named_enum;
+use crate::spot::SpotQuantity;
 
 named_enum! {
-    /// A quantity in which the models are compared at equal load.
+    /// A quantity in which the models are compared at equal load. Those from the conductances on are compared where they are asked for.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     pub enum ComparedQuantity {
         /// Separation.
@@ -15,25 +16,69 @@ named_enum! {
         Area = "area",
         /// Stiffness -dp/dd.
         Stiffness = "stiffness",
+        /// Electrical conductance per nominal area.
+        ElectricalConductance = "electrical-conductance",
+        /// Thermal conductance per nominal area.
+        ThermalConductance = "thermal-conductance",
+        /// Coefficient of friction.
+        Friction = "friction",
     }
 }
 
+/// A value for each of [`ComparedQuantity::ALL`].
+pub type ByQuantity<T> = [T; ComparedQuantity::ALL.len()];
+
 impl ComparedQuantity {
     /// All of them, as they are reported: the area first.
-    pub const REPORTED: [Self; 3] = [Self::Area, Self::Separation, Self::Stiffness];
+    pub const REPORTED: ByQuantity<Self> = [
+        Self::Area,
+        Self::Separation,
+        Self::Stiffness,
+        Self::ElectricalConductance,
+        Self::ThermalConductance,
+        Self::Friction,
+    ];
 
-    /// The statistical less the deterministic result of a pair at equal load, on the scale on which errors are symmetric:
-    /// d/sigma, or the logarithm of the ratio; 0 if they differ by rounding only. `None` where a ratio has no logarithm.
+    /// The quantity of spots that it follows from; `None` of one that every comparison has.
+    pub const fn spot(self) -> Option<SpotQuantity> {
+        match self {
+            Self::Separation | Self::Area | Self::Stiffness => None,
+            Self::ElectricalConductance => Some(SpotQuantity::ElectricalConductance),
+            Self::ThermalConductance => Some(SpotQuantity::ThermalConductance),
+            Self::Friction => Some(SpotQuantity::ShearForce),
+        }
+    }
+
+    /// Its value in a response: d/sigma, the area ratio, Pa/m, S/m^2, W/(m^2 K), the coefficient of friction. `None` where it is not
+    /// positive, though it must be.
+    pub fn value(self, response: &Response) -> Option<f64> {
+        let value = match self {
+            Self::Separation => return Some(response.separation_over_sigma),
+            Self::Area => response.area_ratio.total(),
+            Self::Stiffness => response.stiffness,
+            Self::ElectricalConductance | Self::ThermalConductance => response.spots[self.spot()? as usize],
+            Self::Friction => response.spots[self.spot()? as usize] / response.pressure.total(),
+        };
+        (value > 0.0).then_some(value)
+    }
+
+    /// A value on the scale on which errors are symmetric: d/sigma, else its logarithm.
+    pub fn scaled(self, value: f64) -> f64 {
+        if self == Self::Separation { value } else { value.ln() }
+    }
+
+    /// One value less another on that scale; `None` where one of them is.
+    pub fn contrast_between(self, one: Option<f64>, other: Option<f64>) -> Option<f64> {
+        let (one, other) = (one?, other?);
+        Some(if self == Self::Separation { one - other } else { (one / other).ln() })
+    }
+
+    /// The statistical less the deterministic result of a pair at equal load, on that scale; 0 if they differ by rounding only. `None`
+    /// where a ratio has no logarithm.
     pub fn contrast(self, pair: &Pair) -> Option<f64> {
         /// Rounding error of load control.
         const ROUNDING: f64 = 1e-9;
-        let (s, d) = (&pair.statistical, &pair.deterministic);
-        let log_ratio = |s: f64, d: f64| (s > 0.0 && d > 0.0).then(|| (s / d).ln());
-        let contrast = match self {
-            Self::Separation => Some(s.separation_over_sigma - d.separation_over_sigma),
-            Self::Area => log_ratio(s.area_ratio.total(), d.area_ratio.total()),
-            Self::Stiffness => log_ratio(s.stiffness, d.stiffness),
-        };
+        let contrast = self.contrast_between(self.value(&pair.statistical), self.value(&pair.deterministic));
         contrast.map(|contrast| if contrast.abs() > ROUNDING { contrast } else { 0.0 })
     }
 
@@ -142,8 +187,8 @@ pub struct Difference {
     /// The larger area ratio of both models; over several realisations the mean.
     pub area_ratio: f64,
     /// In the order of [`ComparedQuantity::ALL`]; `None` where a quantity cannot be compared.
-    pub estimates: [Option<Estimate>; 3],
-    /// Half-widths of the 95 % intervals of d/sigma, ln(area) and ln(stiffness) of the statistical and of the deterministic model by themselves, where groups
+    pub estimates: ByQuantity<Option<Estimate>>,
+    /// Half-widths of the 95 % intervals of the [`State`]s of the statistical and of the deterministic model by themselves, where groups
     /// of asperities give them; over several realisations of their mean.
     pub of_models: [Option<State>; 2],
     /// Area (m^2) of the surface that would allow an interval, where none is claimed for want of area.
@@ -153,8 +198,8 @@ pub struct Difference {
 /// The smallest number of effective contacts per group at which an interval is claimed.
 pub const CONTACTS_PER_GROUP: f64 = 4.0;
 
-/// A model at one load: d/sigma, and the logarithms of area ratio and stiffness, in the order of [`ComparedQuantity::ALL`].
-pub type State = [f64; 3];
+/// A model at one load: the values of [`ComparedQuantity::ALL`], [scaled](ComparedQuantity::scaled); 0 of a quantity that is not asked for.
+pub type State = ByQuantity<f64>;
 
 /// Both models at the same loads, with each group of the asperities left out.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -316,7 +361,6 @@ impl Difference {
 mod tests {
     use super::*;
     use crate::contact::ByRegime;
-    use crate::model::Response;
 
     fn response(h: f64, area: f64, contacts: Option<f64>) -> Response {
         Response {
@@ -326,6 +370,7 @@ mod tests {
             area_ratio: ByRegime([area, 0.0, 0.0]),
             pressure: ByRegime([1.0, 0.0, 0.0]),
             stiffness: 1.0,
+            spots: [0.0; 3],
             sampling: None,
             sharing: contacts.map(|effective_contacts| LoadSharing {
                 effective_contacts,
@@ -348,7 +393,7 @@ mod tests {
     fn left_out(scatter: f64, missing: bool) -> LeftOut {
         let without = |k: usize| {
             let sign = if k.is_multiple_of(2) { 1.0 } else { -1.0 };
-            let states = [[0.2 + sign * scatter, 2f64.ln(), 0.0], [0.0; 3]];
+            let states = [[0.2 + sign * scatter, 2f64.ln(), 0.0, 0.0, 0.0, 0.0], [0.0; 6]];
             vec![(!(missing && k == 3)).then_some(states)]
         };
         LeftOut {
@@ -413,7 +458,7 @@ mod tests {
         let estimate = |contacts: f64, sampling: &CaseSampling| {
             Difference::at_loads(&[pair(1.0, 0.2, contacts)], sampling).remove(0).estimates[0].unwrap()
         };
-        let state = |difference: f64| Some([[difference, 0.0, 0.0], [0.0; 3]]);
+        let state = |difference: f64| Some([[difference, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0; 6]]);
         let states = [0.1, 0.2, 0.3].map(|difference| vec![state(difference)]).to_vec();
         let generated = Some(Ok(Generated { states, widening: 2.0 }));
         let by_surfaces = CaseSampling { generated, ..sampling(None) };
@@ -452,7 +497,8 @@ mod tests {
     fn rounding_is_no_difference() {
         let mut close = pair(1.0, 1e-12, 90.0);
         close.statistical.area_ratio = ByRegime([1e-3 * (1.0 + 1e-13), 0.0, 0.0]);
-        assert_eq!(ComparedQuantity::ALL.map(|quantity| quantity.contrast(&close)), [Some(0.0); 3]);
+        let [first @ .., _, _, _] = ComparedQuantity::ALL.map(|quantity| quantity.contrast(&close));
+        assert_eq!(first, [Some(0.0); 3]);
         close.deterministic.stiffness = 0.0;
         assert_eq!(ComparedQuantity::Stiffness.contrast(&close), None);
         assert!(

@@ -23,7 +23,8 @@ pub use attribution::{
     largest, leading,
 };
 pub use difference::{
-    CONTACTS_PER_GROUP, CaseSampling, ComparedQuantity, Difference, Estimate, LeftOut, State, Support,
+    ByQuantity, CONTACTS_PER_GROUP, CaseSampling, ComparedQuantity, Difference, Estimate, LeftOut, State,
+    Support,
 };
 pub use dominance::{Dominance, Dominant};
 pub use gap::{Gap, GapQuantity, Gaps};

@@ -4,7 +4,7 @@
 //! all three. Without a block the flat stays where it is; the reference of the rest is what the other blocks carry there,
 //! brought back to the load along the slopes between its loads. That neglects how a block deforms the others.
 
-use super::difference::{CaseSampling, ComparedQuantity, Difference, Estimate, LeftOut, Support};
+use super::difference::{ByQuantity, CaseSampling, ComparedQuantity, Difference, Estimate, LeftOut, Support};
 use super::reference::{ReferenceCurve, ReferencePoint};
 use super::sampling::jackknife_error;
 use super::verdict::{Accepted, Verdict};
@@ -21,16 +21,17 @@ pub struct AgainstReference {
     pub nearness: Vec<Difference>,
 }
 
-/// A quantity by the reference; `None` where it has none.
-fn of_reference(point: &ReferencePoint) -> [Option<f64>; 3] {
-    let log = |value: f64| (value > 0.0).then(|| value.ln());
-    [point.separation_over_sigma, log(point.area_ratio), point.stiffness.and_then(log)]
+/// A state of which some values may be missing.
+type Partial = ByQuantity<Option<f64>>;
+
+/// The values of the reference, scaled.
+fn of_reference(point: &ReferencePoint) -> Partial {
+    ComparedQuantity::ALL.map(|quantity| point.value(quantity).map(|value| quantity.scaled(value)))
 }
 
-/// The same by a model.
-fn of_model(response: &Response) -> [Option<f64>; 3] {
-    let log = |value: f64| (value > 0.0).then(|| value.ln());
-    [Some(response.separation_over_sigma), log(response.area_ratio.total()), log(response.stiffness)]
+/// The same of a model.
+fn of_model(response: &Response) -> Partial {
+    ComparedQuantity::ALL.map(|quantity| quantity.value(response).map(|value| quantity.scaled(value)))
 }
 
 impl AgainstReference {
@@ -63,8 +64,9 @@ impl AgainstReference {
                 };
                 (0..groups.shares.len()).map(of_group).collect()
             };
-            let mut estimates = [[None; 3]; 3];
-            for quantity in 0..3 {
+            // Of both models, and of their distances.
+            let mut estimates = [ByQuantity::<Option<Estimate>>::default(); 3];
+            for quantity in ComparedQuantity::ALL.map(|quantity| quantity as usize) {
                 // The interval of both models says whether there are contacts enough.
                 let Some(of_both) = both.estimates[quantity] else { continue };
                 let Some(reference) = reference[quantity] else { continue };
@@ -135,11 +137,11 @@ impl AgainstReference {
 }
 
 impl ReferenceCurve {
-    /// The reference without each group, at each of its points: d/sigma, ln(area), ln(stiffness).
-    fn without(&self, groups: &LeftOut, plane: ReferencePlane) -> Vec<Vec<[Option<f64>; 3]>> {
+    /// The reference without each group, at each of its points, scaled.
+    fn without(&self, groups: &LeftOut, plane: ReferencePlane) -> Vec<Vec<Partial>> {
         let mut order: Vec<usize> = (0..self.points.len()).collect();
         order.sort_by(|&a, &b| self.points[a].pressure.total_cmp(&self.points[b].pressure));
-        let none = vec![[None; 3]; self.points.len()];
+        let none = vec![Partial::default(); self.points.len()];
         let of_group = |group: usize| {
             let (Some(Some(rest)), false) = (groups.planes.get(group), self.blocks.is_empty()) else {
                 return none.clone();
@@ -162,30 +164,35 @@ impl ReferenceCurve {
         block: usize,
         share: f64,
         [all, rest]: [ReferencePlane; 2],
-    ) -> [Option<f64>; 3] {
+    ) -> Partial {
         let [low, high] = neighbours.map(|k| &self.points[k]);
         let (point, part) = (&self.points[k], self.blocks[k][block]);
         let without = |whole: f64, part: f64| Some((whole - part) / (1.0 - share)).filter(|rest| *rest > 0.0);
         let log_ratio = (high.pressure / low.pressure).ln();
         let Some(pressure) = without(point.pressure, part.pressure).filter(|_| log_ratio > 0.0) else {
-            return [None; 3];
+            return Partial::default();
         };
         let step = (point.pressure / pressure).ln();
-        let slope = |quantity: usize| {
-            let ends = [low, high].map(|point| of_reference(point)[quantity]);
-            Some((ends[1]? - ends[0]?) / log_ratio)
+        let spot = |quantity: ComparedQuantity| {
+            let spot = quantity.spot()? as usize;
+            without(point.spots[spot], part.spots[spot])
         };
-        let separation = point.separation_over_sigma.zip(slope(0)).map(|(h, slope)| {
-            let absolute = all.mean + h * all.sigma;
-            (absolute - rest.mean) / rest.sigma + step * slope
-        });
-        let area = without(point.area_ratio, part.area_ratio).zip(slope(1));
-        let stiffness = of_reference(point)[2].zip(without(1.0, part.stiffness_share)).zip(slope(2));
-        [
-            separation,
-            area.map(|(area, slope)| area.ln() + step * slope),
-            stiffness.map(|((stiffness, ratio), slope)| stiffness + ratio.ln() + step * slope),
-        ]
+        ComparedQuantity::ALL.map(|quantity| {
+            let ends = [low, high].map(|point| Some(quantity.scaled(point.value(quantity)?)));
+            let slope = (ends[1]? - ends[0]?) / log_ratio;
+            let value = match quantity {
+                ComparedQuantity::Separation => {
+                    (all.mean + point.separation_over_sigma? * all.sigma - rest.mean) / rest.sigma
+                }
+                ComparedQuantity::Area => without(point.area_ratio, part.area_ratio)?,
+                ComparedQuantity::Stiffness => point.stiffness? * without(1.0, part.stiffness_share)?,
+                ComparedQuantity::Friction => spot(quantity)? / pressure,
+                ComparedQuantity::ElectricalConductance | ComparedQuantity::ThermalConductance => {
+                    spot(quantity)?
+                }
+            };
+            Some(quantity.scaled(value) + step * slope)
+        })
     }
 }
 
@@ -288,7 +295,7 @@ mod tests {
     use crate::model::LoadSharing;
 
     const PLANE: ReferencePlane = ReferencePlane { mean: 3e-8, sigma: 1e-8 };
-    const ACCEPTED: Accepted = Accepted { separation: 0.1, area: 0.1, stiffness: 0.2 };
+    const ACCEPTED: Accepted = Accepted::DEFAULT;
     const LOADS: [f64; 3] = [1e6, 2e6, 4e6];
 
     fn response(h: f64, area: f64, contacts: Option<f64>) -> Response {
@@ -299,6 +306,7 @@ mod tests {
             area_ratio: ByRegime([area, 0.0, 0.0]),
             pressure: ByRegime([1.0, 0.0, 0.0]),
             stiffness: 1e14,
+            spots: [0.0; 3],
             sampling: None,
             sharing: contacts.map(|effective_contacts| LoadSharing {
                 effective_contacts,
@@ -332,7 +340,8 @@ mod tests {
             raw_area_ratio: 1.1 * areas[2] * LOADS[k] / 1e6,
             capped_area_ratio: 0.0,
             stiffness: None,
-            bounds: [bound, bound, 0.0],
+            spots: [0.0; 3],
+            bounds: [bound, bound, 0.0, 0.0, 0.0, 0.0],
             error: 1e-6,
             steps: 1,
             convolutions: 1,
@@ -341,6 +350,7 @@ mod tests {
             pressure: share(b) * LOADS[k],
             area_ratio: share(b) * areas[2] * LOADS[k] / 1e6,
             stiffness_share: share(b),
+            spots: [0.0; 3],
         };
         let curve = ReferenceCurve {
             boundary: Boundary::Periodic,
@@ -354,7 +364,7 @@ mod tests {
         let state = |pair: &Pair, b: usize| {
             let of = |response: &Response, lighter: f64| {
                 let logs = [response.area_ratio.total().ln(), response.stiffness.ln()];
-                [response.separation_over_sigma + 0.5 * lighter, logs[0], logs[1]]
+                [response.separation_over_sigma + 0.5 * lighter, logs[0], logs[1], 0.0, 0.0, 0.0]
             };
             let lighter = ((1.0 - share(b)) / 0.75).ln();
             Some([of(&pair.statistical, 0.0), of(&pair.deterministic, lighter)])

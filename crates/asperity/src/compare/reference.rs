@@ -4,6 +4,7 @@
 use super::{ComparedQuantity, Control, State};
 use crate::bem::Boundary;
 use crate::model::Response;
+use crate::spot::SpotValues;
 
 /// The reference at one load.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,7 +33,9 @@ pub struct ReferencePoint {
     /// -dp/dd of its fixed contact points ([`Tangent`](crate::bem::Tangent)), Pa/m; `None` where there is no separation, and
     /// where no point may change its pressure.
     pub stiffness: Option<f64>,
-    /// Bounds of the errors of solver and discretisation, of d/sigma, ln(area) and ln(stiffness).
+    /// Conductances per nominal area (S/m^2, W/(m^2 K)) and shear stress (Pa), as in [`Response::spots`]; 0 where there is none.
+    pub spots: SpotValues,
+    /// Bounds of the errors of solver and discretisation, of d/sigma and the logarithms of the others.
     pub bounds: State,
     /// Relative dual gap.
     pub error: f64,
@@ -46,12 +49,21 @@ impl ReferencePoint {
     /// A model's result over the reference's at the same load, as a [contrast](super::ComparedQuantity::contrast); `None` where
     /// one of them has none.
     pub fn contrast(&self, quantity: ComparedQuantity, model: &Response) -> Option<f64> {
-        let log_ratio = |model: f64, own: f64| (model > 0.0 && own > 0.0).then(|| (model / own).ln());
-        match quantity {
-            ComparedQuantity::Separation => Some(model.separation_over_sigma - self.separation_over_sigma?),
-            ComparedQuantity::Area => log_ratio(model.area_ratio.total(), self.area_ratio),
-            ComparedQuantity::Stiffness => log_ratio(model.stiffness, self.stiffness?),
-        }
+        quantity.contrast_between(quantity.value(model), self.value(quantity))
+    }
+
+    /// Its value of a quantity, as [`ComparedQuantity::value`] gives that of a model.
+    pub fn value(&self, quantity: ComparedQuantity) -> Option<f64> {
+        let value = match quantity {
+            ComparedQuantity::Separation => return self.separation_over_sigma,
+            ComparedQuantity::Area => self.area_ratio,
+            ComparedQuantity::Stiffness => self.stiffness?,
+            ComparedQuantity::ElectricalConductance | ComparedQuantity::ThermalConductance => {
+                self.spots[quantity.spot()? as usize]
+            }
+            ComparedQuantity::Friction => self.spots[quantity.spot()? as usize] / self.pressure,
+        };
+        (value > 0.0).then_some(value)
     }
 
     /// Load over real contact area, Pa; `None` without contact.
@@ -69,6 +81,8 @@ pub struct BlockShare {
     pub area_ratio: f64,
     /// The part of an increase of the load that it carries, hence of the stiffness: 1 over all blocks; 0 without a stiffness.
     pub stiffness_share: f64,
+    /// Its part of the sums over spots.
+    pub spots: SpotValues,
 }
 
 /// The reference on one surface under one law and thickness.

@@ -14,11 +14,16 @@ pub struct Accepted {
     pub area: f64,
     /// Of the stiffness.
     pub stiffness: f64,
+    /// Of the electrical and of the thermal conductance.
+    pub conductance: f64,
+    /// Of the coefficient of friction.
+    pub friction: f64,
 }
 
 impl Accepted {
-    /// 0.1 sigma, 10 % of the area, 20 % of the stiffness.
-    pub const DEFAULT: Self = Self { separation: 0.1, area: 0.1, stiffness: 0.2 };
+    /// 0.1 sigma, 10 % of area and friction, 20 % of stiffness and conductances.
+    pub const DEFAULT: Self =
+        Self { separation: 0.1, area: 0.1, stiffness: 0.2, conductance: 0.2, friction: 0.1 };
 
     /// That of one quantity.
     pub fn limit(&self, quantity: ComparedQuantity) -> f64 {
@@ -26,6 +31,10 @@ impl Accepted {
             ComparedQuantity::Separation => self.separation,
             ComparedQuantity::Area => self.area,
             ComparedQuantity::Stiffness => self.stiffness,
+            ComparedQuantity::ElectricalConductance | ComparedQuantity::ThermalConductance => {
+                self.conductance
+            }
+            ComparedQuantity::Friction => self.friction,
         }
     }
 
@@ -260,7 +269,7 @@ mod tests {
     use super::*;
     use crate::model::LoadSharing;
 
-    const ACCEPTED: Accepted = Accepted { separation: 0.1, area: 0.1, stiffness: 0.2 };
+    const ACCEPTED: Accepted = Accepted::DEFAULT;
 
     fn estimate(contrast: f64, error: Option<f64>) -> Option<Estimate> {
         Some(Estimate {
@@ -283,7 +292,7 @@ mod tests {
                 large_strain_share: 0.0,
             }),
             area_ratio: 0.01,
-            estimates: [estimate(contrast, error), estimate(contrast, error), None],
+            estimates: [estimate(contrast, error), estimate(contrast, error), None, None, None, None],
             of_models: [None; 2],
             area_needed: error.is_none().then_some(3.0),
         }

@@ -8,6 +8,7 @@ use crate::literature::Paper;
 use crate::numeric::interval::Interval;
 use crate::numeric::parallel;
 use crate::shape::Shape;
+use crate::spot::{SpotProperties, SpotValues};
 
 /// The smallest tabulated indentation over the largest; below it, the table continues as a power of w.
 const SMALLEST: f64 = 1e-5;
@@ -23,7 +24,7 @@ pub(crate) struct RadiusShare {
 /// evaluate it in place of the contact of one asperity. The radius passed to it is ignored.
 ///
 /// Many radii are tabulated: load, area and stiffness over ln w, each divided by its elastic power of w, and interpolated
-/// by cubics; the steps of a law whose load jumps are added exactly. The relative error of a load summed over many
+/// by cubics, and so are the values of spots; the steps of a law whose load jumps are added exactly. The relative error of a load summed over many
 /// heights is below 1e-7 for a homogeneous flat and a law whose load jumps by less than a tenth, below 1e-6 for other
 /// laws and under a layer, and below 1e-4 under a layer with a law that jumps.
 pub(crate) struct AveragedContact<'a> {
@@ -36,11 +37,11 @@ pub(crate) struct AveragedContact<'a> {
     table: Option<Table>,
 }
 
-/// Load (N), area (m^2) and stiffness (N/m).
-type Sums = [f64; 3];
+/// Load (N), area (m^2) and stiffness (N/m), and the values of a spot.
+type Sums = [f64; 6];
 
 /// The elastic powers of w of [`Sums`].
-const POWERS: Sums = [1.5, 1.0, 0.5];
+const POWERS: Sums = [1.5, 1.0, 0.5, 0.5, 0.5, 1.0];
 
 impl<'a> AveragedContact<'a> {
     /// The mean over `radii`, evaluated radius by radius.
@@ -65,9 +66,11 @@ impl<'a> AveragedContact<'a> {
         let own_steps = Step::all(contact, nodes.iter().copied());
         let direct = Self::exact(contact, nodes);
         let table = Table::new(deepest, step, |w| {
-            let [load, area, stiffness] = direct.direct(w);
+            let mut sums = direct.direct(w);
             let steps = at_steps(&own_steps, w);
-            [load - steps[0], area - steps[1], stiffness]
+            sums[0] -= steps[0];
+            sums[1] -= steps[1];
+            sums
         });
         Self { steps: Step::all(contact, all), table: Some(table), ..direct }
     }
@@ -77,18 +80,21 @@ impl<'a> AveragedContact<'a> {
         let [heights, radii, shares] = &self.nodes;
         if self.contact.is_layered() {
             // Load and area are not proportional to the number of spheres: that of the mean asperity stands for all.
-            let mut sums = [0.0; 3];
+            let mut sums = Sums::default();
             for (&radius, &share) in radii.iter().zip(shares) {
-                let contact = self.contact.contact(w, Shape { radius, spheres: self.spheres });
-                let all = [contact.load, contact.area, contact.stiffness];
+                let shape = Shape { radius, spheres: self.spheres };
+                let Contact { load, area, stiffness, .. } = self.contact.contact(w, shape);
+                let [electrical, thermal, shear] = self.contact.spot_values(w, shape).unwrap_or_default();
+                let all = [load, area, stiffness, electrical, thermal, shear];
                 sums.iter_mut().zip(all).for_each(|(sum, one)| *sum += share / self.spheres * one);
             }
             return sums;
         }
-        let mut accumulator = Accumulator::default();
+        let mut accumulator = Accumulator::empty(true);
         self.contact.accumulate(Asperities::new(heights, radii, Some(shares), 1.0), -w, &mut accumulator);
         let total = accumulator.total();
-        [total.load().total(), total.area().total(), total.stiffness()]
+        let [electrical, thermal, shear] = total.spots().unwrap_or_default();
+        [total.load().total(), total.area().total(), total.stiffness(), electrical, thermal, shear]
     }
 
     fn radius_range(&self) -> Interval {
@@ -97,16 +103,28 @@ impl<'a> AveragedContact<'a> {
 
     fn sums(&self, w: f64) -> Sums {
         let Some(table) = &self.table else { return self.direct(w) };
-        let [load, area, stiffness] = table.at(w);
+        let mut sums = table.at(w);
         let steps = at_steps(&self.steps, w);
-        [load + steps[0], area + steps[1], stiffness]
+        sums[0] += steps[0];
+        sums[1] += steps[1];
+        sums
     }
 }
 
 impl MicroContact for AveragedContact<'_> {
     fn contact(&self, w: f64, shape: Shape) -> Contact {
-        let [load, area, stiffness] = self.sums(w).map(|sum| sum * shape.spheres);
+        let [load, area, stiffness, ..] = self.sums(w).map(|sum| sum * shape.spheres);
         Contact { area, load, stiffness, regime: Regime::Elastic }
+    }
+
+    fn spot_values(&self, w: f64, shape: Shape) -> Option<SpotValues> {
+        self.spot_properties()?;
+        let [_, _, _, spots @ ..] = self.sums(w).map(|sum| sum * shape.spheres);
+        Some(spots)
+    }
+
+    fn spot_properties(&self) -> Option<&SpotProperties> {
+        self.contact.spot_properties()
     }
 
     fn regime_changes(&self, _: Shape) -> Vec<f64> {
@@ -249,7 +267,7 @@ impl Table {
         ];
         let rows = &self.rows[cell..cell + 4];
         let root = w.sqrt();
-        let powers = [w * root, w, root];
+        let powers = [w * root, w, root, root, root, w];
         std::array::from_fn(|q| powers[q] * (0..4).map(|k| weights[k] * rows[k][q]).sum::<f64>())
     }
 

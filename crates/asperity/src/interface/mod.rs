@@ -5,11 +5,13 @@ mod bare;
 mod batch;
 mod flat;
 mod layered;
+mod with_spots;
 
 pub(crate) use averaged::{AveragedContact, RadiusShare};
 pub use bare::Interface;
 pub use flat::Flat;
 pub use layered::LayeredInterface;
+pub use with_spots::WithSpots;
 
 use crate::accumulator::Accumulator;
 use crate::asperity::Asperities;
@@ -20,6 +22,7 @@ use crate::literature::Paper;
 use crate::material::{Material, reduced_modulus, softer_hardness};
 use crate::numeric::interval::Interval;
 use crate::shape::Shape;
+use crate::spot::{SpotProperties, SpotValues};
 
 /// Properties of the uncoated pair, to which load ratios and the plasticity index refer.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -152,6 +155,16 @@ pub trait MicroContact: Send + Sync {
         false
     }
 
+    /// What the spot at indentation `w` (m) conducts and bears in shear; `None` where it is not asked for.
+    fn spot_values(&self, _w: f64, _: Shape) -> Option<SpotValues> {
+        None
+    }
+
+    /// What is asked of the spots; `None` where nothing is.
+    fn spot_properties(&self) -> Option<&SpotProperties> {
+        None
+    }
+
     /// Adds the contact at `indentations[i]` (m) of an asperity of one shape, times `weights[i]`, to the accumulator.
     fn accumulate_weighted(
         &self,
@@ -162,13 +175,26 @@ pub trait MicroContact: Send + Sync {
     ) {
         for (&w, &weight) in indentations.iter().zip(weights) {
             accumulator.accumulate_weighted(&self.contact(w, shape), weight);
+            if accumulator.wants_spots()
+                && let Some(values) = self.spot_values(w, shape)
+            {
+                accumulator.add_spot(values, weight);
+            }
         }
     }
 
     /// Adds the contacts of asperities at `separation` (m, in the frame of their heights) to the accumulator. All
     /// heights must be above it.
     fn accumulate(&self, asperities: Asperities<'_>, separation: f64, accumulator: &mut Accumulator) {
-        asperities.each().for_each(|(z, shape)| accumulator.add(&self.contact(z - separation, shape), shape));
+        for (z, shape) in asperities.each() {
+            let w = z - separation;
+            accumulator.add(&self.contact(w, shape), shape);
+            if accumulator.wants_spots()
+                && let Some(values) = self.spot_values(w, shape)
+            {
+                accumulator.add_spot(values, 1.0);
+            }
+        }
     }
 }
 

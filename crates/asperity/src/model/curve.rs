@@ -141,6 +141,7 @@ fn between(near: &Response, far: &Response, t: f64) -> Response {
         area_ratio: parts(near.area_ratio, far.area_ratio),
         pressure: parts(near.pressure, far.pressure),
         stiffness: mix(near.stiffness, far.stiffness),
+        spots: std::array::from_fn(|k| mix(near.spots[k], far.spots[k])),
         sampling,
         sharing,
     }

@@ -114,17 +114,24 @@ impl<'a> Deterministic<'a> {
 
     /// The sums at each of many separations (m, in the frame of the set's heights).
     pub fn totals(&self, separations: &[f64]) -> Vec<Total> {
+        self.totals_with(separations, self.contact.spot_properties().is_some())
+    }
+
+    fn totals_with(&self, separations: &[f64], wants_spots: bool) -> Vec<Total> {
         let mut order: Vec<usize> = (0..separations.len()).collect();
         order.sort_by(|&a, &b| separations[b].total_cmp(&separations[a]));
-        let mut totals = vec![Total::default(); separations.len()];
+        let mut totals = vec![Total::empty(wants_spots); separations.len()];
         for some in order.chunks(Levels::MOST) {
             let descending: Vec<f64> = some.iter().map(|&k| separations[k]).collect();
             let levels = Levels::new(&descending);
             let lowest = descending[descending.len() - 1];
             let found = match SparseSubset::above(lowest, &self.asperities) {
                 // Blocks almost without contacts are not processed separation by separation.
-                Some(few) => Deterministic::new(self.contact, few.asperities(), self.plane).descend(&levels),
-                None => self.descend(&levels),
+                Some(few) => {
+                    let few = Deterministic::new(self.contact, few.asperities(), self.plane);
+                    few.descend(&levels, wants_spots)
+                }
+                None => self.descend(&levels, wants_spots),
             };
             for (&k, total) in some.iter().zip(found) {
                 totals[k] = total;
@@ -134,7 +141,7 @@ impl<'a> Deterministic<'a> {
     }
 
     /// The sums at descending separations.
-    fn descend(&self, levels: &Levels) -> Vec<Total> {
+    fn descend(&self, levels: &Levels, wants_spots: bool) -> Vec<Total> {
         let count = self.asperities.count();
         let blocks = count.div_ceil(Block::MOST);
         let per_task = Block::MOST * blocks.div_ceil(TASKS).clamp(1, BLOCKS_PER_TASK);
@@ -142,7 +149,7 @@ impl<'a> Deterministic<'a> {
             let mut workspace = WORKSPACE.take().unwrap_or_default();
             let Workspace { block, accumulators } = &mut *workspace;
             accumulators.clear();
-            accumulators.resize(levels.separations().len(), Accumulator::default());
+            accumulators.resize(levels.separations().len(), Accumulator::empty(wants_spots));
             let end = count.min((task + 1) * per_task);
             for start in (task * per_task..end).step_by(Block::MOST) {
                 let next = end.min(start + Block::MOST);
@@ -165,7 +172,7 @@ impl<'a> Deterministic<'a> {
             totals
         };
         let parts = parallel::map(count.div_ceil(per_task), part);
-        let mut totals = vec![Total::default(); levels.separations().len()];
+        let mut totals = vec![Total::empty(wants_spots); levels.separations().len()];
         for part in &parts {
             totals.iter_mut().zip(part).for_each(|(total, part)| total.merge(part));
         }
@@ -182,7 +189,13 @@ impl<'a> Deterministic<'a> {
     }
 
     fn pressure(&self, h: f64) -> f64 {
-        self.respond(h).pressure.total()
+        self.respond_without_spots(&[h])[0].pressure.total()
+    }
+
+    fn responses(&self, separations: &[f64], wants_spots: bool) -> Vec<Response> {
+        let absolute: Vec<f64> = separations.iter().map(|&h| self.absolute(h)).collect();
+        let totals = self.totals_with(&absolute, wants_spots);
+        separations.iter().zip(&totals).map(|(&h, total)| self.response(h, total)).collect()
     }
 
     fn response(&self, h: f64, total: &Total) -> Response {
@@ -230,9 +243,11 @@ impl Model for Deterministic<'_> {
     }
 
     fn respond_all(&self, separations: &[f64]) -> Vec<Response> {
-        let absolute: Vec<f64> = separations.iter().map(|&h| self.absolute(h)).collect();
-        let totals = self.totals(&absolute);
-        separations.iter().zip(&totals).map(|(&h, total)| self.response(h, total)).collect()
+        self.responses(separations, self.contact.spot_properties().is_some())
+    }
+
+    fn respond_without_spots(&self, separations: &[f64]) -> Vec<Response> {
+        self.responses(separations, false)
     }
 
     fn may_decrease(&self) -> bool {

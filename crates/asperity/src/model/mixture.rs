@@ -53,6 +53,7 @@ impl Model for Mixture<'_> {
                 area_ratio: by_regime(|response| response.area_ratio),
                 pressure: by_regime(|response| response.pressure),
                 stiffness: sum_of(&|response| response.stiffness),
+                spots: std::array::from_fn(|spot| sum_of(&|response| response.spots[spot])),
                 ..each[0][index]
             }
         };

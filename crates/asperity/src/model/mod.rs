@@ -36,6 +36,11 @@ pub trait Model: Sync {
     /// The responses at the separations d/sigma; faster than point by point.
     fn respond_all(&self, separations: &[f64]) -> Vec<Response>;
 
+    /// [`Self::respond_all`] without the sums over spots, which are then 0: for searches.
+    fn respond_without_spots(&self, separations: &[f64]) -> Vec<Response> {
+        self.respond_all(separations)
+    }
+
     /// Whether the load may decrease on approach, so that a pressure may be reached more than once.
     fn may_decrease(&self) -> bool;
 
@@ -69,7 +74,7 @@ pub trait Model: Sync {
                 value: response.pressure.total(),
                 slope: -response.stiffness * sigma,
             };
-            self.respond_all(separations).into_iter().map(point).collect()
+            self.respond_without_spots(separations).into_iter().map(point).collect()
         };
         last_reaching_all(curve, pressures, &descent(low, high))
     }

@@ -4,6 +4,7 @@ use super::plane::ReferencePlane;
 use super::validity::{INTERACTION, LoadSharing};
 use crate::accumulator::Total;
 use crate::contact::ByRegime;
+use crate::spot::SpotValues;
 
 /// The response of a rough surface at one separation, per nominal area.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,6 +21,8 @@ pub struct Response {
     pub pressure: ByRegime,
     /// -dp/dd, Pa/m.
     pub stiffness: f64,
+    /// By [`SpotQuantity`](crate::spot::SpotQuantity), per nominal area: conductances (S/m^2 and W/(m^2 K)) and shear stress (Pa); 0 where they are not asked for.
+    pub spots: SpotValues,
     /// Standard errors of a sum; `None` for an integral.
     pub sampling: Option<SamplingError>,
     /// How the contacts of a sum share the load; `None` for an integral, and without contact.
@@ -50,6 +53,7 @@ impl Response {
             area_ratio: ByRegime(total.area().0.map(|area| area * per_area)),
             pressure: ByRegime(total.load().0.map(|load| load * per_area)),
             stiffness: total.stiffness() * per_area,
+            spots: total.spots().unwrap_or_default().map(|sum| sum * per_area),
             sampling: None,
             sharing: None,
         }

@@ -132,9 +132,9 @@ impl<'a> Statistical<'a> {
     /// The total at the standardised separation `h`, per asperity and without the density's factor
     /// [`HeightDistribution::scale`](crate::distribution::HeightDistribution::scale), with which it would underflow in
     /// the far tail.
-    fn total(&self, h: f64) -> Total {
+    fn total(&self, h: f64, wants_spots: bool) -> Total {
         let heights = &*self.population.heights;
-        let mut accumulator = Accumulator::default();
+        let mut accumulator = Accumulator::empty(wants_spots);
         if heights.scale(h) == 0.0 {
             return accumulator.total();
         }
@@ -187,9 +187,23 @@ impl<'a> Statistical<'a> {
         self.reported(self.population.heights.highest_separation())
     }
 
+    fn responses(&self, separations: &[f64], wants_spots: bool) -> Vec<Response> {
+        /// The smallest number of integrals per task.
+        const MANY: usize = 64;
+        let Population { density, ref heights, .. } = self.population;
+        let respond = |&h: &f64| {
+            let standardised = self.standardised(h);
+            let per_area = density * heights.scale(standardised);
+            Response::new(h, self.plane, &self.total(standardised, wants_spots), per_area)
+        };
+        let some: Vec<&[f64]> = separations.chunks(MANY).collect();
+        let responses = parallel::map(some.len(), |k| some[k].iter().map(respond).collect::<Vec<_>>());
+        responses.concat()
+    }
+
     /// Nominal pressure at the reported separation `h`, Pa.
     fn pressure(&self, h: f64) -> f64 {
-        self.respond(h).pressure.total()
+        self.respond_without_spots(&[h])[0].pressure.total()
     }
 }
 
@@ -263,17 +277,11 @@ impl Model for Statistical<'_> {
     }
 
     fn respond_all(&self, separations: &[f64]) -> Vec<Response> {
-        /// The smallest number of integrals per task.
-        const MANY: usize = 64;
-        let Population { density, ref heights, .. } = self.population;
-        let respond = |&h: &f64| {
-            let standardised = self.standardised(h);
-            let per_area = density * heights.scale(standardised);
-            Response::new(h, self.plane, &self.total(standardised), per_area)
-        };
-        let some: Vec<&[f64]> = separations.chunks(MANY).collect();
-        let responses = parallel::map(some.len(), |k| some[k].iter().map(respond).collect::<Vec<_>>());
-        responses.concat()
+        self.responses(separations, self.contact.spot_properties().is_some())
+    }
+
+    fn respond_without_spots(&self, separations: &[f64]) -> Vec<Response> {
+        self.responses(separations, false)
     }
 
     /// Above the mode the pressure decreases with the separation for any load: -dp/dd = -int P f' dz with f' <= 0.

@@ -3,8 +3,12 @@
 use super::case::CaseStudy;
 use super::results::CaseResults;
 use crate::Response;
-use crate::compare::{CurvePoint, Difference, ModelKind, ReferencePoint, Scatter, student_quantile};
+use crate::compare::{
+    ByQuantity, ComparedQuantity, CurvePoint, Difference, ModelKind, ReferencePoint, Scatter,
+    student_quantile,
+};
 use crate::model::Exceeded;
+use crate::spot::SpotValues;
 
 /// The models, and the reference, at the load of a case, or at the middle one of its loads.
 #[derive(Debug, Clone)]
@@ -22,8 +26,8 @@ pub struct ModelResult {
     pub model: Option<ModelKind>,
     /// Its results.
     pub point: PointResult,
-    /// The 95 % interval of the area ratio, where there is one.
-    pub area_interval: Option<[f64; 2]>,
+    /// The 95 % intervals of its [values](PointResult::value), where there are such.
+    pub intervals: ByQuantity<Option<[f64; 2]>>,
 }
 
 /// What one model says at a load.
@@ -39,6 +43,8 @@ pub struct PointResult {
     pub contact_density: Option<f64>,
     /// -dp/dd, Pa/m.
     pub stiffness: Option<f64>,
+    /// Conductances per nominal area (S/m^2, W/(m^2 K)) and shear stress (Pa); 0 where there is none.
+    pub spots: SpotValues,
     /// Shares of the load in elastic, elastic-plastic and plastic contacts; `None` of the reference, and without contact.
     pub shares: Option<[f64; 3]>,
 }
@@ -51,6 +57,7 @@ impl From<&Response> for PointResult {
             area_ratio: response.area_ratio.total(),
             contact_density: Some(response.contact_density),
             stiffness: Some(response.stiffness),
+            spots: response.spots,
             shares: response.pressure.shares(),
         }
     }
@@ -64,6 +71,7 @@ impl From<&ReferencePoint> for PointResult {
             area_ratio: point.area_ratio,
             contact_density: None,
             stiffness: point.stiffness,
+            spots: point.spots,
             shares: None,
         }
     }
@@ -73,6 +81,20 @@ impl PointResult {
     /// Load over real contact area, Pa; `None` without contact.
     pub fn mean_real_pressure(&self) -> Option<f64> {
         (self.area_ratio > 0.0).then(|| self.pressure / self.area_ratio)
+    }
+
+    /// A quantity as it is compared: d/sigma, the area ratio, Pa/m, conductances per nominal area, the coefficient of friction; `None`
+    /// where there is none.
+    pub fn value(&self, quantity: ComparedQuantity) -> Option<f64> {
+        let positive = |value: f64| (value > 0.0).then_some(value);
+        let spot = || quantity.spot().and_then(|spot| positive(self.spots[spot as usize]));
+        match quantity {
+            ComparedQuantity::Separation => self.separation.map(|[_, over_sigma]| over_sigma),
+            ComparedQuantity::Area => Some(self.area_ratio),
+            ComparedQuantity::Stiffness => self.stiffness,
+            ComparedQuantity::ElectricalConductance | ComparedQuantity::ThermalConductance => spot(),
+            ComparedQuantity::Friction => Some(spot()? / self.pressure),
+        }
     }
 
     fn mean(all: &[Self]) -> Option<Self> {
@@ -86,6 +108,7 @@ impl PointResult {
             area_ratio: mean(&|one| Some(one.area_ratio))?,
             contact_density: mean(&|one| one.contact_density),
             stiffness: mean(&|one| one.stiffness),
+            spots: std::array::from_fn(|k| all.iter().map(|one| one.spots[k]).sum::<f64>() / count),
             shares: shares[0].zip(shares[1]).zip(shares[2]).map(|((a, b), c)| [a, b, c]),
         })
     }
@@ -147,14 +170,20 @@ impl CaseStudy {
             };
             let points: Vec<PointResult> = each.iter().map(of_model).collect::<Option<_>>()?;
             let point = PointResult::mean(&points)?;
-            let interval = if points.len() > 1 {
-                Some(interval_of_mean(&points.iter().map(|one| one.area_ratio).collect::<Vec<_>>()))
-            } else {
-                let of_models = at.map_or([None; 2], |at| at.of_models);
-                let half = model.and_then(|kind| of_models[usize::from(kind == ModelKind::Deterministic)]);
-                half.map(|[_, half, _]| [-half, half].map(|half| point.area_ratio * half.exp()))
+            let of_models = at.map_or([None; 2], |at| at.of_models);
+            let half = model.and_then(|kind| of_models[usize::from(kind == ModelKind::Deterministic)]);
+            let interval = |quantity: ComparedQuantity| {
+                if points.len() > 1 {
+                    let values: Option<Vec<f64>> = points.iter().map(|one| one.value(quantity)).collect();
+                    return values.map(|values| interval_of_mean(&values));
+                }
+                let (value, half) = (point.value(quantity)?, half?[quantity as usize]);
+                Some([-half, half].map(|half| match quantity {
+                    ComparedQuantity::Separation => value + half,
+                    _ => value * half.exp(),
+                }))
             };
-            Some(ModelResult { model, point, area_interval: interval })
+            Some(ModelResult { model, point, intervals: ComparedQuantity::ALL.map(interval) })
         };
         LoadResults {
             exceeded: at.map_or_else(Exceeded::default, Difference::exceeded),
@@ -210,6 +239,7 @@ mod tests {
             area_ratio: 0.02,
             contact_density: Some(4.0),
             stiffness: None,
+            spots: [0.0; 3],
             shares: Some([0.5, 0.5, 0.0]),
         };
         let other = PointResult { area_ratio: 0.04, stiffness: Some(1.0), shares: None, ..one };

@@ -166,7 +166,7 @@ mod tests {
             load: 1.0,
             sharing: Some(sharing),
             area_ratio: 0.01,
-            estimates: [Some(estimate), None, None],
+            estimates: [Some(estimate), None, None, None, None, None],
             of_models: [None; 2],
             area_needed: None,
         }

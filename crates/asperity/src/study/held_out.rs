@@ -7,7 +7,7 @@ use super::results::CaseResults;
 use super::setup::Setup;
 use super::statistical::StatisticalModel;
 use crate::Response;
-use crate::compare::{Division, Pair};
+use crate::compare::{ByQuantity, Division, Pair};
 use crate::numeric::stream_seed;
 use crate::surface::Surface;
 
@@ -103,7 +103,7 @@ impl HalfModels<'_> {
         let errors = |models: &SurfaceModels, pairs: &[Pair]| {
             let responses = responses(&*models.statistical(&*law.contact, &law.spec), &loads);
             // A reference of the whole map is none of a half.
-            LargestErrors { from_reference: [None; 3], ..errors(case, pairs, &responses) }
+            LargestErrors { from_reference: ByQuantity::default(), ..errors(case, pairs, &responses) }
         };
         ranking.tested_on = Some(self.tested_on);
         ranking.tested_loads = loads.first().zip(loads.last()).map(|(&low, &high)| [low, high]);

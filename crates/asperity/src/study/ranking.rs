@@ -4,7 +4,9 @@
 use super::case::CaseStudy;
 use super::held_out::{self, Halves, HeldOut};
 use super::law::LawContact;
-use crate::compare::{Accepted, ComparedQuantity, Pair, ReferenceCurve, ReferencePoint, of_each_decade};
+use crate::compare::{
+    Accepted, ByQuantity, ComparedQuantity, Pair, ReferenceCurve, ReferencePoint, of_each_decade,
+};
 use crate::distribution::HeightsError;
 use crate::work::{CountedContact, Counter};
 use crate::{INTERACTION, Model, Response, reached_at};
@@ -44,9 +46,9 @@ pub type Largest = Option<(f64, f64)>;
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct LargestErrors {
     /// From the sum.
-    pub from_sum: [Largest; 3],
+    pub from_sum: ByQuantity<Largest>,
     /// From the reference; `None` where there is none.
-    pub from_reference: [Largest; 3],
+    pub from_reference: ByQuantity<Largest>,
 }
 
 /// A model on one surface under one law.
@@ -70,7 +72,7 @@ pub struct Ranking {
     /// Those that do not, and why.
     pub inapplicable: Vec<(StatisticalModel, String)>,
     /// The largest difference of the sum from the reference.
-    pub sum_from_reference: [Largest; 3],
+    pub sum_from_reference: ByQuantity<Largest>,
     /// The loads at which the models were compared, Pa.
     pub loads: Vec<f64>,
     /// What fitted models are tested on; `None` where there are no other asperities, or no load is admissible on them.
@@ -116,7 +118,7 @@ impl LargestErrors {
 
     /// The larger ones of two; `None` where one of them is.
     pub(super) fn larger(&self, other: &Self) -> Self {
-        let larger = |a: &[Largest; 3], b: &[Largest; 3]| {
+        let larger = |a: &ByQuantity<Largest>, b: &ByQuantity<Largest>| {
             ComparedQuantity::ALL
                 .map(|quantity| largest(quantity, [a, b].map(|all| all[quantity as usize]).into_iter()))
         };

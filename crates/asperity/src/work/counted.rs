@@ -8,6 +8,7 @@ use crate::interface::{LoadBounds, MicroContact, Shapes};
 use crate::literature::Paper;
 use crate::numeric::interval::Interval;
 use crate::shape::Shape;
+use crate::spot::{SpotProperties, SpotValues};
 
 /// A micro-contact that counts its evaluations, those of a block at once.
 pub struct CountedContact<'a> {
@@ -34,6 +35,14 @@ impl MicroContact for CountedContact<'_> {
     fn contact(&self, w: f64, shape: Shape) -> Contact {
         self.count(Item::SingleContacts, 1);
         self.contact.contact(w, shape)
+    }
+
+    fn spot_values(&self, w: f64, shape: Shape) -> Option<SpotValues> {
+        self.contact.spot_values(w, shape)
+    }
+
+    fn spot_properties(&self) -> Option<&SpotProperties> {
+        self.contact.spot_properties()
     }
 
     fn load_over(&self, from: f64, to: f64, shape: Shape) -> LoadBounds {

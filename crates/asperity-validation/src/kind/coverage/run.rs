@@ -10,7 +10,7 @@ use crate::coverage::{
     StudiedWindow, StudyTask, VerdictCount, WindowTask, WindowVerdict, checked_windows, spiked_windows,
     windows_of,
 };
-use asperity::compare::{ComparedQuantity, Verdict};
+use asperity::compare::{ByQuantity, ComparedQuantity, Verdict};
 use asperity::numeric::median;
 use asperity::study::Choice;
 use asperity::topography::fitness::{Check, Finding};
@@ -126,7 +126,7 @@ fn is_likely(verdict: Verdict) -> bool {
 }
 
 /// The mean differences of a process at each load.
-fn truths(loads: &[LoadCoverage]) -> Vec<[Option<f64>; 3]> {
+fn truths(loads: &[LoadCoverage]) -> Vec<ByQuantity<Option<f64>>> {
     let truth = |load: &LoadCoverage, quantity: ComparedQuantity| {
         let of = CoveredQuantity::Difference(quantity);
         load.coverages.iter().find(|(covered, _)| *covered == of).map(|(_, coverage)| coverage.truth)
@@ -136,7 +136,7 @@ fn truths(loads: &[LoadCoverage]) -> Vec<[Option<f64>; 3]> {
 
 fn count<'a>(
     windows: impl Iterator<Item = &'a [WindowVerdict]>,
-    truths: &[[Option<f64>; 3]],
+    truths: &[ByQuantity<Option<f64>>],
     counted: impl Fn(&WindowVerdict) -> bool,
 ) -> VerdictCount {
     let mut count = VerdictCount::default();
@@ -168,7 +168,7 @@ fn spiked(
     windows: &[Vec<StudiedWindow>],
     place: usize,
     planted: Option<PlantedSpikes>,
-    truths: &[[Option<f64>; 3]],
+    truths: &[ByQuantity<Option<f64>>],
 ) -> SpikedResults {
     let is_found = |finding: &Finding| finding.check == Check::Spikes && !finding.has_passed();
     let of = || windows.iter().map(|window| &window[place]);

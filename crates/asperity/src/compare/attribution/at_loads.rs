@@ -217,7 +217,8 @@ impl<'a> QuantityStates<'a> {
 
 /// A quantity of a response, on the scale of contrasts.
 fn value(response: &Response, quantity: ComparedQuantity) -> Option<f64> {
-    Some(state(response)?.0[quantity as usize])
+    state(response)?;
+    quantity.value(response).map(|value| quantity.scaled(value))
 }
 
 /// The sum of the parts of some causes.

@@ -35,7 +35,7 @@ pub use states::{Inputs, Rearranged};
 
 use crate::named_enum;
 
-use super::difference::{ComparedQuantity, over_realisations};
+use super::difference::{ByQuantity, ComparedQuantity, over_realisations};
 
 named_enum! {
     /// A reason why both models differ.
@@ -92,7 +92,7 @@ pub struct Attribution {
     pub load: f64,
     /// In the order of [`ComparedQuantity::ALL`]; `None` where a quantity cannot be compared, and where too few contacts
     /// carry the load.
-    pub quantities: [Option<Contributions>; 3],
+    pub quantities: ByQuantity<Option<Contributions>>,
 }
 
 impl Attribution {

@@ -9,12 +9,13 @@ use crate::asperity::{AsperitySet, Draw, Population, Statistics};
 use crate::compare::{ComparedQuantity, Division, Pair, pairs_at};
 use crate::contact_law::named;
 use crate::distribution::Heights;
-use crate::interface::{Flat, MicroContact};
+use crate::interface::{Flat, MicroContact, WithSpots};
 use crate::layer::ModulusModel;
 use crate::material::Material;
-use crate::model::{Deterministic, Model, ReferencePlane, Statistical};
+use crate::model::{Deterministic, Model, ReferencePlane, Response, Statistical};
 use crate::numeric::Sum;
 use crate::shape::Shape;
+use crate::spot::{Conduction, Shear, ShearStrength, SpotProperties};
 
 const SIGMA: f64 = 48e-9;
 
@@ -55,8 +56,16 @@ fn steel() -> Material {
     Material::new(210e9, 0.3, Some(7.6e9), Some(2.5e9)).unwrap()
 }
 
+/// A law on steel, with every quantity of spots.
 fn interface(law: &str) -> Box<dyn MicroContact> {
-    named(law).unwrap().interface(&steel(), &Flat::Bare(steel())).unwrap()
+    let contact = named(law).unwrap().interface(&steel(), &Flat::Bare(steel())).unwrap();
+    let conduction = Conduction::new([2e-7; 2]).unwrap();
+    let properties = SpotProperties {
+        electrical: Some(conduction.clone().with_film(1e-13).unwrap()),
+        thermal: Some(conduction),
+        shear: Some(Shear { strength: ShearStrength { tau0: 2e7, alpha: 0.05 }, broken: None }),
+    };
+    Box::new(WithSpots::new(contact, properties))
 }
 
 /// The load of every height with every radius, Pa, at `separation` (m).
@@ -132,15 +141,22 @@ fn gaussian_heights_with_own_radii() {
         let inputs = inputs(&set);
         let rearranged = Rearranged::new(inputs.clone());
         for h in [0.0, 2.0, 4.0] {
-            let found = rearranged.with_models(&*contact, |models| {
-                models[Arrangement::OwnRadii as usize].respond(h).pressure.total()
-            });
+            let found =
+                rearranged.with_models(&*contact, |models| models[Arrangement::OwnRadii as usize].respond(h));
             let of_radius = |&radius: &f64| {
                 let population = Population { radius, ..inputs.population.clone() };
-                Statistical::new(&*contact, population).respond(h).pressure.total()
+                Statistical::new(&*contact, population).respond(h)
             };
-            let mean = set.radii().iter().map(of_radius).sum::<f64>() / set.count() as f64;
-            assert!((found / mean - 1.0).abs() < 5e-8, "{law} {h}: {:e}", found / mean - 1.0);
+            let each: Vec<Response> = set.radii().iter().map(of_radius).collect();
+            let of = |response: &Response| {
+                let [electrical, thermal, shear] = response.spots;
+                [response.pressure.total(), electrical, thermal, shear]
+            };
+            for (k, found) in of(&found).into_iter().enumerate() {
+                let mean = each.iter().map(|one| of(one)[k]).sum::<f64>() / set.count() as f64;
+                let most = if k == 0 { 5e-8 } else { 1e-6 };
+                assert!((found / mean - 1.0).abs() < most, "{law} {h} {k}: {:e}", found / mean - 1.0);
+            }
         }
     }
 }

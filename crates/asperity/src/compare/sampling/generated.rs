@@ -57,7 +57,8 @@ mod tests {
     /// Of contrasts 1, 2, 3 the mean is 2, the standard deviation 1: at 2 there is no misfit, at 5 one of sqrt(9 - 4).
     #[test]
     fn the_error_is_the_widened_scatter_and_the_misfit() {
-        let states = |integral: f64| vec![Some([[integral, 0.0, 0.0], [1.0, 0.0, 0.0]]), None];
+        let state = |separation: f64| [separation, 0.0, 0.0, 0.0, 0.0, 0.0];
+        let states = |integral: f64| vec![Some([state(integral), state(1.0)]), None];
         let generated = Generated { states: [2.0, 3.0, 4.0].map(states).to_vec(), widening: 1.5 };
         let of = |contrast: f64| generated.error(ComparedQuantity::Separation, contrast, 0).unwrap();
         let (error, quantile) = of(2.0);

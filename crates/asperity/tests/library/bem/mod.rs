@@ -1,6 +1,7 @@
 //! Boundary elements.
 
 mod active_set;
+mod conduction;
 mod convergence;
 mod grid_error;
 mod hertz;

@@ -1,0 +1,251 @@
+//! Electrical and thermal conductance of contact spots.
+
+use std::f64::consts::PI;
+
+use super::layered::{LAYER_RATIOS, LayerFactor};
+use crate::literature::{self, Paper};
+use crate::numeric::is_positive;
+
+/// Two half-spaces that conduct through the spots of their contact, electrically or thermally.
+///
+/// With the resistivities rho1 and rho2 of the bodies (thermally 1/k) the mean s = (rho1 + rho2)/2 alone counts: the potential on a
+/// spot is constant whatever their ratio. A circular spot of radius a conducts 2 a/s (Holm 1967); each asperity counts by itself, as
+/// if its spot were circular. A film of a resistance r per area lies in series with each spot: 1/(s/(2 a) + r/A). That is an upper bound
+/// of the conductance of a spot, by at most 8 %: the current is neither that of a bare spot nor uniform.
+///
+/// A layer on one body changes the resistance of that body by [`LayerFactor`], which is exact for one body alone: the two sides of a spot
+/// want different currents, so that the sum of both resistances is a bound, estimated to be within 8 %.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Conduction {
+    /// s without a layer, ohm m or m K/W.
+    resistivity: f64,
+    /// r, ohm m^2 or m^2 K/W.
+    film: f64,
+    layer: Option<ConductingLayer>,
+}
+
+/// A layer of finite thickness on one of the bodies.
+#[derive(Debug, Clone, PartialEq)]
+struct ConductingLayer {
+    /// Half of the resistivity of its substrate, ohm m or m K/W.
+    half: f64,
+    /// m.
+    thickness: f64,
+    factor: LayerFactor,
+}
+
+/// A property of conduction out of its range.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum ConductionError {
+    /// Resistivities must be positive and finite.
+    #[error("resistivity {0} ohm m (thermally m K/W); allowed: positive and finite")]
+    Resistivity(f64),
+    /// The resistance of a film must not be negative.
+    #[error("film resistance {0} ohm m^2 (thermally m^2 K/W); allowed: 0 or positive and finite")]
+    Film(f64),
+    /// Ratios of resistivities are limited.
+    #[error(
+        "a layer of {0:.2e} times the resistivity of its substrate; allowed: {min:e} to {max:e} times. A more resistive layer is \
+         a film: its resistance per area is resistivity times thickness",
+        min = LAYER_RATIOS[0], max = LAYER_RATIOS[1]
+    )]
+    LayerRatio(f64),
+    /// The thickness of a layer must be positive.
+    #[error("layer thickness {0} m; allowed: positive")]
+    Thickness(f64),
+}
+
+/// The exponent of [`tube_factor`].
+const TUBE_EXPONENT: f64 = 1.5;
+
+/// The constriction resistance of a circular spot in the middle of a tube over that without neighbours, (1 - e)^1.5 with e the square
+/// root of the `area_ratio` of contact and tube (Cooper, Mikic and Yovanovich 1969): neighbours on an interface without end share the
+/// flow and *lower* the resistance of each spot. Not for a cluster of spots between larger bodies, where neighbours raise it (Greenwood
+/// 1966). 0 in full contact.
+pub fn tube_factor(area_ratio: f64) -> f64 {
+    (1.0 - area_ratio.clamp(0.0, 1.0).sqrt()).powf(TUBE_EXPONENT)
+}
+
+impl Conduction {
+    /// Its sources.
+    pub const PAPERS: &'static [Paper] = &[literature::HOLM_1967];
+
+    /// Of bodies of the two `resistivities` (ohm m; thermally 1/k, m K/W), without a film.
+    ///
+    /// # Errors
+    /// A resistivity that is not positive and finite.
+    pub fn new(resistivities: [f64; 2]) -> Result<Self, ConductionError> {
+        match resistivities.into_iter().find(|&value| !is_positive(value)) {
+            Some(value) => Err(ConductionError::Resistivity(value)),
+            None => {
+                let resistivity = 0.5 * (resistivities[0] + resistivities[1]);
+                Ok(Self { resistivity, film: 0.0, layer: None })
+            }
+        }
+    }
+
+    /// Of a `bare` body and one with a layer of a resistivity and a thickness (m, infinite: nothing but layer) on a `substrate`.
+    ///
+    /// # Errors
+    /// A resistivity or a thickness that is not positive, resistivities too far apart.
+    pub fn layered(bare: f64, substrate: f64, layer: f64, thickness: f64) -> Result<Self, ConductionError> {
+        if thickness == f64::INFINITY {
+            return Self::new([bare, layer]);
+        }
+        if !is_positive(thickness) {
+            return Err(ConductionError::Thickness(thickness));
+        }
+        if !is_positive(layer) {
+            return Err(ConductionError::Resistivity(layer));
+        }
+        let unlayered = Self::new([bare, substrate])?;
+        let factor = LayerFactor::new(layer / substrate)?;
+        Ok(Self { layer: Some(ConductingLayer { half: 0.5 * substrate, thickness, factor }), ..unlayered })
+    }
+
+    /// The same under a film of a resistance per area (ohm m^2; thermally m^2 K/W; 0: none).
+    ///
+    /// # Errors
+    /// A negative or infinite resistance.
+    pub fn with_film(self, film: f64) -> Result<Self, ConductionError> {
+        if film == 0.0 || is_positive(film) {
+            Ok(Self { film, ..self })
+        } else {
+            Err(ConductionError::Film(film))
+        }
+    }
+
+    /// s = (rho1 + rho2)/2 without the layer, ohm m or m K/W.
+    pub fn resistivity(&self) -> f64 {
+        self.resistivity
+    }
+
+    /// Resistance of the film per area, ohm m^2 or m^2 K/W.
+    pub fn film(&self) -> f64 {
+        self.film
+    }
+
+    /// The conductance (S or W/K) of an asperity of a contact `area` (m^2) that counts as a number of `spheres`: of an ellipse in elastic
+    /// contact it is exact.
+    #[inline]
+    pub fn conductance(&self, area: f64, spheres: f64) -> f64 {
+        let diameters = 2.0 * (area * spheres / PI).sqrt();
+        let resistivity = self.layer.as_ref().map_or(self.resistivity, |layer| {
+            let factor = layer.factor.at(layer.thickness / (area / PI).sqrt());
+            self.resistivity + layer.half * (factor - 1.0)
+        });
+        if self.film == 0.0 {
+            return diameters / resistivity;
+        }
+        if area > 0.0 { (resistivity / diameters + self.film / area).recip() } else { 0.0 }
+    }
+}
+
+/// The conductance times s (m) of a cluster of circular spots between two half-spaces: `spots` of radii (m) at places (m). Neighbours
+/// raise the resistance: 1/(2 sum a) + sum a_i a_j/s_ij/(pi (sum a)^2) over all pairs i, j (Greenwood 1966), with the current through
+/// each spot in proportion to its radius. For a finite patch only; on an interface without end neighbours lower it ([`tube_factor`]).
+/// 0 without spots. Takes time in proportion to the square of their number.
+pub fn cluster_conductance(spots: &[(f64, [f64; 2])]) -> f64 {
+    let sum: f64 = spots.iter().map(|(a, _)| a).sum();
+    let of_pair =
+        |(a, p): &(f64, [f64; 2]), (b, q): &(f64, [f64; 2])| a * b / (p[0] - q[0]).hypot(p[1] - q[1]);
+    let before =
+        |(k, one): (usize, &(f64, [f64; 2]))| spots[..k].iter().map(|other| of_pair(one, other)).sum::<f64>();
+    let pairs: f64 = spots.iter().enumerate().map(before).sum();
+    if sum > 0.0 { ((2.0 * sum).recip() + 2.0 * pairs / (PI * sum * sum)).recip() } else { 0.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shape::Shape;
+
+    #[test]
+    fn a_circle_conducts_its_diameter_over_the_mean_resistivity() {
+        let copper_on_steel = Conduction::new([1.7e-8, 1.43e-7]).unwrap();
+        let [one, nine] = [1.0, 9.0].map(|area| copper_on_steel.conductance(area * PI * 1e-12, 1.0));
+        assert!((one / (2e-6 / 8e-8) - 1.0).abs() < 1e-15 && (nine / (3.0 * one) - 1.0).abs() < 1e-15);
+        assert_eq!(copper_on_steel.conductance(0.0, 1.0), 0.0);
+    }
+
+    /// An ellipse of semi-axes a > b conducts pi a/(s K(m)), m = 1 - (b/a)^2: that of the shape whose contact it is.
+    #[test]
+    fn an_ellipse_conducts_by_the_elliptic_integral() {
+        // K at m = 1 - 1/e^2, from the arithmetic-geometric mean of 1 and b/a.
+        let mean = |ratio: f64| {
+            let step = |(a, g): (f64, f64)| (0.5 * (a + g), (a * g).sqrt());
+            (0..8).fold((1.0, ratio), |pair, _| step(pair)).0
+        };
+        let unit = Conduction::new([1.0, 1.0]).unwrap();
+        for curvatures in [1.0, 1.5, 3.0, 20.0] {
+            let shape = Shape::ellipse(1.0, curvatures);
+            let area = PI * shape.spheres * shape.radius;
+            let found = unit.conductance(area, shape.spheres);
+            // Of unit area and contact ellipse of ratio b/a, which belongs to this ratio of curvatures.
+            let [semi_major, ratio] = semi_axes(area, curvatures);
+            let exact = 2.0 * semi_major * mean(ratio);
+            assert!((found / exact - 1.0).abs() < 1e-9, "{curvatures}: {found} {exact}");
+        }
+    }
+
+    /// The larger semi-axis, and the ratio of both, of the contact of an `area` on a body of a ratio of curvatures: [E/(1-m) - K]/(K - E)
+    /// is that ratio (PHYSICS.md, A).
+    fn semi_axes(area: f64, curvatures: f64) -> [f64; 2] {
+        // K and E by the midpoint rule, which is exact for periodic functions.
+        let integrals = |m: f64| {
+            const STEPS: usize = 4000;
+            let at = |k: usize| 1.0 - m * (PI * (k as f64 + 0.5) / (2 * STEPS) as f64).sin().powi(2);
+            let mean = |of: &dyn Fn(f64) -> f64| (0..STEPS).map(|k| of(at(k))).sum::<f64>() / STEPS as f64;
+            [mean(&|x| x.sqrt().recip()), mean(&f64::sqrt)].map(|mean| 0.5 * PI * mean)
+        };
+        let (mut low, mut high) = (0.0_f64, 1.0 - 1e-6);
+        for _ in 0..60 {
+            let m = 0.5 * (low + high);
+            let [k, e] = integrals(m);
+            if (e / (1.0 - m) - k) < curvatures * (k - e) { low = m } else { high = m }
+        }
+        let ratio = (1.0 - low).sqrt();
+        [(area / (PI * ratio)).sqrt(), ratio]
+    }
+
+    #[test]
+    fn a_film_lies_in_series_with_each_spot() {
+        let bare = Conduction::new([2.0, 4.0]).unwrap();
+        let filmed = bare.clone().with_film(5.0).unwrap();
+        let area = 0.7;
+        let expected = bare.conductance(area, 1.0).recip() + 5.0 / area;
+        assert!((filmed.conductance(area, 1.0).recip() / expected - 1.0).abs() < 1e-15);
+        assert_eq!(filmed.conductance(0.0, 1.0), 0.0);
+        assert_eq!(bare.clone().with_film(0.0), Ok(bare.clone()));
+        assert!(bare.with_film(-1.0).is_err() && Conduction::new([0.0, 1.0]).is_err());
+        assert!(Conduction::new([1.0, f64::INFINITY]).is_err());
+    }
+
+    /// Thin and thick layers conduct as the bodies without one of both materials.
+    #[test]
+    fn a_layer_between_its_limits() {
+        let of = |thickness: f64| Conduction::layered(1.0, 2.0, 8.0, thickness).unwrap().conductance(PI, 1.0);
+        let [substrate, layer] =
+            [2.0, 8.0].map(|rho| Conduction::new([1.0, rho]).unwrap().conductance(PI, 1.0));
+        assert!((of(1e-9) / substrate - 1.0).abs() < 1e-6 && (of(1e6) / layer - 1.0).abs() < 1e-5);
+        assert_eq!(of(f64::INFINITY), layer);
+        assert!(layer < of(1.0) && of(1.0) < substrate);
+        assert!(
+            Conduction::layered(1.0, 2.0, 8.0, 0.0).is_err()
+                && Conduction::layered(1.0, 2.0, 8e9, 1.0).is_err()
+        );
+    }
+
+    #[test]
+    fn spots_of_a_cluster_hinder_each_other() {
+        let two = cluster_conductance(&[(1.0, [0.0, 0.0]), (1.0, [6.0, 8.0])]);
+        assert!((two * (0.25 + (2.0 * PI * 10.0).recip()) - 1.0).abs() < 1e-15);
+        assert_eq!((cluster_conductance(&[(3.0, [0.0; 2])]), cluster_conductance(&[])), (6.0, 0.0));
+    }
+
+    #[test]
+    fn neighbours_share_the_flow() {
+        assert_eq!((tube_factor(0.0), tube_factor(1.0), tube_factor(2.0)), (1.0, 0.0, 0.0));
+        assert!((tube_factor(0.04) - 0.8f64.powf(1.5)).abs() < 1e-15);
+    }
+}

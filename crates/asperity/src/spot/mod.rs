@@ -1,0 +1,89 @@
+//! What the spots of a contact conduct, and how they resist sliding: quantities that follow from the area and the load of each
+//! micro-contact, and are summed like these.
+//!
+//! | module | content |
+//! |---|---|
+//! | `conduction` | electrical and thermal conductance of a spot, with a film on it or a layer under it |
+//! | `layered` | a circular spot on a layer |
+//! | `shear` | shear force of a spot under boundary friction |
+
+mod conduction;
+mod layered;
+mod shear;
+
+pub use conduction::{Conduction, ConductionError, cluster_conductance, tube_factor};
+pub use layered::{LAYER_RATIOS, LayerFactor};
+pub use shear::{BrokenFilm, Shear, ShearStrength};
+
+use crate::contact::Contact;
+use crate::literature::Paper;
+use crate::named_enum;
+use crate::shape::Shape;
+
+named_enum! {
+    /// A quantity of a spot that is summed over all spots.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    pub enum SpotQuantity {
+        /// Electrical conductance, S.
+        ElectricalConductance = "electrical-conductance",
+        /// Thermal conductance, W/K.
+        ThermalConductance = "thermal-conductance",
+        /// Shear force, N.
+        ShearForce = "shear-force",
+    }
+}
+
+/// A value for each of [`SpotQuantity::ALL`]; 0 of a quantity that is not asked for.
+pub type SpotValues = [f64; SpotQuantity::ALL.len()];
+
+/// What is asked of the spots of an interface.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct SpotProperties {
+    /// Of their electrical conductance.
+    pub electrical: Option<Conduction>,
+    /// Of their thermal conductance.
+    pub thermal: Option<Conduction>,
+    /// Of their shear force.
+    pub shear: Option<Shear>,
+}
+
+impl SpotProperties {
+    /// Whether nothing is asked for.
+    pub fn is_empty(&self) -> bool {
+        *self == Self::default()
+    }
+
+    /// The properties of conduction of an electrical or a thermal conductance; `None` of another quantity, and where it is not asked
+    /// for.
+    pub fn conduction(&self, quantity: SpotQuantity) -> Option<&Conduction> {
+        match quantity {
+            SpotQuantity::ElectricalConductance => self.electrical.as_ref(),
+            SpotQuantity::ThermalConductance => self.thermal.as_ref(),
+            SpotQuantity::ShearForce => None,
+        }
+    }
+
+    /// The values of an asperity of `shape` whose contact at the indentation `w` (m) is `contact`.
+    pub fn values(&self, w: f64, contact: &Contact, shape: Shape) -> SpotValues {
+        let conductance = |conduction: &Option<Conduction>| {
+            conduction.as_ref().map_or(0.0, |conduction| conduction.conductance(contact.area, shape.spheres))
+        };
+        [
+            conductance(&self.electrical),
+            conductance(&self.thermal),
+            self.shear.as_ref().map_or(0.0, |shear| shear.force(w, contact)),
+        ]
+    }
+
+    /// The indentations (m) at which one of the values jumps, ascending.
+    pub fn jumps(&self) -> Vec<f64> {
+        self.shear.iter().filter_map(Shear::breakthrough).collect()
+    }
+
+    /// The sources of its equations.
+    pub fn papers(&self) -> Vec<Paper> {
+        let conducts = self.electrical.is_some() || self.thermal.is_some();
+        let conduction = conducts.then_some(Conduction::PAPERS).into_iter().flatten();
+        conduction.chain(self.shear.iter().flat_map(|_| Shear::PAPERS)).copied().collect()
+    }
+}
