@@ -50,7 +50,7 @@ pub fn one_material(name: &str) -> Result<String, String> {
     };
     let mut text = format!("{}: {}\n", material.name, material.description);
     for row in rows(material) {
-        let _ = writeln!(text, "  {:<15} {:<10} {}", row.key, row.value, row.source);
+        let _ = writeln!(text, "  {:<21} {:<12} {}", row.key, row.value, row.source);
     }
     let _ = writeln!(text, "In a spec: material.NAME = {{ from = \"{}\" }}", material.name);
     Ok(text)
@@ -73,11 +73,19 @@ fn rows(material: &LibraryMaterial) -> Vec<Row> {
     ];
     rows.extend(material.hardness.map(|found| row("hardness", "H", pressure(found), found)));
     rows.extend(material.yield_strength.map(|found| row("yield-strength", "Y", pressure(found), found)));
+    let resistivity = |found: Sourced| input_quantity(found.value, "ohm m");
+    rows.extend(material.resistivity.map(|found| row("resistivity", "ρ", resistivity(found), found)));
+    let conductivity = |found: Sourced| format!("{} W/(m K)", input_number(found.value));
+    rows.extend(
+        material
+            .thermal_conductivity
+            .map(|found| row("thermal-conductivity", "k", conductivity(found), found)),
+    );
     rows
 }
 
 fn table(materials: &[&LibraryMaterial]) -> String {
-    let mut lines = vec![["name", "what it is", "E", "ν", "H", "Y"].map(str::to_owned)];
+    let mut lines = vec![["name", "what it is", "E", "ν", "H", "Y", "ρ", "k"].map(str::to_owned)];
     lines.extend(materials.iter().map(|material| {
         let value = |key: &str| {
             let row = rows(material).into_iter().find(|row| row.key == key);
@@ -90,10 +98,12 @@ fn table(materials: &[&LibraryMaterial]) -> String {
             value("poisson"),
             value("hardness"),
             value("yield-strength"),
+            value("resistivity"),
+            value("thermal-conductivity"),
         ]
     }));
     let width = |column: usize| lines.iter().map(|line| line[column].chars().count()).max().unwrap_or(0);
-    let widths: [usize; 6] = std::array::from_fn(width);
+    let widths: [usize; 8] = std::array::from_fn(width);
     let mut text = String::new();
     for (index, line) in lines.iter().enumerate() {
         let cells = line.iter().zip(widths).map(|(cell, width)| format!("{cell:<width$}"));

@@ -7,6 +7,7 @@ use asperity_contact_framework::report::table::{Column, Heading, Row, Table, Val
 use asperity::compare::{
     Attribution, Cause, ComparedQuantity, Comparison, CurvePoint, ModelKind, Pair, ReferencePoint,
 };
+use asperity::spot::{SpotProperties, tube_factor};
 use asperity::{ByRegime, Exceeded, Limit, Response};
 
 /// What a row belongs to.
@@ -80,6 +81,10 @@ impl Row for CurveRow {
             contact_density_per_m2["1/m²"] = row.model(|response| response.contact_density), "Contacts per nominal area.";
             mean_real_pressure_pa["Pa", prefix("M")] = row.either(|point| point.response.mean_real_pressure(), ReferencePoint::mean_real_pressure), "Load over real contact area; empty where there is no contact.";
             stiffness_pa_per_m["Pa/m"] = row.either(|point| Some(point.response.stiffness), |point| point.stiffness), "Contact stiffness -dp/dd per nominal area; jumps of a law are excluded for the sum and included for the integral; for the reference of the points in contact below the cap, held fixed; empty with a finite boundary and where there are none.";
+            electrical_conductance_s_per_m2["S/m²", part(ELECTRICAL), prefix("M")] = row.of_spots(ComparedQuantity::ElectricalConductance), "Electrical conductance per nominal area: of a sum or integral 2 a/s of each spot without interaction, of the reference the current through all points in contact; there only where it is asked for.";
+            thermal_conductance_w_per_m2_k["W/(m² K)", part(THERMAL), prefix("k")] = row.of_spots(ComparedQuantity::ThermalConductance), "Thermal conductance per nominal area, likewise.";
+            tube_factor["1", part(CONDUCTION)] = row.model(|response| tube_factor(response.area_ratio.total())), "Factor of the constriction resistance of the spots by their neighbours on an interface without end, (1 - (A/A_nom)^0.5)^1.5 (Cooper, Mikic and Yovanovich 1969): the conductance of a model over it counts them; empty for the reference, which does.";
+            friction["1", part(FRICTION)] = row.of_spots(ComparedQuantity::Friction), "Coefficient of boundary friction: shear forces of all spots over the load; there only where it is asked for.";
             elastic_load_share["1", label("elastic"), percent] = row.model_value(|response| share(&response.pressure, 0)), "Share of the load in elastic contacts; empty where there is no contact.";
             elastic_plastic_load_share["1", label("elastic-plastic"), percent] = row.model_value(|response| share(&response.pressure, 1)), "Share of the load in elastic-plastic contacts.";
             plastic_load_share["1", label("plastic"), percent] = row.model_value(|response| share(&response.pressure, 2)), "Share of the load in plastic contacts.";
@@ -155,6 +160,14 @@ impl CurveRow {
         Some(self.model_value(Response::mean_contact_radius)? / thickness)
     }
 
+    /// A quantity that follows from the spots of the contact.
+    fn of_spots(&self, quantity: ComparedQuantity) -> Option<f64> {
+        match &self.point {
+            AnyPoint::Model(point, _) => quantity.value(&point.response),
+            AnyPoint::Reference(point) => point.value(quantity),
+        }
+    }
+
     /// The limits of the models; the reference has none.
     fn exceeded(&self) -> Exceeded {
         match &self.point {
@@ -205,6 +218,9 @@ impl ModelValues {
             mean_real_pressure_pa["Pa", prefix("M")] = answer.response.mean_real_pressure(), "load over real contact area; empty where there is no contact.";
             pressure_pa["Pa", prefix("M")] = answer.response.pressure.total(), "nominal pressure, load over nominal area.";
             stiffness_pa_per_m["Pa/m"] = answer.response.stiffness, "contact stiffness -dp/dd per nominal area.";
+            electrical_conductance_s_per_m2["S/m²", part(ELECTRICAL), prefix("M")] = ComparedQuantity::ElectricalConductance.value(&answer.response), "electrical conductance per nominal area, of spots without interaction.";
+            thermal_conductance_w_per_m2_k["W/(m² K)", part(THERMAL), prefix("k")] = ComparedQuantity::ThermalConductance.value(&answer.response), "thermal conductance per nominal area, of spots without interaction.";
+            friction["1", part(FRICTION)] = ComparedQuantity::Friction.value(&answer.response), "coefficient of boundary friction.";
             contacts["1"] = answer.contacts(), "number of contacts on the nominal area.";
         }
     }
@@ -267,10 +283,14 @@ impl PairRow {
     /// The columns `statistical_X`, `deterministic_X` and `difference_X` of a quantity X.
     fn compared(quantity: &Column<ModelValues>) -> [Column<Self>; 3] {
         let column = |prefix, title, value: fn(&Self, &Column<ModelValues>) -> Value| {
-            let Heading { name, unit, meaning, .. } = &quantity.heading;
+            let Heading { name, unit, meaning, part, .. } = &quantity.heading;
             let quantity = quantity.clone();
             let value = move |row: &Self| value(row, &quantity);
-            Column::new(format!("{prefix}_{name}"), unit, format!("{title}: {meaning}"), value)
+            let column = Column::new(format!("{prefix}_{name}"), unit, format!("{title}: {meaning}"), value);
+            match part {
+                Some(part) => column.part(part),
+                None => column,
+            }
         };
         [
             column("statistical", "Statistical model", |row, x| row.by(ModelKind::Statistical, x)),
@@ -318,13 +338,38 @@ impl Row for PairRow {
 /// The columns about causes, and those about the reference, which a table holds where these were run.
 pub(crate) const CAUSES: &str = "causes";
 
+/// The columns of conductances, of each of them, and of friction, which a table holds where they are asked for.
+pub(crate) const CONDUCTION: &str = "conduction";
+pub(crate) const ELECTRICAL: &str = "electrical";
+pub(crate) const THERMAL: &str = "thermal";
+pub(crate) const FRICTION: &str = "friction";
+
+/// A table without the columns of what is not asked of spots.
+pub(crate) fn of_asked_spots(table: Table, asked: &SpotProperties) -> Table {
+    let SpotProperties { electrical, thermal, shear } = asked;
+    let parts = [
+        (CONDUCTION, asked.conducts()),
+        (ELECTRICAL, electrical.is_some()),
+        (THERMAL, thermal.is_some()),
+        (FRICTION, shear.is_some()),
+    ];
+    let left_out = parts.into_iter().filter(|(_, is_asked)| !is_asked);
+    left_out.fold(table, |table, (part, _)| table.without_part(part))
+}
+
 /// The points of both models' curves.
 pub(crate) fn of_models(comparison: &Comparison) -> impl Iterator<Item = AnyPoint> {
     let points = comparison.curves.iter().copied().zip(comparison.exceeded());
     points.map(|(point, exceeded)| AnyPoint::Model(point, exceeded))
 }
 
+/// `curves.csv` of models of whose spots nothing is asked.
+pub(crate) fn curves_of_models(rows: impl IntoIterator<Item = CurveRow>) -> Table {
+    of_asked_spots(Table::new(rows), &SpotProperties::default())
+}
+
 /// `comparison.csv` of both models, without causes and reference.
 pub(crate) fn comparison_of_models(rows: impl IntoIterator<Item = PairRow>) -> Table {
-    Table::new(rows).without_part(CAUSES).without_part(REFERENCE)
+    let table = Table::new(rows).without_part(CAUSES).without_part(REFERENCE);
+    of_asked_spots(table, &SpotProperties::default())
 }

@@ -10,6 +10,9 @@ pub fn quantity_name(compared: ComparedQuantity) -> &'static str {
         ComparedQuantity::Separation => "separation",
         ComparedQuantity::Area => "real contact area",
         ComparedQuantity::Stiffness => "stiffness",
+        ComparedQuantity::ElectricalConductance => "electrical conductance",
+        ComparedQuantity::ThermalConductance => "thermal conductance",
+        ComparedQuantity::Friction => "coefficient of friction",
     }
 }
 
@@ -17,7 +20,7 @@ pub fn quantity_name(compared: ComparedQuantity) -> &'static str {
 pub fn difference_unit(compared: ComparedQuantity) -> (&'static str, f64) {
     match compared {
         ComparedQuantity::Separation => ("σ", 1.0),
-        ComparedQuantity::Area | ComparedQuantity::Stiffness => ("%", 100.0),
+        _ => ("%", 100.0),
     }
 }
 

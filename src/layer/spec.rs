@@ -14,6 +14,8 @@ use asperity_contact_framework::input::sweep::LogSweep;
 use asperity_contact_framework::input::{Forms, Spanned};
 use asperity_contact_framework::written_schema;
 
+use crate::study_plan::{Breakdown, ShearStrengthSpec};
+
 /// A layer on one of the bodies, of one thickness or several.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(
@@ -35,6 +37,12 @@ pub struct LayerSpec {
     /// The body that has the layer. On the rough body it follows the surface, whose heights are those of the coated one; each coated asperity is taken as a layered half-space.
     #[schemars(extend("default" = "flat", "examples" = ["rough"]))]
     pub on: Option<Spanned<Body>>,
+    /// Shear strength of the layer, in which spots shear until they break through it; beside that of the interface, `compare.shear-strength`.
+    #[schemars(extend("x-default" = "that of the interface", "examples" = [{ "tau0": "8 MPa" }]))]
+    pub shear_strength: Option<Spanned<ShearStrengthSpec>>,
+    /// Indentation over the thickness of the layer from which on a spot has broken through it and shears as the interface.
+    #[schemars(extend("default" = 1, "examples" = [2]))]
+    pub breakdown: Option<Breakdown>,
 }
 
 /// One thickness, m: 0 is uncoated, infinity the bulk layer material.

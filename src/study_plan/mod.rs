@@ -5,11 +5,13 @@ mod implausible;
 mod layer_check;
 mod loads;
 mod rough_body;
+mod spots;
 mod statistical;
 
 pub use errors::{inapplicable, unreachable_load};
 pub use layer_check::layer_metadata;
 pub use rough_body::RoughBody;
+pub use spots::{Breakdown, ConductanceSpec, ShearStrengthSpec, SpotKeys};
 pub use statistical::StatisticalSpec;
 
 use std::fmt;
@@ -28,6 +30,7 @@ use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 use crate::layer::{LayerPlan, LayerSpec, layer};
 use crate::plausibility;
 use crate::surface::{SurfacePlan, describe, surfaces};
+use spots::SpottedBodies;
 
 /// The tables and keys of a spec that a study needs.
 pub struct StudyKeys<'a> {
@@ -41,6 +44,8 @@ pub struct StudyKeys<'a> {
     pub law: &'a Spanned<Laws>,
     /// A layer on one of the bodies.
     pub layer: Option<&'a LayerSpec>,
+    /// What is asked of the spots of the contact.
+    pub spots: SpotKeys<'a>,
     /// The statistical model.
     pub statistical: Option<&'a Spanned<StatisticalSpec>>,
     /// The largest differences between the models that are accepted.
@@ -154,6 +159,9 @@ impl StudyPlan {
         implausible
             .extend(pixels.filter_map(|(surface, pixel)| plausibility::of_pixel(&surface.name, pixel)));
         let laws = file.law_plans(keys.law, bare, &flats, coated.0)?;
+        let bodies =
+            SpottedBodies { bare, coated: (coated.0, &coated.1), layer: layer.as_deref().zip(keys.layer) };
+        let laws = keys.spots.add_to(file, bodies, laws)?;
         let mut plan = Self {
             bodies: Bodies { rough: rough_name.clone(), flat: flat_name.clone() },
             pair: [rough.1, flat.1],

@@ -43,6 +43,8 @@ pub struct ContactMetadata {
     pub reduced_modulus: f64,
     /// Hardness of the softer body, Pa.
     pub hardness: Option<f64>,
+    /// Whether its electrical and its thermal conductance are asked for.
+    pub conducts: [bool; 2],
     /// The layer on one of them.
     pub layer: Option<LayerMetadata>,
     /// Laws used outside their range of validity, one per line.
@@ -93,6 +95,9 @@ pub fn contact_metadata(
         bodies: bodies.clone(),
         reduced_modulus: contact.reference_modulus(),
         hardness: Some(contact.reference_hardness()).filter(|hardness| hardness.is_finite()),
+        conducts: contact
+            .spot_properties()
+            .map_or([false; 2], |properties| [properties.electrical.is_some(), properties.thermal.is_some()]),
         layer,
         caveats,
     }

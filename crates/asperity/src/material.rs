@@ -2,13 +2,15 @@
 
 use crate::numeric::is_positive;
 
-/// The elastic and plastic properties of one body, checked by [`Material::new`].
+/// The elastic and plastic properties of one body, checked by [`Material::new`], and how it conducts, where that is known.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Material {
     young: f64,
     poisson: f64,
     hardness: Option<f64>,
     yield_strength: Option<f64>,
+    resistivity: Option<f64>,
+    thermal_conductivity: Option<f64>,
 }
 
 /// A property out of its physical range.
@@ -26,6 +28,12 @@ pub enum MaterialError {
     /// Yield strength must be positive and finite.
     #[error("yield strength {0} Pa; allowed: positive and finite, or left out")]
     YieldStrength(f64),
+    /// A resistivity must be positive and finite.
+    #[error("resistivity {0} ohm m; allowed: positive and finite, or left out")]
+    Resistivity(f64),
+    /// A thermal conductivity must be positive and finite.
+    #[error("thermal conductivity {0} W/(m K); allowed: positive and finite, or left out")]
+    ThermalConductivity(f64),
 }
 
 impl Material {
@@ -53,7 +61,26 @@ impl Material {
         if let Some(value) = unusable(yield_strength) {
             return Err(MaterialError::YieldStrength(value));
         }
-        Ok(Self { young, poisson, hardness, yield_strength })
+        Ok(Self { young, poisson, hardness, yield_strength, resistivity: None, thermal_conductivity: None })
+    }
+
+    /// The same body with an electrical resistivity (ohm m) and a thermal conductivity (W/(m K)), where they are known.
+    ///
+    /// # Errors
+    /// The first of them that is not positive and finite.
+    pub fn conducting(
+        self,
+        resistivity: Option<f64>,
+        thermal_conductivity: Option<f64>,
+    ) -> Result<Self, MaterialError> {
+        let unusable = |value: Option<f64>| value.filter(|&v| !is_positive(v));
+        if let Some(value) = unusable(resistivity) {
+            return Err(MaterialError::Resistivity(value));
+        }
+        if let Some(value) = unusable(thermal_conductivity) {
+            return Err(MaterialError::ThermalConductivity(value));
+        }
+        Ok(Self { resistivity, thermal_conductivity, ..self })
     }
 
     /// Young's modulus, Pa.
@@ -74,6 +101,16 @@ impl Material {
     /// Yield strength, Pa, where it is known.
     pub fn yield_strength(&self) -> Option<f64> {
         self.yield_strength
+    }
+
+    /// Electrical resistivity, ohm m, where it is known.
+    pub fn resistivity(&self) -> Option<f64> {
+        self.resistivity
+    }
+
+    /// Thermal conductivity, W/(m K), where it is known.
+    pub fn thermal_conductivity(&self) -> Option<f64> {
+        self.thermal_conductivity
     }
 
     /// The same body without hardness and yield strength.
@@ -128,6 +165,10 @@ mod tests {
         for poisson in [-0.1, 0.5, f64::NAN] {
             assert!(matches!(Material::new(1e9, poisson, None, None), Err(MaterialError::Poisson(_))));
         }
+        assert!(
+            steel().conducting(Some(0.0), None).is_err() && steel().conducting(None, Some(-1.0)).is_err()
+        );
+        assert_eq!(steel().conducting(Some(2e-7), None).unwrap().resistivity(), Some(2e-7));
         assert!(Material::new(1e9, 0.0, Some(0.0), None).is_err());
         assert!(Material::new(1e9, 0.0, None, Some(f64::NAN)).is_err());
     }

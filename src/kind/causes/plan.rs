@@ -13,7 +13,7 @@ use super::process::{GridProcess, ascending};
 use super::spec::CausesSpec;
 use crate::kind::compare::plan::ComparePlan;
 use crate::kind::compare::reference::plan::{ReferenceKeys, Resolved, reference};
-use crate::study_plan::{StudyKeys, StudyPlan};
+use crate::study_plan::{SpotKeys, StudyKeys, StudyPlan};
 use crate::surface::{Generation, SurfacePlan};
 
 /// At least two give a scatter.
@@ -110,6 +110,7 @@ pub(super) fn plan(file: &SpecFile, table: &Spanned<CausesSpec>) -> Result<Cause
         flat: &raw.flat,
         law: &raw.law,
         layer: None,
+        spots: SpotKeys::default(),
         statistical: None,
         accept: raw.accept,
         surfaces: None,

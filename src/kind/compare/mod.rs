@@ -2,6 +2,7 @@
 
 mod card;
 mod contact_map;
+mod correlations;
 pub mod figures;
 mod lines;
 mod names;

@@ -14,7 +14,7 @@ use super::lines::lines;
 use super::reference::ReferencePlan;
 use super::reference::plan::{ReferenceKeys, Resolved, reference};
 use super::spec::{CompareSpec, Models};
-use crate::study_plan::{StudyKeys, StudyPlan};
+use crate::study_plan::{SpotKeys, StudyKeys, StudyPlan};
 use crate::surface::SurfacePlan;
 
 /// Both models on given surfaces, and the reference beside them.
@@ -140,6 +140,10 @@ fn keys(table: &Spanned<CompareSpec>) -> StudyKeys<'_> {
         flat: &raw.flat,
         law: &raw.law,
         layer: raw.layer.as_ref(),
+        spots: SpotKeys {
+            conductance: raw.conductance.as_ref(),
+            shear_strength: raw.shear_strength.as_ref(),
+        },
         statistical: raw.statistical.as_ref(),
         accept: raw.accept,
         surfaces: raw.surfaces.as_deref(),

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use asperity::analytical::AnalyticalLine;
 use asperity::compare::Tolerances;
 use asperity::law::Body;
+use asperity::spot::{Joint, SpotProperties};
 use asperity::study::{CaseStudy, DecreaseResults, LawFindings, RealisationFacts, Threshold};
 use asperity::surface::Surface;
 use asperity_contact_framework::contact::ContactMetadata;
@@ -23,6 +24,8 @@ pub struct CompareResults {
     pub metadata: Metadata,
     /// The bodies.
     pub contact: ContactMetadata,
+    /// What is asked of the spots of the contact.
+    pub spots: SpotProperties,
     /// Warnings about inputs that are hardly meant or too coarse.
     pub implausible: Vec<String>,
     /// How far the curves over d/sigma may be off.
@@ -146,6 +149,10 @@ pub struct SurfaceResults {
     pub surface: Surface,
     /// The area that its load acts on, m²: its own nominal area, or that of the spec.
     pub load_area: f64,
+    /// What is asked of the spots of its contacts, without a layer.
+    pub spots: SpotProperties,
+    /// What correlations of conductances take of it; `None` without a map.
+    pub joint: Option<Joint>,
     /// Its realisations, the first first; the asperities of the others are not kept.
     pub realisations: Vec<RealisationFacts>,
     /// Every law under every thickness, in file order.

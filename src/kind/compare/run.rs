@@ -4,13 +4,14 @@ use std::time::Instant;
 
 use asperity::bem::Solver;
 use asperity::compare::{AgainstReference, CaseSampling, Control};
+use asperity::spot::{Correlation, Joint, SpotProperties};
 use asperity::study::{
     CaseResults, CaseStudy, LawFindings, LayerQuestion, RealisationResults, Setup, SurfaceModels, attribute,
     decreases, differ, models_of, rank, run_surface, sampling, thresholds,
 };
 use asperity::surface::{AnalysisDepth, PreparedMap, Surface};
 use asperity::work::Counter;
-use asperity::{Heights, Paper, Response};
+use asperity::{Heights, MicroContact, Paper, Response, literature};
 use asperity_contact_framework::RunContext;
 use asperity_contact_framework::contact::{contact_metadata, papers_of};
 use asperity_contact_framework::input::InputError;
@@ -58,6 +59,7 @@ pub fn run(
     let spec = fit.map_or_else(|| text.clone(), |fit| by_hand(text, fit));
     Ok(CompareResults {
         metadata: context.metadata(papers, timing, Some(counter.work())),
+        spots: compare.study.laws[0].contact.spot_properties().cloned().unwrap_or_default(),
         contact,
         implausible,
         tolerances: compare.study.controls.tolerances,
@@ -71,6 +73,13 @@ pub fn run(
         }),
         described: described.map(|file| Described { file: file.clone(), spec }),
     })
+}
+
+/// The joint of a surface with a flat, for correlations; `None` without a map.
+fn joint(surface: &Surface, contact: &dyn MicroContact) -> Option<Joint> {
+    let roughness = &surface.map.as_ref()?.roughness;
+    let (modulus, hardness) = (contact.reference_modulus(), contact.reference_hardness());
+    Some(Joint::isotropic(roughness.moments.sq, roughness.rms_slope(), modulus, hardness))
 }
 
 /// The points at prescribed separations of all cases on the first realisation of a surface.
@@ -118,6 +127,15 @@ pub fn each_surface<T>(
         papers.extend(Solver::papers(reference.solutions.iter().any(|solution| solution.cap.is_some())));
     }
     papers.extend(compare.lines.iter().map(|line| line.paper()));
+    if compare
+        .study
+        .laws
+        .iter()
+        .any(|law| law.contact.spot_properties().is_some_and(SpotProperties::conducts))
+    {
+        papers.extend(Correlation::ALL.map(Correlation::paper));
+        papers.push(literature::BARBER_2003);
+    }
     Ok(Ran { results, timing, papers })
 }
 
@@ -206,6 +224,8 @@ impl<'a> Run<'a> {
         Ok(SurfaceResults {
             contact_map,
             load_area: setup.load_area(&surface),
+            spots: setup.laws[0].contact.spot_properties().cloned().unwrap_or_default(),
+            joint: joint(&surface, &*setup.laws[0].contact),
             surface,
             realisations,
             cases,

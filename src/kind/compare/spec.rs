@@ -19,6 +19,8 @@ use asperity_contact_framework::input::sweep::{LinearSweep, LogSweep};
 use asperity_contact_framework::input::tolerance::ToleranceSpec;
 use asperity_contact_framework::written_schema;
 
+use crate::study_plan::{ConductanceSpec, ShearStrengthSpec};
+
 /// Both models on the same surfaces, and the reference beside them: may the integral replace the sum?
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
@@ -34,6 +36,13 @@ pub struct CompareSpec {
     /// A layer on the flat or on the rough body, of one thickness or several.
     #[schemars(extend("x-default" = "none: both bodies are bare", "examples" = [{ "material": "lead", "thickness": [0, "50 nm", "1 um", "inf"] }]))]
     pub layer: Option<LayerSpec>,
+    /// Conductances of the contact that are compared, too: of spots that conduct by themselves, in the models; of the whole contact, in the
+    /// reference.
+    #[schemars(extend("x-default" = "none", "examples" = ["thermal", { "electrical": { "film": "1e-12 ohm m^2" } }]))]
+    pub conductance: Option<Spanned<ConductanceSpec>>,
+    /// Shear strength of the real contact area, tau0 + alpha p; the coefficient of boundary friction is compared, too.
+    #[schemars(extend("x-default" = "none", "examples" = [{ "tau0": "20 MPa", "alpha": 0.05 }]))]
+    pub shear_strength: Option<Spanned<ShearStrengthSpec>>,
     /// What runs: the integral, the sum, and the boundary elements of the reference.
     #[schemars(extend("default" = ["statistical", "deterministic"], "examples" = [["statistical", "deterministic", "reference"]]))]
     pub models: Option<Spanned<Models>>,

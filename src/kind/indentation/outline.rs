@@ -203,7 +203,7 @@ fn load_figure(page: &mut Page, results: &IndentationResults, k: usize, law: &La
 fn set_up(page: &mut Page, results: &IndentationResults) {
     let IndentationResults { metadata, materials, ball, radius, flat, indentations, layers, .. } = results;
     page.heading(2, "Set-up");
-    sections::materials(page, metadata, materials, |name| {
+    sections::materials(page, metadata, materials, [false; 2], |name| {
         let is_layer = layers.iter().any(|layer| layer.name == name);
         let roles = [("ball", name == ball), ("flat", name == flat), ("layer", is_layer)];
         let roles: Vec<&str> = roles.into_iter().filter(|role| role.1).map(|role| role.0).collect();

@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::spec::LawsSpec;
 use crate::kind::compare::plan::ComparePlan;
-use crate::study_plan::{StudyKeys, StudyPlan};
+use crate::study_plan::{SpotKeys, StudyKeys, StudyPlan};
 use crate::surface::curvature_ratio;
 use asperity::compare::Controls;
 use asperity::{ContactLaw, Hertz, Law, Pair, Shape, Zmc};
@@ -87,6 +87,7 @@ pub(super) fn plan(file: &SpecFile, table: &Spanned<LawsSpec>) -> Result<LawsPla
             flat: &raw.flat,
             law: &raw.law,
             layer: None,
+            spots: SpotKeys::default(),
             statistical: raw.statistical.as_ref(),
             accept: raw.accept,
             surfaces: raw.surfaces.as_deref(),

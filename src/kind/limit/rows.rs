@@ -5,7 +5,7 @@ use asperity_contact_framework::columns;
 use asperity_contact_framework::report::table::{Column, Row, Table};
 
 use super::run::LimitResults;
-use crate::model_tables::{CurveRow, PairRow, RowCase, comparison_of_models};
+use crate::model_tables::{CurveRow, PairRow, RowCase, comparison_of_models, curves_of_models};
 
 /// The errors of sets of one size at one separation.
 pub struct ConvergenceRow<'a> {
@@ -70,7 +70,7 @@ pub fn tables(results: &LimitResults) -> Vec<Table> {
     let errors =
         LimitQuantity::ALL.map(|quantity| points.iter().map(move |point| ConvergenceRow { point, quantity }));
     let tables = [
-        Table::new(curves),
+        curves_of_models(curves),
         comparison_of_models(pairs(results)),
         Table::new(errors.into_iter().flatten()),
         Table::new(slopes.iter().map(SlopeRow)),

@@ -9,7 +9,7 @@ use asperity_contact_framework::input::{InputError, Spanned, SpecFile, Whole};
 use asperity_contact_framework::report::format::listed;
 
 use super::spec::SamplingIntervalSpec;
-use crate::study_plan::{StudyKeys, StudyPlan};
+use crate::study_plan::{SpotKeys, StudyKeys, StudyPlan};
 use crate::surface::SurfacePlan;
 
 /// The intervals and multiples of a spec that gives none.
@@ -108,6 +108,7 @@ pub(super) fn plan(
             flat: &raw.flat,
             law: &raw.law,
             layer: None,
+            spots: SpotKeys::default(),
             statistical: raw.statistical.as_ref(),
             accept: raw.accept,
             surfaces: raw.surfaces.as_deref(),

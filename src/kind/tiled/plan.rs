@@ -7,7 +7,7 @@ use asperity_contact_framework::input::accept::AcceptSpec;
 use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 
 use super::spec::TiledSpec;
-use crate::study_plan::{StudyKeys, StudyPlan};
+use crate::study_plan::{SpotKeys, StudyKeys, StudyPlan};
 use crate::surface::{SurfacePlan, SurfaceTiles};
 
 /// Both models on a surface in tiles.
@@ -61,6 +61,7 @@ pub(super) fn plan(file: &SpecFile, table: &Spanned<TiledSpec>) -> Result<TiledP
             flat: &raw.flat,
             law: &raw.law,
             layer: raw.layer.as_ref(),
+            spots: SpotKeys::default(),
             statistical: None,
             accept: AcceptSpec::default(),
             surfaces: surfaces.as_deref(),

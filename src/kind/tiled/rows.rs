@@ -6,7 +6,7 @@ use asperity_contact_framework::columns;
 use asperity_contact_framework::report::table::{Column, Row, Table};
 
 use super::results::{LawResults, TiledResults, TiledSurface};
-use crate::model_tables::{CurveRow, PairRow, RowCase, comparison_of_models, limits};
+use crate::model_tables::{CurveRow, PairRow, RowCase, comparison_of_models, curves_of_models, limits};
 use crate::surface::rows::SurfaceRow;
 
 /// Half-width of a 95 % interval in standard errors.
@@ -99,7 +99,7 @@ pub fn tables(results: &TiledResults) -> Vec<Table> {
         law.comparison.pairs.iter().map(move |&pair| PairRow::of_models(case.clone(), pair, area, None))
     });
     vec![
-        Table::new(curves),
+        curves_of_models(curves),
         comparison_of_models(pairs),
         Table::new(results.laws.iter().flat_map(SeparationRow::all)),
         Table::new([surface_row(&results.surface)]),

@@ -32,6 +32,14 @@ pub struct AcceptSpec {
     #[serde(default)]
     #[schemars(extend("default" = "20 %", "examples" = [0.1]))]
     stiffness: Option<RelativeDifference>,
+    /// Accepted difference of the electrical and the thermal conductance, relative to the sum.
+    #[serde(default)]
+    #[schemars(extend("default" = "20 %", "examples" = ["10 %"]))]
+    conductance: Option<RelativeDifference>,
+    /// Accepted difference of the coefficient of friction, relative to the sum.
+    #[serde(default)]
+    #[schemars(extend("default" = "10 %", "examples" = ["5 %"]))]
+    friction: Option<RelativeDifference>,
 }
 
 /// An accepted difference in separation.
@@ -60,6 +68,8 @@ impl AcceptSpec {
             },
             area: relative(self.area, Accepted::DEFAULT.area),
             stiffness: relative(self.stiffness, Accepted::DEFAULT.stiffness),
+            conductance: relative(self.conductance, Accepted::DEFAULT.conductance),
+            friction: relative(self.friction, Accepted::DEFAULT.friction),
         }
     }
 }
@@ -136,7 +146,9 @@ mod tests {
     fn what_is_left_out_has_its_default() {
         assert_eq!(read("").unwrap().on(1e-8), Accepted::DEFAULT);
         let given = read("area = \"5 %\"\nseparation = \"2 nm\"").unwrap().on(1e-8);
-        assert_eq!(given, Accepted { separation: 0.2, area: 0.05, stiffness: 0.2 });
+        assert_eq!(given, Accepted { separation: 0.2, area: 0.05, ..Accepted::DEFAULT });
+        let given = read("conductance = \"50 %\"\nfriction = 0.05").unwrap().on(1e-8);
+        assert_eq!(given, Accepted { conductance: 0.5, friction: 0.05, ..Accepted::DEFAULT });
         assert_eq!(read("separation = 1").unwrap().on(1e-8).separation, 1.0);
         assert_eq!(read("area = \"150 %\"\nstiffness = 1").unwrap().on(1e-8).area, 1.5);
     }

@@ -1,12 +1,12 @@
 //! `[material.NAME]`: one body, by its properties or from the library.
 
 use asperity::Material;
-use asperity::material_library::{self, LibraryMaterial};
+use asperity::material_library::{self, LibraryMaterial, Sourced};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::input::bare::{HardnessRange, ModulusRange, YieldRange};
-use crate::input::quantity::{PoissonRange, Pressure, Pure, Quantity};
+use crate::input::quantity::{PoissonRange, Pressure, Pure, Quantity, Resistivity, ThermalConductivity};
 
 /// A body as a spec states it, checked.
 #[derive(Debug, Clone, Deserialize)]
@@ -28,14 +28,28 @@ pub struct MaterialOrigin {
 }
 
 impl MaterialOrigin {
-    /// Each value of the body that is from the library: its key and its source.
+    /// The values that contact needs of the body and that are from the library: key and source of each.
     pub fn sources(&self) -> Vec<(&'static str, String)> {
-        let all = [
+        self.sources_of([
             (YOUNG, Some(self.from.young)),
             (POISSON, Some(self.from.poisson)),
             (HARDNESS, self.from.hardness),
             (YIELD_STRENGTH, self.from.yield_strength),
-        ];
+        ])
+    }
+
+    /// The same of how it conducts, electrically and thermally, where that `is_used`.
+    pub fn sources_of_conduction(&self, [electrical, thermal]: [bool; 2]) -> Vec<(&'static str, String)> {
+        self.sources_of([
+            (RESISTIVITY, self.from.resistivity.filter(|_| electrical)),
+            (THERMAL_CONDUCTIVITY, self.from.thermal_conductivity.filter(|_| thermal)),
+        ])
+    }
+
+    fn sources_of<const N: usize>(
+        &self,
+        all: [(&'static str, Option<Sourced>); N],
+    ) -> Vec<(&'static str, String)> {
         let taken = all.into_iter().filter(|(key, _)| !self.overridden.contains(key));
         taken.filter_map(|(key, value)| Some((key, value?.source()))).collect()
     }
@@ -45,6 +59,10 @@ const YOUNG: &str = "young";
 const POISSON: &str = "poisson";
 const HARDNESS: &str = "hardness";
 const YIELD_STRENGTH: &str = "yield-strength";
+/// The key of the electrical resistivity.
+pub const RESISTIVITY: &str = "resistivity";
+/// The key of the thermal conductivity.
+pub const THERMAL_CONDUCTIVITY: &str = "thermal-conductivity";
 
 /// One body: by its properties, or from the library.
 #[derive(Deserialize, JsonSchema)]
@@ -64,6 +82,11 @@ struct Keys {
     /// Yield strength, for the law `jackson-green`.
     #[schemars(extend("examples" = ["2.2 GPa"]))]
     yield_strength: Option<Quantity<Pressure, YieldRange>>,
+    /// Electrical resistivity, for electrical conductance.
+    #[schemars(extend("examples" = ["17 nohm m"]))]
+    resistivity: Option<Quantity<Resistivity>>,
+    /// Thermal conductivity, for thermal conductance.
+    thermal_conductivity: Option<Quantity<ThermalConductivity>>,
 }
 
 crate::written_schema!(MaterialSpec, |generator| Keys::json_schema(generator));
@@ -78,10 +101,19 @@ impl TryFrom<Keys> for MaterialSpec {
             (POISSON, keys.poisson.map(|q| q.value())),
             (HARDNESS, keys.hardness.map(|q| q.value())),
             (YIELD_STRENGTH, keys.yield_strength.map(|q| q.value())),
+            (RESISTIVITY, keys.resistivity.map(|q| q.value())),
+            (THERMAL_CONDUCTIVITY, keys.thermal_conductivity.map(|q| q.value())),
         ];
-        let library = from.map_or([None; 4], |from| {
-            [Some(from.young), Some(from.poisson), from.hardness, from.yield_strength]
-                .map(|value| value.map(|sourced| sourced.value))
+        let library = from.map_or([None; 6], |from| {
+            [
+                Some(from.young),
+                Some(from.poisson),
+                from.hardness,
+                from.yield_strength,
+                from.resistivity,
+                from.thermal_conductivity,
+            ]
+            .map(|value| value.map(|sourced| sourced.value))
         });
         let value = |index: usize| given[index].1.or(library[index]);
         let needed = |index: usize, example: &str| {
@@ -94,7 +126,9 @@ impl TryFrom<Keys> for MaterialSpec {
             })
         };
         let (young, poisson) = (needed(0, "\"210 GPa\"")?, needed(1, "0.3")?);
-        let body = Material::new(young, poisson, value(2), value(3)).map_err(|error| error.to_string())?;
+        let body = Material::new(young, poisson, value(2), value(3))
+            .and_then(|body| body.conducting(value(4), value(5)))
+            .map_err(|error| error.to_string())?;
         let overridden = given.iter().filter(|(_, value)| value.is_some()).map(|(key, _)| *key).collect();
         Ok(Self { body, origin: from.map(|from| MaterialOrigin { from, overridden }) })
     }

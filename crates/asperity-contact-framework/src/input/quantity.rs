@@ -56,6 +56,14 @@ dimensions! {
     Angle;
     /// Forces.
     Force;
+    /// Electrical resistivities.
+    Resistivity;
+    /// Thermal conductivities.
+    ThermalConductivity;
+    /// Electrical resistances times area.
+    ElectricalFilm;
+    /// Thermal resistances times area.
+    ThermalFilm;
 }
 
 /// A pure number: no unit is allowed.

@@ -98,7 +98,7 @@ fn set_up(page: &mut Page, metadata: &Metadata, contact: &ContactMetadata) {
         let roles: Vec<&str> = roles.into_iter().filter_map(|(is_it, role)| is_it.then_some(role)).collect();
         if roles.is_empty() { "not used".to_owned() } else { roles.join(" and ") }
     };
-    materials(page, metadata, &contact.materials, role);
+    materials(page, metadata, &contact.materials, contact.conducts, role);
     if let Some(layer) = layer {
         let thicknesses: Vec<String> = layer.thicknesses.iter().map(|&t| thickness(t)).collect();
         let (on, limits) = match layer.on {
@@ -125,14 +125,24 @@ fn set_up(page: &mut Page, metadata: &Metadata, contact: &ContactMetadata) {
     ));
 }
 
-/// The materials, the role of each, and the sources of values from the library.
+/// The materials, the role of each, and the sources of values from the library; `conducts`: whether their electrical and their thermal
+/// conduction count.
 pub fn materials(
     page: &mut Page,
     metadata: &Metadata,
     materials: &IndexMap<String, Material>,
+    conducts: [bool; 2],
     role: impl Fn(&str) -> String,
 ) {
+    type Property = (&'static str, fn(&Material) -> Option<String>);
+    let [electrical, thermal] = conducts;
     let has_yield_strength = materials.values().any(|body| body.yield_strength().is_some());
+    let optional: [(bool, Property); 3] = [
+        (has_yield_strength, ("Y", |body| body.yield_strength().map(|y| input_quantity(y, "Pa")))),
+        (electrical, ("ρ", |body| body.resistivity().map(|rho| format!("{} Ω m", input_number(rho))))),
+        (thermal, ("k", |body| body.thermal_conductivity().map(|k| format!("{} W/(m K)", input_number(k))))),
+    ];
+    let shown = || optional.iter().filter(|(is_shown, _)| *is_shown).map(|(_, property)| property);
     let row = |(name, body): (&String, &Material)| {
         let mut row = vec![
             name.clone(),
@@ -141,21 +151,20 @@ pub fn materials(
             input_number(body.poisson()),
             hardness(body.hardness()),
         ];
-        if has_yield_strength {
-            row.push(body.yield_strength().map_or_else(|| "-".to_owned(), |y| input_quantity(y, "Pa")));
-        }
+        row.extend(shown().map(|(_, value)| value(body).unwrap_or_else(|| "-".to_owned())));
         row
     };
-    let header: &[&str] = &["material", "body", "E", "ν", "H", "Y"];
-    let columns = if has_yield_strength { header } else { &header[..5] };
-    page.table(columns, materials.iter().map(row));
+    let mut columns = vec!["material", "body", "E", "ν", "H"];
+    columns.extend(shown().map(|(symbol, _)| *symbol));
+    page.table(&columns, materials.iter().map(row));
     page.bullets(metadata.origins.iter().map(|(name, origin)| {
+        let sources = [origin.sources(), origin.sources_of_conduction(conducts)].concat();
         format!(
             "{}: `{}` of the library, {}. {}.",
             escape(name),
             origin.from.name,
             escape(origin.from.description),
-            escape(&by_source(&origin.sources())),
+            escape(&by_source(&sources)),
         )
     }));
 }

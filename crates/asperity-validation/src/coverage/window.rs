@@ -38,9 +38,7 @@ impl CoveredQuantity {
     /// The name in tables.
     pub const fn name(self) -> &'static str {
         match self {
-            Self::Difference(ComparedQuantity::Separation) => "separation",
-            Self::Difference(ComparedQuantity::Area) => "area",
-            Self::Difference(ComparedQuantity::Stiffness) => "stiffness",
+            Self::Difference(quantity) => quantity.name(),
             Self::AreaOfSum => "area-of-sum",
             Self::LoadAtSeparation => "load-at-separation",
         }
@@ -79,7 +77,10 @@ impl WindowResults {
     pub fn verdicts(&self) -> Vec<WindowVerdict> {
         let at_load = |(load, estimates): (usize, &[Option<QuantityEstimate>; 5])| {
             let verdict = |quantity: ComparedQuantity| {
-                let estimate = estimates[quantity as usize].filter(|_| self.admissible[load])?.estimate;
+                let place = CoveredQuantity::ALL
+                    .iter()
+                    .position(|covered| *covered == CoveredQuantity::Difference(quantity))?;
+                let estimate = estimates[place].filter(|_| self.admissible[load])?.estimate;
                 Some(WindowVerdict {
                     load,
                     quantity,

@@ -6,7 +6,7 @@ use super::contact::Contact;
 use super::convolution::Convolution;
 use super::patch::{PatchGrid, PatchResponse};
 use super::preconditioner::Stencil;
-use super::tangent::block_shares;
+use super::tangent::{Tangent, block_shares};
 use super::{Boundary, SolverError};
 use crate::topography::Blocks;
 
@@ -21,7 +21,7 @@ const STEPS: usize = 2000;
 /// resistance; most of it is then that of the map as a whole.
 ///
 /// The patch is that of the elastic contact. Without yielding, a film and a layer the conductance is therefore the stiffness of the contact over
-/// E* s, s being the mean resistivity (Barber 2003): [`Tangent::stiffness_of_approach`](super::Tangent::stiffness_of_approach).
+/// E* s, s being the mean resistivity (Barber 2003): [`Current::of_elastic`].
 pub struct Conductor {
     points: [usize; 2],
     convolution: Convolution,
@@ -98,6 +98,14 @@ impl Conductor {
 }
 
 impl Current {
+    /// Of the contact of `tangent` where nothing yields, on two half-spaces of the reduced modulus E* (Pa) and the mean resistivity s (ohm m,
+    /// m K/W), without a film (Barber 2003).
+    pub fn of_elastic(tangent: &Tangent, reduced_modulus: f64, resistivity: f64) -> Self {
+        let resistance = reduced_modulus * resistivity / tangent.stiffness_of_approach();
+        let densities = tangent.pressures().to_vec();
+        Self { densities, resistance, error: tangent.error, steps: tangent.steps }
+    }
+
     /// Conductance per nominal area, S/m^2 or W/(m^2 K).
     pub fn conductance(&self) -> f64 {
         self.resistance.recip()

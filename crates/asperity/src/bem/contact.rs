@@ -45,6 +45,11 @@ impl Contact {
         self.points
     }
 
+    /// Distance of the points along x and y, m.
+    pub fn pixel(&self) -> [f64; 2] {
+        self.pixel
+    }
+
     /// What lies beyond the border of the map.
     pub fn boundary(&self) -> Boundary {
         self.boundary

@@ -141,6 +141,11 @@ impl<'a> Solver<'a> {
         Ok(Self { levels, pixel, boundary, error, cap, interpolated, reduced_modulus, is_layered })
     }
 
+    /// E* of two half-spaces, Pa; `None` under a layer.
+    pub fn half_space_modulus(&self) -> Option<f64> {
+        (!self.is_layered).then_some(self.reduced_modulus)
+    }
+
     /// Missing points that were interpolated.
     pub fn interpolated(&self) -> usize {
         self.interpolated

@@ -1,6 +1,6 @@
 //! Ceramics, glasses, semiconductors and hard coatings. They crack under sharp contacts, which no law here describes.
 
-use super::references::{ANSTIS, CALLISTER_QUOTED, DOWLING, KAYE_LABY, OLIVER_PHARR, WANG};
+use super::references::{ANSTIS, CALLISTER_QUOTED, DOWLING, HEAT_TRANSFER, KAYE_LABY, OLIVER_PHARR, WANG};
 use super::{Class, LibraryMaterial, Sourced};
 
 /// One kilogram-force per square millimetre, Pa: the unit of Vickers and Knoop numbers.
@@ -28,6 +28,8 @@ const fn ceramic(
         poisson,
         hardness: Some(hardness),
         yield_strength: None,
+        resistivity: None,
+        thermal_conductivity: None,
     }
 }
 
@@ -36,7 +38,8 @@ pub(super) const CERAMICS: &[LibraryMaterial] = &[
         "tungsten-carbide-Co",
         "cemented carbide WC-Co",
         [of(575e9, ANSTIS, ""), of(0.22, KAYE_LABY, "tungsten carbide"), of(13.2e9, ANSTIS, "")],
-    ),
+    )
+    .conducting(Some(of(85.0, "MakeItFrom data sheet tungsten carbide", "cobalt content not stated; 110 W/(m K) for the pure compound in other tables")), None),
     ceramic(
         "silicon-nitride",
         "silicon nitride Si3N4, sintered",
@@ -45,12 +48,14 @@ pub(super) const CERAMICS: &[LibraryMaterial] = &[
             of(0.28, CALLISTER_QUOTED, "sintered"),
             of(15.5e9, TECHNICAL, "15 to 16 GPa"),
         ],
-    ),
+    )
+    .conducting(Some(of(31.0, "MakeItFrom data sheet hot-pressed silicon nitride", "pressure-sintered; 12 to 31 W/(m K) for all grades")), None),
     ceramic(
         "alumina",
         "alumina Al2O3, 94 to 99.8 %",
         [of(360e9, TECHNICAL, "350 to 370 GPa"), of(0.22, DOWLING, ""), of(15e9, TECHNICAL, "12 to 18 GPa")],
-    ),
+    )
+    .conducting(Some(of(32.0, "Ashby, Materials and the Environment, data sheet alumina", "26 to 38.5 W/(m K)")), None),
     ceramic(
         "zirconia-3Y-TZP",
         "zirconia with 3 mol% yttria, tetragonal",
@@ -59,27 +64,32 @@ pub(super) const CERAMICS: &[LibraryMaterial] = &[
             of(0.31, CALLISTER_QUOTED, "zirconia, 3 mol% Y2O3"),
             of(1300.0 * HV, "Kientec data sheet ceramic ferrules, ZrO2", "12 to 16 GPa in other data sheets"),
         ],
-    ),
+    )
+    .conducting(Some(of(2.5, "Kientec data sheet ceramic ferrules, ZrO2", "")), None),
     ceramic(
         "silicon-carbide",
         "silicon carbide SiC, hot-pressed (NC203)",
         [of(436e9, ANSTIS, ""), of(0.17, CALLISTER_QUOTED, "hot-pressed"), of(24e9, ANSTIS, "")],
-    ),
+    )
+    .conducting(Some(of(120.0, "MakeItFrom data sheet silicon carbide", "120 to 170 W/(m K) for all grades")), None),
     ceramic(
         "glass-soda-lime",
         "soda-lime glass",
         [of(69e9, DOWLING, ""), of(0.20, DOWLING, ""), of(5.5e9, ANSTIS, "")],
-    ),
+    )
+    .conducting(Some(of(1.05, "MakeItFrom data sheet soda-lime glass", "1.0 to 1.1 W/(m K)")), None),
     ceramic(
         "glass-BK7",
         "borosilicate crown glass N-BK7",
         [of(82e9, SCHOTT, ""), of(0.206, SCHOTT, ""), of(610.0 * HV, SCHOTT, "Knoop, HK 0.1/20")],
-    ),
+    )
+    .conducting(Some(of(1.09, "Glass Dynamics data sheet BK7 and fused silica", "0.0026 cal/(cm s K) at 20 °C")), None),
     ceramic(
         "silica-fused",
         "fused silica SiO2",
         [of(73e9, SILICA, ""), of(0.17, SILICA, ""), of(500.0 * HV, SILICA, "Knoop")],
-    ),
+    )
+    .conducting(Some(of(1.38, "Glass Dynamics data sheet BK7 and fused silica", "0.0033 cal/(cm s K) at 20 °C")), None),
     ceramic(
         "silicon-100",
         "silicon, single crystal, isotropic values for the [100] direction",
@@ -96,7 +106,8 @@ pub(super) const CERAMICS: &[LibraryMaterial] = &[
             ),
             of(10.6e9, ANSTIS, "on (111)"),
         ],
-    ),
+    )
+    .conducting(Some(of(148.0, HEAT_TRANSFER, "300 K, pure")), None),
     ceramic(
         "diamond",
         "diamond",
@@ -105,7 +116,8 @@ pub(super) const CERAMICS: &[LibraryMaterial] = &[
             of(0.20, DOWLING, ""),
             of(98e9, "MatWeb, mechanical properties of elements", "on (111); 88 to 147 GPa on (001)"),
         ],
-    ),
+    )
+    .conducting(Some(of(2000.0, "Diamond Materials, thermal properties of CVD diamond", "CVD, 1800 W/(m K) at least; 2200 W/(m K) for natural diamond elsewhere")), None),
     ceramic(
         "coating-DLC",
         "amorphous carbon (DLC), magnetron sputtered; films differ widely",
@@ -114,12 +126,14 @@ pub(super) const CERAMICS: &[LibraryMaterial] = &[
             of(0.25, OLIVER_PHARR, ASSUMED),
             of(16.7e9, WANG, "films of other processes 12 to 24 GPa"),
         ],
-    ),
+    )
+    .conducting(Some(of(1.0, "Thermal conductivity of diamond-like carbon films (3ω method), abstract", "hydrogenated tetrahedral; 0.2 to 3.5 W/(m K) for all kinds of film")), None),
     ceramic(
         "coating-TiN",
         "titanium nitride TiN, magnetron sputtered",
         [of(397e9, WANG, ""), of(0.25, OLIVER_PHARR, ASSUMED), of(23.6e9, WANG, "")],
-    ),
+    )
+    .conducting(Some(of(35.0, "Thermal conductivity of hard oxynitride coatings, Thin Solid Films 549 (2013) 232, abstract", "arc-evaporated; 29 W/(m K) for the bulk in other tables")), None),
     ceramic(
         "coating-CrN",
         "chromium nitride CrN, magnetron sputtered",
@@ -128,5 +142,6 @@ pub(super) const CERAMICS: &[LibraryMaterial] = &[
             of(0.25, OLIVER_PHARR, ASSUMED),
             of(17.9e9, WANG, "films of other processes 12 to 19 GPa"),
         ],
-    ),
+    )
+    .conducting(Some(of(9.0, "Thermal conductivity of hard oxynitride coatings, Thin Solid Films 549 (2013) 232, abstract", "arc-evaporated")), None),
 ];

@@ -74,16 +74,30 @@ pub struct LibraryMaterial {
     pub hardness: Option<Sourced>,
     /// Yield strength, Pa: the 0.2 % proof stress, unless the note says otherwise.
     pub yield_strength: Option<Sourced>,
+    /// Electrical resistivity, ohm m.
+    pub resistivity: Option<Sourced>,
+    /// Thermal conductivity, W/(m K).
+    pub thermal_conductivity: Option<Sourced>,
 }
 
 impl LibraryMaterial {
+    /// The same with a thermal conductivity (W/(m K)), and a resistivity (ohm m) of what conducts electrically.
+    pub(crate) const fn conducting(
+        self,
+        thermal_conductivity: Option<Sourced>,
+        resistivity: Option<Sourced>,
+    ) -> Self {
+        Self { thermal_conductivity, resistivity, ..self }
+    }
+
     /// The body with these properties.
     ///
     /// # Errors
     /// None for the materials of the library.
     pub fn material(&self) -> Result<Material, MaterialError> {
         let value = |sourced: Option<Sourced>| sourced.map(|sourced| sourced.value);
-        Material::new(self.young.value, self.poisson.value, value(self.hardness), value(self.yield_strength))
+        Material::new(self.young.value, self.poisson.value, value(self.hardness), value(self.yield_strength))?
+            .conducting(value(self.resistivity), value(self.thermal_conductivity))
     }
 }
 

@@ -19,7 +19,17 @@ const fn polymer(
     [young, poisson]: [Sourced; 2],
     [hardness, yield_strength]: [Option<Sourced>; 2],
 ) -> LibraryMaterial {
-    LibraryMaterial { name, description, class: Class::Polymer, young, poisson, hardness, yield_strength }
+    LibraryMaterial {
+        name,
+        description,
+        class: Class::Polymer,
+        young,
+        poisson,
+        hardness,
+        yield_strength,
+        resistivity: None,
+        thermal_conductivity: None,
+    }
 }
 
 pub(super) const POLYMERS: &[LibraryMaterial] = &[
@@ -31,7 +41,8 @@ pub(super) const POLYMERS: &[LibraryMaterial] = &[
             of(0.40, "Victrex, Materials Properties Guide (quoted; original not consulted)", "PEEK 450G"),
         ],
         [Some(of(253e6, ENSINGER_PEEK, BALL)), Some(of(116e6, ENSINGER_PEEK, ""))],
-    ),
+    )
+    .conducting(Some(of(0.25, "matmake, thermal conductivity of polymers and plastics", "")), None),
     polymer(
         "POM",
         "polyoxymethylene, copolymer",
@@ -44,25 +55,29 @@ pub(super) const POLYMERS: &[LibraryMaterial] = &[
             ),
         ],
         [Some(of(125e6, POM, "ball indentation, ISO 2039")), Some(of(67e6, POM, "at yield"))],
-    ),
+    )
+    .conducting(Some(of(0.31, "Quadrant data sheet Acetron MD", "copolymer with a metal-detectable additive; 0.2 W/(m K) in Crawford, Plastics Engineering, Table 1.8")), None),
     polymer(
         "PA66",
         "polyamide 66, dry; moist it is half as stiff",
         [of(2.7e9, DOWLING, "nylon 66, dry"), of(0.41, DOWLING, "nylon 66, dry")],
         [Some(of(175e6, ENSINGER_PA66, BALL)), Some(of(84e6, ENSINGER_PA66, "at yield"))],
-    ),
+    )
+    .conducting(Some(of(0.24, "Crawford, Plastics Engineering, Table 1.8", "")), None),
     polymer(
         "PMMA",
         "polymethyl methacrylate, cast",
         [of(2.7e9, DOWLING, "2.24 to 3.24 GPa in other tables"), of(0.35, DOWLING, "")],
         [Some(of(175e6, PLEXIGLAS, BALL)), None],
-    ),
+    )
+    .conducting(Some(of(0.19, "MakeItFrom data sheet PMMA", "")), None),
     polymer(
         "PTFE",
         "polytetrafluoroethylene, unfilled",
         [of(0.475e9, CALLISTER, "0.40 to 0.55 GPa"), of(0.46, CALLISTER_QUOTED, "")],
         [None, Some(of(14.5e6, CALLISTER, "13.8 to 15.2 MPa"))],
-    ),
+    )
+    .conducting(Some(of(0.25, "Crawford, Plastics Engineering, Table 1.8", "")), None),
     polymer(
         "UHMWPE",
         "polyethylene of ultra-high molecular weight",
@@ -75,5 +90,6 @@ pub(super) const POLYMERS: &[LibraryMaterial] = &[
             ),
         ],
         [None, None],
-    ),
+    )
+    .conducting(Some(of(0.45, "matmake, thermal conductivity of polymers and plastics", "0.45 to 0.52 W/(m K)")), None),
 ];

@@ -23,3 +23,7 @@ pub(super) const EN_10083_3: &str = "EN 10083-3:2006";
 pub(super) const EN_12166: &str = "EN 12166:1998";
 pub(super) const EN_1561: &str = "EN 1561:1997, annex A (quoted; original not consulted)";
 pub(super) const EUROCODE: &str = "EN 1993-1-1:2005, 3.2.6 (quoted; original not consulted)";
+pub(super) const MITCHELL: &str =
+    "Mitchell, An Introduction to Materials Engineering and Science (2004), appendix 8";
+pub(super) const HEAT_TRANSFER: &str =
+    "Mechanical Engineers' Handbook, vol. 4, Heat-Transfer Fundamentals, Table 1";

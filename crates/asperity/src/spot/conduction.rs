@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use super::layered::{LAYER_RATIOS, LayerFactor};
+use crate::bem::ConductingPair;
 use crate::literature::{self, Paper};
 use crate::numeric::is_positive;
 
@@ -17,8 +18,8 @@ use crate::numeric::is_positive;
 /// want different currents, so that the sum of both resistances is a bound, estimated to be within 8 %.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Conduction {
-    /// s without a layer, ohm m or m K/W.
-    resistivity: f64,
+    /// Resistivities of the body without a layer and of the other's substrate, ohm m or m K/W.
+    bodies: [f64; 2],
     /// r, ohm m^2 or m^2 K/W.
     film: f64,
     layer: Option<ConductingLayer>,
@@ -27,8 +28,8 @@ pub struct Conduction {
 /// A layer of finite thickness on one of the bodies.
 #[derive(Debug, Clone, PartialEq)]
 struct ConductingLayer {
-    /// Half of the resistivity of its substrate, ohm m or m K/W.
-    half: f64,
+    /// ohm m or m K/W.
+    resistivity: f64,
     /// m.
     thickness: f64,
     factor: LayerFactor,
@@ -77,10 +78,7 @@ impl Conduction {
     pub fn new(resistivities: [f64; 2]) -> Result<Self, ConductionError> {
         match resistivities.into_iter().find(|&value| !is_positive(value)) {
             Some(value) => Err(ConductionError::Resistivity(value)),
-            None => {
-                let resistivity = 0.5 * (resistivities[0] + resistivities[1]);
-                Ok(Self { resistivity, film: 0.0, layer: None })
-            }
+            None => Ok(Self { bodies: resistivities, film: 0.0, layer: None }),
         }
     }
 
@@ -100,7 +98,7 @@ impl Conduction {
         }
         let unlayered = Self::new([bare, substrate])?;
         let factor = LayerFactor::new(layer / substrate)?;
-        Ok(Self { layer: Some(ConductingLayer { half: 0.5 * substrate, thickness, factor }), ..unlayered })
+        Ok(Self { layer: Some(ConductingLayer { resistivity: layer, thickness, factor }), ..unlayered })
     }
 
     /// The same under a film of a resistance per area (ohm m^2; thermally m^2 K/W; 0: none).
@@ -117,7 +115,22 @@ impl Conduction {
 
     /// s = (rho1 + rho2)/2 without the layer, ohm m or m K/W.
     pub fn resistivity(&self) -> f64 {
-        self.resistivity
+        0.5 * (self.bodies[0] + self.bodies[1])
+    }
+
+    /// Whether one of the bodies has a layer of finite thickness.
+    pub fn is_layered(&self) -> bool {
+        self.layer.is_some()
+    }
+
+    /// The bodies, for boundary elements.
+    pub fn pair(&self) -> ConductingPair {
+        let [bare, substrate] = self.bodies;
+        ConductingPair::new(
+            bare,
+            substrate,
+            self.layer.as_ref().map(|layer| (layer.resistivity, layer.thickness)),
+        )
     }
 
     /// Resistance of the film per area, ohm m^2 or m^2 K/W.
@@ -130,10 +143,10 @@ impl Conduction {
     #[inline]
     pub fn conductance(&self, area: f64, spheres: f64) -> f64 {
         let diameters = 2.0 * (area * spheres / PI).sqrt();
-        let resistivity = self.layer.as_ref().map_or(self.resistivity, |layer| {
-            let factor = layer.factor.at(layer.thickness / (area / PI).sqrt());
-            self.resistivity + layer.half * (factor - 1.0)
-        });
+        let [bare, substrate] = self.bodies;
+        let factor =
+            self.layer.as_ref().map_or(1.0, |layer| layer.factor.at(layer.thickness / (area / PI).sqrt()));
+        let resistivity = 0.5 * (bare + substrate * factor);
         if self.film == 0.0 {
             return diameters / resistivity;
         }

@@ -4,14 +4,17 @@
 //! | module | content |
 //! |---|---|
 //! | `conduction` | electrical and thermal conductance of a spot, with a film on it or a layer under it |
+//! | `correlation` | correlations in use for the conductance of joints |
 //! | `layered` | a circular spot on a layer |
 //! | `shear` | shear force of a spot under boundary friction |
 
 mod conduction;
+mod correlation;
 mod layered;
 mod shear;
 
 pub use conduction::{Conduction, ConductionError, cluster_conductance, tube_factor};
+pub use correlation::{Correlation, Joint};
 pub use layered::{LAYER_RATIOS, LayerFactor};
 pub use shear::{BrokenFilm, Shear, ShearStrength};
 
@@ -53,6 +56,11 @@ impl SpotProperties {
         *self == Self::default()
     }
 
+    /// Whether a conductance is asked for.
+    pub fn conducts(&self) -> bool {
+        self.electrical.is_some() || self.thermal.is_some()
+    }
+
     /// The properties of conduction of an electrical or a thermal conductance; `None` of another quantity, and where it is not asked
     /// for.
     pub fn conduction(&self, quantity: SpotQuantity) -> Option<&Conduction> {
@@ -82,8 +90,7 @@ impl SpotProperties {
 
     /// The sources of its equations.
     pub fn papers(&self) -> Vec<Paper> {
-        let conducts = self.electrical.is_some() || self.thermal.is_some();
-        let conduction = conducts.then_some(Conduction::PAPERS).into_iter().flatten();
+        let conduction = self.conducts().then_some(Conduction::PAPERS).into_iter().flatten();
         conduction.chain(self.shear.iter().flat_map(|_| Shear::PAPERS)).copied().collect()
     }
 }

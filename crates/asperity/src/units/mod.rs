@@ -8,6 +8,10 @@
 //! | density (number per area) | /m^2, /mm^2, /um^2 | 1/m^2 |
 //! | angle | deg, rad | rad |
 //! | force | N, mN, uN, kN, kgf, lbf | N |
+//! | resistivity | ohm m, uohm cm, nohm m, ohm mm^2/m | ohm m |
+//! | thermal conductivity | W/(m K), mW/(m K) | W/(m K) |
+//! | electrical resistance times area | ohm m^2, ohm cm^2, mohm cm^2, ohm mm^2 | ohm m^2 |
+//! | thermal resistance times area | m^2 K/W, cm^2 K/W, mm^2 K/W | m^2 K/W |
 //!
 //! Pa, m^2 and N take every SI prefix, m those from pico to kilo, in symbols or in words (`megapascals`), and common units
 //! of other systems are supported (`psi`, `in`, `lbf`). `u` may be `µ`, `^2` may be `²` or `2` (`mm2`), and `/m^2` may be `1/m^2` or `m⁻²`.
@@ -22,7 +26,10 @@
 
 mod table;
 
-use table::{ANGLE, AREA, DENSITY, FORCE, LENGTH, PREFIXES, PRESSURE, Unit, Units};
+use table::{
+    ANGLE, AREA, CONDUCTIVITY, DENSITY, ELECTRICAL_FILM, FORCE, LENGTH, PREFIXES, PRESSURE, RESISTIVITY,
+    THERMAL_FILM, Unit, Units,
+};
 
 /// A physical dimension.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -39,12 +46,30 @@ pub enum Dimension {
     Angle,
     /// Force.
     Force,
+    /// Electrical resistivity.
+    Resistivity,
+    /// Thermal conductivity.
+    ThermalConductivity,
+    /// Electrical resistance times area.
+    ElectricalFilm,
+    /// Thermal resistance times area.
+    ThermalFilm,
 }
 
 impl Dimension {
     /// All dimensions.
-    pub const ALL: [Self; 6] =
-        [Self::Pressure, Self::Length, Self::Area, Self::ArealNumberDensity, Self::Angle, Self::Force];
+    pub const ALL: [Self; 10] = [
+        Self::Pressure,
+        Self::Length,
+        Self::Area,
+        Self::ArealNumberDensity,
+        Self::Angle,
+        Self::Force,
+        Self::Resistivity,
+        Self::ThermalConductivity,
+        Self::ElectricalFilm,
+        Self::ThermalFilm,
+    ];
 
     const fn units(self) -> &'static Units {
         match self {
@@ -54,6 +79,10 @@ impl Dimension {
             Self::ArealNumberDensity => &DENSITY,
             Self::Angle => &ANGLE,
             Self::Force => &FORCE,
+            Self::Resistivity => &RESISTIVITY,
+            Self::ThermalConductivity => &CONDUCTIVITY,
+            Self::ElectricalFilm => &ELECTRICAL_FILM,
+            Self::ThermalFilm => &THERMAL_FILM,
         }
     }
 
@@ -132,9 +161,10 @@ impl Units {
 }
 
 /// The spelling of a unit in the table: `u` for both signs of micro, `^2` for `²` and for a `2` after a letter, `^-2` for `⁻²`,
-/// the letter Å for the ångström sign.
+/// the letter Å for the ångström sign, `ohm` for both signs of it, a space for a dot between units.
 fn canonical(unit: &str) -> String {
     let plain = unit.replace(['µ', 'μ'], "u").replace('\u{212b}', "\u{c5}");
+    let plain = plain.replace(['Ω', 'Ω'], "ohm").replace(['·', '⋅', '*'], " ");
     let plain = plain.replace('⁻', "^-").replace('²', "^2").replace("^-^2", "^-2");
     match plain.strip_suffix('2') {
         Some(base) if base.ends_with(|c: char| c.is_ascii_alphabetic()) => format!("{base}^2"),

@@ -112,6 +112,48 @@ pub(super) const FORCE: Units = Units {
     others: &[FORCES],
 };
 
+pub(super) const RESISTIVITY: Units = Units {
+    name: "resistivity",
+    example: "17 nohm m",
+    si_unit: "ohm m",
+    documented: &["ohm m", "uohm cm", "nohm m", "ohm mm^2/m"],
+    prefixed: Some(Prefixed { symbol: "ohm m", word: "ohm meter", before: "", power: 1, prefixes: ALL }),
+    others: &[RESISTIVITIES],
+};
+
+pub(super) const CONDUCTIVITY: Units = Units {
+    name: "thermal conductivity",
+    example: "50 W/(m K)",
+    si_unit: "W/(m K)",
+    documented: &["W/(m K)", "mW/(m K)"],
+    prefixed: Some(Prefixed { symbol: "W/(m K)", word: "W/m/K", before: "", power: 1, prefixes: ALL }),
+    others: &[CONDUCTIVITIES],
+};
+
+pub(super) const ELECTRICAL_FILM: Units = Units {
+    name: "electrical resistance times area",
+    example: "1e-12 ohm m^2",
+    si_unit: "ohm m^2",
+    documented: &["ohm m^2", "ohm cm^2", "mohm cm^2", "ohm mm^2"],
+    prefixed: Some(Prefixed {
+        symbol: "ohm m^2",
+        word: "ohm square meter",
+        before: "",
+        power: 1,
+        prefixes: ALL,
+    }),
+    others: &[ELECTRICAL_FILMS],
+};
+
+pub(super) const THERMAL_FILM: Units = Units {
+    name: "thermal resistance times area",
+    example: "2 mm^2 K/W",
+    si_unit: "m^2 K/W",
+    documented: &["m^2 K/W", "cm^2 K/W", "mm^2 K/W"],
+    prefixed: None,
+    others: &[THERMAL_FILMS],
+};
+
 /// Units of pressure without SI prefixes.
 const PRESSURES: &[Unit] = &[
     ("HV", "HV", "HV", 9.80665e6),
@@ -196,4 +238,39 @@ const FORCES: &[Unit] = &[
     ("pdl", "poundal", "poundals", 0.138255),
     ("lbf", "pound-force", "pounds-force", 4.448222),
     ("ton-force", "ton-force", "tons-force", 8896.443),
+];
+
+/// Without the SI unit, or of other spellings.
+const RESISTIVITIES: &[Unit] = &[
+    ("ohm cm", "ohm centimeter", "ohm centimeters", 1e-2),
+    ("mohm cm", "milliohm centimeter", "milliohm centimeters", 1e-5),
+    ("uohm cm", "microohm centimeter", "microohm centimeters", 1e-8),
+    ("uohm mm", "microohm millimeter", "microohm millimeters", 1e-9),
+    ("ohm mm^2/m", "ohm square millimeter per meter", "ohm square millimeters per meter", 1e-6),
+    ("ohm-m", "ohmmeter", "ohmmeters", 1.0),
+    ("ohm-cm", "ohmcentimeter", "ohmcentimeters", 1e-2),
+];
+
+/// Other spellings of the SI unit.
+const CONDUCTIVITIES: &[Unit] = &[
+    ("W/mK", "watt per meter kelvin", "watts per meter kelvin", 1.0),
+    ("W/m K", "W/m-K", "W/(mK)", 1.0),
+    ("W m^-1 K^-1", "W m-1 K-1", "W/m/K", 1.0),
+    ("W/cm/K", "W/(cm K)", "W/cmK", 100.0),
+];
+
+/// Areas times ohm.
+const ELECTRICAL_FILMS: &[Unit] = &[
+    ("ohm cm^2", "ohm square centimeter", "ohm square centimeters", 1e-4),
+    ("mohm cm^2", "milliohm square centimeter", "milliohm square centimeters", 1e-7),
+    ("uohm cm^2", "microohm square centimeter", "microohm square centimeters", 1e-10),
+    ("ohm mm^2", "ohm square millimeter", "ohm square millimeters", 1e-6),
+    ("ohm um^2", "ohm square micrometer", "ohm square micrometers", 1e-12),
+];
+
+/// Areas times kelvin per watt.
+const THERMAL_FILMS: &[Unit] = &[
+    ("m^2 K/W", "m^2K/W", "K m^2/W", 1.0),
+    ("cm^2 K/W", "cm^2K/W", "K cm^2/W", 1e-4),
+    ("mm^2 K/W", "mm^2K/W", "K mm^2/W", 1e-6),
 ];

@@ -12,7 +12,7 @@ use super::Card;
 
 /// Verdicts on a surface of 1 mm² from contrasts and standard errors of the area at 1 and 10 MPa.
 pub fn verdicts(contacts: f64, contrasts: [f64; 2], error: Option<f64>) -> Verdicts {
-    let accepted = Accepted { separation: 0.1, area: 0.1, stiffness: 0.2 };
+    let accepted = Accepted::DEFAULT;
     let at_load = |(load, contrast)| Difference {
         load,
         sharing: Some(LoadSharing {
@@ -21,7 +21,7 @@ pub fn verdicts(contacts: f64, contrasts: [f64; 2], error: Option<f64>) -> Verdi
             large_strain_share: 0.0,
         }),
         area_ratio: 0.01,
-        estimates: [None, Some(estimate(contrast, error)), None],
+        estimates: [None, Some(estimate(contrast, error)), None, None, None, None],
         of_models: [None; 2],
         area_needed: error.is_none().then_some(4e-6),
     };
@@ -89,6 +89,6 @@ pub fn with_case<T>(
         dependences: Vec::new(),
     };
     change(&mut case);
-    let card = Card { case: &case, surface: &surface, load_area: 1e-6, undivided: None };
+    let card = Card { case: &case, surface: &surface, load_area: 1e-6, undivided: None, correlation: None };
     read(&card, &case.verdicts.differences[0])
 }

@@ -219,8 +219,8 @@ mod tests {
     /// A model whose area differs by so much in sample, and held out.
     fn ranked(heights: HeightModel, area: f64, held_out: Option<f64>, evaluations: f64) -> Ranked {
         let errors = |area: f64| LargestErrors {
-            from_sum: [None, Some((area.ln_1p(), 1e6)), None],
-            from_reference: [None; 3],
+            from_sum: [None, Some((area.ln_1p(), 1e6)), None, None, None, None],
+            from_reference: [None; 6],
         };
         let model =
             StatisticalModel { heights: Some(heights), mean_radius: MeanRadius::InContact, joint: None };

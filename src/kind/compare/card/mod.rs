@@ -1,8 +1,9 @@
-//! The card of one case: at most seven labelled lines of at most 25 words, from typed facts.
+//! The card of one case: at most nine labelled lines of at most 25 words, from typed facts.
 //!
 //! | module | line |
 //! |---|---|
 //! | `result` | Result at your load |
+//! | `spots` | Conductance, Friction: where they are asked for |
 //! | `replace` | May the integral replace the sum? |
 //! | `difference` | Difference |
 //! | `cause` | Why |
@@ -23,6 +24,7 @@ mod nearer;
 mod replace;
 mod result;
 mod row;
+mod spots;
 
 pub use nearer::Nearer;
 pub use row::{CaseAnswer, Counts};
@@ -35,10 +37,12 @@ use asperity::surface::Surface;
 use asperity_contact_framework::report::answer::{CardLine, fitting};
 use asperity_contact_framework::report::format::{listed, number, quantity};
 
+use super::correlations::Correlated;
 use super::rows::SurfaceCase;
+use crate::presentation::quantity_name;
 
 /// One case with what its card needs.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub struct Card<'a> {
     case: &'a CaseStudy,
     surface: &'a Surface,
@@ -46,6 +50,8 @@ pub struct Card<'a> {
     load_area: f64,
     /// Why the difference is not divided among causes; `None` where it is.
     undivided: Option<&'static str>,
+    /// The nearest correlation of a conductance that is asked for.
+    correlation: Option<Correlated>,
 }
 
 /// What the load of a card allows to say.
@@ -69,6 +75,7 @@ impl<'a> Card<'a> {
             surface: &results.surface,
             load_area: results.load_area,
             undivided: results.realisations[0].model.undivided(),
+            correlation: Correlated::nearest(case),
         }
     }
 
@@ -82,12 +89,16 @@ impl<'a> Card<'a> {
         let Some(at) = self.case.reported_load() else {
             let lines = [
                 line("result", result, one(self.result())),
+                line("conductance", "Conductance", self.conductances()),
+                line("friction", "Friction", one(self.friction())),
                 line(CardLine::ANSWER, REPLACE, vec![self.uncompared()]),
             ];
             return lines.into_iter().flatten().collect();
         };
         let lines = [
             line("result", result, one(self.result())),
+            line("conductance", "Conductance", self.conductances()),
+            line("friction", "Friction", one(self.friction())),
             line(CardLine::ANSWER, REPLACE, self.replace(at)),
             line("difference", "Difference", one(self.difference(at))),
             line("why", "Why", one(self.cause(at))),
@@ -162,9 +173,9 @@ const REPLACE: &str = "May the integral replace the sum?";
 /// A quantity on a card.
 fn name(quantity: ComparedQuantity) -> &'static str {
     match quantity {
-        ComparedQuantity::Separation => "separation",
         ComparedQuantity::Area => "contact area",
-        ComparedQuantity::Stiffness => "stiffness",
+        ComparedQuantity::Friction => "friction",
+        other => quantity_name(other),
     }
 }
 

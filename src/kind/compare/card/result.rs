@@ -28,7 +28,7 @@ impl Card<'_> {
             .models
             .iter()
             .filter(|other| other.model != model.model)
-            .filter_map(|other| against(other, model))
+            .filter_map(|other| relative_to(other, model, |one| Some(one.point.area_ratio)))
             .collect();
         let others = if others.is_empty() { String::new() } else { format!("; {}", others.join(", ")) };
         let [contacts, mean, regime] = details(model, nominal);
@@ -45,7 +45,7 @@ impl Card<'_> {
 }
 
 /// A model on a card.
-fn model_name(model: Option<ModelKind>) -> &'static str {
+pub(super) fn model_name(model: Option<ModelKind>) -> &'static str {
     match model {
         Some(ModelKind::Deterministic) => "sum",
         Some(ModelKind::Statistical) => "integral",
@@ -53,9 +53,13 @@ fn model_name(model: Option<ModelKind>) -> &'static str {
     }
 }
 
-/// "integral +13 %": the area against that of another; `None` without contact.
-fn against(other: &ModelResult, model: &ModelResult) -> Option<String> {
-    let ratio = other.point.area_ratio / model.point.area_ratio;
+/// "integral +13 %": a quantity `of` a model against that of another; `None` without contact.
+pub(super) fn relative_to(
+    other: &ModelResult,
+    model: &ModelResult,
+    of: impl Fn(&ModelResult) -> Option<f64>,
+) -> Option<String> {
+    let ratio = of(other)? / of(model)?;
     let difference = signed(100.0 * (ratio - 1.0));
     (ratio > 0.0 && ratio.is_finite()).then(|| format!("{} {difference} %", model_name(other.model)))
 }

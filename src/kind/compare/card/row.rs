@@ -1,6 +1,6 @@
 //! The answer on one case in a row of a table, and on several cases in a sentence.
 
-use asperity::compare::{ComparedQuantity, Stretch};
+use asperity::compare::{ByQuantity, ComparedQuantity, Stretch};
 use asperity::study::Verdicts;
 use asperity_contact_framework::report::format::listed;
 
@@ -44,7 +44,7 @@ impl Answered {
 /// The answer on one case.
 pub struct CaseAnswer {
     /// In the order of [`ComparedQuantity::REPORTED`]: the answer and the largest difference, as reported; `None` of a quantity that is not compared.
-    pub quantities: [Option<(Answered, Option<f64>)>; 3],
+    pub quantities: ByQuantity<Option<(Answered, Option<f64>)>>,
     /// The cause of the largest difference that is beyond what is accepted, in a few words.
     pub why: String,
     /// What to use at the load of its card, in a few words.
@@ -200,7 +200,7 @@ mod tests {
 
     fn answer(quantities: [Answered; 3]) -> CaseAnswer {
         CaseAnswer {
-            quantities: quantities.map(|answer| Some((answer, None))),
+            quantities: std::array::from_fn(|place| Some((*quantities.get(place)?, None))),
             why: String::new(),
             instead: String::new(),
             nearer: None,

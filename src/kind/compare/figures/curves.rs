@@ -53,43 +53,50 @@ pub struct Setting<'a> {
     pub shown: [f64; 2],
 }
 
-/// A quantity of the models and the reference.
+/// How a quantity of the models and the reference is shown.
 struct Curves {
     title: &'static str,
     axis: Axis,
-    model: fn(&CurvePoint) -> f64,
+    /// From SI.
+    scale: f64,
     /// Standard error of a sum; with the unit of separations, m.
     error: fn(&CurvePoint, f64) -> Option<f64>,
-    reference: fn(&ReferencePoint) -> Option<f64>,
 }
 
 impl Curves {
     fn new(quantity: ComparedQuantity, units: &Units) -> Self {
-        /// From Pa/m to MPa/µm.
-        const STIFFNESS: f64 = 1e-12;
-        match quantity {
-            ComparedQuantity::Separation => Self {
-                title: "Separation",
-                axis: units.separation(),
-                model: |point| point.response.separation_over_sigma,
-                error: |point, sigma| point.response.separation_error(sigma),
-                reference: |point| point.separation_over_sigma,
-            },
-            ComparedQuantity::Area => Self {
-                title: "Real contact area",
-                axis: Axis::log("area ratio A/A_nom"),
-                model: |point| point.response.area_ratio.total(),
-                error: |point, _| Some(point.response.sampling?.area_ratio),
-                reference: |point| Some(point.area_ratio),
-            },
-            ComparedQuantity::Stiffness => Self {
-                title: "Stiffness",
-                axis: Axis::log("stiffness (MPa/µm)"),
-                model: |point| STIFFNESS * point.response.stiffness,
-                error: |_, _| None,
-                reference: |point| Some(STIFFNESS * point.stiffness?),
-            },
-        }
+        let none: fn(&CurvePoint, f64) -> Option<f64> = |_, _| None;
+        let (title, axis, error) = match quantity {
+            ComparedQuantity::Separation => {
+                let error: fn(&CurvePoint, f64) -> Option<f64> =
+                    |point, sigma| point.response.separation_error(sigma);
+                ("Separation", units.separation(), error)
+            }
+            ComparedQuantity::Area => {
+                let error: fn(&CurvePoint, f64) -> Option<f64> =
+                    |point, _| Some(point.response.sampling?.area_ratio);
+                ("Real contact area", Axis::log("area ratio A/A_nom"), error)
+            }
+            ComparedQuantity::Stiffness => ("Stiffness", Axis::log("stiffness (MPa/µm)"), none),
+            ComparedQuantity::ElectricalConductance => {
+                ("Electrical conductance", Axis::log("conductance (S/mm²)"), none)
+            }
+            ComparedQuantity::ThermalConductance => {
+                ("Thermal conductance", Axis::log("conductance (kW/(m² K))"), none)
+            }
+            ComparedQuantity::Friction => ("Coefficient of friction", Axis::linear("coefficient"), none),
+        };
+        Self { title, axis, scale: scale(quantity), error }
+    }
+}
+
+/// The factor from SI to the unit of a quantity in figures.
+pub const fn scale(quantity: ComparedQuantity) -> f64 {
+    match quantity {
+        ComparedQuantity::Stiffness => 1e-12,
+        ComparedQuantity::ElectricalConductance => 1e-6,
+        ComparedQuantity::ThermalConductance => 1e-3,
+        ComparedQuantity::Separation | ComparedQuantity::Area | ComparedQuantity::Friction => 1.0,
     }
 }
 
@@ -124,28 +131,32 @@ impl Setting<'_> {
             points.retain(|point| self.is_near(point.response.pressure.total()));
             points
         };
-        let at = |point: &CurvePoint| (self.place(point.response.pressure.total()), (curves.model)(point));
+        let at = |point: &CurvePoint| {
+            let value = quantity.value(&point.response)?;
+            Some((self.place(point.response.pressure.total()), curves.scale * value))
+        };
         for other in others {
             let points = near(other, ModelKind::Deterministic);
-            let line = Layer::line(points.into_iter().map(at)).coloured(Colour::Others).thin();
+            let line = Layer::line(points.into_iter().filter_map(at)).coloured(Colour::Others).thin();
             plot = plot.with(line.named(OTHERS));
         }
         for kind in [ModelKind::Deterministic, ModelKind::Statistical] {
             let points = near(&self.case.comparison, kind);
             let band = points.iter().filter_map(|point| {
-                let ((load, value), half) = (at(point), BAND * (curves.error)(point, self.units.sigma)?);
+                let ((load, value), half) = (at(point)?, BAND * (curves.error)(point, self.units.sigma)?);
                 Some((load, value - half, value + half))
             });
             let dash = if kind == ModelKind::Statistical { Dash::Dashed } else { Dash::Solid };
-            let line = Layer::line(points.iter().copied().map(at)).coloured(colour(kind)).dashed(dash);
+            let line = Layer::line(points.iter().copied().filter_map(at)).coloured(colour(kind)).dashed(dash);
             plot = plot.with(Layer::band(band).coloured(colour(kind))).with(line.named(kind.name()));
         }
         plot = lines.into_iter().fold(plot, Plot::with);
-        let solved: Vec<(f64, f64)> = reference_line(self.case, curves.reference)
-            .into_iter()
-            .filter(|(load, _)| self.is_near(*load))
-            .map(|(load, value)| (self.place(load), value))
-            .collect();
+        let solved: Vec<(f64, f64)> =
+            reference_line(self.case, |point| Some(curves.scale * point.value(quantity)?))
+                .into_iter()
+                .filter(|(load, _)| self.is_near(*load))
+                .map(|(load, value)| (self.place(load), value))
+                .collect();
         if solved.is_empty() {
             return plot;
         }
@@ -156,7 +167,7 @@ impl Setting<'_> {
 }
 
 /// Load (Pa) and a value of the reference, by increasing load.
-pub fn reference_line(case: &CaseResults, value: fn(&ReferencePoint) -> Option<f64>) -> Vec<(f64, f64)> {
+pub fn reference_line(case: &CaseResults, value: impl Fn(&ReferencePoint) -> Option<f64>) -> Vec<(f64, f64)> {
     let points = case.reference.iter().flat_map(|curve| &curve.points);
     let mut line: Vec<(f64, f64)> =
         points.filter_map(|point| Some((point.pressure, value(point)?))).collect();

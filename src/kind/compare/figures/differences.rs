@@ -9,13 +9,10 @@ use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 use super::axes::Units;
 use crate::presentation::{difference_unit, quantity_name};
 
-/// The quantities in the order of their panels.
-const PANELS: [ComparedQuantity; 3] = ComparedQuantity::REPORTED;
-
 fn axis(compared: ComparedQuantity, units: &Units, label: &str) -> Axis {
     match compared {
         ComparedQuantity::Separation => units.separation_difference(label),
-        ComparedQuantity::Area | ComparedQuantity::Stiffness => Axis::linear(format!("{label} (%)")),
+        _ => Axis::linear(format!("{label} (%)")),
     }
 }
 
@@ -49,6 +46,8 @@ pub fn between_models(verdicts: &Verdicts, units: &Units) -> Vec<(ComparedQuanti
     let plot = |compared: ComparedQuantity| {
         let label = match compared {
             ComparedQuantity::Area => "area",
+            ComparedQuantity::Friction => "friction",
+            ComparedQuantity::ElectricalConductance | ComparedQuantity::ThermalConductance => "conductance",
             other => quantity_name(other),
         };
         let axis = axis(compared, units, &format!("difference in {label}"));
@@ -59,7 +58,7 @@ pub fn between_models(verdicts: &Verdicts, units: &Units) -> Vec<(ComparedQuanti
 
 /// The quantities of which curves have estimates.
 fn compared(curves: &[Curve]) -> impl Iterator<Item = ComparedQuantity> {
-    PANELS
+    ComparedQuantity::REPORTED
         .into_iter()
         .filter(|&quantity| curves.iter().any(|curve| curve.estimates(quantity).next().is_some()))
 }

@@ -2,7 +2,7 @@
 
 use super::curves::{curve, has_regimes, is_seen, reference_line, shares_of_load};
 use crate::kind::compare::series::{Series, is_valid_at};
-use asperity::compare::{ComparedQuantity, CurvePoint, ModelKind};
+use asperity::compare::{ComparedQuantity, CurvePoint, ModelKind, ReferencePoint};
 use asperity::study::CaseResults;
 use asperity::{INTERACTION, Regime, Response};
 use asperity_contact_framework::report::format::{input_quantity, thickness};
@@ -50,7 +50,7 @@ pub fn panels_by_load(series: &Series) -> [Plot; 2] {
                 area = area.with(line);
             }
         }
-        let reference = |value| {
+        let reference = |value: fn(&ReferencePoint) -> Option<f64>| {
             let line = Layer::line(
                 reference_line(case, value).into_iter().map(|(load, value)| (load / modulus, value)),
             );

@@ -110,7 +110,7 @@ pub(crate) fn loads(case: &CaseResults) -> Vec<f64> {
 }
 
 /// Loads between the ends of `loads`, close enough for a smooth line.
-fn dense(loads: &[f64]) -> Vec<f64> {
+pub(super) fn dense(loads: &[f64]) -> Vec<f64> {
     const STEPS: usize = 100;
     let [Some(first), Some(last)] = [loads.first(), loads.last()] else { return Vec::new() };
     let at = |k: usize| first * (last / first).powf(k as f64 / STEPS as f64);

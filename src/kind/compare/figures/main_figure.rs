@@ -2,15 +2,17 @@
 //! against load with their differences, and of a measured map the contacts on it; of several cases the verdict map.
 
 use asperity::compare::{ComparedQuantity, Comparison};
+use asperity::spot::Correlation;
 use asperity::study::Verdicts;
 use asperity_contact_framework::report::format::input_quantity;
 use asperity_contact_framework::report::page::Page;
-use asperity_plot::{Figure, Layer, Plot};
+use asperity_plot::{Colour, Dash, Figure, Layer, Plot};
 
 use super::axes::Units;
 use super::curves::{Setting, all_loads};
 use super::differences::{between_models, shown_loads};
-use super::{contact_map, lines, paper, verdict_map};
+use super::{contact_map, curves, lines, paper, verdict_map};
+use crate::kind::compare::correlations;
 use crate::kind::compare::names::stem;
 use crate::kind::compare::results::CompareResults;
 use crate::kind::compare::rows::SurfaceCase;
@@ -70,9 +72,29 @@ pub(crate) fn of_case(page: &mut Page, results: &CompareResults, case: SurfaceCa
     page.figure(
         &format!("{}-models.svg", stem(case.surface, &case.first().law)),
         figure,
-        &format!("{name}: area, separation and stiffness against load{below}. Bands: 95 % intervals; grey: not admissible{marked}."),
+        &format!(
+            "{name}: both models against load{below}. Bands: 95 % intervals; grey: not admissible{marked}."
+        ),
     );
 }
+
+/// The correlations of a conductance against load.
+fn correlations(case: SurfaceCase, quantity: ComparedQuantity, setting: &Setting) -> Vec<Layer> {
+    let line = |correlation: Correlation| {
+        let value = correlations::conductance(case, quantity, correlation)?;
+        let points = lines::dense(&setting.shown).into_iter().filter_map(|load| {
+            Some((setting.loads.per_pascal * load, curves::scale(quantity) * value(load)?))
+        });
+        let points: Vec<(f64, f64)> = points.collect();
+        let dash = if correlation == Correlation::Mikic { Dash::Dotted } else { Dash::Dashed };
+        let line = Layer::line(points.iter().copied()).coloured(Colour::Neutral).dashed(dash).thin();
+        (!points.is_empty()).then(|| line.named(correlation.label()))
+    };
+    Correlation::ALL.into_iter().filter_map(line).collect()
+}
+
+/// Panels beside each other.
+const COLUMNS: usize = 3;
 
 fn figure(results: &CompareResults, case: SurfaceCase) -> Figure {
     let verdicts = case.verdicts();
@@ -102,12 +124,18 @@ fn figure(results: &CompareResults, case: SurfaceCase) -> Figure {
         let (others, beside): (&[&Comparison], Vec<Layer>) = match quantity {
             ComparedQuantity::Separation => (&others, std::mem::take(&mut beside_separation)),
             ComparedQuantity::Area => (&[], std::mem::take(&mut beside_area)),
-            ComparedQuantity::Stiffness => (&[], Vec::new()),
+            other => (&[], correlations(case, other, &setting)),
         };
         marked(setting.plot(quantity, others, beside).height(190.0), &label)
     });
     let curves: Vec<Plot> = curves.collect();
-    let below = differences.into_iter().map(|plot| marked(plot, ""));
+    let below: Vec<Plot> = differences.into_iter().map(|plot| marked(plot, "")).collect();
     let title = format!("{}: both models against load, and their differences", case.name(results));
-    Figure::grid(title, quantities.len(), curves.into_iter().chain(below).collect())
+    // Quantities that are asked for beyond the first three are below these.
+    let columns = quantities.len().min(COLUMNS);
+    let rows = curves.chunks(COLUMNS).enumerate().flat_map(|(index, row)| {
+        let below = below.chunks(COLUMNS).nth(index).unwrap_or(&[]);
+        [row, below].concat()
+    });
+    Figure::grid(title, columns, rows.collect())
 }

@@ -12,7 +12,9 @@ use crate::kind::compare::figures::curves::{self, Setting};
 use crate::kind::compare::figures::{causes, contact, differences as figure, filter, main_figure};
 use crate::kind::compare::names::{stem, subject, under};
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
-use crate::kind::compare::rows::{AttributionRow, LineRow, RobustnessRow, SpreadRow, SurfaceCase};
+use crate::kind::compare::rows::{
+    AttributionRow, CorrelationRow, LineRow, RobustnessRow, SpreadRow, SurfaceCase,
+};
 use crate::model_tables::PairRow;
 
 /// Loads per decade in tables.
@@ -51,6 +53,7 @@ pub fn section(page: &mut Page, results: &CompareResults, tables: &Tables, case:
         }
         regimes(page, case, &name, &stem, units);
         page.view(&case.rows(tables.view::<LineRow>()));
+        page.view(&case.rows(tables.view::<CorrelationRow>()));
         page.view(&case.rows(tables.view::<SpreadRow>()).each_decade("pressure_pa", PER_DECADE));
         page.view(&by_load(tables, case).columns(&[
             "target",

@@ -7,6 +7,7 @@
 //! | `elastic` | where it is elastic although the law yields |
 //! | `run` | the solver on a realisation of a surface |
 //! | `point` | a contact in the terms of the models, with bounds of its errors |
+//! | `spots` | what its spots conduct, and their friction |
 //! | `view` | a part of the contact, and the distribution of pressures |
 //! | `tables` | `reference.csv` |
 
@@ -15,6 +16,7 @@ pub mod plan;
 mod point;
 mod run;
 mod spec;
+mod spots;
 mod view;
 
 pub use plan::{ElasticCase, ReferencePlan};

@@ -1,39 +1,53 @@
 //! A contact at one load in the terms of the models, with bounds of its errors.
 
 use asperity::bem::{Boundary, Contact, GridError, Solver, SolverError, Tangent};
-use asperity::compare::{BlockShare, Control, ReferencePoint};
+use asperity::compare::{BlockShare, ByQuantity, ComparedQuantity, Control, ReferencePoint};
 use asperity::progress::Progress;
+use asperity::spot::{SpotQuantity, SpotValues};
 use asperity::surface::Surface;
 use asperity::topography::Blocks;
 
-/// A contact, and how it changes with the load.
+use super::spots::{SolvedSpots, SpotSolver};
+
+/// A contact, how it changes with the load, and what its spots conduct.
 pub struct SolvedContact {
     pub contact: Contact,
     /// `None` where no point may change its pressure.
     pub tangent: Option<Tangent>,
+    spots: SolvedSpots,
 }
 
 impl SolvedContact {
-    /// At a nominal pressure (Pa).
+    /// At a nominal pressure (Pa), with its spots to the relative `error`.
     ///
     /// # Errors
     /// Those of the solver.
-    pub fn new(solver: &Solver, pressure: f64, progress: &dyn Progress) -> Result<Self, SolverError> {
+    pub fn new(
+        solver: &Solver,
+        spots: &SpotSolver,
+        pressure: f64,
+        error: f64,
+        progress: &dyn Progress,
+    ) -> Result<Self, SolverError> {
         let contact = solver.at_pressure(pressure, progress)?;
         let tangent = solver.tangent(&contact);
-        Ok(Self { contact, tangent })
+        let spots = spots.solve(solver, &contact, tangent.as_ref(), error)?;
+        Ok(Self { contact, tangent, spots })
     }
 
     /// What each block contributes.
     pub fn block_shares(&self, blocks: &Blocks) -> Vec<BlockShare> {
         let sums = self.contact.block_sums(blocks);
         let shares = self.tangent.as_ref().map(|tangent| tangent.block_shares(blocks));
-        let of_block = |(block, [pressure, area_ratio]): (usize, [f64; 2])| BlockShare {
-            pressure,
-            area_ratio,
-            stiffness_share: shares.as_ref().map_or(0.0, |shares| shares[block]),
-        };
-        sums.into_iter().enumerate().map(of_block).collect()
+        let spots = self.spots.of_blocks(blocks, &sums);
+        let of_block =
+            |(block, ([pressure, area_ratio], spots)): (usize, ([f64; 2], SpotValues))| BlockShare {
+                pressure,
+                area_ratio,
+                stiffness_share: shares.as_ref().map_or(0.0, |shares| shares[block]),
+                spots,
+            };
+        sums.into_iter().zip(spots).enumerate().map(of_block).collect()
     }
 
     /// In the terms of the models, with the same load on `other` points.
@@ -44,7 +58,7 @@ impl SolvedContact {
         let offset = surface.plane_above_mean_plane().filter(|_| is_comparable);
         let separation = offset.map(|offset| mean_gap - offset);
         let stiffness = self.stiffness().filter(|_| separation.is_some());
-        ReferencePoint {
+        let point = ReferencePoint {
             control: Control::Pressure,
             target: pressure,
             pressure,
@@ -56,17 +70,19 @@ impl SolvedContact {
             raw_area_ratio: contact.raw_area_ratio(),
             capped_area_ratio: contact.capped_area_ratio(),
             stiffness,
-            bounds: self.bounds(pressure, other, surface),
+            spots: self.spots.values(contact.area_ratio(), pressure),
+            bounds: ByQuantity::default(),
             error: contact.error,
             steps: contact.steps,
             convolutions: contact.convolutions,
-        }
+        };
+        ReferencePoint { bounds: self.bounds(&point, other, surface), ..point }
     }
 
-    /// Bounds of the errors of solver and grid, of d/sigma, ln(area) and ln(stiffness): where `other` points were solved too, no
+    /// Bounds of the errors of solver and grid, of d/sigma and the logarithms of the others: where `other` points were solved too, no
     /// less than the differences between both.
-    fn bounds(&self, pressure: f64, other: Option<&Self>, surface: &Surface) -> [f64; 3] {
-        let (contact, sigma) = (&self.contact, surface.plane.sigma);
+    fn bounds(&self, point: &ReferencePoint, other: Option<&Self>, surface: &Surface) -> ByQuantity<f64> {
+        let (contact, sigma, pressure) = (&self.contact, surface.plane.sigma, point.pressure);
         let grid = GridError::new(contact);
         // How far the flat moves while the load grows by its logarithm; without a stiffness less than down to the mean plane.
         let reach = self.stiffness().map_or(contact.mean_gap(), |stiffness| pressure / stiffness);
@@ -80,11 +96,23 @@ impl SolvedContact {
         // The dual gap is relative to the standard deviation of the heights.
         let roughness = surface.map.as_ref().map_or(sigma, |map| map.roughness.moments.sq);
         let of_tangent = self.tangent.as_ref().map_or(0.0, |tangent| tangent.error);
-        [
-            (gap + contact.error * roughness) / sigma,
-            area + contact.error,
-            stiffness + contact.error + of_tangent,
-        ]
+        let conductance = |quantity: SpotQuantity| {
+            let value = |solved: &Self| {
+                let value = solved.spots.values(0.0, 0.0)[quantity as usize];
+                (value > 0.0).then(|| value.ln())
+            };
+            let of_grid = grid.stiffness + SolvedSpots::border_error(contact);
+            apart(&value).max(of_grid) + contact.error + self.spots.error(quantity)
+        };
+        ComparedQuantity::ALL.map(|quantity| match quantity {
+            ComparedQuantity::Separation => (gap + contact.error * roughness) / sigma,
+            ComparedQuantity::Area => area + contact.error,
+            ComparedQuantity::Stiffness => stiffness + contact.error + of_tangent,
+            ComparedQuantity::ElectricalConductance => conductance(SpotQuantity::ElectricalConductance),
+            ComparedQuantity::ThermalConductance => conductance(SpotQuantity::ThermalConductance),
+            // Its part that grows with the area is all of it, or less.
+            ComparedQuantity::Friction => area + contact.error,
+        })
     }
 
     /// -dp/dd, Pa/m.

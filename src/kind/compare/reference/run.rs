@@ -8,7 +8,7 @@ use asperity::HeightMap;
 use asperity::bem::{Boundary, ElasticPair, MOST_MISSING, Options, Solver, SolverError, refined};
 use asperity::compare::{BlockShare, Control, ModelKind, ReferenceCurve, ReferencePoint};
 use asperity::progress::Silent;
-use asperity::study::CaseResults;
+use asperity::study::{CaseResults, LawContact};
 use asperity::surface::{Independence, PreparedMap, Surface};
 use asperity::topography::Blocks;
 use asperity_contact_framework::RunContext;
@@ -17,6 +17,7 @@ use asperity_contact_framework::metadata::Timing;
 
 use super::plan::{ReferencePlan, Solution, spread_over};
 use super::point::SolvedContact;
+use super::spots::SpotSolver;
 use super::view::{ContactView, SumAtLoad};
 use crate::kind::compare::contact_map::{Covered, covered};
 use crate::kind::compare::plan::ComparePlan;
@@ -123,6 +124,13 @@ impl ReferenceRun<'_> {
         let pair = ElasticPair::new(bare, coated, layer);
         let options = Options { boundary, error: self.reference.error, cap: solution.cap };
         let solver = Solver::new(map, &pair, &options).map_err(|error| refuse(&error))?;
+        let of_thickness =
+            |law: &&LawContact| law.thickness.unwrap_or(0.0) == solution.thickness.unwrap_or(0.0);
+        let law = self.compare.study.laws.iter().find(of_thickness);
+        let asked = law.and_then(|law| law.contact.spot_properties());
+        // Of the map that is solved, and of the map as it is.
+        let spots = [(); 2].map(|()| SpotSolver::new(asked, boundary));
+        let error = self.reference.error;
         // The map as it is, where another resolution is solved: the difference bounds the error of both.
         let own = (self.reference.refine > 1).then(|| Solver::new(&self.prepared.map, &pair, &options));
         let own = own.transpose().map_err(|error| refuse(&error))?;
@@ -138,9 +146,11 @@ impl ReferenceRun<'_> {
                 context.progress.advance(1.0);
                 continue;
             }
-            let found =
-                SolvedContact::new(&solver, pressure, context.progress).map_err(|error| refuse(&error))?;
-            let at_own = own.as_ref().map(|solver| SolvedContact::new(solver, pressure, &Silent)).transpose();
+            let found = SolvedContact::new(&solver, &spots[0], pressure, error, context.progress)
+                .map_err(|error| refuse(&error))?;
+            let at_own =
+                own.as_ref().map(|solver| SolvedContact::new(solver, &spots[1], pressure, error, &Silent));
+            let at_own = at_own.transpose();
             let at_own = at_own.map_err(|error| refuse(&error))?;
             let bits = pressure.to_bits();
             solved.points.insert(bits, found.point(pressure, at_own.as_ref(), self.surface));

@@ -3,6 +3,7 @@
 mod answers;
 mod attribution;
 mod cases;
+mod correlations;
 mod curves;
 pub(crate) mod differences;
 mod layer;
@@ -21,6 +22,7 @@ mod verdicts;
 pub(crate) use answers::{AnswerRow, rows as answers};
 pub(crate) use attribution::AttributionRow;
 pub(crate) use cases::CaseRow;
+pub(crate) use correlations::CorrelationRow;
 pub(crate) use layer::{DecreaseRow, RuleRow, ThresholdRow};
 pub(crate) use lines::LineRow;
 pub(crate) use nearer::{NearerRow, ReferenceCurveRow};
@@ -37,7 +39,7 @@ use asperity_contact_framework::columns;
 use asperity_contact_framework::report::table::{Column, Schema, Table};
 
 use super::results::{CompareResults, SurfaceResults};
-use crate::model_tables::{CAUSES, CurveRow, PairRow, REFERENCE};
+use crate::model_tables::{CAUSES, CurveRow, PairRow, REFERENCE, of_asked_spots};
 use crate::surface::rows as surface_rows;
 use differences::DifferenceRow;
 use ranking::RankingRow;
@@ -122,6 +124,7 @@ pub(crate) fn schemas() -> Vec<Schema> {
         Schema::of::<RuleRow>(),
         Schema::of::<ReadingRow>(),
         Schema::of::<LineRow>(),
+        Schema::of::<CorrelationRow>(),
     ];
     schemas.extend(surface_rows::schemas());
     schemas
@@ -129,7 +132,8 @@ pub(crate) fn schemas() -> Vec<Schema> {
 
 /// The tables of one comparison: curves, pairs, verdicts, differences and gaps always, all others where they have rows.
 pub(crate) fn tables(results: &CompareResults) -> Vec<Table> {
-    let mut pairs = Table::new(curves::pairs(results));
+    let asked = |table| of_asked_spots(table, &results.spots);
+    let mut pairs = asked(Table::new(curves::pairs(results)));
     if !results.is_attributed() {
         pairs = pairs.without_part(CAUSES);
     }
@@ -137,17 +141,17 @@ pub(crate) fn tables(results: &CompareResults) -> Vec<Table> {
         pairs = pairs.without_part(REFERENCE);
     }
     let mut tables = vec![
-        Table::new(answers::rows(results)),
+        asked(Table::new(answers::rows(results))),
         Table::new(on_map::rows(results)),
         Table::new(verdicts::rows(results)),
         Table::new(cases::rows(results)),
-        Table::new(curves::curves(results)),
+        asked(Table::new(curves::curves(results))),
         pairs,
         Table::new(results::gaps(results)),
         Table::new(differences::rows(results)),
     ];
     let optional = [
-        Table::new(results::rows(results)),
+        asked(Table::new(results::rows(results))),
         Table::new(spread::rows(results)),
         Table::new(attribution::rows(results)),
         Table::new(ranking::rows(results)),
@@ -161,6 +165,7 @@ pub(crate) fn tables(results: &CompareResults) -> Vec<Table> {
         Table::new(RuleRow::all(results)),
         Table::new(readings::rows(results)),
         Table::new(lines::rows(results)),
+        Table::new(correlations::rows(results)),
     ];
     tables.extend(optional.into_iter().filter(|table| table.rows() > 0));
     tables.extend(surface_rows::tables(results.surface_rows()));

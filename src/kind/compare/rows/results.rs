@@ -1,14 +1,15 @@
 //! `results.csv`: what the models say at the load; `largest_gaps.csv`: the largest gaps between them.
 
 use asperity::Exceeded;
-use asperity::compare::{Gap, ModelKind};
+use asperity::compare::{ComparedQuantity, Gap, ModelKind};
+use asperity::spot::tube_factor;
 use asperity::study::ModelResult;
 use asperity_contact_framework::columns;
 use asperity_contact_framework::report::table::{Column, Row};
 
 use super::{CaseKey, SurfaceCase, case_columns};
 use crate::kind::compare::results::CompareResults;
-use crate::model_tables::{REFERENCE, limits};
+use crate::model_tables::{CONDUCTION, ELECTRICAL, FRICTION, REFERENCE, THERMAL, limits};
 
 /// One model, or the reference, at the load of a spec.
 pub(crate) struct ResultRow<'a> {
@@ -25,8 +26,22 @@ impl ResultRow<'_> {
         self.result.point.shares.map(|shares| shares[regime])
     }
 
+    /// An end of the interval of a quantity.
+    fn end(&self, quantity: ComparedQuantity, end: usize) -> Option<f64> {
+        self.result.intervals[quantity as usize].map(|ends| ends[end])
+    }
+
     fn area_end(&self, end: usize) -> Option<f64> {
-        self.result.area_interval.map(|ends| ends[end] * self.nominal_area)
+        Some(self.end(ComparedQuantity::Area, end)? * self.nominal_area)
+    }
+
+    fn tube_factor(&self) -> Option<f64> {
+        self.result.model.map(|_| tube_factor(self.result.point.area_ratio))
+    }
+
+    /// A quantity that follows from the spots of the contact.
+    fn of_spots(&self, quantity: ComparedQuantity) -> Option<f64> {
+        self.result.point.value(quantity)
     }
 }
 
@@ -51,6 +66,16 @@ impl Row for ResultRow<'_> {
             contacts["1"] = row.result.point.contact_density.map(|density| density * row.nominal_area), "Number of contacts; empty for the reference.";
             mean_real_pressure_pa["Pa", prefix("M"), label("mean contact pressure")] = row.result.point.mean_real_pressure(), "Load over real contact area; empty where there is no contact.";
             stiffness_n_per_m["N/m", label("stiffness")] = row.result.point.stiffness.map(|stiffness| stiffness * row.nominal_area), "Contact stiffness of the nominal area.";
+            electrical_conductance_s_per_m2["S/m²", part(ELECTRICAL), prefix("M"), label("electrical conductance")] = row.of_spots(ComparedQuantity::ElectricalConductance), "Electrical conductance per nominal area, of a sum or integral without interaction of the spots; there only where it is asked for.";
+            electrical_conductance_low_s_per_m2["S/m²", part(ELECTRICAL), prefix("M"), label("95 % interval from")] = row.end(ComparedQuantity::ElectricalConductance, 0), "Lower end of its 95 % interval; empty where there is none.";
+            electrical_conductance_high_s_per_m2["S/m²", part(ELECTRICAL), prefix("M"), label("to")] = row.end(ComparedQuantity::ElectricalConductance, 1), "Upper end.";
+            thermal_conductance_w_per_m2_k["W/(m² K)", part(THERMAL), prefix("k"), label("thermal conductance")] = row.of_spots(ComparedQuantity::ThermalConductance), "Thermal conductance per nominal area, likewise.";
+            thermal_conductance_low_w_per_m2_k["W/(m² K)", part(THERMAL), prefix("k"), label("95 % interval from")] = row.end(ComparedQuantity::ThermalConductance, 0), "Lower end of its 95 % interval; empty where there is none.";
+            thermal_conductance_high_w_per_m2_k["W/(m² K)", part(THERMAL), prefix("k"), label("to")] = row.end(ComparedQuantity::ThermalConductance, 1), "Upper end.";
+            tube_factor["1", part(CONDUCTION), label("tube factor")] = row.tube_factor(), "Factor of the constriction resistance of the spots by their neighbours on an interface without end, (1 - (A/A_nom)^0.5)^1.5 (Cooper, Mikic and Yovanovich 1969): the conductance of a model over it counts them; empty for the reference, which does.";
+            friction["1", part(FRICTION), label("coefficient of friction")] = row.of_spots(ComparedQuantity::Friction), "Coefficient of boundary friction: shear forces of all spots over the load; there only where it is asked for.";
+            friction_low["1", part(FRICTION), label("95 % interval from")] = row.end(ComparedQuantity::Friction, 0), "Lower end of its 95 % interval; empty where there is none.";
+            friction_high["1", part(FRICTION), label("to")] = row.end(ComparedQuantity::Friction, 1), "Upper end.";
             elastic_load_share["1", label("elastic"), percent] = row.share(0), "Share of the load in elastic contacts; empty for the reference and where there is no contact.";
             elastic_plastic_load_share["1", label("elastic-plastic"), percent] = row.share(1), "Share of the load in elastic-plastic contacts.";
             plastic_load_share["1", label("plastic"), percent] = row.share(2), "Share of the load in plastic contacts.";

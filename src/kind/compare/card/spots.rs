@@ -1,0 +1,98 @@
+//! What the contact conducts, and how it resists sliding.
+
+use asperity::compare::{ComparedQuantity, ModelKind};
+use asperity::numeric::two_digits;
+use asperity::study::ModelResult;
+use asperity_contact_framework::report::answer::fitting;
+use asperity_contact_framework::report::format::{input_quantity, number, quantity, range, signed};
+
+use super::result::{model_name, relative_to};
+use super::{Card, area};
+use crate::model_tables::REFERENCE;
+
+impl Card<'_> {
+    /// "Thermal: 52 kW/(m² K), 4.8 K/W on 4 mm² (sum; 95 % interval 48 to 56); integral +3 %, boundary elements +12 %." for each conductance
+    /// that is asked for, then how far the nearest correlation in use is off.
+    pub(super) fn conductances(&self) -> Vec<String> {
+        let of = [
+            (ComparedQuantity::ElectricalConductance, "Electrical"),
+            (ComparedQuantity::ThermalConductance, "Thermal"),
+        ];
+        let conductances = of.into_iter().filter_map(|(quantity, name)| self.conductance(quantity, name));
+        conductances.chain(self.correlation()).collect()
+    }
+
+    /// "Correlation of Mikic: -12 to +30 % of boundary elements; within ±20 % from 2 to 10 MPa."
+    fn correlation(&self) -> Option<String> {
+        let found = self.correlation.as_ref()?;
+        let [low, high] = found.range().map(|at| signed(two_digits(100.0 * at)));
+        let size = if low == high { low } else { format!("{low} to {high}") };
+        let against = if found.against == REFERENCE { "boundary elements" } else { "the sum" };
+        let accepted = number(100.0 * found.accepted);
+        let within = match found.within() {
+            None => format!("not within ±{accepted} % at any load"),
+            Some([from, to]) if from == to => {
+                format!("within ±{accepted} % at {}", input_quantity(from, "Pa"))
+            }
+            Some(loads) => format!("within ±{accepted} % from {}", range(loads, "Pa")),
+        };
+        let label = found.correlation.label();
+        Some(format!("Nearest correlation in use, {label}: {size} % against {against}; {within}."))
+    }
+
+    fn conductance(&self, compared: ComparedQuantity, name: &str) -> Option<String> {
+        let at_load = self.case.results_at_load();
+        let model = main_model(&at_load.models, compared)?;
+        let value = model.point.value(compared)?;
+        let (unit, scale) = match compared {
+            ComparedQuantity::ElectricalConductance => ("S/mm²", 1e-6),
+            _ => ("kW/(m² K)", 1e-3),
+        };
+        let shown = |value: f64| number(scale * value);
+        let resistance = (value * self.load_area).recip();
+        let whole = match compared {
+            ComparedQuantity::ElectricalConductance => quantity(resistance, "Ω"),
+            _ => quantity(resistance, "K/W"),
+        };
+        let on = format!(", {whole} on {}", area(self.load_area));
+        let interval = interval(model, compared, &shown);
+        let others = others(&at_load.models, model, compared);
+        let text = |on: &str| {
+            let model = model_name(model.model);
+            format!("{name}: {} {unit}{on} ({model}{interval}){others}.", shown(value))
+        };
+        Some(fitting([text(&on), text("")]))
+    }
+
+    /// "Coefficient 0.12 (sum; 95 % interval 0.11 to 0.13); integral +3 %, boundary elements -5 %."
+    pub(super) fn friction(&self) -> Option<String> {
+        let compared = ComparedQuantity::Friction;
+        let at_load = self.case.results_at_load();
+        let model = main_model(&at_load.models, compared)?;
+        let value = model.point.value(compared)?;
+        let interval = interval(model, compared, &number);
+        let others = others(&at_load.models, model, compared);
+        Some(format!("Coefficient {} ({}{interval}){others}.", number(value), model_name(model.model)))
+    }
+}
+
+/// The sum, or else the integral or the reference.
+fn main_model(models: &[ModelResult], compared: ComparedQuantity) -> Option<&ModelResult> {
+    let order = [Some(ModelKind::Deterministic), Some(ModelKind::Statistical), None];
+    let find = |kind| models.iter().find(|one| one.model == kind && one.point.value(compared).is_some());
+    order.into_iter().find_map(find)
+}
+
+/// "; 95 % interval 48 to 56"; empty without one.
+fn interval(model: &ModelResult, compared: ComparedQuantity, shown: &dyn Fn(f64) -> String) -> String {
+    let ends = model.intervals[compared as usize];
+    ends.map_or_else(String::new, |[low, high]| format!("; 95 % interval {} to {}", shown(low), shown(high)))
+}
+
+/// "; integral +3 %, boundary elements +12 %".
+fn others(models: &[ModelResult], model: &ModelResult, compared: ComparedQuantity) -> String {
+    let of = |one: &ModelResult| one.point.value(compared);
+    let others = models.iter().filter(|other| other.model != model.model);
+    let texts: Vec<String> = others.filter_map(|other| relative_to(other, model, of)).collect();
+    if texts.is_empty() { String::new() } else { format!("; {}", texts.join(", ")) }
+}

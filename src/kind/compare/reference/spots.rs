@@ -1,0 +1,145 @@
+//! What the contact of the reference conducts, and how it resists sliding.
+
+use std::cell::OnceCell;
+
+use asperity::bem::{Boundary, Conductor, Contact, Current, Solver, SolverError, Tangent};
+use asperity::spot::{Conduction, ShearStrength, SpotProperties, SpotQuantity, SpotValues};
+use asperity::topography::Blocks;
+
+/// How far inside of the border of a patch that is given, not solved for, the current acts: in pixels (0.11 to 0.17 by the direction of the
+/// border, measured on discs and straight edges).
+const INSIDE: f64 = 0.17;
+
+/// What is asked of the spots of one contact of the reference.
+pub struct SpotSolver {
+    electrical: Option<ConductingSpots>,
+    thermal: Option<ConductingSpots>,
+    shear: Option<ShearStrength>,
+}
+
+/// A conductance that is asked for.
+struct ConductingSpots {
+    conduction: Conduction,
+    /// Made where the stiffness does not give the conductance.
+    conductor: OnceCell<Conductor>,
+}
+
+/// Of a solved contact.
+#[derive(Default)]
+pub struct SolvedSpots {
+    /// Electrical and thermal.
+    currents: [Option<Current>; 2],
+    shear: Option<ShearStrength>,
+}
+
+impl SpotSolver {
+    /// What `properties` asks for. A film that spots break through has no meaning without asperities, and a finite map conducts as a whole: its
+    /// conductance does not compare with that of spots of a surface without end.
+    pub fn new(properties: Option<&SpotProperties>, boundary: Boundary) -> Self {
+        let conducting = |conduction: &Option<Conduction>| {
+            let conduction = conduction.clone().filter(|_| boundary != Boundary::Finite)?;
+            Some(ConductingSpots { conduction, conductor: OnceCell::new() })
+        };
+        let none = SpotProperties::default();
+        let SpotProperties { electrical, thermal, shear } = properties.unwrap_or(&none);
+        let shear = shear.filter(|shear| shear.broken.is_none()).map(|shear| shear.strength);
+        Self { electrical: conducting(electrical), thermal: conducting(thermal), shear }
+    }
+
+    /// The spots of `contact`, one of `solver`, solved to the relative `error`.
+    ///
+    /// # Errors
+    /// A layered conductor on a finite map.
+    pub fn solve(
+        &self,
+        solver: &Solver,
+        contact: &Contact,
+        tangent: Option<&Tangent>,
+        error: f64,
+    ) -> Result<SolvedSpots, SolverError> {
+        let current = |spots: &Option<ConductingSpots>| {
+            spots.as_ref().map_or(Ok(None), |spots| spots.current(solver, contact, tangent, error))
+        };
+        Ok(SolvedSpots { currents: [current(&self.electrical)?, current(&self.thermal)?], shear: self.shear })
+    }
+}
+
+impl ConductingSpots {
+    fn current(
+        &self,
+        solver: &Solver,
+        contact: &Contact,
+        tangent: Option<&Tangent>,
+        error: f64,
+    ) -> Result<Option<Current>, SolverError> {
+        let is_bare = self.conduction.film() == 0.0 && !self.conduction.is_layered();
+        if is_bare
+            && let Some(modulus) = solver.half_space_modulus()
+            && contact.capped_area_ratio() == 0.0
+        {
+            let resistivity = self.conduction.resistivity();
+            return Ok(tangent.map(|tangent| Current::of_elastic(tangent, modulus, resistivity)));
+        }
+        if self.conductor.get().is_none() {
+            let (pair, film) = (self.conduction.pair(), self.conduction.film());
+            let conductor =
+                Conductor::new(contact.points(), contact.pixel(), contact.boundary(), &pair, film, error)?;
+            // Nobody else has set it.
+            let _ = self.conductor.set(conductor);
+        }
+        Ok(self.conductor.get().and_then(|conductor| conductor.current(contact)))
+    }
+}
+
+impl SolvedSpots {
+    /// Conductances per nominal area and shear stress, of an area ratio at a nominal pressure (Pa); 0 of what is not asked for.
+    pub fn values(&self, area_ratio: f64, pressure: f64) -> SpotValues {
+        SpotQuantity::ALL.map(|quantity| match self.current(quantity) {
+            Some(current) => current.conductance(),
+            None if quantity == SpotQuantity::ShearForce => self.shear_stress(area_ratio, pressure),
+            None => 0.0,
+        })
+    }
+
+    /// What each block of a division of the points contributes, from its parts of area ratio and pressure (Pa).
+    pub fn of_blocks(&self, blocks: &Blocks, sums: &[[f64; 2]]) -> Vec<SpotValues> {
+        let shares = SpotQuantity::ALL.map(|quantity| {
+            self.current(quantity).map(|current| (current.conductance(), current.block_shares(blocks)))
+        });
+        let of_block = |(block, &[pressure, area_ratio]): (usize, &[f64; 2])| {
+            SpotQuantity::ALL.map(|quantity| match &shares[quantity as usize] {
+                Some((whole, shares)) => whole * shares[block],
+                None if quantity == SpotQuantity::ShearForce => self.shear_stress(area_ratio, pressure),
+                None => 0.0,
+            })
+        };
+        sums.iter().enumerate().map(of_block).collect()
+    }
+
+    /// Bound of the error of ln(conductance) that the patch of `contact` adds to that of its stiffness: where it is at the cap its border is
+    /// given by the points.
+    pub fn border_error(contact: &Contact) -> f64 {
+        let count = contact.raw_area_ratio() * contact.pressures().len() as f64;
+        let [x, y] = contact.outline();
+        // Sides of pixels are longer than the border that they follow.
+        let given = std::f64::consts::FRAC_PI_4 * (x + y).saturating_sub(contact.border()) as f64;
+        if count > 0.0 { 0.5 * INSIDE * given / count } else { 0.0 }
+    }
+
+    /// The error that the iteration leaves in a conductance.
+    pub fn error(&self, quantity: SpotQuantity) -> f64 {
+        self.current(quantity).map_or(0.0, |current| current.error)
+    }
+
+    fn current(&self, quantity: SpotQuantity) -> Option<&Current> {
+        match quantity {
+            SpotQuantity::ElectricalConductance => self.currents[0].as_ref(),
+            SpotQuantity::ThermalConductance => self.currents[1].as_ref(),
+            SpotQuantity::ShearForce => None,
+        }
+    }
+
+    fn shear_stress(&self, area_ratio: f64, pressure: f64) -> f64 {
+        self.shear.map_or(0.0, |ShearStrength { tau0, alpha }| tau0 * area_ratio + alpha * pressure)
+    }
+}

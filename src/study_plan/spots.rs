@@ -1,0 +1,254 @@
+//! `conductance` and `shear-strength` in a spec: what is asked of the spots of a contact.
+
+use std::ops::Range;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Deserializer};
+use serde_json::json;
+
+use asperity::spot::{BrokenFilm, Conduction, ConductionError, Shear, ShearStrength, SpotProperties};
+use asperity::study::LawContact;
+use asperity::{Material, WithSpots};
+use asperity_contact_framework::input::material::{RESISTIVITY, THERMAL_CONDUCTIVITY};
+use asperity_contact_framework::input::quantity::{
+    Dimension, ElectricalFilm, NotNegative, Positive, Pressure, Pure, Quantity, ThermalFilm,
+};
+use asperity_contact_framework::input::{Forms, InputError, Spanned, SpecFile};
+use asperity_contact_framework::written_schema;
+
+use crate::layer::{LayerPlan, LayerSpec};
+
+/// `conductance = "thermal"`, `["electrical", "thermal"]`, or `{ electrical = { film = "1e-12 ohm m^2" } }`.
+#[derive(Debug, Clone, Default)]
+pub struct ConductanceSpec {
+    /// Electrical conductance.
+    electrical: Option<ConductionSpec<ElectricalFilm>>,
+    /// Thermal conductance.
+    thermal: Option<ConductionSpec<ThermalFilm>>,
+}
+
+/// How the spots conduct.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case", bound = "")]
+#[schemars(bound = "")]
+struct ConductionSpec<D: Dimension> {
+    /// Resistance times area of a film on each spot, such as an oxide: in series with the spot.
+    #[schemars(extend("x-default" = "none"))]
+    film: Option<Quantity<D>>,
+}
+
+impl<D: Dimension> Default for ConductionSpec<D> {
+    fn default() -> Self {
+        Self { film: None }
+    }
+}
+
+/// The table form.
+#[derive(Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+struct ConductanceTable {
+    /// Electrical conductance; the materials need a `resistivity`.
+    electrical: Option<ConductionSpec<ElectricalFilm>>,
+    /// Thermal conductance; the materials need a `thermal-conductivity`.
+    thermal: Option<ConductionSpec<ThermalFilm>>,
+}
+
+const ALLOWED: &str = "\"electrical\", \"thermal\", a list of both, or a table such as { electrical = { film = \"1e-12 ohm m^2\" } }";
+
+written_schema!(ConductanceSpec, |generator| {
+    let names = json!({ "type": "string", "enum": ["electrical", "thermal"] });
+    let list = json!({ "type": "array", "items": names, "minItems": 1, "uniqueItems": true });
+    json!({ "anyOf": [names, list, ConductanceTable::json_schema(generator).to_value()] })
+});
+
+impl ConductanceSpec {
+    fn add(&mut self, name: &str) -> Result<(), String> {
+        let is_second = match name {
+            "electrical" => self.electrical.replace(ConductionSpec::default()).is_some(),
+            "thermal" => self.thermal.replace(ConductionSpec::default()).is_some(),
+            _ => return Err(format!("found \"{name}\"; allowed: {ALLOWED}")),
+        };
+        if is_second { Err(format!("found \"{name}\" twice; allowed: {ALLOWED}")) } else { Ok(()) }
+    }
+
+    fn of_names(names: &[String]) -> Result<Self, String> {
+        let mut spec = Self::default();
+        names.iter().try_for_each(|name| spec.add(name))?;
+        spec.filled()
+    }
+
+    fn filled(self) -> Result<Self, String> {
+        if self.electrical.is_none() && self.thermal.is_none() {
+            return Err(format!("found no conductance; allowed: {ALLOWED}"));
+        }
+        Ok(self)
+    }
+}
+
+impl<'de> Deserialize<'de> for ConductanceSpec {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        Forms::new(ALLOWED)
+            .text(|name| Self::of_names(&[name.to_owned()]))
+            .list(|names: Vec<String>| Self::of_names(&names))
+            .table(|ConductanceTable { electrical, thermal }| Self { electrical, thermal }.filled())
+            .read(deserializer)
+    }
+}
+
+/// `shear-strength = { tau0 = "20 MPa", alpha = 0.05 }`.
+#[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
+#[serde(
+    deny_unknown_fields,
+    rename_all = "kebab-case",
+    expecting = "a shear strength such as { tau0 = \"20 MPa\", alpha = 0.05 }"
+)]
+pub struct ShearStrengthSpec {
+    /// Shear strength of the real contact area without pressure.
+    #[schemars(extend("examples" = ["20 MPa"]))]
+    tau0: Quantity<Pressure, NotNegative>,
+    /// Growth of the shear strength with the mean pressure of a spot.
+    #[schemars(extend("default" = 0, "examples" = [0.05]))]
+    alpha: Option<Quantity<Pure, NotNegative>>,
+}
+
+impl ShearStrengthSpec {
+    fn strength(&self) -> ShearStrength {
+        ShearStrength { tau0: self.tau0.value(), alpha: self.alpha.map_or(0.0, |alpha| alpha.value()) }
+    }
+}
+
+/// Where spots break through a layer, over its thickness.
+pub type Breakdown = Quantity<Pure, Positive>;
+
+/// The breakdown of a layer where the spec does not say.
+const BREAKDOWN: f64 = 1.0;
+
+/// The keys of a spec about spots.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct SpotKeys<'a> {
+    /// What conducts.
+    pub conductance: Option<&'a Spanned<ConductanceSpec>>,
+    /// The shear strength of the interface.
+    pub shear_strength: Option<&'a Spanned<ShearStrengthSpec>>,
+}
+
+/// The bodies whose spots are asked for.
+#[derive(Clone, Copy)]
+pub struct SpottedBodies<'a> {
+    /// The body without a layer: its name and itself.
+    pub bare: (&'a str, &'a Material),
+    /// The other one.
+    pub coated: (&'a str, &'a Material),
+    /// The layer on it: as resolved, and as the spec has it.
+    pub layer: Option<(&'a LayerPlan, &'a LayerSpec)>,
+}
+
+impl SpotKeys<'_> {
+    /// Adds what is asked of their spots to `laws`.
+    ///
+    /// # Errors
+    /// A material without a property that is needed; a layer that conducts too differently from its substrate; the shear strength of a
+    /// layer without one of the interface.
+    pub fn add_to(
+        &self,
+        file: &SpecFile,
+        bodies: SpottedBodies,
+        laws: Vec<LawContact>,
+    ) -> Result<Vec<LawContact>, InputError> {
+        let shear_of_layer = bodies.layer.and_then(|(_, spec)| spec.shear_strength.as_ref());
+        if let (None, Some(layer)) = (self.shear_strength, shear_of_layer) {
+            let message = "found the shear strength of the layer without that of the interface, which shears without the layer and where it is \
+                           broken; allowed: shear-strength = { tau0 = \"...\" } in [compare], too";
+            return Err(file.source.error_at(layer.span(), message));
+        }
+        if self.conductance.is_none() && self.shear_strength.is_none() {
+            return Ok(laws);
+        }
+        let with_spots = |law: LawContact| {
+            let properties = self.properties(file, bodies, law.thickness)?;
+            Ok(LawContact { contact: Box::new(WithSpots::new(law.contact, properties)), ..law })
+        };
+        laws.into_iter().map(with_spots).collect()
+    }
+
+    /// Under a thickness of the layer (m).
+    fn properties(
+        &self,
+        file: &SpecFile,
+        bodies: SpottedBodies,
+        thickness: Option<f64>,
+    ) -> Result<SpotProperties, InputError> {
+        let thickness = thickness.unwrap_or(0.0);
+        let shear = self.shear_strength.map(|interface| {
+            let interface = interface.get_ref().strength();
+            let layer = bodies.layer.filter(|_| thickness > 0.0).map(|(_, spec)| spec);
+            let Some((layer, spec)) = layer.and_then(|spec| Some((spec.shear_strength.as_ref()?, spec)))
+            else {
+                return Shear { strength: interface, broken: None };
+            };
+            let from = thickness * spec.breakdown.map_or(BREAKDOWN, |breakdown| breakdown.value());
+            let broken = from.is_finite().then_some(BrokenFilm { from, strength: interface });
+            Shear { strength: layer.get_ref().strength(), broken }
+        });
+        let Some(conductance) = self.conductance else {
+            return Ok(SpotProperties { shear, ..SpotProperties::default() });
+        };
+        let span = conductance.span();
+        let (electrical, thermal) = (&conductance.get_ref().electrical, &conductance.get_ref().thermal);
+        let of_electrical = Bodies { file, bodies, thickness, key: RESISTIVITY, span: span.clone() };
+        let of_thermal = Bodies { key: THERMAL_CONDUCTIVITY, ..of_electrical.clone() };
+        let electrical = electrical
+            .as_ref()
+            .map(|spec| of_electrical.conduction(Material::resistivity, spec.film.map(|film| film.value())));
+        let thermal = thermal.as_ref().map(|spec| {
+            let resistivity = |body: &Material| body.thermal_conductivity().map(f64::recip);
+            of_thermal.conduction(resistivity, spec.film.map(|film| film.value()))
+        });
+        Ok(SpotProperties { electrical: electrical.transpose()?, thermal: thermal.transpose()?, shear })
+    }
+}
+
+/// Bodies whose property of the name `key` is asked for at `span`.
+#[derive(Clone)]
+struct Bodies<'a> {
+    file: &'a SpecFile,
+    bodies: SpottedBodies<'a>,
+    thickness: f64,
+    key: &'static str,
+    span: Range<usize>,
+}
+
+impl Bodies<'_> {
+    fn conduction(
+        &self,
+        resistivity: impl Fn(&Material) -> Option<f64>,
+        film: Option<f64>,
+    ) -> Result<Conduction, InputError> {
+        let Self { bodies: SpottedBodies { bare, coated, layer }, thickness, .. } = *self;
+        let needed = |(name, body): (&str, &Material)| {
+            resistivity(body).ok_or_else(|| {
+                let message = format!(
+                    "found no `{key}` in [material.{name}], which the conductance needs; allowed: {key} = \"...\" with its unit",
+                    key = self.key
+                );
+                let span = self.file.material_at(name).unwrap_or_else(|| self.span.clone());
+                self.file.source.error_at(span, message)
+            })
+        };
+        let bare = needed(bare)?;
+        let found = match layer.filter(|_| thickness > 0.0) {
+            None => Conduction::new([bare, needed(coated)?]),
+            Some((layer, _)) => {
+                let of_layer = needed((&layer.name, &layer.coating.material))?;
+                if thickness.is_finite() {
+                    Conduction::layered(bare, needed(coated)?, of_layer, thickness)
+                } else {
+                    Conduction::new([bare, of_layer])
+                }
+            }
+        };
+        let refuse =
+            |error: ConductionError| self.file.source.error_at(self.span.clone(), format!("found {error}"));
+        found.and_then(|found| found.with_film(film.unwrap_or(0.0))).map_err(refuse)
+    }
+}
