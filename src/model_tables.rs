@@ -7,7 +7,7 @@ use asperity_contact_framework::report::table::{Column, Heading, Row, Table, Val
 use asperity::compare::{
     Attribution, Cause, ComparedQuantity, Comparison, CurvePoint, ModelKind, Pair, ReferencePoint,
 };
-use asperity::spot::{SpotProperties, tube_factor};
+use asperity::spot::{SpotProperties, SpotQuantity, tube_factor};
 use asperity::{ByRegime, Exceeded, Limit, Response};
 
 /// What a row belongs to.
@@ -84,6 +84,7 @@ impl Row for CurveRow {
             electrical_conductance_s_per_m2["S/m²", part(ELECTRICAL), prefix("M")] = row.of_spots(ComparedQuantity::ElectricalConductance), "Electrical conductance per nominal area: of a sum or integral 2 a/s of each spot without interaction, of the reference the current through all points in contact; there only where it is asked for.";
             thermal_conductance_w_per_m2_k["W/(m² K)", part(THERMAL), prefix("k")] = row.of_spots(ComparedQuantity::ThermalConductance), "Thermal conductance per nominal area, likewise.";
             tube_factor["1", part(CONDUCTION)] = row.model(|response| tube_factor(response.area_ratio.total())), "Factor of the constriction resistance of the spots by their neighbours on an interface without end, (1 - (A/A_nom)^0.5)^1.5 (Cooper, Mikic and Yovanovich 1969): the conductance of a model over it counts them; empty for the reference, which does.";
+            tangential_stiffness_pa_per_m["Pa/m", part(FRICTION)] = row.model_value(|response| Some(response.spots[SpotQuantity::TangentialStiffness as usize]).filter(|stiffness| *stiffness > 0.0)), "Tangential stiffness per nominal area while no spot slips, 8 G* a of each (Mindlin 1949); empty for the reference and under a layer of finite thickness.";
             friction["1", part(FRICTION)] = row.of_spots(ComparedQuantity::Friction), "Coefficient of boundary friction: shear forces of all spots over the load; there only where it is asked for.";
             elastic_load_share["1", label("elastic"), percent] = row.model_value(|response| share(&response.pressure, 0)), "Share of the load in elastic contacts; empty where there is no contact.";
             elastic_plastic_load_share["1", label("elastic-plastic"), percent] = row.model_value(|response| share(&response.pressure, 1)), "Share of the load in elastic-plastic contacts.";
@@ -346,7 +347,7 @@ pub(crate) const FRICTION: &str = "friction";
 
 /// A table without the columns of what is not asked of spots.
 pub(crate) fn of_asked_spots(table: Table, asked: &SpotProperties) -> Table {
-    let SpotProperties { electrical, thermal, shear } = asked;
+    let SpotProperties { electrical, thermal, shear, .. } = asked;
     let parts = [
         (CONDUCTION, asked.conducts()),
         (ELECTRICAL, electrical.is_some()),

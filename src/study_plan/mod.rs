@@ -155,6 +155,7 @@ impl StudyPlan {
         let law_specs = keys.law.get_ref().0.clone();
         let as_ellipses = law_specs.iter().any(ContactLaw::is_elliptic);
         let surfaces = surfaces(as_ellipses)?;
+        keys.spots.check_gap(file, &surfaces)?;
         let pixels = surfaces.iter().filter_map(|surface| Some((surface, surface.pixel()?)));
         implausible
             .extend(pixels.filter_map(|(surface, pixel)| plausibility::of_pixel(&surface.name, pixel)));

@@ -6,17 +6,21 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer};
 use serde_json::json;
 
-use asperity::spot::{BrokenFilm, Conduction, ConductionError, Shear, ShearStrength, SpotProperties};
+use asperity::spot::{
+    BrokenFilm, Conduction, ConductionError, GapMedium, Shear, ShearStrength, SpotProperties, Tangential,
+};
 use asperity::study::LawContact;
 use asperity::{Material, WithSpots};
 use asperity_contact_framework::input::material::{RESISTIVITY, THERMAL_CONDUCTIVITY};
 use asperity_contact_framework::input::quantity::{
-    Dimension, ElectricalFilm, NotNegative, Positive, Pressure, Pure, Quantity, ThermalFilm,
+    Dimension, ElectricalFilm, Length, NotNegative, Positive, Pressure, Pure, Quantity, ThermalConductivity,
+    ThermalFilm,
 };
 use asperity_contact_framework::input::{Forms, InputError, Spanned, SpecFile};
 use asperity_contact_framework::written_schema;
 
 use crate::layer::{LayerPlan, LayerSpec};
+use crate::surface::SurfacePlan;
 
 /// `conductance = "thermal"`, `["electrical", "thermal"]`, or `{ electrical = { film = "1e-12 ohm m^2" } }`.
 #[derive(Debug, Clone, Default)]
@@ -24,7 +28,7 @@ pub struct ConductanceSpec {
     /// Electrical conductance.
     electrical: Option<ConductionSpec<ElectricalFilm>>,
     /// Thermal conductance.
-    thermal: Option<ConductionSpec<ThermalFilm>>,
+    thermal: Option<ThermalSpec>,
 }
 
 /// How the spots conduct.
@@ -43,6 +47,22 @@ impl<D: Dimension> Default for ConductionSpec<D> {
     }
 }
 
+/// How spots and gap conduct heat.
+#[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+struct ThermalSpec {
+    /// Resistance times area of a film on each spot, such as an oxide: in series with the spot.
+    #[schemars(extend("x-default" = "none"))]
+    film: Option<Quantity<ThermalFilm>>,
+    /// Thermal conductivity of a medium in the gap, in parallel with the spots: over the mean gap of the deformed surfaces, a lower bound. On
+    /// surfaces with a map.
+    #[schemars(extend("x-default" = "none: a vacuum", "examples" = ["0.026 W/(m K)"]))]
+    gap_conductivity: Option<Quantity<ThermalConductivity>>,
+    /// Thickness that the medium resists more for the jumps of temperature at both borders; of gases.
+    #[schemars(extend("default" = 0, "examples" = ["0.4 um"]))]
+    gap_jump: Option<Spanned<Quantity<Length, NotNegative>>>,
+}
+
 /// The table form.
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
@@ -50,7 +70,7 @@ struct ConductanceTable {
     /// Electrical conductance; the materials need a `resistivity`.
     electrical: Option<ConductionSpec<ElectricalFilm>>,
     /// Thermal conductance; the materials need a `thermal-conductivity`.
-    thermal: Option<ConductionSpec<ThermalFilm>>,
+    thermal: Option<ThermalSpec>,
 }
 
 const ALLOWED: &str = "\"electrical\", \"thermal\", a list of both, or a table such as { electrical = { film = \"1e-12 ohm m^2\" } }";
@@ -65,7 +85,7 @@ impl ConductanceSpec {
     fn add(&mut self, name: &str) -> Result<(), String> {
         let is_second = match name {
             "electrical" => self.electrical.replace(ConductionSpec::default()).is_some(),
-            "thermal" => self.thermal.replace(ConductionSpec::default()).is_some(),
+            "thermal" => self.thermal.replace(ThermalSpec::default()).is_some(),
             _ => return Err(format!("found \"{name}\"; allowed: {ALLOWED}")),
         };
         if is_second { Err(format!("found \"{name}\" twice; allowed: {ALLOWED}")) } else { Ok(()) }
@@ -164,11 +184,38 @@ impl SpotKeys<'_> {
         if self.conductance.is_none() && self.shear_strength.is_none() {
             return Ok(laws);
         }
+        let thermal = self.conductance.and_then(|conductance| conductance.get_ref().thermal.as_ref());
+        if let Some(ThermalSpec { gap_conductivity: None, gap_jump: Some(jump), .. }) = thermal {
+            let message = "found a temperature jump without a medium; allowed: gap-conductivity = \"...\" beside it, or no `gap-jump`";
+            return Err(file.source.error_at(jump.span(), message));
+        }
         let with_spots = |law: LawContact| {
             let properties = self.properties(file, bodies, law.thickness)?;
             Ok(LawContact { contact: Box::new(WithSpots::new(law.contact, properties)), ..law })
         };
         laws.into_iter().map(with_spots).collect()
+    }
+
+    /// Refuses a medium in the gap of surfaces without a mean plane.
+    ///
+    /// # Errors
+    /// Such a surface.
+    pub fn check_gap(&self, file: &SpecFile, surfaces: &[SurfacePlan]) -> Result<(), InputError> {
+        let Some(conductance) = self.conductance else { return Ok(()) };
+        let has_medium =
+            conductance.get_ref().thermal.as_ref().is_some_and(|spec| spec.gap_conductivity.is_some());
+        match surfaces.iter().find(|surface| surface.map_points().is_none()).filter(|_| has_medium) {
+            Some(surface) => {
+                let message = format!(
+                    "found a medium in the gap on surface {} ({}), which has no height map to take a mean gap from; allowed: surfaces made by \
+                     [surface.NAME.generate] or read by [surface.NAME.file], or no `gap-conductivity`",
+                    surface.name,
+                    surface.describe()
+                );
+                Err(file.source.error_at(conductance.span(), message))
+            }
+            None => Ok(()),
+        }
     }
 
     /// Under a thickness of the layer (m).
@@ -190,8 +237,15 @@ impl SpotKeys<'_> {
             let broken = from.is_finite().then_some(BrokenFilm { from, strength: interface });
             Shear { strength: layer.get_ref().strength(), broken }
         });
+        // Under a layer of finite thickness it is not known.
+        let outermost = match bodies.layer {
+            Some(_) if thickness > 0.0 && thickness.is_finite() => None,
+            Some((layer, _)) if thickness > 0.0 => Some(&layer.coating.material),
+            _ => Some(bodies.coated.1),
+        };
+        let tangential = shear.and(outermost).map(|outermost| Tangential::new(bodies.bare.1, outermost));
         let Some(conductance) = self.conductance else {
-            return Ok(SpotProperties { shear, ..SpotProperties::default() });
+            return Ok(SpotProperties { shear, tangential, ..SpotProperties::default() });
         };
         let span = conductance.span();
         let (electrical, thermal) = (&conductance.get_ref().electrical, &conductance.get_ref().thermal);
@@ -204,7 +258,19 @@ impl SpotKeys<'_> {
             let resistivity = |body: &Material| body.thermal_conductivity().map(f64::recip);
             of_thermal.conduction(resistivity, spec.film.map(|film| film.value()))
         });
-        Ok(SpotProperties { electrical: electrical.transpose()?, thermal: thermal.transpose()?, shear })
+        let medium = conductance.get_ref().thermal.as_ref().and_then(|spec| {
+            let jump = spec.gap_jump.as_ref().map_or(0.0, |jump| jump.get_ref().value());
+            Some(GapMedium::new(spec.gap_conductivity?.value(), jump))
+        });
+        let medium =
+            medium.transpose().map_err(|error| file.source.error_at(span, format!("found {error}")))?;
+        Ok(SpotProperties {
+            electrical: electrical.transpose()?,
+            thermal: thermal.transpose()?,
+            medium,
+            shear,
+            tangential,
+        })
     }
 }
 

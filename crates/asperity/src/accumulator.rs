@@ -7,7 +7,10 @@ use crate::contact::{ByRegime, Contact, Contacts, LARGEST_SLOPE, Regime};
 use crate::numeric::lanes::{MOST, Mask, Real};
 use crate::numeric::sum::{LaneSum, Sum};
 use crate::shape::Shape;
-use crate::spot::SpotValues;
+use crate::spot::{SpotQuantity, SpotValues};
+
+/// Number of quantities of a spot.
+const SPOTS: usize = SpotQuantity::ALL.len();
 
 /// The sums over contacts, area and load by regime. `S` is the type of each sum: see [`Total`] and [`Accumulator`];
 /// within a vector register, plain numbers for up to 16 contacts and compensated sums for more.
@@ -27,7 +30,7 @@ pub struct ContactSums<S> {
     /// Largest load of a contact, N; of sums in registers only once they are complete.
     largest_load: f64,
     /// By [`SpotQuantity`](crate::spot::SpotQuantity); `None` where they are not wanted.
-    spots: Option<[S; 3]>,
+    spots: Option<[S; SPOTS]>,
 }
 
 /// The area (m^2) above which strains are not small in the contact of `spheres` spheres of `radius` (m): a/R, with a of the

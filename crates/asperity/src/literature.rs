@@ -230,3 +230,9 @@ pub const GREENWOOD_1966: Paper = Paper {
     short: "Greenwood 1966",
     full: "Greenwood, J. A. (1966). Constriction resistance and the real area of contact. British Journal of Applied Physics 17(12), 1621-1632. doi:10.1088/0508-3443/17/12/310",
 };
+
+/// Tangential stiffness of a contact spot.
+pub const MINDLIN_1949: Paper = Paper {
+    short: "Mindlin 1949",
+    full: "Mindlin, R. D. (1949). Compliance of elastic bodies in contact. ASME Journal of Applied Mechanics 16(3), 259-268. doi:10.1115/1.4009973",
+};

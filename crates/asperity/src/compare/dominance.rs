@@ -100,7 +100,7 @@ mod tests {
             area_ratio: ByRegime([1e-3, 0.0, 0.0]),
             pressure: ByRegime([100.0, 0.0, 0.0]),
             stiffness: 1e10,
-            spots: [0.0; 3],
+            spots: Default::default(),
             sampling: None,
             sharing: None,
         };

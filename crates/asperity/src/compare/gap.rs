@@ -120,7 +120,7 @@ mod tests {
             area_ratio: ByRegime([area_ratio, 0.0, 0.0]),
             pressure: ByRegime([0.0, pressure, 0.0]),
             stiffness: 1e14,
-            spots: [0.0; 3],
+            spots: Default::default(),
             sampling: None,
             sharing: Some(LoadSharing {
                 effective_contacts: contacts,

@@ -286,7 +286,7 @@ mod tests {
             area_ratio: ByRegime([area_ratio, 0.0, 0.0]),
             pressure: ByRegime([100.0, 0.0, 0.0]),
             stiffness: 1e10,
-            spots: [0.0; 3],
+            spots: Default::default(),
             sampling: None,
             sharing: Some(LoadSharing {
                 effective_contacts: 50.0,

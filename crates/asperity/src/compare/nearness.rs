@@ -306,7 +306,7 @@ mod tests {
             area_ratio: ByRegime([area, 0.0, 0.0]),
             pressure: ByRegime([1.0, 0.0, 0.0]),
             stiffness: 1e14,
-            spots: [0.0; 3],
+            spots: Default::default(),
             sampling: None,
             sharing: contacts.map(|effective_contacts| LoadSharing {
                 effective_contacts,
@@ -340,7 +340,7 @@ mod tests {
             raw_area_ratio: 1.1 * areas[2] * LOADS[k] / 1e6,
             capped_area_ratio: 0.0,
             stiffness: None,
-            spots: [0.0; 3],
+            spots: Default::default(),
             bounds: [bound, bound, 0.0, 0.0, 0.0, 0.0],
             error: 1e-6,
             steps: 1,
@@ -350,7 +350,7 @@ mod tests {
             pressure: share(b) * LOADS[k],
             area_ratio: share(b) * areas[2] * LOADS[k] / 1e6,
             stiffness_share: share(b),
-            spots: [0.0; 3],
+            spots: Default::default(),
         };
         let curve = ReferenceCurve {
             boundary: Boundary::Periodic,

@@ -96,7 +96,7 @@ mod tests {
             area_ratio: ByRegime([0.1 * h, 0.0, 0.0]),
             pressure: ByRegime([target, 0.0, 0.0]),
             stiffness: 1e9,
-            spots: [0.0; 3],
+            spots: Default::default(),
             sampling: Some(SamplingError { pressure: 5.0, area_ratio: 1e-4 }),
             sharing: None,
         };

@@ -164,7 +164,7 @@ mod tests {
                 area_ratio: ByRegime([area, 0.0, 0.0]),
                 pressure: ByRegime([1.0, 0.0, 0.0]),
                 stiffness: 1.0,
-                spots: [0.0; 3],
+                spots: Default::default(),
                 sampling: None,
                 sharing: contacts.and_then(sharing),
             },

@@ -38,10 +38,14 @@ pub(crate) struct AveragedContact<'a> {
 }
 
 /// Load (N), area (m^2) and stiffness (N/m), and the values of a spot.
-type Sums = [f64; 6];
+type Sums = [f64; 7];
+
+fn sums_of([load, area, stiffness]: [f64; 3], [a, b, c, d]: SpotValues) -> Sums {
+    [load, area, stiffness, a, b, c, d]
+}
 
 /// The elastic powers of w of [`Sums`].
-const POWERS: Sums = [1.5, 1.0, 0.5, 0.5, 0.5, 1.0];
+const POWERS: Sums = [1.5, 1.0, 0.5, 0.5, 0.5, 1.0, 0.5];
 
 impl<'a> AveragedContact<'a> {
     /// The mean over `radii`, evaluated radius by radius.
@@ -84,8 +88,8 @@ impl<'a> AveragedContact<'a> {
             for (&radius, &share) in radii.iter().zip(shares) {
                 let shape = Shape { radius, spheres: self.spheres };
                 let Contact { load, area, stiffness, .. } = self.contact.contact(w, shape);
-                let [electrical, thermal, shear] = self.contact.spot_values(w, shape).unwrap_or_default();
-                let all = [load, area, stiffness, electrical, thermal, shear];
+                let spots = self.contact.spot_values(w, shape).unwrap_or_default();
+                let all = sums_of([load, area, stiffness], spots);
                 sums.iter_mut().zip(all).for_each(|(sum, one)| *sum += share / self.spheres * one);
             }
             return sums;
@@ -93,8 +97,8 @@ impl<'a> AveragedContact<'a> {
         let mut accumulator = Accumulator::empty(true);
         self.contact.accumulate(Asperities::new(heights, radii, Some(shares), 1.0), -w, &mut accumulator);
         let total = accumulator.total();
-        let [electrical, thermal, shear] = total.spots().unwrap_or_default();
-        [total.load().total(), total.area().total(), total.stiffness(), electrical, thermal, shear]
+        let of_contacts = [total.load().total(), total.area().total(), total.stiffness()];
+        sums_of(of_contacts, total.spots().unwrap_or_default())
     }
 
     fn radius_range(&self) -> Interval {
@@ -267,7 +271,7 @@ impl Table {
         ];
         let rows = &self.rows[cell..cell + 4];
         let root = w.sqrt();
-        let powers = [w * root, w, root, root, root, w];
+        let powers = [w * root, w, root, root, root, w, root];
         std::array::from_fn(|q| powers[q] * (0..4).map(|k| weights[k] * rows[k][q]).sum::<f64>())
     }
 

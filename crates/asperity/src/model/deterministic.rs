@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 use super::block::{Block, Levels};
 use super::load_control::{LOWEST_SEPARATION, search_missing};
 use super::sparse::SparseSubset;
-use super::{Model, ReferencePlane, Response};
+use super::{Medium, Model, ReferencePlane, Response};
 use crate::accumulator::{Accumulator, Total};
 use crate::asperity::{Asperities, Ordered};
 use crate::interface::{LoadBounds, MicroContact, Shapes};
@@ -25,6 +25,7 @@ pub struct Deterministic<'a> {
     contact: &'a dyn MicroContact,
     asperities: Asperities<'a>,
     plane: ReferencePlane,
+    medium: Option<Medium>,
     /// Determined when a load is first prescribed.
     decreasing: OnceLock<Option<DecreasingLoads>>,
 }
@@ -104,7 +105,18 @@ const TASKS: usize = 32;
 impl<'a> Deterministic<'a> {
     /// The model of `asperities`, with separations measured from and in units of `plane`.
     pub fn new(contact: &'a dyn MicroContact, asperities: Asperities<'a>, plane: ReferencePlane) -> Self {
-        Self { contact, asperities, plane, decreasing: OnceLock::new() }
+        Self { contact, asperities, plane, medium: None, decreasing: OnceLock::new() }
+    }
+
+    /// The same model with a medium in the gap.
+    #[must_use]
+    pub fn with_medium(self, medium: Option<Medium>) -> Self {
+        Self { medium, ..self }
+    }
+
+    /// The medium in the gap.
+    pub fn medium(&self) -> Option<Medium> {
+        self.medium
     }
 
     /// The sums over the asperities above `separation` (m, in the frame of the set's heights).
@@ -195,7 +207,13 @@ impl<'a> Deterministic<'a> {
     fn responses(&self, separations: &[f64], wants_spots: bool) -> Vec<Response> {
         let absolute: Vec<f64> = separations.iter().map(|&h| self.absolute(h)).collect();
         let totals = self.totals_with(&absolute, wants_spots);
-        separations.iter().zip(&totals).map(|(&h, total)| self.response(h, total)).collect()
+        let medium = self.medium.filter(|_| wants_spots);
+        let response = |(&h, total): (&f64, &Total)| {
+            let mut response = self.response(h, total);
+            medium.into_iter().for_each(|medium| medium.add_to(&mut response));
+            response
+        };
+        separations.iter().zip(&totals).map(response).collect()
     }
 
     fn response(&self, h: f64, total: &Total) -> Response {

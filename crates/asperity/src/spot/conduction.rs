@@ -51,9 +51,41 @@ pub enum ConductionError {
         min = LAYER_RATIOS[0], max = LAYER_RATIOS[1]
     )]
     LayerRatio(f64),
+    /// The conductivity of a medium must be positive, the jump at its borders not negative.
+    #[error("gap conductivity {0} W/(m K), temperature jump {1} m; allowed: positive, and 0 or positive")]
+    Medium(f64, f64),
     /// The thickness of a layer must be positive.
     #[error("layer thickness {0} m; allowed: positive")]
     Thickness(f64),
+}
+
+/// A medium in the gap between two bodies.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GapMedium {
+    /// W/(m K).
+    conductivity: f64,
+    /// Thickness of the medium that resists as much as its borders, m.
+    jump: f64,
+}
+
+impl GapMedium {
+    /// Of a thermal conductivity (W/(m K)), and the thickness (m) that a gas resists more for the jump of temperature at both borders; 0 of
+    /// liquids and solids.
+    ///
+    /// # Errors
+    /// A conductivity that is not positive, a negative jump.
+    pub fn new(conductivity: f64, jump: f64) -> Result<Self, ConductionError> {
+        if is_positive(conductivity) && (jump == 0.0 || is_positive(jump)) {
+            Ok(Self { conductivity, jump })
+        } else {
+            Err(ConductionError::Medium(conductivity, jump))
+        }
+    }
+
+    /// Conductance per area (W/(m^2 K)) over a `gap` (m).
+    pub fn conductance(&self, gap: f64) -> f64 {
+        self.conductivity / (gap + self.jump)
+    }
 }
 
 /// The exponent of [`tube_factor`].

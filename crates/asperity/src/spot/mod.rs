@@ -6,17 +6,17 @@
 //! | `conduction` | electrical and thermal conductance of a spot, with a film on it or a layer under it |
 //! | `correlation` | correlations in use for the conductance of joints |
 //! | `layered` | a circular spot on a layer |
-//! | `shear` | shear force of a spot under boundary friction |
+//! | `shear` | shear force of a spot under boundary friction; its tangential stiffness |
 
 mod conduction;
 mod correlation;
 mod layered;
 mod shear;
 
-pub use conduction::{Conduction, ConductionError, cluster_conductance, tube_factor};
+pub use conduction::{Conduction, ConductionError, GapMedium, cluster_conductance, tube_factor};
 pub use correlation::{Correlation, Joint};
 pub use layered::{LAYER_RATIOS, LayerFactor};
-pub use shear::{BrokenFilm, Shear, ShearStrength};
+pub use shear::{BrokenFilm, Shear, ShearStrength, Tangential};
 
 use crate::contact::Contact;
 use crate::literature::Paper;
@@ -33,6 +33,8 @@ named_enum! {
         ThermalConductance = "thermal-conductance",
         /// Shear force, N.
         ShearForce = "shear-force",
+        /// Tangential stiffness while nothing slips, N/m.
+        TangentialStiffness = "tangential-stiffness",
     }
 }
 
@@ -46,8 +48,12 @@ pub struct SpotProperties {
     pub electrical: Option<Conduction>,
     /// Of their thermal conductance.
     pub thermal: Option<Conduction>,
+    /// What conducts heat beside the spots, through the gap.
+    pub medium: Option<GapMedium>,
     /// Of their shear force.
     pub shear: Option<Shear>,
+    /// Of their tangential stiffness.
+    pub tangential: Option<Tangential>,
 }
 
 impl SpotProperties {
@@ -67,7 +73,7 @@ impl SpotProperties {
         match quantity {
             SpotQuantity::ElectricalConductance => self.electrical.as_ref(),
             SpotQuantity::ThermalConductance => self.thermal.as_ref(),
-            SpotQuantity::ShearForce => None,
+            SpotQuantity::ShearForce | SpotQuantity::TangentialStiffness => None,
         }
     }
 
@@ -80,6 +86,7 @@ impl SpotProperties {
             conductance(&self.electrical),
             conductance(&self.thermal),
             self.shear.as_ref().map_or(0.0, |shear| shear.force(w, contact)),
+            self.tangential.map_or(0.0, |tangential| tangential.stiffness(contact.area, shape.spheres)),
         ]
     }
 
@@ -91,6 +98,8 @@ impl SpotProperties {
     /// The sources of its equations.
     pub fn papers(&self) -> Vec<Paper> {
         let conduction = self.conducts().then_some(Conduction::PAPERS).into_iter().flatten();
-        conduction.chain(self.shear.iter().flat_map(|_| Shear::PAPERS)).copied().collect()
+        let shear = self.shear.iter().flat_map(|_| Shear::PAPERS);
+        let tangential = self.tangential.iter().flat_map(|_| Tangential::PAPERS);
+        conduction.chain(shear).chain(tangential).copied().collect()
     }
 }

@@ -1,7 +1,10 @@
 //! Shear force of contact spots under boundary friction.
 
+use std::f64::consts::PI;
+
 use crate::contact::Contact;
 use crate::literature::{self, Paper};
+use crate::material::Material;
 
 /// Shear strength that grows with the pressure: tau = tau0 + alpha p.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,10 +52,39 @@ impl Shear {
     }
 }
 
+/// The tangential stiffness of spots that stick: 8 G* a of a circular one of radius a, 1/G* = (2 - nu1)/G1 + (2 - nu2)/G2 (Mindlin 1949). Of
+/// equal bodies it is 2 (1 - nu)/(2 - nu) times the normal one of elastic contacts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tangential {
+    /// G*, Pa.
+    modulus: f64,
+}
+
+impl Tangential {
+    /// Its source.
+    pub const PAPERS: &'static [Paper] = &[literature::MINDLIN_1949];
+
+    /// Of two homogeneous bodies.
+    pub fn new(one: &Material, other: &Material) -> Self {
+        let compliance = |body: &Material| {
+            let nu = body.poisson();
+            (2.0 - nu) * 2.0 * (1.0 + nu) / body.young()
+        };
+        Self { modulus: (compliance(one) + compliance(other)).recip() }
+    }
+
+    /// Of an asperity of a contact `area` (m^2) that counts as a number of `spheres`, N/m.
+    #[inline]
+    pub fn stiffness(&self, area: f64, spheres: f64) -> f64 {
+        8.0 * self.modulus * (area * spheres / PI).sqrt()
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::contact::Regime;
+    use crate::material::reduced_modulus;
 
     #[test]
     fn a_spot_shears_in_the_film_until_it_breaks_through() {
@@ -62,5 +94,15 @@ mod tests {
         let shear = Shear { strength: film, broken: Some(BrokenFilm { from: 0.5, strength: steel }) };
         assert_eq!([0.4, 0.5].map(|w| shear.force(w, &contact)), [7.0, 150.0]);
         assert_eq!((shear.breakthrough(), Shear { broken: None, ..shear }.breakthrough()), (Some(0.5), None));
+    }
+
+    /// Of equal bodies 2 (1 - nu)/(2 - nu) of the normal stiffness 2 E* a.
+    #[test]
+    fn stuck_spots_are_softer_along_the_surface() {
+        let nu = 0.3;
+        let steel = Material::new(210e9, nu, None, None).unwrap();
+        let normal = 2.0 * reduced_modulus(&steel, &steel);
+        let tangential = Tangential::new(&steel, &steel).stiffness(PI, 1.0);
+        assert!((tangential / normal / (2.0 * (1.0 - nu) / (2.0 - nu)) - 1.0).abs() < 1e-14);
     }
 }

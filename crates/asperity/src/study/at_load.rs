@@ -239,7 +239,7 @@ mod tests {
             area_ratio: 0.02,
             contact_density: Some(4.0),
             stiffness: None,
-            spots: [0.0; 3],
+            spots: Default::default(),
             shares: Some([0.5, 0.5, 0.0]),
         };
         let other = PointResult { area_ratio: 0.04, stiffness: Some(1.0), shares: None, ..one };

@@ -14,10 +14,11 @@ use crate::surface::{Independence, Surface};
 struct ForLaws<'a>([Option<Rearranged<'a>>; 2]);
 
 impl<'a> ForLaws<'a> {
-    fn new(models: &'a SurfaceModels, laws: &[ContactLaw], of: fn(Rearranged<'a>) -> Rearranged<'a>) -> Self {
+    fn new(models: &'a SurfaceModels, laws: &[LawContact], of: fn(Rearranged<'a>) -> Rearranged<'a>) -> Self {
         Self([false, true].map(|is_elliptic| {
-            let law = laws.iter().find(|law| law.is_elliptic() == is_elliptic)?;
-            Some(of(Rearranged::new(models.inputs(law)?)))
+            // All contacts are asked for the same medium.
+            let law = laws.iter().find(|law| law.spec.is_elliptic() == is_elliptic)?;
+            Some(of(Rearranged::new(models.inputs(&*law.contact, &law.spec)?)))
         }))
     }
 
@@ -39,7 +40,7 @@ pub fn attribute(
         return;
     }
     setup.progress.stage("causes", cases.len() as f64);
-    let all = ForLaws::new(models, setup.law_specs, |all| all);
+    let all = ForLaws::new(models, setup.laws, |all| all);
     let states: Vec<Option<StatesAtLoads>> = setup
         .laws
         .iter()
@@ -96,7 +97,7 @@ fn left_out(
     let without = |group: usize| {
         let rest = surface.without(division, group)?;
         let models = models.of_part(&rest, setup.law_specs, true).ok()?;
-        let rearranged = ForLaws::new(&models, setup.law_specs, Rearranged::coarse);
+        let rearranged = ForLaws::new(&models, setup.laws, Rearranged::coarse);
         let case = |(index, law): (usize, &LawContact)| {
             let contact: &dyn MicroContact = &*law.contact;
             let (states, rest) = (states[index].as_ref()?, rearranged.for_law(&law.spec)?);

@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use crate::compare::Inputs;
 use crate::distribution::HeightsError;
+use crate::model::{Medium, WithMedium};
 use crate::topography::joint::JointDensity;
 use crate::{
     Asperities, ContactLaw, Deterministic, Ellipse, Ellipses, MeanRadius, MicroContact, Model, Population,
@@ -90,8 +91,27 @@ impl<'a> SurfaceModels<'a> {
         }
     }
 
+    /// What conducts in the gap, where the contact is asked for it and the mean plane of the surface is known.
+    fn medium(&self, contact: &dyn MicroContact) -> Option<Medium> {
+        let gap = contact.spot_properties()?.medium?;
+        Some(Medium { gap, offset: self.surface.plane_above_mean_plane()? })
+    }
+
     /// The statistical model with one contact of a law.
     pub fn statistical<'b>(&'b self, contact: &'b dyn MicroContact, law: &ContactLaw) -> Box<dyn Model + 'b> {
+        let model = self.statistical_spots(contact, law);
+        match self.medium(contact) {
+            Some(medium) => Box::new(WithMedium { model, medium }),
+            None => model,
+        }
+    }
+
+    /// The same without what conducts in the gap.
+    fn statistical_spots<'b>(
+        &'b self,
+        contact: &'b dyn MicroContact,
+        law: &ContactLaw,
+    ) -> Box<dyn Model + 'b> {
         if let (Some(joint), Some(density), Some(mean)) =
             (self.statistical.joint, &self.joint, self.surface.plane_above_mean_plane())
         {
@@ -121,8 +141,8 @@ impl<'a> SurfaceModels<'a> {
     }
 
     /// What the states between both models are made from under laws of the same shapes; `None` unless the sum is requested, and
-    /// of a statistical model that has not one radius.
-    pub fn inputs(&self, law: &ContactLaw) -> Option<Inputs<'_>> {
+    /// of a statistical model that has not one radius. What conducts in the gap is that of `contact`.
+    pub fn inputs(&self, contact: &dyn MicroContact, law: &ContactLaw) -> Option<Inputs<'_>> {
         if self.statistical.undivided().is_some() {
             return None;
         }
@@ -136,6 +156,7 @@ impl<'a> SurfaceModels<'a> {
             mean_shape: self.mean_shape(law),
             other_shape: has_other.then(|| Shape::sphere(other_radius)),
             reporting_plane: self.surface.reporting_plane(),
+            medium: self.medium(contact),
         })
     }
 
@@ -145,6 +166,7 @@ impl<'a> SurfaceModels<'a> {
         contact: &'b dyn MicroContact,
         law: &ContactLaw,
     ) -> Option<Deterministic<'b>> {
-        self.asperities(law).map(|asperities| Deterministic::new(contact, asperities, self.surface.plane))
+        let sum = |asperities| Deterministic::new(contact, asperities, self.surface.plane);
+        Some(sum(self.asperities(law)?).with_medium(self.medium(contact)))
     }
 }

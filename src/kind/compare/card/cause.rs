@@ -252,7 +252,8 @@ mod tests {
         let gap = parts.iter().sum();
         let mut verdicts = verdicts(90.0, [gap, gap], Some(0.01));
         let load = verdicts.differences[0].load;
-        verdicts.attribution = vec![Attribution { load, quantities: [Some(of(-1.0)), Some(of(1.0)), None, None, None, None] }];
+        verdicts.attribution =
+            vec![Attribution { load, quantities: [Some(of(-1.0)), Some(of(1.0)), None, None, None, None] }];
         verdicts
     }
 

@@ -3,7 +3,7 @@
 use std::cell::OnceCell;
 
 use asperity::bem::{Boundary, Conductor, Contact, Current, Solver, SolverError, Tangent};
-use asperity::spot::{Conduction, ShearStrength, SpotProperties, SpotQuantity, SpotValues};
+use asperity::spot::{Conduction, GapMedium, ShearStrength, SpotProperties, SpotQuantity, SpotValues};
 use asperity::topography::Blocks;
 
 /// How far inside of the border of a patch that is given, not solved for, the current acts: in pixels (0.11 to 0.17 by the direction of the
@@ -14,6 +14,7 @@ const INSIDE: f64 = 0.17;
 pub struct SpotSolver {
     electrical: Option<ConductingSpots>,
     thermal: Option<ConductingSpots>,
+    medium: Option<GapMedium>,
     shear: Option<ShearStrength>,
 }
 
@@ -29,6 +30,8 @@ struct ConductingSpots {
 pub struct SolvedSpots {
     /// Electrical and thermal.
     currents: [Option<Current>; 2],
+    /// Thermal conductance of the gap per nominal area, W/(m^2 K).
+    in_gap: f64,
     shear: Option<ShearStrength>,
 }
 
@@ -41,9 +44,10 @@ impl SpotSolver {
             Some(ConductingSpots { conduction, conductor: OnceCell::new() })
         };
         let none = SpotProperties::default();
-        let SpotProperties { electrical, thermal, shear } = properties.unwrap_or(&none);
+        let SpotProperties { electrical, thermal, medium, shear, .. } = properties.unwrap_or(&none);
+        let medium = medium.filter(|_| boundary != Boundary::Finite);
         let shear = shear.filter(|shear| shear.broken.is_none()).map(|shear| shear.strength);
-        Self { electrical: conducting(electrical), thermal: conducting(thermal), shear }
+        Self { electrical: conducting(electrical), thermal: conducting(thermal), medium, shear }
     }
 
     /// The spots of `contact`, one of `solver`, solved to the relative `error`.
@@ -60,7 +64,11 @@ impl SpotSolver {
         let current = |spots: &Option<ConductingSpots>| {
             spots.as_ref().map_or(Ok(None), |spots| spots.current(solver, contact, tangent, error))
         };
-        Ok(SolvedSpots { currents: [current(&self.electrical)?, current(&self.thermal)?], shear: self.shear })
+        Ok(SolvedSpots {
+            currents: [current(&self.electrical)?, current(&self.thermal)?],
+            in_gap: self.medium.map_or(0.0, |medium| medium.conductance(contact.mean_gap())),
+            shear: self.shear,
+        })
     }
 }
 
@@ -95,10 +103,14 @@ impl SolvedSpots {
     /// Conductances per nominal area and shear stress, of an area ratio at a nominal pressure (Pa); 0 of what is not asked for.
     pub fn values(&self, area_ratio: f64, pressure: f64) -> SpotValues {
         SpotQuantity::ALL.map(|quantity| match self.current(quantity) {
-            Some(current) => current.conductance(),
+            Some(current) => current.conductance() + self.in_gap(quantity),
             None if quantity == SpotQuantity::ShearForce => self.shear_stress(area_ratio, pressure),
             None => 0.0,
         })
+    }
+
+    fn in_gap(&self, quantity: SpotQuantity) -> f64 {
+        if quantity == SpotQuantity::ThermalConductance { self.in_gap } else { 0.0 }
     }
 
     /// What each block of a division of the points contributes, from its parts of area ratio and pressure (Pa).
@@ -106,9 +118,13 @@ impl SolvedSpots {
         let shares = SpotQuantity::ALL.map(|quantity| {
             self.current(quantity).map(|current| (current.conductance(), current.block_shares(blocks)))
         });
+        let mut area_shares = vec![0.0; blocks.count()];
+        let points = blocks.points[0] * blocks.points[1];
+        (0..points).for_each(|k| area_shares[blocks.of_point(k)] += 1.0 / points as f64);
         let of_block = |(block, &[pressure, area_ratio]): (usize, &[f64; 2])| {
             SpotQuantity::ALL.map(|quantity| match &shares[quantity as usize] {
-                Some((whole, shares)) => whole * shares[block],
+                // The gap is that of the mean everywhere.
+                Some((whole, shares)) => whole * shares[block] + self.in_gap(quantity) * area_shares[block],
                 None if quantity == SpotQuantity::ShearForce => self.shear_stress(area_ratio, pressure),
                 None => 0.0,
             })
@@ -135,7 +151,7 @@ impl SolvedSpots {
         match quantity {
             SpotQuantity::ElectricalConductance => self.currents[0].as_ref(),
             SpotQuantity::ThermalConductance => self.currents[1].as_ref(),
-            SpotQuantity::ShearForce => None,
+            SpotQuantity::ShearForce | SpotQuantity::TangentialStiffness => None,
         }
     }
 

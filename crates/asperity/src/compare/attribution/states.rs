@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use crate::asperity::{Asperities, Draw, Population};
 use crate::interface::{AveragedContact, MicroContact, RadiusShare, jumps};
-use crate::model::{Deterministic, Mixture, Model, ReferencePlane, Statistical};
+use crate::model::{Deterministic, Medium, Mixture, Model, ReferencePlane, Statistical, WithMedium};
 use crate::numeric::condensed::{Node, condensed};
 use crate::shape::Shape;
 
@@ -38,6 +38,8 @@ pub struct Inputs<'a> {
     pub other_shape: Option<Shape>,
     /// What its separations are measured from, relative to the mean height of the population.
     pub reporting_plane: ReferencePlane,
+    /// What conducts in the gap under contacts that are asked for it.
+    pub medium: Option<Medium>,
 }
 
 /// The asperities of a surface rearranged, as the states between both models sum them.
@@ -151,6 +153,19 @@ impl<'a> Rearranged<'a> {
         contact: &dyn MicroContact,
         of: impl FnOnce([&dyn Model; STATES]) -> T,
     ) -> T {
+        let Some(medium) = self.inputs.medium else { return self.with_spots_alone(contact, of) };
+        self.with_spots_alone(contact, |models| {
+            let models = models.map(|model| WithMedium { model, medium });
+            of(models.each_ref().map(|model| model as &dyn Model))
+        })
+    }
+
+    /// The same without what conducts in the gap.
+    fn with_spots_alone<T>(
+        &self,
+        contact: &dyn MicroContact,
+        of: impl FnOnce([&dyn Model; STATES]) -> T,
+    ) -> T {
         let Inputs { asperities, plane, population, mean_shape, reporting_plane, .. } = &self.inputs;
         let area = asperities.nominal_area();
         let equal = EqualAsperities::new(asperities, *mean_shape);
@@ -196,7 +211,10 @@ impl<'a> Rearranged<'a> {
         let statistical =
             Statistical::of_shape(contact, population.clone(), shape).reported_from(*reporting_plane);
         let own_heights = Deterministic::new(contact, equal.asperities(asperities), *plane);
-        Some(of([&statistical, &own_heights]))
+        let Some(medium) = self.inputs.medium else { return Some(of([&statistical, &own_heights])) };
+        let models: [&dyn Model; 2] = [&statistical, &own_heights];
+        let models = models.map(|model| WithMedium { model, medium });
+        Some(of(models.each_ref().map(|model| model as &dyn Model)))
     }
 
     /// The mean contact pressure (Pa) of the own heights with the own radii, independent of each other, at a separation

@@ -49,6 +49,7 @@ fn inputs(set: &AsperitySet) -> Inputs<'_> {
         mean_shape: Shape::sphere(statistics.mean_radius),
         other_shape: Some(Shape::sphere(statistics.radius_of_mean_curvature)),
         reporting_plane: ReferencePlane { mean: 0.0, sigma: plane.sigma },
+        medium: None,
     }
 }
 
@@ -63,7 +64,9 @@ fn interface(law: &str) -> Box<dyn MicroContact> {
     let properties = SpotProperties {
         electrical: Some(conduction.clone().with_film(1e-13).unwrap()),
         thermal: Some(conduction),
+        medium: None,
         shear: Some(Shear { strength: ShearStrength { tau0: 2e7, alpha: 0.05 }, broken: None }),
+        tangential: None,
     };
     Box::new(WithSpots::new(contact, properties))
 }
@@ -149,7 +152,7 @@ fn gaussian_heights_with_own_radii() {
             };
             let each: Vec<Response> = set.radii().iter().map(of_radius).collect();
             let of = |response: &Response| {
-                let [electrical, thermal, shear] = response.spots;
+                let [electrical, thermal, shear, _] = response.spots;
                 [response.pressure.total(), electrical, thermal, shear]
             };
             for (k, found) in of(&found).into_iter().enumerate() {

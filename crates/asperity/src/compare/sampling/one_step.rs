@@ -2,7 +2,7 @@
 
 use crate::accumulator::Total;
 use crate::compare::{ComparedQuantity, Pair, State};
-use crate::model::{Deterministic, Model, ReferencePlane, Response};
+use crate::model::{Deterministic, Medium, Model, ReferencePlane, Response};
 
 /// Distance (in sigma) of the separations from which slopes are taken.
 const STEP: f64 = 0.05;
@@ -22,6 +22,9 @@ pub struct OneStep {
     separations: Vec<f64>,
     /// Nominal area, m^2.
     area: f64,
+    /// What conducts in the gap of the sum, and the plane that its separations are measured from.
+    medium: Option<Medium>,
+    plane: ReferencePlane,
 }
 
 impl OneStep {
@@ -40,6 +43,8 @@ impl OneStep {
             separations,
             pairs,
             area,
+            medium: deterministic.medium(),
+            plane,
         }
     }
 
@@ -76,7 +81,12 @@ impl OneStep {
                 ComparedQuantity::Area => per_area(|total| total.area().total()),
                 ComparedQuantity::Stiffness => per_area(Total::stiffness),
                 ComparedQuantity::Friction => Some(spot(quantity)? / pressure),
-                _ => spot(quantity),
+                ComparedQuantity::ElectricalConductance => spot(quantity),
+                ComparedQuantity::ThermalConductance => {
+                    let separation = self.separations[k] - self.plane.mean;
+                    let in_gap = self.medium.map_or(0.0, |medium| medium.conductance(separation));
+                    Some(spot(quantity)? + in_gap)
+                }
             })?;
             let sum =
                 moved(sum, self.deterministic_slopes[k]?, pressure, pair.deterministic.pressure.total());
@@ -163,7 +173,7 @@ mod tests {
         let steel = Material::new(210e9, 0.3, Some(7.6e9), None).unwrap();
         let electrical = Some(Conduction::new([2e-7; 2]).unwrap().with_film(1e-12).unwrap());
         let shear = Some(Shear { strength: ShearStrength { tau0: 2e7, alpha: 0.05 }, broken: None });
-        let properties = SpotProperties { electrical, thermal: None, shear };
+        let properties = SpotProperties { electrical, shear, ..SpotProperties::default() };
         let contact = WithSpots::new(Box::new(Interface::bare(law, &steel, &steel).unwrap()), properties);
         let population =
             Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: Heights::EXPONENTIAL };
