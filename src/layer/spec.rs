@@ -14,7 +14,7 @@ use asperity_contact_framework::input::sweep::LogSweep;
 use asperity_contact_framework::input::{Forms, Spanned};
 use asperity_contact_framework::written_schema;
 
-use crate::study_plan::{Breakdown, ShearStrengthSpec};
+use crate::study_plan::{Breakdowns, ShearStrengthSpec};
 
 /// A layer on one of the bodies, of one thickness or several.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
@@ -40,9 +40,10 @@ pub struct LayerSpec {
     /// Shear strength of the layer, in which spots shear until they break through it; beside that of the interface, `compare.shear-strength`.
     #[schemars(extend("x-default" = "that of the interface", "examples" = [{ "tau0": "8 MPa" }]))]
     pub shear_strength: Option<Spanned<ShearStrengthSpec>>,
-    /// Indentation over the thickness of the layer from which on a spot has broken through it and shears as the interface.
-    #[schemars(extend("default" = 1, "examples" = [2]))]
-    pub breakdown: Option<Breakdown>,
+    /// Indentation over the thickness of the layer from which on a spot has broken through it and shears as the interface; of several the first
+    /// counts for verdicts, and the friction by thickness is shown for each.
+    #[schemars(extend("default" = 1, "examples" = [[1, 0.5, 2]]))]
+    pub breakdown: Option<Breakdowns>,
 }
 
 /// One thickness, m: 0 is uncoated, infinity the bulk layer material.

@@ -11,7 +11,7 @@ mod statistical;
 pub use errors::{inapplicable, unreachable_load};
 pub use layer_check::layer_metadata;
 pub use rough_body::RoughBody;
-pub use spots::{Breakdown, ConductanceSpec, ShearStrengthSpec, SpotKeys};
+pub use spots::{Breakdowns, ConductanceSpec, ShearStrengthSpec, SpotKeys};
 pub use statistical::StatisticalSpec;
 
 use std::fmt;
@@ -19,7 +19,7 @@ use std::ops::Range;
 
 use asperity::compare::{Controls, ModelKind};
 use asperity::law::Body;
-use asperity::study::{LawContact, Setup, StatisticalModel};
+use asperity::study::{Film, LawContact, Setup, StatisticalModel};
 use asperity::{ContactLaw, Flat, Material};
 use asperity_contact_framework::RunContext;
 use asperity_contact_framework::contact::Bodies;
@@ -68,6 +68,8 @@ pub struct StudyPlan {
     pub pair: [Material; 2],
     /// The layer on one of them.
     pub layer: Option<Box<LayerPlan>>,
+    /// How the layer shears; `None` where its friction is not asked for.
+    pub film: Option<Film>,
     /// The laws, each under every thickness of the layer.
     pub laws: Vec<LawContact>,
     /// The laws alone.
@@ -168,6 +170,7 @@ impl StudyPlan {
             pair: [rough.1, flat.1],
             law_specs,
             laws,
+            film: keys.spots.film(keys.layer),
             flats,
             layer,
             statistical: statistical_model(file, keys.statistical)?,

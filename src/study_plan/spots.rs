@@ -9,14 +9,15 @@ use serde_json::json;
 use asperity::spot::{
     BrokenFilm, Conduction, ConductionError, GapMedium, Shear, ShearStrength, SpotProperties, Tangential,
 };
-use asperity::study::LawContact;
+use asperity::study::{Film, LawContact};
 use asperity::{Material, WithSpots};
 use asperity_contact_framework::input::material::{RESISTIVITY, THERMAL_CONDUCTIVITY};
 use asperity_contact_framework::input::quantity::{
     Dimension, ElectricalFilm, Length, NotNegative, Positive, Pressure, Pure, Quantity, ThermalConductivity,
     ThermalFilm,
 };
-use asperity_contact_framework::input::{Forms, InputError, Spanned, SpecFile};
+use asperity_contact_framework::input::schema;
+use asperity_contact_framework::input::{Forms, InputError, OneOrMany, Spanned, SpecFile};
 use asperity_contact_framework::written_schema;
 
 use crate::layer::{LayerPlan, LayerSpec};
@@ -137,8 +138,23 @@ impl ShearStrengthSpec {
     }
 }
 
-/// Where spots break through a layer, over its thickness.
-pub type Breakdown = Quantity<Pure, Positive>;
+/// Where spots break through a layer, over its thickness: at least one value.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Breakdowns(Vec<f64>);
+
+written_schema!(Breakdowns, |_| schema::one_or_many(
+    schema::quantity::<Pure, Positive>(),
+    "number, or a list of numbers"
+));
+
+impl<'de> Deserialize<'de> for Breakdowns {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let values: OneOrMany<Quantity<Pure, Positive>> =
+            OneOrMany::read(deserializer, "a positive number, or a list of positive numbers")?;
+        let values = values.at_least_one::<D::Error>("breakdown")?;
+        Ok(Self(values.into_iter().map(|value| value.value()).collect()))
+    }
+}
 
 /// The breakdown of a layer where the spec does not say.
 const BREAKDOWN: f64 = 1.0;
@@ -150,6 +166,11 @@ pub struct SpotKeys<'a> {
     pub conductance: Option<&'a Spanned<ConductanceSpec>>,
     /// The shear strength of the interface.
     pub shear_strength: Option<&'a Spanned<ShearStrengthSpec>>,
+}
+
+/// The breakdowns of a layer, at least one.
+fn breakdowns(layer: &LayerSpec) -> Vec<f64> {
+    layer.breakdown.as_ref().map_or_else(|| vec![BREAKDOWN], |Breakdowns(values)| values.clone())
 }
 
 /// The bodies whose spots are asked for.
@@ -196,6 +217,16 @@ impl SpotKeys<'_> {
         laws.into_iter().map(with_spots).collect()
     }
 
+    /// How the layer shears; `None` without its shear strength.
+    pub fn film(&self, layer: Option<&LayerSpec>) -> Option<Film> {
+        let layer = layer?;
+        Some(Film {
+            strength: layer.shear_strength.as_ref()?.get_ref().strength(),
+            interface: self.shear_strength?.get_ref().strength(),
+            breakdowns: breakdowns(layer),
+        })
+    }
+
     /// Refuses a medium in the gap of surfaces without a mean plane.
     ///
     /// # Errors
@@ -233,7 +264,7 @@ impl SpotKeys<'_> {
             else {
                 return Shear { strength: interface, broken: None };
             };
-            let from = thickness * spec.breakdown.map_or(BREAKDOWN, |breakdown| breakdown.value());
+            let from = thickness * breakdowns(spec)[0];
             let broken = from.is_finite().then_some(BrokenFilm { from, strength: interface });
             Shear { strength: layer.get_ref().strength(), broken }
         });

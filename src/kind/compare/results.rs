@@ -6,7 +6,7 @@ use asperity::analytical::AnalyticalLine;
 use asperity::compare::Tolerances;
 use asperity::law::Body;
 use asperity::spot::{Joint, SpotProperties};
-use asperity::study::{CaseStudy, DecreaseResults, LawFindings, RealisationFacts, Threshold};
+use asperity::study::{CaseStudy, DecreaseResults, FilmFriction, LawFindings, RealisationFacts, Threshold};
 use asperity::surface::Surface;
 use asperity_contact_framework::contact::ContactMetadata;
 use asperity_contact_framework::metadata::Metadata;
@@ -159,6 +159,8 @@ pub struct SurfaceResults {
     pub cases: Vec<CaseStudy>,
     /// Law by law, in file order.
     pub laws: Vec<LawFindings>,
+    /// The friction of the first by the thickness of the layer; empty where it is not asked for.
+    pub friction: Vec<FilmFriction>,
     /// Up to which thickness the first takes no notice of the layer, law by law, load by load, model by model.
     pub thresholds: Vec<Threshold>,
     /// Where the sharpest, a mean and the bluntest asperity of the first carry less, or touch on less, as they are

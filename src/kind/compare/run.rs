@@ -7,7 +7,7 @@ use asperity::compare::{AgainstReference, CaseSampling, Control};
 use asperity::spot::{Correlation, Joint, SpotProperties};
 use asperity::study::{
     CaseResults, CaseStudy, LawFindings, LayerQuestion, RealisationResults, Setup, SurfaceModels, attribute,
-    decreases, differ, models_of, rank, run_surface, sampling, thresholds,
+    decreases, differ, film_friction, models_of, rank, run_surface, sampling, thresholds,
 };
 use asperity::surface::{AnalysisDepth, PreparedMap, Surface};
 use asperity::work::Counter;
@@ -187,6 +187,15 @@ impl<'a> Run<'a> {
                     thresholds(question, setup, &surface, &models, &first, self.counter)
                 },
             );
+        let friction = compare.study.layer.as_deref().zip(compare.study.film.as_ref()).map_or_else(
+            Vec::new,
+            |(layer, film)| {
+                let LayerPlan { coating, thicknesses, .. } = layer;
+                let [bare, _] = compare.study.bare_and_coated();
+                let question = LayerQuestion { coating, thicknesses, bare };
+                film_friction(question, film, setup, &surface, &models, &first)
+            },
+        );
         let decreases = decreases(setup.laws, &surface, &models, &first, self.counter);
         let heights = &models.population().heights;
         if *heights != Heights::GAUSSIAN {
@@ -230,6 +239,7 @@ impl<'a> Run<'a> {
             realisations,
             cases,
             laws,
+            friction,
             thresholds,
             decreases,
             own_cut_off,

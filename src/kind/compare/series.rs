@@ -2,7 +2,7 @@
 
 use asperity::Exceeded;
 use asperity::compare::AdmissibleRange;
-use asperity::study::{CaseResults, CaseStudy, LawFindings, LayerFindings, Verdicts};
+use asperity::study::{CaseResults, CaseStudy, FilmFriction, LawFindings, LayerFindings, Verdicts};
 use asperity_contact_framework::report::format::thickness;
 
 use super::figures::axes::Units;
@@ -18,6 +18,8 @@ pub struct Series<'a> {
     pub stem: String,
     /// Results on the first realisation.
     pub cases: Vec<&'a CaseResults>,
+    /// The friction by thickness; empty where it is not asked for.
+    pub friction: Vec<&'a FilmFriction>,
     /// Number of realisations.
     pub realisations: usize,
     pub modulus: f64,
@@ -44,6 +46,7 @@ impl<'a> Series<'a> {
             surface: &surface.surface.name,
             stem: stem(surface, &law.law),
             cases: cases().map(CaseStudy::first).collect(),
+            friction: surface.friction.iter().filter(|found| found.law == law.law).collect(),
             realisations: surface.realisations.len(),
             modulus: results.contact.reduced_modulus,
             units: Units::new(results, surface),

@@ -16,13 +16,14 @@
 //! | `verdicts`, `reference` | whether the integral may replace the sum; which model is nearer to the reference |
 //! | `ranking`, `held_out` | the other statistical models; fitted ones on asperities that they were not taken from |
 //! | `treatment`, `robustness`, `dependence` | other treatments of a measured map, both models under them, and the verdicts that depend on them |
-//! | `layer`, `threshold` | what a layer changes |
+//! | `layer`, `threshold`, `film` | what a layer changes; the friction of a film by its thickness |
 
 mod at_load;
 mod attribution;
 mod case;
 mod causes;
 mod dependence;
+mod film;
 mod generated;
 mod held_out;
 mod law;
@@ -45,6 +46,7 @@ pub use attribution::attribute;
 pub use case::CaseStudy;
 pub use causes::{LeadingCause, StatedCause};
 pub use dependence::{Dependence, Treated};
+pub use film::{Film, FilmFriction, film_friction};
 pub use generated::GENERATED_SURFACES;
 pub use held_out::HeldOut;
 pub use law::LawContact;

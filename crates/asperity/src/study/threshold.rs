@@ -59,7 +59,7 @@ pub fn thresholds(
 }
 
 /// All loads (Pa) of a short list; of a long one those nearest to the powers of ten.
-fn some_of(mut loads: Vec<f64>) -> Vec<f64> {
+pub(super) fn some_of(mut loads: Vec<f64>) -> Vec<f64> {
     const SHORT: usize = 6;
     loads.sort_unstable_by(f64::total_cmp);
     loads.dedup();

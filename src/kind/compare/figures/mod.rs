@@ -9,6 +9,7 @@
 //! | `layers` | the same by layer thickness |
 //! | `lines` | closed results beside the models |
 //! | `filter` | differences against the S filter |
+//! | `friction` | boundary friction against the thickness of a layer |
 //! | `contact` | pressures of the reference |
 //! | `verdict_map` | the verdicts on several cases over load |
 //! | `contact_map` | the contacts on a measured map, load by load |
@@ -22,6 +23,7 @@ mod contact_map;
 pub mod curves;
 pub mod differences;
 pub mod filter;
+pub mod friction;
 pub mod layers;
 pub mod lines;
 pub(crate) mod main_figure;

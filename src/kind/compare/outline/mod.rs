@@ -12,12 +12,13 @@ mod series;
 
 pub(crate) use sections::verdicts;
 
-use asperity::compare::Tolerances;
+use asperity::compare::{ModelKind, Tolerances};
 use asperity::law::Body;
 use asperity_contact_framework::Outcome;
 use asperity_contact_framework::contact::ContactSummary;
 use asperity_contact_framework::metadata::Metadata;
 use asperity_contact_framework::report::answer::Answer;
+use asperity_contact_framework::report::format::{input_quantity, listed, number, thickness};
 use asperity_contact_framework::report::page::Page;
 use asperity_contact_framework::report::sections as common;
 use asperity_contact_framework::report::table::{Table, Tables};
@@ -53,8 +54,10 @@ impl Outcome for CompareResults {
                 main_figure::of_case_or_paper(&mut page, self, *only, &series);
             }
             several => {
-                page.lead(&count(several.iter().copied()));
+                let friction = series.iter().find_map(least_friction).unwrap_or_default();
+                page.lead(&format!("{friction}{}", count(several.iter().copied())));
                 main_figure::of_paper(&mut page, self, &series);
+                sections::friction(&mut page, tables, &series);
                 page.view(&sections::answers(tables));
                 main_figure::verdict_maps(&mut page, self, &series);
             }
@@ -158,6 +161,26 @@ impl CompareResults {
             }
         }
     }
+}
+
+/// "Friction at 5 MPa is least at 100 nm by the sum (0.066, uncoated 0.124) and at 80 nm by the integral (0.0705). "; `None` where it is not asked
+/// for.
+fn least_friction(series: &Series) -> Option<String> {
+    let first = series.friction.first()?;
+    let mut loads: Vec<f64> = series.friction.iter().map(|found| found.pressure).collect();
+    loads.dedup();
+    let load = loads[loads.len() / 2];
+    let of = |kind: ModelKind, name: &str| {
+        let at_load = series.friction.iter().filter(|found| found.pressure == load);
+        let mut of_model = at_load.filter(|found| found.breakdown == first.breakdown && found.kind == kind);
+        let found = of_model.next()?;
+        let (least_at, least) = found.least()?;
+        let uncoated = found.at(0.0).map_or_else(String::new, |bare| format!(", uncoated {}", number(bare)));
+        Some(format!("at {} by {name} ({}{uncoated})", thickness(least_at), number(least)))
+    };
+    let models = [of(ModelKind::Deterministic, "the sum"), of(ModelKind::Statistical, "the integral")];
+    let models: Vec<String> = models.into_iter().flatten().collect();
+    Some(format!("Friction at {} is least {}. ", input_quantity(load, "Pa"), listed(&models)))
 }
 
 /// How many cases have which answer, in one or two sentences.

@@ -6,10 +6,12 @@ use asperity_contact_framework::report::page::Page;
 use asperity_contact_framework::report::table::{Reading, Tables};
 use asperity_contact_framework::report::view::View;
 
+use crate::kind::compare::figures::friction;
 use crate::kind::compare::rows::{
-    AnswerRow, CaseRow, DecreaseRow, NearerRow, ReadingRow, ReferenceCurveRow, ResultRow, RuleRow,
-    StandingRow, ThresholdRow, VerdictRow,
+    AnswerRow, CaseRow, DecreaseRow, FrictionRow, NearerRow, ReadingRow, ReferenceCurveRow, ResultRow,
+    RuleRow, StandingRow, ThresholdRow, VerdictRow,
 };
+use crate::kind::compare::series::Series;
 use crate::model_tables::REFERENCE;
 use crate::presentation::quantity_name;
 
@@ -37,6 +39,36 @@ pub fn results(page: &mut Page, tables: &Tables) {
         });
     } else {
         page.heading(2, "Results").view(&view);
+    }
+}
+
+/// The friction of layers by their thickness: where it is least, and by which model.
+pub fn friction(page: &mut Page, tables: &Tables, series: &[Series]) {
+    let view = tables.view::<FrictionRow>();
+    if view.is_empty() {
+        return;
+    }
+    page.heading(2, "Boundary friction by layer thickness");
+    for series in series {
+        if let Some(figure) = friction::by_thickness(series) {
+            page.figure(
+                &format!("{}-friction.svg", series.stem),
+                figure,
+                &format!(
+                    "{}: coefficient of boundary friction against layer thickness. Thin layers are broken through, thick ones have more \
+                     contact area. No ploughing, no growth of junctions.",
+                    series.subject
+                ),
+            );
+        }
+    }
+    let view = view.without_constant(&CASE);
+    if view.len() > MOST_OPEN {
+        page.details(3, "Least friction by load, breakdown and model", |page| {
+            page.view(&view);
+        });
+    } else {
+        page.view(&view);
     }
 }
 

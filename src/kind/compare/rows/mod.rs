@@ -6,6 +6,7 @@ mod cases;
 mod correlations;
 mod curves;
 pub(crate) mod differences;
+mod friction;
 mod layer;
 mod lines;
 mod nearer;
@@ -23,6 +24,7 @@ pub(crate) use answers::{AnswerRow, rows as answers};
 pub(crate) use attribution::AttributionRow;
 pub(crate) use cases::CaseRow;
 pub(crate) use correlations::CorrelationRow;
+pub(crate) use friction::FrictionRow;
 pub(crate) use layer::{DecreaseRow, RuleRow, ThresholdRow};
 pub(crate) use lines::LineRow;
 pub(crate) use nearer::{NearerRow, ReferenceCurveRow};
@@ -121,6 +123,7 @@ pub(crate) fn schemas() -> Vec<Schema> {
         Schema::of::<RobustnessRow>(),
         Schema::of::<ThresholdRow>(),
         Schema::of::<DecreaseRow>(),
+        Schema::of::<FrictionRow>(),
         Schema::of::<RuleRow>(),
         Schema::of::<ReadingRow>(),
         Schema::of::<LineRow>(),
@@ -162,6 +165,7 @@ pub(crate) fn tables(results: &CompareResults) -> Vec<Table> {
         Table::new(robustness::rows(results)),
         Table::new(layer::thresholds(results)),
         Table::new(layer::decreases(results)),
+        Table::new(friction::rows(results)),
         Table::new(RuleRow::all(results)),
         Table::new(readings::rows(results)),
         Table::new(lines::rows(results)),
