@@ -7,6 +7,7 @@
 #![warn(missing_docs)]
 
 mod experiment;
+pub mod export;
 pub mod keys;
 pub mod kind;
 mod layer;

@@ -51,7 +51,9 @@ fn one_kind_has_its_own_tables_only() {
 
 /// The unit that the name of a column ends with.
 fn unit_of(name: &str) -> Option<&'static str> {
-    const SUFFIXES: [(&str, &str); 10] = [
+    const SUFFIXES: [(&str, &str); 12] = [
+        ("_s_per_m2", "S/m²"),
+        ("_w_per_m2_k", "W/(m² K)"),
         ("curvature_per_m", "1/m"),
         ("_pa_per_m", "Pa/m"),
         ("_n_per_m", "N/m"),
@@ -92,12 +94,31 @@ fn headings_are_whole() {
     }
 }
 
+/// Bodies that conduct.
+const CONDUCTING: &str = r#"
+[material.steel]
+young = "210 GPa"
+poisson = 0.3
+hardness = "7.6 GPa"
+resistivity = "143 nohm m"
+thermal-conductivity = "50 W/(m K)"
+
+[material.lead]
+young = "18 GPa"
+poisson = 0.35
+hardness = "0.17 GPa"
+resistivity = "206 nohm m"
+thermal-conductivity = "35 W/(m K)"
+"#;
+
 const COMPARE: &str = r#"
 [compare]
 rough = "steel"
 flat = "steel"
 law = "zmc"
-layer = { material = "lead", thickness = ["50 nm"] }
+layer = { material = "lead", thickness = [0, "50 nm"], shear-strength = { tau0 = "33 MPa" } }
+conductance = ["electrical", "thermal"]
+shear-strength = { tau0 = "300 MPa", alpha = 0.05 }
 models = ["statistical", "deterministic", "reference"]
 separation = { values = [9, 2, 0] }
 pressure = { values = ["20 MPa"] }
@@ -256,7 +277,7 @@ fn every_kind_writes_the_tables_that_it_declares() {
     let bodies = concat!(steel!(), lead!());
     let specs = [
         ("causes", [bodies, CAUSES].concat()),
-        ("compare", [bodies, COMPARE].concat()),
+        ("compare", [CONDUCTING, COMPARE].concat()),
         ("coverage", [bodies, COVERAGE].concat()),
         ("indentation", [bodies, INDENTATION].concat()),
         ("laws", [bodies, LAWS, SURFACE].concat()),

@@ -43,6 +43,7 @@ mod registry;
 mod results;
 mod sampling_interval;
 mod single_load;
+mod spots;
 mod tiled;
 mod tip;
 mod tutorial;

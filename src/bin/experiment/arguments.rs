@@ -9,6 +9,8 @@ use asperity_experiment::surface::{ContactOptions, FileOptions};
 use clap::builder::PossibleValuesParser;
 use clap::{Args, CommandFactory, Parser, Subcommand};
 
+use super::export::Export;
+
 /// Runs the statistical and the deterministic contact model on the same rough surface.
 ///
 /// Without a command it runs every spec in experiments/ and writes reports/.
@@ -89,6 +91,12 @@ pub enum Command {
         save_spec: Option<PathBuf>,
         #[command(flatten)]
         options: RunOptions,
+    },
+    /// Write results for other programs
+    Export {
+        /// What
+        #[command(subcommand)]
+        what: Export,
     },
     /// Print a Markdown reference of the report tables: every column with its unit and meaning
     Columns {

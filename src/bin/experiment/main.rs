@@ -1,6 +1,7 @@
 //! The command line: arguments, progress, exit code; nothing else.
 
 mod arguments;
+mod export;
 mod interrupt;
 mod several;
 
@@ -93,6 +94,7 @@ fn main() -> ExitCode {
         Some(Command::Surface { file, arguments, name, save_spec, options }) => {
             surface(&file, (*arguments).into(), name.as_deref(), save_spec.as_deref(), &options)
         }
+        Some(Command::Export { what }) => what.run(),
         Some(Command::Columns { kind }) => {
             print(format_args!("{}", columns(kind.as_deref()).trim_end()));
             Ok(())

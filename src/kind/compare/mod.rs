@@ -1,6 +1,6 @@
 //! `[compare]`: both models on given surfaces.
 
-mod card;
+pub(crate) mod card;
 mod contact_map;
 mod correlations;
 pub mod figures;

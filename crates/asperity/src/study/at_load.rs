@@ -157,11 +157,24 @@ impl CaseStudy {
     /// The results at the load that was asked for; of several loads at the middle one of those that are admissible (and at which the
     /// reference was run), or of all where none is. Loads that the spec prescribes go before those of a separation sweep.
     pub fn results_at_load(&self) -> LoadResults {
-        let at = self.reported_load();
-        let of_realisation = |case: &CaseResults| match at {
-            Some(at) if !self.first().is_single() => case.at_load(at.load),
-            _ => case.in_the_middle(),
-        };
+        match self.reported_load() {
+            Some(at) if !self.first().is_single() => self.results_at(at.load),
+            at => self.results_of(at, &CaseResults::in_the_middle),
+        }
+    }
+
+    /// The results at the nominal pressure `load` (Pa) of a pair.
+    pub fn results_at(&self, load: f64) -> LoadResults {
+        let at = self.verdicts.differences.iter().find(|at| at.load == load);
+        self.results_of(at, &|case| case.at_load(load))
+    }
+
+    /// The results that each realisation has, with intervals of those `at` a load.
+    fn results_of(
+        &self,
+        at: Option<&Difference>,
+        of_realisation: &dyn Fn(&CaseResults) -> Vec<(Option<ModelKind>, PointResult)>,
+    ) -> LoadResults {
         let each: Vec<Vec<(Option<ModelKind>, PointResult)>> =
             self.realisations.iter().map(of_realisation).collect();
         let model = |&(model, _): &(Option<ModelKind>, PointResult)| {

@@ -15,13 +15,13 @@ pub(crate) struct CorrelationRow<'a> {
 
 impl Row for CorrelationRow<'_> {
     const FILE: &'static str = "correlations.csv";
-    const ROWS: &'static str = "One row for each surface, law, conductance and correlation in use for it, on the first realisation with the r.m.s. height and gradient of its map: may it replace the contact?";
+    const ROWS: &'static str = "One row for each surface, law, conductance and correlation in use for it, on the first realisation with the r.m.s. height and gradient of its map.";
 
     fn columns() -> Vec<Column<Self>> {
         let mut columns = case_columns(|row: &Self| row.key);
         columns.extend(columns! { row: Self =>
             conductance["text"] = row.found.quantity.name(), "The conductance.";
-            correlation["text"] = row.found.correlation.name(), "`cooper-mikic-yovanovich` for plastic contact, 1.25 (m/sigma) (p/H)^0.95/s, or `mikic` for elastic contact, 1.55 (m/sigma) (2^0.5 p/(E* m))^0.94/s; m is the mean absolute slope, s the mean resistivity.";
+            correlation["text"] = row.found.correlation.name(), "The correlation: `cooper-mikic-yovanovich` for plastic contact, 1.25 (m/sigma) (p/H)^0.95/s, or `mikic` for elastic contact, 1.55 (m/sigma) (2^0.5 p/(E* m))^0.94/s; m is the mean absolute slope, s the mean resistivity.";
             against["text"] = row.found.against, "What it is compared with: the `reference`, or where none was run the `deterministic` model.";
             accepted["1", percent] = row.found.accepted, "The largest difference that is accepted.";
             from_pa["Pa", prefix("M"), label("within from")] = row.found.within().map(|loads| loads[0]), "Lowest nominal pressure of the longest stretch of tested loads at which it is within what is accepted; empty where it is at none.";

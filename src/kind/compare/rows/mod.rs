@@ -36,6 +36,7 @@ pub(crate) use spread::SpreadRow;
 pub(crate) use standings::StandingRow;
 pub(crate) use verdicts::VerdictRow;
 
+use asperity::compare::ComparedQuantity;
 use asperity::study::{CaseResults, CaseStudy, Verdicts};
 use asperity_contact_framework::columns;
 use asperity_contact_framework::report::table::{Column, Schema, Table};
@@ -75,6 +76,13 @@ impl<'a> SurfaceCase<'a> {
     /// Whether the statistical model may be used.
     pub(crate) fn verdicts(&self) -> &'a Verdicts {
         &self.case.verdicts
+    }
+
+    /// Whether a quantity is compared: those that follow from spots are only where they are asked for.
+    pub(crate) fn compares(&self, quantity: ComparedQuantity) -> bool {
+        let has_estimate =
+            || self.verdicts().differences.iter().any(|at| at.estimates[quantity as usize].is_some());
+        quantity.spot().is_none() || has_estimate()
     }
 
     /// What it is called in tables.

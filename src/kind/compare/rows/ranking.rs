@@ -81,7 +81,8 @@ pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = RankingRow<
                 ranking.models.iter().map(move |ranked| (ranked, ranking.tested_on))
             });
         models.flat_map(move |(ranked, tested_on)| {
-            ComparedQuantity::ALL.map(|quantity| RankingRow {
+            let compared = ComparedQuantity::ALL.into_iter().filter(move |quantity| case.compares(*quantity));
+            compared.map(move |quantity| RankingRow {
                 key: case.key(),
                 alpha,
                 ranked,

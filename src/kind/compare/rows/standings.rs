@@ -80,7 +80,8 @@ pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = StandingRow
             let each = ranking
                 .against()
                 .iter()
-                .flat_map(|&against| ComparedQuantity::ALL.map(|quantity| (against, quantity)));
+                .flat_map(|&against| ComparedQuantity::ALL.map(|quantity| (against, quantity)))
+                .filter(move |(_, quantity)| case.compares(*quantity));
             each.map(move |(against, quantity)| StandingRow {
                 key: case.key(),
                 alpha,

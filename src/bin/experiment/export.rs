@@ -1,0 +1,96 @@
+//! `experiment export`: results for other programs.
+
+use std::path::{Path, PathBuf};
+
+use asperity_experiment::Experiment;
+use asperity_experiment::export::{Format, InterfaceOptions, TableModel, UnitSystem, interface_files};
+use clap::Subcommand;
+use clap::builder::PossibleValuesParser;
+
+use super::{Failure, RunOptions, say, set_threads, watched, write_new};
+
+/// What is exported.
+#[derive(Subcommand)]
+pub enum Export {
+    /// Run a [compare] spec and write pressure over closure, conductance and friction over pressure for programs for finite elements
+    Interface {
+        /// Spec file
+        spec: PathBuf,
+        /// csv, abaqus, calculix, moose or comsol; csv and calculix are tested in their programs
+        #[arg(long, value_parser = PossibleValuesParser::new(Format::ALL.map(Format::name)), default_value = "csv")]
+        format: String,
+        /// The model of the table
+        #[arg(long, value_parser = PossibleValuesParser::new(MODELS.map(TableModel::name)), default_value = "deterministic")]
+        model: String,
+        /// si (m, Pa, W) or mm (mm, MPa, mW)
+        #[arg(long, value_parser = PossibleValuesParser::new(UnitSystem::ALL.map(UnitSystem::name)), default_value = "si")]
+        units: String,
+        /// Keep loads that are not admissible, marked
+        #[arg(long)]
+        beyond: bool,
+        /// Folder to write to
+        #[arg(long, default_value = ".")]
+        out: PathBuf,
+        /// Replace files of the same name
+        #[arg(long)]
+        force: bool,
+        /// Number of threads; default: all cores. Results do not depend on it
+        #[arg(long, value_parser = clap::value_parser!(u16).range(1..=1024))]
+        threads: Option<u16>,
+        /// Print errors only
+        #[arg(long)]
+        quiet: bool,
+    },
+}
+
+/// The models of tables.
+const MODELS: [TableModel; 3] = [TableModel::Statistical, TableModel::Deterministic, TableModel::Reference];
+
+/// The one of a list with a name; the first where the command line has checked it.
+fn named<T: Copy>(all: &[T], name: impl Fn(T) -> &'static str, wanted: &str) -> T {
+    all.iter().copied().find(|one| name(*one) == wanted).unwrap_or(all[0])
+}
+
+impl Export {
+    /// Writes it.
+    ///
+    /// # Errors
+    /// A spec that cannot be run, results without a table, files that are there already.
+    pub fn run(self) -> Result<(), Failure> {
+        let Self::Interface { spec, format, model, units, beyond, out, force, threads, quiet } = self;
+        let format = named(&Format::ALL, Format::name, &format);
+        let model = named(&MODELS, TableModel::name, &model);
+        let units = named(&UnitSystem::ALL, UnitSystem::name, &units);
+        let options = RunOptions { out, force, threads, quiet };
+        set_threads(&options)?;
+        let experiment = Experiment::read(&spec)?;
+        if !options.out.is_dir() {
+            let message = format!("--out {}: found no such folder; allowed: a folder", options.out.display());
+            return Err(Failure::Input(message));
+        }
+        let results = watched(experiment.stem(), &options, |progress| experiment.run(progress))?;
+        let of = InterfaceOptions { model, beyond };
+        let refuse = |message: String| Failure::Input(format!("{}: {message}", spec.display()));
+        let files = interface_files(&*results, experiment.stem(), of, format, units).map_err(refuse)?;
+        let paths: Vec<PathBuf> = files.iter().map(|file| options.out.join(&file.name)).collect();
+        if let Some(path) = paths.iter().find(|path| !options.force && path.exists()) {
+            return Err(Failure::Input(format!(
+                "{}: found a file of this name; allowed: --force to replace it, or another --out",
+                path.display()
+            )));
+        }
+        for (file, path) in files.iter().zip(&paths) {
+            replace(path, &file.text)?;
+            say(&options, &format!("{} written", path.display()));
+        }
+        Ok(())
+    }
+}
+
+/// Writes a file beside its place first, so that no half of it is left.
+fn replace(path: &Path, text: &str) -> Result<(), Failure> {
+    let beside = path.with_extension("partial");
+    let _ = std::fs::remove_file(&beside);
+    write_new(&beside, text)?;
+    std::fs::rename(&beside, path).map_err(|error| Failure::Input(format!("{}: {error}", path.display())))
+}

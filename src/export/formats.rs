@@ -1,0 +1,329 @@
+//! A table of a joint as programs for finite elements read it.
+
+use std::fmt::Write;
+
+use super::ExportedFile;
+use super::interface::{InterfaceTable, InterfaceValue, TablePoint};
+
+/// A format of tables.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Format {
+    /// Columns separated by commas, with the ends of the intervals.
+    Csv,
+    /// Keywords of Abaqus.
+    Abaqus,
+    /// Keywords of CalculiX.
+    Calculix,
+    /// Functions of MOOSE.
+    Moose,
+    /// Interpolation functions of COMSOL.
+    Comsol,
+}
+
+impl Format {
+    /// All of them.
+    pub const ALL: [Self; 5] = [Self::Csv, Self::Abaqus, Self::Calculix, Self::Moose, Self::Comsol];
+
+    /// The name on the command line.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Csv => "csv",
+            Self::Abaqus => "abaqus",
+            Self::Calculix => "calculix",
+            Self::Moose => "moose",
+            Self::Comsol => "comsol",
+        }
+    }
+
+    /// Whether its files were run in the program that they are for.
+    const fn is_tested(self) -> bool {
+        matches!(self, Self::Csv | Self::Calculix)
+    }
+}
+
+/// Units of a table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum UnitSystem {
+    /// m, N, Pa, W, S.
+    #[default]
+    Si,
+    /// mm, N, MPa, mW, S: consistent with t, s and mJ.
+    Mm,
+}
+
+impl UnitSystem {
+    /// All of them.
+    pub const ALL: [Self; 2] = [Self::Si, Self::Mm];
+
+    /// The name on the command line.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Si => "si",
+            Self::Mm => "mm",
+        }
+    }
+
+    const fn words(self) -> &'static str {
+        match self {
+            Self::Si => "Units: m, Pa, S/m^2, W/(m^2 K)",
+            Self::Mm => "Units: mm, MPa, S/mm^2, mW/(mm^2 K)",
+        }
+    }
+
+    fn length(self, value: f64) -> f64 {
+        if self == Self::Si { value } else { 1e3 * value }
+    }
+
+    fn pressure(self, value: f64) -> f64 {
+        if self == Self::Si { value } else { 1e-6 * value }
+    }
+
+    fn stiffness(self, value: f64) -> f64 {
+        if self == Self::Si { value } else { 1e-9 * value }
+    }
+
+    fn electrical(self, value: f64) -> f64 {
+        if self == Self::Si { value } else { 1e-6 * value }
+    }
+
+    fn thermal(self, value: f64) -> f64 {
+        if self == Self::Si { value } else { 1e-3 * value }
+    }
+}
+
+/// Which value of a table: itself, or an end of its interval.
+#[derive(Clone, Copy, PartialEq)]
+enum Of {
+    Value,
+    Low,
+    High,
+}
+
+impl Of {
+    /// The value, and the ends where there are intervals.
+    fn of(table: &InterfaceTable) -> &'static [(Self, &'static str)] {
+        let has_intervals = table.points.iter().all(|point| point.closure.interval.is_some());
+        let all = &[(Self::Value, ""), (Self::Low, "-low"), (Self::High, "-high")];
+        if has_intervals { all } else { &all[..1] }
+    }
+
+    fn take(self, value: InterfaceValue) -> f64 {
+        match (self, value.interval) {
+            (Self::Low, Some([low, _])) => low,
+            (Self::High, Some([_, high])) => high,
+            _ => value.value,
+        }
+    }
+}
+
+/// The files of a table, whose names begin with `name`.
+pub(super) fn files(
+    table: &InterfaceTable,
+    name: &str,
+    format: Format,
+    units: UnitSystem,
+) -> Vec<ExportedFile> {
+    if format == Format::Csv {
+        return vec![ExportedFile { name: format!("{name}.csv"), text: csv(table, units) }];
+    }
+    let of = |&(of, ending): &(Of, &str)| match format {
+        Format::Comsol => comsol(table, &format!("{name}{ending}"), units, of),
+        Format::Moose => {
+            vec![ExportedFile { name: format!("{name}{ending}.i"), text: moose(table, units, of) }]
+        }
+        _ => vec![ExportedFile {
+            name: format!("{name}{ending}.inp"),
+            text: keywords(table, &format!("{name}{ending}"), format, units, of),
+        }],
+    };
+    Of::of(table).iter().flat_map(of).collect()
+}
+
+/// The header, each line after `comment`.
+fn header(table: &InterfaceTable, comment: &str, format: Format, units: UnitSystem, of: Of) -> String {
+    let mut text = String::new();
+    let which = match of {
+        Of::Value => "",
+        Of::Low => " Lower ends of the pointwise 95 % intervals.",
+        Of::High => " Upper ends of the pointwise 95 % intervals.",
+    };
+    for line in &table.header {
+        let _ = writeln!(text, "{comment} {line}");
+    }
+    let _ = writeln!(text, "{comment} {}.{which}", units.words());
+    if !format.is_tested() {
+        let _ = writeln!(
+            text,
+            "{comment} Untested: written from the description of the format, not run in its program."
+        );
+    }
+    text
+}
+
+/// All columns with the ends of their intervals.
+fn csv(table: &InterfaceTable, units: UnitSystem) -> String {
+    type Column = (&'static str, fn(&TablePoint) -> Option<InterfaceValue>, fn(UnitSystem, f64) -> f64);
+    const COLUMNS: [Column; 4] = [
+        ("closure", |point| Some(point.closure), UnitSystem::length),
+        ("electrical_conductance", |point| point.electrical, UnitSystem::electrical),
+        ("thermal_conductance", |point| point.thermal, UnitSystem::thermal),
+        ("friction", |point| point.friction, |_, value| value),
+    ];
+    let mut text = header(table, "#", Format::Csv, units, Of::Value);
+    let shown: Vec<&Column> =
+        COLUMNS.iter().filter(|(_, of, _)| table.points.iter().any(|point| of(point).is_some())).collect();
+    text.push_str("pressure");
+    for (name, ..) in &shown {
+        let _ = write!(text, ",{name},{name}_low,{name}_high");
+    }
+    text.push_str(",limits\n");
+    for point in &table.points {
+        let _ = write!(text, "{}", units.pressure(point.pressure));
+        for (_, of, scale) in &shown {
+            let value = of(point);
+            let end = |place: usize| value.and_then(|value| value.interval).map(|ends| ends[place]);
+            for value in [value.map(|value| value.value), end(0), end(1)] {
+                let _ = write!(text, ",{}", value.map_or_else(String::new, |v| scale(units, v).to_string()));
+            }
+        }
+        let _ = writeln!(text, ",{}", point.limits);
+    }
+    text
+}
+
+/// Pairs of closure and pressure, strictly growing from 0 and 0. A line of the stiffness at the first load leads to it, so that closure 0 is
+/// further out there.
+fn curve(table: &InterfaceTable, units: UnitSystem, of: Of) -> Vec<[f64; 2]> {
+    let first = &table.points[0];
+    let lead = first.pressure / table.first_stiffness;
+    let mut points = vec![[0.0, 0.0]];
+    for point in &table.points {
+        let closure = lead + of.take(point.closure);
+        let [last, _] = points[points.len() - 1];
+        // Ends of intervals need not grow, nor stay above the first load.
+        if closure > last {
+            points.push([closure, point.pressure]);
+        }
+    }
+    points.into_iter().map(|[closure, p]| [units.length(closure), units.pressure(p)]).collect()
+}
+
+/// Pairs of pressure and a value; empty where it is not asked for.
+fn over_pressure(
+    table: &InterfaceTable,
+    units: UnitSystem,
+    of: Of,
+    value: fn(&TablePoint) -> Option<InterfaceValue>,
+) -> Vec<[f64; 2]> {
+    let point = |point: &TablePoint| Some([units.pressure(point.pressure), of.take(value(point)?)]);
+    table.points.iter().filter_map(point).collect()
+}
+
+/// A surface interaction in keywords.
+fn keywords(table: &InterfaceTable, name: &str, format: Format, units: UnitSystem, of: Of) -> String {
+    let mut text = header(table, "**", format, units, of);
+    let lead = units.length(table.points[0].pressure / table.first_stiffness);
+    let _ = writeln!(
+        text,
+        "** Overclosure 0 is {lead:e} before the separation of the first load, from which a line of its stiffness leads here."
+    );
+    let _ = writeln!(text, "*SURFACE INTERACTION, NAME={}", name.to_uppercase());
+    text.push_str("*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR\n");
+    for [closure, pressure] in curve(table, units, of) {
+        let _ = writeln!(text, "{pressure:e}, {closure:e}");
+    }
+    let thermal = over_pressure(table, units, of, |point| point.thermal);
+    if !thermal.is_empty() {
+        text.push_str(if format == Format::Abaqus {
+            "*GAP CONDUCTANCE, PRESSURE\n"
+        } else {
+            "*GAP CONDUCTANCE\n"
+        });
+        for [pressure, value] in without_load(&thermal) {
+            let _ = writeln!(text, "{:e}, {pressure:e}", units.thermal(value));
+        }
+    }
+    let electrical = over_pressure(table, units, of, |point| point.electrical);
+    if !electrical.is_empty() && format == Format::Abaqus {
+        text.push_str("*GAP ELECTRICAL CONDUCTANCE, PRESSURE\n");
+        for [pressure, value] in without_load(&electrical) {
+            let _ = writeln!(text, "{:e}, {pressure:e}", units.electrical(value));
+        }
+    }
+    let friction = over_pressure(table, units, of, |point| point.friction);
+    if let Some(&[_, middle]) = friction.get(friction.len() / 2) {
+        text.push_str("*FRICTION\n");
+        if format == Format::Abaqus {
+            for [pressure, value] in &friction {
+                let _ = writeln!(text, "{value:e}, 0., {pressure:e}");
+            }
+        } else {
+            let at = &table.points[friction.len() / 2];
+            let stick = units.stiffness(at.tangential.unwrap_or(table.first_stiffness));
+            text.push_str("** Coefficient and stick slope of the middle load: they do not depend on the pressure here.\n");
+            let _ = writeln!(text, "{middle:e}, {stick:e}");
+        }
+    }
+    text
+}
+
+/// The same from no load on, at which nothing conducts.
+fn without_load(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    [&[[0.0, 0.0]], points].concat()
+}
+
+/// Piecewise linear functions.
+fn moose(table: &InterfaceTable, units: UnitSystem, of: Of) -> String {
+    let mut text = header(table, "#", Format::Moose, units, of);
+    text.push_str("[Functions]\n");
+    let mut function = |name: &str, points: &[[f64; 2]]| {
+        if points.is_empty() {
+            return;
+        }
+        let values = |place: usize| {
+            points.iter().map(|point| format!("{:e}", point[place])).collect::<Vec<_>>().join(" ")
+        };
+        let _ = writeln!(
+            text,
+            "  [{name}]\n    type = PiecewiseLinear\n    x = '{}'\n    y = '{}'\n  []",
+            values(0),
+            values(1)
+        );
+    };
+    function("pressure_over_closure", &curve(table, units, of));
+    for (name, points) in of_pressure(table, units, of) {
+        function(&format!("{name}_over_pressure"), &points);
+    }
+    text.push_str("[]\n");
+    text
+}
+
+/// Conductances and friction over the pressure, in the units of the table.
+fn of_pressure(table: &InterfaceTable, units: UnitSystem, of: Of) -> [(&'static str, Vec<[f64; 2]>); 3] {
+    let scaled = |points: Vec<[f64; 2]>, scale: &dyn Fn(f64) -> f64| {
+        let points = if points.is_empty() { points } else { without_load(&points) };
+        points.into_iter().map(|[pressure, value]| [pressure, scale(value)]).collect()
+    };
+    let electrical = over_pressure(table, units, of, |point| point.electrical);
+    let thermal = over_pressure(table, units, of, |point| point.thermal);
+    [
+        ("electrical_conductance", scaled(electrical, &|value| units.electrical(value))),
+        ("thermal_conductance", scaled(thermal, &|value| units.thermal(value))),
+        ("friction", over_pressure(table, units, of, |point| point.friction)),
+    ]
+}
+
+/// A text of two columns for each interpolation function.
+fn comsol(table: &InterfaceTable, name: &str, units: UnitSystem, of: Of) -> Vec<ExportedFile> {
+    let file = |function: &str, points: &[[f64; 2]]| {
+        let mut text = header(table, "%", Format::Comsol, units, of);
+        for [x, y] in points {
+            let _ = writeln!(text, "{x:e} {y:e}");
+        }
+        ExportedFile { name: format!("{name}-{function}.txt"), text }
+    };
+    let first = file("pressure_over_closure", &curve(table, units, of));
+    let others = of_pressure(table, units, of).into_iter().filter(|(_, points)| !points.is_empty());
+    let others = others.map(|(name, points)| file(&format!("{name}_over_pressure"), &points));
+    std::iter::once(first).chain(others).collect()
+}

@@ -1,0 +1,334 @@
+//! Conductance and friction of `[compare]`, and tables of joints for other programs.
+
+use asperity::bem::Boundary;
+use asperity::compare::{Cause, ComparedQuantity, Order, Verdict};
+use asperity::spot::SpotQuantity;
+use asperity_contact_framework::Outcome;
+use asperity_contact_framework::progress::Silent;
+use asperity_experiment::Experiment;
+use asperity_experiment::export::{
+    Format, InterfaceOptions, TableModel, UnitSystem, interface_files, interface_tables,
+};
+use asperity_experiment::kind::compare::results::CompareResults;
+
+use crate::Report;
+
+const BODIES: &str = r#"
+title = "t"
+seed = 3
+[material.steel]
+young = "210 GPa"
+poisson = 0.3
+hardness = "7.6 GPa"
+resistivity = "143 nohm m"
+thermal-conductivity = "50 W/(m K)"
+[material.lead]
+young = "18 GPa"
+poisson = 0.35
+hardness = "0.17 GPa"
+resistivity = "206 nohm m"
+thermal-conductivity = "35 W/(m K)"
+"#;
+
+const MAP: &str = r#"
+[surface.map.generate]
+points = 512
+pixel = "1 um"
+sigma = "100 nm"
+spectrum.self-affine = { hurst = 0.8, roll-off = "40 um", cut-off = "8 um" }
+"#;
+
+const PRESSURES: &str = "pressure = { from = \"1 MPa\", to = \"20 MPa\", points = 5 }";
+
+fn run(compare: &str, surface: &str) -> Result<Box<dyn Outcome>, String> {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("joint.toml");
+    let compare = format!("[compare]\nrough = \"steel\"\nflat = \"steel\"\n{compare}\n");
+    std::fs::write(&path, [BODIES, &compare, surface].concat()).unwrap();
+    let experiment = Experiment::read(&path).map_err(|error| error.to_string())?;
+    experiment.run(&Silent).map_err(|error| error.to_string())
+}
+
+fn compared(compare: &str, surface: &str) -> CompareResults {
+    crate::downcast(run(compare, surface).unwrap())
+}
+
+fn population(count: usize) -> String {
+    format!("[surface.a.population]\n{}count = {count}\n", case_1!())
+}
+
+/// E* s of two steel bodies: conductances are stiffnesses over it where nothing yields.
+fn electrical(results: &CompareResults) -> f64 {
+    results.contact.reduced_modulus * 143e-9
+}
+
+#[test]
+fn without_yielding_conductance_is_stiffness_in_models_and_reference() {
+    let models = "models = [\"statistical\", \"deterministic\", \"reference\"]";
+    let results = compared(
+        &format!("law = \"hertz\"\nconductance = [\"electrical\", \"thermal\"]\n{models}\n{PRESSURES}"),
+        MAP,
+    );
+    let case = results.surfaces[0].cases[0].first();
+    let factor = electrical(&results);
+    for pair in case.comparison.pairs_at_load() {
+        for response in [pair.statistical, pair.deterministic] {
+            let [electrical, thermal, shear, _] = response.spots;
+            assert!((electrical * factor / response.stiffness - 1.0).abs() < 1e-11);
+            // k = 50 W/(m K) on both sides.
+            assert!((thermal / electrical / (143e-9 * 50.0) - 1.0).abs() < 1e-12 && shear == 0.0);
+        }
+    }
+    let reference = case.reference.as_ref().unwrap();
+    assert!(reference.boundary == Boundary::Periodic && reference.points.len() > 2);
+    for point in &reference.points {
+        let conductance = point.value(ComparedQuantity::ElectricalConductance).unwrap();
+        assert!((conductance * factor / point.stiffness.unwrap() - 1.0).abs() < 1e-9);
+    }
+    // Their differences are those of the stiffness, and so are the verdicts.
+    let verdicts = &results.surfaces[0].cases[0].verdicts;
+    for at in &verdicts.differences {
+        let of = |quantity: ComparedQuantity| at.estimates[quantity as usize].unwrap();
+        let (stiffness, conductance) =
+            (of(ComparedQuantity::Stiffness), of(ComparedQuantity::ElectricalConductance));
+        assert!((stiffness.contrast - conductance.contrast).abs() < 1e-9);
+        assert_eq!(stiffness.error.is_some(), conductance.error.is_some());
+        let errors = stiffness.error.zip(conductance.error);
+        assert!(errors.is_none_or(|(one, other)| (one / other - 1.0).abs() < 1e-6));
+    }
+    let [statistical, _] = &verdicts.reference.as_ref().unwrap().against.models;
+    assert!(
+        statistical.iter().all(|at| at.estimates[ComparedQuantity::ThermalConductance as usize].is_some())
+    );
+}
+
+/// tau0 A/F + alpha, exactly: ln(mu - alpha) differs as ln(A) does.
+#[test]
+fn friction_follows_the_area() {
+    let results = compared(
+        &format!("law = \"zmc\"\nshear-strength = {{ tau0 = \"20 MPa\", alpha = 0.05 }}\n{PRESSURES}"),
+        &population(20_000),
+    );
+    let case = results.surfaces[0].cases[0].first();
+    for pair in case.comparison.pairs_at_load() {
+        for response in [pair.statistical, pair.deterministic] {
+            let found = ComparedQuantity::Friction.value(&response).unwrap();
+            let expected = 20e6 * response.area_ratio.total() / response.pressure.total() + 0.05;
+            assert!((found / expected - 1.0).abs() < 1e-12);
+            assert!(response.spots[SpotQuantity::TangentialStiffness as usize] > 0.0);
+        }
+    }
+    let card = serde_json::to_string(&(&results as &dyn Outcome).records()["answer"]).unwrap();
+    assert!(card.contains("Friction") && card.contains("Coefficient 0.0"), "{card}");
+}
+
+/// A difference of conductance is within what is accepted, or beyond it.
+#[test]
+fn what_is_accepted_decides_on_conductance() {
+    let verdict = |accept: &str| {
+        let heights = "heights.johnson = { skewness = -0.8, kurtosis = 3.8 }\n";
+        let spec = format!(
+            "law = \"zmc\"\nconductance = \"electrical\"\naccept = {{ conductance = \"{accept}\" }}\n\
+             statistical = {{ heights = \"gaussian\" }}\npressure = \"30 MPa\""
+        );
+        let results = compared(&spec, &format!("{}{heights}", population(200_000)));
+        let stretches = &results.surfaces[0].cases[0].verdicts.stretches;
+        let mut of = stretches.iter().filter(|one| one.quantity == ComparedQuantity::ElectricalConductance);
+        let found = of.next().unwrap();
+        (found.verdict, found.largest.unwrap().1.contrast)
+    };
+    let (within, contrast) = verdict("60 %");
+    assert_eq!((within, verdict("1 %").0), (Verdict::Within, Verdict::Beyond), "{contrast}");
+}
+
+/// Causes divide the difference in each quantity that is asked for.
+#[test]
+fn causes_of_a_difference_in_conductance_add_up() {
+    let spec = format!("law = \"zmc\"\nconductance = \"thermal\"\n{PRESSURES}");
+    let results = compared(&spec, MAP);
+    let case = results.surfaces[0].cases[0].first();
+    let divided: Vec<_> = case
+        .attribution
+        .iter()
+        .filter_map(|at| at.contributions(ComparedQuantity::ThermalConductance))
+        .collect();
+    assert!(divided.len() >= 2);
+    for parts in divided {
+        for order in Order::ALL {
+            let sum: f64 = Cause::ALL
+                .into_iter()
+                .map(|cause| parts.of_cause(cause).by_order[order as usize].contrast)
+                .sum();
+            assert!((sum - parts.gap()).abs() < 1e-10);
+        }
+    }
+    assert!(case.attribution.iter().all(|at| at.contributions(ComparedQuantity::Friction).is_none()));
+}
+
+/// A film lowers each conductance, air in the gap raises the thermal one by its conductivity over the mean gap.
+#[test]
+fn films_and_gaps() {
+    let of = |conductance: &str| {
+        let spec = format!(
+            "law = \"zmc\"\nconductance = {conductance}\nmodels = [\"statistical\", \"deterministic\", \"reference\"]\npressure = \"10 MPa\""
+        );
+        let results = compared(&spec, MAP);
+        let surface = &results.surfaces[0];
+        let case = surface.cases[0].first();
+        let pair = *case.comparison.pairs_at_load().next().unwrap();
+        let point = case.reference.as_ref().unwrap().points[0];
+        let offset = surface.surface.plane_above_mean_plane().unwrap();
+        let gaps =
+            [pair.statistical.separation + offset, pair.deterministic.separation + offset, point.mean_gap];
+        let spots = [pair.statistical.spots, pair.deterministic.spots, point.spots];
+        (spots, gaps)
+    };
+    let (bare, gaps) = of("[\"electrical\", \"thermal\"]");
+    let (filmed, _) =
+        of("{ electrical = { film = \"1 mohm um^2\" }, thermal = { film = \"0.01 mm^2 K/W\" } }"
+            .replace("1 mohm um^2", "1e-13 ohm m^2")
+            .as_str());
+    let (in_air, _) = of("{ thermal = { gap-conductivity = \"0.026 W/(m K)\", gap-jump = \"0.4 um\" } }");
+    for model in 0..3 {
+        for quantity in [SpotQuantity::ElectricalConductance, SpotQuantity::ThermalConductance] {
+            let [bare, filmed] = [bare, filmed].map(|all| all[model][quantity as usize]);
+            assert!(filmed > 0.0 && filmed < 0.9 * bare, "{model}: {filmed} {bare}");
+        }
+        let [bare, in_air] = [bare, in_air].map(|all| all[model][SpotQuantity::ThermalConductance as usize]);
+        let expected = 0.026 / (gaps[model] + 4e-7);
+        assert!(((in_air - bare) / expected - 1.0).abs() < 1e-6, "{model}");
+        assert_eq!(of("\"thermal\"").0[model][SpotQuantity::ElectricalConductance as usize], 0.0);
+    }
+}
+
+/// A layer that differs from its substrate in nothing but its conductivity: the conductance lies between those of both.
+#[test]
+fn a_layer_conducts_between_substrate_and_bulk() {
+    let spec = "law = \"hertz\"\nconductance = \"thermal\"\nlayer = { material = \"clad\", thickness = [0, \"1 nm\", \"100 nm\", \"100 um\", \"inf\"] }\n\
+                models = [\"statistical\", \"deterministic\", \"reference\"]\npressure = \"10 MPa\"";
+    let clad = "[material.clad]\nyoung = \"210 GPa\"\npoisson = 0.3\nthermal-conductivity = \"5 W/(m K)\"\nhardness = \"7.6 GPa\"\n";
+    let results = compared(spec, &[MAP, clad].concat());
+    let conductances = |case: usize| {
+        let found = results.surfaces[0].cases[case].first();
+        let pair = found.comparison.pairs_at_load().next().unwrap();
+        let point = &found.reference.as_ref().unwrap().points[0];
+        let quantity = ComparedQuantity::ThermalConductance;
+        [quantity.value(&pair.statistical), quantity.value(&pair.deterministic), point.value(quantity)]
+            .map(Option::unwrap)
+    };
+    let all: Vec<[f64; 3]> = (0..5).map(conductances).collect();
+    for model in 0..3 {
+        let of = |case: usize| all[case][model];
+        assert!((1..5).all(|case| of(case) < of(case - 1)), "{model}: {all:?}");
+        // s is (1/50 + 1/50)/2 without and (1/50 + 1/5)/2 with nothing but the layer.
+        assert!((of(0) / of(4) / 5.5 - 1.0).abs() < 1e-6, "{model}: {all:?}");
+        assert!(of(1) > 0.95 * of(0) && of(3) < 1.05 * of(4), "{model}: {all:?}");
+    }
+}
+
+#[test]
+fn what_is_not_asked_for_is_not_there() {
+    let results = compared(&format!("law = \"zmc\"\n{PRESSURES}"), &population(2000));
+    for (file, content) in (&results as &dyn Outcome).files() {
+        let head = String::from_utf8(content).unwrap().lines().next().unwrap_or_default().to_owned();
+        assert!(!head.contains("conductance") && !head.contains("friction"), "{file}: {head}");
+        assert!(file != "correlations.csv" && file != "friction_by_thickness.csv");
+    }
+}
+
+/// Friction over the thickness of a soft film has its least value between the bare body and the bulk of the film.
+#[test]
+fn friction_of_a_film_is_least_between_its_limits() {
+    let spec = "law = \"zmc\"\nshear-strength = { tau0 = \"300 MPa\" }\npressure = \"5 MPa\"\n\
+                layer = { material = \"lead\", thickness = [0, \"5 nm\", \"20 nm\", \"100 nm\", \"1 um\", \"inf\"], \
+                shear-strength = { tau0 = \"33 MPa\" }, breakdown = [1, 2] }";
+    let results = compared(spec, &population(20_000));
+    let found = &results.surfaces[0].friction;
+    assert_eq!(found.len(), 4);
+    for one in found {
+        let (thickness, least) = one.least().unwrap();
+        assert!(thickness > 0.0 && thickness < 1e-6, "{one:?}");
+        assert!(least < 0.8 * one.at(0.0).unwrap() && least < 0.8 * one.at(f64::INFINITY).unwrap());
+        // The first breakdown is that of the comparison.
+        let case =
+            results.surfaces[0].cases.iter().find(|case| case.first().thickness == Some(1e-7)).unwrap();
+        let at = case.first().comparison.at_load(one.kind, 5e6).unwrap();
+        if one.breakdown == 1.0 {
+            let of_case = ComparedQuantity::Friction.value(&at.response).unwrap();
+            assert!((one.at(1e-7).unwrap() / of_case - 1.0).abs() < 1e-12);
+        }
+    }
+}
+
+#[test]
+fn correlations_stand_beside_a_conductance() {
+    let spec = format!(
+        "law = \"zmc\"\nconductance = \"thermal\"\nmodels = [\"statistical\", \"deterministic\", \"reference\"]\n{PRESSURES}"
+    );
+    let results = compared(&spec, MAP);
+    let tables = (&results as &dyn Outcome).files();
+    let (_, content) = tables.iter().find(|(file, _)| *file == "correlations.csv").unwrap();
+    let text = String::from_utf8(content.clone()).unwrap();
+    assert!(text.contains("mikic,reference") && text.contains("cooper-mikic-yovanovich,reference"), "{text}");
+    let with_film = spec.replace("\"thermal\"", "{ thermal = { film = \"1 mm^2 K/W\" } }");
+    let with_film = compared(&with_film, MAP);
+    assert!((&with_film as &dyn Outcome).files().iter().all(|(file, _)| *file != "correlations.csv"));
+}
+
+#[test]
+fn a_table_of_a_joint_grows_from_its_first_load() {
+    let spec = format!(
+        "law = \"ceb\"\nconductance = \"thermal\"\nshear-strength = {{ tau0 = \"20 MPa\" }}\n{}",
+        PRESSURES.replace("points = 5", "points = 30")
+    );
+    let results = run(&spec, &population(20_000)).unwrap();
+    let tables = interface_tables(&*results, InterfaceOptions::default()).unwrap();
+    let [table] = &tables[..] else { panic!("one case") };
+    assert_eq!((table.points.len(), table.points[0].closure.value), (30, 0.0));
+    assert!(table.points.windows(2).all(|pair| {
+        pair[1].pressure > pair[0].pressure && pair[1].closure.value > pair[0].closure.value
+    }));
+    for point in &table.points {
+        let [low, high] = point.thermal.unwrap().interval.unwrap();
+        assert!(low < point.thermal.unwrap().value && point.thermal.unwrap().value < high);
+        let [low, high] = point.closure.interval.unwrap();
+        assert!(low <= point.closure.value && point.closure.value <= high);
+    }
+    for format in Format::ALL {
+        let files = interface_files(&*results, "joint", InterfaceOptions::default(), format, UnitSystem::Mm);
+        let files = files.unwrap();
+        // The value and both ends of the intervals: of COMSOL three functions each.
+        let expected = match format {
+            Format::Csv => 1,
+            Format::Comsol => 9,
+            _ => 3,
+        };
+        assert_eq!(files.len(), expected, "{}", format.name());
+        for file in files {
+            assert!(file.text.contains("law ceb") && file.text.contains("May the integral replace the sum?"));
+            let is_tested = matches!(format, Format::Csv | Format::Calculix);
+            assert_eq!(!is_tested, file.text.contains("Untested"), "{}", file.name);
+        }
+    }
+    let si = interface_files(&*results, "joint", InterfaceOptions::default(), Format::Csv, UnitSystem::Si)
+        .unwrap();
+    let rows = si[0].text.lines().filter(|line| !line.starts_with('#'));
+    let mut reader = csv::Reader::from_reader(rows.collect::<Vec<_>>().join("\n").leak().as_bytes());
+    let records: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
+    assert_eq!(records.len(), 30);
+    assert_eq!(records[0][0].parse::<f64>().unwrap(), 1e6);
+}
+
+#[test]
+fn loads_that_are_not_admissible_are_refused_or_marked() {
+    let spec = "law = \"zmc\"\nconductance = \"electrical\"\npressure = { from = \"1 kPa\", to = \"5 kPa\", points = 5 }";
+    let results = run(spec, &population(20_000)).unwrap();
+    let refused = interface_tables(&*results, InterfaceOptions::default()).unwrap_err();
+    assert!(refused.contains("0 admissible loads of 5") && refused.contains("--beyond"), "{refused}");
+    let beyond = InterfaceOptions { beyond: true, ..InterfaceOptions::default() };
+    let marked = &interface_tables(&*results, beyond).unwrap()[0];
+    assert!(marked.points.iter().all(|point| point.limits.contains("few-contacts")));
+    let of_reference = InterfaceOptions { model: TableModel::Reference, beyond: true };
+    let refused = interface_tables(&*results, of_reference).unwrap_err();
+    assert!(refused.contains("no load of the reference model"), "{refused}");
+}
