@@ -219,52 +219,74 @@ fn over_pressure(
     table.points.iter().filter_map(point).collect()
 }
 
-/// A surface interaction in keywords.
+/// Surface interactions in keywords. CalculiX reads numbers of at most 20 characters. Its version 2.20 knows a tabular overclosure with
+/// TYPE=NODE TO SURFACE only, and there takes no pressure into a conductance: heat has an interaction of its own.
 fn keywords(table: &InterfaceTable, name: &str, format: Format, units: UnitSystem, of: Of) -> String {
     let mut text = header(table, "**", format, units, of);
     let lead = units.length(table.points[0].pressure / table.first_stiffness);
+    let name = name.to_uppercase();
     let _ = writeln!(
         text,
-        "** Overclosure 0 is {lead:e} before the separation of the first load, from which a line of its stiffness leads here."
+        "** Overclosure 0 is {lead:.3e} further out than the separation of the first load; a line of its stiffness leads there."
     );
-    let _ = writeln!(text, "*SURFACE INTERACTION, NAME={}", name.to_uppercase());
+    if format == Format::Calculix {
+        let _ = writeln!(text, "** For contact pairs of TYPE=NODE TO SURFACE:");
+    }
+    let _ = writeln!(text, "*SURFACE INTERACTION, NAME={name}");
     text.push_str("*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR\n");
     for [closure, pressure] in curve(table, units, of) {
-        let _ = writeln!(text, "{pressure:e}, {closure:e}");
+        let _ = writeln!(text, "{pressure:.10e}, {closure:.10e}");
     }
     let thermal = over_pressure(table, units, of, |point| point.thermal);
-    if !thermal.is_empty() {
-        text.push_str(if format == Format::Abaqus {
-            "*GAP CONDUCTANCE, PRESSURE\n"
-        } else {
-            "*GAP CONDUCTANCE\n"
-        });
-        for [pressure, value] in without_load(&thermal) {
-            let _ = writeln!(text, "{:e}, {pressure:e}", units.thermal(value));
-        }
-    }
     let electrical = over_pressure(table, units, of, |point| point.electrical);
-    if !electrical.is_empty() && format == Format::Abaqus {
-        text.push_str("*GAP ELECTRICAL CONDUCTANCE, PRESSURE\n");
-        for [pressure, value] in without_load(&electrical) {
-            let _ = writeln!(text, "{:e}, {pressure:e}", units.electrical(value));
-        }
-    }
     let friction = over_pressure(table, units, of, |point| point.friction);
-    if let Some(&[_, middle]) = friction.get(friction.len() / 2) {
-        text.push_str("*FRICTION\n");
-        if format == Format::Abaqus {
-            for [pressure, value] in &friction {
-                let _ = writeln!(text, "{value:e}, 0., {pressure:e}");
-            }
-        } else {
-            let at = &table.points[friction.len() / 2];
-            let stick = units.stiffness(at.tangential.unwrap_or(table.first_stiffness));
-            text.push_str("** Coefficient and stick slope of the middle load: they do not depend on the pressure here.\n");
-            let _ = writeln!(text, "{middle:e}, {stick:e}");
+    if format == Format::Abaqus {
+        let scale = [UnitSystem::thermal, UnitSystem::electrical];
+        let keys = ["*GAP CONDUCTANCE, PRESSURE", "*GAP ELECTRICAL CONDUCTANCE, PRESSURE"];
+        for ((values, scale), key) in [thermal, electrical].iter().zip(scale).zip(keys) {
+            conductance(&mut text, key, values, &|value| scale(units, value));
         }
+        if !friction.is_empty() {
+            text.push_str("*FRICTION\n");
+        }
+        for [pressure, value] in friction {
+            let _ = writeln!(text, "{value:.10e}, 0., {pressure:.10e}");
+        }
+        return text;
+    }
+    let middle = &table.points[table.points.len() / 2];
+    let stick = friction.get(friction.len() / 2).map(|&[_, coefficient]| {
+        let stick = units.stiffness(middle.tangential.unwrap_or(table.first_stiffness));
+        format!(
+            "** Coefficient and stick slope of the middle load: here they do not depend on the pressure.\n*FRICTION\n\
+             {coefficient:.10e}, {stick:.10e}\n"
+        )
+    });
+    text.extend(stick.clone());
+    if !thermal.is_empty() {
+        let secant =
+            middle.pressure / (middle.closure.value + table.points[0].pressure / table.first_stiffness);
+        let _ = writeln!(
+            text,
+            "** For contact pairs of TYPE=SURFACE TO SURFACE that conduct heat: the pressure is linear in the closure.\n\
+             *SURFACE INTERACTION, NAME={name}-HEAT\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n{:.10e}",
+            units.stiffness(secant)
+        );
+        conductance(&mut text, "*GAP CONDUCTANCE", &thermal, &|value| units.thermal(value));
+        text.extend(stick);
     }
     text
+}
+
+/// The lines of a conductance: value and pressure, from no load on.
+fn conductance(text: &mut String, key: &str, values: &[[f64; 2]], scale: &dyn Fn(f64) -> f64) {
+    if values.is_empty() {
+        return;
+    }
+    let _ = writeln!(text, "{key}");
+    for [pressure, value] in without_load(values) {
+        let _ = writeln!(text, "{:.10e}, {pressure:.10e}", scale(value));
+    }
 }
 
 /// The same from no load on, at which nothing conducts.
@@ -281,7 +303,7 @@ fn moose(table: &InterfaceTable, units: UnitSystem, of: Of) -> String {
             return;
         }
         let values = |place: usize| {
-            points.iter().map(|point| format!("{:e}", point[place])).collect::<Vec<_>>().join(" ")
+            points.iter().map(|point| format!("{:.10e}", point[place])).collect::<Vec<_>>().join(" ")
         };
         let _ = writeln!(
             text,
@@ -318,7 +340,7 @@ fn comsol(table: &InterfaceTable, name: &str, units: UnitSystem, of: Of) -> Vec<
     let file = |function: &str, points: &[[f64; 2]]| {
         let mut text = header(table, "%", Format::Comsol, units, of);
         for [x, y] in points {
-            let _ = writeln!(text, "{x:e} {y:e}");
+            let _ = writeln!(text, "{x:.10e} {y:.10e}");
         }
         ExportedFile { name: format!("{name}-{function}.txt"), text }
     };
