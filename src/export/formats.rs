@@ -101,7 +101,7 @@ enum Of {
 
 impl Of {
     /// The value, and the ends where there are intervals.
-    fn of(table: &InterfaceTable) -> &'static [(Self, &'static str)] {
+    fn all_of(table: &InterfaceTable) -> &'static [(Self, &'static str)] {
         let has_intervals = table.points.iter().all(|point| point.closure.interval.is_some());
         let all = &[(Self::Value, ""), (Self::Low, "-low"), (Self::High, "-high")];
         if has_intervals { all } else { &all[..1] }
@@ -136,7 +136,7 @@ pub(super) fn files(
             text: keywords(table, &format!("{name}{ending}"), format, units, of),
         }],
     };
-    Of::of(table).iter().flat_map(of).collect()
+    Of::all_of(table).iter().flat_map(of).collect()
 }
 
 /// The header, each line after `comment`.

@@ -27,6 +27,9 @@ pub enum TableModel {
 }
 
 impl TableModel {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Statistical, Self::Deterministic, Self::Reference];
+
     fn kind(self) -> Option<ModelKind> {
         match self {
             Self::Statistical => Some(ModelKind::Statistical),

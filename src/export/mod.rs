@@ -22,22 +22,16 @@ pub struct ExportedFile {
     pub text: String,
 }
 
-/// The tables of all cases of a comparison as files in a format; `stem` begins their names.
-///
-/// # Errors
-/// Results that have no table; see [`interface_tables`].
+/// Tables of joints as files in a format; `stem` begins their names.
 pub fn interface_files(
-    results: &dyn asperity_contact_framework::Outcome,
+    tables: &[InterfaceTable],
     stem: &str,
-    options: InterfaceOptions,
     format: Format,
     units: UnitSystem,
-) -> Result<Vec<ExportedFile>, String> {
-    let tables = interface_tables(results, options)?;
-    let several = tables.len() > 1;
+) -> Vec<ExportedFile> {
     let files = tables.iter().flat_map(|table| {
-        let name = if several { format!("{stem}-{}", table.case) } else { stem.to_owned() };
+        let name = if tables.len() > 1 { format!("{stem}-{}", table.case) } else { stem.to_owned() };
         formats::files(table, &name, format, units)
     });
-    Ok(files.collect())
+    files.collect()
 }

@@ -295,8 +295,7 @@ fn a_table_of_a_joint_grows_from_its_first_load() {
         assert!(low <= point.closure.value && point.closure.value <= high);
     }
     for format in Format::ALL {
-        let files = interface_files(&*results, "joint", InterfaceOptions::default(), format, UnitSystem::Mm);
-        let files = files.unwrap();
+        let files = interface_files(&tables, "joint", format, UnitSystem::Mm);
         // The value and both ends of the intervals: of COMSOL three functions each.
         let expected = match format {
             Format::Csv => 1,
@@ -310,8 +309,7 @@ fn a_table_of_a_joint_grows_from_its_first_load() {
             assert_eq!(!is_tested, file.text.contains("Untested"), "{}", file.name);
         }
     }
-    let si = interface_files(&*results, "joint", InterfaceOptions::default(), Format::Csv, UnitSystem::Si)
-        .unwrap();
+    let si = interface_files(&tables, "joint", Format::Csv, UnitSystem::Si);
     let rows = si[0].text.lines().filter(|line| !line.starts_with('#'));
     let mut reader = csv::Reader::from_reader(rows.collect::<Vec<_>>().join("\n").leak().as_bytes());
     let records: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();

@@ -25,6 +25,10 @@ use crate::refuse;
 ///     Indentation hardness in Pa; without it the body never yields.
 /// yield_strength : float, optional
 ///     Yield strength in Pa, for the law ``jackson-green``.
+/// resistivity : float, optional
+///     Electrical resistivity in ohm m, for electrical conductances.
+/// thermal_conductivity : float, optional
+///     Thermal conductivity in W/(m K), for thermal conductances.
 ///
 /// Raises
 /// ------
@@ -43,9 +47,19 @@ pub struct Material(pub asperity::Material);
 #[pymethods]
 impl Material {
     #[new]
-    #[pyo3(signature = (young, poisson, *, hardness=None, yield_strength=None))]
-    fn new(young: f64, poisson: f64, hardness: Option<f64>, yield_strength: Option<f64>) -> PyResult<Self> {
-        asperity::Material::new(young, poisson, hardness, yield_strength).map(Self).map_err(refuse)
+    #[pyo3(signature = (young, poisson, *, hardness=None, yield_strength=None, resistivity=None, thermal_conductivity=None))]
+    fn new(
+        young: f64,
+        poisson: f64,
+        hardness: Option<f64>,
+        yield_strength: Option<f64>,
+        resistivity: Option<f64>,
+        thermal_conductivity: Option<f64>,
+    ) -> PyResult<Self> {
+        asperity::Material::new(young, poisson, hardness, yield_strength)
+            .and_then(|material| material.conducting(resistivity, thermal_conductivity))
+            .map(Self)
+            .map_err(refuse)
     }
 
     /// A material of the library, such as ``"steel-100Cr6"``; ``experiment materials`` lists them with their sources.
@@ -90,9 +104,27 @@ impl Material {
         self.0.yield_strength()
     }
 
+    /// Electrical resistivity in ohm m, or None.
+    #[getter]
+    fn resistivity(&self) -> Option<f64> {
+        self.0.resistivity()
+    }
+
+    /// Thermal conductivity in W/(m K), or None.
+    #[getter]
+    fn thermal_conductivity(&self) -> Option<f64> {
+        self.0.thermal_conductivity()
+    }
+
     fn __repr__(&self) -> String {
         let mut text = format!("Material(young={:e}, poisson={}", self.0.young(), self.0.poisson());
-        for (name, value) in [("hardness", self.hardness()), ("yield_strength", self.yield_strength())] {
+        let others = [
+            ("hardness", self.hardness()),
+            ("yield_strength", self.yield_strength()),
+            ("resistivity", self.resistivity()),
+            ("thermal_conductivity", self.thermal_conductivity()),
+        ];
+        for (name, value) in others {
             if let Some(value) = value {
                 text += &format!(", {name}={value:e}");
             }

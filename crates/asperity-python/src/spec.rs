@@ -8,6 +8,10 @@ use asperity_contact_framework::report::store::Store;
 use asperity_contact_framework::report::table::{Table as Cells, Tables};
 use asperity_contact_framework::{Outcome, folder, summary_json};
 use asperity_experiment::Experiment;
+use asperity_experiment::export::{
+    ExportedFile, Format, InterfaceOptions, InterfaceTable, TableModel, UnitSystem, interface_files,
+    interface_tables,
+};
 use asperity_experiment::kind::KINDS;
 use indexmap::IndexMap;
 use pyo3::IntoPyObjectExt;
@@ -146,6 +150,44 @@ pub struct Run {
     warnings: Vec<String>,
     #[pyo3(get)]
     report: Option<PathBuf>,
+    /// Joints for other programs; those of parts have none.
+    interfaces: Option<Interfaces>,
+}
+
+/// Name of a report and its joints by model, with and without loads that are not admissible.
+struct Interfaces {
+    stem: String,
+    tables: Vec<(InterfaceOptions, Result<Vec<InterfaceTable>, String>)>,
+}
+
+impl Interfaces {
+    fn new(stem: &str, outcome: &dyn Outcome) -> Self {
+        let all = TableModel::ALL.into_iter().flat_map(|model| [false, true].map(|beyond| (model, beyond)));
+        let table = |(model, beyond)| {
+            let options = InterfaceOptions { model, beyond };
+            (options, interface_tables(outcome, options))
+        };
+        Self { stem: stem.to_owned(), tables: all.map(table).collect() }
+    }
+
+    fn files(
+        &self,
+        options: InterfaceOptions,
+        format: Format,
+        units: UnitSystem,
+    ) -> PyResult<Vec<ExportedFile>> {
+        let found = self.tables.iter().find(|(those, _)| *those == options).map(|(_, tables)| tables);
+        let tables = found.ok_or_else(|| refuse("found no such table"))?.as_ref();
+        Ok(interface_files(tables.map_err(refuse)?, &self.stem, format, units))
+    }
+}
+
+/// The one of `all` with a name.
+fn named<T: Copy>(key: &str, all: &[T], name: impl Fn(T) -> &'static str, wanted: &str) -> PyResult<T> {
+    all.iter().copied().find(|one| name(*one) == wanted).ok_or_else(|| {
+        let allowed: Vec<&str> = all.iter().copied().map(&name).collect();
+        refuse(format!("{key}: found \"{wanted}\"; allowed: {}", allowed.join(", ")))
+    })
 }
 
 /// What [`Run`] is made of: kind, files by name, summary, warnings, report.
@@ -174,7 +216,7 @@ impl Run {
             Ok(Arc::new(Cells::read(schema, &content).map_err(refuse)?))
         };
         let tables: PyResult<Vec<_>> = csv.iter().map(table).collect();
-        Ok(Self { kind: found.name(), tables: tables?, summary, warnings, report })
+        Ok(Self { kind: found.name(), tables: tables?, summary, warnings, report, interfaces: None })
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Parts<'py>)> {
@@ -191,6 +233,28 @@ impl Run {
         let dict = PyDict::new(py);
         for table in &self.tables {
             dict.set_item(table.schema.file, PyBytes::new(py, &table.csv().map_err(refuse)?))?;
+        }
+        Ok(dict)
+    }
+
+    /// The joint for other programs: files by name.
+    fn interface_files<'py>(
+        &self,
+        py: Python<'py>,
+        format: &str,
+        model: &str,
+        units: &str,
+        beyond: bool,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let format = named("format", &Format::ALL, Format::name, format)?;
+        let model = named("model", &TableModel::ALL, TableModel::name, model)?;
+        let units = named("units", &UnitSystem::ALL, UnitSystem::name, units)?;
+        let interfaces = self.interfaces.as_ref().ok_or_else(|| {
+            refuse("found results of another process or of a file; allowed: results of asperity.run or asperity.compare here")
+        })?;
+        let dict = PyDict::new(py);
+        for file in interfaces.files(InterfaceOptions { model, beyond }, format, units)? {
+            dict.set_item(file.name, file.text)?;
         }
         Ok(dict)
     }
@@ -291,5 +355,6 @@ fn finish(
         tables: tables.into_iter().map(Arc::new).collect(),
         warnings: outcome.warnings(),
         report,
+        interfaces: Some(Interfaces::new(experiment.stem(), &*outcome)),
     })
 }

@@ -3,7 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use asperity_experiment::Experiment;
-use asperity_experiment::export::{Format, InterfaceOptions, TableModel, UnitSystem, interface_files};
+use asperity_experiment::export::{
+    Format, InterfaceOptions, TableModel, UnitSystem, interface_files, interface_tables,
+};
 use clap::Subcommand;
 use clap::builder::PossibleValuesParser;
 
@@ -20,7 +22,7 @@ pub enum Export {
         #[arg(long, value_parser = PossibleValuesParser::new(Format::ALL.map(Format::name)), default_value = "csv")]
         format: String,
         /// The model of the table
-        #[arg(long, value_parser = PossibleValuesParser::new(MODELS.map(TableModel::name)), default_value = "deterministic")]
+        #[arg(long, value_parser = PossibleValuesParser::new(TableModel::ALL.map(TableModel::name)), default_value = "deterministic")]
         model: String,
         /// si (m, Pa, W) or mm (mm, MPa, mW)
         #[arg(long, value_parser = PossibleValuesParser::new(UnitSystem::ALL.map(UnitSystem::name)), default_value = "si")]
@@ -43,9 +45,6 @@ pub enum Export {
     },
 }
 
-/// The models of tables.
-const MODELS: [TableModel; 3] = [TableModel::Statistical, TableModel::Deterministic, TableModel::Reference];
-
 /// The one of a list with a name; the first where the command line has checked it.
 fn named<T: Copy>(all: &[T], name: impl Fn(T) -> &'static str, wanted: &str) -> T {
     all.iter().copied().find(|one| name(*one) == wanted).unwrap_or(all[0])
@@ -59,7 +58,7 @@ impl Export {
     pub fn run(self) -> Result<(), Failure> {
         let Self::Interface { spec, format, model, units, beyond, out, force, threads, quiet } = self;
         let format = named(&Format::ALL, Format::name, &format);
-        let model = named(&MODELS, TableModel::name, &model);
+        let model = named(&TableModel::ALL, TableModel::name, &model);
         let units = named(&UnitSystem::ALL, UnitSystem::name, &units);
         let options = RunOptions { out, force, threads, quiet };
         set_threads(&options)?;
@@ -71,7 +70,8 @@ impl Export {
         let results = watched(experiment.stem(), &options, |progress| experiment.run(progress))?;
         let of = InterfaceOptions { model, beyond };
         let refuse = |message: String| Failure::Input(format!("{}: {message}", spec.display()));
-        let files = interface_files(&*results, experiment.stem(), of, format, units).map_err(refuse)?;
+        let tables = interface_tables(&*results, of).map_err(refuse)?;
+        let files = interface_files(&tables, experiment.stem(), format, units);
         let paths: Vec<PathBuf> = files.iter().map(|file| options.out.join(&file.name)).collect();
         if let Some(path) = paths.iter().find(|path| !options.force && path.exists()) {
             return Err(Failure::Input(format!(

@@ -25,8 +25,8 @@ class Answer:
     sentence : str
         The answer in one or two sentences.
     lines : dict of str to str
-        The card of one case by ``result``, ``answer``, ``difference``, ``why``, ``instead``, ``nearer`` and ``certainty``, as far as
-        each has something to say; empty of several cases.
+        The card of one case by ``result``, ``conductance``, ``friction``, ``answer``, ``difference``, ``why``, ``instead``,
+        ``nearer`` and ``certainty``, as far as each has something to say; empty of several cases.
     labels : dict of str to str
         The labels of these lines.
     """
@@ -117,6 +117,39 @@ class Results:
     def attribution(self) -> Table | None:
         """The difference between the models divided among its causes: ``attribution.csv``."""
         return self.tables.get("attribution")
+
+    def to_interface_table(
+        self,
+        format: str = "csv",
+        *,
+        model: str = "deterministic",
+        units: str = "si",
+        beyond: bool = False,
+    ) -> dict[str, str]:
+        """The joint for other programs: pressure over closure, conductance and friction over pressure, as far as they were asked for.
+
+        Parameters
+        ----------
+        format : {"csv", "abaqus", "calculix", "moose", "comsol"}
+            Program that reads it; a file that was not run in its program says *untested*.
+        model : {"statistical", "deterministic", "reference"}
+            The model of the table.
+        units : {"si", "mm"}
+            m, Pa and W, or mm, MPa and mW.
+        beyond : bool
+            Whether loads that are not admissible are in it, marked.
+
+        Returns
+        -------
+        dict of str to str
+            Files by name: of the values and of the ends of their 95 % intervals, as ``experiment export interface`` writes them.
+
+        Raises
+        ------
+        ValueError
+            Results without loads or of fewer than two admissible ones, or results that come from another process.
+        """
+        return self._run.interface_files(format, model, units, beyond)
 
     def __repr__(self) -> str:
         return f"<Results of {self.kind}: {', '.join(self.tables)}>"
@@ -212,6 +245,8 @@ def _material(material: Material) -> dict[str, Any]:
             "poisson": material.poisson,
             "hardness": _in("Pa", material.hardness),
             "yield_strength": _in("Pa", material.yield_strength),
+            "resistivity": _in("ohm m", material.resistivity),
+            "thermal_conductivity": _in("W/(m K)", material.thermal_conductivity),
         }
     )
 
@@ -236,6 +271,25 @@ def _spec(interface: Interface, surface: Surface | Mapping[str, Surface]) -> tup
     return {"title": "Comparison", "material": materials, "compare": compare}, surfaces
 
 
+def _ask(quantities: Sequence[str], options: dict[str, Any]) -> None:
+    """Adds to options of ``[compare]`` what asks for the quantities."""
+    conductances = {f"{name}-conductance": name for name in ("electrical", "thermal")}
+    allowed = [*conductances, "friction"]
+    for quantity in [quantities] if isinstance(quantities, str) else quantities:
+        if quantity not in allowed:
+            raise ValueError(f"quantities: found {quantity!r}; allowed: {', '.join(allowed)}")
+        if quantity == "friction" and "shear_strength" not in options:
+            raise ValueError(
+                "quantities: found 'friction' without a shear strength; allowed: with shear_strength, such as "
+                "{'tau0': 20e6, 'alpha': 0.05}"
+            )
+        if quantity in conductances:
+            name, asked = conductances[quantity], options.get("conductance", {})
+            if not isinstance(asked, Mapping):
+                asked = dict.fromkeys([asked] if isinstance(asked, str) else asked, {})
+            options["conductance"] = {name: {}, **asked}
+
+
 def compare(
     surface: Surface | Mapping[str, Surface],
     interface: Interface,
@@ -243,6 +297,7 @@ def compare(
     separations: Sequence[float] | Mapping[str, Any] | None = None,
     pressures: Sequence[float] | Mapping[str, Any] | None = None,
     forces: Sequence[float] | Mapping[str, Any] | None = None,
+    quantities: Sequence[str] = (),
     seed: int = 0,
     title: str = "Comparison",
     name: str = "asperity",
@@ -261,13 +316,18 @@ def compare(
         d/sigma, or ``{"from": 4, "to": 0, "points": 41}``. At least one of separations, pressures and forces is needed.
     pressures, forces : sequence or dict, optional
         Nominal pressures in Pa; forces on the nominal area in N.
+    quantities : sequence of str
+        What is compared besides separation, area and stiffness: ``"electrical-conductance"`` and ``"thermal-conductance"``, of
+        materials with a resistivity or thermal conductivity, and ``"friction"``, with ``shear_strength``.
     seed : int
         Every random number is drawn from it.
     title, name, report
         Title of the report, name of its folder, and the folder in which it is written, if any.
     **options
         Further keys of ``[compare]``, with ``_`` for ``-``: ``models``, ``reference``, ``statistical``, ``accept``,
-        ``robustness``, ``attribution``, ``rank_models``, ``tolerance``, ``lines``; ``nominal_area`` in m^2.
+        ``robustness``, ``attribution``, ``rank_models``, ``tolerance``, ``lines``; ``nominal_area`` in m^2;
+        ``shear_strength={"tau0": 20e6, "alpha": 0.05}`` with ``tau0`` in Pa; ``conductance`` with films and the medium in
+        the gap, such as ``{"thermal": {"gap-conductivity": "0.026 W/(m K)"}}``.
 
     Returns
     -------
@@ -293,6 +353,9 @@ def compare(
     spec["compare"].update(keys(sweeps))
     if "nominal_area" in options:
         options["nominal_area"] = _all_in("m^2", options["nominal_area"])
+    if isinstance(strength := options.get("shear_strength"), Mapping) and "tau0" in strength:
+        options["shear_strength"] = {**strength, "tau0": _all_in("Pa", strength["tau0"])}
+    _ask(quantities, options)
     spec["compare"].update(keys(options))
     spec.update(seed=seed, title=title)
     return run(spec, surfaces=surfaces, name=name, report=report)

@@ -114,6 +114,9 @@ impl PointResult {
     }
 }
 
+/// Points by their model, `None` that of the reference.
+type PointsOfModels = Vec<(Option<ModelKind>, PointResult)>;
+
 impl CaseResults {
     /// Whether each model, and the reference, was asked for one point only, so that its curves are points.
     pub fn is_single(&self) -> bool {
@@ -125,7 +128,7 @@ impl CaseResults {
     }
 
     /// What was computed at the nominal pressure `pressure` (Pa) of a pair.
-    fn at_load(&self, pressure: f64) -> Vec<(Option<ModelKind>, PointResult)> {
+    fn at_load(&self, pressure: f64) -> PointsOfModels {
         let pair = self.comparison.pairs_at_load().find(|pair| pair.target == pressure);
         let models = pair.into_iter().flat_map(|pair| {
             [(ModelKind::Statistical, &pair.statistical), (ModelKind::Deterministic, &pair.deterministic)]
@@ -136,7 +139,7 @@ impl CaseResults {
     }
 
     /// What was computed at the middle point of each curve, by the load.
-    fn in_the_middle(&self) -> Vec<(Option<ModelKind>, PointResult)> {
+    fn in_the_middle(&self) -> PointsOfModels {
         let middle = |kind: ModelKind| {
             let of_model = self.comparison.curves.iter().filter(|point| point.kind == kind);
             let mut points: Vec<&CurvePoint> = of_model.collect();
@@ -173,14 +176,12 @@ impl CaseStudy {
     fn results_of(
         &self,
         at: Option<&Difference>,
-        of_realisation: &dyn Fn(&CaseResults) -> Vec<(Option<ModelKind>, PointResult)>,
+        of_realisation: &dyn Fn(&CaseResults) -> PointsOfModels,
     ) -> LoadResults {
-        let each: Vec<Vec<(Option<ModelKind>, PointResult)>> =
-            self.realisations.iter().map(of_realisation).collect();
+        let each: Vec<PointsOfModels> = self.realisations.iter().map(of_realisation).collect();
         let model = |&(model, _): &(Option<ModelKind>, PointResult)| {
-            let of_model = |all: &Vec<(Option<ModelKind>, PointResult)>| {
-                all.iter().find(|(other, _)| *other == model).map(|(_, point)| *point)
-            };
+            let of_model =
+                |all: &PointsOfModels| all.iter().find(|(other, _)| *other == model).map(|(_, point)| *point);
             let points: Vec<PointResult> = each.iter().map(of_model).collect::<Option<_>>()?;
             let point = PointResult::mean(&points)?;
             let of_models = at.map_or([None; 2], |at| at.of_models);

@@ -1,11 +1,15 @@
 //! The models against vectors computed at 40 digits from the published equations alone
 //! (`tests/reference/README.md`). Every published claim of accuracy is one of these tests.
 
-use crate::common::{Worst, bare_contact, rows};
+use crate::common::{Row, Worst, bare_contact, rows};
 use asperity::numeric::Interval;
+use asperity::spot::{
+    Conduction, Correlation, Joint, SpotProperties, SpotQuantity, Tangential, cluster_conductance,
+};
 use asperity::{
-    Ceb, Contact, Heights, JacksonGreen, KogutEtsion, Law, LoadBounds, Material, MicroContact, Model, Pair,
-    Paper, Population, Regime, ScalableLaw, Shape, Shapes, Statistical, YieldLimits, Zmc,
+    Ceb, Contact, Flat, Heights, Hertz, JacksonGreen, KogutEtsion, Law, LoadBounds, Material, MicroContact,
+    Model, Pair, Paper, Population, Regime, ScalableLaw, Shape, Shapes, Statistical, WithSpots, YieldLimits,
+    Zmc,
 };
 
 /// The worst error of a law over zmc.csv, given how it is made from a row's transition ratio.
@@ -231,4 +235,56 @@ fn the_references_bite() {
         let [near, _] = statistical_error(contact);
         assert!(near.error() > 1e-10, "breakpoint {forgotten}: {:e}", near.error());
     }
+}
+
+/// The worst error over the rows of conductance.csv of one kind.
+fn conductance_error(what: &str, value: impl Fn(&Row) -> f64) -> Worst {
+    let mut worst = Worst::default();
+    for (k, row) in rows("conductance").iter().enumerate().filter(|(_, row)| row.text("what") == what) {
+        worst.see(value(row), row.number("value"), || format!("{what} of row {k}"));
+    }
+    worst
+}
+
+#[test]
+fn conductances_and_tangential_stiffness() {
+    let of =
+        |row: &Row| Conduction::new(["resistivity_1", "resistivity_2"].map(|key| row.number(key))).unwrap();
+    let filmed = |row: &Row| of(row).with_film(row.number("film")).unwrap();
+    conductance_error("circle", |row| filmed(row).conductance(row.number("area"), 1.0))
+        .assert_within(1e-15, 40);
+    let ellipse = |row: &Row| {
+        let shape = Shape::ellipse(1.0, row.number("curvature_ratio"));
+        filmed(row).conductance(row.number("area"), shape.spheres)
+    };
+    conductance_error("ellipse", ellipse).assert_within(1e-13, 40);
+    let integral = |row: &Row| {
+        let [radius, sigma, density] = ["radius", "sigma", "density"].map(|key| row.number(key));
+        let steel = Material::new(210e9, 0.3, None, None).unwrap();
+        let properties = SpotProperties { electrical: Some(of(row)), ..SpotProperties::default() };
+        let contact = WithSpots::new(Flat::Bare(steel).under(Hertz, &steel).unwrap(), properties);
+        let population = Population { radius, sigma, density, heights: Heights::GAUSSIAN };
+        let response = Statistical::new(&contact, population).respond(row.number("separation"));
+        response.spots[SpotQuantity::ElectricalConductance as usize]
+    };
+    conductance_error("greenwood-williamson", integral).assert_within(1e-13, 12);
+    let tangential = |row: &Row| {
+        let body =
+            |young, poisson| Material::new(row.number(young), row.number(poisson), None, None).unwrap();
+        let pair = Tangential::new(&body("young_1", "poisson_1"), &body("young_2", "poisson_2"));
+        pair.stiffness(row.number("area"), 1.0)
+    };
+    conductance_error("tangential", tangential).assert_within(1e-15, 20);
+    let two_spots = |row: &Row| {
+        let [a, b, distance] = ["radius", "radius_2", "distance"].map(|key| row.number(key));
+        cluster_conductance(&[(a, [0.0; 2]), (b, [0.0, distance])])
+    };
+    conductance_error("two-spots", two_spots).assert_within(1e-15, 20);
+    let correlation = |row: &Row| {
+        let [sigma, slope, hardness] = ["sigma", "slope", "hardness"].map(|key| row.number(key));
+        let joint = Joint { sigma, slope, modulus: 1e11, hardness };
+        let found = Correlation::CooperMikicYovanovich.conductance(&joint, row.number("pressure")).unwrap();
+        found / of(row).resistivity()
+    };
+    conductance_error("cooper-mikic-yovanovich", correlation).assert_within(2e-15, 20);
 }
