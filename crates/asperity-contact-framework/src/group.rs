@@ -11,6 +11,8 @@ pub enum Group {
     Paper,
     /// Layers.
     Layers,
+    /// Joints: what the contact conducts and how it resists sliding.
+    Joints,
     /// Contact laws.
     Laws,
     /// Why the models differ.
@@ -23,14 +25,15 @@ pub enum Group {
 
 impl Group {
     /// All groups, in the order of the index.
-    pub const ALL: [Self; 6] =
-        [Self::Paper, Self::Layers, Self::Laws, Self::Why, Self::RealityCheck, Self::Trust];
+    pub const ALL: [Self; 7] =
+        [Self::Paper, Self::Layers, Self::Joints, Self::Laws, Self::Why, Self::RealityCheck, Self::Trust];
 
     /// Its heading in the index.
     pub fn title(self) -> &'static str {
         match self {
             Self::Paper => "The paper",
             Self::Layers => "Layers",
+            Self::Joints => "Conductance and friction",
             Self::Laws => "Laws",
             Self::Why => "Why the models differ",
             Self::RealityCheck => "Reality check",

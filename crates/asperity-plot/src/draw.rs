@@ -90,7 +90,8 @@ fn row(canvas: &mut Canvas, plots: &[&Plot], columns: Option<usize>, width: f64,
     for (plots, sketches) in plots.chunks(columns).zip(sketches.chunks(columns)) {
         let head = sketches.iter().map(Layout::head).fold(0.0, f64::max);
         let has_legend = !is_shared && grid.is_none();
-        let ends = sketches.iter().zip(&margins).enumerate().map(|(k, (layout, &margins))| {
+        let cells = sketches.iter().zip(&margins).enumerate();
+        let ends = cells.filter(|(_, (layout, _))| !layout.plot.is_blank()).map(|(k, (layout, &margins))| {
             layout.draw(canvas, (each * k as f64, height), margins, head, has_legend)
         });
         height = ends.fold(height, f64::max);

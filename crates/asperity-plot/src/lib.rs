@@ -160,6 +160,15 @@ impl Plot {
         Self { title, x, y, layers: Vec::new(), legend: Legend::Auto, height: 380.0, equal: false }
     }
 
+    /// A cell of a [`Figure::grid`] that stays empty.
+    pub fn blank() -> Self {
+        Self { height: 0.0, ..Self::new("", Axis::linear(""), Axis::linear("")) }
+    }
+
+    fn is_blank(&self) -> bool {
+        self.height == 0.0 && self.layers.is_empty()
+    }
+
     /// The same plot with another title.
     pub fn titled(self, title: impl Into<String>) -> Self {
         Self { title: title.into(), ..self }

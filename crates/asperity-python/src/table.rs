@@ -9,10 +9,11 @@ use pyo3::types::{PyDict, PyList};
 use std::sync::Arc;
 
 thread_local! {
-    /// The columns of `curves.csv` from the model on: those before are of a spec with several surfaces.
+    /// The columns of `curves.csv` from the model on, as far as models alone have them: those before are of a spec with several surfaces.
     static CURVES: Vec<Column<CurveRow>> = {
         let columns = CurveRow::columns().into_iter();
-        columns.skip_while(|column| column.heading.name != "model").collect()
+        let of_models = columns.skip_while(|column| column.heading.name != "model");
+        of_models.filter(|column| column.heading.part.is_none()).collect()
     };
 }
 

@@ -180,7 +180,9 @@ impl Prefix {
 
     /// A unit with the prefix of a name.
     pub fn named(name: &str, unit: &str) -> Self {
-        let step = if unit.ends_with('²') { 6 } else { 3 };
+        // Of a square, not of a compound unit: a prefix is that of its first unit.
+        let is_square = unit.ends_with('²') && !unit.contains('/');
+        let step = if is_square { 6 } else { 3 };
         let place = PREFIXES.iter().position(|prefix| *prefix == name);
         let size = place.map_or(1.0, |place| 10f64.powi(step * (place as i32 - 5)));
         Self { name: format!("{name}{unit}"), size }
@@ -300,6 +302,9 @@ mod tests {
         assert_eq!(prefix(2.5e-7, "m²"), ("µm²".to_owned(), 1e-12));
         assert_eq!(prefix(6e10, "1/m²"), ("1/m²".to_owned(), 1.0));
         assert_eq!(prefix(0.0, "Pa"), ("Pa".to_owned(), 1.0));
+        let named = |name, unit| (Prefix::named(name, unit).name, Prefix::named(name, unit).size);
+        assert_eq!(named("m", "m²"), ("mm²".to_owned(), 1e-6));
+        assert_eq!(named("M", "S/m²"), ("MS/m²".to_owned(), 1e6));
         assert_eq!([1.234, 0.0, -2.0].map(signed), ["+1.23", "0", "-2"]);
     }
 

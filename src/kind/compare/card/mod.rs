@@ -103,7 +103,11 @@ impl<'a> Card<'a> {
             line("difference", "Difference", one(self.difference(at))),
             line("why", "Why", one(self.cause(at))),
             line("instead", "Use instead", one(self.instead(at))),
-            line("nearer", "Nearer to boundary elements", one(self.nearer(at))),
+            line(
+                "nearer",
+                "Nearer to boundary elements",
+                [self.nearer(at), self.nearer_in_conductance(at)].into_iter().flatten().collect(),
+            ),
             line("certainty", "How sure", one(self.certainty(at))),
         ];
         lines.into_iter().flatten().collect()

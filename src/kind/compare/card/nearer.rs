@@ -36,7 +36,7 @@ impl Nearer {
 impl Card<'_> {
     /// `None` where it was not computed, no such load is admissible, or the map is not fit.
     pub(super) fn nearer_over_loads(&self) -> Option<Nearer> {
-        let stretches = self.nearer_by_load();
+        let stretches = self.nearer_by_load(ComparedQuantity::Area);
         if self.verdicts().is_blocked || stretches.is_empty() {
             return None;
         }
@@ -49,19 +49,19 @@ impl Card<'_> {
         })
     }
 
-    /// Stretches of load (Pa) in their order, and which model is nearer over each in contact area.
-    fn nearer_by_load(&self) -> Vec<([f64; 2], Option<ModelKind>)> {
+    /// Stretches of load (Pa) in their order, and which model is nearer over each.
+    fn nearer_by_load(&self, compared: ComparedQuantity) -> Vec<([f64; 2], Option<ModelKind>)> {
         let is_one_map = self.verdicts().has_one_surface();
         let all = self.verdicts().reference.iter().flat_map(|reference| &reference.nearer);
         // Others hold for lower surfaces of the same shape.
-        let is_area = |one: &&NearerStretch| one.quantity == ComparedQuantity::Area && one.beyond.is_none();
+        let is_compared = |one: &&NearerStretch| one.quantity == compared && one.beyond.is_none();
         let nearer = |one: &NearerStretch| if is_one_map { one.nearer_here } else { one.nearer };
-        let mut stretches: Vec<_> = all.filter(is_area).map(|one| (one.loads, nearer(one))).collect();
+        let mut stretches: Vec<_> = all.filter(is_compared).map(|one| (one.loads, nearer(one))).collect();
         stretches.sort_by(|(a, _), (b, _)| a[0].total_cmp(&b[0]));
         stretches
     }
 
-    /// In contact area: "The sum, from 1 to 40 MPa; at 5 MPa it differs by -5 %, the integral by +82 %."
+    /// In contact area, or why that is not told.
     pub(super) fn nearer(&self, at: &Difference) -> Option<String> {
         if self.state(at) == State::Unfit {
             return None;
@@ -78,7 +78,24 @@ impl Card<'_> {
         let Some(reference) = &self.verdicts().reference else {
             return Some("Not told: no load was compared with them.".to_owned());
         };
-        let stretches = self.nearer_by_load();
+        let elastic = if reference.yields && curve.cap.is_none() { " (elastic ones)" } else { "" };
+        let area = self.nearer_in(ComparedQuantity::Area, &format!("contact area{elastic}"), at.load);
+        Some(area.unwrap_or_else(|| "Not told: no load of theirs is admissible.".to_owned()))
+    }
+
+    /// The same in the conductance that is asked for; of both the electrical one.
+    pub(super) fn nearer_in_conductance(&self, at: &Difference) -> Option<String> {
+        let conductances = [ComparedQuantity::ElectricalConductance, ComparedQuantity::ThermalConductance];
+        let is_told = !matches!(self.state(at), State::Unfit);
+        conductances
+            .into_iter()
+            .filter(|_| is_told)
+            .find_map(|one| self.nearer_in(one, "conductance", at.load))
+    }
+
+    /// "In contact area the sum, from 1 to 40 MPa; at this load sum -5 %, integral +82 % against them."; `None` without admissible loads.
+    fn nearer_in(&self, compared: ComparedQuantity, name: &str, load: f64) -> Option<String> {
+        let stretches = self.nearer_by_load(compared);
         let said = [
             (Some(ModelKind::Deterministic), "the sum"),
             (Some(ModelKind::Statistical), "the integral"),
@@ -92,27 +109,27 @@ impl Card<'_> {
         });
         let parts: Vec<String> = parts.collect();
         if parts.is_empty() {
-            return Some("Not told: no load of theirs is admissible.".to_owned());
+            return None;
         }
-        let sizes = self.sizes_against_reference(at.load).map_or_else(String::new, |[integral, sum]| {
-            format!("; at this load sum {sum}, integral {integral} against them")
-        });
-        let elastic = if reference.yields && curve.cap.is_none() { " (elastic ones)" } else { "" };
+        let sizes =
+            self.sizes_against_reference(compared, load).map_or_else(String::new, |[integral, sum]| {
+                format!("; at this load sum {sum}, integral {integral} against them")
+            });
         let nearest = parts.join("; ");
         Some(fitting([
-            format!("In contact area{elastic} {nearest}{sizes}."),
-            format!("In contact area{elastic} {nearest}."),
-            format!("It changes with the load{sizes}."),
+            format!("In {name} {nearest}{sizes}."),
+            format!("In {name} {nearest}."),
+            format!("In {name} it changes with the load{sizes}."),
         ]))
     }
 
-    /// The differences of integral and sum in area from the reference at a load.
-    fn sizes_against_reference(&self, load: f64) -> Option<[String; 2]> {
+    /// The differences of integral and sum in a quantity from the reference at a load.
+    fn sizes_against_reference(&self, compared: ComparedQuantity, load: f64) -> Option<[String; 2]> {
         let models = &self.verdicts().reference.as_ref()?.against.models;
         let size = |model: usize| {
             let at = models[model].iter().find(|at| at.load == load)?;
-            let contrast = at.estimates[ComparedQuantity::Area as usize]?.contrast;
-            Some(size_in_signs(ComparedQuantity::Area, [contrast; 2]))
+            let contrast = at.estimates[compared as usize]?.contrast;
+            Some(size_in_signs(compared, [contrast; 2]))
         };
         Some([size(0)?, size(1)?])
     }

@@ -11,8 +11,8 @@ use super::{Card, area};
 use crate::model_tables::REFERENCE;
 
 impl Card<'_> {
-    /// "Thermal: 52 kW/(m² K), 4.8 K/W on 4 mm² (sum; 95 % interval 48 to 56); integral +3 %, boundary elements +12 %." for each conductance
-    /// that is asked for, then how far the nearest correlation in use is off.
+    /// "Thermal: 52 kW/(m² K), 19.2 mm² K/W, 4.8 K/W on 4 mm² (sum; 95 % interval 48 to 56); integral +3 %, boundary elements +12 %." for each
+    /// conductance that is asked for, then how far the nearest correlation in use is off.
     pub(super) fn conductances(&self) -> Vec<String> {
         let of = [
             (ComparedQuantity::ElectricalConductance, "Electrical"),
@@ -49,17 +49,28 @@ impl Card<'_> {
             _ => ("kW/(m² K)", 1e-3),
         };
         let shown = |value: f64| number(scale * value);
-        let resistance = (value * self.load_area).recip();
-        let whole = match compared {
-            ComparedQuantity::ElectricalConductance => quantity(resistance, "Ω"),
-            _ => quantity(resistance, "K/W"),
+        let resistance = value.recip();
+        let (of_area, whole) = match compared {
+            ComparedQuantity::ElectricalConductance => (
+                format!("{} cm²", quantity(1e4 * resistance, "Ω")),
+                quantity(resistance / self.load_area, "Ω"),
+            ),
+            _ => (
+                format!("{} mm² K/W", number(1e6 * resistance)),
+                quantity(resistance / self.load_area, "K/W"),
+            ),
         };
-        let on = format!(", {whole} on {}", area(self.load_area));
+        // The area of a map is seldom that of the joint.
+        let on = if self.load_area == self.surface.set.nominal_area() {
+            String::new()
+        } else {
+            format!(", {whole} on {}", area(self.load_area))
+        };
         let interval = interval(model, compared, &shown);
         let others = others(&at_load.models, model, compared);
         let text = |on: &str| {
             let model = model_name(model.model);
-            format!("{name}: {} {unit}{on} ({model}{interval}){others}.", shown(value))
+            format!("{name}: {} {unit}, {of_area}{on} ({model}{interval}){others}.", shown(value))
         };
         Some(fitting([text(&on), text("")]))
     }

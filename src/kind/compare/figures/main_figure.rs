@@ -93,6 +93,12 @@ fn correlations(case: SurfaceCase, quantity: ComparedQuantity, setting: &Setting
     Correlation::ALL.into_iter().filter_map(line).collect()
 }
 
+/// Cells of a row of a grid, with empty ones at its end; none of none.
+fn filled(cells: &[Plot], columns: usize) -> Vec<Plot> {
+    let blank = if cells.is_empty() { 0 } else { columns - cells.len() };
+    cells.iter().cloned().chain((0..blank).map(|_| Plot::blank())).collect()
+}
+
 /// Panels beside each other.
 const COLUMNS: usize = 3;
 
@@ -133,9 +139,9 @@ fn figure(results: &CompareResults, case: SurfaceCase) -> Figure {
     let title = format!("{}: both models against load, and their differences", case.name(results));
     // Quantities that are asked for beyond the first three are below these.
     let columns = quantities.len().min(COLUMNS);
-    let rows = curves.chunks(COLUMNS).enumerate().flat_map(|(index, row)| {
-        let below = below.chunks(COLUMNS).nth(index).unwrap_or(&[]);
-        [row, below].concat()
+    let rows = curves.chunks(columns).enumerate().flat_map(|(index, row)| {
+        let below = below.chunks(columns).nth(index).unwrap_or(&[]);
+        [row, below].map(|cells| filled(cells, columns)).concat()
     });
     Figure::grid(title, columns, rows.collect())
 }

@@ -238,12 +238,13 @@ const Chart = (() => {
       const sync = uPlot.sync(this.figure.id);
       // All panels stand before the first is drawn, so that each has its width.
       const holders = this.data.panels.map(panel => {
-        const holder = element("div");
+        const holder = element("div", panel.height ? {} : { className: "blank" });
         if (panel.title) holder.append(element("h4", {}, ...typeset(panel.title)));
         this.panels.append(holder);
         return holder;
       });
-      this.plots = this.data.panels.map((panel, k) => this.panel(panel, k, holders[k], sync));
+      // An empty cell has no height.
+      this.plots = this.data.panels.flatMap((panel, k) => (panel.height ? [this.panel(panel, k, holders[k], sync)] : []));
     }
 
     panel(panel, k, holder, sync) {
