@@ -117,8 +117,8 @@ mod tests {
     use crate::law::{Hertz, Zmc};
     use crate::material::Material;
     use crate::model::{Deterministic, Model, ReferencePlane, Response, Statistical, at_pressure};
+    use crate::reduced_modulus;
     use crate::spot::{BrokenFilm, Conduction, Shear, ShearStrength, SpotQuantity};
-    use crate::{Law, reduced_modulus};
 
     fn steel() -> Material {
         Material::new(210e9, 0.3, Some(7.6e9), None).unwrap()
