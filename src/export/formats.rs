@@ -35,6 +35,16 @@ impl Format {
         }
     }
 
+    /// How its files end.
+    pub const fn ending(self) -> &'static str {
+        match self {
+            Self::Csv => "csv",
+            Self::Abaqus | Self::Calculix => "inp",
+            Self::Moose => "i",
+            Self::Comsol => "txt",
+        }
+    }
+
     /// Whether its files were run in the program that they are for.
     const fn is_tested(self) -> bool {
         matches!(self, Self::Csv | Self::Calculix)
@@ -47,7 +57,7 @@ pub enum UnitSystem {
     /// m, N, Pa, W, S.
     #[default]
     Si,
-    /// mm, N, MPa, mW, S: consistent with t, s and mJ.
+    /// mm, N, MPa, mW, mA, V: consistent with t, s and mJ.
     Mm,
 }
 
@@ -66,7 +76,7 @@ impl UnitSystem {
     const fn words(self) -> &'static str {
         match self {
             Self::Si => "Units: m, Pa, S/m^2, W/(m^2 K)",
-            Self::Mm => "Units: mm, MPa, S/mm^2, mW/(mm^2 K)",
+            Self::Mm => "Units: mm, MPa, mA/(V mm^2), mW/(mm^2 K)",
         }
     }
 
@@ -83,7 +93,7 @@ impl UnitSystem {
     }
 
     fn electrical(self, value: f64) -> f64 {
-        if self == Self::Si { value } else { 1e-6 * value }
+        if self == Self::Si { value } else { 1e-3 * value }
     }
 
     fn thermal(self, value: f64) -> f64 {
@@ -151,6 +161,14 @@ fn header(table: &InterfaceTable, comment: &str, format: Format, units: UnitSyst
         let _ = writeln!(text, "{comment} {line}");
     }
     let _ = writeln!(text, "{comment} {}.{which}", units.words());
+    let _ = match format {
+        Format::Csv => writeln!(text, "{comment} Closure 0: the separation of the first load."),
+        _ => writeln!(
+            text,
+            "{comment} Closure 0 is {:.3e} further out than the separation of the first load; a line of its stiffness leads there.",
+            units.length(lead(table))
+        ),
+    };
     if !format.is_tested() {
         let _ = writeln!(
             text,
@@ -191,11 +209,15 @@ fn csv(table: &InterfaceTable, units: UnitSystem) -> String {
     text
 }
 
+/// How far the first load is from no load by its stiffness, m.
+fn lead(table: &InterfaceTable) -> f64 {
+    table.points[0].pressure / table.first_stiffness
+}
+
 /// Pairs of closure and pressure, strictly growing from 0 and 0. A line of the stiffness at the first load leads to it, so that closure 0 is
 /// further out there.
 fn curve(table: &InterfaceTable, units: UnitSystem, of: Of) -> Vec<[f64; 2]> {
-    let first = &table.points[0];
-    let lead = first.pressure / table.first_stiffness;
+    let lead = lead(table);
     let mut points = vec![[0.0, 0.0]];
     for point in &table.points {
         let closure = lead + of.take(point.closure);
@@ -223,12 +245,7 @@ fn over_pressure(
 /// TYPE=NODE TO SURFACE only, and there takes no pressure into a conductance: heat has an interaction of its own.
 fn keywords(table: &InterfaceTable, name: &str, format: Format, units: UnitSystem, of: Of) -> String {
     let mut text = header(table, "**", format, units, of);
-    let lead = units.length(table.points[0].pressure / table.first_stiffness);
     let name = name.to_uppercase();
-    let _ = writeln!(
-        text,
-        "** Overclosure 0 is {lead:.3e} further out than the separation of the first load; a line of its stiffness leads there."
-    );
     if format == Format::Calculix {
         let _ = writeln!(text, "** For contact pairs of TYPE=NODE TO SURFACE:");
     }
@@ -244,7 +261,7 @@ fn keywords(table: &InterfaceTable, name: &str, format: Format, units: UnitSyste
         let scale = [UnitSystem::thermal, UnitSystem::electrical];
         let keys = ["*GAP CONDUCTANCE, PRESSURE", "*GAP ELECTRICAL CONDUCTANCE, PRESSURE"];
         for ((values, scale), key) in [thermal, electrical].iter().zip(scale).zip(keys) {
-            conductance(&mut text, key, values, &|value| scale(units, value));
+            conductance(&mut text, key, &without_load(table, values), &|value| scale(units, value));
         }
         if !friction.is_empty() {
             text.push_str("*FRICTION\n");
@@ -256,24 +273,35 @@ fn keywords(table: &InterfaceTable, name: &str, format: Format, units: UnitSyste
     }
     let middle = &table.points[table.points.len() / 2];
     let stick = friction.get(friction.len() / 2).map(|&[_, coefficient]| {
-        let stick = units.stiffness(middle.tangential.unwrap_or(table.first_stiffness));
+        let (stick, of) = match middle.tangential {
+            Some(tangential) => (tangential, "the tangential stiffness"),
+            None => (
+                middle.stiffness.unwrap_or(table.first_stiffness),
+                "the normal stiffness, since the tangential one is not known here",
+            ),
+        };
         format!(
-            "** Coefficient and stick slope of the middle load: here they do not depend on the pressure.\n*FRICTION\n\
-             {coefficient:.10e}, {stick:.10e}\n"
+            "** Coefficient and stick slope ({of}) of the middle load: here they do not depend on the pressure.\n*FRICTION\n\
+             {coefficient:.10e}, {:.10e}\n",
+            units.stiffness(stick)
         )
     });
     text.extend(stick.clone());
     if !thermal.is_empty() {
-        let secant =
-            middle.pressure / (middle.closure.value + table.points[0].pressure / table.first_stiffness);
+        let secant = middle.pressure / (middle.closure.value + lead(table));
         let _ = writeln!(
             text,
             "** For contact pairs of TYPE=SURFACE TO SURFACE that conduct heat: the pressure is linear in the closure.\n\
              *SURFACE INTERACTION, NAME={name}-HEAT\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n{:.10e}",
             units.stiffness(secant)
         );
-        conductance(&mut text, "*GAP CONDUCTANCE", &thermal, &|value| units.thermal(value));
+        conductance(&mut text, "*GAP CONDUCTANCE", &without_load(table, &thermal), &|value| {
+            units.thermal(value)
+        });
         text.extend(stick);
+    }
+    if !electrical.is_empty() {
+        text.push_str("** CalculiX has no electrical conductance of a contact: none is written.\n");
     }
     text
 }
@@ -284,14 +312,14 @@ fn conductance(text: &mut String, key: &str, values: &[[f64; 2]], scale: &dyn Fn
         return;
     }
     let _ = writeln!(text, "{key}");
-    for [pressure, value] in without_load(values) {
+    for &[pressure, value] in values {
         let _ = writeln!(text, "{:.10e}, {pressure:.10e}", scale(value));
     }
 }
 
-/// The same from no load on, at which nothing conducts.
-fn without_load(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
-    [&[[0.0, 0.0]], points].concat()
+/// The same from no load on, at which nothing conducts but a medium in the gap: with one the values begin at the first load.
+fn without_load(table: &InterfaceTable, points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    if table.has_medium || points.is_empty() { points.to_vec() } else { [&[[0.0, 0.0]], points].concat() }
 }
 
 /// Piecewise linear functions.
@@ -323,8 +351,7 @@ fn moose(table: &InterfaceTable, units: UnitSystem, of: Of) -> String {
 /// Conductances and friction over the pressure, in the units of the table.
 fn of_pressure(table: &InterfaceTable, units: UnitSystem, of: Of) -> [(&'static str, Vec<[f64; 2]>); 3] {
     let scaled = |points: Vec<[f64; 2]>, scale: &dyn Fn(f64) -> f64| {
-        let points = if points.is_empty() { points } else { without_load(&points) };
-        points.into_iter().map(|[pressure, value]| [pressure, scale(value)]).collect()
+        without_load(table, &points).into_iter().map(|[pressure, value]| [pressure, scale(value)]).collect()
     };
     let electrical = over_pressure(table, units, of, |point| point.electrical);
     let thermal = over_pressure(table, units, of, |point| point.thermal);

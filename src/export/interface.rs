@@ -6,8 +6,7 @@ use asperity::compare::{ComparedQuantity, ModelKind};
 use asperity::spot::SpotQuantity;
 use asperity_contact_framework::Outcome;
 use asperity_contact_framework::report::answer::CardLine;
-use asperity_contact_framework::report::format::{range, thickness};
-use asperity_contact_framework::report::store::plain;
+use asperity_contact_framework::report::format::{input_quantity, range, thickness};
 
 use crate::kind::compare::card::Card;
 use crate::kind::compare::results::CompareResults;
@@ -77,6 +76,8 @@ pub struct TablePoint {
     pub friction: Option<InterfaceValue>,
     /// Tangential stiffness of the sticking joint per nominal area, Pa/m, where it is asked for.
     pub tangential: Option<f64>,
+    /// -dp/dd, Pa/m, where it is known.
+    pub stiffness: Option<f64>,
     /// Limits of admissible loads that are exceeded.
     pub limits: String,
 }
@@ -84,33 +85,51 @@ pub struct TablePoint {
 /// The joint of one case over its loads.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InterfaceTable {
-    /// The case in a name of a file.
+    /// The case as reports name it.
     pub case: String,
-    /// Title, surface, law, loads, model and verdict: a line each.
+    /// Title, bodies, surface, law, loads, model and verdict: a line each.
     pub header: Vec<String>,
     /// By growing load; closures grow, too.
     pub points: Vec<TablePoint>,
     /// -dp/dd at the first load, Pa/m.
     pub first_stiffness: f64,
+    /// Whether heat flows through a medium in the gap, too, also without a load.
+    pub has_medium: bool,
+}
+
+/// The tables of a comparison.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Interfaces {
+    /// Of the cases that have one; at least one.
+    pub tables: Vec<InterfaceTable>,
+    /// Why others have none.
+    pub left_out: Vec<String>,
 }
 
 /// Relative to the whole closure, how far apart two points of a jump are.
 const JUMP: f64 = 1e-6;
 
-/// The tables of all cases of a comparison.
+/// The tables of the cases of a comparison.
 ///
 /// # Errors
-/// Results of another kind; a model that was not run; loads of which none, or only one, is admissible.
-pub fn interface_tables(
-    results: &dyn Outcome,
-    options: InterfaceOptions,
-) -> Result<Vec<InterfaceTable>, String> {
+/// Results of another kind; in all cases a model that was not run, or loads of which none, or only one, is admissible.
+pub fn interface_tables(results: &dyn Outcome, options: InterfaceOptions) -> Result<Interfaces, String> {
     let Some(results) = (results as &dyn Any).downcast_ref::<CompareResults>() else {
         return Err(
             "found another kind of experiment; allowed: [compare], whose joints have loads".to_owned()
         );
     };
-    SurfaceCase::all(results).map(|case| table(results, case, options)).collect()
+    let (mut tables, mut left_out) = (Vec::new(), Vec::new());
+    for case in SurfaceCase::all(results) {
+        match table(results, case, options) {
+            Ok(table) => tables.push(table),
+            Err(reason) => left_out.push(reason),
+        }
+    }
+    match left_out.first().filter(|_| tables.is_empty()) {
+        Some(reason) => Err(reason.clone()),
+        None => Ok(Interfaces { tables, left_out }),
+    }
 }
 
 /// A joint at one load before it is placed.
@@ -141,6 +160,9 @@ fn table(
             model = options.model.name()
         ));
     }
+    if all.len() == 1 {
+        return Err(format!("{name}: found one load; allowed: a list of loads, or a sweep, for a curve"));
+    }
     let is_kept = |found: &&Found| options.beyond || found.point.limits.is_empty();
     let kept: Vec<&Found> = all.iter().filter(is_kept).collect();
     if kept.len() < 2 {
@@ -167,31 +189,51 @@ fn table(
     let card = Card::new(case).lines();
     let verdict = card.into_iter().find(|line| line.key == CardLine::ANSWER);
     let layer = case.first().thickness.map_or_else(String::new, |t| format!(", layer {}", thickness(t)));
-    let beyond = points.iter().filter(|point| !point.limits.is_empty()).count();
+    let bodies = &results.contact.bodies;
     let mut header = vec![
         results.metadata.title.clone(),
+        format!("Bodies: {} on {}.", bodies.rough, bodies.flat),
         format!(
             "Surface {}, law {}{layer}; {} model.",
             case.key().surface,
             case.first().law,
             options.model.name()
         ),
-        format!(
-            "Nominal pressure {}; {} loads, {beyond} of them not admissible.",
-            range(ends, "Pa"),
-            points.len()
-        ),
-        "Closure 0: the separation of the first load.".to_owned(),
+        format!("Nominal pressure {}; {} loads.", range(ends, "Pa"), points.len()),
     ];
+    header.extend(not_admissible(&points));
+    let verdict = verdict.filter(|_| options.model != TableModel::Reference);
+    let at = case
+        .case
+        .reported_load()
+        .map_or_else(String::new, |at| format!(" ({})", input_quantity(at.load, "Pa")));
     header.extend(verdict.into_iter().flat_map(|line| {
-        line.texts.into_iter().map(|text| format!("May the integral replace the sum? {text}"))
+        line.texts
+            .into_iter()
+            .map(|text| format!("May the integral replace the sum{at}? {text}"))
+            .collect::<Vec<_>>()
     }));
     let stiffness = kept[0].stiffness.unwrap_or_else(|| {
         // Without one, the secant to the next load.
         let rise = points[1].pressure - points[0].pressure;
         rise / (points[1].closure.value - points[0].closure.value)
     });
-    Ok(InterfaceTable { case: plain(&name), header, points, first_stiffness: stiffness })
+    let has_medium = case.surface.spots.medium.is_some();
+    Ok(InterfaceTable { case: name, header, points, first_stiffness: stiffness, has_medium })
+}
+
+/// "Not admissible: 0.1 to 1 MPa (few-contacts), 30 MPa (interaction)."
+fn not_admissible(points: &[TablePoint]) -> Option<String> {
+    let stretches = points.chunk_by(|a, b| a.limits == b.limits).filter(|all| !all[0].limits.is_empty());
+    let words = |all: &[TablePoint]| {
+        let loads = match all {
+            [one] => input_quantity(one.pressure, "Pa"),
+            _ => range([all[0].pressure, all[all.len() - 1].pressure], "Pa"),
+        };
+        format!("{loads} ({})", all[0].limits)
+    };
+    let all: Vec<String> = stretches.map(words).collect();
+    (!all.is_empty()).then(|| format!("Not admissible: {}.", all.join(", ")))
 }
 
 /// The model at a load; `None` where it was not run there, or has no separation.
@@ -217,6 +259,7 @@ fn at_load(case: SurfaceCase, load: f64, model: TableModel) -> Option<Found> {
             thermal: value(ComparedQuantity::ThermalConductance),
             friction: value(ComparedQuantity::Friction),
             tangential: (tangential > 0.0).then_some(tangential),
+            stiffness: found.point.stiffness.filter(|stiffness| *stiffness > 0.0),
             limits: limits(at.exceeded),
         },
     })

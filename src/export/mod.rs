@@ -10,7 +10,7 @@ mod interface;
 
 pub use formats::{Format, UnitSystem};
 pub use interface::{
-    InterfaceOptions, InterfaceTable, InterfaceValue, TableModel, TablePoint, interface_tables,
+    InterfaceOptions, InterfaceTable, InterfaceValue, Interfaces, TableModel, TablePoint, interface_tables,
 };
 
 /// A file to be written.
@@ -31,7 +31,28 @@ pub fn interface_files(
 ) -> Vec<ExportedFile> {
     let files = tables.iter().flat_map(|table| {
         let name = if tables.len() > 1 { format!("{stem}-{}", table.case) } else { stem.to_owned() };
-        formats::files(table, &name, format, units)
+        formats::files(table, &identifier(&name), format, units)
     });
     files.collect()
+}
+
+/// A name of ASCII letters, digits, dashes and underscores that begins with a letter, as all programs read it: "10 MPa, 2 µm" is
+/// "j-10-MPa-2-um".
+fn identifier(name: &str) -> String {
+    let letters = name.replace('µ', "u");
+    let words = letters.split(|c: char| !c.is_ascii_alphanumeric() && c != '_' && c != '-');
+    let made = words.filter(|word| !word.is_empty()).collect::<Vec<_>>().join("-");
+    if made.starts_with(|c: char| c.is_ascii_alphabetic()) { made } else { format!("j-{made}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::identifier;
+
+    #[test]
+    fn names_are_those_of_all_programs() {
+        assert_eq!(identifier("joint-ground, law zmc"), "joint-ground-law-zmc");
+        assert_eq!(identifier("10 MPa, 1.5 µm"), "j-10-MPa-1-5-um");
+        assert_eq!((identifier("Fläche").as_str(), identifier("").as_str()), ("Fl-che", "j-"));
+    }
 }

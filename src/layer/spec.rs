@@ -43,7 +43,7 @@ pub struct LayerSpec {
     /// Indentation over the thickness of the layer from which on a spot has broken through it and shears as the interface; of several the first
     /// counts for verdicts, and the friction by thickness is shown for each.
     #[schemars(extend("default" = 1, "examples" = [[1, 0.5, 2]]))]
-    pub breakdown: Option<Breakdowns>,
+    pub breakdown: Option<Spanned<Breakdowns>>,
 }
 
 /// One thickness, m: 0 is uncoated, infinity the bulk layer material.

@@ -7,7 +7,7 @@ use serde::de::IgnoredAny;
 use serde::{Deserialize, Deserializer};
 use serde_json::json;
 
-/// The name of one material: a second rough body is not modelled.
+/// The name of one material: that of the other body is `flat`, also where it is rough.
 #[derive(Debug, Clone)]
 pub struct RoughBody(pub String);
 
@@ -18,9 +18,9 @@ impl<'de> Deserialize<'de> for RoughBody {
         Forms::new("the name of one material")
             .text(|name| Ok(Self(name.to_owned())))
             .list(|_: Vec<IgnoredAny>| {
-                Err("found a list; allowed: one rough body against a smooth flat. For two rough bodies enter \
-                     the composite surface: the sum of both height maps, or a population with the composite \
-                     sigma and curvature"
+                Err("found a list; allowed: one material, that of the rough body. For two rough bodies use \
+                     [surface.NAME.pair], the sum of both height maps, with the second material as `flat`; or a population with the \
+                     composite sigma and curvature"
                     .to_owned())
             })
             .read(deserializer)

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use schemars::JsonSchema;
+use serde::de::Error;
 use serde::{Deserialize, Deserializer};
 use serde_json::json;
 
@@ -152,7 +153,13 @@ impl<'de> Deserialize<'de> for Breakdowns {
         let values: OneOrMany<Quantity<Pure, Positive>> =
             OneOrMany::read(deserializer, "a positive number, or a list of positive numbers")?;
         let values = values.at_least_one::<D::Error>("breakdown")?;
-        Ok(Self(values.into_iter().map(|value| value.value()).collect()))
+        let values: Vec<f64> = values.into_iter().map(|value| value.value()).collect();
+        match values.iter().enumerate().find(|(k, value)| values[..*k].contains(value)) {
+            Some((_, twice)) => {
+                Err(D::Error::custom(format!("found {twice} twice; allowed: each breakdown once")))
+            }
+            None => Ok(Self(values)),
+        }
     }
 }
 
@@ -170,7 +177,7 @@ pub struct SpotKeys<'a> {
 
 /// The breakdowns of a layer, at least one.
 fn breakdowns(layer: &LayerSpec) -> Vec<f64> {
-    layer.breakdown.as_ref().map_or_else(|| vec![BREAKDOWN], |Breakdowns(values)| values.clone())
+    layer.breakdown.as_ref().map_or_else(|| vec![BREAKDOWN], |values| values.get_ref().0.clone())
 }
 
 /// The bodies whose spots are asked for.
@@ -201,6 +208,12 @@ impl SpotKeys<'_> {
             let message = "found the shear strength of the layer without that of the interface, which shears without the layer and where it is \
                            broken; allowed: shear-strength = { tau0 = \"...\" } in [compare], too";
             return Err(file.source.error_at(layer.span(), message));
+        }
+        let breakdown = bodies.layer.and_then(|(_, spec)| spec.breakdown.as_ref());
+        if let (None, Some(breakdown)) = (shear_of_layer, breakdown) {
+            let message = "found `breakdown` of a layer that shears as the interface; allowed: shear-strength = { tau0 = \"...\" } of the layer \
+                           beside it, or no `breakdown`";
+            return Err(file.source.error_at(breakdown.span(), message));
         }
         if self.conductance.is_none() && self.shear_strength.is_none() {
             return Ok(laws);

@@ -3,8 +3,9 @@
 use std::sync::Arc;
 use std::time::Instant;
 
+use asperity::compare::Repeats;
 use asperity::numeric::stream_seed;
-use asperity::topography::{Continued, CorrelationLengths, Filter, Rows};
+use asperity::topography::{Continued, CorrelationLengths, Filter, RoughPair, Rows};
 use asperity::work::{Counter, Item};
 use asperity::{AsperityList, Draw, Ellipse, Ellipticity, Statistics};
 use asperity_contact_framework::RunContext;
@@ -16,6 +17,7 @@ use asperity_contact_framework::report::format::{input_quantity, quantity};
 use super::files::Files;
 use super::fit::{self, as_written};
 use super::fitness;
+use super::pair::PairPlan;
 use super::plan::{Origin, SurfacePlan};
 use super::read_error::{list_message, spec_message};
 use super::spec::DrawSpec;
@@ -38,6 +40,8 @@ pub struct SurfaceFactory<'a> {
     raw: Option<Arc<dyn Rows>>,
     /// The preparation that was found for it.
     fitted: Option<Preparation>,
+    /// Both bodies of a pair, prepared.
+    pair: Option<RoughPair>,
 }
 
 impl<'a> SurfaceFactory<'a> {
@@ -65,6 +69,7 @@ impl<'a> SurfaceFactory<'a> {
             keeps_map: false,
             raw: None,
             fitted: None,
+            pair: None,
         }
     }
 
@@ -86,14 +91,15 @@ impl<'a> SurfaceFactory<'a> {
     ) -> Result<Surface, InputError> {
         let surface = self.one(realisation, depth, files, timing)?;
         self.counter.add(Item::Surfaces, 1);
-        Ok(Surface { realisations: self.plan.realisations, ..surface })
+        let repeats = if self.plan.is_pair() { Repeats::Shifts } else { Repeats::Realisations };
+        Ok(Surface { realisations: self.plan.realisations, repeats, ..surface })
     }
 
     /// How a measured map is prepared; of one whose preparation is found on it, once it was made. `None` of other surfaces.
     pub fn preparation(&self) -> Option<Preparation> {
         match &self.plan.origin {
             Origin::Map(map) => Some(self.fitted.unwrap_or(map.preparation)),
-            Origin::List { .. } | Origin::Population { .. } | Origin::Generated(_) => None,
+            Origin::List { .. } | Origin::Population { .. } | Origin::Generated(_) | Origin::Pair(_) => None,
         }
     }
 
@@ -138,9 +144,9 @@ impl<'a> SurfaceFactory<'a> {
         found(&self.plan.name, &search, (map, [false; 2]), &mut Timing::default()).ok()
     }
 
-    /// Whether a map is divided into blocks: unless its realisations give the sampling error.
+    /// Whether a map is divided into blocks: unless its realisations give the sampling error. Relative positions of two bodies alone do not.
     fn divides(&self, depth: AnalysisDepth) -> bool {
-        depth != AnalysisDepth::Asperities && self.plan.realisations == 1
+        depth != AnalysisDepth::Asperities && (self.plan.realisations == 1 || self.plan.is_pair())
     }
 
     fn one(
@@ -236,6 +242,36 @@ impl<'a> SurfaceFactory<'a> {
                     progress: self.progress,
                 };
                 found(name, &search, (&made.map, [false; 2]), timing).map_err(|error| refuse(&error))
+            }
+            Origin::Pair(plan) => {
+                let pair = match self.pair.take() {
+                    Some(pair) => pair,
+                    None => plan.make(source, files, |body, files| {
+                        let (seed, counter, progress) = (self.seed, self.counter, self.progress);
+                        let mut factory = SurfaceFactory::from_seed(body, source, seed, counter, progress)
+                            .keeping_map(true);
+                        factory.make(1, AnalysisDepth::Asperities, files, timing)
+                    })?,
+                };
+                let start = Instant::now();
+                let map = pair.sum(PairPlan::placement(&pair, self.seed, name, realisation));
+                timing.generate += start.elapsed();
+                let search = SummitSearch {
+                    preparation: Preparation::none(plan.neighbours),
+                    generation: None,
+                    as_ellipses: self.plan.as_ellipses,
+                    depth,
+                    divides: self.divides(depth),
+                    correlation: None,
+                    spikes: None,
+                    keeps_map: self.keeps_map,
+                    progress: self.progress,
+                };
+                let mut surface =
+                    found(name, &search, (&map, [true; 2]), timing).map_err(|error| refuse(&error))?;
+                surface.warnings.push(plan.caveat(&pair, self.seed, name, self.plan.realisations));
+                self.pair = Some(pair);
+                Ok(surface)
             }
             Origin::Map(map) => {
                 let refuse =

@@ -47,7 +47,7 @@ impl SurfacePlan {
                 );
                 self.of_asperities(source, ["asperities", "nominal-area"], "mm^2", product, &words, message)
             }
-            Origin::Generated(_) => None,
+            Origin::Generated(_) | Origin::Pair(_) => None,
         }
     }
 

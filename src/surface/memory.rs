@@ -28,6 +28,7 @@ impl SurfacePlan {
             Origin::Population { count, .. } => *count as u128,
             Origin::Generated(generation) => area(generation.points()) / POINTS_PER_SUMMIT,
             Origin::Map(MapPlan { points, .. }) => area(*points) / POINTS_PER_SUMMIT,
+            Origin::Pair(pair) => area(pair.grid().0) / POINTS_PER_SUMMIT,
         }
     }
 
@@ -76,6 +77,14 @@ impl SurfacePlan {
                 };
                 area(generation.points()) * (BYTES_PER_HEIGHT * generation.arrays() + depth) + summits
             }
+            Origin::Pair(pair) => {
+                let bodies = pair.bodies.iter().map(|body| body.memory(AnalysisDepth::Asperities, false));
+                let kept = pair.bodies.iter().filter_map(Self::map_points).map(area).sum::<u128>();
+                let is_analysed = depth == AnalysisDepth::Everything;
+                let analysis = if is_analysed { BYTES_PER_ANALYSED_POINT } else { 0 };
+                let sum = area(pair.grid().0) * (BYTES_PER_HEIGHT + analysis);
+                bodies.max().unwrap_or(0).max(sum) + kept * BYTES_PER_HEIGHT + summits
+            }
             _ => {
                 let ellipses = if self.as_ellipses { BYTES_PER_ELLIPSE } else { 0 };
                 set_memory(self.most_asperities()) + self.most_asperities() * ellipses
@@ -105,6 +114,7 @@ impl SurfacePlan {
         match &self.origin {
             Origin::Generated(generation) => area(generation.points()) / POINTS_PER_SUMMIT,
             Origin::Map(MapPlan { points, .. }) => area(*points) / POINTS_PER_SUMMIT,
+            Origin::Pair(pair) => area(pair.grid().0) / POINTS_PER_SUMMIT,
             Origin::List { .. } | Origin::Population { .. } => self.most_asperities(),
         }
     }
@@ -113,8 +123,9 @@ impl SurfacePlan {
 /// An estimate of the memory that surfaces need, analysed to `depth`: the asperities of each are kept for the report, one map
 /// at a time and those that are needed again. `is_treated` is whether other treatments of measured maps are examined.
 pub fn memory(surfaces: &[SurfacePlan], depth: AnalysisDepth, is_treated: bool) -> Memory {
-    let readings: Vec<_> = surfaces.iter().map(SurfacePlan::reading).collect();
-    let again = |k: usize| readings[k].is_some() && readings[k + 1..].contains(&readings[k]);
+    let readings: Vec<_> = surfaces.iter().map(SurfacePlan::readings).collect();
+    let again =
+        |k: usize| readings[k].iter().any(|one| readings[k + 1..].iter().any(|later| later.contains(one)));
     let kept = surfaces.iter().enumerate();
     let kept: u128 =
         kept.map(|(k, surface)| surface.kept() + if again(k) { surface.kept_file() } else { 0 }).sum();

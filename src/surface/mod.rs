@@ -15,6 +15,8 @@ mod map_input;
 mod memory;
 mod options;
 mod page;
+mod pair;
+mod pair_spec;
 mod pixel_spec;
 mod plan;
 mod read_error;
@@ -51,5 +53,5 @@ pub fn warnings<'a>(surfaces: impl IntoIterator<Item = &'a Surface>) -> Vec<Stri
 
 /// The files of surfaces that are made one after the other.
 pub fn files_of<'a>(surfaces: &[SurfacePlan], counter: &'a Counter) -> Files<'a> {
-    Files::new(surfaces.iter().filter_map(SurfacePlan::reading).collect(), counter)
+    Files::new(surfaces.iter().flat_map(SurfacePlan::readings).collect(), counter)
 }

@@ -18,7 +18,7 @@ pub fn page(results: &SurfacesResults, tables: &Tables) -> Page {
     for surface in &results.surfaces {
         let which = match surface.realisations {
             1 => String::new(),
-            count => format!(", the first of {count} realisations"),
+            count => format!(", the first of {count} {}", surface.repeats.name()),
         };
         page.heading(2, &format!("Surface {}{which}", surface.name));
         section(&mut page, tables, surface, None);

@@ -9,6 +9,7 @@ use crate::plausibility;
 use crate::surface::files::Reading;
 use crate::surface::filters;
 use crate::surface::generation::Generation;
+use crate::surface::pair::{self, PairPlan};
 use crate::surface::read_error::{list_message, options_message, spec_message};
 use crate::surface::reading;
 use crate::surface::spec::{
@@ -56,6 +57,7 @@ pub(super) enum Origin {
     },
     Generated(Box<Generation>),
     Map(MapPlan),
+    Pair(Box<PairPlan>),
 }
 
 #[derive(Debug)]
@@ -88,14 +90,15 @@ impl MapPlan {
 const MOST_REALISATIONS: u64 = 1000;
 
 impl SurfacePlan {
-    /// Checks everything about a surface that is known before it is made.
+    /// Checks everything about a surface that is known before it is made; a pair is of two of `all`.
     ///
     /// # Errors
     /// A file that is missing or is not what it should be; numbers that make no surface.
-    pub fn new(
+    pub(super) fn new(
         source: &Source,
         name: &Spanned<String>,
         raw: &Spanned<SurfaceSpec>,
+        all: &Surfaces,
         as_ellipses: bool,
     ) -> Result<Self, InputError> {
         // The name becomes part of file names.
@@ -121,8 +124,13 @@ impl SurfacePlan {
                 (origin, generate.points.span(), &generate.realisations)
             }
             SurfaceSpec::File(file) => (Self::map(source, file)?, file.path.span(), &None),
+            SurfaceSpec::Pair(pair) => {
+                let plan = PairPlan::new(source, pair, all, as_ellipses)?;
+                (Origin::Pair(Box::new(plan)), pair.a.span(), &pair.shifts)
+            }
         };
         let realisations = match realisations {
+            None if raw.get_ref().is_pair() => pair::SHIFTS as usize,
             None => 1,
             Some(count) if (1..=MOST_REALISATIONS).contains(&count.get_ref().0) => count.get_ref().0 as usize,
             Some(count) => {
@@ -286,13 +294,14 @@ impl SurfacePlan {
         }))
     }
 
-    /// The file that it is read from.
-    pub fn input(&self) -> Option<PathBuf> {
+    /// The files that it is read from.
+    pub fn inputs(&self) -> Vec<PathBuf> {
         match &self.origin {
             Origin::List { path, .. } | Origin::Map(MapPlan { file: MapFile { path, .. }, .. }) => {
-                Some(path.clone())
+                vec![path.clone()]
             }
-            Origin::Population { .. } | Origin::Generated(_) => None,
+            Origin::Population { .. } | Origin::Generated(_) => Vec::new(),
+            Origin::Pair(pair) => pair.bodies.iter().flat_map(Self::inputs).collect(),
         }
     }
 
@@ -306,6 +315,7 @@ impl SurfacePlan {
         match &self.origin {
             Origin::Generated(generation) => Some(generation.points()),
             Origin::Map(map) => Some(map.points),
+            Origin::Pair(pair) => Some(pair.grid().0),
             Origin::List { .. } | Origin::Population { .. } => None,
         }
     }
@@ -321,6 +331,7 @@ impl SurfacePlan {
                 let shortest = preparation.filter.and_then(|filter| filter.s());
                 Some(shortest.map_or(FEWEST, |s| (s / pixel[0].max(pixel[1])).max(FEWEST)))
             }
+            Origin::Pair(pair) => pair.bodies.iter().filter_map(Self::points_per_wave).reduce(f64::min),
             Origin::List { .. } | Origin::Population { .. } => None,
         }
     }
@@ -330,6 +341,7 @@ impl SurfacePlan {
         match &self.origin {
             Origin::Generated(generation) => generation.pixel(),
             Origin::Map(map) => Some(map.pixel),
+            Origin::Pair(pair) => Some(pair.grid().1),
             Origin::List { .. } | Origin::Population { .. } => None,
         }
     }
@@ -340,7 +352,7 @@ impl SurfacePlan {
         match &self.origin {
             Origin::List { nominal_area, .. } => Some(*nominal_area),
             Origin::Population { population, count, .. } => Some(*count as f64 / population.density),
-            Origin::Generated(_) | Origin::Map(_) => {
+            Origin::Generated(_) | Origin::Map(_) | Origin::Pair(_) => {
                 let border = if self.is_periodic() { 0 } else { 2 };
                 let side = |points: usize, pixel: f64| (points - border) as f64 * pixel;
                 let ([nx, ny], [dx, dy]) = (self.map_points()?, self.pixel()?);
@@ -354,6 +366,7 @@ impl SurfacePlan {
         match &self.origin {
             Origin::Generated(_) => true,
             Origin::Map(map) => map.is_periodic,
+            Origin::Pair(pair) => pair.is_periodic(),
             Origin::List { .. } | Origin::Population { .. } => false,
         }
     }
@@ -373,13 +386,19 @@ impl SurfacePlan {
         plausibility::of_surface(&self.name, *radius, *sigma, *count as f64 / density)
     }
 
-    /// What it is found in, if that is a file.
-    pub fn reading(&self) -> Option<Reading> {
+    /// What it is found in, as far as that are files.
+    pub fn readings(&self) -> Vec<Reading> {
         match &self.origin {
-            Origin::List { path, given, .. } => Some(Reading::list(path, *given)),
-            Origin::Map(map) => Some(Reading::map(&map.file)),
-            Origin::Population { .. } | Origin::Generated(_) => None,
+            Origin::List { path, given, .. } => vec![Reading::list(path, *given)],
+            Origin::Map(map) => vec![Reading::map(&map.file)],
+            Origin::Population { .. } | Origin::Generated(_) => Vec::new(),
+            Origin::Pair(pair) => pair.bodies.iter().flat_map(Self::readings).collect(),
         }
+    }
+
+    /// Whether its realisations are two bodies at several relative positions.
+    pub fn is_pair(&self) -> bool {
+        matches!(self.origin, Origin::Pair(_))
     }
 
     /// What it is, for a plan that a person reads.
@@ -392,13 +411,14 @@ impl SurfacePlan {
                 let fit = if map.fit.is_some() { ", prepared as its checks ask for" } else { "" };
                 format!("height map {}{fit}", map.file.path.display())
             }
+            Origin::Pair(pair) => return format!("{}, {} of them", pair.describe(), self.realisations),
         };
         if self.realisations > 1 { format!("{what}, {} realisations", self.realisations) } else { what }
     }
 }
 
 /// `[surface.NAME]`, in file order.
-type Surfaces = IndexMap<Spanned<String>, Spanned<SurfaceSpec>>;
+pub(super) type Surfaces = IndexMap<Spanned<String>, Spanned<SurfaceSpec>>;
 
 /// The surfaces that are named, or all of the file.
 ///
@@ -411,7 +431,7 @@ pub fn surfaces(
     as_ellipses: bool,
 ) -> Result<Vec<SurfacePlan>, InputError> {
     let all: Surfaces = file.table("surface")?.map(Spanned::into_inner).unwrap_or_default();
-    let plan = |name: &Spanned<String>, raw| SurfacePlan::new(&file.source, name, raw, as_ellipses);
+    let plan = |name: &Spanned<String>, raw| SurfacePlan::new(&file.source, name, raw, &all, as_ellipses);
     let Some(named) = named else {
         if all.is_empty() {
             return Err(file.source.error_at(
@@ -449,7 +469,7 @@ pub fn surfaces(
 /// The files that surfaces are read from, each once.
 pub fn inputs(surfaces: &[SurfacePlan]) -> Vec<PathBuf> {
     let mut paths: Vec<PathBuf> = Vec::new();
-    for path in surfaces.iter().filter_map(SurfacePlan::input) {
+    for path in surfaces.iter().flat_map(SurfacePlan::inputs) {
         if !paths.contains(&path) {
             paths.push(path);
         }

@@ -7,6 +7,7 @@ use serde::{Deserialize, Deserializer};
 
 use crate::surface::generate_spec::GenerateSpec;
 use crate::surface::map_input::{MapUnitSpec, MissingSpec};
+use crate::surface::pair_spec::PairSpec;
 use crate::surface::pixel_spec::PixelSpec;
 use asperity::Heights;
 use asperity::topography::Level;
@@ -33,6 +34,15 @@ pub enum SurfaceSpec {
     Generate(Box<GenerateSpec>),
     /// A measured height map.
     File(FileSpec),
+    /// Two rough bodies.
+    Pair(PairSpec),
+}
+
+impl SurfaceSpec {
+    /// Whether it is a pair of other surfaces.
+    pub fn is_pair(&self) -> bool {
+        matches!(self, Self::Pair(_))
+    }
 }
 
 /// Raw input: a table for each kind, of which exactly one is allowed.
@@ -47,6 +57,8 @@ struct Kinds {
     generate: Option<GenerateSpec>,
     /// A measured height map, whose summits are the asperities.
     file: Option<FileSpec>,
+    /// Two rough bodies: the sum of the height maps of two other surfaces, at several relative positions.
+    pair: Option<PairSpec>,
 }
 
 written_schema!(SurfaceSpec, |generator| Kinds::json_schema(generator));
@@ -55,17 +67,18 @@ impl TryFrom<Kinds> for SurfaceSpec {
     type Error = String;
 
     fn try_from(kinds: Kinds) -> Result<Self, String> {
-        let Kinds { asperities, population, generate, file } = kinds;
+        let Kinds { asperities, population, generate, file, pair } = kinds;
         let given = [
             asperities.map(Self::Asperities),
             population.map(Self::Population),
             generate.map(|raw| Self::Generate(Box::new(raw))),
             file.map(Self::File),
+            pair.map(Self::Pair),
         ];
         let mut given = given.into_iter().flatten();
         match (given.next(), given.next()) {
             (Some(kind), None) => Ok(kind),
-            _ => Err("found none or several kinds; allowed: exactly one of asperities, population, generate, file per \
+            _ => Err("found none or several kinds; allowed: exactly one of asperities, population, generate, file, pair per \
                       surface"
                 .to_owned()),
         }

@@ -105,6 +105,9 @@ impl SurfaceTiles {
                  = 2 or more, each of which is a tile",
             )),
             Origin::Generated(_) => Ok(Self { division: Division::Realisations, count: plan.realisations }),
+            Origin::Pair(_) => Err(refuse(
+                "found a pair, whose maps are summed as a whole; allowed in [tiled]: a surface of one body",
+            )),
         }
     }
 
@@ -178,7 +181,7 @@ impl SurfaceTiles {
                 open.origin = first_height(&*rows).unwrap_or(0.0);
                 open.map = Some(rows);
             }
-            Origin::Generated(_) => {}
+            Origin::Generated(_) | Origin::Pair(_) => {}
         }
         Ok(open)
     }

@@ -36,6 +36,7 @@ mod limit;
 mod lists;
 mod main_figure;
 mod materials;
+mod pairs;
 mod ranking;
 mod readings;
 mod reference;

@@ -271,8 +271,16 @@ fn correlations_stand_beside_a_conductance() {
     let text = String::from_utf8(content.clone()).unwrap();
     assert!(text.contains("mikic,reference") && text.contains("cooper-mikic-yovanovich,reference"), "{text}");
     let with_film = spec.replace("\"thermal\"", "{ thermal = { film = \"1 mm^2 K/W\" } }");
-    let with_film = compared(&with_film, MAP);
-    assert!((&with_film as &dyn Outcome).files().iter().all(|(file, _)| *file != "correlations.csv"));
+    let with_medium = spec.replace("\"thermal\"", "{ thermal = { gap-conductivity = \"0.026 W/(m K)\" } }");
+    // At loads that few contacts carry nothing is said.
+    let light = spec.replace("from = \"1 MPa\", to = \"20 MPa\"", "from = \"1 kPa\", to = \"2 kPa\"");
+    for other in [with_film, with_medium, light] {
+        let found = compared(&other, MAP);
+        assert!(
+            (&found as &dyn Outcome).files().iter().all(|(file, _)| *file != "correlations.csv"),
+            "{other}"
+        );
+    }
 }
 
 #[test]
@@ -282,7 +290,7 @@ fn a_table_of_a_joint_grows_from_its_first_load() {
         PRESSURES.replace("points = 5", "points = 30")
     );
     let results = run(&spec, &population(20_000)).unwrap();
-    let tables = interface_tables(&*results, InterfaceOptions::default()).unwrap();
+    let tables = interface_tables(&*results, InterfaceOptions::default()).unwrap().tables;
     let [table] = &tables[..] else { panic!("one case") };
     assert_eq!((table.points.len(), table.points[0].closure.value), (30, 0.0));
     assert!(table.points.windows(2).all(|pair| {
@@ -307,6 +315,8 @@ fn a_table_of_a_joint_grows_from_its_first_load() {
             assert!(file.text.contains("law ceb") && file.text.contains("May the integral replace the sum?"));
             let is_tested = matches!(format, Format::Csv | Format::Calculix);
             assert_eq!(!is_tested, file.text.contains("Untested"), "{}", file.name);
+            let first = "Closure 0: the separation of the first load.";
+            assert_eq!(format == Format::Csv, file.text.contains(first), "{}", file.name);
         }
     }
     let si = interface_files(&tables, "joint", Format::Csv, UnitSystem::Si);
@@ -324,9 +334,29 @@ fn loads_that_are_not_admissible_are_refused_or_marked() {
     let refused = interface_tables(&*results, InterfaceOptions::default()).unwrap_err();
     assert!(refused.contains("0 admissible loads of 5") && refused.contains("--beyond"), "{refused}");
     let beyond = InterfaceOptions { beyond: true, ..InterfaceOptions::default() };
-    let marked = &interface_tables(&*results, beyond).unwrap()[0];
+    let marked = &interface_tables(&*results, beyond).unwrap().tables[0];
     assert!(marked.points.iter().all(|point| point.limits.contains("few-contacts")));
     let of_reference = InterfaceOptions { model: TableModel::Reference, beyond: true };
     let refused = interface_tables(&*results, of_reference).unwrap_err();
     assert!(refused.contains("no load of the reference model"), "{refused}");
+    assert!(
+        marked.header.iter().any(|line| line == "Not admissible: 1 to 5 kPa (few-contacts)."),
+        "{:?}",
+        marked.header
+    );
+    let one = run("law = \"zmc\"\npressure = \"5 MPa\"", &population(20_000)).unwrap();
+    assert!(interface_tables(&*one, beyond).unwrap_err().contains("found one load"));
+}
+
+/// Cases with a table are written although others have none, under names that all programs read.
+#[test]
+fn tables_of_several_cases() {
+    let spec = "law = [\"zmc\", \"hertz\"]\npressure = [\"5 MPa\", \"10 MPa\"]";
+    let surfaces = [population(20_000), population(200).replace("surface.a", "surface.few")].concat();
+    let results = run(spec, &surfaces).unwrap();
+    let found = interface_tables(&*results, InterfaceOptions::default()).unwrap();
+    assert_eq!((found.tables.len(), found.left_out.len()), (2, 2), "{:?}", found.left_out);
+    let files = interface_files(&found.tables, "my joint", Format::Calculix, UnitSystem::Si);
+    assert!(files.iter().any(|file| file.text.contains("NAME=MY-JOINT-A-LAW-ZMC\n")), "{}", files[0].text);
+    assert!(files.iter().all(|file| !file.name.contains([',', ' '])));
 }

@@ -165,7 +165,7 @@ impl Interfaces {
         let all = TableModel::ALL.into_iter().flat_map(|model| [false, true].map(|beyond| (model, beyond)));
         let table = |(model, beyond)| {
             let options = InterfaceOptions { model, beyond };
-            (options, interface_tables(outcome, options))
+            (options, interface_tables(outcome, options).map(|found| found.tables))
         };
         Self { stem: stem.to_owned(), tables: all.map(table).collect() }
     }

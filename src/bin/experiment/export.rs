@@ -67,17 +67,23 @@ impl Export {
             let message = format!("--out {}: found no such folder; allowed: a folder", options.out.display());
             return Err(Failure::Input(message));
         }
+        // What cannot be written is said before the run.
+        let probe = options.out.join(format!(".asperity.{}", std::process::id()));
+        write_new(&probe, "")?;
+        let _ = std::fs::remove_file(&probe);
+        let first = options.out.join(format!("{}.{}", experiment.stem(), format.ending()));
+        if !options.force && first.exists() {
+            return Err(taken(&first));
+        }
         let results = watched(experiment.stem(), &options, |progress| experiment.run(progress))?;
         let of = InterfaceOptions { model, beyond };
         let refuse = |message: String| Failure::Input(format!("{}: {message}", spec.display()));
-        let tables = interface_tables(&*results, of).map_err(refuse)?;
-        let files = interface_files(&tables, experiment.stem(), format, units);
+        let found = interface_tables(&*results, of).map_err(refuse)?;
+        found.left_out.iter().for_each(|reason| say(&options, &format!("left out: {reason}")));
+        let files = interface_files(&found.tables, experiment.stem(), format, units);
         let paths: Vec<PathBuf> = files.iter().map(|file| options.out.join(&file.name)).collect();
         if let Some(path) = paths.iter().find(|path| !options.force && path.exists()) {
-            return Err(Failure::Input(format!(
-                "{}: found a file of this name; allowed: --force to replace it, or another --out",
-                path.display()
-            )));
+            return Err(taken(path));
         }
         for (file, path) in files.iter().zip(&paths) {
             replace(path, &file.text)?;
@@ -87,10 +93,20 @@ impl Export {
     }
 }
 
+fn taken(path: &Path) -> Failure {
+    Failure::Input(format!(
+        "{}: found a file of this name; allowed: --force to replace it, or another --out",
+        path.display()
+    ))
+}
+
 /// Writes a file beside its place first, so that no half of it is left.
 fn replace(path: &Path, text: &str) -> Result<(), Failure> {
-    let beside = path.with_extension("partial");
-    let _ = std::fs::remove_file(&beside);
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let beside = path.with_file_name(format!(".{name}.{}", std::process::id()));
     write_new(&beside, text)?;
-    std::fs::rename(&beside, path).map_err(|error| Failure::Input(format!("{}: {error}", path.display())))
+    std::fs::rename(&beside, path).map_err(|error| {
+        let _ = std::fs::remove_file(&beside);
+        Failure::Input(format!("{}: {error}", path.display()))
+    })
 }

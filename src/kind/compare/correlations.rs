@@ -19,14 +19,15 @@ pub struct Correlated {
     pub correlation: Correlation,
     /// What it is compared with.
     pub against: &'static str,
-    /// Loads (Pa), ascending, and the relative difference there.
+    /// Admissible loads (Pa), ascending, and the relative difference there.
     pub differences: Vec<(f64, f64)>,
     /// The largest difference that is accepted.
     pub accepted: f64,
 }
 
 impl Correlated {
-    /// Of each conductance that is asked for and each correlation; none under a layer and without a map.
+    /// Of each conductance that is asked for and each correlation; none under a layer, with a film, of a thermal one with a medium in the gap, and
+    /// without a map.
     pub fn all(case: SurfaceCase) -> Vec<Self> {
         let compared = |&quantity: &ComparedQuantity| {
             let each = Correlation::ALL.into_iter();
@@ -47,6 +48,10 @@ impl Correlated {
             truth =
                 pairs.filter_map(|pair| Some((pair.target, quantity.value(&pair.deterministic)?))).collect();
         }
+        let is_admissible = |load: f64| {
+            case.verdicts().differences.iter().any(|at| at.load == load && at.exceeded().is_none())
+        };
+        truth.retain(|(load, _)| is_admissible(*load));
         truth.sort_by(|a, b| a.0.total_cmp(&b.0));
         truth.dedup_by(|a, b| a.0 == b.0);
         let difference = |&(load, truth): &(f64, f64)| Some((load, value(load)? / truth - 1.0));
@@ -65,16 +70,6 @@ impl Correlated {
         Some([longest[0].0, longest[longest.len() - 1].0])
     }
 
-    /// The largest magnitude of a difference.
-    fn worst(&self) -> f64 {
-        self.range().map(f64::abs).into_iter().fold(0.0, f64::max)
-    }
-
-    /// That of a conductance which is nearest to the contact over all loads.
-    pub fn nearest(case: SurfaceCase) -> Option<Self> {
-        Self::all(case).into_iter().min_by(|a, b| a.worst().total_cmp(&b.worst()))
-    }
-
     /// The smallest and the largest difference.
     pub fn range(&self) -> [f64; 2] {
         let ends = [f64::INFINITY, f64::NEG_INFINITY];
@@ -82,8 +77,8 @@ impl Correlated {
     }
 }
 
-/// The conductance per nominal area by a correlation at a nominal pressure (Pa); `None` under a layer, without a map, and of a conductance that
-/// is not asked for.
+/// The conductance per nominal area by a correlation at a nominal pressure (Pa); `None` under a layer, with a film or a medium in
+/// the gap, without a map, and of a conductance that is not asked for.
 pub fn conductance(
     case: SurfaceCase,
     quantity: ComparedQuantity,
@@ -92,8 +87,9 @@ pub fn conductance(
     let is_bare = case.first().thickness.is_none_or(|thickness| thickness == 0.0);
     let conduction = case.surface.spots.conduction(quantity.spot()?).filter(|_| is_bare)?;
     let (joint, resistivity) = (case.surface.joint?, conduction.resistivity());
-    // They know of no film.
-    (conduction.film() == 0.0)
+    // They know of no film, and what is compared with would hold the medium.
+    let has_medium = quantity == ComparedQuantity::ThermalConductance && case.surface.spots.medium.is_some();
+    (conduction.film() == 0.0 && !has_medium)
         .then_some(move |pressure| Some(correlation.conductance(&joint, pressure)? / resistivity))
 }
 

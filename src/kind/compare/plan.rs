@@ -15,7 +15,6 @@ use super::reference::ReferencePlan;
 use super::reference::plan::{ReferenceKeys, Resolved, reference};
 use super::spec::{CompareSpec, Models};
 use crate::study_plan::{SpotKeys, StudyKeys, StudyPlan};
-use crate::surface::SurfacePlan;
 
 /// Both models on given surfaces, and the reference beside them.
 pub struct ComparePlan {
@@ -177,6 +176,6 @@ fn reference_keys(raw: &CompareSpec) -> ReferenceKeys<'_> {
 /// As of any comparison.
 pub fn described(file: &SpecFile) -> Result<ComparePlan, InputError> {
     let plan = plan(file, &file.required_table("compare")?)?;
-    let described = plan.study.surfaces.first().and_then(SurfacePlan::input);
+    let described = plan.study.surfaces.first().and_then(|surface| surface.inputs().into_iter().next());
     Ok(ComparePlan { described, ..plan })
 }

@@ -175,7 +175,7 @@ impl<'a> Run<'a> {
         let start = Instant::now();
         let samplings = sampling(setup, &surface, &models, &first.cases);
         differ(&mut first.cases, &samplings, setup.laws, &models);
-        attribute(setup, &surface, &models, &mut first.cases, plan.realisations == 1);
+        attribute(setup, &surface, &models, &mut first.cases, plan.realisations == 1 || plan.is_pair());
         self.timing.sampling += start.elapsed();
         let thresholds =
             compare.study.layer.as_deref().filter(|layer| layer.thicknesses != [0.0]).map_or_else(

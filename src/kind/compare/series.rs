@@ -22,6 +22,8 @@ pub struct Series<'a> {
     pub friction: Vec<&'a FilmFriction>,
     /// Number of realisations.
     pub realisations: usize,
+    /// What these are.
+    pub repeats: &'static str,
     pub modulus: f64,
     pub units: Units,
     /// Whether separation and area by thickness are the main figure of the page, as Fig. 6 of the paper.
@@ -38,6 +40,13 @@ impl<'a> Series<'a> {
         results.surfaces.iter().flat_map(laws).filter(|series| series.cases.len() > 1).collect()
     }
 
+    /// Whether a load is admissible under all thicknesses.
+    pub fn is_admissible(&self, load: f64) -> bool {
+        self.verdicts
+            .iter()
+            .all(|verdicts| verdicts.differences.iter().any(|at| at.load == load && at.exceeded().is_none()))
+    }
+
     fn new(results: &'a CompareResults, surface: &'a SurfaceResults, law: &'a LawFindings) -> Option<Self> {
         let cases = || surface.cases.iter().filter(|case| case.first().law == law.law);
         Some(Self {
@@ -48,6 +57,7 @@ impl<'a> Series<'a> {
             cases: cases().map(CaseStudy::first).collect(),
             friction: surface.friction.iter().filter(|found| found.law == law.law).collect(),
             realisations: surface.realisations.len(),
+            repeats: surface.surface.repeats.name(),
             modulus: results.contact.reduced_modulus,
             units: Units::new(results, surface),
             is_figure_of_paper: results.figures_of_paper.contains(&6),

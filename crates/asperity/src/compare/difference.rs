@@ -134,12 +134,20 @@ impl Estimate {
         Self { error: Some(0.0), quantile: 0.0, support: Support::Sampled, ..*self }
     }
 
-    /// The mean over realisations (at least two), with the interval that their scatter gives.
-    pub(super) fn over(each: &[Self]) -> Self {
+    /// The mean over `repeats` of a surface (at least two).
+    pub(super) fn over(each: &[Self], repeats: Repeats) -> Self {
         let count = each.len() as f64;
         let contrast = each.iter().map(|one| one.contrast).sum::<f64>() / count;
         let squares: f64 = each.iter().map(|one| (one.contrast - contrast).powi(2)).sum();
         let error = (squares / (count - 1.0) / count).sqrt();
+        if repeats == Repeats::Shifts {
+            let of_bodies = each[0].error;
+            return Self {
+                contrast,
+                error: of_bodies.map(|own| own.hypot(error)),
+                ..each[0].without_halves()
+            };
+        }
         // Of those realisations that have one.
         let independent: Vec<f64> = each.iter().filter_map(|one| one.independent_error).collect();
         let of_one = independent.iter().sum::<f64>() / independent.len() as f64;
@@ -154,9 +162,39 @@ impl Estimate {
         }
     }
 
+    /// Halves of one of several surfaces say nothing of their mean.
+    fn without_halves(self) -> Self {
+        let support = match self.support {
+            Support::Halves(_) => Support::Sampled,
+            support => support,
+        };
+        Self { support, ..self }
+    }
+
     /// The ends of the 95 % interval.
     pub fn interval(&self) -> Option<[f64; 2]> {
         self.half_width().map(|half| [self.contrast - half, self.contrast + half])
+    }
+}
+
+/// What several results on a surface are of, and how sure their mean is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Repeats {
+    /// Independent surfaces of a process: their scatter is the error.
+    #[default]
+    Realisations,
+    /// The same two bodies at several relative positions. They share their heights: the error of the first alone, by its blocks, holds what
+    /// other bodies would change, and more than the mean has of it; the scatter over the positions is added.
+    Shifts,
+}
+
+impl Repeats {
+    /// What they are called.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Realisations => "realisations",
+            Self::Shifts => "relative positions",
+        }
     }
 }
 
@@ -164,7 +202,7 @@ impl Estimate {
 pub(super) fn over_realisations<T: Clone>(
     realisations: &[Vec<T>],
     load: fn(&T) -> f64,
-    mean: fn(&[T]) -> T,
+    mean: impl Fn(&[T]) -> T,
 ) -> Vec<T> {
     let Some((first, others)) = realisations.split_first() else { return Vec::new() };
     let at = |one: &T| {
@@ -323,19 +361,18 @@ impl Difference {
         }
     }
 
-    /// The mean differences over realisations (at least two), at the loads that all of them have, with the interval that
-    /// their scatter gives.
-    pub fn over(realisations: &[Vec<Self>]) -> Vec<Self> {
-        over_realisations(realisations, |one| one.load, Self::mean)
+    /// The mean differences over `repeats` of a surface (at least two), at the loads that all of them have.
+    pub fn over(realisations: &[Vec<Self>], repeats: Repeats) -> Vec<Self> {
+        over_realisations(realisations, |one| one.load, |all| Self::mean(all, repeats))
     }
 
-    fn mean(all: &[Self]) -> Self {
+    fn mean(all: &[Self], repeats: Repeats) -> Self {
         let count = all.len() as f64;
         let mean_of = |of: &dyn Fn(&Self) -> f64| all.iter().map(of).sum::<f64>() / count;
         let estimate = |quantity: ComparedQuantity| {
             let each: Option<Vec<Estimate>> =
                 all.iter().map(|one| one.estimates[quantity as usize]).collect();
-            each.map(|each| Estimate::over(&each))
+            each.map(|each| Estimate::over(&each, repeats))
         };
         let sharings: Option<Vec<LoadSharing>> = all.iter().map(|one| one.sharing).collect();
         let sharing = sharings.map(|each| {
@@ -350,9 +387,10 @@ impl Difference {
             load: all[0].load,
             sharing,
             area_ratio: mean_of(&|one| one.area_ratio),
-            of_models: [None; 2],
+            // Of shifts those of the first.
+            of_models: if repeats == Repeats::Shifts { all[0].of_models } else { [None; 2] },
             estimates: ComparedQuantity::ALL.map(estimate),
-            area_needed: None,
+            area_needed: if repeats == Repeats::Shifts { all[0].area_needed } else { None },
         }
     }
 }
@@ -484,13 +522,13 @@ mod tests {
         });
         let mut lacking = each.clone();
         lacking[2].remove(1);
-        let found = Difference::over(&lacking);
+        let found = Difference::over(&lacking, Repeats::Realisations);
         assert_eq!(found.len(), 1, "a load that one of them does not reach");
         let estimate = found[0].estimates[0].unwrap();
         let error = ((0.2f64.powi(2) + 0.1f64.powi(2) + 0.3f64.powi(2)) / 2.0 / 3.0).sqrt();
         assert!((estimate.contrast - 0.3).abs() < 1e-15 && (estimate.error.unwrap() - error).abs() < 1e-15);
         assert!((estimate.quantile - 4.302_652_73).abs() < 1e-6);
-        assert_eq!(Difference::over(&[]), []);
+        assert_eq!(Difference::over(&[], Repeats::Realisations), []);
     }
 
     #[test]

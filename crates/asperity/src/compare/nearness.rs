@@ -4,7 +4,9 @@
 //! all three. Without a block the flat stays where it is; the reference of the rest is what the other blocks carry there,
 //! brought back to the load along the slopes between its loads. That neglects how a block deforms the others.
 
-use super::difference::{ByQuantity, CaseSampling, ComparedQuantity, Difference, Estimate, LeftOut, Support};
+use super::difference::{
+    ByQuantity, CaseSampling, ComparedQuantity, Difference, Estimate, LeftOut, Repeats, Support,
+};
 use super::reference::{ReferenceCurve, ReferencePoint};
 use super::sampling::jackknife_error;
 use super::verdict::{Accepted, Verdict};
@@ -113,11 +115,11 @@ impl AgainstReference {
         found
     }
 
-    /// Over realisations: their mean, with the interval of their scatter.
-    pub fn over(realisations: &[Self]) -> Self {
+    /// Over `repeats` of a surface: their mean.
+    pub fn over(realisations: &[Self], repeats: Repeats) -> Self {
         let over = |of: &dyn Fn(&Self) -> &Vec<Difference>| {
             let each: Vec<Vec<Difference>> = realisations.iter().map(|one| of(one).clone()).collect();
-            if let [only] = &each[..] { only.clone() } else { Difference::over(&each) }
+            if let [only] = &each[..] { only.clone() } else { Difference::over(&each, repeats) }
         };
         Self {
             models: [over(&|one| &one.models[0]), over(&|one| &one.models[1])],

@@ -53,8 +53,8 @@ impl Correlation {
     /// Its authors.
     pub const fn label(self) -> &'static str {
         match self {
-            Self::CooperMikicYovanovich => "Cooper-Mikic-Yovanovich",
-            Self::Mikic => "Mikic",
+            Self::CooperMikicYovanovich => "Cooper-Mikic-Yovanovich (plastic)",
+            Self::Mikic => "Mikic (elastic)",
         }
     }
 

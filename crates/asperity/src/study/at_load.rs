@@ -187,6 +187,9 @@ impl CaseStudy {
             let of_models = at.map_or([None; 2], |at| at.of_models);
             let half = model.and_then(|kind| of_models[usize::from(kind == ModelKind::Deterministic)]);
             let interval = |quantity: ComparedQuantity| {
+                if points.len() > 1 && self.verdicts.shifts > 1 {
+                    return interval_of_shifts(&points, quantity, half?[quantity as usize]);
+                }
                 if points.len() > 1 {
                     let values: Option<Vec<f64>> = points.iter().map(|one| one.value(quantity)).collect();
                     return values.map(|values| interval_of_mean(&values));
@@ -232,6 +235,19 @@ fn interval_of_mean(values: &[f64]) -> [f64; 2] {
     let Scatter { mean, deviation } = Scatter::new(values);
     let half = student_quantile(values.len()) * deviation / (values.len() as f64).sqrt();
     [mean - half, mean + half]
+}
+
+/// The same of a mean over shifts of a pair: `half`, the half-width that its blocks give ([scaled](ComparedQuantity::scaled)), and the scatter
+/// over the shifts.
+fn interval_of_shifts(points: &[PointResult], quantity: ComparedQuantity, half: f64) -> Option<[f64; 2]> {
+    let values: Option<Vec<f64>> =
+        points.iter().map(|one| Some(quantity.scaled(one.value(quantity)?))).collect();
+    let [low, high] = interval_of_mean(&values?);
+    let (middle, half) = (0.5 * (low + high), half.hypot(0.5 * (high - low)));
+    Some([middle - half, middle + half].map(|end| match quantity {
+        ComparedQuantity::Separation => end,
+        _ => end.exp(),
+    }))
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use super::case::CaseStudy;
 use super::held_out::{self, Halves, HeldOut};
 use super::law::LawContact;
 use crate::compare::{
-    Accepted, ByQuantity, ComparedQuantity, Pair, ReferenceCurve, ReferencePoint, of_each_decade,
+    Accepted, ByQuantity, ComparedQuantity, Pair, ReferenceCurve, ReferencePoint, Repeats, of_each_decade,
 };
 use crate::distribution::HeightsError;
 use crate::work::{CountedContact, Counter};
@@ -191,7 +191,9 @@ pub fn rank(setup: Setup, surface: &Surface, cases: &[CaseStudy]) -> Vec<Ranking
     if !all.contains(&selected) {
         all.insert(0, selected);
     }
-    let halves = if surface.realisations == 1 { Halves::new(setup, surface) } else { None };
+    // Shifts of a pair are no other surfaces.
+    let is_one = surface.realisations == 1 || surface.repeats == Repeats::Shifts;
+    let halves = if is_one { Halves::new(setup, surface) } else { None };
     let halves = halves.as_ref().and_then(|halves| halves.models(setup, &all));
     let models = |model: &StatisticalModel| SurfaceModels::new(surface, model, setup.law_specs, false);
     let built: Vec<_> = all.into_iter().map(|model| (models(&model), model)).collect();
@@ -199,6 +201,7 @@ pub fn rank(setup: Setup, surface: &Surface, cases: &[CaseStudy]) -> Vec<Ranking
         let mut ranking = in_sample(&built, law, case.first());
         if let [_, others @ ..] = &case.realisations[..]
             && !others.is_empty()
+            && !is_one
         {
             held_out::on_realisations(&mut ranking, &built, law, others);
         } else if let Some(halves) = &halves {

@@ -1,6 +1,6 @@
 //! Verdicts on both models against the reference, on one surface under one law and thickness.
 
-use crate::compare::{Accepted, AgainstReference, NearerStretch, Stretch};
+use crate::compare::{Accepted, AgainstReference, NearerStretch, Repeats, Stretch};
 
 use super::results::CaseResults;
 
@@ -21,11 +21,11 @@ pub struct ReferenceVerdicts {
 }
 
 impl ReferenceVerdicts {
-    /// Of a case on all realisations; `None` where no load was compared.
-    pub fn new(realisations: &[CaseResults], accepted: &Accepted) -> Option<Self> {
+    /// Of a case on all `repeats` of a surface; `None` where no load was compared.
+    pub fn new(realisations: &[CaseResults], repeats: Repeats, accepted: &Accepted) -> Option<Self> {
         let cases = || realisations.iter();
         let each: Vec<AgainstReference> = cases().map(|case| case.against_reference.clone()).collect();
-        let against = AgainstReference::over(&each).sorted();
+        let against = AgainstReference::over(&each, repeats).sorted();
         let yields = cases().any(|case| {
             let cap = case.reference.as_ref().and_then(|curve| curve.cap);
             cap.is_some() || case.yields

@@ -1,8 +1,8 @@
 //! Verdicts on one surface under one law and thickness.
 
 use crate::compare::{
-    Accepted, AdmissibleRange, Attribution, Comparison, Difference, NotModelled, OnMap, Stretch, Support,
-    Verdict,
+    Accepted, AdmissibleRange, Attribution, Comparison, Difference, NotModelled, OnMap, Repeats, Stretch,
+    Support, Verdict,
 };
 
 use super::reference::ReferenceVerdicts;
@@ -32,6 +32,8 @@ pub struct Verdicts {
     pub over_independent: Option<f64>,
     /// Nominal area of one realisation, m^2.
     pub area: f64,
+    /// Number of relative positions of two rough bodies that the differences are means of; 1 of one surface.
+    pub shifts: usize,
     /// Whether a failed fitness check of the surface keeps it from carrying a verdict.
     pub is_blocked: bool,
     /// Both models against the reference, where one was run at some load of both.
@@ -80,7 +82,7 @@ impl Basis {
     }
 
     fn new(surface: &Surface, realisations: &[CaseResults], differences: &[Difference]) -> Self {
-        if realisations.len() > 1 {
+        if realisations.len() > 1 && surface.repeats == Repeats::Realisations {
             return Self::Realisations(realisations.len());
         }
         let is_generated =
@@ -107,13 +109,19 @@ impl Verdicts {
     pub fn new(surface: &Surface, realisations: &[CaseResults], accepted: Accepted) -> Self {
         let of_each: Vec<Vec<Difference>> =
             realisations.iter().map(|case| case.differences.clone()).collect();
-        let mut differences =
-            if let [only] = &of_each[..] { only.clone() } else { Difference::over(&of_each) };
+        let mut differences = if let [only] = &of_each[..] {
+            only.clone()
+        } else {
+            Difference::over(&of_each, surface.repeats)
+        };
         differences.sort_by(|a, b| a.load.total_cmp(&b.load));
         let of_each: Vec<Vec<Attribution>> =
             realisations.iter().map(|case| case.attribution.clone()).collect();
-        let mut attribution =
-            if let [only] = &of_each[..] { only.clone() } else { Attribution::over(&of_each) };
+        let mut attribution = if let [only] = &of_each[..] {
+            only.clone()
+        } else {
+            Attribution::over(&of_each, surface.repeats)
+        };
         attribution.sort_by(|a, b| a.load.total_cmp(&b.load));
         Self {
             accepted,
@@ -128,8 +136,9 @@ impl Verdicts {
             basis: Basis::new(surface, realisations, &differences),
             over_independent: over_independent(&differences),
             area: surface.set.nominal_area(),
+            shifts: if surface.repeats == Repeats::Shifts { realisations.len() } else { 1 },
             is_blocked: surface.is_blocked(),
-            reference: ReferenceVerdicts::new(realisations, &accepted),
+            reference: ReferenceVerdicts::new(realisations, surface.repeats, &accepted),
             differences,
         }
     }
@@ -148,7 +157,7 @@ impl Verdicts {
         if self.is_blocked { "blocked" } else { verdict.name() }
     }
 
-    /// Whether one surface was compared, not several realisations.
+    /// Whether one surface was compared, or one pair of them, not several realisations.
     pub fn has_one_surface(&self) -> bool {
         !matches!(self.basis, Basis::Realisations(_))
     }

@@ -16,7 +16,7 @@ pub use overview::{AnalysisDepth, MOST_ANALYSED_POINTS, MapOverview};
 pub use remedy::{Remedy, usual_long_filter};
 pub use search::{FoundSpikes, MOST_SPIKE_POINTS, NoAsperities, Preparation, SummitSearch};
 
-use crate::compare::Division;
+use crate::compare::{Division, Repeats};
 use crate::distribution::{HeightModel, HeightsError};
 use crate::topography::fitness::{Finding, LineOffsets, Lines, Spikes};
 use crate::topography::generate::{FittedProcess, SigmaOf, SurfaceGenerator, Target, Unfitted};
@@ -61,6 +61,8 @@ pub struct Surface {
     pub small: Option<Box<SmallMap>>,
     /// Number of realisations of this surface.
     pub realisations: usize,
+    /// What these are.
+    pub repeats: Repeats,
     /// How its preparation was found, where it was not prescribed.
     pub fit: Option<Box<Fit>>,
     /// Caveats.
@@ -238,6 +240,7 @@ impl Surface {
             halves: None,
             small: None,
             realisations: 1,
+            repeats: Repeats::Realisations,
             fit: None,
             warnings: Vec::new(),
         }

@@ -130,17 +130,25 @@ impl RoughPair {
         Placement { turns, shift }
     }
 
+    /// Points of the sum along x and y.
+    pub fn overlap(&self, at: Placement) -> [usize; 2] {
+        if self.repeats() {
+            return self.first.points;
+        }
+        let second = &self.second[at.turns % self.second.len()];
+        [0, 1].map(|axis| {
+            let [of_first, of_second] = [&self.first, second].map(|map| map.points[axis] as isize);
+            let [start, end] = [at.shift[axis].max(0), of_first.min(at.shift[axis] + of_second)];
+            (end - start).max(0) as usize
+        })
+    }
+
     /// The sum of both heights where both are, at a placement within [`Self::range`]; missing where one is.
     pub fn sum(&self, at: Placement) -> HeightMap {
         let second = &self.second[at.turns % self.second.len()];
-        let [of_first, of_second] = [&self.first, second].map(|map| map.points.map(|count| count as isize));
-        let (start, points): ([isize; 2], [usize; 2]) = if self.repeats() {
-            ([0; 2], self.first.points)
-        } else {
-            let start = at.shift.map(|shift| shift.max(0));
-            let end = [0, 1].map(|axis| of_first[axis].min(at.shift[axis] + of_second[axis]));
-            (start, [0, 1].map(|axis| (end[axis] - start[axis]).max(0) as usize))
-        };
+        let of_second = second.points.map(|count| count as isize);
+        let start = if self.repeats() { [0; 2] } else { at.shift.map(|shift| shift.max(0)) };
+        let points = self.overlap(at);
         let mut heights = vec![f64::NAN; points[0] * points[1]];
         for_each_row(&mut heights, points[1].max(1), &|ix, row| {
             for (iy, z) in row.iter_mut().enumerate() {
@@ -161,9 +169,9 @@ impl RoughPair {
         }
     }
 
-    /// Points of the first map.
-    pub fn points(&self) -> [usize; 2] {
-        self.first.points
+    /// Points of the map that has fewer of them.
+    pub fn fewest_points(&self) -> usize {
+        self.first.heights.len().min(self.second[0].heights.len())
     }
 
     /// Distance of the points, m.

@@ -56,6 +56,15 @@ impl Card<'_> {
             Basis::ModelBased => {
                 ["Model-based 95 % intervals".to_owned(), "Model-based intervals".to_owned()]
             }
+            Basis::Blocks { count, .. } if self.verdicts().shifts > 1 => {
+                let shifts = self.verdicts().shifts;
+                [
+                    format!(
+                        "{short} from {count} blocks of the sum of both maps and {shifts} relative positions"
+                    ),
+                    short.to_owned(),
+                ]
+            }
             Basis::Blocks { count, .. } => {
                 [format!("{short} from {count} blocks of the map"), short.to_owned()]
             }

@@ -36,6 +36,7 @@ pub fn verdicts(contacts: f64, contrasts: [f64; 2], error: Option<f64>) -> Verdi
         basis: Basis::Asperities,
         over_independent: None,
         area: 1e-6,
+        shifts: 1,
         is_blocked: false,
         reference: None,
     }
@@ -89,6 +90,7 @@ pub fn with_case<T>(
         dependences: Vec::new(),
     };
     change(&mut case);
-    let card = Card { case: &case, surface: &surface, load_area: 1e-6, undivided: None, correlation: None };
+    let card =
+        Card { case: &case, surface: &surface, load_area: 1e-6, undivided: None, correlations: Vec::new() };
     read(&card, &case.verdicts.differences[0])
 }

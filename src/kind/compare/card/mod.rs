@@ -50,8 +50,8 @@ pub struct Card<'a> {
     load_area: f64,
     /// Why the difference is not divided among causes; `None` where it is.
     undivided: Option<&'static str>,
-    /// The nearest correlation of a conductance that is asked for.
-    correlation: Option<Correlated>,
+    /// The correlations of the conductances that are asked for.
+    correlations: Vec<Correlated>,
 }
 
 /// What the load of a card allows to say.
@@ -75,7 +75,7 @@ impl<'a> Card<'a> {
             surface: &results.surface,
             load_area: results.load_area,
             undivided: results.realisations[0].model.undivided(),
-            correlation: Correlated::nearest(case),
+            correlations: Correlated::all(case),
         }
     }
 
@@ -141,6 +141,10 @@ impl<'a> Card<'a> {
 
     /// What was compared: "On this map", "On these asperities", "In the mean of 8 realisations".
     fn scope(&self) -> String {
+        let shifts = self.verdicts().shifts;
+        if shifts > 1 {
+            return format!("In the mean of {shifts} relative positions");
+        }
         match self.verdicts().basis {
             Basis::Realisations(count) => format!("In the mean of {count} realisations"),
             Basis::Asperities | Basis::Unstated => "On these asperities".to_owned(),

@@ -75,10 +75,10 @@ impl Card<'_> {
         if curve.unreached.contains(&at.load) {
             return Some("None: no contact carries so high a pressure.".to_owned());
         }
-        let Some(reference) = &self.verdicts().reference else {
+        if self.verdicts().reference.is_none() {
             return Some("Not told: no load was compared with them.".to_owned());
-        };
-        let elastic = if reference.yields && curve.cap.is_none() { " (elastic ones)" } else { "" };
+        }
+        let elastic = if self.is_elastic_alone() { " (elastic ones)" } else { "" };
         let area = self.nearer_in(ComparedQuantity::Area, &format!("contact area{elastic}"), at.load);
         Some(area.unwrap_or_else(|| "Not told: no load of theirs is admissible.".to_owned()))
     }
@@ -86,11 +86,24 @@ impl Card<'_> {
     /// The same in the conductance that is asked for; of both the electrical one.
     pub(super) fn nearer_in_conductance(&self, at: &Difference) -> Option<String> {
         let conductances = [ComparedQuantity::ElectricalConductance, ComparedQuantity::ThermalConductance];
-        let is_told = !matches!(self.state(at), State::Unfit);
-        conductances
-            .into_iter()
-            .filter(|_| is_told)
-            .find_map(|one| self.nearer_in(one, "conductance", at.load))
+        let name = if self.is_elastic_alone() { "conductance (elastic ones)" } else { "conductance" };
+        let is_told = self.state(at) != State::Unfit;
+        conductances.into_iter().filter(|_| is_told).find_map(|one| self.nearer_in(one, name, at.load))
+    }
+
+    /// Whether the sum yields and the boundary elements do not.
+    fn is_elastic_alone(&self) -> bool {
+        let is_elastic = self.case.first().reference.as_ref().is_some_and(|curve| curve.cap.is_none());
+        is_elastic && self.verdicts().reference.as_ref().is_some_and(|reference| reference.yields)
+    }
+
+    /// A text in which boundary elements that are elastic where the sum yields are called so.
+    pub(super) fn elastic(&self, text: String) -> String {
+        if self.is_elastic_alone() {
+            text.replace("boundary elements", "elastic boundary elements")
+        } else {
+            text
+        }
     }
 
     /// "In contact area the sum, from 1 to 40 MPa; at this load sum -5 %, integral +82 % against them."; `None` without admissible loads.

@@ -31,6 +31,7 @@ impl Card<'_> {
             .filter_map(|other| relative_to(other, model, |one| Some(one.point.area_ratio)))
             .collect();
         let others = if others.is_empty() { String::new() } else { format!("; {}", others.join(", ")) };
+        let others = self.elastic(others);
         let [contacts, mean, regime] = details(model, nominal);
         let text = |contacts: &str, mean: &str, regime: &str| {
             format!("{load}: {real}{contacts}{mean}{regime} ({}){others}.", model_name(model.model))

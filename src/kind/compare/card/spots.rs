@@ -8,36 +8,40 @@ use asperity_contact_framework::report::format::{input_quantity, number, quantit
 
 use super::result::{model_name, relative_to};
 use super::{Card, area};
+use crate::kind::compare::correlations::Correlated;
 use crate::model_tables::REFERENCE;
+use crate::presentation::quantity_name;
 
 impl Card<'_> {
     /// "Thermal: 52 kW/(m² K), 19.2 mm² K/W, 4.8 K/W on 4 mm² (sum; 95 % interval 48 to 56); integral +3 %, boundary elements +12 %." for each
-    /// conductance that is asked for, then how far the nearest correlation in use is off.
+    /// conductance that is asked for, then how far correlations in use are off.
     pub(super) fn conductances(&self) -> Vec<String> {
         let of = [
             (ComparedQuantity::ElectricalConductance, "Electrical"),
             (ComparedQuantity::ThermalConductance, "Thermal"),
         ];
         let conductances = of.into_iter().filter_map(|(quantity, name)| self.conductance(quantity, name));
-        conductances.chain(self.correlation()).collect()
+        conductances.chain(self.correlations()).collect()
     }
 
-    /// "Correlation of Mikic: -12 to +30 % of boundary elements; within ±20 % from 2 to 10 MPa."
-    fn correlation(&self) -> Option<String> {
-        let found = self.correlation.as_ref()?;
-        let [low, high] = found.range().map(|at| signed(two_digits(100.0 * at)));
-        let size = if low == high { low } else { format!("{low} to {high}") };
-        let against = if found.against == REFERENCE { "boundary elements" } else { "the sum" };
-        let accepted = number(100.0 * found.accepted);
-        let within = match found.within() {
-            None => format!("not within ±{accepted} % at any load"),
-            Some([from, to]) if from == to => {
-                format!("within ±{accepted} % at {}", input_quantity(from, "Pa"))
-            }
-            Some(loads) => format!("within ±{accepted} % from {}", range(loads, "Pa")),
+    /// "Correlations against boundary elements: Cooper-Mikic-Yovanovich (plastic) +5 to +19 %, within ±20 % from 1 to 12.8 MPa; Mikic (elastic) -71
+    /// to -68 %, within ±20 % at no load." Once where both conductances have the same.
+    fn correlations(&self) -> Vec<String> {
+        let groups = self.correlations.chunk_by(|a, b| a.quantity == b.quantity);
+        let text = |group: &[Correlated]| {
+            let against = if group[0].against == REFERENCE { "boundary elements" } else { "the sum" };
+            let each: Vec<String> = group.iter().map(correlation).collect();
+            format!("against {against}: {}.", each.join("; "))
         };
-        let label = found.correlation.label();
-        Some(format!("Nearest correlation in use, {label}: {size} % against {against}; {within}."))
+        let texts: Vec<(ComparedQuantity, String)> =
+            groups.map(|group| (group[0].quantity, text(group))).collect();
+        match &texts[..] {
+            [(_, one), (_, other)] if one == other => vec![format!("Correlations {one}")],
+            _ => texts
+                .iter()
+                .map(|(quantity, text)| format!("Correlations of the {} {text}", quantity_name(*quantity)))
+                .collect(),
+        }
     }
 
     fn conductance(&self, compared: ComparedQuantity, name: &str) -> Option<String> {
@@ -67,7 +71,7 @@ impl Card<'_> {
             format!(", {whole} on {}", area(self.load_area))
         };
         let interval = interval(model, compared, &shown);
-        let others = others(&at_load.models, model, compared);
+        let others = self.elastic(others(&at_load.models, model, compared));
         let text = |on: &str| {
             let model = model_name(model.model);
             format!("{name}: {} {unit}, {of_area}{on} ({model}{interval}){others}.", shown(value))
@@ -82,9 +86,22 @@ impl Card<'_> {
         let model = main_model(&at_load.models, compared)?;
         let value = model.point.value(compared)?;
         let interval = interval(model, compared, &number);
-        let others = others(&at_load.models, model, compared);
+        let others = self.elastic(others(&at_load.models, model, compared));
         Some(format!("Coefficient {} ({}{interval}){others}.", number(value), model_name(model.model)))
     }
+}
+
+/// "Mikic (elastic) -71 to -68 %, within ±20 % at no load".
+fn correlation(found: &Correlated) -> String {
+    let [low, high] = found.range().map(|at| signed(two_digits(100.0 * at)));
+    let size = if low == high { low } else { format!("{low} to {high}") };
+    let within = match found.within() {
+        None => "at no load".to_owned(),
+        Some([from, to]) if from == to => format!("at {}", input_quantity(from, "Pa")),
+        Some(loads) => format!("from {}", range(loads, "Pa")),
+    };
+    let accepted = number(100.0 * found.accepted);
+    format!("{} {size} %, within ±{accepted} % {within}", found.correlation.label())
 }
 
 /// The sum, or else the integral or the reference.

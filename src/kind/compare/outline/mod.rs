@@ -80,7 +80,7 @@ impl Outcome for CompareResults {
         for surface in &self.surfaces {
             let which = match surface.realisations.len() {
                 1 => String::new(),
-                count => format!(", the first of {count} realisations"),
+                count => format!(", the first of {count} {}", surface.surface.repeats.name()),
             };
             page.details(2, &format!("Surface {}{which}", surface.surface.name), |page| {
                 section::section(page, tables, &surface.surface, Some(&surface.realisations[0].population));
@@ -163,13 +163,15 @@ impl CompareResults {
     }
 }
 
-/// "Friction at 5 MPa is least at 100 nm by the sum (0.066, uncoated 0.124) and at 80 nm by the integral (0.0705). "; `None` where it is not asked
-/// for.
+/// "Of these thicknesses friction at 5 MPa is least at 100 nm by the sum (0.066, uncoated 0.124) and at 80 nm by the integral (0.0705), with
+/// breakdown at w = 1 t. ", at the middle one of the loads that are admissible under all; `None` where it is not asked for.
 fn least_friction(series: &Series) -> Option<String> {
     let first = series.friction.first()?;
     let mut loads: Vec<f64> = series.friction.iter().map(|found| found.pressure).collect();
     loads.dedup();
-    let load = loads[loads.len() / 2];
+    let admissible: Vec<f64> = loads.iter().copied().filter(|&load| series.is_admissible(load)).collect();
+    let among = if admissible.is_empty() { &loads } else { &admissible };
+    let load = among[among.len() / 2];
     let of = |kind: ModelKind, name: &str| {
         let at_load = series.friction.iter().filter(|found| found.pressure == load);
         let mut of_model = at_load.filter(|found| found.breakdown == first.breakdown && found.kind == kind);
@@ -180,7 +182,13 @@ fn least_friction(series: &Series) -> Option<String> {
     };
     let models = [of(ModelKind::Deterministic, "the sum"), of(ModelKind::Statistical, "the integral")];
     let models: Vec<String> = models.into_iter().flatten().collect();
-    Some(format!("Friction at {} is least {}. ", input_quantity(load, "Pa"), listed(&models)))
+    Some(format!(
+        "Of these thicknesses friction at {} is least {}, with breakdown at w = {} t{}. ",
+        input_quantity(load, "Pa"),
+        listed(&models),
+        number(first.breakdown),
+        if admissible.is_empty() { " (not an admissible load)" } else { "" }
+    ))
 }
 
 /// How many cases have which answer, in one or two sentences.

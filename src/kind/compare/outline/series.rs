@@ -59,8 +59,8 @@ pub fn table(series: &Series, page: &mut Page, tables: &Tables) {
     }
     if series.realisations > 1 {
         page.paragraph(&format!(
-            "Shown: the first of {} realisations; `curves.csv` has all.",
-            series.realisations
+            "Shown: the first of {} {}; `curves.csv` has all.",
+            series.realisations, series.repeats
         ));
     }
     let view =

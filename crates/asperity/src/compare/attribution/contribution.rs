@@ -1,7 +1,7 @@
 //! The contributions to a difference, with their intervals, and which of them leads.
 
 use super::Cause;
-use crate::compare::difference::Estimate;
+use crate::compare::difference::{Estimate, Repeats};
 
 /// The number of orders of replacement.
 const ORDERS: usize = 3;
@@ -45,9 +45,11 @@ impl Contribution {
         magnitudes.is_some_and(|([least, _], [_, most])| least > most)
     }
 
-    /// The mean over realisations (at least two), with the intervals that their scatter gives.
-    fn over(each: &[Self]) -> Self {
-        let over = |of: &dyn Fn(&Self) -> Estimate| Estimate::over(&each.iter().map(of).collect::<Vec<_>>());
+    /// The mean over `repeats` of a surface (at least two).
+    fn over(each: &[Self], repeats: Repeats) -> Self {
+        let over = |of: &dyn Fn(&Self) -> Estimate| {
+            Estimate::over(&each.iter().map(of).collect::<Vec<_>>(), repeats)
+        };
         Self {
             by_order: std::array::from_fn(|order| over(&|one| one.by_order[order])),
             mean: over(&|one| one.mean),
@@ -101,10 +103,11 @@ impl Contributions {
         largest(&self.total, &Cause::ALL.map(|cause| (cause, *self.of_cause(cause))))
     }
 
-    /// The mean contributions over realisations (at least two).
-    pub(super) fn over(each: &[Self]) -> Self {
-        let over =
-            |of: &dyn Fn(&Self) -> Contribution| Contribution::over(&each.iter().map(of).collect::<Vec<_>>());
+    /// The mean contributions over `repeats` of a surface (at least two).
+    pub(super) fn over(each: &[Self], repeats: Repeats) -> Self {
+        let over = |of: &dyn Fn(&Self) -> Contribution| {
+            Contribution::over(&each.iter().map(of).collect::<Vec<_>>(), repeats)
+        };
         let others: Option<Vec<[f64; 3]>> = each.iter().map(|one| one.with_other_radius).collect();
         let mean_of = |others: Vec<[f64; 3]>| {
             Cause::ALL.map(|cause| {
@@ -112,7 +115,7 @@ impl Contributions {
             })
         };
         Self {
-            total: Estimate::over(&each.iter().map(|one| one.total).collect::<Vec<_>>()),
+            total: Estimate::over(&each.iter().map(|one| one.total).collect::<Vec<_>>(), repeats),
             causes: Cause::ALL.map(|cause| over(&|one| *one.of_cause(cause))),
             radii: over(&|one| one.radii),
             with_other_radius: others.map(mean_of),

@@ -35,7 +35,7 @@ pub use states::{Inputs, Rearranged};
 
 use crate::named_enum;
 
-use super::difference::{ByQuantity, ComparedQuantity, over_realisations};
+use super::difference::{ByQuantity, ComparedQuantity, Repeats, over_realisations};
 
 named_enum! {
     /// A reason why both models differ.
@@ -101,17 +101,16 @@ impl Attribution {
         self.quantities[quantity as usize].as_ref()
     }
 
-    /// The mean attributions over realisations (at least two), at the loads that all of them have, with the interval that
-    /// their scatter gives.
-    pub fn over(realisations: &[Vec<Self>]) -> Vec<Self> {
-        over_realisations(realisations, |one| one.load, Self::mean)
+    /// The mean attributions over `repeats` of a surface (at least two), at the loads that all of them have.
+    pub fn over(realisations: &[Vec<Self>], repeats: Repeats) -> Vec<Self> {
+        over_realisations(realisations, |one| one.load, |all| Self::mean(all, repeats))
     }
 
-    fn mean(all: &[Self]) -> Self {
+    fn mean(all: &[Self], repeats: Repeats) -> Self {
         let quantity = |quantity: ComparedQuantity| {
             let each: Option<Vec<Contributions>> =
                 all.iter().map(|one| one.contributions(quantity).copied()).collect();
-            Some(Contributions::over(&each?))
+            Some(Contributions::over(&each?, repeats))
         };
         Self { load: all[0].load, quantities: ComparedQuantity::ALL.map(quantity) }
     }

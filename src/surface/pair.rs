@@ -1,0 +1,187 @@
+//! Two rough bodies: planned from two surfaces of the spec, and made one at each relative position.
+
+use std::ops::Range;
+
+use asperity::numeric::stream_seed;
+use asperity::surface::Surface;
+use asperity::topography::summits::Neighbours;
+use asperity::topography::{HeightMap, Placement, RoughPair};
+use asperity_contact_framework::input::{InputError, Source, Spanned};
+use asperity_contact_framework::report::format::quantity;
+
+use super::files::Files;
+use super::pair_spec::PairSpec;
+use super::plan::{Origin, SurfacePlan, Surfaces};
+
+/// A pair that can be made.
+#[derive(Debug)]
+pub(super) struct PairPlan {
+    /// Both bodies.
+    pub(super) bodies: [SurfacePlan; 2],
+    /// Whether the second is turned at random.
+    turns: bool,
+    /// Nesting index of the S filter of the coarser map, m; 0 without one.
+    s: f64,
+    /// Position of the names in the spec.
+    keys: Range<usize>,
+    /// What a summit is: as on the first body.
+    pub(super) neighbours: Neighbours,
+}
+
+/// Relative positions where none are given.
+pub(super) const SHIFTS: u64 = 16;
+
+impl PairPlan {
+    /// Of two of `all` surfaces of a spec.
+    ///
+    /// # Errors
+    /// Names that are not of surfaces with one height map whose pixel is known.
+    pub(super) fn new(
+        source: &Source,
+        raw: &PairSpec,
+        all: &Surfaces,
+        as_ellipses: bool,
+    ) -> Result<Self, InputError> {
+        let body = |name: &Spanned<String>| {
+            let refuse = |message: String| source.error_at(name.span(), message);
+            let wanted = name.get_ref();
+            let Some((name, spec)) = all.iter().find(|(name, _)| name.get_ref() == wanted) else {
+                let others: Vec<&str> = all.keys().map(|name| name.get_ref().as_str()).collect();
+                return Err(refuse(format!(
+                    "found \"{wanted}\"; allowed: a surface of this file ({})",
+                    others.join(", ")
+                )));
+            };
+            if spec.get_ref().is_pair() {
+                return Err(refuse(format!(
+                    "found \"{wanted}\", which is a pair; allowed: a surface with a height map"
+                )));
+            }
+            let plan = SurfacePlan::new(source, name, spec, all, as_ellipses)?;
+            if plan.has_given_asperities() {
+                return Err(refuse(format!(
+                    "found \"{wanted}\", whose asperities have no height map; allowed: [surface.{wanted}.file] or [surface.{wanted}.generate]. \
+                     Asperities of two bodies without positions make no sum: enter their composite as one population"
+                )));
+            }
+            if plan.realisations > 1 {
+                return Err(refuse(format!(
+                    "found {} realisations of \"{wanted}\"; allowed: one",
+                    plan.realisations
+                )));
+            }
+            if plan.pixel().is_none() {
+                return Err(refuse(format!(
+                    "found \"{wanted}\", whose pixel follows from `summits`; allowed: a generated surface with `pixel` and `sigma`"
+                )));
+            }
+            Ok(plan)
+        };
+        let bodies = [body(&raw.a)?, body(&raw.b)?];
+        let coarser = |plan: &SurfacePlan| plan.pixel().map_or(0.0, |[dx, dy]| dx.max(dy));
+        let is_first_coarser = coarser(&bodies[0]) >= coarser(&bodies[1]);
+        let s = bodies[usize::from(!is_first_coarser)].short_cut_off().unwrap_or(0.0);
+        let neighbours = bodies[0].neighbours();
+        Ok(Self { bodies, turns: raw.rotations, s, keys: raw.a.span().start..raw.b.span().end, neighbours })
+    }
+
+    /// Points along x and y that both have in common at most, and their distance (m).
+    pub(super) fn grid(&self) -> ([usize; 2], [f64; 2]) {
+        let of = |body: &SurfacePlan| (body.map_points().unwrap_or([3; 2]), body.pixel().unwrap_or([1.0; 2]));
+        let [first, second] = [of(&self.bodies[0]), of(&self.bodies[1])];
+        let pixel = [0, 1].map(|axis| first.1[axis].max(second.1[axis]));
+        let count = |(points, own): ([usize; 2], [f64; 2]), axis: usize| {
+            ((points[axis] - 1) as f64 * own[axis] / pixel[axis]).round() as usize + 1
+        };
+        ([0, 1].map(|axis| count(first, axis).min(count(second, axis))), pixel)
+    }
+
+    /// Whether both maps repeat.
+    pub(super) fn is_periodic(&self) -> bool {
+        self.bodies.iter().all(SurfacePlan::is_periodic)
+    }
+
+    /// What it is, for a plan that a person reads.
+    pub(super) fn describe(&self) -> String {
+        let turned = if self.turns { " and quarter turns" } else { "" };
+        format!("sum of {} and {} at random shifts{turned}", self.bodies[0].name, self.bodies[1].name)
+    }
+
+    /// Both bodies from their prepared maps, made by `make`.
+    ///
+    /// # Errors
+    /// Maps that cannot be made, or do not belong together.
+    pub(super) fn make(
+        &self,
+        source: &Source,
+        files: &mut Files,
+        mut make: impl FnMut(&SurfacePlan, &mut Files) -> Result<Surface, InputError>,
+    ) -> Result<RoughPair, InputError> {
+        let mut map = |body: &SurfacePlan| -> Result<HeightMap, InputError> {
+            let surface = make(body, files)?;
+            let prepared = surface.prepared.map(|prepared| prepared.map);
+            prepared
+                .ok_or_else(|| source.error_at(self.keys.clone(), format!("{} has no height map", body.name)))
+        };
+        let [first, second] = &self.bodies;
+        RoughPair::new(map(first)?, map(second)?, self.s, self.turns).map_err(|error| {
+            source.error_at(self.keys.clone(), format!("{} and {}: {error}", first.name, second.name))
+        })
+    }
+
+    /// Where the second body lies at a repeat of the pair `name`.
+    pub(super) fn placement(pair: &RoughPair, seed: u64, name: &str, number: usize) -> Placement {
+        pair.place(stream_seed(seed, &format!("pair {name} shift {number}")))
+    }
+
+    /// How far the second body is shifted in `shifts` positions, and what of the area is lost at most.
+    pub(super) fn caveat(&self, pair: &RoughPair, seed: u64, name: &str, shifts: usize) -> String {
+        let all: Vec<Placement> =
+            (1..=shifts).map(|number| Self::placement(pair, seed, name, number)).collect();
+        let turned = if self.turns { ", turned by 0, 90, 180 or 270 degrees" } else { "" };
+        if self.is_periodic() {
+            return format!(
+                "two rough bodies at {shifts} random relative positions around the border{turned}; `{}` is turned over",
+                self.bodies[1].name
+            );
+        }
+        let least = all.iter().map(|&at| pair.overlap(at).into_iter().product::<usize>()).min().unwrap_or(0);
+        let lost = 1.0 - least as f64 / pair.fewest_points() as f64;
+        let pixel = pair.pixel();
+        let off_centre = |at: &Placement| {
+            let from_middle = |axis: usize| {
+                let [low, high] = pair.range(at.turns, axis);
+                (at.shift[axis] as f64 - 0.5 * (low + high) as f64) * pixel[axis]
+            };
+            from_middle(0).hypot(from_middle(1))
+        };
+        let longest = all.iter().map(off_centre).fold(0.0, f64::max);
+        format!(
+            "two rough bodies at {shifts} random relative positions{turned}, up to {} from the middle; only the overlap counts, which loses up \
+             to {:.0} % of the smaller map; `{}` is turned over",
+            quantity(longest, "m"),
+            100.0 * lost.max(0.0),
+            self.bodies[1].name
+        )
+    }
+}
+
+impl SurfacePlan {
+    /// Nesting index of the S filter of a measured map, m.
+    fn short_cut_off(&self) -> Option<f64> {
+        match &self.origin {
+            Origin::Map(map) => map.preparation.filter.and_then(|filter| filter.s()),
+            _ => None,
+        }
+    }
+
+    /// Which neighbours a summit is higher than.
+    fn neighbours(&self) -> Neighbours {
+        match &self.origin {
+            Origin::Map(map) => map.preparation.neighbours,
+            Origin::Generated(generation) => generation.neighbours,
+            Origin::Pair(pair) => pair.neighbours,
+            Origin::List { .. } | Origin::Population { .. } => Neighbours::default(),
+        }
+    }
+}
