@@ -396,6 +396,12 @@ impl SurfacePlan {
         }
     }
 
+    /// The names of both bodies of a pair.
+    pub fn bodies(&self) -> Option<[String; 2]> {
+        let Origin::Pair(pair) = &self.origin else { return None };
+        Some(pair.bodies.each_ref().map(|body| body.name.clone()))
+    }
+
     /// Whether its realisations are two bodies at several relative positions.
     pub fn is_pair(&self) -> bool {
         matches!(self.origin, Origin::Pair(_))

@@ -9,6 +9,8 @@ use asperity_contact_framework::progress::Silent;
 use asperity_experiment::Experiment;
 use asperity_experiment::kind::compare::results::CompareResults;
 
+use crate::Report;
+
 const BODIES: &str = r#"
 title = "t"
 seed = 3
@@ -32,9 +34,13 @@ fn body(name: &str, sigma: &str, points: usize) -> String {
 }
 
 fn run(surfaces: &[&str]) -> Result<CompareResults, String> {
+    compared("", surfaces)
+}
+
+fn compared(compare: &str, surfaces: &[&str]) -> Result<CompareResults, String> {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("pair.toml");
-    std::fs::write(&path, [BODIES, &surfaces.join("\n")].concat()).unwrap();
+    std::fs::write(&path, [BODIES, compare, "\n", &surfaces.join("\n")].concat()).unwrap();
     let experiment = Experiment::read(&path).map_err(|error| error.to_string())?;
     let results: Box<dyn Outcome> = experiment.run(&Silent).map_err(|error| error.to_string())?;
     Ok(crate::downcast(results))
@@ -46,15 +52,22 @@ fn pair(keys: &str) -> String {
 
 #[test]
 fn a_rough_body_against_a_smooth_one_is_that_body() {
-    let results =
-        run(&[&body("a", "100 nm", 512), &body("b", "0.001 nm", 512), &pair("shifts = 1")]).unwrap();
-    let [alone, _, both] = &results.surfaces[..] else { panic!("three surfaces") };
+    let surfaces = [body("a", "100 nm", 512), body("b", "0.001 nm", 512), pair("shifts = 1")];
+    let surfaces: Vec<&str> = surfaces.iter().map(String::as_str).collect();
+    let results = compared("surfaces = [\"a\", \"both\"]", &surfaces).unwrap();
+    let [alone, both] = &results.surfaces[..] else { panic!("two surfaces") };
     let points = |surface: usize| {
         let case = &results.surfaces[surface].cases[0];
         let at = case.results_at(1e7);
         at.models.iter().map(|model| model.point).collect::<Vec<_>>()
     };
-    for (alone, both) in points(0).into_iter().zip(points(2)) {
+    let files = (&results as &dyn Outcome).files();
+    let (_, content) = files.iter().find(|(file, _)| *file == "smooth_bodies.csv").unwrap();
+    let mut reader = csv::Reader::from_reader(&content[..]);
+    let column = reader.headers().unwrap().iter().position(|name| name == "area_error").unwrap();
+    let errors: Vec<f64> = reader.records().map(|row| row.unwrap()[column].parse().unwrap()).collect();
+    assert!(errors.len() == 2 && errors.iter().all(|error| error.abs() < 1e-3), "{errors:?}");
+    for (alone, both) in points(0).into_iter().zip(points(1)) {
         assert!((both.area_ratio / alone.area_ratio - 1.0).abs() < 1e-3, "{alone:?} {both:?}");
     }
     assert_eq!(alone.surface.set.count(), both.surface.set.count());

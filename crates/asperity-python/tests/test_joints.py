@@ -104,3 +104,12 @@ def test_quantities_that_cannot_be_asked_for(copper):
         asperity.compare(
             surface, asperity.Interface(steel, steel), pressures=[1e6], quantities="electrical-conductance"
         )
+
+
+def test_two_rough_bodies(copper):
+    spectrum = {"self-affine": {"hurst": 0.8, "roll-off": 32e-6, "cut-off": 8e-6}}
+    bodies = [asperity.generate(256, pixel=1e-6, sigma=50e-9, spectrum=spectrum, seed=seed) for seed in (1, 2)]
+    results = asperity.compare(bodies[0].pair(bodies[1], shifts=2), asperity.Interface(copper, copper), pressures=[1e6, 1e7])
+    assert set(results.curves["surface"]) == {"surface"} and set(results.curves["realisation"]) == {1, 2}
+    with pytest.raises(ValueError, match="allowed: 1 to 1000"):
+        asperity.compare(bodies[0].pair(bodies[1], shifts=0), asperity.Interface(copper, copper), pressures=[1e6])

@@ -232,6 +232,7 @@ impl<'a> Run<'a> {
         });
         Ok(SurfaceResults {
             contact_map,
+            bodies: plan.bodies(),
             load_area: setup.load_area(&surface),
             spots: setup.laws[0].contact.spot_properties().cloned().unwrap_or_default(),
             joint: joint(&surface, &*setup.laws[0].contact),

@@ -27,7 +27,7 @@ from ._asperity import (
 )
 from . import distributed
 from .study import Results, compare, reference, run
-from .surfaces import Topography, draw, generate
+from .surfaces import Pair, Topography, draw, generate
 
 Mapping.register(Table)
 
@@ -36,6 +36,7 @@ __all__ = [
     "Interface",
     "Law",
     "Material",
+    "Pair",
     "Population",
     "Results",
     "Table",

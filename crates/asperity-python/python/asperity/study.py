@@ -12,9 +12,9 @@ import numpy as np
 
 from . import _asperity
 from ._asperity import Asperities, Interface, Material, Table
-from .surfaces import Topography, keys
+from .surfaces import Pair, Topography, keys
 
-Surface = Topography | Asperities | Mapping[str, Any]
+Surface = Topography | Pair | Asperities | Mapping[str, Any]
 
 
 class Answer:
@@ -158,7 +158,7 @@ class Results:
 def run(
     spec: str | PathLike[str] | Mapping[str, Any],
     *,
-    surfaces: Mapping[str, Topography | Asperities] | None = None,
+    surfaces: Mapping[str, Surface] | None = None,
     name: str = "asperity",
     report: str | PathLike[str] | None = None,
 ) -> Results:
@@ -190,7 +190,7 @@ def run(
         spec = {**spec}
         if surfaces:
             tables = dict(spec.get("surface", {}))
-            for key, surface in surfaces.items():
+            for key, surface in _with_bodies(surfaces).items():
                 tables[key], own = _table(key, surface)
                 in_memory.update(own)
             spec["surface"] = tables
@@ -216,6 +216,18 @@ def _table(name: str, surface: Surface) -> tuple[dict[str, Any], dict[str, Any]]
         f"surface {name}: found a {type(surface).__name__}; allowed: a Topography, Asperities, or a dictionary such as "
         "{'population': {...}}"
     )
+
+
+def _with_bodies(surfaces: Mapping[str, Surface]) -> dict[str, Surface]:
+    """The surfaces, with both bodies of each pair before it."""
+    made: dict[str, Surface] = {}
+    for key, surface in surfaces.items():
+        if isinstance(surface, Pair):
+            names = [f"{key}-a", f"{key}-b"]
+            made.update(zip(names, surface.bodies))
+            surface = {"pair": dict(zip("ab", names), shifts=surface.shifts, rotations=surface.rotations)}
+        made[key] = surface
+    return made
 
 
 def _hyphens(name: str) -> str:
@@ -265,7 +277,7 @@ def _spec(interface: Interface, surface: Surface | Mapping[str, Surface]) -> tup
         # A list of one: no curve without the layer beside it.
         compare["layer"] = {"material": "layer", "thickness": [thickness], "rule": interface.rule, "on": interface.on}
         materials["layer"] = _material(interface.layer)
-    kinds = {"generate", "population", "file", "asperities"}
+    kinds = {"generate", "population", "file", "asperities", "pair"}
     single = not isinstance(surface, Mapping) or set(surface) & kinds
     surfaces = {"surface": surface} if single else dict(surface)
     return {"title": "Comparison", "material": materials, "compare": compare}, surfaces
@@ -308,7 +320,7 @@ def compare(
 
     Parameters
     ----------
-    surface : Topography, Asperities, dict, or mapping of names to these
+    surface : Topography, Pair, Asperities, dict, or mapping of names to these
         What is pressed against the flat; a dictionary is ``[surface.NAME]`` of a spec, such as ``{"population": {...}}``.
     interface : Interface
         Bodies, law and layer.
@@ -357,6 +369,8 @@ def compare(
         options["shear_strength"] = {**strength, "tau0": _all_in("Pa", strength["tau0"])}
     _ask(quantities, options)
     spec["compare"].update(keys(options))
+    if any(isinstance(one, Pair) for one in surfaces.values()):
+        spec["compare"]["surfaces"] = list(surfaces)
     spec.update(seed=seed, title=title)
     return run(spec, surfaces=surfaces, name=name, report=report)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import cached_property
 from os import PathLike
 from typing import Any
@@ -188,6 +189,31 @@ class Topography:
         made._begin(self._raw, self.periodic, {**self._preparation, **preparation}, self._caveats)
         return made
 
+    def pair(self, other: Topography, *, shifts: int = 16, rotations: bool = False) -> Pair:
+        """This body against another rough one: the sum of both prepared maps at random relative positions.
+
+        Parameters
+        ----------
+        other : Topography
+            The other body, seen from outside; it is turned over, its x axis mirrored. Its material is that of the flat.
+        shifts : int
+            Number of relative positions, over which results are means.
+        rotations : bool
+            Whether the other body is also turned at random by 0, 90, 180 or 270 degrees.
+
+        Examples
+        --------
+        >>> import asperity
+        >>> spectrum = {"self-affine": {"hurst": 0.8, "roll-off": 32e-6, "cut-off": 8e-6}}
+        >>> ring, liner = (asperity.generate(256, pixel=1e-6, sigma=50e-9, spectrum=spectrum, seed=k) for k in (1, 2))
+        >>> steel = asperity.Material(210e9, 0.3, hardness=7.6e9)
+        >>> pair = ring.pair(liner, shifts=2)
+        >>> results = asperity.compare(pair, asperity.Interface(steel, steel), pressures=[1e7])
+        >>> len(results.at_load)
+        2
+        """
+        return Pair((self, other), shifts, rotations)
+
     def _spec(self) -> tuple[dict[str, Any], dict[str, Any]]:
         """``[surface.NAME]`` and what it names in memory."""
         given = dict(self._preparation)
@@ -256,6 +282,25 @@ class Topography:
         dx, dy = self.pixel
         periodic = ", periodic" if self.periodic else ""
         return f"<Topography: {nx} x {ny} points of {dx:.3g} x {dy:.3g} m{periodic}>"
+
+
+@dataclass(frozen=True)
+class Pair:
+    """Two rough bodies, as :meth:`Topography.pair` makes them.
+
+    Attributes
+    ----------
+    bodies : (Topography, Topography)
+        Both, each seen from outside.
+    shifts : int
+        Number of random relative positions.
+    rotations : bool
+        Whether the second body is turned at random, too.
+    """
+
+    bodies: tuple[Topography, Topography]
+    shifts: int
+    rotations: bool
 
 
 def _make(table: dict[str, Any], in_memory: dict[str, Any], seed: int = 0, realisation: int = 1) -> _asperity.Surface:

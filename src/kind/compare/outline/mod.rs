@@ -69,6 +69,7 @@ impl Outcome for CompareResults {
             });
         }
         common::warnings(&mut page, &self.page_warnings());
+        sections::smooth_bodies(&mut page, tables);
         sections::results(&mut page, tables);
         sections::verdicts(&mut page, tables);
         sections::reference(&mut page, tables);
@@ -163,8 +164,7 @@ impl CompareResults {
     }
 }
 
-/// "Of these thicknesses friction at 5 MPa is least at 100 nm by the sum (0.066, uncoated 0.124) and at 80 nm by the integral (0.0705), with
-/// breakdown at w = 1 t. ", at the middle one of the loads that are admissible under all; `None` where it is not asked for.
+/// "Friction at 5 MPa (breakdown 1 t) is least at 100 nm by the sum (0.066, uncoated 0.124) and at 80 nm by the integral (0.0705). ", at the middle one of the loads that are admissible under all; `None` where it is not asked for.
 fn least_friction(series: &Series) -> Option<String> {
     let first = series.friction.first()?;
     let mut loads: Vec<f64> = series.friction.iter().map(|found| found.pressure).collect();
@@ -183,11 +183,11 @@ fn least_friction(series: &Series) -> Option<String> {
     let models = [of(ModelKind::Deterministic, "the sum"), of(ModelKind::Statistical, "the integral")];
     let models: Vec<String> = models.into_iter().flatten().collect();
     Some(format!(
-        "Of these thicknesses friction at {} is least {}, with breakdown at w = {} t{}. ",
+        "Friction at {}{} (breakdown {} t) is least {}. ",
         input_quantity(load, "Pa"),
-        listed(&models),
+        if admissible.is_empty() { ", not admissible," } else { "" },
         number(first.breakdown),
-        if admissible.is_empty() { " (not an admissible load)" } else { "" }
+        listed(&models)
     ))
 }
 

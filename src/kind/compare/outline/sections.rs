@@ -9,7 +9,7 @@ use asperity_contact_framework::report::view::View;
 use crate::kind::compare::figures::friction;
 use crate::kind::compare::rows::{
     AnswerRow, CaseRow, DecreaseRow, FrictionRow, NearerRow, ReadingRow, ReferenceCurveRow, ResultRow,
-    RuleRow, StandingRow, ThresholdRow, VerdictRow,
+    RuleRow, SmoothBodyRow, StandingRow, ThresholdRow, VerdictRow,
 };
 use crate::kind::compare::series::Series;
 use crate::model_tables::REFERENCE;
@@ -39,6 +39,14 @@ pub fn results(page: &mut Page, tables: &Tables) {
         });
     } else {
         page.heading(2, "Results").view(&view);
+    }
+}
+
+/// What taking one of two rough bodies smooth does to the results.
+pub fn smooth_bodies(page: &mut Page, tables: &Tables) {
+    let view = tables.view::<SmoothBodyRow>().without_constant(&CASE);
+    if !view.is_empty() {
+        page.heading(2, "What if one body is taken smooth?").view(&view);
     }
 }
 
