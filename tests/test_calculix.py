@@ -140,7 +140,7 @@ def at(x, xs, ys):
 def test_the_pressure_is_that_of_the_curve(joint, closing):
     folder, (pressures, closures, _) = joint
     text = (folder / "joint.inp").read_text()
-    lead = float(re.search(r"Overclosure 0 is (\S+) further out", text).group(1))
+    lead = float(re.search(r"Closure 0 is (\S+) further out", text).group(1))
     pressure, closure, _, _ = solved(folder, "JOINT", "NODE", closing)
     assert pressure == pytest.approx(at(closure - lead, closures, pressures), rel=1e-2)
     assert pressure > pressures[0]

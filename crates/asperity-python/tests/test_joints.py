@@ -12,7 +12,14 @@ SPEC = """
 title = "Comparison"
 seed = 3
 
-[material.copper]
+[material.rough]
+young = 120e9
+poisson = 0.34
+hardness = 1e9
+resistivity = 1.7e-8
+thermal-conductivity = 400
+
+[material.flat]
 young = 120e9
 poisson = 0.34
 hardness = 1e9
@@ -20,8 +27,8 @@ resistivity = 1.7e-8
 thermal-conductivity = 400
 
 [compare]
-rough = "copper"
-flat = "copper"
+rough = "rough"
+flat = "flat"
 law = "zmc"
 pressure = [1e6, 3e6, 1e7]
 conductance = { electrical = { film = "1e-13 ohm m^2" }, thermal = {} }

@@ -14,7 +14,7 @@ use super::{Failure, RunOptions, say, set_threads, watched, write_new};
 /// What is exported.
 #[derive(Subcommand)]
 pub enum Export {
-    /// Run a [compare] spec and write pressure over closure, conductance and friction over pressure for programs for finite elements
+    /// Run a comparison and write pressure over closure, conductance and friction over pressure for programs for finite elements
     Interface {
         /// Spec file
         spec: PathBuf,

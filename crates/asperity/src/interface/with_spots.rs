@@ -124,7 +124,7 @@ mod tests {
         Material::new(210e9, 0.3, Some(7.6e9), None).unwrap()
     }
 
-    fn with_spots(law: impl Clone + crate::ScalableLaw, properties: SpotProperties) -> WithSpots {
+    fn with_spots(law: impl crate::ScalableLaw, properties: SpotProperties) -> WithSpots {
         WithSpots::new(Flat::Bare(steel()).under(law, &steel()).unwrap(), properties)
     }
 
