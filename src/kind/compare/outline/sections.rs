@@ -70,7 +70,7 @@ pub fn friction(page: &mut Page, tables: &Tables, series: &[Series]) {
             );
         }
     }
-    let view = view.without_constant(&CASE);
+    let view = view.without_constant(&CASE[..2]);
     if view.len() > MOST_OPEN {
         page.details(3, "Least friction by load, breakdown and model", |page| {
             page.view(&view);
