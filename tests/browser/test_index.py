@@ -5,7 +5,7 @@ import re
 import pytest
 from conftest import REPORTS
 
-GROUPS = ["Your surfaces", "The paper", "Layers", "Laws", "Why the models differ", "Reality check", "How far to trust the program"]
+GROUPS = ["Your surfaces", "The paper", "Layers", "Conductance and friction", "Laws", "Why the models differ", "Reality check", "How far to trust the program"]
 SMALLEST = 9
 
 

@@ -88,7 +88,9 @@ impl Card<'_> {
         let conductances = [ComparedQuantity::ElectricalConductance, ComparedQuantity::ThermalConductance];
         let name = if self.is_elastic_alone() { "conductance (elastic ones)" } else { "conductance" };
         let is_told = self.state(at) != State::Unfit;
-        conductances.into_iter().filter(|_| is_told).find_map(|one| self.nearer_in(one, name, at.load))
+        let found = conductances.into_iter().filter(|_| is_told).find_map(|one| self.nearest_parts(one));
+        // The differences stand with the conductance.
+        found.map(|parts| format!("In {name} {parts}."))
     }
 
     /// Whether the sum yields and the boundary elements do not.
@@ -108,6 +110,20 @@ impl Card<'_> {
 
     /// "In contact area the sum, from 1 to 40 MPa; at this load sum -5 %, integral +82 % against them."; `None` without admissible loads.
     fn nearer_in(&self, compared: ComparedQuantity, name: &str, load: f64) -> Option<String> {
+        let nearest = self.nearest_parts(compared)?;
+        let sizes =
+            self.sizes_against_reference(compared, load).map_or_else(String::new, |[integral, sum]| {
+                format!("; at this load sum {sum}, integral {integral} against them")
+            });
+        Some(fitting([
+            format!("In {name} {nearest}{sizes}."),
+            format!("In {name} {nearest}."),
+            format!("In {name} it changes with the load{sizes}."),
+        ]))
+    }
+
+    /// "the sum from 1 to 40 MPa; undecided at 50 MPa"; `None` without admissible loads.
+    fn nearest_parts(&self, compared: ComparedQuantity) -> Option<String> {
         let stretches = self.nearer_by_load(compared);
         let said = [
             (Some(ModelKind::Deterministic), "the sum"),
@@ -121,19 +137,7 @@ impl Card<'_> {
             (!loads.is_empty()).then(|| format!("{words} {}", listed(&loads)))
         });
         let parts: Vec<String> = parts.collect();
-        if parts.is_empty() {
-            return None;
-        }
-        let sizes =
-            self.sizes_against_reference(compared, load).map_or_else(String::new, |[integral, sum]| {
-                format!("; at this load sum {sum}, integral {integral} against them")
-            });
-        let nearest = parts.join("; ");
-        Some(fitting([
-            format!("In {name} {nearest}{sizes}."),
-            format!("In {name} {nearest}."),
-            format!("In {name} it changes with the load{sizes}."),
-        ]))
+        (!parts.is_empty()).then(|| parts.join("; "))
     }
 
     /// The differences of integral and sum in a quantity from the reference at a load.

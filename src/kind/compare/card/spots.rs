@@ -25,7 +25,7 @@ impl Card<'_> {
     }
 
     /// "Correlations against boundary elements: Cooper-Mikic-Yovanovich (plastic) +5 to +19 %, within ±20 % from 1 to 12.8 MPa; Mikic (elastic) -71
-    /// to -68 %, within ±20 % at no load." Once where both conductances have the same.
+    /// to -68 %." Once where both conductances have the same.
     fn correlations(&self) -> Vec<String> {
         let groups = self.correlations.chunk_by(|a, b| a.quantity == b.quantity);
         let text = |group: &[Correlated]| {
@@ -36,6 +36,7 @@ impl Card<'_> {
         let texts: Vec<(ComparedQuantity, String)> =
             groups.map(|group| (group[0].quantity, text(group))).collect();
         match &texts[..] {
+            [(_, one)] => vec![format!("Correlations {one}")],
             [(_, one), (_, other)] if one == other => vec![format!("Correlations {one}")],
             _ => texts
                 .iter()
@@ -91,17 +92,17 @@ impl Card<'_> {
     }
 }
 
-/// "Mikic (elastic) -71 to -68 %, within ±20 % at no load".
+/// "Mikic (elastic) -71 to -68 %", and where it is within what is accepted.
 fn correlation(found: &Correlated) -> String {
     let [low, high] = found.range().map(|at| signed(two_digits(100.0 * at)));
     let size = if low == high { low } else { format!("{low} to {high}") };
-    let within = match found.within() {
-        None => "at no load".to_owned(),
-        Some([from, to]) if from == to => format!("at {}", input_quantity(from, "Pa")),
-        Some(loads) => format!("from {}", range(loads, "Pa")),
-    };
     let accepted = number(100.0 * found.accepted);
-    format!("{} {size} %, within ±{accepted} % {within}", found.correlation.label())
+    let within = match found.within() {
+        None => String::new(),
+        Some([from, to]) if from == to => format!(", within ±{accepted} % at {}", input_quantity(from, "Pa")),
+        Some(loads) => format!(", within ±{accepted} % from {}", range(loads, "Pa")),
+    };
+    format!("{} {size} %{within}", found.correlation.label())
 }
 
 /// The sum, or else the integral or the reference.
