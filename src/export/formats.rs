@@ -73,7 +73,7 @@ impl UnitSystem {
         }
     }
 
-    const fn words(self) -> &'static str {
+    const fn note(self) -> &'static str {
         match self {
             Self::Si => "Units: m, Pa, S/m^2, W/(m^2 K)",
             Self::Mm => "Units: mm, MPa, mA/(V mm^2), mW/(mm^2 K)",
@@ -103,13 +103,13 @@ impl UnitSystem {
 
 /// Which value of a table: itself, or an end of its interval.
 #[derive(Clone, Copy, PartialEq)]
-enum Of {
+enum IntervalEnd {
     Value,
     Low,
     High,
 }
 
-impl Of {
+impl IntervalEnd {
     /// The value, and the ends where there are intervals.
     fn all_of(table: &InterfaceTable) -> &'static [(Self, &'static str)] {
         let has_intervals = table.points.iter().all(|point| point.closure.interval.is_some());
@@ -136,31 +136,37 @@ pub(super) fn files(
     if format == Format::Csv {
         return vec![ExportedFile { name: format!("{name}.csv"), text: csv(table, units) }];
     }
-    let of = |&(of, ending): &(Of, &str)| match format {
-        Format::Comsol => comsol(table, &format!("{name}{ending}"), units, of),
+    let of_end = |&(end, ending): &(IntervalEnd, &str)| match format {
+        Format::Comsol => comsol(table, &format!("{name}{ending}"), units, end),
         Format::Moose => {
-            vec![ExportedFile { name: format!("{name}{ending}.i"), text: moose(table, units, of) }]
+            vec![ExportedFile { name: format!("{name}{ending}.i"), text: moose(table, units, end) }]
         }
         _ => vec![ExportedFile {
             name: format!("{name}{ending}.inp"),
-            text: keywords(table, &format!("{name}{ending}"), format, units, of),
+            text: keywords(table, &format!("{name}{ending}"), format, units, end),
         }],
     };
-    Of::all_of(table).iter().flat_map(of).collect()
+    IntervalEnd::all_of(table).iter().flat_map(of_end).collect()
 }
 
 /// The header, each line after `comment`.
-fn header(table: &InterfaceTable, comment: &str, format: Format, units: UnitSystem, of: Of) -> String {
+fn header(
+    table: &InterfaceTable,
+    comment: &str,
+    format: Format,
+    units: UnitSystem,
+    end: IntervalEnd,
+) -> String {
     let mut text = String::new();
-    let which = match of {
-        Of::Value => "",
-        Of::Low => " Lower ends of the pointwise 95 % intervals.",
-        Of::High => " Upper ends of the pointwise 95 % intervals.",
+    let which = match end {
+        IntervalEnd::Value => "",
+        IntervalEnd::Low => " Lower ends of the pointwise 95 % intervals.",
+        IntervalEnd::High => " Upper ends of the pointwise 95 % intervals.",
     };
-    for line in &table.header {
+    for line in table.header.iter().flat_map(|line| line.lines()) {
         let _ = writeln!(text, "{comment} {line}");
     }
-    let _ = writeln!(text, "{comment} {}.{which}", units.words());
+    let _ = writeln!(text, "{comment} {}.{which}", units.note());
     let _ = match format {
         Format::Csv => writeln!(text, "{comment} Closure 0: the separation of the first load."),
         _ => writeln!(
@@ -187,9 +193,11 @@ fn csv(table: &InterfaceTable, units: UnitSystem) -> String {
         ("thermal_conductance", |point| point.thermal, UnitSystem::thermal),
         ("friction", |point| point.friction, |_, value| value),
     ];
-    let mut text = header(table, "#", Format::Csv, units, Of::Value);
-    let shown: Vec<&Column> =
-        COLUMNS.iter().filter(|(_, of, _)| table.points.iter().any(|point| of(point).is_some())).collect();
+    let mut text = header(table, "#", Format::Csv, units, IntervalEnd::Value);
+    let shown: Vec<&Column> = COLUMNS
+        .iter()
+        .filter(|(_, value, _)| table.points.iter().any(|point| value(point).is_some()))
+        .collect();
     text.push_str("pressure");
     for (name, ..) in &shown {
         let _ = write!(text, ",{name},{name}_low,{name}_high");
@@ -197,8 +205,8 @@ fn csv(table: &InterfaceTable, units: UnitSystem) -> String {
     text.push_str(",limits\n");
     for point in &table.points {
         let _ = write!(text, "{}", units.pressure(point.pressure));
-        for (_, of, scale) in &shown {
-            let value = of(point);
+        for (_, value, scale) in &shown {
+            let value = value(point);
             let end = |place: usize| value.and_then(|value| value.interval).map(|ends| ends[place]);
             for value in [value.map(|value| value.value), end(0), end(1)] {
                 let _ = write!(text, ",{}", value.map_or_else(String::new, |v| scale(units, v).to_string()));
@@ -216,11 +224,11 @@ fn lead(table: &InterfaceTable) -> f64 {
 
 /// Pairs of closure and pressure, strictly growing from 0 and 0. A line of the stiffness at the first load leads to it, so that closure 0 is
 /// further out there.
-fn curve(table: &InterfaceTable, units: UnitSystem, of: Of) -> Vec<[f64; 2]> {
+fn curve(table: &InterfaceTable, units: UnitSystem, end: IntervalEnd) -> Vec<[f64; 2]> {
     let lead = lead(table);
     let mut points = vec![[0.0, 0.0]];
     for point in &table.points {
-        let closure = lead + of.take(point.closure);
+        let closure = lead + end.take(point.closure);
         let [last, _] = points[points.len() - 1];
         // Ends of intervals need not grow, nor stay above the first load.
         if closure > last {
@@ -234,29 +242,35 @@ fn curve(table: &InterfaceTable, units: UnitSystem, of: Of) -> Vec<[f64; 2]> {
 fn over_pressure(
     table: &InterfaceTable,
     units: UnitSystem,
-    of: Of,
+    end: IntervalEnd,
     value: fn(&TablePoint) -> Option<InterfaceValue>,
 ) -> Vec<[f64; 2]> {
-    let point = |point: &TablePoint| Some([units.pressure(point.pressure), of.take(value(point)?)]);
+    let point = |point: &TablePoint| Some([units.pressure(point.pressure), end.take(value(point)?)]);
     table.points.iter().filter_map(point).collect()
 }
 
 /// Surface interactions in keywords. CalculiX reads numbers of at most 20 characters. Its version 2.20 knows a tabular overclosure with
 /// TYPE=NODE TO SURFACE only, and there takes no pressure into a conductance: heat has an interaction of its own.
-fn keywords(table: &InterfaceTable, name: &str, format: Format, units: UnitSystem, of: Of) -> String {
-    let mut text = header(table, "**", format, units, of);
+fn keywords(
+    table: &InterfaceTable,
+    name: &str,
+    format: Format,
+    units: UnitSystem,
+    end: IntervalEnd,
+) -> String {
+    let mut text = header(table, "**", format, units, end);
     let name = name.to_uppercase();
     if format == Format::Calculix {
         let _ = writeln!(text, "** For contact pairs of TYPE=NODE TO SURFACE:");
     }
     let _ = writeln!(text, "*SURFACE INTERACTION, NAME={name}");
     text.push_str("*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR\n");
-    for [closure, pressure] in curve(table, units, of) {
+    for [closure, pressure] in curve(table, units, end) {
         let _ = writeln!(text, "{pressure:.10e}, {closure:.10e}");
     }
-    let thermal = over_pressure(table, units, of, |point| point.thermal);
-    let electrical = over_pressure(table, units, of, |point| point.electrical);
-    let friction = over_pressure(table, units, of, |point| point.friction);
+    let thermal = over_pressure(table, units, end, |point| point.thermal);
+    let electrical = over_pressure(table, units, end, |point| point.electrical);
+    let friction = over_pressure(table, units, end, |point| point.friction);
     if format == Format::Abaqus {
         let scale = [UnitSystem::thermal, UnitSystem::electrical];
         let keys = ["*GAP CONDUCTANCE, PRESSURE", "*GAP ELECTRICAL CONDUCTANCE, PRESSURE"];
@@ -273,7 +287,7 @@ fn keywords(table: &InterfaceTable, name: &str, format: Format, units: UnitSyste
     }
     let middle = &table.points[table.points.len() / 2];
     let stick = friction.get(friction.len() / 2).map(|&[_, coefficient]| {
-        let (stick, of) = match middle.tangential {
+        let (stick, kind) = match middle.tangential {
             Some(tangential) => (tangential, "the tangential stiffness"),
             None => (
                 middle.stiffness.unwrap_or(table.first_stiffness),
@@ -281,7 +295,7 @@ fn keywords(table: &InterfaceTable, name: &str, format: Format, units: UnitSyste
             ),
         };
         format!(
-            "** Coefficient and stick slope ({of}) of the middle load: here they do not depend on the pressure.\n*FRICTION\n\
+            "** Coefficient and stick slope ({kind}) of the middle load: here they do not depend on the pressure.\n*FRICTION\n\
              {coefficient:.10e}, {:.10e}\n",
             units.stiffness(stick)
         )
@@ -323,8 +337,8 @@ fn without_load(table: &InterfaceTable, points: &[[f64; 2]]) -> Vec<[f64; 2]> {
 }
 
 /// Piecewise linear functions.
-fn moose(table: &InterfaceTable, units: UnitSystem, of: Of) -> String {
-    let mut text = header(table, "#", Format::Moose, units, of);
+fn moose(table: &InterfaceTable, units: UnitSystem, end: IntervalEnd) -> String {
+    let mut text = header(table, "#", Format::Moose, units, end);
     text.push_str("[Functions]\n");
     let mut function = |name: &str, points: &[[f64; 2]]| {
         if points.is_empty() {
@@ -340,8 +354,8 @@ fn moose(table: &InterfaceTable, units: UnitSystem, of: Of) -> String {
             values(1)
         );
     };
-    function("pressure_over_closure", &curve(table, units, of));
-    for (name, points) in of_pressure(table, units, of) {
+    function("pressure_over_closure", &curve(table, units, end));
+    for (name, points) in of_pressure(table, units, end) {
         function(&format!("{name}_over_pressure"), &points);
     }
     text.push_str("[]\n");
@@ -349,30 +363,34 @@ fn moose(table: &InterfaceTable, units: UnitSystem, of: Of) -> String {
 }
 
 /// Conductances and friction over the pressure, in the units of the table.
-fn of_pressure(table: &InterfaceTable, units: UnitSystem, of: Of) -> [(&'static str, Vec<[f64; 2]>); 3] {
+fn of_pressure(
+    table: &InterfaceTable,
+    units: UnitSystem,
+    end: IntervalEnd,
+) -> [(&'static str, Vec<[f64; 2]>); 3] {
     let scaled = |points: Vec<[f64; 2]>, scale: &dyn Fn(f64) -> f64| {
         without_load(table, &points).into_iter().map(|[pressure, value]| [pressure, scale(value)]).collect()
     };
-    let electrical = over_pressure(table, units, of, |point| point.electrical);
-    let thermal = over_pressure(table, units, of, |point| point.thermal);
+    let electrical = over_pressure(table, units, end, |point| point.electrical);
+    let thermal = over_pressure(table, units, end, |point| point.thermal);
     [
         ("electrical_conductance", scaled(electrical, &|value| units.electrical(value))),
         ("thermal_conductance", scaled(thermal, &|value| units.thermal(value))),
-        ("friction", over_pressure(table, units, of, |point| point.friction)),
+        ("friction", over_pressure(table, units, end, |point| point.friction)),
     ]
 }
 
 /// A text of two columns for each interpolation function.
-fn comsol(table: &InterfaceTable, name: &str, units: UnitSystem, of: Of) -> Vec<ExportedFile> {
+fn comsol(table: &InterfaceTable, name: &str, units: UnitSystem, end: IntervalEnd) -> Vec<ExportedFile> {
     let file = |function: &str, points: &[[f64; 2]]| {
-        let mut text = header(table, "%", Format::Comsol, units, of);
+        let mut text = header(table, "%", Format::Comsol, units, end);
         for [x, y] in points {
             let _ = writeln!(text, "{x:.10e} {y:.10e}");
         }
         ExportedFile { name: format!("{name}-{function}.txt"), text }
     };
-    let first = file("pressure_over_closure", &curve(table, units, of));
-    let others = of_pressure(table, units, of).into_iter().filter(|(_, points)| !points.is_empty());
+    let first = file("pressure_over_closure", &curve(table, units, end));
+    let others = of_pressure(table, units, end).into_iter().filter(|(_, points)| !points.is_empty());
     let others = others.map(|(name, points)| file(&format!("{name}_over_pressure"), &points));
     std::iter::once(first).chain(others).collect()
 }

@@ -133,7 +133,7 @@ pub fn interface_tables(results: &dyn Outcome, options: InterfaceOptions) -> Res
 }
 
 /// A joint at one load before it is placed.
-struct Found {
+struct LoadPoint {
     separation: f64,
     interval: Option<[f64; 2]>,
     stiffness: Option<f64>,
@@ -153,7 +153,7 @@ fn table(
     }
     loads.sort_by(f64::total_cmp);
     loads.dedup();
-    let all: Vec<Found> = loads.iter().filter_map(|&load| at_load(case, load, options.model)).collect();
+    let all: Vec<LoadPoint> = loads.iter().filter_map(|&load| at_load(case, load, options.model)).collect();
     if all.is_empty() {
         return Err(format!(
             "{name}: found no load of the {model} model; allowed: `pressure` or `force` in the spec, and \"{model}\" among its models",
@@ -163,8 +163,8 @@ fn table(
     if all.len() == 1 {
         return Err(format!("{name}: found one load; allowed: a list of loads, or a sweep, for a curve"));
     }
-    let is_kept = |found: &&Found| options.beyond || found.point.limits.is_empty();
-    let kept: Vec<&Found> = all.iter().filter(is_kept).collect();
+    let is_kept = |found: &&LoadPoint| options.beyond || found.point.limits.is_empty();
+    let kept: Vec<&LoadPoint> = all.iter().filter(is_kept).collect();
     if kept.len() < 2 {
         let limits = all.iter().map(|found| found.point.limits.as_str()).find(|limits| !limits.is_empty());
         return Err(format!(
@@ -177,7 +177,7 @@ fn table(
     let first = kept[0].separation;
     let whole = (first - kept[kept.len() - 1].separation).max(f64::MIN_POSITIVE);
     let mut least = f64::NEG_INFINITY;
-    let place = |found: &&Found| {
+    let place = |found: &&LoadPoint| {
         // Where the load jumps both loads have one separation.
         let closure = (first - found.separation).max(least + JUMP * whole).max(0.0);
         least = closure;
@@ -237,7 +237,7 @@ fn not_admissible(points: &[TablePoint]) -> Option<String> {
 }
 
 /// The model at a load; `None` where it was not run there, or has no separation.
-fn at_load(case: SurfaceCase, load: f64, model: TableModel) -> Option<Found> {
+fn at_load(case: SurfaceCase, load: f64, model: TableModel) -> Option<LoadPoint> {
     let at = case.case.results_at(load);
     let found = at.models.iter().find(|found| found.model == model.kind())?;
     let [separation, over_sigma] = found.point.separation?;
@@ -248,7 +248,7 @@ fn at_load(case: SurfaceCase, load: f64, model: TableModel) -> Option<Found> {
     };
     let interval = found.intervals[ComparedQuantity::Separation as usize];
     let tangential = found.point.spots[SpotQuantity::TangentialStiffness as usize];
-    Some(Found {
+    Some(LoadPoint {
         separation,
         interval: interval.filter(|_| sigma.is_finite()).map(|ends| ends.map(|h| h * sigma)),
         stiffness: found.point.stiffness.filter(|stiffness| *stiffness > 0.0),

@@ -29,11 +29,18 @@ pub fn interface_files(
     format: Format,
     units: UnitSystem,
 ) -> Vec<ExportedFile> {
-    let files = tables.iter().flat_map(|table| {
-        let name = if tables.len() > 1 { format!("{stem}-{}", table.case) } else { stem.to_owned() };
-        formats::files(table, &identifier(&name), format, units)
-    });
-    files.collect()
+    let mut names: Vec<String> = Vec::new();
+    let mut files = Vec::new();
+    for table in tables.iter().filter(|table| !table.points.is_empty()) {
+        let mut name =
+            identifier(&if tables.len() > 1 { format!("{stem}-{}", table.case) } else { stem.to_owned() });
+        if names.contains(&name) {
+            name = format!("{name}-{}", names.len() + 1);
+        }
+        files.extend(formats::files(table, &name, format, units));
+        names.push(name);
+    }
+    files
 }
 
 /// A name of ASCII letters, digits, dashes and underscores that begins with a letter, as all programs read it: "10 MPa, 2 µm" is

@@ -7,6 +7,7 @@ use asperity::law::Body;
 use asperity::layer::Coating;
 use asperity::{Material, ModulusModel};
 use asperity_contact_framework::input::InputError;
+use asperity_contact_framework::input::{Source, Spanned};
 
 use asperity_contact_framework::input::SpecFile;
 
@@ -45,6 +46,21 @@ const fn body_words(body: Body) -> &'static str {
 }
 
 impl LayerSpec {
+    /// Refuses what only `[compare]` asks of a layer.
+    ///
+    /// # Errors
+    /// A shear strength or a breakdown.
+    pub fn refuse_shear(&self, source: &Source) -> Result<(), InputError> {
+        let span = self.shear_strength.as_ref().map(Spanned::span);
+        match span.or_else(|| self.breakdown.as_ref().map(Spanned::span)) {
+            Some(span) => Err(source.error_at(
+                span,
+                "found the shear of a layer, which only a comparison takes; allowed: in the layer of [compare]",
+            )),
+            None => Ok(()),
+        }
+    }
+
     /// The body that the layer is on.
     pub fn body(&self) -> Body {
         self.on.as_ref().map_or(Body::Flat, |on| *on.get_ref())

@@ -105,6 +105,23 @@ impl StudyPlan {
         Self::on(file, keys, |as_ellipses| surfaces(file, named, table, as_ellipses))
     }
 
+    /// Refuses surfaces whose asperities have no positions, of a study with sums; `models` is the key that asks for these, if there is one.
+    ///
+    /// # Errors
+    /// The composite of two populations.
+    pub fn check_summed(&self, file: &SpecFile, models: Option<Range<usize>>) -> Result<(), InputError> {
+        let Some(composite) = self.surfaces.iter().find(|surface| surface.is_composite()) else {
+            return Ok(());
+        };
+        let message = format!(
+            "found the deterministic model on {}, the {}: their asperities have no positions at which they could be summed; allowed: \
+             [compare] with models = [\"statistical\"], maps of both bodies, or their composite as a [surface.NAME.population]",
+            composite.name,
+            composite.describe()
+        );
+        Err(file.source.error_at(models.unwrap_or_else(|| composite.size_key.clone()), message))
+    }
+
     /// The same on surfaces of the kind's own, made with ellipses or without.
     ///
     /// # Errors
@@ -157,6 +174,14 @@ impl StudyPlan {
         let law_specs = keys.law.get_ref().0.clone();
         let as_ellipses = law_specs.iter().any(ContactLaw::is_elliptic);
         let surfaces = surfaces(as_ellipses)?;
+        let has_own_areas = keys.nominal_area.is_none() && !keys.controls.forces.is_empty();
+        let without_area =
+            |surface: &&SurfacePlan| surface.is_composite() || (surface.is_pair() && !surface.is_periodic());
+        if let Some(pair) = surfaces.iter().find(without_area).filter(|_| has_own_areas) {
+            let message = "found a `force` on a pair that has no nominal area: populations, or maps that do not repeat, whose overlap changes with the \
+                           relative position; allowed: nominal-area = \"4 mm2\" beside it, or `pressure`";
+            return Err(file.source.error_at(pair.size_key.clone(), message));
+        }
         keys.spots.check_gap(file, &surfaces)?;
         let pixels = surfaces.iter().filter_map(|surface| Some((surface, surface.pixel()?)));
         implausible

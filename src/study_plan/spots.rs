@@ -8,7 +8,7 @@ use serde::{Deserialize, Deserializer};
 use serde_json::json;
 
 use asperity::spot::{
-    BrokenFilm, Conduction, ConductionError, GapMedium, Shear, ShearStrength, SpotProperties, Tangential,
+    Conduction, ConductionError, GapMedium, Shear, ShearStrength, SpotProperties, Tangential,
 };
 use asperity::study::{Film, LawContact};
 use asperity::{Material, WithSpots};
@@ -218,6 +218,11 @@ impl SpotKeys<'_> {
         if self.conductance.is_none() && self.shear_strength.is_none() {
             return Ok(laws);
         }
+        let strengths = [self.shear_strength, shear_of_layer];
+        if let Some(none) = strengths.into_iter().flatten().find(|spec| spec.get_ref().strength().is_none()) {
+            let message = "found a shear strength of 0; allowed: a `tau0` or an `alpha` above 0";
+            return Err(file.source.error_at(none.span(), message));
+        }
         let thermal = self.conductance.and_then(|conductance| conductance.get_ref().thermal.as_ref());
         if let Some(ThermalSpec { gap_conductivity: None, gap_jump: Some(jump), .. }) = thermal {
             let message = "found a temperature jump without a medium; allowed: gap-conductivity = \"...\" beside it, or no `gap-jump`";
@@ -272,14 +277,12 @@ impl SpotKeys<'_> {
         let thickness = thickness.unwrap_or(0.0);
         let shear = self.shear_strength.map(|interface| {
             let interface = interface.get_ref().strength();
-            let layer = bodies.layer.filter(|_| thickness > 0.0).map(|(_, spec)| spec);
-            let Some((layer, spec)) = layer.and_then(|spec| Some((spec.shear_strength.as_ref()?, spec)))
-            else {
-                return Shear { strength: interface, broken: None };
-            };
-            let from = thickness * breakdowns(spec)[0];
-            let broken = from.is_finite().then_some(BrokenFilm { from, strength: interface });
-            Shear { strength: layer.get_ref().strength(), broken }
+            match bodies.layer.and_then(|(_, spec)| Some((spec.shear_strength.as_ref()?, spec))) {
+                Some((film, spec)) => {
+                    Shear::under_film(interface, film.get_ref().strength(), thickness, breakdowns(spec)[0])
+                }
+                None => Shear { strength: interface, broken: None },
+            }
         });
         // Under a layer of finite thickness it is not known.
         let outermost = match bodies.layer {

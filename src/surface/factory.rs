@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use asperity::compare::Repeats;
 use asperity::numeric::stream_seed;
-use asperity::topography::{Continued, CorrelationLengths, Filter, RoughPair, Rows};
+use asperity::topography::{Continued, CorrelationLengths, Filter, Rows};
 use asperity::work::{Counter, Item};
 use asperity::{AsperityList, Draw, Ellipse, Ellipticity, Statistics};
 use asperity_contact_framework::RunContext;
@@ -17,7 +17,7 @@ use asperity_contact_framework::report::format::{input_quantity, quantity};
 use super::files::Files;
 use super::fit::{self, as_written};
 use super::fitness;
-use super::pair::PairPlan;
+use super::pair::{PairPlan, PreparedPair, greenwood_tripp_caveat};
 use super::plan::{Origin, SurfacePlan};
 use super::read_error::{list_message, spec_message};
 use super::spec::DrawSpec;
@@ -41,7 +41,7 @@ pub struct SurfaceFactory<'a> {
     /// The preparation that was found for it.
     fitted: Option<Preparation>,
     /// Both bodies of a pair, prepared.
-    pair: Option<RoughPair>,
+    pair: Option<PreparedPair>,
 }
 
 impl<'a> SurfaceFactory<'a> {
@@ -91,8 +91,7 @@ impl<'a> SurfaceFactory<'a> {
     ) -> Result<Surface, InputError> {
         let surface = self.one(realisation, depth, files, timing)?;
         self.counter.add(Item::Surfaces, 1);
-        let repeats = if self.plan.is_pair() { Repeats::Shifts } else { Repeats::Realisations };
-        Ok(Surface { realisations: self.plan.realisations, repeats, ..surface })
+        Ok(Surface { realisations: self.plan.realisations, ..surface })
     }
 
     /// How a measured map is prepared; of one whose preparation is found on it, once it was made. `None` of other surfaces.
@@ -146,7 +145,7 @@ impl<'a> SurfaceFactory<'a> {
 
     /// Whether a map is divided into blocks: unless its realisations give the sampling error. Relative positions of two bodies alone do not.
     fn divides(&self, depth: AnalysisDepth) -> bool {
-        depth != AnalysisDepth::Asperities && (self.plan.realisations == 1 || self.plan.is_pair())
+        depth != AnalysisDepth::Asperities && self.plan.is_one()
     }
 
     fn one(
@@ -199,7 +198,7 @@ impl<'a> SurfaceFactory<'a> {
                 }
                 Ok(surface)
             }
-            Origin::Population { population, ratio, count, draw, plane } => {
+            Origin::Population { population, ratio, count, draw, plane, bodies } => {
                 let draw = match draw {
                     DrawSpec::Random => Draw::Random(stream_seed(
                         self.seed,
@@ -222,6 +221,8 @@ impl<'a> SurfaceFactory<'a> {
                 surface.plane = *plane;
                 surface.mean_plane = Some(plane.mean).filter(|&mean| mean != 0.0);
                 surface.nominal = Some(population.clone());
+                surface.bodies = bodies.clone();
+                surface.warnings.extend(surface.bodies.as_deref().and_then(greenwood_tripp_caveat));
                 Ok(surface)
             }
             Origin::Generated(generation) => {
@@ -250,11 +251,11 @@ impl<'a> SurfaceFactory<'a> {
                         let (seed, counter, progress) = (self.seed, self.counter, self.progress);
                         let mut factory = SurfaceFactory::from_seed(body, source, seed, counter, progress)
                             .keeping_map(true);
-                        factory.make(1, AnalysisDepth::Asperities, files, timing)
+                        factory.make(1, AnalysisDepth::Comparison, files, timing)
                     })?,
                 };
                 let start = Instant::now();
-                let map = pair.sum(PairPlan::placement(&pair, self.seed, name, realisation));
+                let map = pair.maps.sum(PairPlan::placement(&pair.maps, self.seed, name, realisation));
                 timing.generate += start.elapsed();
                 let search = SummitSearch {
                     preparation: Preparation::none(plan.neighbours),
@@ -268,8 +269,16 @@ impl<'a> SurfaceFactory<'a> {
                     progress: self.progress,
                 };
                 let mut surface =
-                    found(name, &search, (&map, [true; 2]), timing).map_err(|error| refuse(&error))?;
-                surface.warnings.push(plan.caveat(&pair, self.seed, name, self.plan.realisations));
+                    timed(name, &search, (&map, [true; 2]), timing).map_err(|error| refuse(&error))?;
+                surface.repeats = Repeats::Shifts;
+                surface.warnings = own_warnings(&surface);
+                surface.warnings.extend(greenwood_tripp_caveat(&pair.bodies));
+                surface.bodies = Some(Box::new(pair.bodies.clone()));
+                if let Some(facts) = &mut surface.map {
+                    facts.fitness.extend(pair.faults.iter().cloned());
+                }
+                surface.warnings.extend(pair.warnings.iter().cloned());
+                surface.warnings.push(plan.caveat(&pair.maps, self.seed, name, self.plan.realisations));
                 self.pair = Some(pair);
                 Ok(surface)
             }

@@ -3,6 +3,7 @@
 use asperity::topography::fitness::{Check, Finding, Measure};
 use asperity_contact_framework::report::format::{count, input_quantity, number, percent, quantity};
 
+use asperity::compare::Repeats;
 use asperity::numeric::two_digits_up;
 use asperity::surface::{Fit, MOST_SPIKE_POINTS, MapFacts, NotApplied, Remedy, Surface};
 use asperity::topography::HeightPlace;
@@ -50,10 +51,18 @@ pub fn warnings(map: &MapFacts) -> Vec<String> {
 pub fn failures(surface: &Surface) -> Vec<String> {
     let Some(map) = &surface.map else { return Vec::new() };
     let sentence = |finding: &Finding| {
-        let remedy = remedy_left(finding, map, surface.fit.as_deref());
+        let remedy = remedy_of(finding, map, surface);
         format!("{}: {}. Remedy: {remedy}.", finding.check.name(), fault(finding, map))
     };
     map.blocking_in_order().into_iter().map(sentence).collect()
+}
+
+/// The remedy of a fault of the map of a surface; of a pair, which has no keys of a preparation, where it is.
+fn remedy_of(finding: &Finding, map: &MapFacts, surface: &Surface) -> String {
+    match surface.repeats {
+        Repeats::Realisations => remedy_left(finding, map, surface.fit.as_deref()),
+        Repeats::Shifts => "larger maps of both bodies, or the keys of their preparation".to_owned(),
+    }
 }
 
 /// The first fault of a map that may not carry a verdict, as a card says it, with the remedy and without: "No conclusion until the map is fit: 6 spikes;
@@ -66,9 +75,11 @@ pub fn in_short(surface: &Surface) -> Vec<String> {
         return vec![format!("{unfit}.")];
     };
     let fault = short_fault(first);
-    let remedy = remedy_left(first, map, surface.fit.as_deref());
-    let is_remedied =
-        surface.fit.is_none() && Remedy::new(first, map).is_some() && !has_too_many_spikes(first, map);
+    let remedy = remedy_of(first, map, surface);
+    let is_remedied = surface.fit.is_none()
+        && surface.repeats == Repeats::Realisations
+        && Remedy::new(first, map).is_some()
+        && !has_too_many_spikes(first, map);
     let others = match map.blocking_in_order().len() {
         1 => String::new(),
         count => format!(" (the first of {count} faults)"),

@@ -1,5 +1,6 @@
 //! The surfaces of a spec: read, planned, made, and described in a report.
 
+mod composite;
 mod contact_options;
 mod description;
 mod factory;

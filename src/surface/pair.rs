@@ -3,29 +3,48 @@
 use std::ops::Range;
 
 use asperity::numeric::stream_seed;
-use asperity::surface::Surface;
+use asperity::surface::{BodyAsperities, Surface};
+use asperity::topography::fitness::Finding;
 use asperity::topography::summits::Neighbours;
 use asperity::topography::{HeightMap, Placement, RoughPair};
+use asperity::{GreenwoodTrippError, MeanRadius};
 use asperity_contact_framework::input::{InputError, Source, Spanned};
 use asperity_contact_framework::report::format::quantity;
 
 use super::files::Files;
+use super::fitness;
 use super::pair_spec::PairSpec;
-use super::plan::{Origin, SurfacePlan, Surfaces};
+use super::plan::{Origin, SurfacePlan, Surfaces, named_surface};
 
 /// A pair that can be made.
 #[derive(Debug)]
 pub(super) struct PairPlan {
     /// Both bodies.
     pub(super) bodies: [SurfacePlan; 2],
-    /// Whether the second is turned at random.
-    turns: bool,
+    /// Whether the second is rotated at random.
+    rotates: bool,
     /// Nesting index of the S filter of the coarser map, m; 0 without one.
     s: f64,
     /// Position of the names in the spec.
     keys: Range<usize>,
     /// What a summit is: as on the first body.
     pub(super) neighbours: Neighbours,
+}
+
+/// Both bodies, prepared, with what keeps one of them from carrying a verdict.
+pub(super) struct PreparedPair {
+    pub(super) maps: RoughPair,
+    /// The asperities of each by itself.
+    pub(super) bodies: [BodyAsperities; 2],
+    pub(super) faults: Vec<Finding>,
+    pub(super) warnings: Vec<String>,
+}
+
+/// Why no integral of Greenwood and Tripp stands beside two bodies, where it does not describe them.
+pub(super) fn greenwood_tripp_caveat(bodies: &[BodyAsperities; 2]) -> Option<String> {
+    let populations = bodies.each_ref().map(|body| body.population(MeanRadius::Arithmetic));
+    let error = GreenwoodTrippError::of(&populations)?;
+    Some(format!("no integral of Greenwood and Tripp (1971): {error}."))
 }
 
 /// Relative positions where none are given.
@@ -45,23 +64,12 @@ impl PairPlan {
         let body = |name: &Spanned<String>| {
             let refuse = |message: String| source.error_at(name.span(), message);
             let wanted = name.get_ref();
-            let Some((name, spec)) = all.iter().find(|(name, _)| name.get_ref() == wanted) else {
-                let others: Vec<&str> = all.keys().map(|name| name.get_ref().as_str()).collect();
-                return Err(refuse(format!(
-                    "found \"{wanted}\"; allowed: a surface of this file ({})",
-                    others.join(", ")
-                )));
-            };
-            if spec.get_ref().is_pair() {
-                return Err(refuse(format!(
-                    "found \"{wanted}\", which is a pair; allowed: a surface with a height map"
-                )));
-            }
+            let (name, spec) = named_surface(source, all, name, |spec| !spec.is_pair())?;
             let plan = SurfacePlan::new(source, name, spec, all, as_ellipses)?;
             if plan.has_given_asperities() {
                 return Err(refuse(format!(
-                    "found \"{wanted}\", whose asperities have no height map; allowed: [surface.{wanted}.file] or [surface.{wanted}.generate]. \
-                     Asperities of two bodies without positions make no sum: enter their composite as one population"
+                    "found \"{wanted}\", whose asperities have no height map; allowed: [surface.{wanted}.file] or [surface.{wanted}.generate], or \
+                     two populations, whose composite is taken"
                 )));
             }
             if plan.realisations > 1 {
@@ -78,11 +86,26 @@ impl PairPlan {
             Ok(plan)
         };
         let bodies = [body(&raw.a)?, body(&raw.b)?];
+        if raw.a.get_ref() == raw.b.get_ref() {
+            let message = format!(
+                "found \"{}\" as both bodies, whose heights would not be independent; allowed: two surfaces",
+                raw.b.get_ref()
+            );
+            return Err(source.error_at(raw.b.span(), message));
+        }
+        if let ([Some(first), Some(second)], [Some(pixel), Some(other)]) =
+            (bodies.each_ref().map(SurfacePlan::map_points), bodies.each_ref().map(SurfacePlan::pixel))
+        {
+            let repeat = bodies.iter().all(SurfacePlan::is_periodic);
+            RoughPair::check([first, second], [pixel, other], repeat, raw.rotations).map_err(|error| {
+                source.error_at(raw.b.span(), format!("{} and {}: {error}", raw.a.get_ref(), raw.b.get_ref()))
+            })?;
+        }
         let coarser = |plan: &SurfacePlan| plan.pixel().map_or(0.0, |[dx, dy]| dx.max(dy));
         let is_first_coarser = coarser(&bodies[0]) >= coarser(&bodies[1]);
         let s = bodies[usize::from(!is_first_coarser)].short_cut_off().unwrap_or(0.0);
         let neighbours = bodies[0].neighbours();
-        Ok(Self { bodies, turns: raw.rotations, s, keys: raw.a.span().start..raw.b.span().end, neighbours })
+        Ok(Self { bodies, rotates: raw.rotations, s, keys: raw.a.span().start..raw.b.span().end, neighbours })
     }
 
     /// Points along x and y that both have in common at most, and their distance (m).
@@ -103,8 +126,8 @@ impl PairPlan {
 
     /// What it is, for a plan that a person reads.
     pub(super) fn describe(&self) -> String {
-        let turned = if self.turns { " and quarter turns" } else { "" };
-        format!("sum of {} and {} at random shifts{turned}", self.bodies[0].name, self.bodies[1].name)
+        let rotated = if self.rotates { " and rotations" } else { "" };
+        format!("sum of {} and {} at random shifts{rotated}", self.bodies[0].name, self.bodies[1].name)
     }
 
     /// Both bodies from their prepared maps, made by `make`.
@@ -116,17 +139,26 @@ impl PairPlan {
         source: &Source,
         files: &mut Files,
         mut make: impl FnMut(&SurfacePlan, &mut Files) -> Result<Surface, InputError>,
-    ) -> Result<RoughPair, InputError> {
-        let mut map = |body: &SurfacePlan| -> Result<HeightMap, InputError> {
+    ) -> Result<PreparedPair, InputError> {
+        let (mut faults, mut warnings) = (Vec::new(), Vec::new());
+        let mut map = |body: &SurfacePlan| -> Result<(HeightMap, BodyAsperities), InputError> {
             let surface = make(body, files)?;
+            let asperities = BodyAsperities::of(&surface);
+            faults.extend(surface.fitness().iter().filter(|finding| finding.is_blocking()).cloned());
+            warnings
+                .extend(fitness::failures(&surface).iter().map(|fault| format!("{}: {fault}", body.name)));
             let prepared = surface.prepared.map(|prepared| prepared.map);
-            prepared
-                .ok_or_else(|| source.error_at(self.keys.clone(), format!("{} has no height map", body.name)))
+            let map = prepared.ok_or_else(|| {
+                source.error_at(self.keys.clone(), format!("{} has no height map", body.name))
+            })?;
+            Ok((map, asperities))
         };
         let [first, second] = &self.bodies;
-        RoughPair::new(map(first)?, map(second)?, self.s, self.turns).map_err(|error| {
+        let ((of_first, asperities), (of_second, others)) = (map(first)?, map(second)?);
+        let maps = RoughPair::new(of_first, of_second, self.s, self.rotates).map_err(|error| {
             source.error_at(self.keys.clone(), format!("{} and {}: {error}", first.name, second.name))
-        })
+        })?;
+        Ok(PreparedPair { maps, bodies: [asperities, others], faults, warnings })
     }
 
     /// Where the second body lies at a repeat of the pair `name`.
@@ -138,10 +170,14 @@ impl PairPlan {
     pub(super) fn caveat(&self, pair: &RoughPair, seed: u64, name: &str, shifts: usize) -> String {
         let all: Vec<Placement> =
             (1..=shifts).map(|number| Self::placement(pair, seed, name, number)).collect();
-        let turned = if self.turns { ", turned by 0, 90, 180 or 270 degrees" } else { "" };
+        let positions = match shifts {
+            1 => "a random relative position".to_owned(),
+            _ => format!("{shifts} random relative positions"),
+        };
+        let rotated = if self.rotates { ", rotated by 0, 90, 180 or 270 degrees" } else { "" };
         if self.is_periodic() {
             return format!(
-                "two rough bodies at {shifts} random relative positions around the border{turned}; `{}` is turned over",
+                "two rough bodies at {positions} around the border{rotated}; the x axis of `{}` is mirrored",
                 self.bodies[1].name
             );
         }
@@ -157,8 +193,8 @@ impl PairPlan {
         };
         let longest = all.iter().map(off_centre).fold(0.0, f64::max);
         format!(
-            "two rough bodies at {shifts} random relative positions{turned}, up to {} from the middle; only the overlap counts, which loses up \
-             to {:.0} % of the smaller map; `{}` is turned over",
+            "two rough bodies at {positions}{rotated}, up to {} from the middle; only the overlap counts, which loses up \
+             to {:.0} % of the smaller map; the x axis of `{}` is mirrored",
             quantity(longest, "m"),
             100.0 * lost.max(0.0),
             self.bodies[1].name

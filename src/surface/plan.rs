@@ -6,6 +6,7 @@ use std::ops::Range;
 use std::path::PathBuf;
 
 use crate::plausibility;
+use crate::surface::composite;
 use crate::surface::files::Reading;
 use crate::surface::filters;
 use crate::surface::generation::Generation;
@@ -15,7 +16,7 @@ use crate::surface::reading;
 use crate::surface::spec::{
     DrawSpec, FileSpec, FitSpec, ListSpec, Outliers, PopulationHeights, PopulationSpec, SurfaceSpec,
 };
-use asperity::surface::{Kept, Preparation};
+use asperity::surface::{BodyAsperities, Kept, Preparation};
 use asperity::topography::read::{MapFile, Metadata, ReadOptions, ReadOptionsError};
 use asperity::topography::{Boundary, Filter, Level, read};
 use asperity::{
@@ -54,6 +55,8 @@ pub(super) enum Origin {
         count: usize,
         draw: DrawSpec,
         plane: ReferencePlane,
+        /// Those whose composite it is.
+        bodies: Option<Box<[BodyAsperities; 2]>>,
     },
     Generated(Box<Generation>),
     Map(MapPlan),
@@ -124,13 +127,16 @@ impl SurfacePlan {
                 (origin, generate.points.span(), &generate.realisations)
             }
             SurfaceSpec::File(file) => (Self::map(source, file)?, file.path.span(), &None),
-            SurfaceSpec::Pair(pair) => {
-                let plan = PairPlan::new(source, pair, all, as_ellipses)?;
-                (Origin::Pair(Box::new(plan)), pair.a.span(), &pair.shifts)
-            }
+            SurfaceSpec::Pair(pair) => match composite::of_populations(source, pair, all)? {
+                Some(composite) => (composite, pair.a.span(), &None),
+                None => {
+                    let plan = PairPlan::new(source, pair, all, as_ellipses)?;
+                    (Origin::Pair(Box::new(plan)), pair.a.span(), &pair.shifts)
+                }
+            },
         };
         let realisations = match realisations {
-            None if raw.get_ref().is_pair() => pair::SHIFTS as usize,
+            None if matches!(origin, Origin::Pair(_)) => pair::SHIFTS as usize,
             None => 1,
             Some(count) if (1..=MOST_REALISATIONS).contains(&count.get_ref().0) => count.get_ref().0 as usize,
             Some(count) => {
@@ -176,7 +182,7 @@ impl SurfacePlan {
         Ok(Origin::List { path, given, rows, nominal_area, is_independent: raw.independent })
     }
 
-    fn population(
+    pub(super) fn population(
         source: &Source,
         span: Range<usize>,
         raw: &PopulationSpec,
@@ -198,7 +204,7 @@ impl SurfacePlan {
                 plane.mean = -surface.mean_asperity_height();
             }
         }
-        Ok(Origin::Population { population, ratio, count, draw: raw.draw, plane })
+        Ok(Origin::Population { population, ratio, count, draw: raw.draw, plane, bodies: None })
     }
 
     fn map(source: &Source, raw: &FileSpec) -> Result<Origin, InputError> {
@@ -347,11 +353,13 @@ impl SurfacePlan {
     }
 
     /// Its nominal area, m²: that of the points inside the border of a map that does not continue, of which points beside missing ones
-    /// are not yet taken away. `None` where it follows from the summits of a random surface.
+    /// are not yet taken away. `None` where it follows from the summits of a random surface, and of a pair of maps that do not repeat.
     pub fn nominal_area(&self) -> Option<f64> {
         match &self.origin {
             Origin::List { nominal_area, .. } => Some(*nominal_area),
+            Origin::Population { bodies: Some(_), .. } => None,
             Origin::Population { population, count, .. } => Some(*count as f64 / population.density),
+            Origin::Pair(pair) if !pair.is_periodic() => None,
             Origin::Generated(_) | Origin::Map(_) | Origin::Pair(_) => {
                 let border = if self.is_periodic() { 0 } else { 2 };
                 let side = |points: usize, pixel: f64| (points - border) as f64 * pixel;
@@ -396,10 +404,9 @@ impl SurfacePlan {
         }
     }
 
-    /// The names of both bodies of a pair.
-    pub fn bodies(&self) -> Option<[String; 2]> {
-        let Origin::Pair(pair) = &self.origin else { return None };
-        Some(pair.bodies.each_ref().map(|body| body.name.clone()))
+    /// Whether one surface is made, or one pair of bodies, whose own parts give the sampling error.
+    pub fn is_one(&self) -> bool {
+        self.realisations == 1 || self.is_pair()
     }
 
     /// Whether its realisations are two bodies at several relative positions.
@@ -407,10 +414,18 @@ impl SurfacePlan {
         matches!(self.origin, Origin::Pair(_))
     }
 
+    /// Whether it is the composite of two populations, whose asperities have no positions to be summed at.
+    pub fn is_composite(&self) -> bool {
+        matches!(self.origin, Origin::Population { bodies: Some(_), .. })
+    }
+
     /// What it is, for a plan that a person reads.
     pub fn describe(&self) -> String {
         let what = match &self.origin {
             Origin::List { path, rows, .. } => format!("{rows} asperities listed in {}", path.display()),
+            Origin::Population { bodies: Some(bodies), .. } => {
+                format!("composite of the populations {} and {}", bodies[0].name, bodies[1].name)
+            }
             Origin::Population { count, .. } => format!("{count} asperities of a population"),
             Origin::Generated(generation) => generation.describe(),
             Origin::Map(map) => {
@@ -457,19 +472,29 @@ pub fn surfaces(
             let message = format!("found \"{}\" twice; allowed: each surface once", wanted.get_ref());
             return Err(file.source.error_at(wanted.span(), message));
         }
-        let found = all.iter().find(|(name, _)| name.get_ref() == wanted.get_ref());
-        let (name, raw) = found.ok_or_else(|| {
-            let defined: Vec<&str> = all.keys().map(|name| name.get_ref().as_str()).collect();
-            let message = format!(
-                "found \"{}\"; allowed: a surface of this file ({})",
-                wanted.get_ref(),
-                if defined.is_empty() { "none is defined".to_owned() } else { defined.join(", ") }
-            );
-            file.source.error_at(wanted.span(), message)
-        })?;
+        let (name, raw) = named_surface(&file.source, &all, wanted, |_| true)?;
         surfaces.push(plan(name, raw)?);
     }
     Ok(surfaces)
+}
+
+/// The one of `all` surfaces that is `wanted`, among those that are allowed.
+pub(super) fn named_surface<'a>(
+    source: &Source,
+    all: &'a Surfaces,
+    wanted: &Spanned<String>,
+    is_allowed: impl Fn(&SurfaceSpec) -> bool,
+) -> Result<(&'a Spanned<String>, &'a Spanned<SurfaceSpec>), InputError> {
+    let mut allowed = all.iter().filter(|(_, spec)| is_allowed(spec.get_ref()));
+    allowed.clone().find(|(name, _)| name.get_ref() == wanted.get_ref()).ok_or_else(|| {
+        let names: Vec<&str> = allowed.by_ref().map(|(name, _)| name.get_ref().as_str()).collect();
+        let message = format!(
+            "found \"{}\"; allowed: a surface of this file ({})",
+            wanted.get_ref(),
+            if names.is_empty() { "none is defined".to_owned() } else { names.join(", ") }
+        );
+        source.error_at(wanted.span(), message)
+    })
 }
 
 /// The files that surfaces are read from, each once.

@@ -57,7 +57,7 @@ struct Kinds {
     generate: Option<GenerateSpec>,
     /// A measured height map, whose summits are the asperities.
     file: Option<FileSpec>,
-    /// Two rough bodies: the sum of the height maps of two other surfaces, at several relative positions.
+    /// Two rough bodies: the sum of the height maps of two other surfaces at several relative positions, or the composite of two populations.
     pair: Option<PairSpec>,
 }
 

@@ -94,23 +94,6 @@ fn headings_are_whole() {
     }
 }
 
-/// Bodies that conduct.
-const CONDUCTING: &str = r#"
-[material.steel]
-young = "210 GPa"
-poisson = 0.3
-hardness = "7.6 GPa"
-resistivity = "143 nohm m"
-thermal-conductivity = "50 W/(m K)"
-
-[material.lead]
-young = "18 GPa"
-poisson = 0.35
-hardness = "0.17 GPa"
-resistivity = "206 nohm m"
-thermal-conductivity = "35 W/(m K)"
-"#;
-
 const COMPARE: &str = r#"
 [compare]
 rough = "steel"
@@ -277,7 +260,7 @@ fn every_kind_writes_the_tables_that_it_declares() {
     let bodies = concat!(steel!(), lead!());
     let specs = [
         ("causes", [bodies, CAUSES].concat()),
-        ("compare", [CONDUCTING, COMPARE].concat()),
+        ("compare", [conducting!(), COMPARE].concat()),
         ("coverage", [bodies, COVERAGE].concat()),
         ("indentation", [bodies, INDENTATION].concat()),
         ("laws", [bodies, LAWS, SURFACE].concat()),

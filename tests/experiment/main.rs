@@ -11,6 +11,17 @@ macro_rules! lead {
         "[material.lead]\nyoung = \"18 GPa\"\npoisson = 0.35\nhardness = \"0.17 GPa\"\n"
     };
 }
+/// Both with what they conduct.
+macro_rules! conducting {
+    () => {
+        concat!(
+            steel!(),
+            "resistivity = \"143 nohm m\"\nthermal-conductivity = \"50 W/(m K)\"\n",
+            lead!(),
+            "resistivity = \"206 nohm m\"\nthermal-conductivity = \"35 W/(m K)\"\n"
+        )
+    };
+}
 /// The population of the paper's case 1.
 macro_rules! case_1 {
     () => {

@@ -3,7 +3,9 @@
 use std::path::Path;
 
 use asperity::compare::{ComparedQuantity, Estimate, Repeats};
-use asperity::study::Basis;
+use asperity::contact_law::named;
+use asperity::study::{Basis, Shortcut};
+use asperity::{Flat, Material, MeanRadius, Model};
 use asperity_contact_framework::Outcome;
 use asperity_contact_framework::progress::Silent;
 use asperity_experiment::Experiment;
@@ -11,19 +13,11 @@ use asperity_experiment::kind::compare::results::CompareResults;
 
 use crate::Report;
 
-const BODIES: &str = r#"
-title = "t"
-seed = 3
-[material.steel]
-young = "210 GPa"
-poisson = 0.3
-hardness = "7.6 GPa"
-[compare]
-rough = "steel"
-flat = "steel"
-law = "zmc"
-pressure = ["5 MPa", "10 MPa", "20 MPa"]
-"#;
+const BODIES: &str = concat!(
+    "title = \"t\"\nseed = 3\n",
+    steel!(),
+    "[compare]\nrough = \"steel\"\nflat = \"steel\"\nlaw = \"zmc\"\npressure = [\"5 MPa\", \"10 MPa\", \"20 MPa\"]\n"
+);
 
 /// A generated surface.
 fn body(name: &str, sigma: &str, points: usize) -> String {
@@ -50,6 +44,21 @@ fn pair(keys: &str) -> String {
     format!("[surface.both.pair]\na = \"a\"\nb = \"b\"\n{keys}\n")
 }
 
+/// Simplification, model and error of the area of each row of `two_bodies.csv`.
+fn errors_of_area(results: &CompareResults) -> Vec<(String, String, f64)> {
+    let files = (results as &dyn Outcome).files();
+    let (_, content) = files.iter().find(|(file, _)| *file == "two_bodies.csv").unwrap();
+    let mut reader = csv::Reader::from_reader(&content[..]);
+    let headers = reader.headers().unwrap().clone();
+    let column = |name: &str| headers.iter().position(|header| header == name).unwrap();
+    let columns = ["simplification", "model", "area_error"].map(column);
+    let row = |row: csv::StringRecord| {
+        let [what, model, error] = columns.map(|column| row[column].to_owned());
+        (what, model, error.parse().unwrap())
+    };
+    reader.records().map(|record| row(record.unwrap())).collect()
+}
+
 #[test]
 fn a_rough_body_against_a_smooth_one_is_that_body() {
     let surfaces = [body("a", "100 nm", 512), body("b", "0.001 nm", 512), pair("shifts = 1")];
@@ -61,12 +70,17 @@ fn a_rough_body_against_a_smooth_one_is_that_body() {
         let at = case.results_at(1e7);
         at.models.iter().map(|model| model.point).collect::<Vec<_>>()
     };
-    let files = (&results as &dyn Outcome).files();
-    let (_, content) = files.iter().find(|(file, _)| *file == "smooth_bodies.csv").unwrap();
-    let mut reader = csv::Reader::from_reader(&content[..]);
-    let column = reader.headers().unwrap().iter().position(|name| name == "area_error").unwrap();
-    let errors: Vec<f64> = reader.records().map(|row| row.unwrap()[column].parse().unwrap()).collect();
-    assert!(errors.len() == 2 && errors.iter().all(|error| error.abs() < 1e-3), "{errors:?}");
+    let errors = errors_of_area(&results);
+    let smooth: Vec<f64> =
+        errors.iter().filter(|(what, ..)| what == "smooth b").map(|(.., error)| *error).collect();
+    assert!(smooth.len() == 2 && smooth.iter().all(|error| error.abs() < 1e-3), "{errors:?}");
+    // So is the sum of variances; towards a smooth body the pairs of Greenwood and Tripp have no limit.
+    assert!(errors.iter().all(|(what, ..)| what != "greenwood-tripp"), "{errors:?}");
+    let warnings = &both.surface.warnings;
+    assert!(
+        warnings.iter().any(|warning| warning.contains("no integral of Greenwood and Tripp")),
+        "{warnings:?}"
+    );
     for (alone, both) in points(0).into_iter().zip(points(1)) {
         assert!((both.area_ratio / alone.area_ratio - 1.0).abs() < 1e-3, "{alone:?} {both:?}");
     }
@@ -83,7 +97,7 @@ fn the_heights_of_both_bodies_add_up() {
     let sq = |surface: usize| results.surfaces[surface].surface.map.as_ref().unwrap().roughness.moments.sq;
     let expected = sq(0).hypot(sq(1));
     assert!((sq(2) / expected - 1.0).abs() < 0.05, "{} {expected}", sq(2));
-    assert!(results.surfaces[2].surface.warnings.iter().any(|warning| warning.contains("turned by 0, 90")));
+    assert!(results.surfaces[2].surface.warnings.iter().any(|warning| warning.contains("rotated by 0, 90")));
 }
 
 /// The interval of several relative positions holds that of the first alone, by blocks, and their scatter.
@@ -105,6 +119,7 @@ fn relative_positions_share_the_heights() {
             .map(|case| case.differences[at].estimates[ComparedQuantity::Area as usize].unwrap().contrast)
             .collect();
         assert_eq!(each[0], area(at, &one).contrast, "the first position");
+        assert!(each[1..].iter().all(|other| *other != each[0]), "other positions: {each:?}");
         let mean = each.iter().sum::<f64>() / 4.0;
         let variance = each.iter().map(|one| (one - mean).powi(2)).sum::<f64>() / 3.0 / 4.0;
         let expected = (area(at, &one).error.unwrap().powi(2) + variance).sqrt();
@@ -139,24 +154,85 @@ fn measured_maps_overlap() {
     );
 }
 
+/// Each body alone has more contact area than both at the same load, and the integrals are those of the library.
 #[test]
-fn bodies_without_one_map_are_refused() {
-    let population = format!("[surface.b.population]\n{}count = 1000\n", case_1!());
-    let a = body("a", "100 nm", 128);
-    let refused = |b: &str, keys: &str, words: &str| {
-        let error = run(&[&a, b, &pair(keys)]).unwrap_err();
-        assert!(error.contains(words), "{error}");
+fn simplifications_of_two_rough_bodies() {
+    let surfaces = [body("a", "100 nm", 512), body("b", "60 nm", 512), pair("shifts = 2")];
+    let surfaces: Vec<&str> = surfaces.iter().map(String::as_str).collect();
+    let results = run(&surfaces).unwrap();
+    let errors = errors_of_area(&results);
+    let error = |wanted: &str, model: &str| {
+        let found = errors.iter().find(|(what, by, _)| what == wanted && by == model);
+        found.unwrap_or_else(|| panic!("{wanted}, {model}: {errors:?}")).2
     };
-    refused(&population, "", "whose asperities have no height map");
-    refused(
-        &body("b", "50 nm", 128).replace("sigma", "realisations = 2\nsigma"),
-        "",
-        "2 realisations of \"b\"",
-    );
-    refused(&body("c", "50 nm", 128), "", "found \"b\"; allowed: a surface of this file");
-    refused(&body("b", "50 nm", 256), "", "maps that repeat after 128 x 128 points");
-    refused(&body("b", "50 nm", 128), "shifts = 0", "found 0; allowed: 1 to 1000");
-    let second = "[surface.c.pair]\na = \"a\"\nb = \"both\"\n";
-    let error = run(&[&a, &body("b", "50 nm", 128), &pair(""), second]).unwrap_err();
-    assert!(error.contains("which is a pair"), "{error}");
+    for model in ["statistical", "deterministic"] {
+        // Without the rougher body more is lost.
+        assert!(error("smooth a", model) > error("smooth b", model), "{errors:?}");
+        assert!(error("smooth b", model) > 0.05, "{errors:?}");
+    }
+    let surface = &results.surfaces[2].surface;
+    let bodies =
+        surface.bodies.as_ref().unwrap().each_ref().map(|body| body.population(MeanRadius::Arithmetic));
+    assert_eq!(bodies[0].radius, results.surfaces[0].surface.statistics.mean_radius);
+    let steel = Material::new(210e9, 0.3, Some(7.6e9), None).unwrap();
+    let contact = named("zmc").unwrap().interface(&steel, &Flat::Bare(steel)).unwrap();
+    let at = results.surfaces[2].cases[0].results_at_load();
+    for shortcut in Shortcut::ALL {
+        let model = shortcut.model(&*contact, &bodies).unwrap();
+        for found in &at.models {
+            let response = model.respond(model.separation_at(found.point.pressure).unwrap());
+            let expected = response.area_ratio.total() / found.point.area_ratio - 1.0;
+            let by = found.model.unwrap().name();
+            assert!((error(shortcut.name(), by) - expected).abs() < 1e-6, "{shortcut:?} {by}");
+        }
+    }
+}
+
+/// Of two populations the integral is over the asperities of their composite.
+#[test]
+fn populations_have_a_composite() {
+    let population = |name: &str, sigma: &str| {
+        format!(
+            "[surface.{name}.population]\nradius = \"20 um\"\nsigma = \"{sigma}\"\ndensity = \"6e10 /m^2\"\n\
+             count = 1000\nheights = \"surface\"\n"
+        )
+    };
+    let of = |second: &str| {
+        let surfaces = [population("a", "48 nm"), population("b", second), pair("")];
+        let surfaces: Vec<&str> = surfaces.iter().map(String::as_str).collect();
+        compared("models = [\"statistical\"]", &surfaces).unwrap()
+    };
+    let results = of("48 nm");
+    let [alone, _, both] = &results.surfaces[..] else { panic!("three surfaces") };
+    let [alone, composite] = [alone, both].map(|found| found.surface.nominal.clone().unwrap());
+    // Twice the same roughness: heights and curvatures grow by the root of two.
+    let ratios = [
+        composite.sigma / alone.sigma,
+        alone.radius / composite.radius,
+        2f64.sqrt() * composite.density / alone.density,
+    ];
+    assert!(ratios.iter().all(|ratio| (ratio / 2f64.sqrt() - 1.0).abs() < 1e-12), "{ratios:?}");
+    let names: Vec<String> = errors_of_area(&results).into_iter().map(|(what, ..)| what).collect();
+    assert_eq!(names, ["smooth b", "smooth a", "variances-added", "greenwood-tripp"]);
+    let unequal = of("22 nm");
+    let names: Vec<String> = errors_of_area(&unequal).into_iter().map(|(what, ..)| what).collect();
+    assert_eq!(names, ["smooth b", "smooth a", "variances-added"]);
+    let warnings = &unequal.surfaces[2].surface.warnings;
+    assert!(warnings.iter().any(|warning| warning.contains("at least 0.5")), "{warnings:?}");
+}
+
+/// A map of heights on coarse steps carries no verdict, and no pair with it does; two fit ones do.
+#[test]
+fn an_unfit_body_blocks_its_pair() {
+    let map = |name: &str| {
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("experiments/surfaces").join(name).display().to_string()
+    };
+    let a = body("a", "100 nm", 512);
+    let coarse = format!("[surface.b.file]\npath = \"{}\"\npixel = \"1.66 um\"\n", map("plu-1.npy"));
+    let blocked = run(&[&a, &coarse, &pair("shifts = 2")]).unwrap();
+    let both = &blocked.surfaces[2].surface;
+    assert!(both.fitness().iter().any(|finding| finding.is_blocking()), "{:?}", both.fitness());
+    assert!(both.warnings.iter().any(|warning| warning.starts_with("b: ")), "{:?}", both.warnings);
+    let fit = run(&[&a, &body("b", "60 nm", 512), &pair("shifts = 2")]).unwrap();
+    assert!(fit.surfaces[2].surface.fitness().iter().all(|finding| !finding.is_blocking()));
 }

@@ -7,28 +7,13 @@ use asperity_contact_framework::Outcome;
 use asperity_contact_framework::progress::Silent;
 use asperity_experiment::Experiment;
 use asperity_experiment::export::{
-    Format, InterfaceOptions, TableModel, UnitSystem, interface_files, interface_tables,
+    Format, InterfaceOptions, InterfaceTable, TableModel, UnitSystem, interface_files, interface_tables,
 };
 use asperity_experiment::kind::compare::results::CompareResults;
 
 use crate::Report;
 
-const BODIES: &str = r#"
-title = "t"
-seed = 3
-[material.steel]
-young = "210 GPa"
-poisson = 0.3
-hardness = "7.6 GPa"
-resistivity = "143 nohm m"
-thermal-conductivity = "50 W/(m K)"
-[material.lead]
-young = "18 GPa"
-poisson = 0.35
-hardness = "0.17 GPa"
-resistivity = "206 nohm m"
-thermal-conductivity = "35 W/(m K)"
-"#;
+const BODIES: &str = concat!("title = \"t\"\nseed = 3\n", conducting!());
 
 const MAP: &str = r#"
 [surface.map.generate]
@@ -189,6 +174,7 @@ fn films_and_gaps() {
             .replace("1 mohm um^2", "1e-13 ohm m^2")
             .as_str());
     let (in_air, _) = of("{ thermal = { gap-conductivity = \"0.026 W/(m K)\", gap-jump = \"0.4 um\" } }");
+    let (thermal_alone, _) = of("\"thermal\"");
     for model in 0..3 {
         for quantity in [SpotQuantity::ElectricalConductance, SpotQuantity::ThermalConductance] {
             let [bare, filmed] = [bare, filmed].map(|all| all[model][quantity as usize]);
@@ -197,7 +183,7 @@ fn films_and_gaps() {
         let [bare, in_air] = [bare, in_air].map(|all| all[model][SpotQuantity::ThermalConductance as usize]);
         let expected = 0.026 / (gaps[model] + 4e-7);
         assert!(((in_air - bare) / expected - 1.0).abs() < 1e-6, "{model}");
-        assert_eq!(of("\"thermal\"").0[model][SpotQuantity::ElectricalConductance as usize], 0.0);
+        assert_eq!(thermal_alone[model][SpotQuantity::ElectricalConductance as usize], 0.0);
     }
 }
 
@@ -243,6 +229,9 @@ fn friction_of_a_film_is_least_between_its_limits() {
                 layer = { material = \"lead\", thickness = [0, \"5 nm\", \"20 nm\", \"100 nm\", \"1 um\", \"inf\"], \
                 shear-strength = { tau0 = \"33 MPa\" }, breakdown = [1, 2] }";
     let results = compared(spec, &population(20_000));
+    let page = (&results as &dyn Outcome).outline().markdown();
+    assert!(page.contains("Friction at 5 MPa is least at "), "{page}");
+    assert!(page.contains("Assumed: a film breaks at an indentation of 1 times its thickness"), "{page}");
     let found = &results.surfaces[0].friction;
     assert_eq!(found.len(), 4);
     for one in found {
@@ -327,6 +316,75 @@ fn a_table_of_a_joint_grows_from_its_first_load() {
     let records: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
     assert_eq!(records.len(), 30);
     assert_eq!(records[0][0].parse::<f64>().unwrap(), 1e6);
+}
+
+/// Numbers of the data lines of a text, after its comments.
+fn numbers(text: &str, comment: &str, separator: char) -> Vec<Vec<f64>> {
+    let data = text.lines().filter(|line| !line.starts_with(comment));
+    data.filter_map(|line| line.split(separator).map(|cell| cell.trim().parse().ok()).collect()).collect()
+}
+
+/// One joint in both systems of units, with pressure and closure in the column where each program has them.
+#[test]
+fn formats_and_units_hold_the_same_joint() {
+    let spec = format!("law = \"zmc\"\nconductance = \"thermal\"\n{PRESSURES}");
+    let results = run(&spec, &population(20_000)).unwrap();
+    let tables = interface_tables(&*results, InterfaceOptions::default()).unwrap().tables;
+    let last = tables[0].points.last().unwrap();
+    let of = |format: Format, units: UnitSystem| interface_files(&tables, "joint", format, units);
+    let [si, mm] = [UnitSystem::Si, UnitSystem::Mm].map(|units| {
+        let text = of(Format::Csv, units)[0].text.clone();
+        let head = text.lines().find(|line| !line.starts_with('#')).unwrap().to_owned();
+        let column = |name: &str| head.split(',').position(|cell| cell == name).unwrap();
+        let row = text.lines().last().unwrap().split(',').map(str::to_owned).collect::<Vec<String>>();
+        ["pressure", "closure", "thermal_conductance"].map(|name| row[column(name)].parse::<f64>().unwrap())
+    });
+    for ((si, mm), scale) in si.into_iter().zip(mm).zip([1e-6, 1e3, 1e-3]) {
+        assert!((mm / si / scale - 1.0).abs() < 1e-12, "{si} {mm}");
+    }
+    assert!((si[0] / last.pressure - 1.0).abs() < 1e-12 && (si[1] / last.closure.value - 1.0).abs() < 1e-12);
+    let is_near = |one: f64, other: f64| (one / other - 1.0).abs() < 1e-8;
+    // Pressure, overclosure.
+    let abaqus = numbers(&of(Format::Abaqus, UnitSystem::Si)[0].text, "*", ',');
+    let curve = abaqus.iter().position(|row| row[..] == [0.0, 0.0]).unwrap();
+    let end = &abaqus[curve + tables[0].points.len()];
+    assert!(is_near(end[0], last.pressure) && end[1] >= last.closure.value, "{end:?}");
+    // Closure, pressure.
+    let comsol = of(Format::Comsol, UnitSystem::Si);
+    let text = &comsol.iter().find(|file| file.name.contains("pressure_over_closure")).unwrap().text;
+    let rows = numbers(text, "%", ' ');
+    assert!(is_near(rows.last().unwrap()[1], last.pressure) && is_near(rows.last().unwrap()[0], end[1]));
+    let moose = &of(Format::Moose, UnitSystem::Si)[0].text;
+    let listed = |key: &str| {
+        let function = &moose[moose.find("[pressure_over_closure]").unwrap()..];
+        let values = &function[function.find(&format!("{key} = '")).unwrap() + key.len() + 4..];
+        let values = &values[..values.find('\'').unwrap()];
+        values.split_whitespace().last().unwrap().parse::<f64>().unwrap()
+    };
+    assert!(is_near(listed("x"), end[1]) && is_near(listed("y"), last.pressure));
+    // The ends of the intervals are files of their own, on both sides of the value.
+    let keyword = of(Format::Calculix, UnitSystem::Si);
+    let conductance = |ending: &str| {
+        let text = &keyword.iter().find(|file| file.name == format!("joint{ending}.inp")).unwrap().text;
+        numbers(&text[text.find("*GAP CONDUCTANCE").unwrap()..], "*", ',').last().unwrap()[0]
+    };
+    let [low, value, high] = ["-low", "", "-high"].map(conductance);
+    assert!(low < value && value < high, "{low} {value} {high}");
+}
+
+/// What is written into headers and names cannot end a comment, nor hide a file behind another one.
+#[test]
+fn headers_and_names_of_joints_are_safe() {
+    let results = run(&format!("law = \"zmc\"\n{PRESSURES}"), &population(20_000)).unwrap();
+    let mut table = interface_tables(&*results, InterfaceOptions::default()).unwrap().tables.remove(0);
+    table.header[0] = "one line\n*STEP\nand another".to_owned();
+    let empty = InterfaceTable { points: Vec::new(), ..table.clone() };
+    let files = interface_files(&[table.clone(), table, empty], "joint", Format::Calculix, UnitSystem::Si);
+    let mut names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
+    names.sort_unstable();
+    names.dedup();
+    assert_eq!((names.len(), files.len() % 2), (files.len(), 0), "{names:?}");
+    assert!(files.iter().all(|file| file.text.lines().all(|line| line != "*STEP")), "{}", files[0].text);
 }
 
 #[test]

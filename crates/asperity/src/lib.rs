@@ -127,10 +127,10 @@ pub use layer::{LayerError, LayeredFlat, ModulusModel};
 pub use literature::Paper;
 pub use material::{Material, MaterialError, reduced_modulus, softer_hardness};
 pub use model::{
-    Curve, Deterministic, Exceeded, INTERACTION, LARGE_STRAIN_SHARE, LARGEST_LOAD_SHARE, LOWEST_SEPARATION,
-    Limit, LoadSharing, MIN_CONTACTS, MeanRadius, Medium, Model, RadiusInContact, Reached, ReferencePlane,
-    Response, SamplingError, Statistical, SummitShape, Unreachable, at_pressure, at_pressures, joint_model,
-    reached_at, respond_within,
+    Curve, Deterministic, Exceeded, GreenwoodTrippError, INTERACTION, LARGE_STRAIN_SHARE, LARGEST_LOAD_SHARE,
+    LOWEST_SEPARATION, Limit, LoadSharing, MIN_CONTACTS, MeanRadius, Medium, Model, RadiusInContact, Reached,
+    ReferencePlane, Response, SamplingError, Statistical, SummitShape, Unreachable, at_pressure,
+    at_pressures, joint_model, reached_at, respond_within,
 };
 pub use shape::Shape;
 pub use topography::{HeightMap, MapError};

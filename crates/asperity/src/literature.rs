@@ -45,6 +45,12 @@ pub const NAYAK_1971: Paper = Paper {
     full: "Nayak, P. R. (1971). Random process model of rough surfaces. ASME Journal of Lubrication Technology 93(3), 398-407. doi:10.1115/1.3451608",
 };
 
+/// Two rough bodies whose asperities meet at an offset.
+pub const GREENWOOD_TRIPP_1971: Paper = Paper {
+    short: "Greenwood and Tripp 1971",
+    full: "Greenwood, J. A., Tripp, J. H. (1971). The contact of two nominally flat rough surfaces. Proceedings of the Institution of Mechanical Engineers 185(1), 625-633. doi:10.1243/PIME_PROC_1970_185_069_02",
+};
+
 /// Heights of a given skewness and kurtosis.
 pub const JOHNSON_1949: Paper = Paper {
     short: "Johnson 1949",

@@ -18,7 +18,7 @@ pub enum Export {
     Interface {
         /// Spec file
         spec: PathBuf,
-        /// csv, abaqus, calculix, moose or comsol; csv and calculix are tested in their programs
+        /// csv, abaqus, calculix, moose or comsol; only files for calculix are tested in the program that reads them
         #[arg(long, value_parser = PossibleValuesParser::new(Format::ALL.map(Format::name)), default_value = "csv")]
         format: String,
         /// The model of the table
@@ -67,7 +67,7 @@ impl Export {
             let message = format!("--out {}: found no such folder; allowed: a folder", options.out.display());
             return Err(Failure::Input(message));
         }
-        // What cannot be written is said before the run.
+        // The folder and the name of a single case are checked before the run; those of several cases follow from it.
         let probe = options.out.join(format!(".asperity.{}", std::process::id()));
         write_new(&probe, "")?;
         let _ = std::fs::remove_file(&probe);

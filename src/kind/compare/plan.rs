@@ -92,12 +92,16 @@ pub(super) fn plan(file: &SpecFile, table: &Spanned<CompareSpec>) -> Result<Comp
     }
     let mut study = StudyPlan::new(file, keys(table))?;
     let [bare, _] = study.bare_and_coated();
+    let models = raw.models.as_ref().map_or_else(Models::default, |models| models.get_ref().clone()).kinds;
+    if models.contains(&ModelKind::Deterministic) {
+        study.check_summed(file, raw.models.as_ref().map(Spanned::span))?;
+    }
     let resolved = Resolved { bare, flats: &study.flats, laws: &study.laws, surfaces: &study.surfaces };
     let reference = reference(file, &reference_keys(raw), &resolved)?.map(Box::new);
     study.implausible.extend(reference.iter().find_map(|reference| reference.warning(&study.surfaces)));
     let lines = lines(file, raw, &study.surfaces, reference.as_deref())?;
     Ok(ComparePlan {
-        models: raw.models.as_ref().map_or_else(Models::default, |models| models.get_ref().clone()).kinds,
+        models,
         reference,
         lines,
         is_robustness_examined: raw.robustness,

@@ -147,8 +147,6 @@ impl CompareResults {
 pub struct SurfaceResults {
     /// The first realisation, with its asperities.
     pub surface: Surface,
-    /// The names of both bodies of a pair.
-    pub bodies: Option<[String; 2]>,
     /// The area that its load acts on, m²: its own nominal area, or that of the spec.
     pub load_area: f64,
     /// What is asked of the spots of its contacts, without a layer.

@@ -7,7 +7,7 @@ use asperity::compare::{AgainstReference, CaseSampling, Control};
 use asperity::spot::{Correlation, Joint, SpotProperties};
 use asperity::study::{
     CaseResults, CaseStudy, LawFindings, LayerQuestion, RealisationResults, Setup, SurfaceModels, attribute,
-    decreases, differ, film_friction, models_of, rank, run_surface, sampling, thresholds,
+    decreases, differ, film_friction, models_of, rank, run_surface, sampling, shortcuts, thresholds,
 };
 use asperity::surface::{AnalysisDepth, PreparedMap, Surface};
 use asperity::work::Counter;
@@ -175,27 +175,20 @@ impl<'a> Run<'a> {
         let start = Instant::now();
         let samplings = sampling(setup, &surface, &models, &first.cases);
         differ(&mut first.cases, &samplings, setup.laws, &models);
-        attribute(setup, &surface, &models, &mut first.cases, plan.realisations == 1 || plan.is_pair());
+        attribute(setup, &surface, &models, &mut first.cases, plan.is_one());
         self.timing.sampling += start.elapsed();
-        let thresholds =
-            compare.study.layer.as_deref().filter(|layer| layer.thicknesses != [0.0]).map_or_else(
-                Vec::new,
-                |layer| {
-                    let LayerPlan { coating, thicknesses, .. } = layer;
-                    let [bare, _] = compare.study.bare_and_coated();
-                    let question = LayerQuestion { coating, thicknesses, bare };
-                    thresholds(question, setup, &surface, &models, &first, self.counter)
-                },
-            );
-        let friction = compare.study.layer.as_deref().zip(compare.study.film.as_ref()).map_or_else(
-            Vec::new,
-            |(layer, film)| {
-                let LayerPlan { coating, thicknesses, .. } = layer;
-                let [bare, _] = compare.study.bare_and_coated();
-                let question = LayerQuestion { coating, thicknesses, bare };
-                film_friction(question, film, setup, &surface, &models, &first)
-            },
-        );
+        let [bare, _] = compare.study.bare_and_coated();
+        let layer = compare
+            .study
+            .layer
+            .as_deref()
+            .map(|LayerPlan { coating, thicknesses, .. }| LayerQuestion { coating, thicknesses, bare });
+        let thresholds = layer
+            .filter(|layer| layer.thicknesses != [0.0])
+            .map_or_else(Vec::new, |layer| thresholds(layer, setup, &surface, &models, &first, self.counter));
+        let friction = layer.zip(compare.study.film.as_ref()).map_or_else(Vec::new, |(layer, film)| {
+            film_friction(layer, film, setup, &surface, &models, &first)
+        });
         let decreases = decreases(setup.laws, &surface, &models, &first, self.counter);
         let heights = &models.population().heights;
         if *heights != Heights::GAUSSIAN {
@@ -224,6 +217,10 @@ impl<'a> Run<'a> {
         for (case, ranking) in cases.iter_mut().zip(rankings) {
             case.ranking = Some(ranking).filter(|ranking| !ranking.models.is_empty());
         }
+        let found = shortcuts(setup, &surface, &cases);
+        for (case, found) in cases.iter_mut().zip(found) {
+            case.shortcuts = found;
+        }
         let own_cut_off =
             treatments.map(|treatments| treatments.judge(&mut cases, &surface, compare.study.accept));
         let laws = LawFindings::all(&cases, &thresholds);
@@ -232,7 +229,6 @@ impl<'a> Run<'a> {
         });
         Ok(SurfaceResults {
             contact_map,
-            bodies: plan.bodies(),
             load_area: setup.load_area(&surface),
             spots: setup.laws[0].contact.spot_properties().cloned().unwrap_or_default(),
             joint: joint(&surface, &*setup.laws[0].contact),

@@ -1,9 +1,9 @@
 //! One surface under one law: a case for each layer thickness.
 
 use asperity::Exceeded;
-use asperity::compare::AdmissibleRange;
+use asperity::compare::{AdmissibleRange, ComparedQuantity, ModelKind};
 use asperity::study::{CaseResults, CaseStudy, FilmFriction, LawFindings, LayerFindings, Verdicts};
-use asperity_contact_framework::report::format::thickness;
+use asperity_contact_framework::report::format::{range, thickness};
 
 use super::figures::axes::Units;
 use super::names::{stem, subject};
@@ -38,6 +38,29 @@ impl<'a> Series<'a> {
             surface.laws.iter().filter_map(move |law| Self::new(results, surface, law))
         };
         results.surfaces.iter().flat_map(laws).filter(|series| series.cases.len() > 1).collect()
+    }
+
+    /// At which thicknesses a coefficient is least: all that its 95 % interval does not tell apart. "at 80 to 150 nm", "without the layer".
+    pub fn least_friction_at(&self, friction: &FilmFriction) -> Option<String> {
+        let (least_at, least) = friction.least()?;
+        let half_width = self.verdicts().find(|(t, _)| *t == least_at).and_then(|(_, verdicts)| {
+            let at = verdicts.differences.iter().find(|at| at.load == friction.pressure)?;
+            let model = usize::from(friction.kind == ModelKind::Deterministic);
+            Some(at.of_models[model]?[ComparedQuantity::Friction as usize])
+        });
+        let most = least * half_width.unwrap_or(0.0).exp();
+        let mut alike = friction
+            .points
+            .iter()
+            .filter(|(t, coefficient)| *t > 0.0 && t.is_finite() && *coefficient <= most);
+        let first = alike.next().map(|(t, _)| *t);
+        let last = alike.next_back().map(|(t, _)| *t);
+        Some(match (first, last) {
+            _ if least_at == 0.0 => "without the layer".to_owned(),
+            _ if least_at == f64::INFINITY => "on the bulk of the layer's material".to_owned(),
+            (Some(first), Some(last)) => format!("at {}", range([first, last], "m")),
+            _ => format!("at {}", thickness(least_at)),
+        })
     }
 
     /// Whether a load is admissible under all thicknesses.

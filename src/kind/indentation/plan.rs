@@ -63,7 +63,7 @@ pub(super) fn plan(file: &SpecFile, raw: &IndentationSpec) -> Result<Indentation
     let layers = raw.layer.get_ref().0.iter().map(|raw| layer(file, raw, &flat.1));
     let layers = layers.collect::<Result<Vec<_>, _>>()?;
     refuse_coated_ball(file, raw)?;
-    refuse_shear(file, raw)?;
+    raw.layer.get_ref().0.iter().try_for_each(|layer| layer.refuse_shear(&file.source))?;
     check_layers(file, raw, &layers)?;
     let indentations = file.growing(&raw.indentation)?;
     let last = indentations[indentations.len() - 1];
@@ -90,18 +90,6 @@ fn refuse_coated_ball(file: &SpecFile, raw: &IndentationSpec) -> Result<(), Inpu
             on.span(),
             "found \"rough\", a layer on the ball; allowed here: \"flat\". Exchange `ball` and `flat`: a layer on either body is the same \
              contact as long as the radius is large against the thickness",
-        )),
-        None => Ok(()),
-    }
-}
-
-/// Refuses the shear strength of a layer: nothing slides.
-fn refuse_shear(file: &SpecFile, raw: &IndentationSpec) -> Result<(), InputError> {
-    let shear = raw.layer.get_ref().0.iter().find_map(|layer| layer.shear_strength.as_ref());
-    match shear {
-        Some(shear) => Err(file.source.error_at(
-            shear.span(),
-            "found the shear strength of a layer under an indentation; allowed: in the layer of [compare]",
         )),
         None => Ok(()),
     }

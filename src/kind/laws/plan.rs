@@ -96,6 +96,7 @@ pub(super) fn plan(file: &SpecFile, table: &Spanned<LawsSpec>) -> Result<LawsPla
             load_keys: [Some(raw.pressure.span()), None],
         },
     )?;
+    study.check_summed(file, None)?;
     let [rough, flat] = &study.pair;
     let zmc = Zmc::default();
     let pair = Pair::between(&zmc, rough, flat).ok().filter(|pair| pair.yield_limits.onset.is_finite());

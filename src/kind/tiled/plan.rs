@@ -52,6 +52,7 @@ pub(super) fn plan(file: &SpecFile, table: &Spanned<TiledSpec>) -> Result<TiledP
             format!("found {}, a law of ellipses; allowed in [tiled]: laws of spheres", law.label());
         return Err(file.source.error_at(raw.law.span(), message));
     }
+    raw.layer.iter().try_for_each(|layer| layer.refuse_shear(&file.source))?;
     let surfaces = raw.surface.clone().map(|surface| vec![surface]);
     let study = StudyPlan::new(
         file,
@@ -70,6 +71,7 @@ pub(super) fn plan(file: &SpecFile, table: &Spanned<TiledSpec>) -> Result<TiledP
             load_keys: [None, None],
         },
     )?;
+    study.check_summed(file, None)?;
     let [surface] = &study.surfaces[..] else {
         let names: Vec<&str> = study.surfaces.iter().map(|surface| surface.name.as_str()).collect();
         let message = format!(

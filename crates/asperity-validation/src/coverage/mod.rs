@@ -23,12 +23,13 @@ mod window;
 pub use checks::{CheckCount, upper_limit};
 pub use count::{Coverage, IntervalCount};
 pub use patches::Patches;
-pub use process::{Controls, EndlessProcess, Roughness, Unusable};
+pub use process::{Controls, EndlessProcess, Roughness, SecondBody, Unusable};
 pub use spiked::PlantedSpikes;
 pub use studied::{SmallWindow, StudiedWindow, StudyTask};
 pub use verdicts::{Truths, VerdictCount, WindowVerdict};
 pub use window::{CoveredQuantity, QuantityEstimate, WindowResults, WindowTask};
 
+use asperity::HeightMap;
 use asperity::topography::fitness::Finding;
 use rayon::prelude::*;
 use studied::quick_findings;
@@ -69,11 +70,12 @@ pub fn windows_of(
     done: impl Fn() + Sync,
 ) -> Result<Vec<ExaminedWindow>, Unusable> {
     let of_map = |map: usize| -> Result<Vec<ExaminedWindow>, Unusable> {
-        let windows = process.windows(&format!("map {map}"))?;
+        let windows = process.windows_at_positions(&format!("map {map}"))?;
         // The windows of a map are neighbours: asperities are taken as independent in one of them only.
         let seed = |index: usize| (index == 0).then(|| process.seed(&format!("groups of map {map}")));
-        let examine = |(index, window)| -> Result<ExaminedWindow, Unusable> {
-            let results = task.run(window, seed(index))?;
+        let examine = |(index, positions): (usize, &Vec<HeightMap>)| -> Result<ExaminedWindow, Unusable> {
+            let window = &positions[0];
+            let results = task.run_at_positions(positions, seed(index))?;
             let studied = if map < maps.studied { Some(study.run(window)?) } else { None };
             let (findings, studied) = match studied {
                 Some(studied) => (studied.findings, Some(studied.verdicts)),

@@ -6,7 +6,7 @@ use asperity::surface::NoAsperities;
 use asperity::topography::generate::{Plateau, Process, Seeds, SurfaceGenerator};
 use asperity::topography::spectrum::SpectrumError;
 use asperity::topography::summits::{Detail, Neighbours, find};
-use asperity::topography::{Level, Undetermined};
+use asperity::topography::{Level, PairError, RoughPair, Undetermined};
 use asperity::{
     AsperitySet, Deterministic, HeightMap, MapError, MicroContact, Model, ReferencePlane, SetError,
     Statistics,
@@ -32,7 +32,17 @@ pub struct EndlessProcess {
     name: String,
     generator: SurfaceGenerator,
     patches: Option<Patches>,
+    second: Option<Box<SecondBody>>,
     seed: u64,
+}
+
+/// The process of a second body, on which windows of the first lie at several random relative positions.
+#[derive(Debug, Clone)]
+pub struct SecondBody {
+    /// Its process, with windows of the same size.
+    pub process: EndlessProcess,
+    /// Relative positions of each pair of windows.
+    pub shifts: usize,
 }
 
 /// A window on which the models cannot be run.
@@ -47,6 +57,9 @@ pub enum Unusable {
     /// A window without asperities.
     #[error("a window {0}")]
     Search(#[from] NoAsperities),
+    /// Windows of two bodies that make no pair.
+    #[error(transparent)]
+    Pair(#[from] PairError),
     /// Models that cannot be compared on a window.
     #[error(transparent)]
     Study(#[from] StudyError),
@@ -124,7 +137,12 @@ impl EndlessProcess {
         if let Some(patches) = &patches {
             patches.check(generator.points, generator.pixel)?;
         }
-        Ok(Self { name: name.to_owned(), generator, patches, seed })
+        Ok(Self { name: name.to_owned(), generator, patches, second: None, seed })
+    }
+
+    /// The same against a rough body.
+    pub fn against(self, second: SecondBody) -> Self {
+        Self { second: Some(Box::new(second)), ..self }
     }
 
     /// The seed of one stream of random numbers of this process.
@@ -132,11 +150,39 @@ impl EndlessProcess {
         stream_seed(self.seed, &format!("coverage {} {what}", self.name))
     }
 
-    /// The four windows of the periodic map called `map`, levelled by a plane, with open boundaries.
+    /// The four windows of the periodic map called `map`, levelled by a plane, with open boundaries; of two bodies at their first relative
+    /// position.
     ///
     /// # Errors
     /// See [`Unusable`].
     pub fn windows(&self, map: &str) -> Result<Vec<HeightMap>, Unusable> {
+        let each = self.positions(map, 1)?;
+        Ok(each.into_iter().flatten().collect())
+    }
+
+    /// Each of the four windows of a map at all relative positions of the bodies; one of a single body.
+    ///
+    /// # Errors
+    /// See [`Unusable`].
+    pub fn windows_at_positions(&self, map: &str) -> Result<Vec<Vec<HeightMap>>, Unusable> {
+        self.positions(map, self.second.as_ref().map_or(1, |second| second.shifts))
+    }
+
+    fn positions(&self, map: &str, count: usize) -> Result<Vec<Vec<HeightMap>>, Unusable> {
+        let own = self.windows_of_body(map)?;
+        let Some(second) = &self.second else {
+            return Ok(own.into_iter().map(|window| vec![window]).collect());
+        };
+        let other = second.process.windows_of_body(map)?;
+        let sums = |(index, (first, second))| {
+            let pair = RoughPair::new(first, second, 0.0, false)?;
+            let seed = |number| self.seed(&format!("position {number} of window {index} of {map}"));
+            Ok((0..count).map(|number| pair.sum(pair.place(seed(number)))).collect())
+        };
+        own.into_iter().zip(other).enumerate().map(sums).collect()
+    }
+
+    fn windows_of_body(&self, map: &str) -> Result<Vec<HeightMap>, Unusable> {
         let stream = |of: &str| self.seed(&format!("{of} of {map}"));
         let (map, _) =
             self.generator.surface(Seeds { process: self.seed(map), plateau: stream("plateau") })?;

@@ -2,7 +2,7 @@
 
 use asperity::compare::{
     Accepted, CONTACTS_PER_GROUP, CaseSampling, ComparedQuantity, Difference, Division, Estimate, GROUPS,
-    LeftOut, OneStep, Pair, Support, Verdict, jackknife_error, jackknife_quantile, pairs_at,
+    LeftOut, OneStep, Pair, Repeats, Support, Verdict, jackknife_error, jackknife_quantile, pairs_at,
 };
 use asperity::topography::{Blocks, CorrelationLengths};
 use asperity::{
@@ -27,10 +27,11 @@ pub enum CoveredQuantity {
 
 impl CoveredQuantity {
     /// All quantities.
-    pub const ALL: [Self; 5] = [
+    pub const ALL: [Self; 6] = [
         Self::Difference(ComparedQuantity::Separation),
         Self::Difference(ComparedQuantity::Area),
         Self::Difference(ComparedQuantity::Stiffness),
+        Self::Difference(ComparedQuantity::ThermalConductance),
         Self::AreaOfSum,
         Self::LoadAtSeparation,
     ];
@@ -44,6 +45,9 @@ impl CoveredQuantity {
         }
     }
 }
+
+/// A value for each of [`CoveredQuantity::ALL`].
+pub type ByCovered<T> = [T; CoveredQuantity::ALL.len()];
 
 /// A quantity in one window.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -69,13 +73,13 @@ pub struct WindowResults {
     /// Whether each load is admissible.
     pub admissible: Vec<bool>,
     /// For each load the quantities in the order of [`CoveredQuantity::ALL`]; `None` where one has no value.
-    pub estimates: Vec<[Option<QuantityEstimate>; 5]>,
+    pub estimates: Vec<ByCovered<Option<QuantityEstimate>>>,
 }
 
 impl WindowResults {
     /// The verdicts at admissible loads.
     pub fn verdicts(&self) -> Vec<WindowVerdict> {
-        let at_load = |(load, estimates): (usize, &[Option<QuantityEstimate>; 5])| {
+        let at_load = |(load, estimates): (usize, &ByCovered<Option<QuantityEstimate>>)| {
             let verdict = |quantity: ComparedQuantity| {
                 let place = CoveredQuantity::ALL
                     .iter()
@@ -150,6 +154,37 @@ fn are_enough(contacts: f64, groups: usize) -> bool {
 }
 
 impl WindowTask<'_> {
+    /// Runs both models on a window, on one of two bodies at all their relative positions: intervals are then those of the first position,
+    /// with the scatter of all, as the program claims them.
+    ///
+    /// # Errors
+    /// See [`Unusable`].
+    pub fn run_at_positions(
+        &self,
+        positions: &[HeightMap],
+        seed: Option<[u8; 32]>,
+    ) -> Result<WindowResults, Unusable> {
+        let (window, others) = (&positions[0], &positions[1..]);
+        let first = self.run(window, seed)?;
+        if others.is_empty() {
+            return Ok(first);
+        }
+        let without_groups = |window| {
+            let set = WindowAsperities::from_summits(window)?.set;
+            Ok(self.estimates(&self.results(&set), None, None, set.nominal_area()).1)
+        };
+        let others: Result<Vec<Vec<_>>, Unusable> = others.iter().map(without_groups).collect();
+        let others = others?;
+        let over_positions = |load: usize, quantity: usize| {
+            let of_first: QuantityEstimate = first.estimates[load][quantity]?;
+            let rest = others.iter().map(|estimates| Some(estimates[load][quantity]?.estimate));
+            let all: Option<Vec<Estimate>> = std::iter::once(Some(of_first.estimate)).chain(rest).collect();
+            Some(QuantityEstimate { estimate: Estimate::over(&all?, Repeats::Shifts), ..of_first })
+        };
+        let at_load = |load: usize| std::array::from_fn(|quantity| over_positions(load, quantity));
+        Ok(WindowResults { estimates: (0..first.estimates.len()).map(at_load).collect(), ..first })
+    }
+
     /// Runs both models on a window; with a seed, also the errors of asperities taken as independent, in random groups.
     ///
     /// # Errors
@@ -212,12 +247,12 @@ impl WindowTask<'_> {
         groups: Option<Groups>,
         independent: Option<Groups>,
         area: f64,
-    ) -> (Vec<bool>, Vec<[Option<QuantityEstimate>; 5]>) {
+    ) -> (Vec<bool>, Vec<ByCovered<Option<QuantityEstimate>>>) {
         let pairs: Option<Vec<Pair>> = results.pairs.iter().copied().collect();
         // Differences are numbered by the loads that are reached.
         let Some(pairs) = pairs else {
             let count = self.controls.loads.len();
-            return (vec![false; count], vec![[None; 5]; count]);
+            return (vec![false; count], vec![[None; CoveredQuantity::ALL.len()]; count]);
         };
         let of_groups = |groups: &Option<Groups>| groups.as_ref().map(|groups| groups.left_out.clone());
         let sampling = CaseSampling {

@@ -4,7 +4,7 @@ use super::sampling::{Generated, NotModelled, jackknife_error, jackknife_quantil
 use super::{Pair, Pairing};
 use crate::model::{Exceeded, LoadSharing, MIN_CONTACTS, ReferencePlane, Response};
 use crate::named_enum;
-use crate::spot::SpotQuantity;
+use crate::spot::{SpotQuantity, SpotValues};
 
 named_enum! {
     /// A quantity in which the models are compared at equal load. Those from the conductances on are compared where they are asked for.
@@ -28,6 +28,33 @@ named_enum! {
 /// A value for each of [`ComparedQuantity::ALL`].
 pub type ByQuantity<T> = [T; ComparedQuantity::ALL.len()];
 
+/// What quantities are taken from: a result of a model, or of the reference.
+#[derive(Debug, Clone, Copy)]
+pub struct ContactResult {
+    /// Nominal pressure, Pa.
+    pub pressure: f64,
+    /// d/sigma; `None` where there is none.
+    pub separation_over_sigma: Option<f64>,
+    /// Real over nominal area.
+    pub area_ratio: f64,
+    /// -dp/dd, Pa/m; `None` where there is none.
+    pub stiffness: Option<f64>,
+    /// As in [`Response::spots`].
+    pub spots: SpotValues,
+}
+
+impl From<&Response> for ContactResult {
+    fn from(response: &Response) -> Self {
+        Self {
+            pressure: response.pressure.total(),
+            separation_over_sigma: Some(response.separation_over_sigma),
+            area_ratio: response.area_ratio.total(),
+            stiffness: Some(response.stiffness),
+            spots: response.spots,
+        }
+    }
+}
+
 impl ComparedQuantity {
     /// All of them, as they are reported: the area first.
     pub const REPORTED: ByQuantity<Self> = [
@@ -49,15 +76,16 @@ impl ComparedQuantity {
         }
     }
 
-    /// Its value in a response: d/sigma, the area ratio, Pa/m, S/m^2, W/(m^2 K), the coefficient of friction. `None` where it is not
+    /// Its value in a result: d/sigma, the area ratio, Pa/m, S/m^2, W/(m^2 K), the coefficient of friction. `None` where it is not
     /// positive, though it must be.
-    pub fn value(self, response: &Response) -> Option<f64> {
+    pub fn value(self, result: impl Into<ContactResult>) -> Option<f64> {
+        let ContactResult { pressure, separation_over_sigma, area_ratio, stiffness, spots } = result.into();
         let value = match self {
-            Self::Separation => return Some(response.separation_over_sigma),
-            Self::Area => response.area_ratio.total(),
-            Self::Stiffness => response.stiffness,
-            Self::ElectricalConductance | Self::ThermalConductance => response.spots[self.spot()? as usize],
-            Self::Friction => response.spots[self.spot()? as usize] / response.pressure.total(),
+            Self::Separation => return separation_over_sigma,
+            Self::Area => area_ratio,
+            Self::Stiffness => stiffness?,
+            Self::ElectricalConductance | Self::ThermalConductance => spots[self.spot()? as usize],
+            Self::Friction => spots[self.spot()? as usize] / pressure,
         };
         (value > 0.0).then_some(value)
     }
@@ -65,6 +93,11 @@ impl ComparedQuantity {
     /// A value on the scale on which errors are symmetric: d/sigma, else its logarithm.
     pub fn scaled(self, value: f64) -> f64 {
         if self == Self::Separation { value } else { value.ln() }
+    }
+
+    /// The value of [`Self::scaled`].
+    pub fn unscaled(self, scaled: f64) -> f64 {
+        if self == Self::Separation { scaled } else { scaled.exp() }
     }
 
     /// One value less another on that scale; `None` where one of them is.
@@ -134,17 +167,20 @@ impl Estimate {
         Self { error: Some(0.0), quantile: 0.0, support: Support::Sampled, ..*self }
     }
 
-    /// The mean over `repeats` of a surface (at least two).
-    pub(super) fn over(each: &[Self], repeats: Repeats) -> Self {
+    /// The mean over `repeats` of a surface (at least two): of several relative positions of two bodies the error is that of the first with their
+    /// scatter.
+    pub fn over(each: &[Self], repeats: Repeats) -> Self {
         let count = each.len() as f64;
         let contrast = each.iter().map(|one| one.contrast).sum::<f64>() / count;
         let squares: f64 = each.iter().map(|one| (one.contrast - contrast).powi(2)).sum();
         let error = (squares / (count - 1.0) / count).sqrt();
+        let bound = each.iter().map(|one| one.bound).sum::<f64>() / count;
         if repeats == Repeats::Shifts {
             let of_bodies = each[0].error;
             return Self {
                 contrast,
                 error: of_bodies.map(|own| own.hypot(error)),
+                bound,
                 ..each[0].without_halves()
             };
         }
@@ -156,7 +192,7 @@ impl Estimate {
             contrast,
             error: Some(error),
             quantile: student_quantile(each.len()),
-            bound: each.iter().map(|one| one.bound).sum::<f64>() / count,
+            bound,
             independent_error,
             support: Support::Sampled,
         }
@@ -227,7 +263,7 @@ pub struct Difference {
     /// In the order of [`ComparedQuantity::ALL`]; `None` where a quantity cannot be compared.
     pub estimates: ByQuantity<Option<Estimate>>,
     /// Half-widths of the 95 % intervals of the [`State`]s of the statistical and of the deterministic model by themselves, where groups
-    /// of asperities give them; over several realisations of their mean.
+    /// of asperities give them; of several relative positions those of the first.
     pub of_models: [Option<State>; 2],
     /// Area (m^2) of the surface that would allow an interval, where none is claimed for want of area.
     pub area_needed: Option<f64>,

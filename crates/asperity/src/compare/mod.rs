@@ -23,8 +23,8 @@ pub use attribution::{
     largest, leading,
 };
 pub use difference::{
-    ByQuantity, CONTACTS_PER_GROUP, CaseSampling, ComparedQuantity, Difference, Estimate, LeftOut, Repeats,
-    State, Support,
+    ByQuantity, CONTACTS_PER_GROUP, CaseSampling, ComparedQuantity, ContactResult, Difference, Estimate,
+    LeftOut, Repeats, State, Support,
 };
 pub use dominance::{Dominance, Dominant};
 pub use gap::{Gap, GapQuantity, Gaps};

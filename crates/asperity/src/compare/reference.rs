@@ -1,7 +1,7 @@
 //! The boundary element reference of a comparison, in the terms of the models: its results at loads, beside a
 //! [`Comparison`](super::Comparison) of two models on the same surface.
 
-use super::{ComparedQuantity, Control, State};
+use super::{ComparedQuantity, ContactResult, Control, State};
 use crate::bem::Boundary;
 use crate::model::Response;
 use crate::spot::SpotValues;
@@ -45,6 +45,13 @@ pub struct ReferencePoint {
     pub convolutions: usize,
 }
 
+impl From<&ReferencePoint> for ContactResult {
+    fn from(point: &ReferencePoint) -> Self {
+        let &ReferencePoint { pressure, separation_over_sigma, area_ratio, stiffness, spots, .. } = point;
+        Self { pressure, separation_over_sigma, area_ratio, stiffness, spots }
+    }
+}
+
 impl ReferencePoint {
     /// A model's result over the reference's at the same load, as a [contrast](super::ComparedQuantity::contrast); `None` where
     /// one of them has none.
@@ -52,18 +59,9 @@ impl ReferencePoint {
         quantity.contrast_between(quantity.value(model), self.value(quantity))
     }
 
-    /// Its value of a quantity, as [`ComparedQuantity::value`] gives that of a model.
+    /// Its value of a quantity.
     pub fn value(&self, quantity: ComparedQuantity) -> Option<f64> {
-        let value = match quantity {
-            ComparedQuantity::Separation => return self.separation_over_sigma,
-            ComparedQuantity::Area => self.area_ratio,
-            ComparedQuantity::Stiffness => self.stiffness?,
-            ComparedQuantity::ElectricalConductance | ComparedQuantity::ThermalConductance => {
-                self.spots[quantity.spot()? as usize]
-            }
-            ComparedQuantity::Friction => self.spots[quantity.spot()? as usize] / self.pressure,
-        };
-        (value > 0.0).then_some(value)
+        quantity.value(self)
     }
 
     /// Load over real contact area, Pa; `None` without contact.

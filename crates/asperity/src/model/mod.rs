@@ -3,6 +3,7 @@
 mod block;
 mod curve;
 mod deterministic;
+mod greenwood_tripp;
 mod joint;
 mod load_control;
 mod medium;
@@ -13,9 +14,11 @@ mod response;
 mod sparse;
 mod statistical;
 mod validity;
+mod weight;
 
 pub use curve::{Curve, respond_within};
 pub use deterministic::Deterministic;
+pub use greenwood_tripp::GreenwoodTrippError;
 pub use joint::{SummitShape, joint_model};
 pub use load_control::{LOWEST_SEPARATION, Reached, Unreachable, at_pressure, at_pressures, reached_at};
 pub use medium::Medium;

@@ -1,6 +1,7 @@
 //! The statistical model: a height density and one mean radius (Zhao, Maietta and Chang 2000).
 
 use super::load_control::{LOWEST_SEPARATION, search_missing};
+use super::weight::{GaussianSurvival, Weight};
 use super::{Model, ReferencePlane, Response};
 use crate::accumulator::{Accumulator, Total};
 use crate::asperity::{Population, Statistics};
@@ -81,6 +82,8 @@ pub struct Statistical<'a> {
     breakpoints: Vec<f64>,
     /// Breakpoints at which the load jumps, and the jump (N).
     jumps: Vec<(f64, f64)>,
+    /// Whether the survival function of Gaussian heights takes the place of the density.
+    weighs_by_survival: bool,
 }
 
 impl<'a> Statistical<'a> {
@@ -97,7 +100,18 @@ impl<'a> Statistical<'a> {
         let breakpoints: Vec<f64> = contact.breakpoints(shape).into_iter().map(|w| w / sigma).collect();
         let jump = |&x: &f64| (x, jumps(contact, shape, x * sigma)[0]);
         let jumps = breakpoints.iter().map(jump).filter(|(_, load)| *load != 0.0).collect();
-        Self { contact, population, shape, plane: ReferencePlane { mean: 0.0, sigma }, breakpoints, jumps }
+        let plane = ReferencePlane { mean: 0.0, sigma };
+        Self { contact, population, shape, plane, breakpoints, jumps, weighs_by_survival: false }
+    }
+
+    /// The same model with the survival function of Gaussian heights in the place of their density: int A(w) Q((d + w)/sigma) dw/sigma.
+    pub(super) fn weighed_by_survival(self) -> Self {
+        Self { weighs_by_survival: true, ..self }
+    }
+
+    /// What weighs the contacts over the indentation.
+    fn weight(&self) -> &dyn Weight {
+        if self.weighs_by_survival { &GaussianSurvival } else { &self.population.heights }
     }
 
     /// The same model with separations measured from and in units of `plane`, whose mean is relative to the mean
@@ -133,7 +147,7 @@ impl<'a> Statistical<'a> {
     /// [`HeightDistribution::scale`](crate::distribution::HeightDistribution::scale), with which it would underflow in
     /// the far tail.
     fn total(&self, h: f64, wants_spots: bool) -> Total {
-        let heights = &*self.population.heights;
+        let heights = self.weight();
         let mut accumulator = Accumulator::empty(wants_spots);
         if heights.scale(h) == 0.0 {
             return accumulator.total();
@@ -176,7 +190,7 @@ impl<'a> Statistical<'a> {
     fn accumulate_weighted(&self, h: f64, samples: &mut Samples, accumulator: &mut Accumulator) {
         let Samples { points, weights, count } = samples;
         let (points, weights) = (&mut points[..*count], &mut weights[..*count]);
-        self.population.heights.apply_density(h, points, weights);
+        self.weight().apply(h, points, weights);
         points.iter_mut().for_each(|x| *x *= self.population.sigma);
         self.contact.accumulate_weighted(points, weights, self.shape, accumulator);
         *count = 0;
@@ -184,13 +198,13 @@ impl<'a> Statistical<'a> {
 
     /// The reported separation from which on there are no contacts.
     pub(super) fn highest_separation(&self) -> f64 {
-        self.reported(self.population.heights.highest_separation())
+        self.reported(self.weight().highest_separation())
     }
 
     fn responses(&self, separations: &[f64], wants_spots: bool) -> Vec<Response> {
         /// The smallest number of integrals per task.
         const MANY: usize = 64;
-        let Population { density, ref heights, .. } = self.population;
+        let (density, heights) = (self.population.density, self.weight());
         let respond = |&h: &f64| {
             let standardised = self.standardised(h);
             let per_area = density * heights.scale(standardised);
@@ -296,9 +310,8 @@ impl Model for Statistical<'_> {
     }
 
     fn separations_at(&self, pressures: &[f64]) -> Vec<Option<f64>> {
-        let density = &self.population.heights;
         let highest = self.highest_separation();
-        let mode = self.reported(density.decreasing_from()).max(LOWEST_SEPARATION);
+        let mode = self.reported(self.weight().decreasing_from()).max(LOWEST_SEPARATION);
         let may_decrease = self.may_decrease();
         let low = if may_decrease { mode } else { LOWEST_SEPARATION };
         let mut found = self.last_reaching(pressures, low, highest);

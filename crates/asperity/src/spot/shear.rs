@@ -15,6 +15,13 @@ pub struct ShearStrength {
     pub alpha: f64,
 }
 
+impl ShearStrength {
+    /// Whether nothing resists sliding.
+    pub fn is_none(&self) -> bool {
+        self.tau0 == 0.0 && self.alpha == 0.0
+    }
+}
+
 /// What shears where a spot has broken through a film.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BrokenFilm {
@@ -35,6 +42,17 @@ pub struct Shear {
 }
 
 impl Shear {
+    /// Of an interface under a `film` of a thickness (m; 0: none, infinite: nothing but film), broken through from `breakdown` times the
+    /// thickness on.
+    pub fn under_film(interface: ShearStrength, film: ShearStrength, thickness: f64, breakdown: f64) -> Self {
+        let broken = BrokenFilm { from: breakdown * thickness, strength: interface };
+        match thickness {
+            0.0 => Self { strength: interface, broken: None },
+            f64::INFINITY => Self { strength: film, broken: None },
+            _ => Self { strength: film, broken: Some(broken) },
+        }
+    }
+
     /// Its sources.
     pub const PAPERS: &'static [Paper] = &[literature::BOWDEN_TABOR_1950];
 

@@ -4,7 +4,7 @@ use super::case::CaseStudy;
 use super::results::CaseResults;
 use crate::Response;
 use crate::compare::{
-    ByQuantity, ComparedQuantity, CurvePoint, Difference, ModelKind, ReferencePoint, Scatter,
+    ByQuantity, ComparedQuantity, ContactResult, CurvePoint, Difference, ModelKind, ReferencePoint, Scatter,
     student_quantile,
 };
 use crate::model::Exceeded;
@@ -49,6 +49,13 @@ pub struct PointResult {
     pub shares: Option<[f64; 3]>,
 }
 
+impl From<&PointResult> for ContactResult {
+    fn from(point: &PointResult) -> Self {
+        let &PointResult { pressure, separation, area_ratio, stiffness, spots, .. } = point;
+        Self { pressure, separation_over_sigma: separation.map(|[_, h]| h), area_ratio, stiffness, spots }
+    }
+}
+
 impl From<&Response> for PointResult {
     fn from(response: &Response) -> Self {
         Self {
@@ -83,18 +90,9 @@ impl PointResult {
         (self.area_ratio > 0.0).then(|| self.pressure / self.area_ratio)
     }
 
-    /// A quantity as it is compared: d/sigma, the area ratio, Pa/m, conductances per nominal area, the coefficient of friction; `None`
-    /// where there is none.
+    /// A quantity as it is compared; `None` where there is none.
     pub fn value(&self, quantity: ComparedQuantity) -> Option<f64> {
-        let positive = |value: f64| (value > 0.0).then_some(value);
-        let spot = || quantity.spot().and_then(|spot| positive(self.spots[spot as usize]));
-        match quantity {
-            ComparedQuantity::Separation => self.separation.map(|[_, over_sigma]| over_sigma),
-            ComparedQuantity::Area => Some(self.area_ratio),
-            ComparedQuantity::Stiffness => self.stiffness,
-            ComparedQuantity::ElectricalConductance | ComparedQuantity::ThermalConductance => spot(),
-            ComparedQuantity::Friction => Some(spot()? / self.pressure),
-        }
+        quantity.value(self)
     }
 
     fn mean(all: &[Self]) -> Option<Self> {
@@ -194,11 +192,8 @@ impl CaseStudy {
                     let values: Option<Vec<f64>> = points.iter().map(|one| one.value(quantity)).collect();
                     return values.map(|values| interval_of_mean(&values));
                 }
-                let (value, half) = (point.value(quantity)?, half?[quantity as usize]);
-                Some([-half, half].map(|half| match quantity {
-                    ComparedQuantity::Separation => value + half,
-                    _ => value * half.exp(),
-                }))
+                let (value, half) = (quantity.scaled(point.value(quantity)?), half?[quantity as usize]);
+                Some([value - half, value + half].map(|end| quantity.unscaled(end)))
             };
             Some(ModelResult { model, point, intervals: ComparedQuantity::ALL.map(interval) })
         };
@@ -244,10 +239,7 @@ fn interval_of_shifts(points: &[PointResult], quantity: ComparedQuantity, half: 
         points.iter().map(|one| Some(quantity.scaled(one.value(quantity)?))).collect();
     let [low, high] = interval_of_mean(&values?);
     let (middle, half) = (0.5 * (low + high), half.hypot(0.5 * (high - low)));
-    Some([middle - half, middle + half].map(|end| match quantity {
-        ComparedQuantity::Separation => end,
-        _ => end.exp(),
-    }))
+    Some([middle - half, middle + half].map(|end| quantity.unscaled(end)))
 }
 
 #[cfg(test)]

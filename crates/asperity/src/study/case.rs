@@ -3,6 +3,7 @@
 use super::dependence::{Dependence, Treated};
 use super::ranking::Ranking;
 use super::results::{CaseResults, RealisationFacts, RealisationResults};
+use super::two_bodies::ShortcutResult;
 use super::verdicts::Verdicts;
 use crate::compare::{Accepted, Realisation, Spread, spread};
 use crate::surface::Surface;
@@ -18,6 +19,8 @@ pub struct CaseStudy {
     pub verdicts: Verdicts,
     /// The other statistical models on the first realisation, where they were ranked.
     pub ranking: Option<Ranking>,
+    /// Of two rough bodies, what is usual in place of their sum.
+    pub shortcuts: Vec<ShortcutResult>,
     /// The differences under other treatments of a measured map.
     pub treated: Vec<Treated>,
     /// The choices in the analysis of the map that decide a verdict.
@@ -54,6 +57,7 @@ impl CaseStudy {
                 spread: spread(&pairs),
                 verdicts: Verdicts::new(surface, &realisations, accepted),
                 ranking: None,
+                shortcuts: Vec::new(),
                 treated: Vec::new(),
                 dependences: Vec::new(),
                 realisations,

@@ -8,7 +8,7 @@ use super::setup::Setup;
 use super::threshold::{LayerQuestion, some_of};
 use crate::compare::{ComparedQuantity, ModelKind};
 use crate::interface::WithSpots;
-use crate::spot::{BrokenFilm, Shear, ShearStrength, SpotProperties};
+use crate::spot::{Shear, ShearStrength, SpotProperties};
 use crate::surface::Surface;
 use crate::{ContactLaw, Model};
 
@@ -77,15 +77,7 @@ pub fn film_friction(
             let at = case.comparison.at_load(kind, pressure)?.response.separation_over_sigma;
             let flat = question.coating.flat(thickness).ok()?;
             let contact = law.interface(question.bare, &flat).ok()?;
-            let from = breakdown * thickness;
-            let shear = match thickness {
-                0.0 => Shear { strength: film.interface, broken: None },
-                f64::INFINITY => Shear { strength: film.strength, broken: None },
-                _ => {
-                    let broken = Some(BrokenFilm { from, strength: film.interface });
-                    Shear { strength: film.strength, broken }
-                }
-            };
+            let shear = Shear::under_film(film.interface, film.strength, thickness, breakdown);
             let properties = SpotProperties { shear: Some(shear), ..SpotProperties::default() };
             let contact = WithSpots::new(contact, properties);
             let response = match kind {

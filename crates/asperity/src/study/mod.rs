@@ -39,6 +39,7 @@ mod setup;
 mod statistical;
 mod threshold;
 mod treatment;
+mod two_bodies;
 mod verdicts;
 
 pub use at_load::{LoadResults, ModelResult, PointResult};
@@ -62,4 +63,5 @@ pub use setup::Setup;
 pub use statistical::{JointModel, StatisticalModel};
 pub use threshold::{LayerQuestion, thresholds};
 pub use treatment::{Choice, Treatment};
+pub use two_bodies::{Shortcut, ShortcutResult, shortcuts};
 pub use verdicts::{Basis, Verdicts};

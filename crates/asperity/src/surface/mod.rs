@@ -4,12 +4,14 @@
 //! and divides it into blocks for the sampling error. [`Fit`] finds the preparation that makes a measured map fit.
 //! [`crate::study`] compares the models on a surface.
 
+mod bodies;
 mod fit;
 mod independence;
 mod overview;
 mod remedy;
 mod search;
 
+pub use bodies::BodyAsperities;
 pub use fit::{Fit, FitStep, Kept, NotApplied};
 pub use independence::{Independence, MapBlocks};
 pub use overview::{AnalysisDepth, MOST_ANALYSED_POINTS, MapOverview};
@@ -47,6 +49,8 @@ pub struct Surface {
     pub mean_plane: Option<f64>,
     /// The population that it was drawn from: its parameters are then the inputs of the statistical model.
     pub nominal: Option<Population>,
+    /// The asperities of both bodies whose sum it is.
+    pub bodies: Option<Box<[BodyAsperities; 2]>>,
     /// The mean shape of its asperities as ellipses, for elliptic laws.
     pub ellipticity: Option<Ellipticity>,
     /// The map that it was found on.
@@ -233,6 +237,7 @@ impl Surface {
             origin: 0.0,
             mean_plane: None,
             nominal: None,
+            bodies: None,
             ellipticity,
             map: None,
             prepared: None,

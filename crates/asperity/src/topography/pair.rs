@@ -7,15 +7,15 @@ use super::{Boundary, Filter, FilterError, HeightMap, Rows};
 use crate::numeric::parallel::for_each_row;
 
 /// Two rough bodies in contact. Elastic half-spaces without friction touch as the sum of their heights touches a flat: the gap is
-/// the separation less z1 + z2, each height measured from its own body towards the other (Johnson 1985, chapter 4). Maps are seen from
-/// outside; the second is turned over for that, one of its axes mirrored.
+/// the separation less z1 + z2, each height measured from its own body towards the other (Johnson 1985, chapter 4). Each map is seen from
+/// outside its body, so that the x axis of the second is mirrored.
 ///
 /// How the bodies lie to each other is not known: a [`Placement`] is one of the ways. Maps that repeat are shifted around their border;
 /// of others the overlap counts, which is at least [`LEAST_OVERLAP`] of the shorter side along each axis.
 #[derive(Debug)]
 pub struct RoughPair {
     first: HeightMap,
-    /// Turned over, on the grid of the first; of maps that may be turned also by 90, 180 and 270 degrees.
+    /// Mirrored, on the grid of the first; of maps that may be rotated also by 90, 180 and 270 degrees.
     second: Vec<HeightMap>,
 }
 
@@ -53,8 +53,15 @@ pub enum PairError {
         pixel: [f64; 2],
     },
     /// Only square grids fall on themselves when they are turned by 90 degrees.
-    #[error("found pixels of {} x {} m; allowed: square ones where a body is turned by 90 degrees", .0[0], .0[1])]
-    NotSquare([f64; 2]),
+    #[error(
+        "found a grid of {} x {} points of {:.4e} x {:.4e} m to rotate; allowed: square pixels, and of maps that repeat as many points along both axes", points[0], points[1], pixel[0], pixel[1]
+    )]
+    NotSquare {
+        /// Points along x and y.
+        points: [usize; 2],
+        /// Pixel, m.
+        pixel: [f64; 2],
+    },
     /// A finer map cannot be filtered to the coarser grid.
     #[error(transparent)]
     Filter(#[from] FilterError),
@@ -64,34 +71,46 @@ pub enum PairError {
 }
 
 impl RoughPair {
-    /// Of the prepared maps of both bodies; `turns` is whether the second may be turned by 90 degrees. Different pixels are resampled to
+    /// Checks two grids of `points` at a distance of `pixel` (m), of which both or not both `repeat`; `rotates` is whether the second may be
+    /// rotated by 90 degrees.
+    ///
+    /// # Errors
+    /// See [`PairError`].
+    pub fn check(
+        points: [[usize; 2]; 2],
+        pixel: [[f64; 2]; 2],
+        repeat: bool,
+        rotates: bool,
+    ) -> Result<(), PairError> {
+        let same_pixel = (0..2).all(|axis| is_same(pixel[0][axis], pixel[1][axis]));
+        if repeat && (points[0] != points[1] || !same_pixel) {
+            return Err(PairError::Periods { points, pixel: [pixel[0][0], pixel[1][0]] });
+        }
+        let coarser = coarser(pixel);
+        let has_square_period = !repeat || points[0][0] == points[0][1];
+        if rotates && !(is_same(coarser[0], coarser[1]) && has_square_period) {
+            return Err(PairError::NotSquare { points: points[0], pixel: coarser });
+        }
+        Ok(())
+    }
+
+    /// Of the prepared maps of both bodies; `rotates` is whether the second may be rotated by 90 degrees. Different pixels are resampled to
     /// the coarser after an S filter of the nesting index `s` (m), at least two coarse pixels.
     ///
     /// # Errors
     /// See [`PairError`].
-    pub fn new(first: HeightMap, second: HeightMap, s: f64, turns: bool) -> Result<Self, PairError> {
+    pub fn new(first: HeightMap, second: HeightMap, s: f64, rotates: bool) -> Result<Self, PairError> {
         let repeat = first.boundary() == Boundary::Periodic && second.boundary() == Boundary::Periodic;
-        let is_same = [0, 1].map(|axis| is_same(first.pixel[axis], second.pixel[axis]));
-        if repeat && (first.points != second.points || is_same != [true; 2]) {
-            let pixel = [first.pixel[0], second.pixel[0]];
-            return Err(PairError::Periods { points: [first.points, second.points], pixel });
-        }
-        let pixel = [0, 1].map(|axis| first.pixel[axis].max(second.pixel[axis]));
-        if turns && !is_same_pixel(pixel) {
-            return Err(PairError::NotSquare(pixel));
-        }
-        if turns && repeat && first.points[0] != first.points[1] {
-            let [nx, ny] = first.points;
-            return Err(PairError::Periods { points: [[nx, ny], [ny, nx]], pixel: [pixel[0]; 2] });
-        }
+        Self::check([first.points, second.points], [first.pixel, second.pixel], repeat, rotates)?;
+        let pixel = coarser([first.pixel, second.pixel]);
         let boundary = if repeat { Boundary::Periodic } else { Boundary::Open };
         let on_grid =
             |map: HeightMap| Ok::<_, PairError>(HeightMap { boundary, ..resampled(map, pixel, s)? });
-        let (first, second) = (on_grid(first)?, turned_over(&on_grid(second)?));
-        let second = if turns {
-            let quarter = turned(&second);
-            let half = turned(&quarter);
-            let three = turned(&half);
+        let (first, second) = (on_grid(first)?, mirrored(&on_grid(second)?));
+        let second = if rotates {
+            let quarter = rotated(&second);
+            let half = rotated(&quarter);
+            let three = rotated(&half);
             vec![second, quarter, half, three]
         } else {
             vec![second]
@@ -195,14 +214,14 @@ impl HeightMap {
     }
 }
 
-/// The map seen from its other side.
-fn turned_over(map: &HeightMap) -> HeightMap {
+/// The map with its x axis mirrored.
+fn mirrored(map: &HeightMap) -> HeightMap {
     let last = map.points[0] - 1;
     map.rearranged(map.points, |ix, iy| [last - ix, iy])
 }
 
-/// The map turned by 90 degrees.
-fn turned(map: &HeightMap) -> HeightMap {
+/// The map rotated by 90 degrees.
+fn rotated(map: &HeightMap) -> HeightMap {
     let [nx, ny] = map.points;
     map.rearranged([ny, nx], |ix, iy| [iy, ny - 1 - ix])
 }
@@ -211,8 +230,9 @@ fn is_same(one: f64, other: f64) -> bool {
     (one / other - 1.0).abs() < SAME_PIXEL
 }
 
-fn is_same_pixel([dx, dy]: [f64; 2]) -> bool {
-    is_same(dx, dy)
+/// The coarser of two pixels along each axis.
+fn coarser([first, second]: [[f64; 2]; 2]) -> [f64; 2] {
+    [0, 1].map(|axis| first[axis].max(second[axis]))
 }
 
 /// The map on a coarser grid; the same where the grid is its own.
@@ -272,14 +292,14 @@ mod tests {
 
     const HERE: Placement = Placement { turns: 0, shift: [0; 2] };
 
-    /// A map and its cast: turned over onto each other without a shift they fit everywhere.
+    /// The heights of a map and of its negative, mirrored, cancel everywhere.
     #[test]
-    fn a_map_fits_its_cast() {
+    fn a_map_and_its_mirrored_negative_cancel() {
         let of = |x: f64, y: f64| (0.7 * x).sin() + 0.3 * (x * y).cos();
         let body = map([8, 6], 1.0, of);
-        let cast = map([8, 6], 1.0, |x, y| -of(7.0 - x, y));
-        for (body, cast) in [(body.clone(), cast.clone()), (body.periodic(), cast.periodic())] {
-            assert!(pair(body, cast).sum(HERE).heights.iter().all(|z| z.abs() < 1e-15));
+        let negative = map([8, 6], 1.0, |x, y| -of(7.0 - x, y));
+        for (body, negative) in [(body.clone(), negative.clone()), (body.periodic(), negative.periodic())] {
+            assert!(pair(body, negative).sum(HERE).heights.iter().all(|z| z.abs() < 1e-15));
         }
     }
 
@@ -302,12 +322,12 @@ mod tests {
             pair(map([4, 4], 1.0, |_, _| 0.0).periodic(), map([4, 4], 1.0, |x, y| 10.0 * x + y).periodic());
         let sum = pair.sum(Placement { turns: 0, shift: [1, 2] });
         assert_eq!(sum.boundary(), Boundary::Periodic);
-        // Turned over 0 is 3 along x.
+        // Mirrored, 0 is 3 along x.
         assert_eq!((sum.at([1, 2]), sum.at([0, 0])), (30.0, 2.0));
     }
 
     #[test]
-    fn a_body_may_be_turned() {
+    fn a_body_may_be_rotated() {
         let flat = || map([5, 5], 1.0, |_, _| 0.0);
         let made = RoughPair::new(flat(), map([5, 5], 1.0, |x, _| x), 0.0, true).unwrap();
         let corners = |turns: usize| {
@@ -321,7 +341,13 @@ mod tests {
             assert_eq!(corners(turns), found, "{turns}");
         }
         let oblong = HeightMap::new([5, 5], [1.0, 2.0], vec![0.0; 25], 0.0).unwrap();
-        assert_eq!(RoughPair::new(flat(), oblong, 0.0, true).unwrap_err(), PairError::NotSquare([1.0, 2.0]));
+        assert_eq!(
+            RoughPair::new(flat(), oblong, 0.0, true).unwrap_err(),
+            PairError::NotSquare { points: [5; 2], pixel: [1.0, 2.0] }
+        );
+        // Random placements take all rotations.
+        let turns: std::collections::HashSet<usize> = (0..50).map(|k| made.place([k; 32]).turns).collect();
+        assert_eq!(turns.len(), 4);
         let other = RoughPair::new(flat().periodic(), map([5, 6], 1.0, |_, _| 0.0).periodic(), 0.0, false);
         assert!(matches!(other, Err(PairError::Periods { .. })));
     }

@@ -172,7 +172,7 @@ fn no_model(reason: NotModelled) -> &'static str {
             "the roughness varies from place to place"
         }
         NotModelled::Unfitted(Unfitted::Flat) => "the heights do not scatter",
-        NotModelled::Unfitted(Unfitted::Periodic) => "the surface is periodic",
+        NotModelled::Unfitted(Unfitted::Periodic) => "it has fewer than 16 blocks of 9 correlation lengths",
         NotModelled::Failed => "surfaces of its spectrum and heights could not be compared",
     }
 }

@@ -61,7 +61,10 @@ pub(super) fn relative_to(
     of: impl Fn(&ModelResult) -> Option<f64>,
 ) -> Option<String> {
     let ratio = of(other)? / of(model)?;
-    let difference = signed(100.0 * (ratio - 1.0));
+    // Less is beyond the digits of every result.
+    const LEAST: f64 = 0.05;
+    let percent = 100.0 * (ratio - 1.0);
+    let difference = if percent.abs() < LEAST { "< 0.1".to_owned() } else { signed(percent) };
     (ratio > 0.0 && ratio.is_finite()).then(|| format!("{} {difference} %", model_name(other.model)))
 }
 

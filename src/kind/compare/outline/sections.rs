@@ -9,7 +9,7 @@ use asperity_contact_framework::report::view::View;
 use crate::kind::compare::figures::friction;
 use crate::kind::compare::rows::{
     AnswerRow, CaseRow, DecreaseRow, FrictionRow, NearerRow, ReadingRow, ReferenceCurveRow, ResultRow,
-    RuleRow, SmoothBodyRow, StandingRow, ThresholdRow, VerdictRow,
+    RuleRow, StandingRow, ThresholdRow, TwoBodiesRow, VerdictRow,
 };
 use crate::kind::compare::series::Series;
 use crate::model_tables::REFERENCE;
@@ -42,11 +42,11 @@ pub fn results(page: &mut Page, tables: &Tables) {
     }
 }
 
-/// What taking one of two rough bodies smooth does to the results.
-pub fn smooth_bodies(page: &mut Page, tables: &Tables) {
-    let view = tables.view::<SmoothBodyRow>().without_constant(&CASE);
+/// What simplifications of two rough bodies do to the results.
+pub fn two_bodies(page: &mut Page, tables: &Tables) {
+    let view = tables.view::<TwoBodiesRow>().without_constant(&CASE);
     if !view.is_empty() {
-        page.heading(2, "What if one body is taken smooth?").view(&view);
+        page.heading(2, "What if the two rough bodies are simplified?").view(&view);
     }
 }
 

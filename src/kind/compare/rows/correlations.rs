@@ -24,9 +24,10 @@ impl Row for CorrelationRow<'_> {
             correlation["text"] = row.found.correlation.name(), "The correlation: `cooper-mikic-yovanovich` for plastic contact, 1.25 (m/sigma) (p/H)^0.95/s, or `mikic` for elastic contact, 1.55 (m/sigma) (2^0.5 p/(E* m))^0.94/s; m is the mean absolute slope, s the mean resistivity.";
             against["text"] = row.found.against, "What it is compared with: the `reference`, or where none was run the `deterministic` model.";
             accepted["1", percent] = row.found.accepted, "The largest difference that is accepted.";
-            from_pa["Pa", prefix("M"), label("within from")] = row.found.within().map(|loads| loads[0]), "Lowest nominal pressure of the longest stretch of admissible loads that were run at which it is within what is accepted; empty where it is at none.";
+            from_pa["Pa", prefix("M"), label("within from")] = row.found.within().map(|loads| loads[0]), "Lowest nominal pressure of the longest stretch of admissible loads that were run at which it is within what is accepted, also where what it is compared with is off by its bound; empty where it is at none.";
             to_pa["Pa", prefix("M"), label("to")] = row.found.within().map(|loads| loads[1]), "Highest such pressure.";
             lowest_difference["1", signed_percent] = row.found.range()[0], "Smallest relative difference over the admissible loads.";
+            bound["1", percent] = row.found.bound(), "Largest bound of the error of the reference, relative; 0 of the sum.";
             highest_difference["1", signed_percent] = row.found.range()[1], "Largest relative difference over the admissible loads.";
         });
         columns

@@ -16,9 +16,9 @@ mod readings;
 mod reference;
 mod results;
 mod robustness;
-mod smooth_bodies;
 mod spread;
 mod standings;
+mod two_bodies;
 mod verdicts;
 
 pub(crate) use answers::{AnswerRow, rows as answers};
@@ -33,9 +33,9 @@ pub(crate) use on_map::OnMapRow;
 pub(crate) use readings::ReadingRow;
 pub(crate) use results::{GapRow, ResultRow};
 pub(crate) use robustness::{RobustnessRow, words as treatment_words};
-pub(crate) use smooth_bodies::SmoothBodyRow;
 pub(crate) use spread::SpreadRow;
 pub(crate) use standings::StandingRow;
+pub(crate) use two_bodies::{Simplification, TwoBodiesRow, rows as two_bodies};
 pub(crate) use verdicts::VerdictRow;
 
 use asperity::compare::ComparedQuantity;
@@ -138,7 +138,7 @@ pub(crate) fn schemas() -> Vec<Schema> {
         Schema::of::<ReadingRow>(),
         Schema::of::<LineRow>(),
         Schema::of::<CorrelationRow>(),
-        Schema::of::<SmoothBodyRow>(),
+        Schema::of::<TwoBodiesRow>(),
     ];
     schemas.extend(surface_rows::schemas());
     schemas
@@ -181,7 +181,7 @@ pub(crate) fn tables(results: &CompareResults) -> Vec<Table> {
         Table::new(readings::rows(results)),
         Table::new(lines::rows(results)),
         Table::new(correlations::rows(results)),
-        asked(Table::new(smooth_bodies::rows(results))),
+        asked(Table::new(two_bodies(results))),
     ];
     tables.extend(optional.into_iter().filter(|table| table.rows() > 0));
     tables.extend(surface_rows::tables(results.surface_rows()));

@@ -2,12 +2,13 @@
 
 use std::fmt;
 
-use super::spec::{CaseSpec, CoverageSpec, Intervals, PlateauSpec, SpikesSpec};
-use crate::coverage::{EndlessProcess, Patches, PlantedSpikes, Roughness, WINDOWS_PER_MAP};
+use super::spec::{AgainstSpec, CaseSpec, CoverageSpec, Intervals, PlateauSpec, SpikesSpec};
+use crate::coverage::{EndlessProcess, Patches, PlantedSpikes, Roughness, SecondBody, WINDOWS_PER_MAP};
+use asperity::spot::{Conduction, SpotProperties};
 use asperity::study::LawContact;
 use asperity::topography::generate::{Plateau, Process, SpectrumOf};
 use asperity::topography::spectrum::{Lay, Spectrum, SpectrumError, SpectrumShape};
-use asperity::{Flat, Heights};
+use asperity::{Flat, Heights, WithSpots};
 use asperity_contact_framework::contact::Bodies;
 use asperity_contact_framework::report::format::input_quantity;
 
@@ -27,6 +28,8 @@ const SPIKES: [u64; 2] = [1, 10_000];
 const DEVIATIONS: [f64; 2] = [1.0, 1000.0];
 /// Standard deviations of the logarithm of an amplitude.
 const MODULATIONS: [f64; 2] = [0.0, 1.0];
+/// Relative positions of two bodies.
+const SHIFTS: [u64; 2] = [1, 1000];
 /// Effective contacts of a load.
 const CONTACTS: [f64; 2] = [1.0, 1e6];
 
@@ -98,6 +101,8 @@ pub struct CasePlan {
     pub checked_maps: usize,
     /// Effective contacts of the loads.
     pub contacts: Vec<f64>,
+    /// The case whose process is that of a second rough body, and the relative positions.
+    pub second: Option<(String, usize)>,
     /// The process.
     pub process: EndlessProcess,
 }
@@ -111,7 +116,9 @@ impl CasePlan {
         let patches = patches.map(|of| {
             format!("patchy, modulation {} over {}", of.modulation, input_quantity(of.length, "m"))
         });
-        [elongation, plateau, patches].into_iter().flatten().collect::<Vec<String>>().join(", ")
+        let second =
+            self.second.as_ref().map(|(name, shifts)| format!("against {name} at {shifts} positions"));
+        [elongation, plateau, patches, second].into_iter().flatten().collect::<Vec<String>>().join(", ")
     }
 }
 
@@ -140,6 +147,10 @@ pub(super) fn plan(file: &SpecFile, table: &Spanned<CoverageSpec>) -> Result<Cov
     file.check_laws(&raw.law, (rough, &pair[0]), &[(flat, &pair[1])])?;
     let flats = [(None, Flat::Bare(pair[1]))];
     let law = file.law_plans(&raw.law, (rough, &pair[0]), &flats, flat)?.remove(0);
+    // Bodies of unit conductivity: differences of conductances do not depend on it.
+    let thermal = Conduction::new([1.0; 2]).map_err(|error| file.source.error_at(raw.law.span(), error))?;
+    let spots = SpotProperties { thermal: Some(thermal), ..SpotProperties::default() };
+    let law = LawContact { contact: Box::new(WithSpots::new(law.contact, spots)), ..law };
     if raw.case.get_ref().is_empty() {
         let message =
             "found no case; allowed: at least one [coverage.case.NAME] with roll-off, heights and contacts";
@@ -155,7 +166,14 @@ pub(super) fn plan(file: &SpecFile, table: &Spanned<CoverageSpec>) -> Result<Cov
     };
     let cases = raw.case.get_ref().iter();
     let cases = cases.map(|(name, case)| case_plan(file, raw, &windows, name.get_ref(), case));
-    let cases = cases.collect::<Result<Vec<CasePlan>, _>>()?;
+    let mut cases = cases.collect::<Result<Vec<CasePlan>, _>>()?;
+    for (place, case) in raw.case.get_ref().values().enumerate() {
+        if let Some(against) = &case.against {
+            let second = second_body(file, raw, against, &cases)?;
+            cases[place].second = Some((against.get_ref().case.get_ref().clone(), second.shifts));
+            cases[place].process = cases[place].process.clone().against(second);
+        }
+    }
     let spikes = raw.spikes.as_ref().map(|spikes| spikes_plan(file, spikes.get_ref(), &cases)).transpose()?;
     Ok(CoveragePlan {
         bodies: Bodies { rough: rough.clone(), flat: flat.clone() },
@@ -166,6 +184,32 @@ pub(super) fn plan(file: &SpecFile, table: &Spanned<CoverageSpec>) -> Result<Cov
         spikes,
         seed: file.seed,
     })
+}
+
+/// The second body of a case, which is the process of another one of `cases`.
+fn second_body(
+    file: &SpecFile,
+    raw: &CoverageSpec,
+    against: &Spanned<AgainstSpec>,
+    cases: &[CasePlan],
+) -> Result<SecondBody, InputError> {
+    let AgainstSpec { case, shifts } = against.get_ref();
+    if raw.intervals == Intervals::ModelBased {
+        let message = "found a second rough body with model-based intervals, which pairs have not; allowed: intervals = \"blocks\"";
+        return Err(file.source.error_at(against.span(), message));
+    }
+    let shifts = file.whole_within(shifts, SHIFTS, "relative positions")? as usize;
+    let alone = || {
+        let named = raw.case.get_ref().iter().zip(cases);
+        named.filter(|((_, raw), _)| raw.against.is_none()).map(|(_, case)| case)
+    };
+    let found = alone().find(|plan| plan.name == *case.get_ref()).ok_or_else(|| {
+        let names: Vec<&str> = alone().map(|case| case.name.as_str()).collect();
+        let message =
+            format!("found \"{}\"; allowed: a case of one body ({})", case.get_ref(), names.join(", "));
+        file.source.error_at(case.span(), message)
+    })?;
+    Ok(SecondBody { process: found.process.clone(), shifts })
 }
 
 /// The maps that give so many windows.
@@ -260,6 +304,7 @@ fn case_plan(
         maps: maps(file.whole_within(case.windows.as_ref().unwrap_or(&raw.windows), WINDOWS, "windows")?),
         checked_maps: optional_maps(file, case.checked.as_ref().or(raw.checked.as_ref()))?,
         contacts: contacts(file, &case.contacts)?,
+        second: None,
         process,
     })
 }

@@ -61,7 +61,9 @@ fn run_case(
     let study = StudyTask { law: &plan.law, loads: &controls.loads, seed: plan.seed };
     let small = (plan.intervals == Intervals::ModelBased).then_some(study);
     let task = WindowTask { contact, controls: controls.clone(), small };
-    let maps = Maps { count: case.maps, studied: plan.windows.studied_maps, checked: case.checked_maps };
+    // Pairs have no other treatments.
+    let studied = if case.second.is_some() { 0 } else { plan.windows.studied_maps };
+    let maps = Maps { count: case.maps, studied, checked: case.checked_maps };
     let done = || context.progress.advance(1.0);
     let windows = windows_of(&case.process, (&task, &study), maps, done).map_err(refuse)?;
     let mut findings: Vec<Vec<Finding>> = windows.iter().map(|window| window.findings.clone()).collect();

@@ -76,7 +76,7 @@ pub enum Intervals {
 #[serde(
     deny_unknown_fields,
     rename_all = "kebab-case",
-    expecting = "a table { roll-off, elongation, heights, plateau, patches, windows, checked, contacts }"
+    expecting = "a table { roll-off, elongation, heights, plateau, patches, against, windows, checked, contacts }"
 )]
 pub struct CaseSpec {
     /// Longest wavelength of the power law.
@@ -94,6 +94,9 @@ pub struct CaseSpec {
     /// An amplitude that varies from place to place.
     #[schemars(extend("x-default" = "none"))]
     pub patches: Option<Spanned<PatchesSpec>>,
+    /// A second rough body, of the process of another case, on which each window lies at several random relative positions.
+    #[schemars(extend("x-default" = "none: a smooth flat"))]
+    pub against: Option<Spanned<AgainstSpec>>,
     /// Windows of this case.
     #[schemars(extend("x-range" = "8 to 100000", "x-default" = "`windows` of `[coverage]`", "examples" = [3000]))]
     pub windows: Option<Spanned<Whole>>,
@@ -103,6 +106,18 @@ pub struct CaseSpec {
     /// Effective contacts of the sum in the mean of the windows of a pilot map: a load for each.
     #[schemars(extend("x-range" = "1 to 1e6", "examples" = [[30, 100]]))]
     pub contacts: Spanned<LogSweep<Pure>>,
+}
+
+/// A second rough body.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a table { case, shifts }")]
+pub struct AgainstSpec {
+    /// The case whose process it is.
+    #[schemars(extend("examples" = ["short-gaussian"]))]
+    pub case: Spanned<String>,
+    /// Relative positions of each pair of windows.
+    #[schemars(extend("x-range" = "1 to 1000", "examples" = [8]))]
+    pub shifts: Spanned<Whole>,
 }
 
 /// A finer roughness with a self-affine spectrum of the same Hurst exponent and cut-off.
