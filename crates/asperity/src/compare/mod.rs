@@ -24,7 +24,7 @@ pub use attribution::{
 };
 pub use difference::{
     ByQuantity, CONTACTS_PER_GROUP, CaseSampling, ComparedQuantity, ContactResult, Difference, Estimate,
-    LeftOut, Repeats, State, Support,
+    LeftOut, Repeats, State, Support, error_over_positions,
 };
 pub use dominance::{Dominance, Dominant};
 pub use gap::{Gap, GapQuantity, Gaps};

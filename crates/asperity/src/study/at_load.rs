@@ -5,7 +5,7 @@ use super::results::CaseResults;
 use crate::Response;
 use crate::compare::{
     ByQuantity, ComparedQuantity, ContactResult, CurvePoint, Difference, ModelKind, ReferencePoint, Scatter,
-    student_quantile,
+    error_over_positions, student_quantile,
 };
 use crate::model::Exceeded;
 use crate::spot::SpotValues;
@@ -186,7 +186,8 @@ impl CaseStudy {
             let half = model.and_then(|kind| of_models[usize::from(kind == ModelKind::Deterministic)]);
             let interval = |quantity: ComparedQuantity| {
                 if points.len() > 1 && self.verdicts.shifts > 1 {
-                    return interval_of_shifts(&points, quantity, half?[quantity as usize]);
+                    let quantile = at?.estimates[quantity as usize]?.quantile;
+                    return interval_of_positions(&points, quantity, half?[quantity as usize], quantile);
                 }
                 if points.len() > 1 {
                     let values: Option<Vec<f64>> = points.iter().map(|one| one.value(quantity)).collect();
@@ -232,14 +233,19 @@ fn interval_of_mean(values: &[f64]) -> [f64; 2] {
     [mean - half, mean + half]
 }
 
-/// The same of a mean over shifts of a pair: `half`, the half-width that its blocks give ([scaled](ComparedQuantity::scaled)), and the scatter
-/// over the shifts.
-fn interval_of_shifts(points: &[PointResult], quantity: ComparedQuantity, half: f64) -> Option<[f64; 2]> {
+/// The same of a mean over relative positions of two bodies, where the blocks of the first give the half-width `half`
+/// ([scaled](ComparedQuantity::scaled)) of `quantile` standard errors.
+fn interval_of_positions(
+    points: &[PointResult],
+    quantity: ComparedQuantity,
+    half: f64,
+    quantile: f64,
+) -> Option<[f64; 2]> {
     let values: Option<Vec<f64>> =
         points.iter().map(|one| Some(quantity.scaled(one.value(quantity)?))).collect();
-    let [low, high] = interval_of_mean(&values?);
-    let (middle, half) = (0.5 * (low + high), half.hypot(0.5 * (high - low)));
-    Some([middle - half, middle + half].map(|end| quantity.unscaled(end)))
+    let Scatter { mean, deviation } = Scatter::new(&values?);
+    let half = quantile * error_over_positions(half / quantile, deviation * deviation, points.len());
+    half.is_finite().then(|| [mean - half, mean + half].map(|end| quantity.unscaled(end)))
 }
 
 #[cfg(test)]

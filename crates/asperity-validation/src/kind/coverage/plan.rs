@@ -8,7 +8,7 @@ use asperity::spot::{Conduction, SpotProperties};
 use asperity::study::LawContact;
 use asperity::topography::generate::{Plateau, Process, SpectrumOf};
 use asperity::topography::spectrum::{Lay, Spectrum, SpectrumError, SpectrumShape};
-use asperity::{Flat, Heights, WithSpots};
+use asperity::{Flat, Heights, MicroContact, WithSpots};
 use asperity_contact_framework::contact::Bodies;
 use asperity_contact_framework::report::format::input_quantity;
 
@@ -38,6 +38,8 @@ pub struct CoveragePlan {
     /// Names of the two bodies.
     pub bodies: Bodies,
     pub law: LawContact,
+    /// The same micro-contact between bodies that conduct.
+    pub conducting: Box<dyn MicroContact>,
     pub windows: WindowPlan,
     /// Which intervals are claimed.
     pub intervals: Intervals,
@@ -146,11 +148,12 @@ pub(super) fn plan(file: &SpecFile, table: &Spanned<CoverageSpec>) -> Result<Cov
     file.spheres_only(&raw.law, "the asperities of [coverage] are taken as spheres")?;
     file.check_laws(&raw.law, (rough, &pair[0]), &[(flat, &pair[1])])?;
     let flats = [(None, Flat::Bare(pair[1]))];
-    let law = file.law_plans(&raw.law, (rough, &pair[0]), &flats, flat)?.remove(0);
+    let law = || Ok::<_, InputError>(file.law_plans(&raw.law, (rough, &pair[0]), &flats, flat)?.remove(0));
     // Bodies of unit conductivity: differences of conductances do not depend on it.
     let thermal = Conduction::new([1.0; 2]).map_err(|error| file.source.error_at(raw.law.span(), error))?;
     let spots = SpotProperties { thermal: Some(thermal), ..SpotProperties::default() };
-    let law = LawContact { contact: Box::new(WithSpots::new(law.contact, spots)), ..law };
+    let conducting = Box::new(WithSpots::new(law()?.contact, spots));
+    let law = law()?;
     if raw.case.get_ref().is_empty() {
         let message =
             "found no case; allowed: at least one [coverage.case.NAME] with roll-off, heights and contacts";
@@ -178,6 +181,7 @@ pub(super) fn plan(file: &SpecFile, table: &Spanned<CoverageSpec>) -> Result<Cov
     Ok(CoveragePlan {
         bodies: Bodies { rough: rough.clone(), flat: flat.clone() },
         law,
+        conducting,
         windows,
         intervals: raw.intervals,
         cases,

@@ -60,7 +60,7 @@ fn run_case(
     let controls = case.process.controls(contact, &case.contacts).map_err(refuse)?;
     let study = StudyTask { law: &plan.law, loads: &controls.loads, seed: plan.seed };
     let small = (plan.intervals == Intervals::ModelBased).then_some(study);
-    let task = WindowTask { contact, controls: controls.clone(), small };
+    let task = WindowTask { contact: &*plan.conducting, controls: controls.clone(), small };
     // Pairs have no other treatments.
     let studied = if case.second.is_some() { 0 } else { plan.windows.studied_maps };
     let maps = Maps { count: case.maps, studied, checked: case.checked_maps };
