@@ -86,6 +86,7 @@ pub fn with_case<T>(
         spread: Vec::new(),
         verdicts,
         ranking: None,
+        shortcuts: Vec::new(),
         treated: Vec::new(),
         dependences: Vec::new(),
     };
