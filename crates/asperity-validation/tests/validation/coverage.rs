@@ -1,15 +1,17 @@
 //! Coverage of intervals: made-up intervals, and windows of small processes.
 
-use asperity::compare::{CONTACTS_PER_GROUP, Estimate, GROUPS, Support};
+use asperity::compare::{CONTACTS_PER_GROUP, ComparedQuantity, Estimate, GROUPS, Support};
 use asperity::contact_law::named;
+use asperity::spot::{Conduction, SpotProperties};
 use asperity::study::LawContact;
 use asperity::topography::fitness::Check;
 use asperity::topography::generate::{Process, SpectrumOf};
 use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
-use asperity::{Heights, Material};
+use asperity::{Heights, Material, WithSpots};
 use asperity_validation::coverage::{
     Controls, Coverage, CoveredQuantity, EndlessProcess, ExaminedWindow, Maps, Patches, PlantedSpikes,
-    QuantityEstimate, Roughness, StudyTask, Unusable, WindowResults, WindowTask, spiked_windows, windows_of,
+    QuantityEstimate, Roughness, SecondBody, StudyTask, Unusable, WindowResults, WindowTask, spiked_windows,
+    windows_of,
 };
 
 const PIXEL: f64 = 1e-6;
@@ -63,7 +65,9 @@ fn process(name: &str, points: usize, roll_off: f64, cut_off: f64) -> EndlessPro
 fn examined(process: &EndlessProcess, contacts: &[f64]) -> (Controls, Vec<ExaminedWindow>) {
     let law = steel();
     let controls = process.controls(&*law.contact, contacts).unwrap();
-    let task = WindowTask { contact: &*law.contact, controls: controls.clone(), small: None };
+    let thermal = Some(Conduction::new([1.0; 2]).unwrap());
+    let conducting = WithSpots::new(steel().contact, SpotProperties { thermal, ..SpotProperties::default() });
+    let task = WindowTask { contact: &conducting, controls: controls.clone(), small: None };
     let study = StudyTask { law: &law, loads: &controls.loads, seed: 1 };
     let windows =
         windows_of(process, (&task, &study), Maps { count: 2, studied: 1, checked: 2 }, || ()).unwrap();
@@ -97,6 +101,24 @@ fn windows_of_short_waves_have_intervals_where_contacts_are_many() {
     // The same to the bit, whatever the threads.
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
     assert_eq!(pool.install(|| results(&short, &[20.0, 200.0])).1, windows);
+}
+
+/// Of two bodies the interval at several relative positions is narrower than that at one, and the same at one position as of one map.
+#[test]
+fn positions_of_two_bodies_narrow_the_interval() {
+    let of = |shifts: usize| {
+        let second = SecondBody { process: process("other", 256, 10.0, 3.0), shifts };
+        results(&process("short", 256, 10.0, 3.0).against(second), &[200.0]).1
+    };
+    let [one, four] = [of(1), of(4)];
+    let error = |window: &WindowResults| window.estimates[0][1].unwrap().estimate.error;
+    let pairs = one.iter().zip(&four).filter_map(|(one, four)| Some((error(one)?, error(four)?)));
+    let pairs: Vec<(f64, f64)> = pairs.collect();
+    assert!(pairs.len() > 4, "{pairs:?}");
+    let mean = |of: fn(&(f64, f64)) -> f64| pairs.iter().map(of).sum::<f64>() / pairs.len() as f64;
+    assert!(mean(|pair| pair.1) < 0.9 * mean(|pair| pair.0), "{pairs:?}");
+    // The floor of the part that positions share.
+    assert!(pairs.iter().all(|(one, four)| *four >= 0.5 * one), "{pairs:?}");
 }
 
 #[test]
@@ -139,7 +161,9 @@ fn verdicts_of_studied_windows_are_those_of_the_windows() {
         assert_eq!(window.findings.len() > 2, index < 4, "all checks, or spikes and lines");
         assert!(window.findings.iter().all(|finding| !finding.is_blocking()), "{:?}", window.findings);
         let Some(studied) = &window.studied else { continue };
-        let own = window.results.verdicts();
+        // Other treatments are studied without conductance.
+        let mut own = window.results.verdicts();
+        own.retain(|verdict| verdict.quantity != ComparedQuantity::ThermalConductance);
         assert_eq!(studied.len(), own.len());
         for (studied, own) in studied.iter().zip(&own) {
             assert_eq!(
