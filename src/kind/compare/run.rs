@@ -6,8 +6,9 @@ use asperity::bem::Solver;
 use asperity::compare::{AgainstReference, CaseSampling, Control};
 use asperity::spot::{Correlation, Joint, SpotProperties};
 use asperity::study::{
-    CaseResults, CaseStudy, LawFindings, LayerQuestion, RealisationResults, Setup, SurfaceModels, attribute,
-    decreases, differ, film_friction, models_of, rank, run_surface, sampling, shortcuts, thresholds,
+    CaseResults, CaseStudy, LawFindings, LayerQuestion, RealisationResults, Setup, Shortcut, SurfaceModels,
+    attribute, decreases, differ, film_friction, models_of, rank, run_surface, sampling, shortcuts,
+    thresholds,
 };
 use asperity::surface::{AnalysisDepth, PreparedMap, Surface};
 use asperity::work::Counter;
@@ -218,6 +219,9 @@ impl<'a> Run<'a> {
             case.ranking = Some(ranking).filter(|ranking| !ranking.models.is_empty());
         }
         let found = shortcuts(setup, &surface, &cases);
+        if found.iter().flatten().any(|one| one.shortcut == Shortcut::GreenwoodTripp) {
+            self.papers.push(literature::GREENWOOD_TRIPP_1971);
+        }
         for (case, found) in cases.iter_mut().zip(found) {
             case.shortcuts = found;
         }

@@ -6,7 +6,6 @@ use super::Statistical;
 use crate::asperity::Population;
 use crate::distribution::Heights;
 use crate::interface::MicroContact;
-use crate::literature::{GREENWOOD_TRIPP_1971, Paper};
 
 /// Two populations that the model does not describe.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -35,13 +34,10 @@ impl GreenwoodTrippError {
     }
 }
 
-/// The smallest ratio of both standard deviations: at 0.3 the model carries up to 2.7 times the load of the sum surface, at 0.1 up to 7.
+/// The smallest ratio of both standard deviations; towards 0 the load grows without bound.
 const LEAST_RATIO: f64 = 0.5;
 
 impl<'a> Statistical<'a> {
-    /// The source of [`Self::greenwood_tripp`].
-    pub const GREENWOOD_TRIPP: &'static Paper = &GREENWOOD_TRIPP_1971;
-
     /// Every asperity of one body against every one of the other, at places independent of each other: a pair at the offset r touches with the
     /// indentation w = z1 + z2 - d - r^2/(2 (R1 + R2)) and the radius R1 R2/(R1 + R2), so that for any law
     ///

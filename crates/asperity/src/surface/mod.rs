@@ -367,7 +367,8 @@ impl Surface {
     /// References for its asperities.
     pub fn papers(&self) -> Vec<Paper> {
         let mut papers: Vec<Paper> = self.map.iter().flat_map(MapFacts::papers).collect();
-        if self.is_converted() {
+        let is_composite = self.bodies.is_some() && self.nominal.is_some();
+        if self.is_converted() || is_composite {
             papers.push(literature::NAYAK_1971);
         }
         papers
