@@ -364,6 +364,11 @@ mod tests {
         }
         let short = resample(map([301, 31], 1.0, wave(2.5)));
         assert!((20..80).all(|ix| short.at([ix, 5]).abs() < 0.05));
+        // The S filter of the coarser map holds for it, too.
+        let [all, filtered] =
+            [0.0, 30.0].map(|s| resampled(map([301, 61], 1.0, wave(12.0)), [3.0; 2], s).unwrap());
+        let highest = |map: &HeightMap| (20..80).map(|ix| map.at([ix, 5]).abs()).fold(0.0, f64::max);
+        assert!(highest(&all) > 0.7 && highest(&filtered) < 0.05);
         let own = map([9, 9], 3.0, wave(9.0));
         assert_eq!(resample(own.clone()).heights, own.heights);
     }
