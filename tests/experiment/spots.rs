@@ -12,6 +12,7 @@ use asperity_experiment::export::{
 use asperity_experiment::kind::compare::results::CompareResults;
 
 use crate::Report;
+use crate::results::table;
 
 const BODIES: &str = concat!("title = \"t\"\nseed = 3\n", conducting!());
 
@@ -270,6 +271,68 @@ fn correlations_stand_beside_a_conductance() {
             "{other}"
         );
     }
+}
+
+/// A finite map between half-spaces conducts less than its spots alone, and compares with their cluster; a surface without end does not.
+#[test]
+fn a_finite_map_conducts_as_a_cluster_of_spots() {
+    const MODELS: &str = "models = [\"statistical\", \"deterministic\", \"reference\"]\n";
+    const FINITE: &str = "reference = { boundary = \"finite\" }\n";
+    let of = |more: &str, conductance: &str, surface: &str| {
+        let spec = format!("law = \"hertz\"\nconductance = {conductance}\n{MODELS}{more}{PRESSURES}");
+        compared(&spec, surface)
+    };
+    let both = "[\"electrical\", \"thermal\"]";
+    let finite = of(&format!("{FINITE}accept = {{ conductance = 0.6 }}\n"), both, MAP);
+    let case = finite.surfaces[0].cases[0].first();
+    let curve = case.reference.as_ref().unwrap();
+    let factor = 143e-9 * 50.0;
+    let mut last = 1.0;
+    for (point, greenwood) in curve.points.iter().zip(&curve.clusters) {
+        let [electrical, thermal] = point.of_cluster;
+        assert!((thermal / electrical / factor - 1.0).abs() < 1e-9);
+        assert_eq!(point.value(ComparedQuantity::ElectricalConductance), None);
+        let pair = case.comparison.pairs_at_load().find(|pair| pair.target == point.pressure).unwrap();
+        let (spots, cluster) = (pair.deterministic.spots[0], greenwood.unwrap() / 143e-9);
+        // Spots of the sum: 2 a each, less what their neighbours take, and the more the more there are.
+        assert!(cluster / spots < last, "{spots:e} {cluster:e}");
+        last = cluster / spots;
+        assert!((cluster / electrical).ln().abs() < 0.25, "{cluster:e} {electrical:e}");
+    }
+    assert!(last < 0.7, "{last}");
+    let rows = table(&finite, "correlations.csv").unwrap();
+    let clusters: Vec<_> = rows.iter().filter(|row| row["correlation"] == "greenwood-cluster").collect();
+    assert!(clusters.len() == 2 && clusters.iter().all(|row| row["against"] == "reference"));
+    assert!(clusters.iter().all(|row| !row["from_pa"].is_empty()), "{clusters:?}");
+    // A correlation of an interface without end is no match for a finite map.
+    assert!(
+        rows.iter().filter(|row| row["correlation"] == "mikic").all(|row| row["against"] == "deterministic")
+    );
+    let page = (&finite as &dyn Outcome).outline().markdown();
+    assert!(page.contains("Finite map, against boundary elements: Greenwood's cluster of spots "), "{page}");
+    assert!(
+        page.contains("a finite map conducts as one cluster of spots") && page.contains("1621"),
+        "{page}"
+    );
+    // Of a film the reference knows, the cluster does not.
+    let small = MAP.replace("512", "256");
+    let of_first = |results: &CompareResults, case: usize| {
+        results.surfaces[0].cases[case].first().reference.as_ref().unwrap().points[0].of_cluster[0]
+    };
+    let filmed = of(FINITE, "{ electrical = { film = \"1e-13 ohm m^2\" } }", &small);
+    let bare = of_first(&of(FINITE, both, &small), 0);
+    assert!(0.0 < of_first(&filmed, 0) && of_first(&filmed, 0) < 0.99 * bare);
+    assert!(table(&filmed, "correlations.csv").is_none());
+    let periodic = of("", both, &small);
+    let curve = periodic.surfaces[0].cases[0].first().reference.as_ref().unwrap();
+    assert!(curve.clusters.is_empty() && curve.points.iter().all(|point| point.of_cluster == [0.0; 2]));
+    assert!(!table(&periodic, "reference.csv").unwrap()[0].contains_key("greenwood_cluster_per_m"));
+    // Under a layer there is none.
+    let clad = "[material.clad]\nyoung = \"210 GPa\"\npoisson = 0.3\nresistivity = \"300 nohm m\"\nhardness = \"7.6 GPa\"\n";
+    let layer = "layer = { material = \"clad\", thickness = [0, \"100 nm\"] }\n";
+    let layered = of(&format!("{FINITE}{layer}"), "\"electrical\"", &[&small, clad].concat());
+    assert!(of_first(&layered, 0) > 0.0 && of_first(&layered, 1) == 0.0);
+    assert!(layered.surfaces[0].cases[1].first().reference.as_ref().unwrap().clusters.is_empty());
 }
 
 #[test]

@@ -1,7 +1,8 @@
-//! Correlations of the conductance beside the models: those that programs for finite elements use.
+//! Correlations of the conductance beside the models: those that programs for finite elements use, and on a finite map the cluster of spots.
 
 use asperity::compare::{ComparedQuantity, Pair, ReferencePoint};
-use asperity::spot::Correlation;
+use asperity::literature::{self, Paper};
+use asperity::spot::{Conduction, Correlation, SpotQuantity};
 
 use super::rows::SurfaceCase;
 use crate::model_tables::REFERENCE;
@@ -10,13 +11,55 @@ use crate::model_tables::REFERENCE;
 const CONDUCTANCES: [ComparedQuantity; 2] =
     [ComparedQuantity::ElectricalConductance, ComparedQuantity::ThermalConductance];
 
-/// A correlation against the reference, or else the sum, on one case.
+/// What is compared.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Estimate {
+    /// A correlation for an interface without end: against a reference without end, or else the sum.
+    Interface(Correlation),
+    /// The spots of the sum as a cluster between half-spaces: against the reference on a finite map.
+    Cluster,
+}
+
+impl Estimate {
+    /// All, in the order of tables.
+    pub const ALL: [Self; 3] = [
+        Self::Interface(Correlation::CooperMikicYovanovich),
+        Self::Interface(Correlation::Mikic),
+        Self::Cluster,
+    ];
+
+    /// The name in tables.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Interface(correlation) => correlation.name(),
+            Self::Cluster => "greenwood-cluster",
+        }
+    }
+
+    /// The name in texts.
+    pub const fn label(self) -> &'static str {
+        match self {
+            Self::Interface(correlation) => correlation.label(),
+            Self::Cluster => "Greenwood's cluster of spots",
+        }
+    }
+
+    /// Its source.
+    pub const fn paper(self) -> Paper {
+        match self {
+            Self::Interface(correlation) => correlation.paper(),
+            Self::Cluster => literature::GREENWOOD_1966,
+        }
+    }
+}
+
+/// An estimate of a conductance against the reference, or else the sum, on one case.
 #[derive(Debug, Clone)]
 pub struct Correlated {
     /// The conductance.
     pub quantity: ComparedQuantity,
-    /// The correlation.
-    pub correlation: Correlation,
+    /// The estimate.
+    pub estimate: Estimate,
     /// What it is compared with.
     pub against: &'static str,
     /// Admissible loads (Pa), ascending, the relative difference there, and the bound of the error of ln(conductance) of what it is compared with.
@@ -26,41 +69,70 @@ pub struct Correlated {
 }
 
 impl Correlated {
-    /// Of each conductance that is asked for and each correlation; none under a layer, with a film, of a thermal one with a medium in the gap, and
-    /// without a map.
+    /// Of each conductance that is asked for and each estimate; none under a layer, with a film and without a map; a correlation of a thermal
+    /// one only without a medium in the gap, a cluster only with a reference on a finite map.
     pub fn all(case: SurfaceCase) -> Vec<Self> {
         let compared = |&quantity: &ComparedQuantity| {
-            let each = Correlation::ALL.into_iter();
-            each.filter_map(move |correlation| Self::new(case, quantity, correlation))
+            let each = Estimate::ALL.into_iter();
+            each.filter_map(move |estimate| match estimate {
+                Estimate::Interface(correlation) => Self::of_interface(case, quantity, correlation),
+                Estimate::Cluster => Self::of_cluster(case, quantity),
+            })
         };
         CONDUCTANCES.iter().flat_map(compared).collect()
     }
 
-    fn new(case: SurfaceCase, quantity: ComparedQuantity, correlation: Correlation) -> Option<Self> {
+    fn of_interface(case: SurfaceCase, quantity: ComparedQuantity, correlation: Correlation) -> Option<Self> {
         let found = case.first();
         let value = conductance(case, quantity, correlation)?;
         let of_reference = found.reference.iter().flat_map(|curve| &curve.points);
         let with_bound = |point: &ReferencePoint| {
             Some((point.pressure, point.value(quantity)?, point.bounds[quantity as usize]))
         };
-        let mut truth: Vec<(f64, f64, f64)> = of_reference.filter_map(with_bound).collect();
+        let mut truth: Vec<Truth> = of_reference.filter_map(with_bound).collect();
         let against = if truth.is_empty() { "deterministic" } else { REFERENCE };
         if truth.is_empty() {
             let pairs = found.comparison.pairs_at_load();
             let of_pair = |pair: &Pair| Some((pair.target, quantity.value(&pair.deterministic)?, 0.0));
             truth = pairs.filter_map(of_pair).collect();
         }
+        Self::new(case, quantity, Estimate::Interface(correlation), against, truth, value)
+    }
+
+    fn of_cluster(case: SurfaceCase, quantity: ComparedQuantity) -> Option<Self> {
+        let curve = case.first().reference.as_ref()?;
+        let resistivity = bare(case, quantity)?.resistivity();
+        let index = usize::from(quantity.spot()? == SpotQuantity::ThermalConductance);
+        let truth = |point: &ReferencePoint| {
+            let value = Some(point.of_cluster[index]).filter(|value| *value > 0.0)?;
+            Some((point.pressure, value, point.bounds[quantity as usize]))
+        };
+        let value = |load: f64| {
+            let at = curve.points.iter().position(|point| point.pressure == load)?;
+            Some((*curve.clusters.get(at)?)? / resistivity)
+        };
+        let truth = curve.points.iter().filter_map(truth).collect();
+        Self::new(case, quantity, Estimate::Cluster, REFERENCE, truth, value)
+    }
+
+    fn new(
+        case: SurfaceCase,
+        quantity: ComparedQuantity,
+        estimate: Estimate,
+        against: &'static str,
+        mut truth: Vec<Truth>,
+        value: impl Fn(f64) -> Option<f64>,
+    ) -> Option<Self> {
         let is_admissible = |load: f64| {
             case.verdicts().differences.iter().any(|at| at.load == load && at.exceeded().is_none())
         };
         truth.retain(|(load, ..)| is_admissible(*load));
         truth.sort_by(|a, b| a.0.total_cmp(&b.0));
         truth.dedup_by(|a, b| a.0 == b.0);
-        let difference =
-            |&(load, truth, bound): &(f64, f64, f64)| Some((load, value(load)? / truth - 1.0, bound));
+        let difference = |&(load, truth, bound): &Truth| Some((load, value(load)? / truth - 1.0, bound));
         let differences: Vec<(f64, f64, f64)> = truth.iter().filter_map(difference).collect();
         let accepted = case.verdicts().accepted.limit(quantity);
-        (!differences.is_empty()).then_some(Self { quantity, correlation, against, differences, accepted })
+        (!differences.is_empty()).then_some(Self { quantity, estimate, against, differences, accepted })
     }
 
     /// The longest stretch of neighbouring loads (Pa) at which it is within what is accepted, also at the ends of the bound.
@@ -87,6 +159,16 @@ impl Correlated {
     }
 }
 
+/// Load (Pa), conductance per nominal area, and the bound of the error of its logarithm.
+type Truth = (f64, f64, f64);
+
+/// What conducts, without a film and without a layer; `None` of a conductance that is not asked for.
+fn bare(case: SurfaceCase<'_>, quantity: ComparedQuantity) -> Option<&Conduction> {
+    let is_bare = case.first().thickness.is_none_or(|thickness| thickness == 0.0);
+    let conduction = case.surface.spots.conduction(quantity.spot()?).filter(|_| is_bare)?;
+    (conduction.film() == 0.0).then_some(conduction)
+}
+
 /// The conductance per nominal area by a correlation at a nominal pressure (Pa); `None` under a layer, with a film or a medium in
 /// the gap, without a map, and of a conductance that is not asked for.
 pub fn conductance(
@@ -94,13 +176,10 @@ pub fn conductance(
     quantity: ComparedQuantity,
     correlation: Correlation,
 ) -> Option<impl Fn(f64) -> Option<f64>> {
-    let is_bare = case.first().thickness.is_none_or(|thickness| thickness == 0.0);
-    let conduction = case.surface.spots.conduction(quantity.spot()?).filter(|_| is_bare)?;
-    let (joint, resistivity) = (case.surface.joint?, conduction.resistivity());
-    // They know of no film, and what is compared with would hold the medium.
+    let (joint, resistivity) = (case.surface.joint?, bare(case, quantity)?.resistivity());
+    // What is compared with would hold the medium.
     let has_medium = quantity == ComparedQuantity::ThermalConductance && case.surface.spots.medium.is_some();
-    (conduction.film() == 0.0 && !has_medium)
-        .then_some(move |pressure| Some(correlation.conductance(&joint, pressure)? / resistivity))
+    (!has_medium).then_some(move |pressure| Some(correlation.conductance(&joint, pressure)? / resistivity))
 }
 
 #[cfg(test)]
@@ -110,7 +189,7 @@ mod tests {
     fn correlated(differences: &[(f64, f64, f64)]) -> Correlated {
         Correlated {
             quantity: ComparedQuantity::ThermalConductance,
-            correlation: Correlation::Mikic,
+            estimate: Estimate::Interface(Correlation::Mikic),
             against: REFERENCE,
             differences: differences.to_vec(),
             accepted: 0.2,

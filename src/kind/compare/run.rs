@@ -2,9 +2,9 @@
 
 use std::time::Instant;
 
-use asperity::bem::Solver;
+use asperity::bem::{Boundary, Solver};
 use asperity::compare::{AgainstReference, CaseSampling, Control};
-use asperity::spot::{Correlation, Joint, SpotProperties};
+use asperity::spot::{Joint, SpotProperties};
 use asperity::study::{
     CaseResults, CaseStudy, LawFindings, LayerQuestion, RealisationResults, Setup, Shortcut, SurfaceModels,
     attribute, decreases, differ, film_friction, models_of, rank, run_surface, sampling, shortcuts,
@@ -19,6 +19,7 @@ use asperity_contact_framework::input::InputError;
 use asperity_contact_framework::metadata::Timing;
 
 use super::contact_map::{ContactMap, Covered};
+use super::correlations::Estimate;
 use super::plan::ComparePlan;
 use super::reference::{ContactView, ReferenceRun};
 use super::results::{CompareResults, Described, ReferenceMetadata, SurfaceResults};
@@ -134,7 +135,12 @@ pub fn each_surface<T>(
         .iter()
         .any(|law| law.contact.spot_properties().is_some_and(SpotProperties::conducts))
     {
-        papers.extend(Correlation::ALL.map(Correlation::paper));
+        let reference = compare.reference.as_deref();
+        let mut planned = compare.study.surfaces.iter();
+        let is_finite = reference
+            .is_some_and(|reference| planned.any(|surface| reference.boundary(surface) == Boundary::Finite));
+        let estimates = Estimate::ALL.into_iter().filter(|one| is_finite || *one != Estimate::Cluster);
+        papers.extend(estimates.map(Estimate::paper));
         papers.push(literature::BARBER_2003);
     }
     Ok(Ran { results, timing, papers })

@@ -343,6 +343,7 @@ mod tests {
             capped_area_ratio: 0.0,
             stiffness: None,
             spots: Default::default(),
+            of_cluster: [0.0; 2],
             bounds: [bound, bound, 0.0, 0.0, 0.0, 0.0],
             error: 1e-6,
             steps: 1,
@@ -360,6 +361,7 @@ mod tests {
             interpolated: 0,
             points: (0..3).map(point).collect(),
             blocks: (0..3).map(|k| (0..4).map(|b| block(k, b)).collect()).collect(),
+            clusters: Vec::new(),
             unreached: Vec::new(),
         };
         // Without a block the sum is as the reference; the integral knows of no block.

@@ -8,7 +8,7 @@ use asperity_contact_framework::report::format::{input_quantity, number, quantit
 
 use super::result::{model_name, relative_to};
 use super::{Card, area};
-use crate::kind::compare::correlations::Correlated;
+use crate::kind::compare::correlations::{Correlated, Estimate};
 use crate::model_tables::REFERENCE;
 use crate::presentation::quantity_name;
 
@@ -25,24 +25,31 @@ impl Card<'_> {
     }
 
     /// "Correlations against boundary elements: Cooper-Mikic-Yovanovich (plastic) +5 to +19 %, within ±20 % from 1 to 12.8 MPa; Mikic (elastic) -71
-    /// to -68 %." Once where both conductances have the same.
+    /// to -68 %." Once where both conductances have the same. "Finite map, against boundary elements: Greenwood's cluster of spots +5 to +9 %."
     fn correlations(&self) -> Vec<String> {
-        let groups = self.correlations.chunk_by(|a, b| a.quantity == b.quantity);
+        let groups = self.correlations.chunk_by(|a, b| (a.quantity, a.against) == (b.quantity, b.against));
         let text = |group: &[Correlated]| {
             let against = if group[0].against == REFERENCE { "boundary elements" } else { "the sum" };
             let each: Vec<String> = group.iter().map(correlation).collect();
             format!("against {against}: {}.", each.join("; "))
         };
-        let texts: Vec<(ComparedQuantity, String)> =
-            groups.map(|group| (group[0].quantity, text(group))).collect();
-        match &texts[..] {
-            [(_, one)] => vec![format!("Correlations {one}")],
-            [(_, one), (_, other)] if one == other => vec![format!("Correlations {one}")],
-            _ => texts
-                .iter()
-                .map(|(quantity, text)| format!("Correlations of the {} {text}", quantity_name(*quantity)))
-                .collect(),
-        }
+        let mut texts: Vec<(&Correlated, String)> = groups.map(|group| (&group[0], text(group))).collect();
+        texts.sort_by_key(|(found, _)| found.estimate == Estimate::Cluster);
+        let line = |(found, text): &(&Correlated, String)| {
+            let mut same = texts.iter().filter(|(other, _)| other.estimate == found.estimate);
+            let of = if same.all(|(_, other)| other == text) {
+                String::new()
+            } else {
+                format!(" of the {}", quantity_name(found.quantity))
+            };
+            match found.estimate {
+                Estimate::Cluster => format!("Finite map{of}, {text}"),
+                Estimate::Interface(_) => format!("Correlations{of} {text}"),
+            }
+        };
+        let mut lines: Vec<String> = texts.iter().map(line).collect();
+        lines.dedup();
+        lines
     }
 
     fn conductance(&self, compared: ComparedQuantity, name: &str) -> Option<String> {
@@ -102,7 +109,7 @@ fn correlation(found: &Correlated) -> String {
         Some([from, to]) if from == to => format!(", within ±{accepted} % at {}", input_quantity(from, "Pa")),
         Some(loads) => format!(", within ±{accepted} % from {}", range(loads, "Pa")),
     };
-    format!("{} {size} %{within}", found.correlation.label())
+    format!("{} {size} %{within}", found.estimate.label())
 }
 
 /// The sum, or else the integral or the reference.

@@ -8,9 +8,11 @@
 //! | `run` | the solver on a realisation of a surface |
 //! | `point` | a contact in the terms of the models, with bounds of its errors |
 //! | `spots` | what its spots conduct, and their friction |
+//! | `cluster` | the spots of the sum on a finite map as a cluster |
 //! | `view` | a part of the contact, and the distribution of pressures |
 //! | `tables` | `reference.csv` |
 
+mod cluster;
 mod elastic;
 pub mod plan;
 mod point;

@@ -7,6 +7,7 @@ use std::time::Duration;
 use asperity::bem::{Boundary, Options, Solver};
 use asperity::compare::Control;
 use asperity::law::Property;
+use asperity::spot::SpotProperties;
 use asperity::study::LawContact;
 use asperity::{Flat, Material, softer_hardness};
 use asperity_contact_framework::input::Spanned;
@@ -16,6 +17,7 @@ use asperity_contact_framework::report::format::{number, quantity};
 use super::spec::{CapSpec, ReferenceSpec};
 use crate::kind::compare::spec::Models;
 use crate::layer::thickness_words;
+use crate::study_plan::StudyPlan;
 use crate::surface::SurfacePlan;
 
 /// The boundary element reference of a comparison.
@@ -180,6 +182,20 @@ impl ReferencePlan {
              `reference = {{ refine = 2 }}` adds this to the error bar.",
             number(least),
         ))
+    }
+
+    /// A warning where the reference gives the conductance of finite maps, which the models do not.
+    pub fn cluster_warning(&self, study: &StudyPlan) -> Option<String> {
+        let conducts = |law: &LawContact| law.contact.spot_properties().is_some_and(SpotProperties::conducts);
+        let mut surfaces = study.surfaces.iter();
+        let finite = surfaces.find(|surface| self.boundary(surface) == Boundary::Finite)?;
+        study.laws.iter().any(conducts).then(|| {
+            format!(
+                "reference on surface {}: a finite map conducts as one cluster of spots (`reference.csv`; none under a layer), which is \
+                 compared with Greenwood's cluster, not with the models",
+                finite.name
+            )
+        })
     }
 
     /// A line for each surface, for a plan that a person reads.

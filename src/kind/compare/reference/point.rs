@@ -71,6 +71,7 @@ impl SolvedContact {
             capped_area_ratio: contact.capped_area_ratio(),
             stiffness,
             spots: self.spots.values(contact.area_ratio(), pressure),
+            of_cluster: self.spots.of_cluster(),
             bounds: ByQuantity::default(),
             error: contact.error,
             steps: contact.steps,
@@ -97,10 +98,7 @@ impl SolvedContact {
         let roughness = surface.map.as_ref().map_or(sigma, |map| map.roughness.moments.sq);
         let of_tangent = self.tangent.as_ref().map_or(0.0, |tangent| tangent.error);
         let conductance = |quantity: SpotQuantity| {
-            let value = |solved: &Self| {
-                let value = solved.spots.values(0.0, 0.0)[quantity as usize];
-                (value > 0.0).then(|| value.ln())
-            };
+            let value = |solved: &Self| solved.spots.conductance(quantity).map(f64::ln);
             let of_grid = grid.stiffness + SolvedSpots::border_error(contact);
             apart(&value).max(of_grid) + contact.error + self.spots.error(quantity)
         };

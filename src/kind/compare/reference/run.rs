@@ -78,7 +78,10 @@ impl ReferenceRun<'_> {
             views.extend(view);
             all_covered.append(&mut solved.covered);
             for case in served {
-                cases[case].reference = Some(solved.curve(boundary, solution.cap, &loads[case]));
+                let mut curve = solved.curve(boundary, solution.cap, &loads[case]);
+                let law = &self.compare.study.laws[case];
+                curve.clusters = self.clusters(law, &cases[case], boundary, &curve.points);
+                cases[case].reference = Some(curve);
             }
         }
         timing.reference += start.elapsed();
@@ -241,6 +244,7 @@ impl Solved {
             interpolated: self.interpolated,
             points: loads.iter().filter_map(point).collect(),
             blocks: if blocks.iter().any(Vec::is_empty) { Vec::new() } else { blocks },
+            clusters: Vec::new(),
             unreached: loads.iter().filter(is_unreached).map(|load| load.pressure).collect(),
         }
     }

@@ -16,6 +16,7 @@ pub struct SpotSolver {
     thermal: Option<ConductingSpots>,
     medium: Option<GapMedium>,
     shear: Option<ShearStrength>,
+    is_finite: bool,
 }
 
 /// A conductance that is asked for.
@@ -33,27 +34,30 @@ pub struct SolvedSpots {
     /// Thermal conductance of the gap per nominal area, W/(m^2 K).
     in_gap: f64,
     shear: Option<ShearStrength>,
+    /// Whether the currents are those of a finite map as a whole.
+    is_finite: bool,
 }
 
 impl SpotSolver {
-    /// What `properties` asks for. A film that spots break through has no meaning without asperities, and a finite map conducts as a whole: its
-    /// conductance does not compare with that of spots of a surface without end.
+    /// What `properties` asks for. A film that spots break through has no meaning without asperities; the influence of a layer on the current
+    /// through a finite map is not known, and its gap does not conduct beside that of a surface without end.
     pub fn new(properties: Option<&SpotProperties>, boundary: Boundary) -> Self {
+        let is_finite = boundary == Boundary::Finite;
         let conducting = |conduction: &Option<Conduction>| {
-            let conduction = conduction.clone().filter(|_| boundary != Boundary::Finite)?;
+            let conduction = conduction.clone().filter(|asked| !is_finite || !asked.is_layered())?;
             Some(ConductingSpots { conduction, conductor: OnceCell::new() })
         };
         let none = SpotProperties::default();
         let SpotProperties { electrical, thermal, medium, shear, .. } = properties.unwrap_or(&none);
-        let medium = medium.filter(|_| boundary != Boundary::Finite);
+        let medium = medium.filter(|_| !is_finite);
         let shear = shear.filter(|shear| shear.broken.is_none()).map(|shear| shear.strength);
-        Self { electrical: conducting(electrical), thermal: conducting(thermal), medium, shear }
+        Self { electrical: conducting(electrical), thermal: conducting(thermal), medium, shear, is_finite }
     }
 
     /// The spots of `contact`, one of `solver`, solved to the relative `error`.
     ///
     /// # Errors
-    /// A layered conductor on a finite map.
+    /// Those of the solver.
     pub fn solve(
         &self,
         solver: &Solver,
@@ -68,6 +72,7 @@ impl SpotSolver {
             currents: [current(&self.electrical)?, current(&self.thermal)?],
             in_gap: self.medium.map_or(0.0, |medium| medium.conductance(contact.mean_gap())),
             shear: self.shear,
+            is_finite: self.is_finite,
         })
     }
 }
@@ -100,9 +105,10 @@ impl ConductingSpots {
 }
 
 impl SolvedSpots {
-    /// Conductances per nominal area and shear stress, of an area ratio at a nominal pressure (Pa); 0 of what is not asked for.
+    /// Conductances per nominal area and shear stress, of an area ratio at a nominal pressure (Pa); 0 of what is not asked for, and of the
+    /// conductances of a finite map.
     pub fn values(&self, area_ratio: f64, pressure: f64) -> SpotValues {
-        SpotQuantity::ALL.map(|quantity| match self.current(quantity) {
+        SpotQuantity::ALL.map(|quantity| match self.comparable_current(quantity) {
             Some(current) => current.conductance() + self.in_gap(quantity),
             None if quantity == SpotQuantity::ShearForce => self.shear_stress(area_ratio, pressure),
             None => 0.0,
@@ -116,7 +122,8 @@ impl SolvedSpots {
     /// What each block of a division of the points contributes, from its parts of area ratio and pressure (Pa).
     pub fn of_blocks(&self, blocks: &Blocks, sums: &[[f64; 2]]) -> Vec<SpotValues> {
         let shares = SpotQuantity::ALL.map(|quantity| {
-            self.current(quantity).map(|current| (current.conductance(), current.block_shares(blocks)))
+            let current = self.comparable_current(quantity);
+            current.map(|current| (current.conductance(), current.block_shares(blocks)))
         });
         let mut area_shares = vec![0.0; blocks.count()];
         let points = blocks.points[0] * blocks.points[1];
@@ -142,9 +149,25 @@ impl SolvedSpots {
         if count > 0.0 { 0.5 * INSIDE * given / count } else { 0.0 }
     }
 
+    /// A conductance per nominal area, also of a finite map as a whole; `None` of what is not asked for.
+    pub fn conductance(&self, quantity: SpotQuantity) -> Option<f64> {
+        self.current(quantity).map(|current| current.conductance() + self.in_gap(quantity))
+    }
+
+    /// The conductances per nominal area of a finite map as a cluster of spots, electrical and thermal; 0 where there is none.
+    pub fn of_cluster(&self) -> [f64; 2] {
+        let conductances = [SpotQuantity::ElectricalConductance, SpotQuantity::ThermalConductance];
+        conductances.map(|quantity| self.conductance(quantity).filter(|_| self.is_finite).unwrap_or_default())
+    }
+
     /// The error that the iteration leaves in a conductance.
     pub fn error(&self, quantity: SpotQuantity) -> f64 {
         self.current(quantity).map_or(0.0, |current| current.error)
+    }
+
+    /// What compares with the spots of the models, which belong to a surface without end.
+    fn comparable_current(&self, quantity: SpotQuantity) -> Option<&Current> {
+        self.current(quantity).filter(|_| !self.is_finite)
     }
 
     fn current(&self, quantity: SpotQuantity) -> Option<&Current> {

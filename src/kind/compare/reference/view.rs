@@ -65,7 +65,7 @@ pub struct SummitsInContact {
 /// The sum at the load of a view: its law, and its separation, m.
 pub(super) struct SumAtLoad {
     law: String,
-    separation: f64,
+    pub(super) separation: f64,
 }
 
 impl SumAtLoad {

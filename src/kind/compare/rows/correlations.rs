@@ -1,4 +1,4 @@
-//! `correlations.csv`: correlations of the conductance against the contact.
+//! `correlations.csv`: correlations of the conductance, and on a finite map the cluster of spots, against the contact.
 
 use asperity_contact_framework::columns;
 use asperity_contact_framework::report::table::{Column, Row};
@@ -21,8 +21,8 @@ impl Row for CorrelationRow<'_> {
         let mut columns = case_columns(|row: &Self| row.key);
         columns.extend(columns! { row: Self =>
             conductance["text"] = row.found.quantity.name(), "The conductance.";
-            correlation["text"] = row.found.correlation.name(), "The correlation: `cooper-mikic-yovanovich` for plastic contact, 1.25 (m/sigma) (p/H)^0.95/s, or `mikic` for elastic contact, 1.55 (m/sigma) (2^0.5 p/(E* m))^0.94/s; m is the mean absolute slope, s the mean resistivity.";
-            against["text"] = row.found.against, "What it is compared with: the `reference`, or where none was run the `deterministic` model.";
+            correlation["text"] = row.found.estimate.name(), "The correlation: `cooper-mikic-yovanovich` for plastic contact, 1.25 (m/sigma) (p/H)^0.95/s, or `mikic` for elastic contact, 1.55 (m/sigma) (2^0.5 p/(E* m))^0.94/s; m is the mean absolute slope, s the mean resistivity. With a reference on a finite map also `greenwood-cluster`: the spots of the sum at the same load as a cluster between half-spaces (Greenwood 1966).";
+            against["text"] = row.found.against, "What it is compared with: the `reference`; for a correlation of an interface without end, where none without end was run, the `deterministic` model.";
             accepted["1", percent] = row.found.accepted, "The largest difference that is accepted.";
             from_pa["Pa", prefix("M"), label("within from")] = row.found.within().map(|loads| loads[0]), "Lowest nominal pressure of the longest stretch of admissible loads that were run at which it is within what is accepted, also where what it is compared with is off by its bound; empty where it is at none.";
             to_pa["Pa", prefix("M"), label("to")] = row.found.within().map(|loads| loads[1]), "Highest such pressure.";

@@ -170,7 +170,7 @@ pub(crate) fn tables(results: &CompareResults) -> Vec<Table> {
         Table::new(attribution::rows(results)),
         Table::new(ranking::rows(results)),
         Table::new(standings::rows(results)),
-        Table::new(reference::rows(results)),
+        reference::table(results),
         Table::new(nearer::curves(results)),
         Table::new(nearer::rows(results)),
         Table::new(robustness::rows(results)),
