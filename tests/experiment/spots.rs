@@ -273,6 +273,19 @@ fn correlations_stand_beside_a_conductance() {
     }
 }
 
+/// Spots of some mean free paths of electrons conduct less than by diffusion; heat is not examined.
+#[test]
+fn spots_of_a_few_free_paths_are_a_warning() {
+    let fine = "[surface.a.population]\nradius = \"200 nm\"\nsigma = \"1 nm\"\ndensity = \"6e14 /m^2\"\ncount = 2000\n";
+    let warned = |conductance: &str, surface: &str| {
+        let spec = format!("law = \"hertz\"\nconductance = \"{conductance}\"\n{PRESSURES}");
+        let warnings = compared(&spec, surface).warnings();
+        warnings.iter().any(|warning| warning.contains("below ten mean free paths of electrons in metals"))
+    };
+    assert!(warned("electrical", fine) && !warned("thermal", fine));
+    assert!(!warned("electrical", &population(2000)));
+}
+
 /// A finite map between half-spaces conducts less than its spots alone, and compares with their cluster; a surface without end does not.
 #[test]
 fn a_finite_map_conducts_as_a_cluster_of_spots() {

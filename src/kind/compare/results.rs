@@ -6,10 +6,13 @@ use asperity::analytical::AnalyticalLine;
 use asperity::compare::Tolerances;
 use asperity::law::Body;
 use asperity::spot::{Joint, SpotProperties};
-use asperity::study::{CaseStudy, DecreaseResults, FilmFriction, LawFindings, RealisationFacts, Threshold};
+use asperity::study::{
+    CaseResults, CaseStudy, DecreaseResults, FilmFriction, LawFindings, RealisationFacts, Threshold,
+};
 use asperity::surface::Surface;
 use asperity_contact_framework::contact::ContactMetadata;
 use asperity_contact_framework::metadata::Metadata;
+use asperity_contact_framework::report::format::{percent, quantity};
 
 use super::contact_map::ContactMap;
 use super::reference::{ContactView, ElasticCase};
@@ -97,6 +100,7 @@ impl CompareResults {
         let mut lines = self.implausible.clone();
         lines.extend(self.elastic_reference_note());
         lines.extend(self.contact.caveats.iter().cloned());
+        lines.extend(self.surfaces.iter().filter_map(SurfaceResults::ballistic_warning));
         lines.extend(
             self.contact
                 .layer
@@ -133,13 +137,16 @@ impl CompareResults {
         let cases = self.surfaces.iter().flat_map(|surface| &surface.cases).map(CaseStudy::first);
         cases.filter(|case| case.plasticity_index.is_some()).filter_map(|case| {
             let thickness = case.thickness.filter(|t| *t > 0.0 && t.is_finite())?;
-            let points = case.comparison.curves.iter().zip(case.comparison.exceeded());
-            let points =
-                points.filter(|(point, exceeded)| point.prescribed_pressure.is_some() || exceeded.is_none());
-            let radii = points.filter_map(|(point, _)| point.response.mean_contact_radius());
-            Some((thickness, radii.reduce(f64::max)? / thickness))
+            Some((thickness, mean_radii(case).reduce(f64::max)? / thickness))
         })
     }
+}
+
+/// The mean contact radii (m) of a case at prescribed loads, and at admissible ones of a separation sweep.
+fn mean_radii(case: &CaseResults) -> impl Iterator<Item = f64> {
+    let points = case.comparison.curves.iter().zip(case.comparison.exceeded());
+    let points = points.filter(|(point, exceeded)| point.prescribed_pressure.is_some() || exceeded.is_none());
+    points.filter_map(|(point, _)| point.response.mean_contact_radius())
 }
 
 /// Results on one surface and all its realisations.
@@ -149,7 +156,7 @@ pub struct SurfaceResults {
     pub surface: Surface,
     /// The area that its load acts on, m²: its own nominal area, or that of the spec.
     pub load_area: f64,
-    /// What is asked of the spots of its contacts, without a layer.
+    /// What is asked of the spots of its contacts, under the thinnest layer.
     pub spots: SpotProperties,
     /// What correlations of conductances take of it; `None` without a map.
     pub joint: Option<Joint>,
@@ -175,6 +182,26 @@ pub struct SurfaceResults {
 }
 
 impl SurfaceResults {
+    /// A warning where electrical spots are so small against the mean free path of electrons that they resist noticeably more.
+    fn ballistic_warning(&self) -> Option<String> {
+        /// That of a spot as large as ten mean free paths.
+        const SMALL: f64 = 0.085;
+        let conduction = self.spots.electrical.as_ref()?;
+        let cases = self.cases.iter().map(CaseStudy::first);
+        let bare = cases.filter(|case| case.thickness.is_none_or(|thickness| thickness == 0.0));
+        let smallest = bare.flat_map(mean_radii).reduce(f64::min)?;
+        let excess = conduction.ballistic_excess(smallest);
+        (excess > SMALL).then(|| {
+            format!(
+                "surface {}: spots of {} mean radius are below ten mean free paths of electrons in metals: they resist up to {} more \
+                 than stated (Sharvin)",
+                self.surface.name,
+                quantity(smallest, "m"),
+                percent(excess)
+            )
+        })
+    }
+
     /// The first realisation as a rough body that has a layer.
     fn coated(&self) -> CoatedSurface<'_> {
         let facts = &self.realisations[0];

@@ -99,8 +99,9 @@ pub struct ReferenceCurve {
     pub points: Vec<ReferencePoint>,
     /// What each block of the map contributes to each of these; empty where the map is not divided.
     pub blocks: Vec<Vec<BlockShare>>,
-    /// Conductance times mean resistivity per nominal area (1/m) of the spots of the sum as a cluster ([`cluster_conductance`]
-    /// (crate::spot::cluster_conductance)), at each of the points; empty unless the map is finite and its conductance is asked for.
+    /// Conductance times mean resistivity per nominal area (1/m) of the spots of the sum as a cluster
+    /// ([`cluster_conductance`](crate::spot::cluster_conductance)) at each of the points; empty unless the map is finite and its conductance is
+    /// asked for.
     pub clusters: Vec<Option<f64>>,
     /// Loads (Pa) at or above the largest pressure, which no contact carries.
     pub unreached: Vec<f64>,

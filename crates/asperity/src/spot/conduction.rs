@@ -89,6 +89,10 @@ impl GapMedium {
     }
 }
 
+/// Resistivity times mean free path of free electrons of the density of copper, n = 8.5e28 /m^3: (3 pi^2)^(1/3) hbar/(e^2 n^(2/3)), ohm m^2.
+/// Of silver and gold it is a quarter more, of aluminium a third less.
+const FREE_PATH: f64 = 6.6e-16;
+
 /// The exponent of [`tube_factor`].
 const TUBE_EXPONENT: f64 = 1.5;
 
@@ -149,6 +153,12 @@ impl Conduction {
     /// s = (rho1 + rho2)/2 without the layer, ohm m or m K/W.
     pub fn resistivity(&self) -> f64 {
         0.5 * (self.bodies[0] + self.bodies[1])
+    }
+
+    /// How much more a circular spot of a `radius` (m) between metals resists an electrical current than by diffusion alone, relative: the
+    /// resistance 4 rho l/(3 pi a^2) of a spot smaller than the mean free path l of the electrons (Sharvin 1965), with rho l of free electrons.
+    pub fn ballistic_excess(&self, radius: f64) -> f64 {
+        8.0 * FREE_PATH / (3.0 * PI * self.resistivity() * radius)
     }
 
     /// Whether one of the bodies has a layer of finite thickness.
@@ -283,6 +293,16 @@ mod tests {
             Conduction::layered(1.0, 2.0, 8.0, 0.0).is_err()
                 && Conduction::layered(1.0, 2.0, 8e9, 1.0).is_err()
         );
+    }
+
+    /// Copper: 39 nm (Gall 2016: 39.9 nm).
+    #[test]
+    fn spots_of_ten_free_paths_resist_a_twelfth_more() {
+        let copper = Conduction::new([1.7e-8; 2]).unwrap();
+        assert!((copper.ballistic_excess(390e-9) - 0.085).abs() < 1e-3);
+        let [e, hbar, n] = [1.602_176_634e-19, 1.054_571_817e-34, 8.49e28_f64];
+        let free = (3.0 * PI * PI).cbrt() * hbar / (e * e * n.powf(2.0 / 3.0));
+        assert!((free / FREE_PATH - 1.0).abs() < 0.01, "{free:e}");
     }
 
     #[test]

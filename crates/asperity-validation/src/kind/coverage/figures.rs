@@ -4,7 +4,7 @@ use super::results::{CaseResults, CoverageResults};
 use super::spec::Intervals;
 use crate::coverage::{Coverage, VerdictCount};
 use asperity::numeric::extremes;
-use asperity_plot::{Axis, Colour, Figure, Layer, Legend, Marker, Plot};
+use asperity_plot::{Axis, Colour, Figure, Layer, Legend, Marker, Plot, series_colours};
 
 /// What a point is, and how far intervals fall short that take asperities as independent.
 pub fn caption(results: &CoverageResults) -> String {
@@ -77,8 +77,17 @@ fn plot(results: &CoverageResults, title: &str, kinds: &[Series]) -> Plot {
     .legend(Legend::Below)
     .with(Layer::region_y(low, high, results.intervals.band_name()));
     series.into_iter().fold(plot, |plot, (k, name, points, marker)| {
-        plot.with(Layer::points(points, marker).coloured(Colour::Series(k)).named(name))
+        plot.with(Layer::points(points, of_series(k, marker)).coloured(Colour::Series(k)).named(name))
     })
+}
+
+/// Another marker for the series whose colour is that of an earlier one.
+fn of_series(k: usize, marker: Marker) -> Marker {
+    match marker {
+        _ if k < series_colours().len() => marker,
+        Marker::Circle => Marker::Square,
+        _ => Marker::Triangle,
+    }
 }
 
 /// The share of decided verdicts that may be wrong, %.
