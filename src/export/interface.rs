@@ -2,6 +2,7 @@
 
 use std::any::Any;
 
+use asperity::bem::Boundary;
 use asperity::compare::{ComparedQuantity, ModelKind};
 use asperity::spot::SpotQuantity;
 use asperity_contact_framework::Outcome;
@@ -154,6 +155,13 @@ fn table(
     loads.sort_by(f64::total_cmp);
     loads.dedup();
     let all: Vec<LoadPoint> = loads.iter().filter_map(|&load| at_load(case, load, options.model)).collect();
+    let curve = case.first().reference.as_ref().filter(|_| options.model == TableModel::Reference);
+    if curve.is_some_and(|curve| curve.boundary == Boundary::Finite) {
+        return Err(format!(
+            "{name}: found a reference on a finite map, whose closure holds the deflection of the map as a whole; allowed: `boundary = \
+             \"periodic\"` or `\"mirrored\"`, or another --model"
+        ));
+    }
     if all.is_empty() {
         return Err(format!(
             "{name}: found no load of the {model} model; allowed: `pressure` or `force` in the spec, and \"{model}\" among its models",

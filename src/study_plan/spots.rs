@@ -12,10 +12,12 @@ use asperity::spot::{
 };
 use asperity::study::{Film, LawContact};
 use asperity::{Material, WithSpots};
+use asperity_contact_framework::input::bare::{
+    ElectricalFilmRange, GapConductivityRange, GapJumpRange, ThermalFilmRange,
+};
 use asperity_contact_framework::input::material::{RESISTIVITY, THERMAL_CONDUCTIVITY};
 use asperity_contact_framework::input::quantity::{
-    Dimension, ElectricalFilm, Length, NotNegative, Positive, Pressure, Pure, Quantity, ThermalConductivity,
-    ThermalFilm,
+    ElectricalFilm, Length, NotNegative, Positive, Pressure, Pure, Quantity, ThermalConductivity, ThermalFilm,
 };
 use asperity_contact_framework::input::schema;
 use asperity_contact_framework::input::{Forms, InputError, OneOrMany, Spanned, SpecFile};
@@ -28,25 +30,18 @@ use crate::surface::SurfacePlan;
 #[derive(Debug, Clone, Default)]
 pub struct ConductanceSpec {
     /// Electrical conductance.
-    electrical: Option<ConductionSpec<ElectricalFilm>>,
+    electrical: Option<ElectricalSpec>,
     /// Thermal conductance.
     thermal: Option<ThermalSpec>,
 }
 
-/// How the spots conduct.
-#[derive(Debug, Clone, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case", bound = "")]
-#[schemars(bound = "")]
-struct ConductionSpec<D: Dimension> {
+/// How spots conduct a current.
+#[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+struct ElectricalSpec {
     /// Resistance times area of a film on each spot, such as an oxide: in series with the spot.
     #[schemars(extend("x-default" = "none"))]
-    film: Option<Quantity<D>>,
-}
-
-impl<D: Dimension> Default for ConductionSpec<D> {
-    fn default() -> Self {
-        Self { film: None }
-    }
+    film: Option<Quantity<ElectricalFilm, ElectricalFilmRange>>,
 }
 
 /// How spots and gap conduct heat.
@@ -55,14 +50,14 @@ impl<D: Dimension> Default for ConductionSpec<D> {
 struct ThermalSpec {
     /// Resistance times area of a film on each spot, such as an oxide: in series with the spot.
     #[schemars(extend("x-default" = "none"))]
-    film: Option<Quantity<ThermalFilm>>,
+    film: Option<Quantity<ThermalFilm, ThermalFilmRange>>,
     /// Thermal conductivity of a medium in the gap, in parallel with the spots: over the mean gap of the deformed surfaces, a lower bound. On
     /// surfaces with a map.
     #[schemars(extend("x-default" = "none: a vacuum", "examples" = ["0.026 W/(m K)"]))]
-    gap_conductivity: Option<Quantity<ThermalConductivity>>,
+    gap_conductivity: Option<Quantity<ThermalConductivity, GapConductivityRange>>,
     /// Thickness that the medium resists more for the jumps of temperature at both borders; of gases.
     #[schemars(extend("default" = 0, "examples" = ["0.4 um"]))]
-    gap_jump: Option<Spanned<Quantity<Length, NotNegative>>>,
+    gap_jump: Option<Spanned<Quantity<Length, GapJumpRange>>>,
 }
 
 /// The table form.
@@ -70,7 +65,7 @@ struct ThermalSpec {
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 struct ConductanceTable {
     /// Electrical conductance; the materials need a `resistivity`.
-    electrical: Option<ConductionSpec<ElectricalFilm>>,
+    electrical: Option<ElectricalSpec>,
     /// Thermal conductance; the materials need a `thermal-conductivity`.
     thermal: Option<ThermalSpec>,
 }
@@ -86,7 +81,7 @@ written_schema!(ConductanceSpec, |generator| {
 impl ConductanceSpec {
     fn add(&mut self, name: &str) -> Result<(), String> {
         let is_second = match name {
-            "electrical" => self.electrical.replace(ConductionSpec::default()).is_some(),
+            "electrical" => self.electrical.replace(ElectricalSpec::default()).is_some(),
             "thermal" => self.thermal.replace(ThermalSpec::default()).is_some(),
             _ => return Err(format!("found \"{name}\"; allowed: {ALLOWED}")),
         };

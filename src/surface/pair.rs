@@ -88,7 +88,8 @@ impl PairPlan {
         let bodies = [body(&raw.a)?, body(&raw.b)?];
         if raw.a.get_ref() == raw.b.get_ref() {
             let message = format!(
-                "found \"{}\" as both bodies, whose heights would not be independent; allowed: two surfaces",
+                "found \"{}\" as both bodies, whose heights would not be independent; allowed: two surfaces, such as a second [surface.NAME] with the same keys, \
+                 whose generated heights are others",
                 raw.b.get_ref()
             );
             return Err(source.error_at(raw.b.span(), message));

@@ -264,13 +264,22 @@ fn correlations_stand_beside_a_conductance() {
     let with_medium = spec.replace("\"thermal\"", "{ thermal = { gap-conductivity = \"0.026 W/(m K)\" } }");
     // At loads that few contacts carry nothing is said.
     let light = spec.replace("from = \"1 MPa\", to = \"20 MPa\"", "from = \"1 kPa\", to = \"2 kPa\"");
-    for other in [with_film, with_medium, light] {
+    for (other, reason) in [
+        (with_film, "they are for joints without a film and a medium in the gap"),
+        (with_medium, "they are for joints without a film and a medium in the gap"),
+        (light, "compared at admissible loads, of which there are none"),
+    ] {
         let found = compared(&other, MAP);
-        assert!(
-            (&found as &dyn Outcome).files().iter().all(|(file, _)| *file != "correlations.csv"),
-            "{other}"
-        );
+        assert!(table(&found, "correlations.csv").is_none(), "{other}");
+        let page = (&found as &dyn Outcome).outline().markdown();
+        assert!(page.contains(&format!("Correlations: {reason}.")), "{page}");
     }
+    let page = (&results as &dyn Outcome).outline().markdown();
+    assert!(
+        page.contains("Correlations on this map, against boundary elements: ")
+            && !page.contains("Correlations: "),
+        "{page}"
+    );
 }
 
 /// Spots of some mean free paths of electrons conduct less than by diffusion; heat is not examined.
@@ -301,12 +310,13 @@ fn a_finite_map_conducts_as_a_cluster_of_spots() {
     let curve = case.reference.as_ref().unwrap();
     let factor = 143e-9 * 50.0;
     let mut last = 1.0;
-    for (point, greenwood) in curve.points.iter().zip(&curve.clusters) {
+    for (point, clusters) in curve.points.iter().zip(&curve.clusters) {
         let [electrical, thermal] = point.of_cluster;
         assert!((thermal / electrical / factor - 1.0).abs() < 1e-9);
         assert_eq!(point.value(ComparedQuantity::ElectricalConductance), None);
         let pair = case.comparison.pairs_at_load().find(|pair| pair.target == point.pressure).unwrap();
-        let (spots, cluster) = (pair.deterministic.spots[0], greenwood.unwrap() / 143e-9);
+        let (spots, cluster) = (pair.deterministic.spots[0], clusters[0]);
+        assert!((clusters[1] / cluster / factor - 1.0).abs() < 1e-12);
         // Spots of the sum: 2 a each, less what their neighbours take, and the more the more there are.
         assert!(cluster / spots < last, "{spots:e} {cluster:e}");
         last = cluster / spots;
@@ -323,6 +333,11 @@ fn a_finite_map_conducts_as_a_cluster_of_spots() {
     );
     let page = (&finite as &dyn Outcome).outline().markdown();
     assert!(page.contains("Finite map, against boundary elements: Greenwood's cluster of spots "), "{page}");
+    // On the card as resistances of the map.
+    assert!(page.contains("Electrical, 0.262 mm² between larger bodies: "), "{page}");
+    assert!(page.contains(" (boundary elements), Greenwood's cluster "), "{page}");
+    let options = InterfaceOptions { model: TableModel::Reference, ..InterfaceOptions::default() };
+    assert!(interface_tables(&finite, options).unwrap_err().contains("found a reference on a finite map"));
     assert!(
         page.contains("a finite map conducts as one cluster of spots") && page.contains("1621"),
         "{page}"
@@ -336,16 +351,22 @@ fn a_finite_map_conducts_as_a_cluster_of_spots() {
     let bare = of_first(&of(FINITE, both, &small), 0);
     assert!(0.0 < of_first(&filmed, 0) && of_first(&filmed, 0) < 0.99 * bare);
     assert!(table(&filmed, "correlations.csv").is_none());
+    let of_film = &filmed.surfaces[0].cases[0].first().reference.as_ref().unwrap().clusters;
+    assert!(of_film.iter().all(|clusters| *clusters == [0.0; 2]));
     let periodic = of("", both, &small);
     let curve = periodic.surfaces[0].cases[0].first().reference.as_ref().unwrap();
     assert!(curve.clusters.is_empty() && curve.points.iter().all(|point| point.of_cluster == [0.0; 2]));
-    assert!(!table(&periodic, "reference.csv").unwrap()[0].contains_key("greenwood_cluster_per_m"));
+    assert!(
+        !table(&periodic, "reference.csv").unwrap()[0]
+            .contains_key("greenwood_electrical_conductance_s_per_m2")
+    );
     // Under a layer there is none.
     let clad = "[material.clad]\nyoung = \"210 GPa\"\npoisson = 0.3\nresistivity = \"300 nohm m\"\nhardness = \"7.6 GPa\"\n";
     let layer = "layer = { material = \"clad\", thickness = [0, \"100 nm\"] }\n";
     let layered = of(&format!("{FINITE}{layer}"), "\"electrical\"", &[&small, clad].concat());
     assert!(of_first(&layered, 0) > 0.0 && of_first(&layered, 1) == 0.0);
-    assert!(layered.surfaces[0].cases[1].first().reference.as_ref().unwrap().clusters.is_empty());
+    let of_layer = &layered.surfaces[0].cases[1].first().reference.as_ref().unwrap().clusters;
+    assert!(of_layer.iter().all(|clusters| *clusters == [0.0; 2]));
 }
 
 #[test]

@@ -260,7 +260,7 @@ fn the_card_stands_first_and_in_the_files() {
     let outcome = run(tempfile::tempdir().unwrap().path(), LOADS, &population("case", 100_000, ""));
     let page = outcome.outline().markdown();
     let first = page.lines().nth(4).unwrap();
-    assert!(first.starts_with("| **Result at a mid-range load** | "), "{first}");
+    assert!(first.starts_with("| **Result at the middle admissible load** | "), "{first}");
     let answer = outcome.outline().answer();
     let keys: Vec<&str> = answer.lines.iter().map(|line| line.key.as_str()).collect();
     assert_eq!(keys, ["result", "answer", "difference", "instead", "nearer", "certainty"]);

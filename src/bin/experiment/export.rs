@@ -63,10 +63,13 @@ impl Export {
         let options = RunOptions { out, force, threads, quiet };
         set_threads(&options)?;
         let experiment = Experiment::read(&spec)?;
-        if !options.out.is_dir() {
-            let message = format!("--out {}: found no such folder; allowed: a folder", options.out.display());
-            return Err(Failure::Input(message));
-        }
+        std::fs::create_dir_all(&options.out).map_err(|error| {
+            let message = format!(
+                "--out {}: {error}; allowed: a folder, which is made if it is missing",
+                options.out.display()
+            );
+            Failure::Input(message)
+        })?;
         // The folder and the name of a single case are checked before the run; those of several cases follow from it.
         let probe = options.out.join(format!(".asperity.{}", std::process::id()));
         write_new(&probe, "")?;

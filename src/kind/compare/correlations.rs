@@ -2,7 +2,7 @@
 
 use asperity::compare::{ComparedQuantity, Pair, ReferencePoint};
 use asperity::literature::{self, Paper};
-use asperity::spot::{Conduction, Correlation, SpotQuantity};
+use asperity::spot::{Correlation, SpotQuantity};
 
 use super::rows::SurfaceCase;
 use crate::model_tables::REFERENCE;
@@ -69,9 +69,12 @@ pub struct Correlated {
 }
 
 impl Correlated {
-    /// Of each conductance that is asked for and each estimate; none under a layer, with a film and without a map; a correlation of a thermal
-    /// one only without a medium in the gap, a cluster only with a reference on a finite map.
-    pub fn all(case: SurfaceCase) -> Vec<Self> {
+    /// Of each conductance that is asked for and each estimate, a cluster only with a reference on a finite map; none under a layer and without a
+    /// map.
+    ///
+    /// # Errors
+    /// Why there are none of a bare joint: no admissible load, a film, or a medium in the gap.
+    pub fn all(case: SurfaceCase) -> Result<Vec<Self>, &'static str> {
         let compared = |&quantity: &ComparedQuantity| {
             let each = Estimate::ALL.into_iter();
             each.filter_map(move |estimate| match estimate {
@@ -79,7 +82,20 @@ impl Correlated {
                 Estimate::Cluster => Self::of_cluster(case, quantity),
             })
         };
-        CONDUCTANCES.iter().flat_map(compared).collect()
+        let all: Vec<Self> = CONDUCTANCES.iter().flat_map(compared).collect();
+        let is_layered = case.first().thickness.is_some_and(|thickness| thickness > 0.0);
+        let is_asked = case.surface.joint.is_some() && case.surface.spots.conducts() && !is_layered;
+        if !all.is_empty() || !is_asked || case.verdicts().differences.is_empty() {
+            return Ok(all);
+        }
+        let are_known = CONDUCTANCES.iter().any(|&quantity| {
+            Correlation::ALL.into_iter().any(|one| conductance(case, quantity, one).is_some())
+        });
+        Err(if are_known {
+            "compared at admissible loads, of which there are none"
+        } else {
+            "they are for joints without a film and a medium in the gap"
+        })
     }
 
     fn of_interface(case: SurfaceCase, quantity: ComparedQuantity, correlation: Correlation) -> Option<Self> {
@@ -101,7 +117,6 @@ impl Correlated {
 
     fn of_cluster(case: SurfaceCase, quantity: ComparedQuantity) -> Option<Self> {
         let curve = case.first().reference.as_ref()?;
-        let resistivity = bare(case, quantity)?.resistivity();
         let index = usize::from(quantity.spot()? == SpotQuantity::ThermalConductance);
         let truth = |point: &ReferencePoint| {
             let value = Some(point.of_cluster[index]).filter(|value| *value > 0.0)?;
@@ -109,7 +124,7 @@ impl Correlated {
         };
         let value = |load: f64| {
             let at = curve.points.iter().position(|point| point.pressure == load)?;
-            Some((*curve.clusters.get(at)?)? / resistivity)
+            Some(curve.clusters.get(at)?[index]).filter(|value| *value > 0.0)
         };
         let truth = curve.points.iter().filter_map(truth).collect();
         Self::new(case, quantity, Estimate::Cluster, REFERENCE, truth, value)
@@ -162,13 +177,6 @@ impl Correlated {
 /// Load (Pa), conductance per nominal area, and the bound of the error of its logarithm.
 type Truth = (f64, f64, f64);
 
-/// What conducts, without a film and without a layer; `None` of a conductance that is not asked for.
-fn bare(case: SurfaceCase<'_>, quantity: ComparedQuantity) -> Option<&Conduction> {
-    let is_bare = case.first().thickness.is_none_or(|thickness| thickness == 0.0);
-    let conduction = case.surface.spots.conduction(quantity.spot()?).filter(|_| is_bare)?;
-    (conduction.film() == 0.0).then_some(conduction)
-}
-
 /// The conductance per nominal area by a correlation at a nominal pressure (Pa); `None` under a layer, with a film or a medium in
 /// the gap, without a map, and of a conductance that is not asked for.
 pub fn conductance(
@@ -176,10 +184,13 @@ pub fn conductance(
     quantity: ComparedQuantity,
     correlation: Correlation,
 ) -> Option<impl Fn(f64) -> Option<f64>> {
-    let (joint, resistivity) = (case.surface.joint?, bare(case, quantity)?.resistivity());
-    // What is compared with would hold the medium.
+    let is_bare = case.first().thickness.is_none_or(|thickness| thickness == 0.0);
+    let conduction = case.surface.spots.conduction(quantity.spot()?).filter(|_| is_bare)?;
+    let (joint, resistivity) = (case.surface.joint?, conduction.resistivity());
+    // They know of no film, and what is compared with would hold the medium.
     let has_medium = quantity == ComparedQuantity::ThermalConductance && case.surface.spots.medium.is_some();
-    (!has_medium).then_some(move |pressure| Some(correlation.conductance(&joint, pressure)? / resistivity))
+    (conduction.film() == 0.0 && !has_medium)
+        .then_some(move |pressure| Some(correlation.conductance(&joint, pressure)? / resistivity))
 }
 
 #[cfg(test)]

@@ -55,11 +55,19 @@ impl<'a> Series<'a> {
             .filter(|(t, coefficient)| *t > 0.0 && t.is_finite() && *coefficient <= most);
         let first = alike.next().map(|(t, _)| *t);
         let last = alike.next_back().map(|(t, _)| *t);
+        let ends = [friction.points.first()?.0, friction.points.last()?.0];
+        let at_end = match ends {
+            [thinnest, _] if thinnest > 0.0 && first == Some(thinnest) => " (the thinnest run)",
+            [_, thickest] if thickest.is_finite() && last.or(first) == Some(thickest) => {
+                " (the thickest run)"
+            }
+            _ => "",
+        };
         Some(match (first, last) {
             _ if least_at == 0.0 => "without the layer".to_owned(),
             _ if least_at == f64::INFINITY => "on the bulk of the layer's material".to_owned(),
-            (Some(first), Some(last)) => format!("at {}", range([first, last], "m")),
-            _ => format!("at {}", thickness(least_at)),
+            (Some(first), Some(last)) => format!("at {}{at_end}", range([first, last], "m")),
+            _ => format!("at {}{at_end}", thickness(least_at)),
         })
     }
 

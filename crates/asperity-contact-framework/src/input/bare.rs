@@ -57,26 +57,26 @@ impl Bare {
     }
 }
 
-macro_rules! positive_ranges {
-    ($($(#[$doc:meta])* $name:ident: $bounds:expr, $bare:expr;)*) => {$(
+macro_rules! ranges {
+    ($words:literal, $short:literal, $holds:expr; $($(#[$doc:meta])* $name:ident: $bounds:expr, $bare:expr;)*) => {$(
         $(#[$doc])*
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub enum $name {}
 
         impl Range for $name {
-            const WORDS: &'static str = "a positive finite";
+            const WORDS: &'static str = $words;
             const MAGNITUDES: Option<&'static str> = Some("1e-30 to 1e30");
-            const IN_SHORT: &'static str = "above 0";
+            const IN_SHORT: &'static str = $short;
             const BOUNDS: &'static [(&'static str, f64)] = $bounds;
             const BARE: Option<Bare> = Some($bare);
             fn holds(value: f64) -> bool {
-                is_positive(value)
+                $holds(value)
             }
         }
     )*};
 }
 
-positive_ranges! {
+ranges! { "a positive finite", "above 0", is_positive;
     /// A Young's modulus; without its unit from 1 GPa to 2 TPa.
     ModulusRange: &[("minimum", 1e9), ("maximum", 2e12)], Bare {
         of: "a Young's modulus",
@@ -135,6 +135,59 @@ positive_ranges! {
     };
     /// The thickness of a layer; without its unit up to 1 mm.
     ThicknessRange: &[("exclusiveMinimum", 0.0), ("maximum", 1e-3)], THICKNESS;
+    /// An electrical resistivity; without its unit from 1 nohm m to 1 mohm m.
+    ResistivityRange: &[("minimum", 1e-9), ("maximum", 1e-3)], Bare {
+        of: "a resistivity",
+        allowed: [1e-9, 1e-3],
+        usual: [1e-8, 1e-4],
+        units: &["nohm m", "uohm cm", "uohm m"],
+        dimension: Dimension::Resistivity,
+    };
+    /// The thermal conductivity of a body; without its unit from 0.01 to 3000 W/(m K).
+    ThermalConductivityRange: &[("minimum", 1e-2), ("maximum", 3e3)], Bare {
+        of: "a thermal conductivity",
+        allowed: [1e-2, 3e3],
+        usual: [1e-2, 3e3],
+        units: &["mW/(m K)"],
+        dimension: Dimension::ThermalConductivity,
+    };
+    /// The thermal conductivity of a gas, a liquid or a paste; without its unit up to 10 W/(m K).
+    GapConductivityRange: &[("exclusiveMinimum", 0.0), ("maximum", 10.0)], Bare {
+        of: "the thermal conductivity of a medium in the gap",
+        allowed: [0.0, 10.0],
+        usual: [5e-3, 10.0],
+        units: &["mW/(m K)"],
+        dimension: Dimension::ThermalConductivity,
+    };
+    /// The resistance of a film times area; without its unit up to 1e-6 ohm m^2.
+    ElectricalFilmRange: &[("exclusiveMinimum", 0.0), ("maximum", 1e-6)], Bare {
+        of: "the resistance of a film on a spot",
+        allowed: [0.0, 1e-6],
+        usual: [1e-15, 1e-7],
+        units: &["uohm cm^2", "mohm cm^2", "ohm um^2"],
+        dimension: Dimension::ElectricalFilm,
+    };
+    /// The thermal resistance of a film times area; without its unit up to 1e-3 m^2 K/W.
+    ThermalFilmRange: &[("exclusiveMinimum", 0.0), ("maximum", 1e-3)], Bare {
+        of: "the thermal resistance of a film on a spot",
+        allowed: [0.0, 1e-3],
+        usual: [1e-9, 1e-4],
+        units: &["mm^2 K/W", "cm^2 K/W"],
+        dimension: Dimension::ThermalFilm,
+    };
+}
+
+ranges! { "zero or a positive finite", "0 or above", |value| value == 0.0 || is_positive(value);
+    /// The thickness of a layer, or none; without its unit up to 1 mm.
+    ThicknessOrNone: &[("minimum", 0.0), ("maximum", 1e-3)], THICKNESS;
+    /// The thickness that a gas resists more for the jumps of temperature at its borders; without its unit up to 1 mm.
+    GapJumpRange: &[("minimum", 0.0), ("maximum", 1e-3)], Bare {
+        of: "the thickness that a gas resists more at its borders",
+        allowed: [0.0, 1e-3],
+        usual: [1e-9, 1e-4],
+        units: &["um", "nm"],
+        dimension: Dimension::Length,
+    };
 }
 
 const THICKNESS: Bare = Bare {
@@ -145,25 +198,12 @@ const THICKNESS: Bare = Bare {
     dimension: Dimension::Length,
 };
 
-/// The thickness of a layer, or none; without its unit up to 1 mm.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum ThicknessOrNone {}
-
-impl Range for ThicknessOrNone {
-    const WORDS: &'static str = "zero or a positive finite";
-    const MAGNITUDES: Option<&'static str> = Some("1e-30 to 1e30");
-    const IN_SHORT: &'static str = "0 or above";
-    const BOUNDS: &'static [(&'static str, f64)] = &[("minimum", 0.0), ("maximum", 1e-3)];
-    const BARE: Option<Bare> = Some(THICKNESS);
-    fn holds(value: f64) -> bool {
-        value == 0.0 || is_positive(value)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::input::quantity::{Area, Length, Pressure, Quantity};
+    use crate::input::quantity::{
+        Area, ElectricalFilm, Length, Pressure, Quantity, Resistivity, ThermalConductivity, ThermalFilm,
+    };
 
     fn young(value: f64, found: &str) -> Result<f64, String> {
         Quantity::<Pressure, ModulusRange>::bare(value, found).map(|young| young.value())
@@ -204,6 +244,24 @@ mod tests {
         assert!(message.contains("write \"1.25 MPa\" or \"1.25 kPa\" or \"1.25 GPa\": "), "{message}");
         assert!(message.ends_with("(if it is, write \"1.25 Pa\")"), "{message}");
         assert!(pressure(1000.0, "1000").is_ok());
+        let resistivity = Quantity::<Resistivity, ResistivityRange>::bare(28.2, "28.2").unwrap_err();
+        assert!(
+            resistivity.contains("write \"28.2 nohm m\" or \"28.2 uohm cm\" or \"28.2 uohm m\": "),
+            "{resistivity}"
+        );
+        let film = Quantity::<ElectricalFilm, ElectricalFilmRange>::bare(1e-3, "1e-3").unwrap_err();
+        assert!(
+            film.contains("write \"0.001 uohm cm^2\" or \"0.001 mohm cm^2\" or \"0.001 ohm um^2\": "),
+            "{film}"
+        );
+        let gap = Quantity::<ThermalConductivity, GapConductivityRange>::bare(26.0, "26").unwrap_err();
+        assert!(gap.contains("write \"26 mW/(m K)\": "), "{gap}");
+        let body = Quantity::<ThermalConductivity, ThermalConductivityRange>::bare(1e4, "1e4").unwrap_err();
+        assert!(body.contains("write \"10000 mW/(m K)\": "), "{body}");
+        let film = Quantity::<ThermalFilm, ThermalFilmRange>::bare(0.01, "0.01").unwrap_err();
+        assert!(film.contains("write \"0.01 mm^2 K/W\" or \"0.01 cm^2 K/W\": "), "{film}");
+        let jump = Quantity::<Length, GapJumpRange>::bare(0.4, "0.4").unwrap_err();
+        assert!(jump.contains("write \"400 nm\": "), "{jump}");
     }
 
     #[test]
@@ -215,6 +273,11 @@ mod tests {
         assert!(Quantity::<Pressure, NominalPressureRange>::parse("2 Pa").is_ok());
         assert!(Quantity::<Area, NominalAreaRange>::parse("4 m^2").is_ok());
         assert!(Quantity::<Length, ThicknessOrNone>::bare(0.0, "0").is_ok());
+        assert_eq!(
+            Quantity::<Resistivity, ResistivityRange>::bare(1.7e-8, "").map(|rho| rho.value()),
+            Ok(1.7e-8)
+        );
+        assert!(Quantity::<Resistivity, ResistivityRange>::parse("28.2 ohm m").is_ok());
         assert!(
             Quantity::<Length, ThicknessRange>::bare(-1.0, "-1").unwrap_err().contains("a positive finite")
         );

@@ -5,7 +5,9 @@ use asperity::material_library::{self, LibraryMaterial, Sourced};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::input::bare::{HardnessRange, ModulusRange, YieldRange};
+use crate::input::bare::{
+    HardnessRange, ModulusRange, ResistivityRange, ThermalConductivityRange, YieldRange,
+};
 use crate::input::quantity::{PoissonRange, Pressure, Pure, Quantity, Resistivity, ThermalConductivity};
 
 /// A body as a spec states it, checked.
@@ -84,9 +86,9 @@ struct Keys {
     yield_strength: Option<Quantity<Pressure, YieldRange>>,
     /// Electrical resistivity, for electrical conductance.
     #[schemars(extend("examples" = ["17 nohm m"]))]
-    resistivity: Option<Quantity<Resistivity>>,
+    resistivity: Option<Quantity<Resistivity, ResistivityRange>>,
     /// Thermal conductivity, for thermal conductance.
-    thermal_conductivity: Option<Quantity<ThermalConductivity>>,
+    thermal_conductivity: Option<Quantity<ThermalConductivity, ThermalConductivityRange>>,
 }
 
 crate::written_schema!(MaterialSpec, |generator| Keys::json_schema(generator));

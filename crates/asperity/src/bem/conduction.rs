@@ -18,7 +18,7 @@ const STEPS: usize = 2000;
 ///
 /// On a map that repeats, the potential is that beyond the uniform flow through both bodies: neighbouring spots share the flow, and each
 /// resists less than alone. Of a finite map it is that of a cluster of spots between half-spaces, in which neighbours raise the
-/// resistance; most of it is then that of the map as a whole.
+/// resistance: it holds that of the map as a whole.
 ///
 /// The patch is that of the elastic contact. Without yielding, a film and a layer the conductance is therefore the stiffness of the contact over
 /// E* s, s being the mean resistivity (Barber 2003): [`Current::of_elastic`].

@@ -35,8 +35,8 @@ pub struct ReferencePoint {
     pub stiffness: Option<f64>,
     /// Conductances per nominal area (S/m^2, W/(m^2 K)) and shear stress (Pa), as in [`Response::spots`]; 0 where there is none.
     pub spots: SpotValues,
-    /// The conductances of a finite map between half-spaces, electrical (S/m^2) and thermal (W/(m^2 K)), over its nominal area: most of the
-    /// resistance is that of the map as a whole, so that they do not compare with the models'. 0 where there is none.
+    /// The conductances of a finite map between half-spaces, electrical (S/m^2) and thermal (W/(m^2 K)), over its nominal area: the resistance
+    /// holds that of the map as a whole, so that they do not compare with the models'. 0 where there is none.
     pub of_cluster: [f64; 2],
     /// Bounds of the errors of solver and discretisation, of d/sigma and the logarithms of the others.
     pub bounds: State,
@@ -99,10 +99,9 @@ pub struct ReferenceCurve {
     pub points: Vec<ReferencePoint>,
     /// What each block of the map contributes to each of these; empty where the map is not divided.
     pub blocks: Vec<Vec<BlockShare>>,
-    /// Conductance times mean resistivity per nominal area (1/m) of the spots of the sum as a cluster
-    /// ([`cluster_conductance`](crate::spot::cluster_conductance)) at each of the points; empty unless the map is finite and its conductance is
-    /// asked for.
-    pub clusters: Vec<Option<f64>>,
+    /// The conductances per nominal area, electrical (S/m^2) and thermal (W/(m^2 K)), of the spots of the sum as a cluster
+    /// ([`cluster_conductance`](crate::spot::cluster_conductance)) at each of the points, 0 where there is none; empty unless the map is finite.
+    pub clusters: Vec<[f64; 2]>,
     /// Loads (Pa) at or above the largest pressure, which no contact carries.
     pub unreached: Vec<f64>,
 }

@@ -42,9 +42,9 @@ const SAME_PIXEL: f64 = 1e-9;
 pub enum PairError {
     /// Maps that repeat must do so in the same way.
     #[error(
-        "found maps that repeat after {} x {} points of {:.4e} m and {} x {} points of {:.4e} m; allowed: the same grid, or one map at \
+        "found maps that repeat after {} x {} points of {} µm and {} x {} points of {} µm; allowed: the same grid, or one map at \
              least that does not repeat",
-        points[0][0], points[0][1], pixel[0], points[1][0], points[1][1], pixel[1]
+        points[0][0], points[0][1], micrometres(pixel[0]), points[1][0], points[1][1], micrometres(pixel[1])
     )]
     Periods {
         /// Points of both along x and y.
@@ -54,7 +54,7 @@ pub enum PairError {
     },
     /// Only square grids fall on themselves when they are turned by 90 degrees.
     #[error(
-        "found a grid of {} x {} points of {:.4e} x {:.4e} m to rotate; allowed: square pixels, and of maps that repeat as many points along both axes", points[0], points[1], pixel[0], pixel[1]
+        "found a grid of {} x {} points of {} x {} µm to rotate; allowed: square pixels, and of maps that repeat as many points along both axes", points[0], points[1], micrometres(pixel[0]), micrometres(pixel[1])
     )]
     NotSquare {
         /// Points along x and y.
@@ -68,6 +68,11 @@ pub enum PairError {
     /// The overlap of both maps is too small.
     #[error("the overlap of both maps has {} x {} points; allowed: at least 3 x 3", .0[0], .0[1])]
     TooSmall([usize; 2]),
+}
+
+/// A pixel (m) in µm, to a picometre.
+fn micrometres(pixel: f64) -> f64 {
+    (1e12 * pixel).round() * 1e-6
 }
 
 impl RoughPair {

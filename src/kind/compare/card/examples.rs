@@ -91,7 +91,12 @@ pub fn with_case<T>(
         dependences: Vec::new(),
     };
     change(&mut case);
-    let card =
-        Card { case: &case, surface: &surface, load_area: 1e-6, undivided: None, correlations: Vec::new() };
+    let card = Card {
+        case: &case,
+        surface: &surface,
+        load_area: 1e-6,
+        undivided: None,
+        correlations: Ok(Vec::new()),
+    };
     read(&card, &case.verdicts.differences[0])
 }

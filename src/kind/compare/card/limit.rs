@@ -64,6 +64,7 @@ impl Card<'_> {
                 Some("a load that the surface can bear: check it, its area and their units")
             }
             _ if is_steep(at) => None,
+            Some(_) if self.is_elastic_alone() => Some("boundary elements that yield, which these do not"),
             Some(_) => Some("boundary elements"),
             None => Some("boundary elements (`\"reference\"` among the `models`)"),
         };
@@ -75,7 +76,10 @@ impl Card<'_> {
         }
         ways.extend(filtered(self.case, at.load));
         if ways.is_empty() {
-            ways.push("nothing here: contacts are too wide for their asperities, and slopes too steep for boundary elements".to_owned());
+            ways.push(
+                "nothing here: contacts are too wide for their asperities, for boundary elements too"
+                    .to_owned(),
+            );
         }
         ways
     }

@@ -50,8 +50,8 @@ pub struct Card<'a> {
     load_area: f64,
     /// Why the difference is not divided among causes; `None` where it is.
     undivided: Option<&'static str>,
-    /// The correlations of the conductances that are asked for.
-    correlations: Vec<Correlated>,
+    /// The correlations of the conductances that are asked for, or why there are none.
+    correlations: Result<Vec<Correlated>, &'static str>,
 }
 
 /// What the load of a card allows to say.
@@ -81,7 +81,11 @@ impl<'a> Card<'a> {
 
     /// The lines.
     pub fn lines(&self) -> Vec<CardLine> {
-        let result = if self.is_asked() { "Result at your load" } else { "Result at a mid-range load" };
+        let result = match self.case.reported_load() {
+            _ if self.is_asked() => "Result at your load",
+            Some(at) if at.exceeded().is_none() => "Result at the middle admissible load",
+            _ => "Result at the middle load",
+        };
         let line = |key, label, texts: Vec<String>| {
             (!texts.is_empty()).then(|| CardLine { texts, ..CardLine::new(key, label, "") })
         };

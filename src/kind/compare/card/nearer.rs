@@ -94,7 +94,7 @@ impl Card<'_> {
     }
 
     /// Whether the sum yields and the boundary elements do not.
-    fn is_elastic_alone(&self) -> bool {
+    pub(super) fn is_elastic_alone(&self) -> bool {
         let is_elastic = self.case.first().reference.as_ref().is_some_and(|curve| curve.cap.is_none());
         is_elastic && self.verdicts().reference.as_ref().is_some_and(|reference| reference.yields)
     }

@@ -5,34 +5,35 @@ use std::f64::consts::PI;
 use asperity::Shape;
 use asperity::bem::Boundary;
 use asperity::compare::ReferencePoint;
-use asperity::spot::cluster_conductance;
+use asperity::spot::{Conduction, cluster_conductance};
 use asperity::study::{CaseResults, LawContact};
 
 use super::ReferenceRun;
 use super::view::SumAtLoad;
 
 impl ReferenceRun<'_> {
-    /// Conductance times mean resistivity per nominal area (1/m) of the spots of the sum of `case` as a cluster, at each of the points of the
-    /// reference; `None` where the sum was not run at that load. Empty unless the map is finite and the conductance of its spots asked for without a layer.
+    /// The conductances per nominal area, electrical (S/m^2) and thermal (W/(m^2 K)), of the spots of the sum of `case` as a cluster, at each of the
+    /// points of the reference; 0 under a layer, with a film, and where the sum was not run at that load. Empty unless the map is finite and conducts.
     pub(super) fn clusters(
         &self,
         law: &LawContact,
         case: &CaseResults,
         boundary: Boundary,
         points: &[ReferencePoint],
-    ) -> Vec<Option<f64>> {
-        let asked = law.contact.spot_properties().into_iter();
-        let mut conducting = asked.flat_map(|asked| asked.electrical.iter().chain(&asked.thermal));
-        let conducts = conducting.any(|conduction| !conduction.is_layered());
-        if boundary != Boundary::Finite || !conducts {
-            return Vec::new();
-        }
+    ) -> Vec<[f64; 2]> {
+        let asked = law.contact.spot_properties().filter(|asked| asked.conducts());
+        let Some(asked) = asked.filter(|_| boundary == Boundary::Finite) else { return Vec::new() };
+        let is_bare = |conduction: &&Conduction| !conduction.is_layered() && conduction.film() == 0.0;
+        let bare = [&asked.electrical, &asked.thermal].map(|asked| asked.as_ref().filter(is_bare));
         let at = |point: &ReferencePoint| {
             let sum = SumAtLoad::new(case, point.pressure)?;
-            let spots = self.spots(law, self.surface.plane.mean + sum.separation);
-            Some(cluster_conductance(&spots) / self.surface.set.nominal_area())
+            bare.iter().any(Option::is_some).then(|| {
+                let spots = self.spots(law, self.surface.plane.mean + sum.separation);
+                let cluster = cluster_conductance(&spots) / self.surface.set.nominal_area();
+                bare.map(|bare| bare.map_or(0.0, |bare| cluster / bare.resistivity()))
+            })
         };
-        points.iter().map(at).collect()
+        points.iter().map(|point| at(point).unwrap_or_default()).collect()
     }
 
     /// The asperities above `flat` (m): radii of the circular spots that conduct as much (m), and places (m).

@@ -1,7 +1,6 @@
 //! `reference.csv`: what the boundary element solver did at each load.
 
 use asperity::compare::ReferencePoint;
-use asperity::spot::SpotQuantity;
 use asperity_contact_framework::columns;
 use asperity_contact_framework::report::table::{Column, Row, Table};
 
@@ -18,20 +17,15 @@ pub(crate) struct ReferenceRow {
     /// Height of the plane of separations above the mean plane of the map, m.
     offset: Option<f64>,
     point: ReferencePoint,
-    /// Of the spots of the sum as a cluster, 1/m.
-    greenwood: Option<f64>,
+    /// Conductances per nominal area of the spots of the sum as a cluster, electrical (S/m^2) and thermal (W/(m^2 K)); 0 where there is none.
+    greenwood: [f64; 2],
 }
 
-/// The columns of a finite map that conducts.
-const CLUSTER: &str = "cluster";
-const CLUSTER_ELECTRICAL: &str = "electrical cluster";
-const CLUSTER_THERMAL: &str = "thermal cluster";
+/// The columns of finite maps that conduct a current, and heat.
+const CLUSTERS: [&str; 2] = ["electrical cluster", "thermal cluster"];
 
-impl ReferenceRow {
-    fn of_cluster(&self, quantity: SpotQuantity) -> Option<f64> {
-        let value = self.point.of_cluster[quantity as usize];
-        (value > 0.0).then_some(value)
-    }
+fn positive(value: f64) -> Option<f64> {
+    (value > 0.0).then_some(value)
 }
 
 impl Row for ReferenceRow {
@@ -44,9 +38,10 @@ impl Row for ReferenceRow {
             boundary["text"] = row.boundary, "What lies beyond the edge of the map: `periodic` (the map again), `mirrored` (its mirror image) or `finite` (nothing).";
             cap_pa["Pa"] = row.cap, "The largest contact pressure, the hardness of the softer body; empty for an elastic contact.";
             pressure_pa["Pa"] = row.point.pressure, "Nominal pressure.";
-            cluster_electrical_conductance_s_per_m2["S/m²", part(CLUSTER_ELECTRICAL)] = row.of_cluster(SpotQuantity::ElectricalConductance), "Electrical conductance of a finite map between half-spaces over its nominal area: most of the resistance is that of the map as a whole, so that it does not compare with the models'; there only with a finite boundary and without a layer.";
-            cluster_thermal_conductance_w_per_m2_k["W/(m² K)", part(CLUSTER_THERMAL)] = row.of_cluster(SpotQuantity::ThermalConductance), "Thermal conductance, likewise, without the medium in the gap.";
-            greenwood_cluster_per_m["1/m", part(CLUSTER)] = row.greenwood, "Conductance times the mean resistivity s, over the nominal area, of the spots of the sum at the same load as a cluster between half-spaces (Greenwood 1966), without film and layer; empty where the sum was not run.";
+            cluster_electrical_conductance_s_per_m2["S/m²", part(CLUSTERS[0])] = positive(row.point.of_cluster[0]), "Electrical conductance of a finite map between half-spaces over its nominal area: its resistance holds that of the map as a whole, so that it does not compare with the models' and not with that of another area; this and the next columns are there only with a finite boundary and without a layer.";
+            greenwood_electrical_conductance_s_per_m2["S/m²", part(CLUSTERS[0])] = positive(row.greenwood[0]), "The same of the spots of the sum at the same load as a cluster (Greenwood 1966); empty with a film, and where the sum was not run.";
+            cluster_thermal_conductance_w_per_m2_k["W/(m² K)", part(CLUSTERS[1])] = positive(row.point.of_cluster[1]), "Thermal conductance of a finite map, likewise, without the medium in the gap.";
+            greenwood_thermal_conductance_w_per_m2_k["W/(m² K)", part(CLUSTERS[1])] = positive(row.greenwood[1]), "The same of the spots of the sum as a cluster, likewise.";
             mean_gap_m["m"] = row.point.mean_gap, "Mean gap between the deformed surfaces, zero at points in contact.";
             undeformed_gap_m["m"] = row.point.undeformed_gap, "Distance of the flat from the mean plane of the undeformed heights: the mean gap less the mean deflection, which is that of the patch as a whole with a finite boundary.";
             plane_offset_m["m"] = row.offset, "Height of the plane that separations are measured from, the mean asperity height, above the mean plane of the map: the mean gap less this is the separation in `curves.csv`.";
@@ -65,14 +60,10 @@ impl Row for ReferenceRow {
 /// The table, without the columns that are empty unless the map is finite and conducts.
 pub(crate) fn table(results: &CompareResults) -> Table {
     let rows: Vec<ReferenceRow> = rows(results).collect();
-    let has = |quantity: SpotQuantity| rows.iter().any(|row| row.of_cluster(quantity).is_some());
-    let parts = [
-        (CLUSTER_ELECTRICAL, has(SpotQuantity::ElectricalConductance)),
-        (CLUSTER_THERMAL, has(SpotQuantity::ThermalConductance)),
-        (CLUSTER, rows.iter().any(|row| row.greenwood.is_some())),
-    ];
-    let left_out = parts.into_iter().filter(|(_, is_there)| !is_there);
-    left_out.fold(Table::new(rows), |table, (part, _)| table.without_part(part))
+    let is_there = |index: usize| rows.iter().any(|row| row.point.of_cluster[index] > 0.0);
+    let left_out = (0..CLUSTERS.len()).filter(|&index| !is_there(index));
+    let left_out: Vec<&str> = left_out.map(|index| CLUSTERS[index]).collect();
+    left_out.into_iter().fold(Table::new(rows), Table::without_part)
 }
 
 fn rows(results: &CompareResults) -> impl Iterator<Item = ReferenceRow> {
@@ -87,7 +78,7 @@ fn rows(results: &CompareResults) -> impl Iterator<Item = ReferenceRow> {
                 interpolated: curve.interpolated,
                 offset: point.separation.map(|d| point.mean_gap - d),
                 point,
-                greenwood: curve.clusters.get(index).copied().flatten(),
+                greenwood: curve.clusters.get(index).copied().unwrap_or_default(),
             })
         })
     })
