@@ -1,15 +1,17 @@
 //! Conductance and friction of `[compare]`, and tables of joints for other programs.
 
+use asperity::HeightMap;
 use asperity::bem::Boundary;
 use asperity::compare::{Cause, ComparedQuantity, Order, Verdict};
-use asperity::spot::SpotQuantity;
+use asperity::spot::{SpotQuantity, cluster_conductance};
 use asperity_contact_framework::Outcome;
 use asperity_contact_framework::progress::Silent;
+use asperity_contact_framework::report::format::quantity;
 use asperity_experiment::Experiment;
 use asperity_experiment::export::{
     Format, InterfaceOptions, InterfaceTable, TableModel, UnitSystem, interface_files, interface_tables,
 };
-use asperity_experiment::kind::compare::results::CompareResults;
+use asperity_experiment::kind::compare::results::{CompareResults, SurfaceResults};
 
 use crate::Report;
 use crate::results::table;
@@ -233,6 +235,10 @@ fn friction_of_a_film_is_least_between_its_limits() {
     let page = (&results as &dyn Outcome).outline().markdown();
     assert!(page.contains("Friction at 5 MPa is least at "), "{page}");
     assert!(page.contains("Assumed: a film breaks at an indentation of 1 times its thickness"), "{page}");
+    // A minimum at the end of the thicknesses may lie beyond.
+    let thin = spec.replace(", \"20 nm\", \"100 nm\", \"1 um\", \"inf\"", "").replace("[1, 2]", "1");
+    let page = (&compared(&thin, &population(20_000)) as &dyn Outcome).outline().markdown();
+    assert!(page.contains("least at 5 nm (the thickest run) by the sum"), "{page}");
     let found = &results.surfaces[0].friction;
     assert_eq!(found.len(), 4);
     for one in found {
@@ -342,6 +348,7 @@ fn a_finite_map_conducts_as_a_cluster_of_spots() {
         page.contains("a finite map conducts as one cluster of spots") && page.contains("1621"),
         "{page}"
     );
+    assert_eq!(page.matches("Finite map, against").count(), 1, "both conductances differ alike: {page}");
     // Of a film the reference knows, the cluster does not.
     let small = MAP.replace("512", "256");
     let of_first = |results: &CompareResults, case: usize| {
@@ -350,6 +357,19 @@ fn a_finite_map_conducts_as_a_cluster_of_spots() {
     let filmed = of(FINITE, "{ electrical = { film = \"1e-13 ohm m^2\" } }", &small);
     let bare = of_first(&of(FINITE, both, &small), 0);
     assert!(0.0 < of_first(&filmed, 0) && of_first(&filmed, 0) < 0.99 * bare);
+    // Without yielding and film the stiffness gives the conductance, with a film the potential on the patch.
+    let hardly_filmed = of(FINITE, "{ electrical = { film = \"1e-22 ohm m^2\" } }", &small);
+    assert!(
+        (of_first(&hardly_filmed, 0) / bare - 1.0).abs() < 1e-4,
+        "{}",
+        of_first(&hardly_filmed, 0) / bare
+    );
+    let in_air = of(FINITE, "{ thermal = { gap-conductivity = \"0.026 W/(m K)\" } }", &small);
+    let page = (&in_air as &dyn Outcome).outline().markdown();
+    assert!(
+        page.contains("Thermal, 0.0655 mm² between") && !page.contains("spots without each other"),
+        "{page}"
+    );
     assert!(table(&filmed, "correlations.csv").is_none());
     let of_film = &filmed.surfaces[0].cases[0].first().reference.as_ref().unwrap().clusters;
     assert!(of_film.iter().all(|clusters| *clusters == [0.0; 2]));
@@ -367,6 +387,53 @@ fn a_finite_map_conducts_as_a_cluster_of_spots() {
     assert!(of_first(&layered, 0) > 0.0 && of_first(&layered, 1) == 0.0);
     let of_layer = &layered.surfaces[0].cases[1].first().reference.as_ref().unwrap().clusters;
     assert!(of_layer.iter().all(|clusters| *clusters == [0.0; 2]));
+}
+
+/// Three caps at known places on pixels that are twice as long along y: 2 a of each, and the terms of the pairs.
+#[test]
+fn a_cluster_takes_the_places_of_its_spots() {
+    const RADIUS: f64 = 100e-6;
+    let caps = [([20.0, 10.0], 3e-7), ([70.0, 12.0], 2.8e-7), ([40.0, 50.0], 2.9e-7)];
+    let place = |[x, y]: [f64; 2]| [1e-6 * x, 2e-6 * y];
+    let height = |k: usize| {
+        let [x, y] = place([(k / 64) as f64, (k % 64) as f64]);
+        let cap = |&(at, top): &([f64; 2], f64)| {
+            let [u, v] = place(at);
+            top - ((x - u).powi(2) + (y - v).powi(2)) / (2.0 * RADIUS)
+        };
+        caps.iter().map(cap).fold(f64::NEG_INFINITY, f64::max)
+    };
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("caps.npy");
+    let heights = (0..96 * 64).map(height).collect();
+    HeightMap::new([96, 64], [1e-6, 2e-6], heights, 0.0).unwrap().write_npy(&path).unwrap();
+    let surface = format!(
+        "[surface.caps.file]\npath = {:?}\npixel = [\"1 um\", \"2 um\"]\nlevel = \"mean\"\n",
+        path.display().to_string()
+    );
+    let spec = "law = \"hertz\"\nconductance = \"electrical\"\nmodels = [\"deterministic\", \"reference\"]\n\
+                reference = { boundary = \"finite\" }\npressure = \"1 MPa\"";
+    let results = compared(spec, &surface);
+    let SurfaceResults { surface, cases, .. } = &results.surfaces[0];
+    let case = cases[0].first();
+    let flat = surface.plane.mean + case.comparison.curves[0].response.separation;
+    let tops = surface.set.heights();
+    assert_eq!(tops.len(), 3);
+    let lift = caps[0].1 - tops.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let spots = caps.map(|(at, top)| ((RADIUS * (top - lift - flat)).sqrt(), place(at)));
+    assert!(spots.iter().all(|(a, _)| *a > 0.0));
+    let curve = case.reference.as_ref().unwrap();
+    let found = curve.clusters[0][0] * surface.set.nominal_area();
+    let expected = cluster_conductance(&spots) / 143e-9;
+    assert!((found / expected - 1.0).abs() < 1e-6, "{found:e} {expected:e}");
+    // The sum is without the border of the map, which the boundary elements have.
+    let whole = (curve.points[0].of_cluster[0] * 96e-6 * 128e-6).recip();
+    let [whole, cluster] = [whole, expected.recip()].map(|resistance| quantity(resistance, "Ω"));
+    let text = format!(
+        "0.0123 mm² between larger bodies: {whole} (boundary elements), Greenwood's cluster {cluster}, "
+    );
+    let page = (&results as &dyn Outcome).outline().markdown();
+    assert!(page.contains(&text), "{text}\n{page}");
 }
 
 #[test]

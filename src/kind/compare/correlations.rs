@@ -2,7 +2,7 @@
 
 use asperity::compare::{ComparedQuantity, Pair, ReferencePoint};
 use asperity::literature::{self, Paper};
-use asperity::spot::{Correlation, SpotQuantity};
+use asperity::spot::Correlation;
 
 use super::rows::SurfaceCase;
 use crate::model_tables::REFERENCE;
@@ -13,14 +13,14 @@ const CONDUCTANCES: [ComparedQuantity; 2] =
 
 /// What is compared.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Estimate {
+pub enum Formula {
     /// A correlation for an interface without end: against a reference without end, or else the sum.
     Interface(Correlation),
     /// The spots of the sum as a cluster between half-spaces: against the reference on a finite map.
     Cluster,
 }
 
-impl Estimate {
+impl Formula {
     /// All, in the order of tables.
     pub const ALL: [Self; 3] = [
         Self::Interface(Correlation::CooperMikicYovanovich),
@@ -53,13 +53,13 @@ impl Estimate {
     }
 }
 
-/// An estimate of a conductance against the reference, or else the sum, on one case.
+/// An formula of a conductance against the reference, or else the sum, on one case.
 #[derive(Debug, Clone)]
 pub struct Correlated {
     /// The conductance.
     pub quantity: ComparedQuantity,
-    /// The estimate.
-    pub estimate: Estimate,
+    /// The formula.
+    pub formula: Formula,
     /// What it is compared with.
     pub against: &'static str,
     /// Admissible loads (Pa), ascending, the relative difference there, and the bound of the error of ln(conductance) of what it is compared with.
@@ -69,17 +69,17 @@ pub struct Correlated {
 }
 
 impl Correlated {
-    /// Of each conductance that is asked for and each estimate, a cluster only with a reference on a finite map; none under a layer and without a
+    /// Of each conductance that is asked for and each formula, a cluster only with a reference on a finite map; none under a layer and without a
     /// map.
     ///
     /// # Errors
     /// Why there are none of a bare joint: no admissible load, a film, or a medium in the gap.
     pub fn all(case: SurfaceCase) -> Result<Vec<Self>, &'static str> {
         let compared = |&quantity: &ComparedQuantity| {
-            let each = Estimate::ALL.into_iter();
-            each.filter_map(move |estimate| match estimate {
-                Estimate::Interface(correlation) => Self::of_interface(case, quantity, correlation),
-                Estimate::Cluster => Self::of_cluster(case, quantity),
+            let each = Formula::ALL.into_iter();
+            each.filter_map(move |formula| match formula {
+                Formula::Interface(correlation) => Self::of_interface(case, quantity, correlation),
+                Formula::Cluster => Self::of_cluster(case, quantity),
             })
         };
         let all: Vec<Self> = CONDUCTANCES.iter().flat_map(compared).collect();
@@ -112,12 +112,12 @@ impl Correlated {
             let of_pair = |pair: &Pair| Some((pair.target, quantity.value(&pair.deterministic)?, 0.0));
             truth = pairs.filter_map(of_pair).collect();
         }
-        Self::new(case, quantity, Estimate::Interface(correlation), against, truth, value)
+        Self::new(case, quantity, Formula::Interface(correlation), against, truth, value)
     }
 
     fn of_cluster(case: SurfaceCase, quantity: ComparedQuantity) -> Option<Self> {
         let curve = case.first().reference.as_ref()?;
-        let index = usize::from(quantity.spot()? == SpotQuantity::ThermalConductance);
+        let index = quantity.spot()? as usize;
         let truth = |point: &ReferencePoint| {
             let value = Some(point.of_cluster[index]).filter(|value| *value > 0.0)?;
             Some((point.pressure, value, point.bounds[quantity as usize]))
@@ -127,13 +127,13 @@ impl Correlated {
             Some(curve.clusters.get(at)?[index]).filter(|value| *value > 0.0)
         };
         let truth = curve.points.iter().filter_map(truth).collect();
-        Self::new(case, quantity, Estimate::Cluster, REFERENCE, truth, value)
+        Self::new(case, quantity, Formula::Cluster, REFERENCE, truth, value)
     }
 
     fn new(
         case: SurfaceCase,
         quantity: ComparedQuantity,
-        estimate: Estimate,
+        formula: Formula,
         against: &'static str,
         mut truth: Vec<Truth>,
         value: impl Fn(f64) -> Option<f64>,
@@ -147,7 +147,7 @@ impl Correlated {
         let difference = |&(load, truth, bound): &Truth| Some((load, value(load)? / truth - 1.0, bound));
         let differences: Vec<(f64, f64, f64)> = truth.iter().filter_map(difference).collect();
         let accepted = case.verdicts().accepted.limit(quantity);
-        (!differences.is_empty()).then_some(Self { quantity, estimate, against, differences, accepted })
+        (!differences.is_empty()).then_some(Self { quantity, formula, against, differences, accepted })
     }
 
     /// The longest stretch of neighbouring loads (Pa) at which it is within what is accepted, also at the ends of the bound.
@@ -200,7 +200,7 @@ mod tests {
     fn correlated(differences: &[(f64, f64, f64)]) -> Correlated {
         Correlated {
             quantity: ComparedQuantity::ThermalConductance,
-            estimate: Estimate::Interface(Correlation::Mikic),
+            formula: Formula::Interface(Correlation::Mikic),
             against: REFERENCE,
             differences: differences.to_vec(),
             accepted: 0.2,

@@ -193,8 +193,8 @@ impl SurfaceResults {
         let excess = conduction.ballistic_excess(smallest);
         (excess > SMALL).then(|| {
             format!(
-                "surface {}: spots of {} mean radius are below ten mean free paths of electrons in metals: they resist up to {} more \
-                 than stated (Sharvin)",
+                "surface {}: spots of {} mean radius are below ten mean free paths of electrons in metals: they resist up to about \
+                 {} more (Sharvin)",
                 self.surface.name,
                 quantity(smallest, "m"),
                 percent(excess)

@@ -19,7 +19,7 @@ use asperity_contact_framework::input::InputError;
 use asperity_contact_framework::metadata::Timing;
 
 use super::contact_map::{ContactMap, Covered};
-use super::correlations::Estimate;
+use super::correlations::Formula;
 use super::plan::ComparePlan;
 use super::reference::{ContactView, ReferenceRun};
 use super::results::{CompareResults, Described, ReferenceMetadata, SurfaceResults};
@@ -139,8 +139,8 @@ pub fn each_surface<T>(
         let mut planned = compare.study.surfaces.iter();
         let is_finite = reference
             .is_some_and(|reference| planned.any(|surface| reference.boundary(surface) == Boundary::Finite));
-        let estimates = Estimate::ALL.into_iter().filter(|one| is_finite || *one != Estimate::Cluster);
-        papers.extend(estimates.map(Estimate::paper));
+        let formulas = Formula::ALL.into_iter().filter(|one| is_finite || *one != Formula::Cluster);
+        papers.extend(formulas.map(Formula::paper));
         papers.push(literature::BARBER_2003);
     }
     Ok(Ran { results, timing, papers })

@@ -42,6 +42,26 @@ fn specs(kind: &str) -> Vec<PathBuf> {
     files
 }
 
+#[test]
+fn an_export_makes_its_folder_and_refuses_a_file_in_its_place() {
+    let folder = tempfile::tempdir().unwrap();
+    let spec = concat!(
+        "title = \"t\"\nseed = 1\n",
+        steel!(),
+        "[compare]\nrough = \"steel\"\nflat = \"steel\"\nlaw = \"hertz\"\npressure = [\"2 MPa\", \"4 MPa\"]\n[surface.a.population]\n",
+        case_1!(),
+        "count = 20000\n"
+    );
+    fs::write(folder.path().join("joint.toml"), spec).unwrap();
+    let export = |out: &str| experiment(&["export", "interface", "joint.toml", "--out", out], folder.path());
+    let output = export("tables/new");
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    assert!(folder.path().join("tables/new/joint.csv").is_file());
+    let output = export("joint.toml");
+    assert_eq!(output.status.code(), Some(2));
+    assert!(text(&output.stderr).contains("--out joint.toml: "), "{}", text(&output.stderr));
+}
+
 /// Each bad spec begins with comments with the parts of its error message.
 #[test]
 fn every_bad_spec_is_refused_with_its_reason_and_writes_nothing() {

@@ -1,5 +1,8 @@
 //! Verdicts against the reference, and the bound of its grid.
 
+use asperity_contact_framework::progress::Silent;
+use asperity_experiment::Experiment;
+
 use super::{THREE, run};
 use crate::Report;
 use crate::results::{Row, figure, number, table};
@@ -126,4 +129,45 @@ fn separations_have_a_bound_and_a_second_resolution_narrows_it() {
     let [one, two] = ["", "reference = { refine = 2 }\n"].map(bounds);
     assert!(one.len() == 3 && one.iter().all(|bound| (1e-3..0.01).contains(bound)), "{one:?}");
     assert!(two.iter().zip(&one).all(|(two, one)| (1e-5..*one).contains(two)), "{two:?} of {one:?}");
+}
+
+/// Elastic boundary elements are advised beside elastic contacts of a law that may yield, and not beside contacts that do.
+#[test]
+fn elastic_boundary_elements_are_no_advice_where_contacts_yield() {
+    let advice = |hardness: &str, pressure: &str| {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("t.toml");
+        let spec = format!(
+            r#"title = "t"
+seed = 3
+[material.body]
+young = "210 GPa"
+poisson = 0.3
+hardness = "{hardness}"
+[compare]
+rough = "body"
+flat = "body"
+law = "zmc"
+models = ["statistical", "deterministic", "reference"]
+reference = {{ cap = "none" }}
+accept = {{ area = 0.001 }}
+robustness = false
+pressure = "{pressure}"
+[surface.map.generate]
+points = 512
+pixel = "1 um"
+sigma = "100 nm"
+spectrum.self-affine = {{ hurst = 0.8, roll-off = "40 um", cut-off = "16 um" }}
+"#
+        );
+        std::fs::write(&path, spec).unwrap();
+        let page = Experiment::read(&path).unwrap().run(&Silent).unwrap().outline().markdown();
+        let line = page.lines().find(|line| line.starts_with("| **Use instead**"));
+        line.unwrap_or_else(|| panic!("{page}")).to_owned()
+    };
+    assert!(advice("90 GPa", "20 MPa").contains("Boundary elements: the sum differs"));
+    let yielding = advice("1 GPa", "20 MPa");
+    assert!(!yielding.contains("oundary elements"), "{yielding}");
+    let interacting = advice("1 GPa", "200 MPa");
+    assert!(interacting.contains("boundary elements stay elastic while contacts yield"), "{interacting}");
 }

@@ -102,21 +102,9 @@ ranges! { "a positive finite", "above 0", is_positive;
         dimension: Dimension::Pressure,
     };
     /// The distance of the points of a map, or another length on it; without its unit up to 1 mm.
-    PixelRange: &[("exclusiveMinimum", 0.0), ("maximum", 1e-3)], Bare {
-        of: "a length on a height map",
-        allowed: [0.0, 1e-3],
-        usual: [1e-9, 1e-4],
-        units: &["um", "nm"],
-        dimension: Dimension::Length,
-    };
+    PixelRange: &[("exclusiveMinimum", 0.0), ("maximum", 1e-3)], up_to_a_millimetre("a length on a height map");
     /// A standard deviation of heights; without its unit up to 1 mm.
-    SigmaRange: &[("exclusiveMinimum", 0.0), ("maximum", 1e-3)], Bare {
-        of: "a standard deviation of heights",
-        allowed: [0.0, 1e-3],
-        usual: [1e-9, 1e-4],
-        units: &["um", "nm"],
-        dimension: Dimension::Length,
-    };
+    SigmaRange: &[("exclusiveMinimum", 0.0), ("maximum", 1e-3)], up_to_a_millimetre("a standard deviation of heights");
     /// A nominal area; without its unit up to 0.01 m².
     NominalAreaRange: &[("exclusiveMinimum", 0.0), ("maximum", 1e-2)], Bare {
         of: "a nominal area",
@@ -181,22 +169,15 @@ ranges! { "zero or a positive finite", "0 or above", |value| value == 0.0 || is_
     /// The thickness of a layer, or none; without its unit up to 1 mm.
     ThicknessOrNone: &[("minimum", 0.0), ("maximum", 1e-3)], THICKNESS;
     /// The thickness that a gas resists more for the jumps of temperature at its borders; without its unit up to 1 mm.
-    GapJumpRange: &[("minimum", 0.0), ("maximum", 1e-3)], Bare {
-        of: "the thickness that a gas resists more at its borders",
-        allowed: [0.0, 1e-3],
-        usual: [1e-9, 1e-4],
-        units: &["um", "nm"],
-        dimension: Dimension::Length,
-    };
+    GapJumpRange: &[("minimum", 0.0), ("maximum", 1e-3)], up_to_a_millimetre("the thickness that a gas resists more at its borders");
 }
 
-const THICKNESS: Bare = Bare {
-    of: "the thickness of a layer",
-    allowed: [0.0, 1e-3],
-    usual: [1e-9, 1e-3],
-    units: &["um", "nm"],
-    dimension: Dimension::Length,
-};
+const THICKNESS: Bare = Bare { usual: [1e-9, 1e-3], ..up_to_a_millimetre("the thickness of a layer") };
+
+/// A length that is seldom above 0.1 mm.
+const fn up_to_a_millimetre(of: &'static str) -> Bare {
+    Bare { of, allowed: [0.0, 1e-3], usual: [1e-9, 1e-4], units: &["um", "nm"], dimension: Dimension::Length }
+}
 
 #[cfg(test)]
 mod tests {

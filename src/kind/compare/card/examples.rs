@@ -96,6 +96,7 @@ pub fn with_case<T>(
         surface: &surface,
         load_area: 1e-6,
         undivided: None,
+        has_medium: false,
         correlations: Ok(Vec::new()),
     };
     read(&card, &case.verdicts.differences[0])

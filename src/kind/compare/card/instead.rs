@@ -73,7 +73,9 @@ impl Card<'_> {
     pub(super) fn instead_in_short(&self, at: &Difference) -> String {
         match self.state(at) {
             State::Unfit => "a fit map".to_owned(),
-            State::NeitherModel if is_steep(at) => "a filter or lower loads".to_owned(),
+            State::NeitherModel if is_steep(at) || self.leaves_yielding_out() => {
+                "a filter or lower loads".to_owned()
+            }
             State::NeitherModel => "boundary elements".to_owned(),
             State::FewContacts => "the sum".to_owned(),
             State::Admissible if self.sum_beyond_reference(at).is_some() => "boundary elements".to_owned(),
@@ -93,7 +95,7 @@ impl Card<'_> {
     /// The difference in area of the sum from boundary elements at the load, where it is beyond what is accepted, whatever another solution in
     /// their bounds would give; `None` where they stay elastic while the sum yields.
     fn sum_beyond_reference(&self, at: &Difference) -> Option<String> {
-        if self.is_elastic_alone() {
+        if self.leaves_yielding_out() {
             return None;
         }
         let [_, sum] = &self.verdicts().reference.as_ref()?.against.models;

@@ -63,8 +63,7 @@ impl Card<'_> {
             Some(curve) if curve.unreached.contains(&at.load) => {
                 Some("a load that the surface can bear: check it, its area and their units")
             }
-            _ if is_steep(at) => None,
-            Some(_) if self.is_elastic_alone() => Some("boundary elements that yield, which these do not"),
+            _ if is_steep(at) || self.leaves_yielding_out() => None,
             Some(_) => Some("boundary elements"),
             None => Some("boundary elements (`\"reference\"` among the `models`)"),
         };
@@ -76,10 +75,12 @@ impl Card<'_> {
         }
         ways.extend(filtered(self.case, at.load));
         if ways.is_empty() {
-            ways.push(
-                "nothing here: contacts are too wide for their asperities, for boundary elements too"
-                    .to_owned(),
-            );
+            let why = if is_steep(at) {
+                "contacts are too wide for their asperities, for boundary elements too"
+            } else {
+                "asperities interact, and boundary elements stay elastic while contacts yield"
+            };
+            ways.push(format!("nothing here: {why}"));
         }
         ways
     }

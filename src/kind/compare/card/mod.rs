@@ -50,6 +50,8 @@ pub struct Card<'a> {
     load_area: f64,
     /// Why the difference is not divided among causes; `None` where it is.
     undivided: Option<&'static str>,
+    /// Whether heat flows through a medium in the gap, too.
+    has_medium: bool,
     /// The correlations of the conductances that are asked for, or why there are none.
     correlations: Result<Vec<Correlated>, &'static str>,
 }
@@ -75,6 +77,7 @@ impl<'a> Card<'a> {
             surface: &results.surface,
             load_area: results.load_area,
             undivided: results.realisations[0].model.undivided(),
+            has_medium: results.spots.medium.is_some(),
             correlations: Correlated::all(case),
         }
     }

@@ -7,6 +7,7 @@ use asperity_contact_framework::report::format::listed;
 use super::difference::size_in_signs;
 use super::replace::stretch;
 use super::{Card, State};
+use crate::kind::compare::reference::SMALL_YIELDING;
 
 /// Which model is nearer to boundary elements in contact area, over the admissible loads.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -94,9 +95,17 @@ impl Card<'_> {
     }
 
     /// Whether the sum yields and the boundary elements do not.
-    pub(super) fn is_elastic_alone(&self) -> bool {
+    fn is_elastic_alone(&self) -> bool {
         let is_elastic = self.case.first().reference.as_ref().is_some_and(|curve| curve.cap.is_none());
         is_elastic && self.verdicts().reference.as_ref().is_some_and(|reference| reference.yields)
+    }
+
+    /// Whether the boundary elements stay elastic at the load of the card while contacts of the sum yield there.
+    pub(super) fn leaves_yielding_out(&self) -> bool {
+        let at_load = self.case.results_at_load();
+        let sum = at_load.models.iter().find(|one| one.model == Some(ModelKind::Deterministic));
+        let elastic = sum.and_then(|sum| sum.point.shares).map(|shares| shares[0]);
+        self.is_elastic_alone() && elastic.is_none_or(|share| share < 1.0 - SMALL_YIELDING)
     }
 
     /// A text in which boundary elements that are elastic where the sum yields are called so.

@@ -8,7 +8,7 @@ use asperity_contact_framework::report::format::{input_quantity, number, quantit
 
 use super::result::{model_name, relative_to};
 use super::{Card, area};
-use crate::kind::compare::correlations::{Correlated, Estimate};
+use crate::kind::compare::correlations::{Correlated, Formula};
 use crate::model_tables::REFERENCE;
 use crate::presentation::quantity_name;
 
@@ -37,22 +37,30 @@ impl Card<'_> {
         let curve = self.case.first().reference.as_ref()?;
         let load = at_load.models.iter().find(|one| one.model.is_none())?.point.pressure;
         let at = curve.points.iter().position(|point| point.pressure == load)?;
-        let index = usize::from(compared == ComparedQuantity::ThermalConductance);
+        let index = compared.spot()? as usize;
         let whole = Some(curve.points[at].of_cluster[index]).filter(|whole| *whole > 0.0)?;
-        let unit = if index == 0 { "Ω" } else { "K/W" };
-        let resistance =
-            |conductance: f64| quantity((conductance * self.surface.set.nominal_area()).recip(), unit);
+        let is_thermal = compared == ComparedQuantity::ThermalConductance;
+        let unit = if is_thermal { "K/W" } else { "Ω" };
+        let resistance = |conductance: f64, area: f64| quantity((conductance * area).recip(), unit);
+        // That of the sum is without the border of a map that does not repeat.
+        let map = self.surface.map.as_ref()?;
+        let of_map: f64 =
+            map.points.iter().zip(map.pixel).map(|(points, pixel)| *points as f64 * pixel).product();
+        let of_sum = self.surface.set.nominal_area();
         let greenwood = curve.clusters.get(at).map(|both| both[index]).filter(|cluster| *cluster > 0.0);
-        let greenwood = greenwood
-            .map_or_else(String::new, |cluster| format!(", Greenwood's cluster {}", resistance(cluster)));
-        let sum = at_load.models.iter().find(|one| one.model == Some(ModelKind::Deterministic));
-        let alone = sum.and_then(|sum| sum.point.value(compared));
-        let alone = alone.map_or_else(String::new, |alone| {
-            format!(", the sum's spots without each other {}", resistance(alone))
+        let greenwood = greenwood.map_or_else(String::new, |cluster| {
+            format!(", Greenwood's cluster {}", resistance(cluster, of_sum))
         });
-        let area = area(self.surface.set.nominal_area());
+        let sum = at_load.models.iter().find(|one| one.model == Some(ModelKind::Deterministic));
+        // The sum's heat flows through the medium in the gap, too.
+        let alone =
+            sum.and_then(|sum| sum.point.value(compared)).filter(|_| !(is_thermal && self.has_medium));
+        let alone = alone.map_or_else(String::new, |alone| {
+            format!(", the sum's spots without each other {}", resistance(alone, of_sum))
+        });
         let text = |rest: &str| {
-            format!("{name}, {area} between larger bodies: {} (boundary elements){rest}.", resistance(whole))
+            let whole = resistance(whole, of_map);
+            format!("{name}, {} between larger bodies: {whole} (boundary elements){rest}.", area(of_map))
         };
         Some(fitting([text(&[greenwood.clone(), alone].concat()), text(&greenwood), text("")]))
     }
@@ -72,17 +80,17 @@ impl Card<'_> {
             format!("against {against}: {}.", each.join("; "))
         };
         let mut texts: Vec<(&Correlated, String)> = groups.map(|group| (&group[0], text(group))).collect();
-        texts.sort_by_key(|(found, _)| found.estimate == Estimate::Cluster);
+        texts.sort_by_key(|(found, _)| found.formula == Formula::Cluster);
         let line = |(found, text): &(&Correlated, String)| {
-            let mut same = texts.iter().filter(|(other, _)| other.estimate == found.estimate);
+            let mut same = texts.iter().filter(|(other, _)| other.formula == found.formula);
             let of = if same.all(|(_, other)| other == text) {
                 String::new()
             } else {
                 format!(" of the {}", quantity_name(found.quantity))
             };
-            match found.estimate {
-                Estimate::Cluster => format!("Finite map{of}, {text}"),
-                Estimate::Interface(_) => format!("Correlations{of} on this map, {text}"),
+            match found.formula {
+                Formula::Cluster => format!("Finite map{of}, {text}"),
+                Formula::Interface(_) => format!("Correlations{of} on this map, {text}"),
             }
         };
         let mut lines: Vec<String> = texts.iter().map(line).collect();
@@ -147,7 +155,7 @@ fn correlation(found: &Correlated) -> String {
         Some([from, to]) if from == to => format!(", within ±{accepted} % at {}", input_quantity(from, "Pa")),
         Some(loads) => format!(", within ±{accepted} % from {}", range(loads, "Pa")),
     };
-    format!("{} {size} %{within}", found.estimate.label())
+    format!("{} {size} %{within}", found.formula.label())
 }
 
 /// The sum, or else the integral or the reference.

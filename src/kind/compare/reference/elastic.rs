@@ -7,6 +7,9 @@ use super::ElasticCase;
 use crate::kind::compare::results::CompareResults;
 use crate::kind::compare::rows::SurfaceCase;
 
+/// A smaller share of the load in contacts that yield changes nothing to speak of.
+pub const SMALL_YIELDING: f64 = 0.01;
+
 impl CompareResults {
     /// Why the reference of a case is elastic although its law yields; `None` where it is not, and where no reference was run.
     pub(crate) fn elastic_reference(&self, case: SurfaceCase) -> Option<&ElasticCase> {
@@ -18,14 +21,14 @@ impl CompareResults {
 
     /// A warning on all cases in which both models were compared with an elastic reference while contacts of the sum yielded.
     pub(crate) fn elastic_reference_note(&self) -> Option<String> {
-        /// A smaller share of the load in contacts that yield changes nothing to speak of.
-        const SMALL: f64 = 0.01;
         let yielding = |case: SurfaceCase| {
             self.elastic_reference(case)?;
             Some((case.first().law.clone(), yielding_share(case.first())?))
         };
-        let cases: Vec<(String, f64)> =
-            SurfaceCase::all(self).filter_map(yielding).filter(|(_, share)| *share >= SMALL).collect();
+        let cases: Vec<(String, f64)> = SurfaceCase::all(self)
+            .filter_map(yielding)
+            .filter(|(_, share)| *share >= SMALL_YIELDING)
+            .collect();
         let largest = cases.iter().map(|(_, share)| *share).reduce(f64::max)?;
         let mut laws: Vec<String> = cases.into_iter().map(|(law, _)| law).collect();
         laws.sort();

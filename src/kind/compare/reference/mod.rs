@@ -21,6 +21,7 @@ mod spec;
 mod spots;
 mod view;
 
+pub use elastic::SMALL_YIELDING;
 pub use plan::{ElasticCase, ReferencePlan};
 pub use run::ReferenceRun;
 pub use spec::ReferenceSpec;

@@ -191,8 +191,8 @@ impl ReferencePlan {
         let finite = surfaces.find(|surface| self.boundary(surface) == Boundary::Finite)?;
         study.laws.iter().any(conducts).then(|| {
             format!(
-                "reference on surface {}: a finite map conducts as one cluster of spots (`reference.csv`; none under a layer), which is \
-                 compared with Greenwood's cluster, not with the models",
+                "reference on surface {}: a finite map conducts as one cluster of spots, which the models do not compare with \
+                 (`reference.csv`; not known under a layer)",
                 finite.name
             )
         })

@@ -16,7 +16,6 @@ pub struct SpotSolver {
     thermal: Option<ConductingSpots>,
     medium: Option<GapMedium>,
     shear: Option<ShearStrength>,
-    is_finite: bool,
 }
 
 /// A conductance that is asked for.
@@ -51,7 +50,7 @@ impl SpotSolver {
         let SpotProperties { electrical, thermal, medium, shear, .. } = properties.unwrap_or(&none);
         let medium = medium.filter(|_| !is_finite);
         let shear = shear.filter(|shear| shear.broken.is_none()).map(|shear| shear.strength);
-        Self { electrical: conducting(electrical), thermal: conducting(thermal), medium, shear, is_finite }
+        Self { electrical: conducting(electrical), thermal: conducting(thermal), medium, shear }
     }
 
     /// The spots of `contact`, one of `solver`, solved to the relative `error`.
@@ -72,7 +71,7 @@ impl SpotSolver {
             currents: [current(&self.electrical)?, current(&self.thermal)?],
             in_gap: self.medium.map_or(0.0, |medium| medium.conductance(contact.mean_gap())),
             shear: self.shear,
-            is_finite: self.is_finite,
+            is_finite: contact.boundary() == Boundary::Finite,
         })
     }
 }

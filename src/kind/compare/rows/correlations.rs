@@ -21,7 +21,7 @@ impl Row for CorrelationRow<'_> {
         let mut columns = case_columns(|row: &Self| row.key);
         columns.extend(columns! { row: Self =>
             conductance["text"] = row.found.quantity.name(), "The conductance.";
-            correlation["text"] = row.found.estimate.name(), "The correlation: `cooper-mikic-yovanovich` for plastic contact, 1.25 (m/sigma) (p/H)^0.95/s, or `mikic` for elastic contact, 1.55 (m/sigma) (2^0.5 p/(E* m))^0.94/s; m is the mean absolute slope, s the mean resistivity. With a reference on a finite map also `greenwood-cluster`: the spots of the sum at the same load as a cluster between half-spaces (Greenwood 1966).";
+            correlation["text"] = row.found.formula.name(), "The correlation: `cooper-mikic-yovanovich` for plastic contact, 1.25 (m/sigma) (p/H)^0.95/s, or `mikic` for elastic contact, 1.55 (m/sigma) (2^0.5 p/(E* m))^0.94/s; m is the mean absolute slope, s the mean resistivity. With a reference on a finite map also `greenwood-cluster`: the spots of the sum at the same load as a cluster between half-spaces (Greenwood 1966).";
             against["text"] = row.found.against, "What it is compared with: the `reference`; for a correlation of an interface without end, where none without end was run, the `deterministic` model.";
             accepted["1", percent] = row.found.accepted, "The largest difference that is accepted.";
             from_pa["Pa", prefix("M"), label("within from")] = row.found.within().map(|loads| loads[0]), "Lowest nominal pressure of the longest stretch of admissible loads that were run at which it is within what is accepted, also where what it is compared with is off by its bound; empty where it is at none.";

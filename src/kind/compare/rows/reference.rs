@@ -39,7 +39,7 @@ impl Row for ReferenceRow {
             cap_pa["Pa"] = row.cap, "The largest contact pressure, the hardness of the softer body; empty for an elastic contact.";
             pressure_pa["Pa"] = row.point.pressure, "Nominal pressure.";
             cluster_electrical_conductance_s_per_m2["S/m²", part(CLUSTERS[0])] = positive(row.point.of_cluster[0]), "Electrical conductance of a finite map between half-spaces over its nominal area: its resistance holds that of the map as a whole, so that it does not compare with the models' and not with that of another area; this and the next columns are there only with a finite boundary and without a layer.";
-            greenwood_electrical_conductance_s_per_m2["S/m²", part(CLUSTERS[0])] = positive(row.greenwood[0]), "The same of the spots of the sum at the same load as a cluster (Greenwood 1966); empty with a film, and where the sum was not run.";
+            greenwood_electrical_conductance_s_per_m2["S/m²", part(CLUSTERS[0])] = positive(row.greenwood[0]), "The same of the spots of the sum at the same nominal pressure as a cluster (Greenwood 1966), over the nominal area of the sum, which is without the border of a map that does not repeat; empty with a film, and where the sum was not run.";
             cluster_thermal_conductance_w_per_m2_k["W/(m² K)", part(CLUSTERS[1])] = positive(row.point.of_cluster[1]), "Thermal conductance of a finite map, likewise, without the medium in the gap.";
             greenwood_thermal_conductance_w_per_m2_k["W/(m² K)", part(CLUSTERS[1])] = positive(row.greenwood[1]), "The same of the spots of the sum as a cluster, likewise.";
             mean_gap_m["m"] = row.point.mean_gap, "Mean gap between the deformed surfaces, zero at points in contact.";

@@ -125,3 +125,17 @@ pub fn wrong_verdicts(results: &CoverageResults) -> Figure {
     });
     Figure::column("Wrong verdicts by process", vec![series.fold(plot, Plot::with)])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_two_processes_look_alike() {
+        for marker in [Marker::Circle, Marker::Cross] {
+            assert_eq!(of_series(7, marker), marker);
+            assert_ne!(of_series(8, marker), marker);
+        }
+        assert_ne!(of_series(8, Marker::Circle), of_series(8, Marker::Cross));
+    }
+}
