@@ -191,7 +191,7 @@ impl ReferencePlan {
         let finite = surfaces.find(|surface| self.boundary(surface) == Boundary::Finite)?;
         study.laws.iter().any(conducts).then(|| {
             format!(
-                "reference on surface {}: a finite map conducts as one cluster of spots, which the models do not compare with \
+                "reference on surface {}: a finite map conducts as one cluster of spots, not comparable with the models \
                  (`reference.csv`; not known under a layer)",
                 finite.name
             )
