@@ -3,11 +3,15 @@
 use std::any::Any;
 use std::fmt;
 use std::path::{Path, PathBuf};
+#[cfg(feature = "serve")]
+use std::sync::Arc;
 use std::time::SystemTime;
 
 use asperity::Material;
 use asperity::surface::{AnalysisDepth, Surface};
 use asperity::work::Counter;
+#[cfg(feature = "serve")]
+use asperity_contact_framework::Kind;
 use asperity_contact_framework::digest::{hexadecimal, sha256, sha256_of_file};
 use asperity_contact_framework::divided::AnyDivided;
 use asperity_contact_framework::input::material::MaterialOrigin;
@@ -15,7 +19,8 @@ use asperity_contact_framework::input::{InputError, Source, SpecFile};
 use asperity_contact_framework::metadata::Timing;
 use asperity_contact_framework::progress::{Progress, Silent};
 use asperity_contact_framework::report::format::listed;
-use asperity_contact_framework::report::store::{is_plain, plain};
+use asperity_contact_framework::report::store::{Store, StoreError, is_plain, plain};
+use asperity_contact_framework::report::{Index, MARK};
 use asperity_contact_framework::{AnyKind, Group, Outcome, Planned, Print, RunContext};
 use asperity_plot::Size;
 use indexmap::IndexMap;
@@ -23,6 +28,8 @@ use sha2::{Digest, Sha256};
 
 use crate::kind::compare::plan::described;
 use crate::kind::compare::results::CompareResults;
+#[cfg(feature = "serve")]
+use crate::kind::compare::{Compare, plan::ComparePlan};
 use crate::kind::{KINDS, SURFACES};
 use crate::surface::{FileOptions, SurfaceFactory, SurfacesPlan, by_hand, files_of, surfaces};
 
@@ -86,6 +93,24 @@ impl Experiment {
     /// As [`Self::read`].
     pub fn parse(source: Source, stem: &str) -> Result<Self, InputError> {
         Self::of_spec(SpecFile::parse(source, &tables())?, stem.to_owned(), false)
+    }
+
+    /// An experiment from a text, with its comparison where it is one, which can be run to an extent.
+    ///
+    /// # Errors
+    /// As [`Self::read`].
+    #[cfg(feature = "serve")]
+    pub(crate) fn with_comparison(
+        source: Source,
+        stem: &str,
+    ) -> Result<(Self, Option<Arc<ComparePlan>>), InputError> {
+        let spec = SpecFile::parse(source, &tables())?;
+        if kind(&spec)?.name() != Compare::NAME {
+            return Ok((Self::of_spec(spec, stem.to_owned(), false)?, None));
+        }
+        let plan = Arc::new(<Compare as Kind>::plan(&spec, &spec.required_table(Compare::NAME)?, false)?);
+        let planned = Planned { plan: plan.clone(), divided: None, variant: "" };
+        Ok((Self::new(spec, stem.to_owned(), Compare::NAME, planned)?, Some(plan)))
     }
 
     fn of_spec(spec: SpecFile, stem: String, huge: bool) -> Result<Self, InputError> {
@@ -182,6 +207,11 @@ impl Experiment {
     /// An estimate of the work of a run: micro-contacts evaluated.
     pub fn work(&self) -> u128 {
         self.planned.plan.work()
+    }
+
+    /// An estimate of the memory of a run at its peak, bytes.
+    pub fn memory(&self) -> u128 {
+        self.planned.plan.memory().bytes
     }
 
     /// Its spec.
@@ -342,8 +372,25 @@ pub fn make_surface(
     factory.make(realisation, AnalysisDepth::Comparison, &mut files, &mut timing)
 }
 
+/// Writes the index of all reports in `out`, where it has changed.
+///
+/// # Errors
+/// A page that cannot be written, or that no run has written.
+pub fn write_index(store: &mut Store, out: &Path) -> Result<(), StoreError> {
+    let index = Index::read(out, KINDS);
+    if index.is_empty() {
+        return Ok(());
+    }
+    for (page, content) in &index.pages {
+        if std::fs::read(out.join(page)).ok().as_deref() != Some(content.as_bytes()) {
+            store.write_page(page, content.as_bytes(), MARK)?;
+        }
+    }
+    Ok(())
+}
+
 /// Names of the tables that a spec may contain besides the common keys.
-fn tables() -> Vec<&'static str> {
+pub(crate) fn tables() -> Vec<&'static str> {
     KINDS.iter().map(|kind| kind.name()).chain([SURFACES]).collect()
 }
 

@@ -21,6 +21,8 @@ pub mod study_plan;
 pub mod surface;
 #[cfg(feature = "cli")]
 pub mod terminal;
+#[cfg(feature = "serve")]
+pub mod workbench;
 
-pub use experiment::{Experiment, LIBRARY, PRINT, TEMPLATE, make_surface, saved_spec};
+pub use experiment::{Experiment, LIBRARY, PRINT, TEMPLATE, make_surface, saved_spec, write_index};
 pub use parts::{Merged, PartError, PartRun};

@@ -21,6 +21,7 @@ use super::pair::{PairPlan, PreparedPair, greenwood_tripp_caveat};
 use super::plan::{Origin, SurfacePlan};
 use super::read_error::{list_message, spec_message};
 use super::spec::DrawSpec;
+use super::store::{StoredSurface, SurfaceStore};
 use asperity::surface::{AnalysisDepth, Fit, Independence};
 use asperity::surface::{MapFacts, Surface, usual_long_filter};
 use asperity::surface::{NoAsperities, Preparation, SummitSearch};
@@ -42,6 +43,8 @@ pub struct SurfaceFactory<'a> {
     fitted: Option<Preparation>,
     /// Both bodies of a pair, prepared.
     pair: Option<PreparedPair>,
+    /// What keeps its first realisation.
+    store: Option<&'a dyn SurfaceStore>,
 }
 
 impl<'a> SurfaceFactory<'a> {
@@ -70,7 +73,13 @@ impl<'a> SurfaceFactory<'a> {
             raw: None,
             fitted: None,
             pair: None,
+            store: None,
         }
+    }
+
+    /// The same, whose first realisation is taken from `store`, or made in full and kept there.
+    pub fn with_store(self, store: Option<&'a dyn SurfaceStore>) -> Self {
+        Self { store, ..self }
     }
 
     /// The same, of surfaces that keep their prepared map if they have one and `keeps_map`.
@@ -89,9 +98,27 @@ impl<'a> SurfaceFactory<'a> {
         files: &mut Files,
         timing: &mut Timing,
     ) -> Result<Surface, InputError> {
-        let surface = self.one(realisation, depth, files, timing)?;
+        let Some(store) = self.store.filter(|_| realisation == 1) else {
+            let surface = self.one(realisation, depth, files, timing)?;
+            self.counter.add(Item::Surfaces, 1);
+            return Ok(Surface { realisations: self.plan.realisations, ..surface });
+        };
+        if let Some(stored) = store.get(self.plan) {
+            self.raw.clone_from(&stored.raw);
+            (self.fitted, self.bandwidth) = (stored.fitted, stored.bandwidth);
+            return Ok(stored.surface.clone());
+        }
+        self.keeps_map = true;
+        let surface = self.one(realisation, AnalysisDepth::Everything, files, timing)?;
         self.counter.add(Item::Surfaces, 1);
-        Ok(Surface { realisations: self.plan.realisations, ..surface })
+        let surface = Surface { realisations: self.plan.realisations, ..surface };
+        store.put(self.plan, self.stored(surface.clone()));
+        Ok(surface)
+    }
+
+    /// A first realisation that it has made, with what other runs need of how it was made.
+    pub fn stored(&self, surface: Surface) -> StoredSurface {
+        StoredSurface { surface, raw: self.raw.clone(), fitted: self.fitted, bandwidth: self.bandwidth }
     }
 
     /// How a measured map is prepared; of one whose preparation is found on it, once it was made. `None` of other surfaces.

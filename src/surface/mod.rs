@@ -26,6 +26,7 @@ mod results;
 pub mod rows;
 pub mod section;
 mod spec;
+mod store;
 mod tiles;
 
 pub use contact_options::ContactOptions;
@@ -39,6 +40,7 @@ pub use memory::memory;
 pub use options::{FileOptions, with_options};
 pub use plan::{SurfacePlan, beside, curvature_ratio, describe, inputs, surfaces};
 pub use spec::SurfaceSpec;
+pub use store::{StoredSurface, SurfaceStore};
 pub use tiles::{OpenTiles, SurfaceTiles};
 
 use asperity::surface::Surface;

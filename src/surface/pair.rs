@@ -1,6 +1,7 @@
 //! Two rough bodies: planned from two surfaces of the spec, and made one at each relative position.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use asperity::numeric::stream_seed;
 use asperity::surface::{BodyAsperities, Surface};
@@ -148,7 +149,7 @@ impl PairPlan {
             faults.extend(surface.fitness().iter().filter(|finding| finding.is_blocking()).cloned());
             warnings
                 .extend(fitness::failures(&surface).iter().map(|fault| format!("{}: {fault}", body.name)));
-            let prepared = surface.prepared.map(|prepared| prepared.map);
+            let prepared = surface.prepared.map(|prepared| Arc::unwrap_or_clone(prepared.map));
             let map = prepared.ok_or_else(|| {
                 source.error_at(self.keys.clone(), format!("{} has no height map", body.name))
             })?;

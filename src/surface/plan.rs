@@ -394,6 +394,12 @@ impl SurfacePlan {
         plausibility::of_surface(&self.name, *radius, *sigma, *count as f64 / density)
     }
 
+    /// Whether a law treats its asperities as ellipses.
+    #[cfg(feature = "serve")]
+    pub fn has_ellipses(&self) -> bool {
+        self.as_ellipses
+    }
+
     /// What it is found in, as far as that are files.
     pub fn readings(&self) -> Vec<Reading> {
         match &self.origin {
@@ -541,6 +547,10 @@ pub fn beside(source: &Source, raw: &Spanned<PathBuf>) -> Result<PathBuf, InputE
     }
     let folder = source.path.parent().unwrap_or_else(|| std::path::Path::new(""));
     let path = folder.join(raw.get_ref());
+    if !source.may_read(&path) {
+        let message = format!("found {}; allowed: a file in the folder of the workbench", path.display());
+        return Err(source.error_at(raw.span(), message));
+    }
     read::existing(&path)
         .map_err(|error| source.error_at(raw.span(), format!("{} {error}", path.display())))?;
     Ok(path)

@@ -473,6 +473,12 @@ pub fn tables<'a>(rows: impl IntoIterator<Item = SurfaceRow<'a>>) -> Vec<Table> 
     std::iter::once(Table::new(rows)).chain(described).filter(|table| table.rows() > 0).collect()
 }
 
+/// The checks of the map of a surface.
+#[cfg(feature = "serve")]
+pub fn fitness(surface: &Surface) -> impl Iterator<Item = FitnessRow<'_>> {
+    FitnessRow::all(surface)
+}
+
 /// Surfaces by name, as `summary.json` has them: the rows of `surfaces.csv` and `height_maps.csv`, and warnings.
 pub fn records<'a>(rows: impl IntoIterator<Item = SurfaceRow<'a>>) -> Value {
     let rows: Vec<SurfaceRow> = rows.into_iter().collect();

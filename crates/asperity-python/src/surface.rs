@@ -228,7 +228,7 @@ pub fn make_surface(
         Some(prepared) => {
             let positions = prepared.positions.iter().map(|&place| place as i64).collect();
             let positions = PyArray1::<i64>::from_vec(py, positions).into_any().unbind();
-            (Some(Py::new(py, Map(Arc::new(prepared.map)))?), positions)
+            (Some(Py::new(py, Map(prepared.map))?), positions)
         }
         None => (None, py.None()),
     };

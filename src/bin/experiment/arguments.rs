@@ -92,6 +92,19 @@ pub enum Command {
         #[command(flatten)]
         options: RunOptions,
     },
+    /// Serve the workbench, a page on this machine alone: drop a map, move a slider, see the verdict
+    #[cfg(feature = "serve")]
+    Serve {
+        /// Folder of maps, specs and reports
+        #[arg(default_value = ".")]
+        folder: PathBuf,
+        /// Port; default: 8642, or another where it is taken
+        #[arg(long)]
+        port: Option<u16>,
+        /// Do not open the browser
+        #[arg(long)]
+        no_open: bool,
+    },
     /// Write results for other programs
     Export {
         /// What

@@ -13,6 +13,9 @@ static WRITTEN: AtomicUsize = AtomicUsize::new(0);
 /// Whether parts are run, which keep what is complete.
 static HAS_PARTS: AtomicBool = AtomicBool::new(false);
 
+/// Whether the workbench is served.
+static IS_WORKBENCH: AtomicBool = AtomicBool::new(false);
+
 /// The exit code of a program that SIGINT ends: 128 + 2.
 const EXIT_CODE: i32 = 130;
 
@@ -23,6 +26,13 @@ pub fn handle() {
         let mut to = std::io::stderr();
         // Below the bar of progress.
         let start = if to.is_terminal() { "\n" } else { "" };
+        if IS_WORKBENCH.load(Ordering::Relaxed) {
+            let _ = writeln!(
+                to,
+                "{start}the workbench has ended; the address works again after the next `experiment serve`"
+            );
+            std::process::exit(0);
+        }
         let line = line(WRITTEN.load(Ordering::Relaxed), HAS_PARTS.load(Ordering::Relaxed));
         let _ = writeln!(to, "{start}{line}");
         std::process::exit(EXIT_CODE);
@@ -32,6 +42,12 @@ pub fn handle() {
 /// Says that parts are run.
 pub fn of_parts() {
     HAS_PARTS.store(true, Ordering::Relaxed);
+}
+
+/// Says that the workbench is served, which Ctrl-C ends.
+#[cfg(feature = "serve")]
+pub fn of_workbench() {
+    IS_WORKBENCH.store(true, Ordering::Relaxed);
 }
 
 /// Begins to write a report; an interruption waits until the guard is dropped.

@@ -3,6 +3,8 @@
 mod arguments;
 mod export;
 mod interrupt;
+#[cfg(feature = "serve")]
+mod serve;
 mod several;
 
 use std::io::Write;
@@ -21,7 +23,7 @@ use asperity_experiment::kind::{KINDS, columns};
 use asperity_experiment::materials::{all_materials, one_material};
 use asperity_experiment::surface::{FileOptions, described_file};
 use asperity_experiment::terminal::Monitor;
-use asperity_experiment::{Experiment, PRINT, PartError, TEMPLATE, saved_spec};
+use asperity_experiment::{Experiment, PRINT, PartError, TEMPLATE, saved_spec, write_index};
 use clap::{CommandFactory, Parser};
 
 use arguments::{Cli, Command, Extent, RunOptions};
@@ -94,6 +96,8 @@ fn main() -> ExitCode {
         Some(Command::Surface { file, arguments, name, save_spec, options }) => {
             surface(&file, (*arguments).into(), name.as_deref(), save_spec.as_deref(), &options)
         }
+        #[cfg(feature = "serve")]
+        Some(Command::Serve { folder, port, no_open }) => serve::serve(&folder, port, no_open),
         Some(Command::Export { what }) => what.run(),
         Some(Command::Columns { kind }) => {
             print(format_args!("{}", columns(kind.as_deref()).trim_end()));
@@ -195,7 +199,8 @@ fn run(mut experiments: Vec<Experiment>, options: &RunOptions) -> Result<(), Fai
         let place = Place { number: index + 1, of };
         // Each report can be opened as soon as it is written.
         let run = run_one(experiment, place, &mut store, options);
-        match run.and_then(|done| write_index(&mut store, &options.out).map(|()| done)) {
+        match run.and_then(|done| write_index(&mut store, &options.out).map_err(Failure::from).map(|()| done))
+        {
             Ok(done) => counts.add(done),
             Err(failure) => {
                 counts.add(Done::Failed);
@@ -263,7 +268,7 @@ fn merge(files: &[PathBuf], folder: &Path, options: &RunOptions) -> Result<(), F
         let merged = watched(experiment.stem(), options, |progress| experiment.merge(folder, progress))?;
         write_report(&experiment, Place::ALONE, &*merged.outcome, &merged.key, &mut store, options, start)?;
     }
-    write_index(&mut store, &options.out)
+    Ok(write_index(&mut store, &options.out)?)
 }
 
 /// Runs with a display of progress, unless that is not wanted.
@@ -324,7 +329,7 @@ fn surface(
             &format!("\n{} written; run it with `experiment run {}`", spec.display(), spec.display()),
         );
     }
-    write_index(&mut store, &options.out)
+    Ok(write_index(&mut store, &options.out)?)
 }
 
 /// Refuses to save a spec of a spec, over a file, or where none can be written, before anything runs.
@@ -378,20 +383,6 @@ fn check_same_file(experiment: &Experiment, folder: &Path) -> Result<(), Failure
         folder.display(),
         before.display()
     )))
-}
-
-/// Writes the index of all reports, if it has changed.
-fn write_index(store: &mut Store, out: &Path) -> Result<(), Failure> {
-    let index = Index::read(out, KINDS);
-    if index.is_empty() {
-        return Ok(());
-    }
-    for (page, content) in &index.pages {
-        if std::fs::read(out.join(page)).ok().as_deref() != Some(content.as_bytes()) {
-            store.write_page(page, content.as_bytes(), MARK)?;
-        }
-    }
-    Ok(())
 }
 
 /// Runs an experiment and writes its report, unless it is up to date.

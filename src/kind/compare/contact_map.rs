@@ -101,7 +101,7 @@ impl ContactMap {
             covered: covered.into_iter().map(|one| one.2.clone()).collect(),
         };
         Some(Self {
-            heights: thumbnail(&prepared.map, MOST_POINTS),
+            heights: thumbnail(&*prepared.map, MOST_POINTS),
             is_of_sum: false,
             loads,
             reported,
@@ -140,7 +140,7 @@ impl ContactMap {
             [0, 1].map(|axis| (at[axis] as f64 + 0.5) * prepared.map.pixel()[axis])
         };
         let places: Vec<[f64; 2]> = touching.iter().map(place).collect();
-        let heights = thumbnail(&prepared.map, MOST_POINTS);
+        let heights = thumbnail(&*prepared.map, MOST_POINTS);
         let loads = points.iter().zip(&radii);
         Some(Self {
             is_of_sum: true,

@@ -15,10 +15,12 @@ pub mod results;
 mod robustness;
 pub(crate) mod rows;
 mod run;
+mod scope;
 mod series;
 pub mod spec;
 
-pub use run::{each_surface, run as run_compare};
+pub use run::{each_surface, run as run_compare, run_within};
+pub use scope::{Extent, Scope};
 
 use std::path::PathBuf;
 

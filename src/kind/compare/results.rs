@@ -177,11 +177,17 @@ pub struct SurfaceResults {
     pub own_cut_off: Option<Option<f64>>,
     /// The contact of each solution of the reference at one load, on the first.
     pub contacts: Vec<ContactView>,
-    /// The contacts on its map, where it was measured and is studied in a single case.
-    pub contact_map: Option<ContactMap>,
+    /// The contacts on its map in each case, where it was measured and there are few cases; else empty.
+    pub contact_maps: Vec<Option<ContactMap>>,
 }
 
 impl SurfaceResults {
+    /// The contacts on its map in one of its cases.
+    pub(super) fn contact_map(&self, case: &CaseStudy) -> Option<&ContactMap> {
+        let mut maps = self.cases.iter().zip(&self.contact_maps);
+        maps.find(|(one, _)| std::ptr::eq(*one, case))?.1.as_ref()
+    }
+
     /// A warning where electrical spots are so small against the mean free path of electrons that they resist noticeably more.
     fn ballistic_warning(&self) -> Option<String> {
         /// That of a spot as large as ten mean free paths.

@@ -24,6 +24,7 @@ use super::plan::ComparePlan;
 use super::reference::{ContactView, ReferenceRun};
 use super::results::{CompareResults, Described, ReferenceMetadata, SurfaceResults};
 use super::robustness;
+use super::scope::{Scope, thinned};
 use crate::layer::LayerPlan;
 use crate::plausibility;
 use crate::study_plan::{inapplicable, layer_metadata, unreachable_load};
@@ -38,9 +39,22 @@ pub fn run(
     compare: &ComparePlan,
     counter: &Counter,
 ) -> Result<CompareResults, InputError> {
+    run_within(context, compare, counter, Scope::default())
+}
+
+/// The same within a scope.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_within(
+    context: &RunContext,
+    compare: &ComparePlan,
+    counter: &Counter,
+    scope: Scope,
+) -> Result<CompareResults, InputError> {
     let start = Instant::now();
     let Ran { results: surfaces, mut timing, mut papers } =
-        each_surface(context, compare, counter, |results| results)?;
+        surfaces_within(context, compare, counter, scope, |results| results)?;
     timing.total = start.elapsed();
     let layer_metadata = layer_metadata(context, &compare.study, &mut papers)?;
     let contact =
@@ -68,10 +82,12 @@ pub fn run(
         surfaces,
         lines: compare.lines.clone(),
         figures_of_paper: compare.figures_of_paper.clone(),
-        reference: compare.reference.as_deref().map(|reference| ReferenceMetadata {
-            error: reference.error,
-            refine: reference.refine,
-            elastic: reference.elastic.clone(),
+        reference: compare.reference.as_deref().filter(|_| scope.has_everything()).map(|reference| {
+            ReferenceMetadata {
+                error: reference.error,
+                refine: reference.refine,
+                elastic: reference.elastic.clone(),
+            }
         }),
         described: described.map(|file| Described { file: file.clone(), spec }),
     })
@@ -110,12 +126,32 @@ pub fn each_surface<T>(
     counter: &Counter,
     keep: impl Fn(Result<SurfaceResults, InputError>) -> Result<T, InputError>,
 ) -> Result<Ran<T>, InputError> {
-    let realisations = compare.study.surfaces.iter().map(|surface| surface.realisations as u64);
+    surfaces_within(context, compare, counter, Scope::default(), keep)
+}
+
+fn surfaces_within<T>(
+    context: &RunContext,
+    compare: &ComparePlan,
+    counter: &Counter,
+    scope: Scope,
+    keep: impl Fn(Result<SurfaceResults, InputError>) -> Result<T, InputError>,
+) -> Result<Ran<T>, InputError> {
+    let realisations = compare.study.surfaces.iter().map(|surface| scope.realisations(surface) as u64);
     context.progress.steps(realisations.sum());
+    let controls = scope.has_intervals().then_some(&compare.study.controls);
+    let thin = thinned(&compare.study.controls);
+    let setup = compare.setup(context);
+    let setup = Setup {
+        controls: controls.unwrap_or(&thin),
+        is_attributed: setup.is_attributed && scope.has_intervals(),
+        is_ranked: setup.is_ranked && scope.has_intervals(),
+        ..setup
+    };
     let mut run = Run {
         context,
         compare,
-        setup: compare.setup(context),
+        scope,
+        setup,
         counter,
         files: files_of(&compare.study.surfaces, counter),
         timing: Timing::default(),
@@ -125,7 +161,7 @@ pub fn each_surface<T>(
     let results: Result<Vec<T>, InputError> = surfaces.map(|surface| keep(run.surface(surface))).collect();
     let results = results?;
     let Run { timing, mut papers, .. } = run;
-    if let Some(reference) = compare.reference.as_deref() {
+    if let Some(reference) = compare.reference.as_deref().filter(|_| scope.has_everything()) {
         papers.extend(Solver::papers(reference.solutions.iter().any(|solution| solution.cap.is_some())));
     }
     papers.extend(compare.lines.iter().map(|line| line.paper()));
@@ -150,6 +186,7 @@ pub fn each_surface<T>(
 struct Run<'a> {
     context: &'a RunContext<'a>,
     compare: &'a ComparePlan,
+    scope: Scope<'a>,
     setup: Setup<'a>,
     counter: &'a Counter,
     files: Files<'a>,
@@ -169,18 +206,23 @@ struct Sampled {
 impl<'a> Run<'a> {
     /// All realisations of a surface, with what follows from them.
     fn surface(&mut self, plan: &'a SurfacePlan) -> Result<SurfaceResults, InputError> {
-        let (context, compare, setup) = (self.context, self.compare, self.setup);
-        let factory = SurfaceFactory::new(plan, context, self.counter);
-        // A picture of one case needs the map; a large one is not brought into memory for it.
+        let (context, compare, setup, scope) = (self.context, self.compare, self.setup, self.scope);
+        let factory = SurfaceFactory::new(plan, context, self.counter).with_store(scope.store);
+        // A picture of few cases needs the map; a large one is not brought into memory for it.
         let has_picture = factory.preparation().is_some()
-            && [compare.study.surfaces.len(), setup.laws.len(), plan.realisations] == [1; 3]
+            && [compare.study.surfaces.len(), plan.realisations] == [1; 2]
+            && setup.laws.len() <= scope.pictures
             && plan.map_points().is_some_and(|[nx, ny]| nx * ny <= MOST_POINTS_OF_PICTURE);
         let mut factory = factory.keeping_map(compare.reference.is_some() || has_picture);
         let mut surface = factory.make(1, compare.depth(), &mut self.files, &mut self.timing)?;
         let models = self.models(&surface)?;
         let mut first = self.both_models(&surface, &models)?;
         let start = Instant::now();
-        let samplings = sampling(setup, &surface, &models, &first.cases);
+        let samplings = if scope.has_intervals() {
+            sampling(setup, &surface, &models, &first.cases)
+        } else {
+            vec![CaseSampling::default(); setup.laws.len()]
+        };
         differ(&mut first.cases, &samplings, setup.laws, &models);
         attribute(setup, &surface, &models, &mut first.cases, plan.is_one());
         self.timing.sampling += start.elapsed();
@@ -191,7 +233,7 @@ impl<'a> Run<'a> {
             .as_deref()
             .map(|LayerPlan { coating, thicknesses, .. }| LayerQuestion { coating, thicknesses, bare });
         let thresholds = layer
-            .filter(|layer| layer.thicknesses != [0.0])
+            .filter(|layer| layer.thicknesses != [0.0] && scope.has_intervals())
             .map_or_else(Vec::new, |layer| thresholds(layer, setup, &surface, &models, &first, self.counter));
         let friction = layer.zip(compare.study.film.as_ref()).map_or_else(Vec::new, |(layer, film)| {
             film_friction(layer, film, setup, &surface, &models, &first)
@@ -206,11 +248,13 @@ impl<'a> Run<'a> {
         let sampled = Sampled { samplings, is_viewed: true };
         let (contacts, covered) =
             self.reference(plan, &surface, prepared.as_ref(), &mut first.cases, &sampled)?;
-        let treatments =
-            robustness::treatments(context, compare, &factory, &surface, &first.cases, self.counter);
+        let treatments = scope
+            .has_everything()
+            .then(|| robustness::treatments(context, compare, &factory, &surface, &first.cases, self.counter))
+            .flatten();
         context.progress.step();
         let mut realisations = vec![first];
-        for number in 2..=plan.realisations {
+        for number in 2..=scope.realisations(plan) {
             realisations.push(self.realisation(plan, &mut factory, number)?);
             context.progress.step();
         }
@@ -234,11 +278,14 @@ impl<'a> Run<'a> {
         let own_cut_off =
             treatments.map(|treatments| treatments.judge(&mut cases, &surface, compare.study.accept));
         let laws = LawFindings::all(&cases, &thresholds);
-        let contact_map = prepared.filter(|_| has_picture).and_then(|prepared| {
-            ContactMap::new(&surface, &prepared, cases.first()?, setup.laws.first()?, &covered)
+        let contact_maps = prepared.filter(|_| has_picture).map_or_else(Vec::new, |prepared| {
+            // The reference has one picture, of its first case.
+            let covered = if cases.len() == 1 { &covered[..] } else { &[] };
+            let cases = cases.iter().zip(setup.laws);
+            cases.map(|(case, law)| ContactMap::new(&surface, &prepared, case, law, covered)).collect()
         });
         Ok(SurfaceResults {
-            contact_map,
+            contact_maps,
             load_area: setup.load_area(&surface),
             spots: setup.laws[0].contact.spot_properties().cloned().unwrap_or_default(),
             joint: joint(&surface, &*setup.laws[0].contact),
@@ -302,7 +349,8 @@ impl<'a> Run<'a> {
         sampled: &Sampled,
     ) -> Result<(Vec<ContactView>, Vec<Covered>), InputError> {
         let compare = self.compare;
-        let Some((reference, prepared)) = compare.reference.as_deref().zip(prepared) else {
+        let reference = compare.reference.as_deref().filter(|_| self.scope.has_everything());
+        let Some((reference, prepared)) = reference.zip(prepared) else {
             return Ok(Default::default());
         };
         let run = ReferenceRun { reference, compare, plan, surface, prepared, is_viewed: sampled.is_viewed };

@@ -38,6 +38,14 @@ impl InputError {
     pub fn message(&self) -> &str {
         &self.message
     }
+
+    /// The dotted key of the spec that it is about; `None` where it is about no key.
+    pub fn key(&self) -> Option<&str> {
+        match &self.place {
+            Place::Line { key, .. } => key.as_deref(),
+            Place::File | Place::Argument(_) => None,
+        }
+    }
 }
 
 impl fmt::Display for InputError {
@@ -73,6 +81,8 @@ pub struct Source {
     arguments: Vec<String>,
     /// What is in memory, by the path that the spec has for it.
     in_memory: IndexMap<PathBuf, InMemory>,
+    /// The folder that its files must lie in.
+    confined: Option<PathBuf>,
 }
 
 impl Source {
@@ -84,6 +94,7 @@ impl Source {
             is_in_memory: false,
             arguments: Vec::new(),
             in_memory: IndexMap::new(),
+            confined: None,
         }
     }
 
@@ -91,13 +102,7 @@ impl Source {
     /// argument it stands for, which an error cites as it was typed.
     pub fn command_line(lines: Vec<(String, String)>) -> Self {
         let (lines, arguments): (Vec<_>, Vec<_>) = lines.into_iter().unzip();
-        Self {
-            path: "(command line)".into(),
-            text: lines.join("\n") + "\n",
-            is_in_memory: false,
-            arguments,
-            in_memory: IndexMap::new(),
-        }
+        Self { arguments, ..Self::file(Path::new("(command line)"), lines.join("\n") + "\n") }
     }
 
     /// A spec that a program holds, without a file; its paths are relative to `folder`.
@@ -105,6 +110,19 @@ impl Source {
         /// What errors call it.
         const NAME: &str = "dictionary";
         Self { is_in_memory: true, ..Self::file(&folder.join(NAME), text) }
+    }
+
+    /// The same spec, whose files must lie in `folder` (an absolute path without links).
+    #[must_use]
+    pub fn confined_to(self, folder: &Path) -> Self {
+        Self { confined: Some(folder.to_owned()), ..self }
+    }
+
+    /// Whether it may read the file at `path`: links do not lead out of the folder that its files must lie in.
+    pub fn may_read(&self, path: &Path) -> bool {
+        self.confined
+            .as_ref()
+            .is_none_or(|folder| std::fs::canonicalize(path).is_ok_and(|whole| whole.starts_with(folder)))
     }
 
     /// Whether it has no file of its own.

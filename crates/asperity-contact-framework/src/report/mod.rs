@@ -31,6 +31,7 @@ mod text;
 pub mod verify;
 pub mod view;
 
+pub use glossary::meanings;
 pub(crate) use index::CARD;
 pub use index::{Index, MARK, PROGRAM};
 pub use page::Page;

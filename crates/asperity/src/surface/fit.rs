@@ -1,5 +1,7 @@
 //! The preparation that makes a measured map fit: remedies of the failed checks, one after the other.
 
+use std::sync::Arc;
+
 use super::search::MOST_SPIKE_POINTS;
 use super::{
     AnalysisDepth, FoundSpikes, MapFacts, MapOverview, NoAsperities, Preparation, Remedy, SummitSearch,
@@ -319,7 +321,7 @@ impl Analysis<'_> {
         let spikes = self.spikes[usize::from(preparation.removes_spikes)]
             .get_or_insert_with(|| search.spikes(&Watched { map: raw, progress }));
         let (facts, prepared) = SummitSearch { spikes: Some(spikes), ..search }.facts_and_map(raw)?;
-        Ok((facts, prepared.map(|prepared| prepared.map)))
+        Ok((facts, prepared.map(|prepared| Arc::unwrap_or_clone(prepared.map))))
     }
 }
 

@@ -18,6 +18,8 @@ pub use overview::{AnalysisDepth, MOST_ANALYSED_POINTS, MapOverview};
 pub use remedy::{Remedy, usual_long_filter};
 pub use search::{FoundSpikes, MOST_SPIKE_POINTS, NoAsperities, Preparation, SummitSearch};
 
+use std::sync::Arc;
+
 use crate::compare::{Division, Repeats};
 use crate::distribution::{HeightModel, HeightsError};
 use crate::topography::fitness::{Finding, LineOffsets, Lines, Spikes};
@@ -33,7 +35,7 @@ use crate::{
 };
 
 /// Asperities with their statistics and origin.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Surface {
     /// Its name in the spec.
     pub name: String,
@@ -74,7 +76,7 @@ pub struct Surface {
 }
 
 /// What stands for other samples of a measured map that is too small for blocks.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct SmallMap {
     /// A process fitted to the map, or why none is.
     pub process: Result<FittedProcess, Unfitted>,
@@ -217,10 +219,10 @@ impl MapFacts {
 }
 
 /// A map as its summits were searched.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct PreparedMap {
     /// Aligned, levelled and filtered, spikes missing.
-    pub map: HeightMap,
+    pub map: Arc<HeightMap>,
     /// Index of the point of each summit, in the order of the asperities.
     pub positions: Vec<usize>,
 }

@@ -1,5 +1,7 @@
 //! From a height map to asperities: preparation, checks, and the search for summits.
 
+use std::sync::Arc;
+
 use crate::compare::Division;
 use crate::progress::{Progress, Silent};
 use crate::topography::fitness::{
@@ -330,7 +332,7 @@ impl SummitSearch<'_> {
         }
         let prepared = self.keeps_map.then(|| {
             progress.stage("copying the map", 1.0);
-            PreparedMap { map: HeightMap::from_rows(map), positions: summits.positions.clone() }
+            PreparedMap { map: Arc::new(HeightMap::from_rows(map)), positions: summits.positions.clone() }
         });
         let [dx, dy] = map.pixel();
         let radii = summits.curvatures.iter().map(|curvature| curvature.recip()).collect();

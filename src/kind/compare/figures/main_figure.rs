@@ -23,8 +23,13 @@ pub fn of_case_or_paper(page: &mut Page, results: &CompareResults, case: Surface
     if !results.figures_of_paper.is_empty() {
         return of_paper(page, results, series);
     }
+    of_case_with_map(page, results, case);
+}
+
+/// Both models against load, and of a measured map what is in contact on it.
+pub(crate) fn of_case_with_map(page: &mut Page, results: &CompareResults, case: SurfaceCase) {
     of_case(page, results, case);
-    if let Some(map) = &case.surface.contact_map {
+    if let Some(map) = case.surface.contact_map(case.case) {
         contact_map::add(page, &case.surface.surface.name, map);
     }
 }

@@ -2,12 +2,15 @@
 
 use std::sync::LazyLock;
 
+use indexmap::IndexMap;
+
 use super::index::MARK;
 use super::page::{Cell, Page, document, escape_html};
 
 /// Lines of a term, the forms in which it appears in texts, and its meaning.
 const LIST: &str = include_str!("terms.txt");
-const STYLE: &str = include_str!("glossary.css");
+/// The style of explained terms.
+pub const STYLE: &str = include_str!("glossary.css");
 const SCRIPT: &str = include_str!("glossary.js");
 
 struct Term {
@@ -55,6 +58,11 @@ pub fn markdown() -> String {
     page.table(["term", "meaning"], TERMS.iter().map(row));
     page.paragraph(&format!("{MARK} overwritten by the next run."));
     page.markdown()
+}
+
+/// The meaning of each term by its id.
+pub fn meanings() -> IndexMap<String, String> {
+    TERMS.iter().map(|term| (term.id(), term.meaning.replace('`', ""))).collect()
 }
 
 /// `glossary.html`, with an anchor for each term.

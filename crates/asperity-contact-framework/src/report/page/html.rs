@@ -4,11 +4,12 @@
 //! interactive charts by uPlot (MIT licence, `assets/uPlot-LICENSE`); without scripts, and in print, the SVG is shown.
 
 use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, TagEnd};
+use serde_json::value::RawValue;
 
 use super::markdown::escape_around_code;
-use super::{Block, Drawn};
+use super::{Block, CardPiece, Drawn, FigurePiece, Pieces, drawn};
 use crate::report::answer::CardLine;
-use crate::report::glossary::Explainer;
+use crate::report::glossary::{self, Explainer};
 
 const STYLE: &str = include_str!("assets/page.css");
 /// The style of charts.
@@ -30,15 +31,7 @@ pub(super) fn page(title: &str, blocks: &[Block], figures: &[Drawn]) -> String {
         Writer { figures, body: String::new(), sections: Vec::new(), explainer: Explainer::default() };
     writer.write(blocks);
     let contents = contents(&writer.sections);
-    let mut body = writer.body.replacen(CONTENTS, &contents, 1);
-    // Wide tables scroll by themselves, by keyboard too, so that the page stays as wide as the screen.
-    body = body
-        .replace(
-            "<table>",
-            "<div class=\"table\" role=\"region\" aria-label=\"Table\" tabindex=\"0\"><table>",
-        )
-        .replace("</table>", "</table></div>")
-        .replace("<pre>", "<pre tabindex=\"0\">");
+    let mut body = scrolling(&writer.body.replacen(CONTENTS, &contents, 1));
     body.push_str(&writer.explainer.meanings());
     let (chart_style, charts) = if figures.iter().any(|figure| figure.data.is_some()) {
         (CHART_STYLE, charts())
@@ -47,6 +40,78 @@ pub(super) fn page(title: &str, blocks: &[Block], figures: &[Drawn]) -> String {
     };
     let (style, script) = writer.explainer.assets();
     document(title, &body, &format!("{chart_style}\n{style}"), &format!("{charts}{script}"))
+}
+
+/// HTML in which wide tables scroll by themselves, by keyboard too, so that the page stays as wide as the screen.
+fn scrolling(html: &str) -> String {
+    html.replace(
+        "<table>",
+        "<div class=\"table\" role=\"region\" aria-label=\"Table\" tabindex=\"0\"><table>",
+    )
+    .replace("</table>", "</table></div>")
+    .replace("<pre>", "<pre tabindex=\"0\">")
+}
+
+/// The pieces of a page: what stands before its first folded section, and all else where it `has_sections`.
+pub(super) fn pieces(title: &str, blocks: &[Block], has_sections: bool) -> Pieces {
+    let is_folded = |block: &Block| matches!(block, Block::Details { .. } | Block::Heading { .. });
+    let (first, rest) = blocks.split_at(blocks.iter().position(is_folded).unwrap_or(blocks.len()));
+    let drawn = drawn(if has_sections { blocks } else { first });
+    let mut writer = Writer {
+        figures: &drawn,
+        body: String::new(),
+        sections: Vec::new(),
+        explainer: Explainer::default(),
+    };
+    let mut pieces = Pieces { title: title.to_owned(), ..Pieces::default() };
+    for block in first {
+        match block {
+            Block::Title(_) => {}
+            Block::Card(lines) => {
+                pieces.card = lines
+                    .iter()
+                    .map(|line| CardPiece {
+                        key: line.key.clone(),
+                        label: line.label.clone(),
+                        html: card_text(line, &mut writer.explainer),
+                    })
+                    .collect();
+            }
+            Block::Figure { caption, .. } => {
+                let Some((figure, rest)) = writer.figures.split_first() else { continue };
+                writer.figures = rest;
+                pieces.figures.push(FigurePiece {
+                    id: figure.file.trim_end_matches(".svg").to_owned(),
+                    // A chart is made of the data alone; a map with frames is its picture.
+                    svg: figure
+                        .data
+                        .as_ref()
+                        .is_none_or(|data| data.contains("\"frames\":"))
+                        .then(|| figure.part_of_page()),
+                    data: figure.data.clone().and_then(|data| RawValue::from_string(data).ok()),
+                    caption: writer.explainer.mark(&escape(&with_minus(caption))),
+                });
+            }
+            other => writer.write(std::slice::from_ref(other)),
+        }
+    }
+    pieces.lead = scrolling(&std::mem::take(&mut writer.body));
+    if has_sections {
+        writer.write(rest);
+        let contents = contents(&writer.sections);
+        pieces.sections = scrolling(&writer.body.replacen(CONTENTS, &contents, 1));
+    }
+    pieces
+}
+
+/// The texts of a line of a card.
+fn card_text(line: &CardLine, explainer: &mut Explainer) -> String {
+    let text = |text: &String| {
+        let mut html = String::new();
+        push_markdown(&mut html, &escape_around_code(text));
+        html
+    };
+    explainer.mark(&line.texts.iter().map(text).collect::<String>())
 }
 
 /// A document of its own with the style of all pages, and `style` and `script` (elements) besides.
@@ -61,14 +126,25 @@ pub fn document(title: &str, body: &str, style: &str, script: &str) -> String {
     )
 }
 
-/// The library for charts with its licence, and what makes charts of the figures: two script elements.
-pub fn charts() -> String {
+/// The library for charts with its licence, and what makes charts of the figures: two scripts.
+pub fn chart_scripts() -> [String; 2] {
     let pairs: Vec<String> =
         asperity_plot::DARK_COLOURS.iter().map(|(light, dark)| format!("[\"{light}\",\"{dark}\"]")).collect();
-    format!(
-        "<script>\n/*\nuPlot\n{CHART_LICENCE}*/\n{CHARTS}\n</script>\n<script>\nconst DARK_COLOURS = new Map([{}]);\n{SCRIPT}</script>\n",
-        pairs.join(",")
-    )
+    [
+        format!("/*\nuPlot\n{CHART_LICENCE}*/\n{CHARTS}\n"),
+        format!("const DARK_COLOURS = new Map([{}]);\n{SCRIPT}", pairs.join(",")),
+    ]
+}
+
+/// The same as two elements.
+pub fn charts() -> String {
+    let [library, charts] = chart_scripts();
+    format!("<script>\n{library}</script>\n<script>\n{charts}</script>\n")
+}
+
+/// The style of all pages, of charts and of explained terms.
+pub fn page_style() -> String {
+    format!("{CHART_STYLE}\n{}\n{STYLE}{}\n", glossary::STYLE, asperity_plot::dark_rules())
 }
 
 /// Where the list of sections goes.
@@ -134,13 +210,7 @@ impl Writer<'_> {
     fn card(&mut self, lines: &[CardLine]) {
         let explainer = &mut self.explainer;
         let row = |line: &CardLine| {
-            let text = |text: &String| {
-                let mut html = String::new();
-                push_markdown(&mut html, &escape_around_code(text));
-                html
-            };
-            let texts: String = line.texts.iter().map(text).collect();
-            let texts = explainer.mark(&texts);
+            let texts = card_text(line, explainer);
             format!("<div>\n<dt>{}</dt>\n<dd>{texts}</dd>\n</div>\n", escape(&line.label))
         };
         let rows: String = lines.iter().map(row).collect();

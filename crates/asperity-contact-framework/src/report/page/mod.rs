@@ -11,8 +11,10 @@ use super::answer::{Answer, CardLine};
 use super::view::{View, ViewText};
 use asperity_plot::{Figure, Size};
 use rayon::prelude::*;
+use serde::Serialize;
+use serde_json::value::RawValue;
 
-pub use html::{CHART_STYLE, charts, document, escape as escape_html, with_minus};
+pub use html::{CHART_STYLE, chart_scripts, charts, document, escape as escape_html, page_style, with_minus};
 use markdown::{address, cell_markdown, is_numeric, line_of, one_line};
 pub use markdown::{escape, escape_around_code};
 
@@ -102,6 +104,45 @@ pub struct Files {
     pub figures: Vec<(String, String)>,
     /// The picture for the index, of the main figure.
     pub card: Option<String>,
+}
+
+/// A page in pieces of HTML, for a program that shows it as its results come.
+#[derive(Debug, Default, Serialize)]
+pub struct Pieces {
+    /// Its title, plain text.
+    pub title: String,
+    /// What stands first besides card and figures.
+    pub lead: String,
+    /// The lines of its card.
+    pub card: Vec<CardPiece>,
+    /// The figures before the first folded section.
+    pub figures: Vec<FigurePiece>,
+    /// All else; empty where it was not asked for.
+    pub sections: String,
+}
+
+/// A line of a card.
+#[derive(Debug, Serialize)]
+pub struct CardPiece {
+    /// Its name for machines.
+    pub key: String,
+    /// Its label, plain text.
+    pub label: String,
+    /// What it says.
+    pub html: String,
+}
+
+/// A figure.
+#[derive(Debug, Serialize)]
+pub struct FigurePiece {
+    /// Its name.
+    pub id: String,
+    /// Its picture; `None` where its data are enough.
+    pub svg: Option<String>,
+    /// Its content as `page.js` draws it.
+    pub data: Option<Box<RawValue>>,
+    /// Its caption.
+    pub caption: String,
 }
 
 /// A page under construction. Methods that take `markdown` accept inline markup (`*emphasis*`,
@@ -234,14 +275,7 @@ impl Page {
     pub fn files(&self, size: Option<Size>) -> Files {
         let mut figures = Vec::new();
         figures_of(&self.blocks, &mut figures);
-        let drawn: Vec<Drawn> = figures
-            .par_iter()
-            .map(|(file, figure, caption)| Drawn {
-                file: (*file).to_owned(),
-                svg: with_title(figure.file(None), caption),
-                data: figure.data().and_then(|data| serde_json::to_string(&data).ok()),
-            })
-            .collect();
+        let drawn = drawn(&self.blocks);
         let html = html::page(&self.title, &self.blocks, &drawn);
         let card = figures.first().map(|(_, figure, caption)| with_title(figure.card(), caption));
         let in_print = |(at, drawn): (usize, Drawn)| {
@@ -282,6 +316,11 @@ impl Page {
         figures.first().map(|(file, ..)| *file)
     }
 
+    /// The page in pieces: all of it, or what stands before its first folded section.
+    pub fn pieces(&self, has_sections: bool) -> Pieces {
+        html::pieces(&self.title, &self.blocks, has_sections)
+    }
+
     /// The page as Markdown (GitHub's flavour).
     pub fn markdown(&self) -> String {
         let mut parts = Vec::new();
@@ -298,6 +337,20 @@ impl Page {
         self.blocks.push(Block::Markdown(text));
         self
     }
+}
+
+/// The figures of blocks as files.
+fn drawn(blocks: &[Block]) -> Vec<Drawn> {
+    let mut figures = Vec::new();
+    figures_of(blocks, &mut figures);
+    figures
+        .par_iter()
+        .map(|(file, figure, caption)| Drawn {
+            file: (*file).to_owned(),
+            svg: with_title(figure.file(None), caption),
+            data: figure.data().and_then(|data| serde_json::to_string(&data).ok()),
+        })
+        .collect()
 }
 
 /// A picture without a title has its caption as one, for those who cannot see it.

@@ -163,6 +163,20 @@ const Chart = (() => {
       dark.addEventListener("change", () => this.draw());
     }
 
+    // The same chart of other data; what was hidden, and units that are still there, stay as they were chosen.
+    update(data) {
+      const { panels } = data;
+      const isAlike = panels.length === this.data.panels.length;
+      const known = (unit, units) => (unit < units.length ? unit : 0);
+      this.data = data;
+      this.units = { x: known(this.units.x, panels[0].x.units), y: panels.map((panel, k) => known(isAlike ? this.units.y[k] : 0, panel.y.units)) };
+      if (!isAlike) this.log = { x: panels.map(panel => panel.x.log), y: panels.map(panel => panel.y.log) };
+      const names = this.legend();
+      this.names.replaceWith(names);
+      this.names = names;
+      this.draw();
+    }
+
     tools() {
       const tools = element("div", { className: "tools" });
       const choice = (label, units, choose) => {
@@ -218,7 +232,7 @@ const Chart = (() => {
         const button = element("button", { type: "button" });
         button.innerHTML = `<svg viewBox="0 0 30 12" aria-hidden="true">${sample}</svg>`;
         button.append(...typeset(name));
-        button.setAttribute("aria-pressed", "true");
+        button.setAttribute("aria-pressed", String(!this.hidden.has(name)));
         button.addEventListener("click", () => {
           const show = this.hidden.delete(name);
           if (!show) this.hidden.add(name);
@@ -528,7 +542,10 @@ const Chart = (() => {
       else if (data.frames.names.length > 1) slider(target, data.frames);
     }
   }, { rootMargin: "600px" });
-  for (const data of document.querySelectorAll("figure > script[type='application/json']")) watcher.observe(data.parentElement);
+  const watch = root => {
+    for (const data of root.querySelectorAll("figure > script[type='application/json']")) watcher.observe(data.parentElement);
+  };
+  watch(document);
 
   // A link into folded details opens them.
   const open = () => {
@@ -538,5 +555,5 @@ const Chart = (() => {
   };
   addEventListener("hashchange", open);
   open();
-  return Chart;
+  return Object.assign(Chart, { slider, watch });
 })();

@@ -1,0 +1,38 @@
+// What the folder holds: maps, specs and reports, the newest first.
+
+import { html, useState, useEffect } from "./preact.js";
+import { get } from "./server.js";
+
+const date = seconds => new Date(1000 * seconds).toLocaleString([], { dateStyle: "medium", timeStyle: "short" });
+const size = bytes => (bytes < 1e6 ? `${Math.max(1, Math.round(bytes / 1e3))} kB` : `${(bytes / 1e6).toFixed(1)} MB`);
+
+export const Start = ({ vocabulary, begin, open, example, fail, chooseFile }) => {
+  const [entries, setEntries] = useState(null);
+  useEffect(() => {
+    const load = () => get("/api/files").then(setEntries, fail);
+    load();
+    addEventListener("focus", load);
+    return () => removeEventListener("focus", load);
+  }, []);
+  const report = path => `/${vocabulary.reports}/${path.split("/").map(encodeURIComponent).join("/")}`;
+  const item = ({ path, what, modified, bytes }) => {
+    if (what.type === "report") {
+      return html`<li class="report">
+        <a href=${report(`${path}/${what.page}`)} target="_blank" rel="noopener">
+          ${what.picture && html`<img src=${report(`${path}/card.svg`)} alt="" loading="lazy" />`}
+          <strong>${what.title}</strong></a>
+        <p>${what.answer}</p><small>Report ${path}, ${date(modified)}</small></li>`;
+    }
+    const act = what.type === "spec" ? () => open(path) : () => begin(path);
+    return html`<li><button type="button" class="entry" onClick=${act}><strong>${what.type === "spec" ? what.title : path}</strong></button>
+      <small>${what.type === "spec" ? `Spec ${path}, [${what.kind}]` : `Surface, ${size(bytes)}`}, ${date(modified)}</small></li>`;
+  };
+  return html`<main class="start">
+    <h1>May I use the statistical contact model on my surface?</h1>
+    <section class="drop">
+      <p>Drop a height map here (${vocabulary.endings.join(", ")}), or <button type="button" onClick=${chooseFile}>choose a file</button>. It stays on this machine, in <code>${vocabulary.folder}</code>.</p>
+      ${entries && !entries.some(entry => entry.path.startsWith("example/")) && html`<p>No map at hand? <button type="button" onClick=${example}>Open the example</button>: a fine steel finish, measured by interferometry.</p>`}
+    </section>
+    ${entries === null ? html`<p role="status">Reading the folder …</p>` : html`<ul class="entries">${entries.map(item)}</ul>`}
+  </main>`;
+};

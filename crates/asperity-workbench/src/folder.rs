@@ -1,0 +1,440 @@
+//! The user's files in one folder: listed, read, added. Nothing outside of it is touched, and nothing in it is overwritten unasked.
+
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Component, Path, PathBuf};
+use std::time::{SystemTime, UNIX_EPOCH};
+
+use asperity_contact_framework::report::answer::Answer;
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+use tempfile::NamedTempFile;
+
+use crate::engine::{Engine, Refused};
+use crate::limits;
+
+/// Where dropped files are kept.
+pub const UPLOADS: &str = "uploads";
+/// Where reports are written.
+pub const REPORTS: &str = "reports";
+/// Begins the name of a file that is not yet whole.
+const PART: &str = ".part-";
+
+/// The folder of the workbench.
+#[derive(Debug, Clone)]
+pub struct Folder {
+    root: PathBuf,
+}
+
+/// What the page lists.
+#[derive(Debug, PartialEq, Serialize)]
+pub struct Entry {
+    /// From the folder, with slashes.
+    path: String,
+    what: What,
+    /// When it was last written, s since 1970.
+    modified: u64,
+    bytes: u64,
+}
+
+#[derive(Debug, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case", tag = "type")]
+enum What {
+    /// A measured file, or a list of asperities.
+    Surface,
+    Spec {
+        kind: String,
+        title: String,
+    },
+    Report {
+        title: String,
+        answer: String,
+        /// Whether it has a picture.
+        picture: bool,
+        page: &'static str,
+    },
+}
+
+/// A spec on disk.
+#[derive(Debug, Serialize)]
+pub struct SpecOnDisk {
+    /// Its text.
+    pub text: String,
+    /// SHA-256 of the text.
+    pub state: String,
+}
+
+impl Folder {
+    /// The folder at `path`, in which parts of files of a server that was killed are removed.
+    ///
+    /// # Errors
+    /// No such folder.
+    pub fn new(path: &Path) -> io::Result<Self> {
+        let root = fs::canonicalize(path)?;
+        if !root.is_dir() {
+            return Err(io::Error::new(io::ErrorKind::NotADirectory, "is no folder"));
+        }
+        let is_part =
+            |entry: &fs::DirEntry| entry.file_name().to_str().is_some_and(|name| name.starts_with(PART));
+        let old = fs::read_dir(root.join(UPLOADS)).into_iter().flatten().flatten().filter(is_part);
+        old.for_each(|entry| drop(fs::remove_file(entry.path())));
+        Ok(Self { root })
+    }
+
+    /// Its absolute path without links.
+    pub fn root(&self) -> &Path {
+        &self.root
+    }
+
+    /// A folder or file in it that is there.
+    ///
+    /// # Errors
+    /// A path that leads out of the folder, also by a link, or to nothing.
+    pub fn existing(&self, path: &str) -> Result<PathBuf, Refused> {
+        let joined = self.root.join(inside(path)?);
+        let whole = fs::canonicalize(&joined)
+            .map_err(|error| Refused::new(format!("{path}: cannot be read: {error}")))?;
+        if whole.starts_with(&self.root) { Ok(whole) } else { Err(outside(path)) }
+    }
+
+    /// All maps, lists, specs and reports, the newest first.
+    pub fn entries(&self, engine: &dyn Engine) -> Vec<Entry> {
+        let mut entries = Vec::new();
+        self.walk(&self.root, 0, engine, &mut entries);
+        entries.sort_by(|a, b| b.modified.cmp(&a.modified).then(a.path.cmp(&b.path)));
+        entries
+    }
+
+    fn walk(&self, folder: &Path, depth: usize, engine: &dyn Engine, entries: &mut Vec<Entry>) {
+        const FOREIGN: [&str; 2] = ["target", "node_modules"];
+        let mut inside: Vec<fs::DirEntry> = fs::read_dir(folder).into_iter().flatten().flatten().collect();
+        inside.sort_by_key(fs::DirEntry::file_name);
+        for entry in inside {
+            if entries.len() >= limits::FILES {
+                return;
+            }
+            // Of a link the link itself, so that it is neither followed nor listed.
+            let (Ok(metadata), Ok(name)) = (entry.metadata(), entry.file_name().into_string()) else {
+                continue;
+            };
+            if name.starts_with('.') {
+                continue;
+            }
+            let path = entry.path();
+            if metadata.is_dir() {
+                match report(&path) {
+                    Some(what) => entries.extend(self.entry(&path, &metadata, what)),
+                    None if depth < limits::DEPTH && !FOREIGN.contains(&name.as_str()) => {
+                        self.walk(&path, depth + 1, engine, entries);
+                    }
+                    None => {}
+                }
+            } else if metadata.is_file() {
+                let ending = path
+                    .extension()
+                    .and_then(|ending| ending.to_str())
+                    .unwrap_or_default()
+                    .to_ascii_lowercase();
+                let what = if ending == "toml" && metadata.len() <= limits::REQUEST as u64 {
+                    let found = fs::read_to_string(&path).ok().and_then(|text| engine.kind(&text));
+                    found.map(|(kind, title)| What::Spec { kind, title })
+                } else {
+                    engine.endings().contains(&ending.as_str()).then_some(What::Surface)
+                };
+                entries.extend(what.and_then(|what| self.entry(&path, &metadata, what)));
+            }
+        }
+    }
+
+    fn entry(&self, path: &Path, metadata: &fs::Metadata, what: What) -> Option<Entry> {
+        let modified = metadata.modified().unwrap_or(UNIX_EPOCH);
+        Some(Entry { path: self.name_of(path)?, what, modified: seconds(modified), bytes: metadata.len() })
+    }
+
+    /// The path from the folder, with slashes.
+    pub fn name_of(&self, path: &Path) -> Option<String> {
+        let parts = path.strip_prefix(&self.root).ok()?.components();
+        let parts: Option<Vec<&str>> = parts.map(|part| part.as_os_str().to_str()).collect();
+        Some(parts?.join("/"))
+    }
+
+    /// A spec file.
+    ///
+    /// # Errors
+    /// A file that cannot be read, or is no text.
+    pub fn spec(&self, path: &str) -> Result<SpecOnDisk, Refused> {
+        let whole = self.existing(path)?;
+        let bytes = fs::metadata(&whole).map_or(0, |metadata| metadata.len());
+        if bytes > limits::REQUEST as u64 {
+            return Err(Refused::new(format!(
+                "{path}: found {bytes} bytes; allowed: a spec of at most {} bytes",
+                limits::REQUEST
+            )));
+        }
+        let text = fs::read_to_string(whole)
+            .map_err(|error| Refused::new(format!("{path}: cannot be read: {error}")))?;
+        Ok(SpecOnDisk { state: hash(&text), text })
+    }
+
+    /// Writes a spec, whole or not at all: a new file, or in place of the one whose `state` is known.
+    ///
+    /// # Errors
+    /// A name that is none; a file that is there and has another state, or cannot be written.
+    pub fn save(&self, path: &str, text: &str, state: Option<&str>) -> Result<String, Refused> {
+        let whole = self.new_path(path, "toml")?;
+        match fs::read_to_string(&whole) {
+            Ok(before) if before == text => return Ok(hash(text)),
+            Ok(before) if state.is_some_and(|state| state == hash(&before)) => {}
+            Ok(_) => {
+                return Err(Refused::new(format!(
+                    "{path}: found a file that is not the one this page has read or written; allowed: a new name, or to open that file"
+                )));
+            }
+            Err(error) if error.kind() == io::ErrorKind::NotFound => {}
+            Err(error) => return Err(Refused::new(format!("{path}: cannot be read: {error}"))),
+        }
+        let written = || {
+            let mut file = NamedTempFile::with_prefix_in(PART, whole.parent().unwrap_or(&self.root))?;
+            file.write_all(text.as_bytes())?;
+            file.as_file().sync_all()?;
+            if whole.exists() { file.persist(&whole) } else { file.persist_noclobber(&whole) }
+                .map_err(|error| error.error)?;
+            Ok::<(), io::Error>(())
+        };
+        written().map_err(|error| Refused::new(format!("{path}: cannot be written: {error}")))?;
+        Ok(hash(text))
+    }
+
+    /// A path for a new file with this ending, in a folder that is there.
+    fn new_path(&self, path: &str, ending: &str) -> Result<PathBuf, Refused> {
+        let relative = inside(path)?;
+        let name = relative.file_name().and_then(|name| name.to_str()).unwrap_or_default();
+        if !is_plain(name) || !name.ends_with(&format!(".{ending}")) {
+            return Err(Refused::new(format!(
+                "found the name \"{path}\"; allowed: a name such as my-surface.{ending}, without any of \\:*?\"<>| and no point at its beginning"
+            )));
+        }
+        let folder = relative.parent().and_then(Path::to_str).unwrap_or_default();
+        let whole = self.existing(folder)?.join(name);
+        // A link in its place would lead elsewhere.
+        match fs::symlink_metadata(&whole) {
+            Ok(metadata) if !metadata.is_file() => Err(outside(path)),
+            _ => Ok(whole),
+        }
+    }
+
+    /// A file to be filled with what is dropped on the page.
+    ///
+    /// # Errors
+    /// A folder that cannot be written to.
+    pub fn upload(&self, name: &str) -> Result<Upload, Refused> {
+        let folder = self.root.join(UPLOADS);
+        let made = || {
+            fs::create_dir_all(&folder)?;
+            if !fs::canonicalize(&folder)?.starts_with(&self.root) {
+                return Err(io::Error::other("leads out of the folder of the workbench"));
+            }
+            NamedTempFile::with_prefix_in(PART, &folder)
+        };
+        let file = made().map_err(|error| Refused::new(format!("{UPLOADS}: cannot be written: {error}")))?;
+        Ok(Upload { file, folder, name: plain_name(name), bytes: 0, hash: Sha256::new() })
+    }
+
+    /// Writes a file of the example, unless it is there.
+    ///
+    /// # Errors
+    /// A file that cannot be written.
+    pub fn add(&self, path: &str, content: &[u8]) -> Result<(), Refused> {
+        let whole = self.root.join(inside(path)?);
+        let written = || {
+            let folder = whole.parent().unwrap_or(&self.root);
+            fs::create_dir_all(folder)?;
+            if !fs::canonicalize(folder)?.starts_with(&self.root) {
+                return Err(io::Error::other("leads out of the folder of the workbench"));
+            }
+            if fs::read(&whole).is_ok_and(|before| before == content) {
+                return Ok(());
+            }
+            let mut file = NamedTempFile::with_prefix_in(PART, folder)?;
+            file.write_all(content)?;
+            file.persist_noclobber(&whole).map_err(|error| error.error)?;
+            Ok(())
+        };
+        written().map_err(|error| Refused::new(format!("{path}: cannot be written: {error}")))
+    }
+
+    /// A file of a report, with its media type.
+    ///
+    /// # Errors
+    /// A file that is none of a report.
+    pub fn of_report(&self, path: &str) -> Result<(Vec<u8>, &'static str), Refused> {
+        const TYPES: [(&str, &str); 8] = [
+            ("html", "text/html; charset=utf-8"),
+            ("svg", "image/svg+xml"),
+            ("png", "image/png"),
+            ("pdf", "application/pdf"),
+            ("csv", "text/csv; charset=utf-8"),
+            ("json", "application/json"),
+            ("md", "text/markdown; charset=utf-8"),
+            ("toml", "text/plain; charset=utf-8"),
+        ];
+        let no_file = || Refused::new(format!("{path}: found no file of a report"));
+        let whole = self.existing(path)?;
+        let ending = whole.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+        let media =
+            TYPES.iter().find(|(one, _)| *one == ending).map(|(_, media)| *media).ok_or_else(no_file)?;
+        let folder = whole.parent().unwrap_or(&self.root);
+        // The pages that lead to all reports lie beside their folders.
+        let is_index = || {
+            fs::read_dir(folder).into_iter().flatten().flatten().any(|entry| report(&entry.path()).is_some())
+        };
+        if report(folder).is_none() && !is_index() {
+            return Err(no_file());
+        }
+        let content =
+            fs::read(&whole).map_err(|error| Refused::new(format!("{path}: cannot be read: {error}")))?;
+        Ok((content, media))
+    }
+}
+
+/// A file that is being dropped.
+pub struct Upload {
+    file: NamedTempFile,
+    folder: PathBuf,
+    name: String,
+    bytes: u64,
+    hash: Sha256,
+}
+
+impl Upload {
+    /// Adds bytes.
+    ///
+    /// # Errors
+    /// More than are allowed; a disk that is full.
+    pub fn add(&mut self, bytes: &[u8]) -> Result<(), Refused> {
+        self.bytes += bytes.len() as u64;
+        if self.bytes > limits::UPLOAD {
+            return Err(too_large(self.bytes));
+        }
+        self.hash.update(bytes);
+        self.file
+            .write_all(bytes)
+            .map_err(|error| Refused::new(format!("{}: cannot be written: {error}", self.name)))
+    }
+
+    /// Keeps it under its name, or under one with a number where another file has that; the same file is kept once. Gives its path
+    /// from the folder of the workbench.
+    ///
+    /// # Errors
+    /// A folder that cannot be written to.
+    pub fn finish(self) -> Result<String, Refused> {
+        /// Files of one name.
+        const MOST: u32 = 10_000;
+        let Self { mut file, folder, name, hash, bytes } = self;
+        let refuse = |error: io::Error| Refused::new(format!("{UPLOADS}/{name}: cannot be written: {error}"));
+        file.as_file().sync_all().map_err(refuse)?;
+        let hash = hash.finalize();
+        let (stem, ending) = name
+            .rsplit_once('.')
+            .map_or((name.as_str(), String::new()), |(stem, ending)| (stem, format!(".{ending}")));
+        for number in 1..MOST {
+            let numbered = if number == 1 { name.clone() } else { format!("{stem}-{number}{ending}") };
+            let path = folder.join(&numbered);
+            let is_same = || {
+                let has_size = fs::metadata(&path).is_ok_and(|metadata| metadata.len() == bytes);
+                has_size
+                    && asperity_contact_framework::digest::sha256_of_file(&path)
+                        .is_ok_and(|other| other[..] == hash[..])
+            };
+            if is_same() {
+                return Ok(format!("{UPLOADS}/{numbered}"));
+            }
+            match file.persist_noclobber(&path) {
+                Ok(_) => return Ok(format!("{UPLOADS}/{numbered}")),
+                Err(error) if error.error.kind() == io::ErrorKind::AlreadyExists => file = error.file,
+                Err(error) => return Err(refuse(error.error)),
+            }
+        }
+        Err(Refused::new(format!("{UPLOADS}/{name}: found {MOST} files of this name; allowed: another name")))
+    }
+}
+
+/// Refuses a file of so many bytes.
+pub fn too_large(bytes: u64) -> Refused {
+    let gigabytes = |bytes: u64| bytes as f64 / f64::from(1 << 30);
+    Refused::new(format!(
+        "found a file of {:.2} GiB; allowed: up to {:.0} GiB. A larger one is put into the folder by hand",
+        gigabytes(bytes),
+        gigabytes(limits::UPLOAD)
+    ))
+}
+
+/// A path from the folder that names no way out of it.
+fn inside(path: &str) -> Result<PathBuf, Refused> {
+    let parts = Path::new(path);
+    let is_inside =
+        parts.components().all(|part| matches!(part, Component::Normal(_))) && !path.contains(['\\', '\0']);
+    if is_inside { Ok(parts.to_owned()) } else { Err(outside(path)) }
+}
+
+fn outside(path: &str) -> Refused {
+    Refused::new(format!("found \"{path}\"; allowed: a file in the folder of the workbench"))
+}
+
+/// Whether a text is the name of a file on every system.
+fn is_plain(name: &str) -> bool {
+    !name.is_empty()
+        && !name.starts_with('.')
+        && name.len() <= 200
+        && !name.contains(|c: char| c.is_control() || "/\\:*?\"<>|".contains(c))
+}
+
+/// A name for a dropped file, as near to its own as every system allows.
+fn plain_name(name: &str) -> String {
+    let last = name.rsplit(['/', '\\']).next().unwrap_or_default();
+    let replaced: String =
+        last.chars().map(|c| if c.is_control() || ":*?\"<>|".contains(c) { '-' } else { c }).collect();
+    let begun = replaced.trim_start_matches('.').trim();
+    let mut kept = String::new();
+    // The end of a long name holds its ending.
+    for c in begun.chars().rev() {
+        if kept.len() + c.len_utf8() > 150 {
+            break;
+        }
+        kept.insert(0, c);
+    }
+    if is_plain(&kept) { kept } else { "surface".to_owned() }
+}
+
+/// A report, if that is what a folder holds.
+fn report(folder: &Path) -> Option<What> {
+    #[derive(Deserialize)]
+    struct Summary {
+        program: String,
+        title: String,
+        #[serde(default)]
+        answer: serde_json::Value,
+    }
+    let text = fs::read(folder.join("summary.json")).ok()?;
+    let Summary { program, title, answer } = serde_json::from_slice(&text).ok()?;
+    let answer = match answer {
+        serde_json::Value::String(sentence) => sentence,
+        other => serde_json::from_value::<Answer>(other).unwrap_or_default().sentence,
+    };
+    let picture = folder.join("card.svg").is_file();
+    let page = if folder.join("report.html").is_file() { "report.html" } else { "report.md" };
+    (program == asperity_contact_framework::report::PROGRAM).then_some(What::Report {
+        title,
+        answer,
+        picture,
+        page,
+    })
+}
+
+fn hash(text: &str) -> String {
+    asperity_contact_framework::digest::hexadecimal(&Sha256::digest(text))
+}
+
+fn seconds(time: SystemTime) -> u64 {
+    time.duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs())
+}

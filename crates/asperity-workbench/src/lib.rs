@@ -1,0 +1,32 @@
+//! The workbench: a page that the program serves on the user's own machine. A map is dropped on it, a material chosen, a slider moved;
+//! it shows the verdict while that happens.
+//!
+//! | module | what lives there |
+//! |---|---|
+//! | [`engine`] | what the server asks of the program |
+//! | [`server`] | addresses, and the life of the server |
+//! | `guard` | who may ask: host, origin and token of a request |
+//! | `token` | the secret that opens the page, kept between runs |
+//! | `routes` | what can be asked |
+//! | `analysis` | work on threads of its own, which ends where nobody waits for it |
+//! | `folder` | the user's files: listed, read, added; never outside of one folder |
+//! | `spec` | the spec of the page as TOML and as Python |
+//! | `assets` | the page |
+//!
+//! The server holds no session: each request brings the whole spec, which is the state of the page.
+#![deny(unsafe_code)]
+#![warn(missing_docs)]
+
+mod analysis;
+mod assets;
+pub mod engine;
+mod folder;
+mod guard;
+mod limits;
+mod routes;
+pub mod server;
+mod spec;
+mod token;
+
+pub use engine::{Engine, Example, Prepared, Refused, SpecText, Stage};
+pub use server::{Options, ServeError, Server};

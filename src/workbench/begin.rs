@@ -1,0 +1,86 @@
+//! The first spec of a file, and the example of whoever has none.
+
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+use asperity::topography::read::{NamedUnits, metadata};
+use asperity_workbench::{Example, Refused};
+
+use crate::kind::KINDS;
+use crate::surface::FileOptions;
+
+/// Endings of files of maps and of lists of asperities; what they hold is found by their content.
+pub const ENDINGS: &[&str] = &["npy", "x3p", "sdf", "xyz", "txt", "asc", "csv", "dat", "tsv"];
+
+/// The committed fine finish.
+pub const EXAMPLE: Example = Example {
+    files: &[
+        ("measured-fine-finish.toml", include_bytes!("../../experiments/measured-fine-finish.toml")),
+        ("surfaces/opd-1.npy", include_bytes!("../../experiments/surfaces/opd-1.npy")),
+        ("surfaces/README.md", include_bytes!("../../experiments/surfaces/README.md")),
+    ],
+};
+
+/// The kind of experiment of a spec, and its title.
+pub fn kind(text: &str) -> Option<(String, String)> {
+    let table: toml::Table = text.parse().ok()?;
+    let title = table.get("title")?.as_str()?.to_owned();
+    let kind = KINDS.iter().find(|kind| table.contains_key(kind.name()))?;
+    Some((kind.name().to_owned(), title))
+}
+
+/// The spec of a measured file or of a list of asperities, and the keys that the file leaves to its user.
+pub fn spec_of(file: &Path, path: &str) -> Result<(String, Vec<String>), Refused> {
+    let options = FileOptions::default();
+    let name = |error: &dyn std::fmt::Display| Refused::new(format!("{path} {error}"));
+    let text = options.source(Path::new(path)).text;
+    if is_list(file) {
+        return Ok((
+            text.replacen(".file]", ".asperities]", 1).replacen("\npath = ", "\nfile = ", 1),
+            vec!["nominal-area".to_owned()],
+        ));
+    }
+    let found = metadata(file).map_err(|error| name(&error))?;
+    let mut open = Vec::new();
+    if found.pixel.is_none() {
+        open.push("pixel".to_owned());
+    }
+    if !found.has_unit && found.named == NamedUnits::None {
+        open.push("unit".to_owned());
+    }
+    Ok((text, open))
+}
+
+/// Whether a file is a list of asperities: a text whose first line names their heights and radii.
+fn is_list(file: &Path) -> bool {
+    /// As long as a line of names may be, bytes.
+    const LINE: u64 = 4096;
+    let mut begin = Vec::new();
+    let read = File::open(file).and_then(|file| file.take(LINE).read_to_end(&mut begin));
+    let first = begin.split(|byte| *byte == b'\n').next().unwrap_or_default();
+    let line = String::from_utf8_lossy(first).to_ascii_lowercase();
+    read.is_ok() && ["height", "radius"].iter().all(|name| line.contains(name))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_that_names_heights_and_radii_is_a_list() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.csv");
+        std::fs::write(&path, "height,radius\n1e-6,2e-5\n").unwrap();
+        let (text, open) = spec_of(&path, "uploads/a.csv").unwrap();
+        assert!(text.contains("[surface.\"a\".asperities]\nfile = \"uploads/a.csv\"\n"), "{text}");
+        assert_eq!(open, ["nominal-area"]);
+    }
+
+    #[test]
+    fn the_example_runs() {
+        let text = std::str::from_utf8(EXAMPLE.files[0].1).unwrap();
+        assert_eq!(kind(text).unwrap().0, "compare");
+        assert!(EXAMPLE.files.iter().any(|(name, _)| text.contains(&format!("path = \"{name}\""))));
+    }
+}

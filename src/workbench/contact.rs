@@ -1,0 +1,68 @@
+//! An experiment on its way from a slider to its whole report.
+
+use std::sync::Arc;
+
+use asperity::work::Counter;
+use asperity_contact_framework::input::InputError;
+use asperity_contact_framework::progress::Progress;
+use asperity_contact_framework::report::table::Tables;
+use asperity_workbench::{Prepared, Refused, SpecText, Stage};
+use serde_json::Value;
+
+use super::surfaces::{OfSpec, Surfaces};
+use super::{refused, source, view};
+use crate::experiment::Experiment;
+use crate::kind::compare::plan::ComparePlan;
+use crate::kind::compare::{Extent, Scope, run_within};
+
+/// The name of its report, which is not written.
+const NAME: &str = "workbench";
+
+/// An experiment whose spec is checked.
+pub struct Contact {
+    experiment: Experiment,
+    /// A comparison, which has stages; `None` of an experiment of another kind.
+    compare: Option<Arc<ComparePlan>>,
+    spec: SpecText,
+    surfaces: Arc<Surfaces>,
+}
+
+impl Contact {
+    pub fn new(spec: &SpecText, surfaces: Arc<Surfaces>) -> Result<Self, InputError> {
+        let (experiment, compare) = Experiment::with_comparison(source(spec), NAME)?;
+        Ok(Self { experiment, compare, spec: spec.clone(), surfaces })
+    }
+}
+
+impl Prepared for Contact {
+    fn memory(&self) -> u128 {
+        self.experiment.memory()
+    }
+
+    fn stages(&self) -> &'static [Stage] {
+        match self.compare {
+            Some(_) => &[Stage::Models, Stage::Intervals, Stage::Everything],
+            None => &[Stage::Everything],
+        }
+    }
+
+    fn run(&self, stage: Stage, progress: &dyn Progress) -> Result<Value, Refused> {
+        let Some(compare) = &self.compare else {
+            let outcome = self.experiment.run(progress).map_err(|error| refused(&error))?;
+            let tables = Tables::new(outcome.tables());
+            return Ok(view::page(&outcome.page(&tables), outcome.warnings()));
+        };
+        let extent = match stage {
+            Stage::Models => Extent::Models,
+            Stage::Intervals => Extent::Intervals,
+            Stage::Everything => Extent::Everything,
+        };
+        let of_spec = OfSpec::new(&self.surfaces, &self.spec);
+        let scope = Scope { extent, store: Some(&of_spec), pictures: view::MOST_CARDS };
+        // Nothing is written, so that its input needs no name.
+        let context = self.experiment.context("", progress);
+        let results =
+            run_within(&context, compare, &Counter::default(), scope).map_err(|error| refused(&error))?;
+        Ok(view::comparison(&results, extent))
+    }
+}

@@ -1,0 +1,109 @@
+//! What the program is to the workbench: specs checked, surfaces described, contacts computed stage by stage, reports written.
+//!
+//! | module | what lives there |
+//! |---|---|
+//! | `surfaces` | surfaces that are kept between changes of a spec |
+//! | `contact` | an experiment on its way from a slider to its whole report |
+//! | `view` | results as the page shows them |
+//! | `begin` | the first spec of a file, and the example |
+//! | `vocabulary` | keys, materials and laws |
+
+mod begin;
+mod contact;
+mod surfaces;
+mod view;
+mod vocabulary;
+
+use std::path::Path;
+use std::sync::Arc;
+
+use asperity_contact_framework::folder as report_folder;
+use asperity_contact_framework::input::{InputError, Source};
+use asperity_contact_framework::progress::{Progress, Silent};
+use asperity_contact_framework::report::store::Store;
+use asperity_workbench::engine::Heights;
+use asperity_workbench::{Engine, Example, Prepared, Refused, SpecText};
+use serde_json::Value;
+
+use crate::experiment::{Experiment, PRINT, write_index};
+use contact::Contact;
+use surfaces::Surfaces;
+
+/// The program behind the workbench.
+#[derive(Default)]
+pub struct Workbench {
+    surfaces: Arc<Surfaces>,
+}
+
+/// A text of the page as the source of a spec, whose files lie in the folder of the workbench.
+fn source(spec: &SpecText) -> Source {
+    Source::in_memory(&spec.folder, spec.text.clone()).confined_to(&spec.root)
+}
+
+/// An error at its key, without the name of the file that the page is.
+fn refused(error: &InputError) -> Refused {
+    Refused { key: error.key().map(str::to_owned), message: error.message().to_owned() }
+}
+
+impl Engine for Workbench {
+    fn vocabulary(&self) -> Value {
+        vocabulary::vocabulary()
+    }
+
+    fn endings(&self) -> &'static [&'static str] {
+        begin::ENDINGS
+    }
+
+    fn kind(&self, text: &str) -> Option<(String, String)> {
+        begin::kind(text)
+    }
+
+    fn begin(&self, file: &Path, path: &str) -> Result<(String, Vec<String>), Refused> {
+        begin::spec_of(file, path)
+    }
+
+    fn prepare(&self, spec: &SpecText) -> Result<Box<dyn Prepared>, Refused> {
+        let contact = Contact::new(spec, Arc::clone(&self.surfaces)).map_err(|error| refused(&error))?;
+        Ok(Box::new(contact))
+    }
+
+    fn surface(&self, spec: &SpecText, name: &str, progress: &dyn Progress) -> Result<Value, Refused> {
+        let surface = self.surfaces.surface(spec, name, progress)?;
+        Ok(view::surface(&surface.surface))
+    }
+
+    fn heights(&self, spec: &SpecText, name: &str, most: usize) -> Result<Heights, Refused> {
+        let surface = self.surfaces.surface(spec, name, &Silent)?;
+        let prepared = surface.surface.prepared.as_ref();
+        let map = prepared.ok_or_else(|| Refused::new(format!("{name}: found no height map")))?;
+        Ok(view::heights(&map.map, most))
+    }
+
+    fn report(&self, path: &Path, out: &Path, progress: &dyn Progress) -> Result<String, Refused> {
+        let input = |error: InputError| Refused::new(error.to_string());
+        let failed = |error: &dyn std::fmt::Display| Refused::new(error.to_string());
+        let experiment = Experiment::read(path).map_err(input)?;
+        let key = experiment.key().map_err(input)?;
+        let mut store = Store::new(out);
+        store.recover().map_err(|error| failed(&error))?;
+        if !store.is_current(experiment.stem(), &key) {
+            store.check(experiment.stem()).map_err(|error| failed(&error))?;
+            let results = experiment.run(progress).map_err(input)?;
+            if experiment.key().map_err(input)? != key {
+                return Err(Refused::new("an input file changed while it was read; write the report again"));
+            }
+            let report = report_folder(&*results, &key, PRINT).map_err(|error| failed(&error))?;
+            store.write(&report).map_err(|error| failed(&error))?;
+        }
+        write_index(&mut store, out).map_err(|error| failed(&error))?;
+        Ok(experiment.stem().to_owned())
+    }
+
+    fn forget(&self) {
+        self.surfaces.forget();
+    }
+
+    fn example(&self) -> Example {
+        begin::EXAMPLE
+    }
+}

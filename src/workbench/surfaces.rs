@@ -1,0 +1,126 @@
+//! Surfaces that are kept between changes of a spec: what has not changed is not made again.
+
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant, SystemTime};
+
+use asperity::surface::AnalysisDepth;
+use asperity::work::Counter;
+use asperity_contact_framework::input::{InputError, SpecFile};
+use asperity_contact_framework::metadata::Timing;
+use asperity_contact_framework::progress::Progress;
+use asperity_workbench::{Refused, SpecText};
+
+use crate::experiment::tables;
+use crate::surface::{StoredSurface, SurfaceFactory, SurfacePlan, SurfaceStore, files_of, surfaces};
+
+/// Bytes that all surfaces together may keep.
+const MOST_BYTES: usize = 1 << 30;
+
+/// A surface that nobody has asked for so long is dropped when another is made.
+const IDLE: Duration = Duration::from_secs(15 * 60);
+
+/// The surfaces, the last used last.
+#[derive(Default)]
+pub struct Surfaces(Mutex<Vec<Entry>>);
+
+struct Entry {
+    identity: String,
+    used: Instant,
+    surface: Arc<StoredSurface>,
+}
+
+impl Surfaces {
+    fn entries(&self) -> MutexGuard<'_, Vec<Entry>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn get(&self, identity: &str) -> Option<Arc<StoredSurface>> {
+        let mut entries = self.entries();
+        let place = entries.iter().position(|entry| entry.identity == identity)?;
+        let entry = Entry { used: Instant::now(), ..entries.remove(place) };
+        let surface = Arc::clone(&entry.surface);
+        entries.push(entry);
+        Some(surface)
+    }
+
+    fn put(&self, identity: String, surface: Arc<StoredSurface>) {
+        let mut entries = self.entries();
+        entries.retain(|entry| entry.identity != identity && entry.used.elapsed() < IDLE);
+        entries.push(Entry { identity, used: Instant::now(), surface });
+        let bytes = |entries: &[Entry]| entries.iter().map(|entry| entry.surface.bytes()).sum::<usize>();
+        while entries.len() > 1 && bytes(&entries) > MOST_BYTES {
+            entries.remove(0);
+        }
+    }
+
+    /// Forgets all.
+    pub fn forget(&self) {
+        self.entries().clear();
+    }
+
+    /// The first realisation of one surface of a spec, in full.
+    pub fn surface(
+        &self,
+        spec: &SpecText,
+        name: &str,
+        progress: &dyn Progress,
+    ) -> Result<Arc<StoredSurface>, Refused> {
+        let refuse = |error: InputError| super::refused(&error);
+        let file = SpecFile::parse(super::source(spec), &tables()).map_err(refuse)?;
+        // Ellipses, which some laws need, do not change what is shown.
+        let plans = surfaces(&file, None, 0..0, false).map_err(refuse)?;
+        let found = plans.iter().find(|plan| plan.name == name);
+        let plan = found.ok_or_else(|| Refused::new(format!("found no surface \"{name}\" in the spec")))?;
+        let of_spec = OfSpec::new(self, spec);
+        if let Some(kept) = of_spec.get(plan) {
+            return Ok(kept);
+        }
+        let counter = Counter::default();
+        let (mut files, mut timing) = (files_of(std::slice::from_ref(plan), &counter), Timing::default());
+        let mut factory = SurfaceFactory::from_seed(plan, &file.source, file.seed, &counter, progress)
+            .with_store(Some(&of_spec));
+        let surface = factory.make(1, AnalysisDepth::Everything, &mut files, &mut timing).map_err(refuse)?;
+        // One that is too large to be kept is made once more when it is asked for again.
+        Ok(of_spec.get(plan).unwrap_or_else(|| Arc::new(factory.stored(surface))))
+    }
+}
+
+/// The surfaces of one spec among those that are kept.
+pub struct OfSpec<'a> {
+    all: &'a Surfaces,
+    folder: PathBuf,
+    table: toml::Table,
+}
+
+impl<'a> OfSpec<'a> {
+    pub fn new(all: &'a Surfaces, spec: &SpecText) -> Self {
+        Self { all, folder: spec.folder.clone(), table: spec.text.parse().unwrap_or_default() }
+    }
+
+    /// Everything that a surface is made of: its keys (of a pair those of all), the seed, and the state of its files.
+    fn identity(&self, plan: &SurfacePlan) -> String {
+        let all = self.table.get("surface");
+        let keys =
+            if plan.is_pair() || plan.is_composite() { all } else { all.and_then(|all| all.get(&plan.name)) };
+        let seed = self.table.get("seed");
+        let files: Vec<_> = plan.inputs().iter().map(|path| state(path)).collect();
+        format!("{}|{}|{}|{seed:?}|{keys:?}|{files:?}", self.folder.display(), plan.name, plan.has_ellipses())
+    }
+}
+
+impl SurfaceStore for OfSpec<'_> {
+    fn get(&self, plan: &SurfacePlan) -> Option<Arc<StoredSurface>> {
+        self.all.get(&self.identity(plan))
+    }
+
+    fn put(&self, plan: &SurfacePlan, made: StoredSurface) {
+        self.all.put(self.identity(plan), Arc::new(made));
+    }
+}
+
+/// When a file was last written, and its size.
+fn state(path: &Path) -> (PathBuf, Option<(SystemTime, u64)>) {
+    let metadata = std::fs::metadata(path).ok();
+    (path.to_owned(), metadata.and_then(|metadata| Some((metadata.modified().ok()?, metadata.len()))))
+}

@@ -1,0 +1,45 @@
+//! What the page needs once: the keys of a spec with their explanations, the materials of the library, the laws.
+
+use asperity::contact_law;
+use asperity::material_library;
+use asperity_contact_framework::keys::Default;
+use asperity_contact_framework::report::format::input_quantity;
+use serde_json::{Map, Value, json};
+
+use crate::keys::all;
+
+/// Keys by their names, materials, and names of laws.
+pub fn vocabulary() -> Value {
+    let key = |key: &asperity_contact_framework::keys::Key| {
+        let default = match &key.default {
+            Default::Needed => json!("none; it is needed"),
+            Default::Is(text) | Default::Words(text) => json!(text),
+            Default::Open => Value::Null,
+        };
+        let fields = json!({
+            "meaning": key.meaning,
+            "kind": key.kind,
+            "unit": key.unit,
+            "range": key.range,
+            "default": default,
+            "examples": key.examples,
+            "values": key.values,
+        });
+        (key.name(), fields)
+    };
+    let keys: Map<String, Value> = all().iter().map(key).collect();
+    let materials: Vec<Value> = material_library::all()
+        .map(|material| {
+            json!({
+                "name": material.name,
+                "description": material.description,
+                "class": material.class.name(),
+                "young": input_quantity(material.young.value, "Pa"),
+                "poisson": material.poisson.value,
+                "hardness": material.hardness.as_ref().map(|hardness| input_quantity(hardness.value, "Pa")),
+            })
+        })
+        .collect();
+    let laws: Vec<String> = contact_law::registry().iter().map(|law| law.name()).collect();
+    json!({ "keys": keys, "materials": materials, "laws": laws })
+}
