@@ -1,19 +1,20 @@
 //! An experiment on its way from a slider to its whole report.
 
 use std::sync::Arc;
+use std::time::{SystemTime, UNIX_EPOCH};
 
 use asperity::work::Counter;
 use asperity_contact_framework::input::InputError;
 use asperity_contact_framework::progress::Progress;
 use asperity_contact_framework::report::table::Tables;
 use asperity_workbench::{Prepared, Refused, SpecText, Stage};
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use super::surfaces::{OfSpec, Surfaces};
 use super::{refused, source, view};
 use crate::experiment::Experiment;
 use crate::kind::compare::plan::ComparePlan;
-use crate::kind::compare::{Extent, Scope, run_within};
+use crate::kind::compare::{Extent, Samplings, Scope, run_within};
 
 /// The name of its report, which is not written.
 const NAME: &str = "workbench";
@@ -25,12 +26,13 @@ pub struct Contact {
     compare: Option<Arc<ComparePlan>>,
     spec: SpecText,
     surfaces: Arc<Surfaces>,
+    samplings: Samplings,
 }
 
 impl Contact {
     pub fn new(spec: &SpecText, surfaces: Arc<Surfaces>) -> Result<Self, InputError> {
         let (experiment, compare) = Experiment::with_comparison(source(spec), NAME)?;
-        Ok(Self { experiment, compare, spec: spec.clone(), surfaces })
+        Ok(Self { experiment, compare, spec: spec.clone(), surfaces, samplings: Samplings::default() })
     }
 }
 
@@ -39,16 +41,24 @@ impl Prepared for Contact {
         self.experiment.memory()
     }
 
+    fn inputs(&self) -> Value {
+        let since =
+            |time: SystemTime| time.duration_since(UNIX_EPOCH).map_or(0.0, |since| since.as_secs_f64());
+        let files = self.experiment.modified().into_iter();
+        files.map(|file| file.map(|(time, bytes)| (since(time), bytes))).map(|file| json!(file)).collect()
+    }
+
     fn stages(&self) -> &'static [Stage] {
-        match self.compare {
-            Some(_) => &[Stage::Models, Stage::Intervals, Stage::Everything],
+        match &self.compare {
+            Some(compare) if compare.goes_on() => &[Stage::Models, Stage::Intervals, Stage::Everything],
+            Some(_) => &[Stage::Models, Stage::Intervals],
             None => &[Stage::Everything],
         }
     }
 
     fn run(&self, stage: Stage, progress: &dyn Progress) -> Result<Value, Refused> {
         let Some(compare) = &self.compare else {
-            let outcome = self.experiment.run(progress).map_err(|error| refused(&error))?;
+            let outcome = self.experiment.run(progress).map_err(|error| refused(&error, &self.spec))?;
             let tables = Tables::new(outcome.tables());
             return Ok(view::page(&outcome.page(&tables), outcome.warnings()));
         };
@@ -58,11 +68,16 @@ impl Prepared for Contact {
             Stage::Everything => Extent::Everything,
         };
         let of_spec = OfSpec::new(&self.surfaces, &self.spec);
-        let scope = Scope { extent, store: Some(&of_spec), pictures: view::MOST_CARDS };
+        let scope = Scope {
+            extent,
+            store: Some(&of_spec),
+            samplings: Some(&self.samplings),
+            pictures: view::MOST_CARDS,
+        };
         // Nothing is written, so that its input needs no name.
         let context = self.experiment.context("", progress);
-        let results =
-            run_within(&context, compare, &Counter::default(), scope).map_err(|error| refused(&error))?;
+        let results = run_within(&context, compare, &Counter::default(), scope)
+            .map_err(|error| refused(&error, &self.spec))?;
         Ok(view::comparison(&results, extent))
     }
 }

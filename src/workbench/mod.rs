@@ -40,9 +40,10 @@ fn source(spec: &SpecText) -> Source {
     Source::in_memory(&spec.folder, spec.text.clone()).confined_to(&spec.root)
 }
 
-/// An error at its key, without the name of the file that the page is.
-fn refused(error: &InputError) -> Refused {
-    Refused { key: error.key().map(str::to_owned), message: error.message().to_owned() }
+/// An error at its key, without the name of the file that the page is; other files are named from the folder of the workbench.
+fn refused(error: &InputError, spec: &SpecText) -> Refused {
+    let root = format!("{}{}", spec.root.display(), std::path::MAIN_SEPARATOR);
+    Refused { key: error.key().map(str::to_owned), message: error.message().replace(&root, "") }
 }
 
 impl Engine for Workbench {
@@ -63,7 +64,8 @@ impl Engine for Workbench {
     }
 
     fn prepare(&self, spec: &SpecText) -> Result<Box<dyn Prepared>, Refused> {
-        let contact = Contact::new(spec, Arc::clone(&self.surfaces)).map_err(|error| refused(&error))?;
+        let contact =
+            Contact::new(spec, Arc::clone(&self.surfaces)).map_err(|error| refused(&error, spec))?;
         Ok(Box::new(contact))
     }
 

@@ -66,7 +66,7 @@ impl Surfaces {
         name: &str,
         progress: &dyn Progress,
     ) -> Result<Arc<StoredSurface>, Refused> {
-        let refuse = |error: InputError| super::refused(&error);
+        let refuse = |error: InputError| super::refused(&error, spec);
         let file = SpecFile::parse(super::source(spec), &tables()).map_err(refuse)?;
         // Ellipses, which some laws need, do not change what is shown.
         let plans = surfaces(&file, None, 0..0, false).map_err(refuse)?;

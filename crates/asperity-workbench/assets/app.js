@@ -2,8 +2,8 @@
 
 import { html, render, useState, useEffect, useRef, useErrorBoundary } from "./preact.js";
 import { get, post, upload, events } from "./server.js";
-import { state, listen, change, undo, redo, canUndo, canRedo } from "./state.js";
-import { Controls, Dialog } from "./controls.js";
+import { state, listen, change, setValue, undo, redo, canUndo, canRedo } from "./state.js";
+import { Controls, Dialog, WITH_REFERENCE } from "./controls.js";
 import { Start } from "./start.js";
 import { Surface } from "./surface.js";
 import { Results, Details, Status, merged } from "./results.js";
@@ -179,13 +179,28 @@ const App = ({ vocabulary }) => {
   const { spec, folder, kept, waits, saved } = shown;
   const open = waits.filter(key => {
     const surfaces = Object.values(spec?.surface ?? {}).flatMap(surface => Object.values(surface));
-    return surfaces.some(of => of[key] === undefined) && key !== "unit";
+    return surfaces.some(of => of[key] === undefined);
   });
-  const request = spec && !open.length ? JSON.stringify({ spec, folder }) : null;
+  // What is only printed changes no result.
+  const { title: _title, notes: _notes, ...computed } = spec ?? {};
+  const request = spec && !open.length ? JSON.stringify({ computed, folder }) : null;
   useEffect(() => {
-    if (request) computation.current.follow(JSON.parse(request));
+    setMessage(null);
+    if (request) computation.current.follow({ spec, folder });
     else computation.current.clear();
   }, [request]);
+  // A file that has changed on disk is another surface.
+  const inputs = run.results?.inputs && JSON.stringify(run.results.inputs);
+  useEffect(() => {
+    if (!inputs) return undefined;
+    const look = () => post("/api/inputs", { spec, folder }).then(found => {
+      if (JSON.stringify(found.inputs) === inputs) return;
+      setMessage("A file has changed on disk: its results are computed again.");
+      computation.current.follow({ spec, folder });
+    }, fail);
+    addEventListener("focus", look);
+    return () => removeEventListener("focus", look);
+  }, [inputs, request]);
   useEffect(() => { document.title = spec ? `${spec.title ?? "Spec"} – Asperity workbench` : "Asperity workbench"; }, [spec?.title]);
 
   const begin = async path => {
@@ -249,7 +264,13 @@ const App = ({ vocabulary }) => {
     await copied(text);
     setMessage("The Python program is copied.");
   });
-  const isReady = Boolean(run.of && (run.stage || run.error) && !run.isOutdated) || Boolean(run.error);
+  const unfit = isCompare ? Object.keys(spec.surface ?? {}).filter(name => maps[name]?.is_blocked) : [];
+  const hasMap = isCompare && Object.values(spec.surface ?? {}).some(kinds => kinds.file || kinds.generate);
+  const actions = {
+    nearer: hasMap && !spec.compare.models && html` <button type="button" onClick=${() => setValue(["compare", "models"], WITH_REFERENCE)}>Run boundary elements</button>`,
+  };
+  const isReady = !run.isOutdated || Boolean(run.error);
+  const heard = !run.isRunning && run.results ? run.results.cases.map(one => spoken(one)).join(" ") : "";
   const button = (text, act, isDisabled = false) => html`<button type="button" onClick=${act} disabled=${isDisabled}>${text}</button>`;
 
   return html`<div class=${isDragged ? "dragged" : ""}>
@@ -273,11 +294,13 @@ const App = ({ vocabulary }) => {
         <div class="side">${isCompare ? html`<${Controls} context=${context} />` : html`<p>This spec has no [compare]: its keys are changed under “Spec …”.</p>`}</div>
         <main>
           ${open.length > 0
-            ? html`<${Waits} context=${context} open=${waits} />`
+            ? html`<${Waits} waits=${waits} />`
             : html`<${Status} run=${run} cancel=${() => computation.current.cancel()} again=${() => computation.current.start()} />`}
-          <${Results} run=${run} />
+          <p class="heard" role="status">${heard}</p>
+          ${unfit.map(name => html`<p class="blocked">No verdict may rest on surface ${name}: it fails a check. <button type="button" onClick=${() => document.getElementById(`checks-${name}`)?.scrollIntoView()}>Checks and remedies</button></p>`)}
+          <${Results} run=${run} actions=${actions} />
           ${kept.length > 0 && html`<${Kept} kept=${kept} fail=${fail} />`}
-          ${!open.length && isCompare && html`<div class="surfaces">${Object.keys(spec.surface ?? {}).map(name => html`<${Surface} key=${name} name=${name} spec=${spec} folder=${folder} ready=${isReady} fail=${fail}
+          ${!open.length && isCompare && html`<div class="surfaces">${Object.keys(spec.surface ?? {}).map(name => html`<${Surface} key=${name} name=${name} spec=${spec} folder=${folder} ready=${isReady} inputs=${inputs} fail=${fail}
             onView=${(of, map) => setMaps(before => ({ ...before, [of]: map }))} />`)}</div>`}
           <${Details} run=${run} />
         </main>
@@ -293,11 +316,38 @@ const App = ({ vocabulary }) => {
   </div>`;
 };
 
+// The card in words.
+const spoken = ({ name, pieces }) => {
+  const text = html => new DOMParser().parseFromString(html, "text/html").body.textContent;
+  return `${name}. ${pieces.card.map(({ label, html: says }) => `${label}: ${text(says)}`).join(" ")}`;
+};
+
+const LENGTH_UNITS = ["m", "mm", "um", "nm", "Å"];
+
 // What a file does not hold, and its user must say.
-const Waits = ({ context, open }) => {
-  const what = open.map(key => ({ pixel: "the distance of its points", unit: "the unit of its heights", "nominal-area": "the area that the asperities are on" })[key] ?? key);
-  return html`<section class="waits"><h2>The file does not hold ${what.join(" and ")}</h2>
-    <p>Say it under “Surface” beside: ${open.includes("pixel") && "a pixel size such as 0.8 um (or [\"0.8 um\", \"0.5 um\"] along x and y)"}${open.includes("unit") && ", and the unit of the heights unless it is the metre"}${open.includes("nominal-area") && "a nominal area such as 1 mm^2"}.</p></section>`;
+const Waits = ({ waits }) => {
+  const form = useRef(null);
+  const { spec } = state();
+  const [[name, kinds]] = Object.entries(spec.surface).slice(-1);
+  const [[kind, of]] = Object.entries(kinds);
+  const use = event => {
+    event.preventDefault();
+    const given = Object.fromEntries(new FormData(form.current));
+    const pixels = given.pixel?.split(",").map(size => size.trim());
+    const keys = {
+      ...(pixels && { pixel: pixels.length > 1 ? pixels : pixels[0] }),
+      ...(given.unit && given.unit !== "m" && { unit: given.unit }),
+      ...(given["nominal-area"] && { "nominal-area": given["nominal-area"] }),
+    };
+    change({ spec: { ...spec, surface: { ...spec.surface, [name]: { [kind]: { ...of, ...keys } } } }, waits: [] });
+  };
+  return html`<section class="waits"><h2>What ${of.path ?? of.file} does not say</h2>
+    <form ref=${form} onSubmit=${use}>
+      ${waits.includes("pixel") && html`<label>Distance of neighbouring points <input name="pixel" type="text" required placeholder="0.8 um" autofocus /> <small>or 0.8 um, 0.5 um along x and y</small></label>`}
+      ${waits.includes("unit") && html`<label>Unit of the heights <select name="unit">${LENGTH_UNITS.map(unit => html`<option>${unit}</option>`)}</select></label>`}
+      ${waits.includes("nominal-area") && html`<label>Nominal area of the asperities <input name="nominal-area" type="text" required placeholder="1 mm^2" autofocus /></label>`}
+      <button class="main">Use</button>
+    </form></section>`;
 };
 
 get("/api/vocabulary").then(

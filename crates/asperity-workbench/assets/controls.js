@@ -1,7 +1,7 @@
 // The controls: each is one key of the spec, with its explanation and the error that the program finds in it.
 
 import { html, useState, useEffect, useRef } from "./preact.js";
-import { at, setValue, change, state, withValue } from "./state.js";
+import { at, setValue, change, withValue } from "./state.js";
 import { parsed, written } from "./quantity.js";
 
 // What every control needs: the spec, what the keys mean, and the error of the last request.
@@ -101,7 +101,8 @@ const LEVELS = ["none", "mean", "plane", "quadratic", "cubic"].map(level => [lev
 const UNITS = ["m", "mm", "um", "nm", "Å", "in"].map(unit => [unit, unit]);
 
 // A group of controls, folded or not.
-const Group = ({ title, children, isOpen }) => html`<details class="group" open=${isOpen}><summary>${title}</summary>${children}</details>`;
+const isWide = matchMedia("(min-width: 60rem)").matches;
+const Group = ({ title, children, isOpen }) => html`<details class="group" open=${isOpen && isWide}><summary>${title}</summary>${children}</details>`;
 
 // The keys of one surface.
 const SurfaceControls = ({ context, surface }) => {
@@ -166,6 +167,8 @@ const Body = ({ context, path, label, ownName, none, extra }) => {
   const chosen = at(spec, path);
   const own = chosen !== undefined && spec.material?.[chosen]?.young !== undefined;
   const library = spec.material?.[chosen]?.from;
+  // Values of a material that both bodies are of stand once.
+  const isFirst = name(path) === "compare.rough" || chosen !== spec.compare.rough;
   const choose = next => {
     if (next === undefined) return change({ spec: used(withValue(spec, path.slice(0, 2), undefined)) });
     if (next === OWN) {
@@ -180,9 +183,9 @@ const Body = ({ context, path, label, ownName, none, extra }) => {
   const options = [...vocabulary.materials.map(({ name: one, description }) => [one, `${one}: ${description}`]), [OWN, "own values"]];
   const inSpec = Object.keys(spec.material ?? {}).filter(one => !vocabulary.materials.some(material => material.name === one) && one !== ownName).map(one => [one, one]);
   return html`<${Choice} context=${context} path=${path} label=${label} options=${[...inSpec, ...options]} none=${none} value=${own && chosen === ownName ? OWN : chosen} set=${choose} />
-    ${own && html`<${Quantity} context=${context} path=${["material", chosen, "young"]} label=${`Young's modulus, ${label}`} dimension="pressure" low=${1e8} high=${1e12} />
-      <${Quantity} context=${context} path=${["material", chosen, "poisson"]} label=${`Poisson's ratio, ${label}`} dimension="number" low=${0} high=${0.49} linear=${true} />
-      <${Quantity} context=${context} path=${["material", chosen, "hardness"]} label=${`Hardness, ${label}`} dimension="pressure" low=${1e7} high=${1e11} placeholder="never yields" />`}`;
+    ${own && isFirst && html`<${Quantity} context=${context} path=${["material", chosen, "young"]} label="Young's modulus" dimension="pressure" low=${1e8} high=${1e12} />
+      <${Quantity} context=${context} path=${["material", chosen, "poisson"]} label="Poisson's ratio" dimension="number" low=${0} high=${0.49} linear=${true} />
+      <${Quantity} context=${context} path=${["material", chosen, "hardness"]} label="Hardness" dimension="pressure" low=${1e7} high=${1e11} placeholder="never yields" />`}`;
 };
 
 // How the load is given.
@@ -211,7 +214,7 @@ const Sweep = ({ context, path, label, dimension, low, high, linear }) => {
     <${Quantity} context=${context} path=${[...path, "points"]} label="points" dimension="number" low=${5} high=${101} linear=${true} />`;
 };
 
-const WITH_REFERENCE = ["statistical", "deterministic", "reference"];
+export const WITH_REFERENCE = ["statistical", "deterministic", "reference"];
 
 // All controls of a comparison.
 export const Controls = ({ context }) => {
@@ -219,6 +222,12 @@ export const Controls = ({ context }) => {
   const compare = spec.compare;
   const hasReference = Array.isArray(compare.models) && compare.models.includes("reference");
   const withThickness = named => (at(named, ["compare", "layer", "thickness"]) === undefined ? withValue(named, ["compare", "layer", "thickness"], "1 um") : named);
+  // What is wrong is shown, also where its group is folded.
+  useEffect(() => {
+    for (const row of document.querySelectorAll(".row.wrong")) {
+      for (let place = row; place; place = place.parentElement) if (place.tagName === "DETAILS") place.open = true;
+    }
+  }, [context.error]);
   const isOneThickness = compare.layer && (typeof compare.layer.thickness !== "object" || compare.layer.thickness === undefined);
   return html`<form class="controls" aria-label="Controls" onSubmit=${event => event.preventDefault()}>
     ${Object.keys(spec.surface ?? {}).map(surface => html`<${SurfaceControls} key=${surface} context=${context} surface=${surface} />`)}
@@ -272,5 +281,3 @@ export const Dialog = ({ title, children, close }) => {
     ${children}
   </dialog>`;
 };
-
-export { state };

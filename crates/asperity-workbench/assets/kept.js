@@ -3,6 +3,7 @@
 import { html, useState, useEffect, useMemo } from "./preact.js";
 import { events } from "./server.js";
 import { change, state } from "./state.js";
+import { coatedFirst } from "./results.js";
 import { ChartOf } from "./surface.js";
 
 export const MOST_KEPT = 8;
@@ -42,7 +43,8 @@ export const Kept = ({ kept, fail }) => {
         const key = JSON.stringify([spec, folder]);
         if (found[key]) continue;
         await events("/api/analyse", { spec, folder, last: "models" }, abort.signal, (name, value) => {
-          if (name === "results") setFound(before => ({ ...before, [key]: value.results.cases }));
+          // Of a thickness and none it is that which was asked for.
+          if (name === "results") setFound(before => ({ ...before, [key]: coatedFirst(value.results.cases).slice(0, value.results.cases.length === 2 ? 1 : undefined) }));
         });
       }
     };

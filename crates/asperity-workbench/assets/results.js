@@ -16,9 +16,9 @@ const Picture = ({ figure: { id, svg, data, caption } }) => {
 
 const Figure = ({ figure }) => (figure.svg === null ? html`<${ChartOf} id=${figure.id} data=${figure.data} caption=${figure.caption} />` : html`<${Picture} figure=${figure} />`);
 
-const Card = ({ lines, isOutdated }) => html`<dl class="card">
-  ${lines.map(({ key, label, html: text, isOld }) => html`<div key=${key} class=${isOld || isOutdated ? "outdated" : ""}>
-    <dt>${label}</dt><dd dangerouslySetInnerHTML=${{ __html: text }}></dd></div>`)}
+const Card = ({ lines, actions }) => html`<dl class="card">
+  ${lines.map(({ key, label, html: text, isOld }) => html`<div key=${key} class=${isOld ? "outdated" : ""}>
+    <dt>${label}</dt><dd><span dangerouslySetInnerHTML=${{ __html: text }}></span>${actions[key]}</dd></div>`)}
 </dl>`;
 
 // Results after a stage beside those before: lines of the card that this stage does not have stay, as old ones.
@@ -45,7 +45,7 @@ const percent = ({ done, steps: [count, step] }) => `${Math.round(100 * done)} %
 
 // Where the computation is, with its end.
 export const Status = ({ run, cancel, again }) => {
-  if (run.error) return html`<p class="status wrong" role="alert">${run.error.key && html`<code>${run.error.key}</code>: `}${run.error.message}</p>`;
+  if (run.error) return html`<p class="status wrong" role="alert"><span>${run.error.key && html`<code>${run.error.key}</code>: `}${run.error.message}</span></p>`;
   if (run.isCancelled) return html`<p class="status" role="status">Cancelled: what is greyed is out of date. <button type="button" onClick=${again}>Continue</button></p>`;
   if (!run.isRunning) return html`<p class="status" role="status">${run.results ? `Complete after ${(run.elapsed ?? 0).toFixed(1)} s` : ""}</p>`;
   const stage = run.stage ? STAGES[run.stage] : "Both models";
@@ -53,20 +53,24 @@ export const Status = ({ run, cancel, again }) => {
     <progress max="1" value=${run.progress?.done ?? 0} aria-label="Progress"></progress><button type="button" onClick=${cancel}>Cancel</button></p>`;
 };
 
-export const Results = ({ run }) => {
+// A thickness is compared with none: what is asked for stands first.
+export const coatedFirst = cases => (cases.length === 2 && cases[0].thickness_m === 0 ? [cases[1], cases[0]] : cases);
+
+// `actions` stand in the lines of the cards, by their keys.
+export const Results = ({ run, actions }) => {
   const { results, isOutdated } = run;
   if (!results) return null;
   const several = results.cases.length > 1;
   const hasCards = results.cases.some(one => one.pieces.card.length);
   const page = results.page;
-  return html`<div class=${`results${isOutdated ? " outdated" : ""}`} aria-live="polite" aria-busy=${isOutdated}>
+  return html`<div class=${`results${isOutdated ? " outdated" : ""}`} aria-busy=${isOutdated}>
     ${page?.lead && html`<div class=${page.isOld ? "outdated" : ""}><${Html} html=${page.lead} /></div>`}
-    ${(hasCards ? results.cases : []).map(one => html`<section key=${one.name} class="case">
+    ${(hasCards ? coatedFirst(results.cases) : []).map(one => html`<section key=${one.name} class="case">
       ${several && html`<h2>${one.name}</h2>`}
-      <${Card} lines=${one.pieces.card} />
+      <${Card} lines=${one.pieces.card} actions=${actions} />
       <div class="figures">${one.pieces.figures.map(figure => html`<${Figure} key=${figure.id} figure=${figure} />`)}</div>
     </section>`)}
-    ${page && page.card.length > 0 && !hasCards && html`<${Card} lines=${page.card} />`}
+    ${page && page.card.length > 0 && !hasCards && html`<${Card} lines=${page.card} actions=${actions} />`}
     ${page && html`<div class=${`figures${page.isOld ? " outdated" : ""}`}>${page.figures.map(figure => html`<${Figure} key=${figure.id} figure=${figure} />`)}</div>`}
   </div>`;
 };

@@ -58,7 +58,7 @@ export const ChartOf = ({ data, caption, id }) => {
     if (!chart.current) chart.current = new Chart(figure.current, data);
     else chart.current.update(data);
   }, [data]);
-  return html`<figure id=${id} ref=${figure}><figcaption dangerouslySetInnerHTML=${{ __html: caption }}></figcaption></figure>`;
+  return html`<figure id=${id} ref=${figure} class=${data.panels.length > 1 ? "wide" : ""}><figcaption dangerouslySetInnerHTML=${{ __html: caption }}></figcaption></figure>`;
 };
 
 // Heights along a line between two shares of the map, at points of the map.
@@ -169,18 +169,22 @@ const Fitness = ({ rows, others, attempt, isFitting }) => {
 };
 
 // Of one surface of the spec. It waits until `ready`, so that the surface that the contact has made is there.
-export const Surface = ({ name, spec, folder, ready, onView, fail }) => {
-  const key = JSON.stringify([spec.surface[name], folder, spec.seed]);
+export const Surface = ({ name, spec, folder, ready, inputs, onView, fail }) => {
+  const key = JSON.stringify([spec.surface[name], folder, spec.seed, inputs]);
   const [shown, setShown] = useState(null);
   const [attempt, setAttempt] = useState(null);
   const [profile, setProfile] = useState([[0, 0.5], [1, 0.5]]);
   const [status, setStatus] = useState("");
   useEffect(() => {
-    if (!ready) return undefined;
+    if (!ready || shown?.key === key) return undefined;
     const abort = new AbortController();
     fetchSurface({ spec, folder, surface: name }, abort.signal, ({ stage }) => setStatus(stage)).then(
       found => { setShown({ ...found, key }); setStatus(""); onView(name, found.view.map); },
-      error => { if (error.name !== "AbortError" && error.message !== "cancelled") { setStatus(""); fail(error); } },
+      error => {
+        setStatus("");
+        // What is wrong with a key the contact has said already, at its control.
+        if (error.name !== "AbortError" && error.message !== "cancelled" && !error.key) fail(error);
+      },
     );
     return () => abort.abort();
   }, [key, ready]);
@@ -206,7 +210,7 @@ export const Surface = ({ name, spec, folder, ready, onView, fail }) => {
       <div><${ChartOf} id=${`${name}-profile`} data=${line} caption="Profile along the line; draw another on the map." />
       <${ChartOf} id=${`${name}-histogram`} data=${histogram} caption="Heights of the map." /></div>
     </div>`}
-    ${view.fitness.length > 0 && html`<h3>May this map carry a verdict? ${view.map.is_blocked ? "Not yet." : "Yes."}</h3>
+    ${view.fitness.length > 0 && html`<h3 id=${`checks-${name}`}>May this map carry a verdict? ${view.map.is_blocked ? "Not yet." : "Yes."}</h3>
       <${Fitness} rows=${view.fitness} others=${attempt?.view?.fitness} attempt=${isFile && !attempt && tryRemedy} isFitting=${spec.surface[name]?.file?.fit === "auto"} />`}
     ${attempt && html`<section class="attempt" aria-label="A remedy">
       <h3>After <code>${attempt.words.replaceAll("`", "")}</code></h3>

@@ -51,6 +51,9 @@ pub trait Prepared: Send + Sync {
     /// The memory that it needs at its peak, bytes.
     fn memory(&self) -> u128;
 
+    /// The state of each of its files: when it was last written, and its size.
+    fn inputs(&self) -> Value;
+
     /// The stages that its analysis has, in their order.
     fn stages(&self) -> &'static [Stage];
 

@@ -11,7 +11,7 @@
 //! | `POST /api/open`, `/api/save`, `/api/text`, `/api/parse` | a spec on disk; the text of a spec, and back |
 //! | `POST /api/surface`, `/api/analyse`, `/api/report` | events: one surface, the contact, a report |
 //! | `POST /api/heights` | the heights of a map as numbers |
-//! | `POST /api/close` | forgets surfaces |
+//! | `POST /api/close`, `/api/inputs` | forgets surfaces; the state of the files of a spec |
 //! | `GET /KEY/PATH` | a file of a report, which has no rights |
 
 use std::path::PathBuf;
@@ -68,6 +68,7 @@ pub fn router(app: App) -> Router {
         .route("/api/analyse", post(analyse))
         .route("/api/report", post(report))
         .route("/api/close", post(close))
+        .route("/api/inputs", post(inputs))
         .route("/{key}/{*path}", get(of_report))
         .layer(DefaultBodyLimit::max(limits::REQUEST))
         .layer(middleware::from_fn_with_state(guard, guard::check))
@@ -274,6 +275,13 @@ async fn close(State(app): State<App>) -> Json<Value> {
     Json(json!({}))
 }
 
+/// The state of the files of a spec.
+async fn inputs(State(app): State<App>, Json(page): Json<PageSpec>) -> Result<Json<Value>, Refused> {
+    let text = page.text(&app)?;
+    let prepared = checked(&app, &text).await?;
+    Ok(Json(json!({ "inputs": prepared.inputs() })))
+}
+
 #[derive(Deserialize)]
 struct Wanted {
     #[serde(flatten)]
@@ -294,16 +302,18 @@ async fn analyse(
             if is_short && stage > Stage::Models {
                 break;
             }
+            let inputs = prepared.inputs();
             let run = || prepared.run(stage, watch);
             let found = if stage == Stage::Models { run() } else { app.background.install(run) }?;
-            tell(watch, stage, found);
+            tell(watch, stage, found, inputs);
         }
         Ok(())
     }))
 }
 
-fn tell(watch: &Watch, stage: Stage, found: Value) {
+fn tell(watch: &Watch, stage: Stage, mut found: Value, inputs: Value) {
     let elapsed = watch.elapsed().as_secs_f64();
+    found["inputs"] = inputs;
     watch.tell("results", &json!({ "stage": stage, "results": found, "elapsed_s": elapsed }));
 }
 

@@ -20,7 +20,7 @@ mod series;
 pub mod spec;
 
 pub use run::{each_surface, run as run_compare, run_within};
-pub use scope::{Extent, Scope};
+pub use scope::{Extent, Samplings, Scope};
 
 use std::path::PathBuf;
 

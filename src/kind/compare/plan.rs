@@ -15,6 +15,8 @@ use super::reference::ReferencePlan;
 use super::reference::plan::{ReferenceKeys, Resolved, reference};
 use super::spec::{CompareSpec, Models};
 use crate::study_plan::{SpotKeys, StudyKeys, StudyPlan};
+#[cfg(feature = "serve")]
+use crate::surface::SurfacePlan;
 
 /// Both models on given surfaces, and the reference beside them.
 pub struct ComparePlan {
@@ -57,6 +59,14 @@ impl ComparePlan {
     /// How closely the first realisation of its surfaces is looked at.
     pub fn depth(&self) -> AnalysisDepth {
         if self.described.is_some() { AnalysisDepth::Everything } else { AnalysisDepth::Comparison }
+    }
+
+    /// Whether something follows the intervals: other treatments of a measured map, or boundary elements.
+    #[cfg(feature = "serve")]
+    pub(crate) fn goes_on(&self) -> bool {
+        let is_treated =
+            self.is_robustness_examined && self.study.surfaces.iter().any(SurfacePlan::is_measured);
+        self.reference.is_some() || is_treated
     }
 
     /// What its models are run with.

@@ -218,10 +218,11 @@ impl<'a> Run<'a> {
         let models = self.models(&surface)?;
         let mut first = self.both_models(&surface, &models)?;
         let start = Instant::now();
-        let samplings = if scope.has_intervals() {
-            sampling(setup, &surface, &models, &first.cases)
-        } else {
-            vec![CaseSampling::default(); setup.laws.len()]
+        let find = || sampling(setup, &surface, &models, &first.cases);
+        let samplings = match scope.samplings {
+            _ if !scope.has_intervals() => vec![CaseSampling::default(); setup.laws.len()],
+            Some(known) => known.of(&plan.name, find),
+            None => find(),
         };
         differ(&mut first.cases, &samplings, setup.laws, &models);
         attribute(setup, &surface, &models, &mut first.cases, plan.is_one());
@@ -238,7 +239,11 @@ impl<'a> Run<'a> {
         let friction = layer.zip(compare.study.film.as_ref()).map_or_else(Vec::new, |(layer, film)| {
             film_friction(layer, film, setup, &surface, &models, &first)
         });
-        let decreases = decreases(setup.laws, &surface, &models, &first, self.counter);
+        let decreases = if scope.has_intervals() {
+            decreases(setup.laws, &surface, &models, &first, self.counter)
+        } else {
+            Vec::new()
+        };
         let heights = &models.population().heights;
         if *heights != Heights::GAUSSIAN {
             self.papers.extend(heights.papers());

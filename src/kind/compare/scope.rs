@@ -1,6 +1,9 @@
 //! How far a run of a comparison goes, for a program that shows results as they come.
 
-use asperity::compare::Controls;
+use std::sync::{Mutex, PoisonError};
+
+use asperity::compare::{CaseSampling, Controls};
+use indexmap::IndexMap;
 
 use crate::surface::{SurfacePlan, SurfaceStore};
 
@@ -23,14 +26,33 @@ pub struct Scope<'a> {
     pub extent: Extent,
     /// Surfaces of earlier runs.
     pub store: Option<&'a dyn SurfaceStore>,
+    /// Sampling errors that a shorter run of the same spec has found.
+    pub samplings: Option<&'a Samplings>,
     /// The most cases of which each has a picture of its contacts.
     pub pictures: usize,
+}
+
+/// The sampling errors of the cases of each surface, between the runs of one spec.
+#[derive(Default)]
+pub struct Samplings(Mutex<IndexMap<String, Vec<CaseSampling>>>);
+
+impl Samplings {
+    /// Those of a surface, or what `find` finds, which is kept.
+    pub(super) fn of(&self, surface: &str, find: impl FnOnce() -> Vec<CaseSampling>) -> Vec<CaseSampling> {
+        let all = || self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let known = all().get(surface).cloned();
+        known.unwrap_or_else(|| {
+            let found = find();
+            all().insert(surface.to_owned(), found.clone());
+            found
+        })
+    }
 }
 
 impl Default for Scope<'_> {
     /// A whole run by itself; of one case there is a picture.
     fn default() -> Self {
-        Self { extent: Extent::Everything, store: None, pictures: 1 }
+        Self { extent: Extent::Everything, store: None, samplings: None, pictures: 1 }
     }
 }
 
@@ -50,7 +72,7 @@ impl Scope<'_> {
 }
 
 /// At most so many points of a sweep where the models alone are run.
-const FEW: usize = 25;
+const FEW: usize = 11;
 
 /// At most [`FEW`] points of each sweep, its ends among them.
 pub fn thinned(controls: &Controls) -> Controls {

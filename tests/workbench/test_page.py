@@ -1,0 +1,502 @@
+"""The workbench as a person uses it, in a headless Chromium."""
+
+import json
+import os
+import pathlib
+import re
+import shutil
+import signal
+import struct
+import subprocess
+
+import pytest
+from axe_playwright_python.sync_playwright import Axe
+from playwright.sync_api import expect, sync_playwright
+
+from conftest import PROGRAM
+
+ROOT = pathlib.Path(__file__).parents[2]
+SURFACES = ROOT / "experiments" / "surfaces"
+COMPLETE = "Complete after"
+# A computation of the example, on a busy machine.
+LONG = 60_000
+
+POPULATION = {
+    "title": "A population",
+    "material": {"steel": {"from": "steel-100Cr6"}},
+    "compare": {"rough": "steel", "flat": "steel", "law": "zmc", "separation": {"from": 3, "to": 0, "points": 11}},
+    "surface": {"a": {"population": {"radius": "20 um", "sigma": "48 nm", "density": "6e10 /m^2", "count": 1000}}},
+}
+
+
+@pytest.fixture(scope="module")
+def browser():
+    program = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=program, args=["--no-sandbox"])
+        yield browser
+        browser.close()
+
+
+@pytest.fixture
+def visit(browser):
+    """Opens an address; the page may report no error that the test does not expect."""
+    contexts, errors = [], []
+
+    def opened(address, width=1280, height=900, expected=(), **options):
+        context = browser.new_context(viewport={"width": width, "height": height}, permissions=["clipboard-read", "clipboard-write"], **options)
+        context.set_default_timeout(LONG)
+        contexts.append(context)
+        page = context.new_page()
+        page.on("pageerror", lambda error: errors.append(str(error)))
+        page.on("console", lambda message: errors.append(message.text) if message.type in ("error", "warning") and not any(text in message.text for text in expected) else None)
+        page.goto(address)
+        return page
+
+    yield opened
+    for context in contexts:
+        context.close()
+    assert not errors, errors
+
+
+REFUSED = ("422",)
+GONE = ("ERR_CONNECTION_REFUSED", "ERR_INCOMPLETE_CHUNKED_ENCODING", "ERR_CONNECTION_RESET", "ERR_EMPTY_RESPONSE")
+
+
+def key(page, *path):
+    """The control of a key."""
+    name = "-".join(path)
+    return page.locator(f'[id="key-{re.sub(r"[^A-Za-z0-9_-]", "-", name)}"]')
+
+
+def put(page, value, *path):
+    key(page, *path).fill(value)
+    key(page, *path).press("Enter")
+
+
+def complete(page):
+    """Waits for the end of a computation that has begun."""
+    page.wait_for_timeout(100)
+    expect(page.locator(".status")).to_contain_text(COMPLETE, timeout=LONG)
+    assert page.locator(".results.outdated").count() == 0
+
+
+def population(server, **changes):
+    spec = json.loads(json.dumps(POPULATION))
+    spec["surface"]["a"]["population"].update(changes)
+    return spec
+
+
+def save(server, spec, name):
+    answer = server.post("/api/save", {"spec": spec, "folder": "", "name": name})
+    assert answer.status == 200, answer.text
+
+
+def open_spec(page, title):
+    page.get_by_role("button", name=title, exact=True).click()
+
+
+def card(page, label):
+    return page.locator(".card div", has=page.locator("dt", has_text=label)).first.locator("dd").inner_text()
+
+
+def area(page):
+    """The contact area of the first card as a share of the nominal area."""
+    found = re.search(r"on ([\d.]+) (mm|µm)² .*?: ([\d.]+) (mm|µm)²", card(page, "Result at"))
+    unit = {"mm": 1e-6, "µm": 1e-12}
+    return float(found[3]) * unit[found[4]] / (float(found[1]) * unit[found[2]])
+
+
+def test_whoever_has_nothing_opens_the_example_and_its_address_brings_it_back(server, visit):
+    page = visit(server.address)
+    page.get_by_role("button", name="Open the example").click()
+    expect(page.locator(".card")).to_contain_text("Result at the middle admissible load")
+    complete(page)
+    assert "No" in card(page, "May the integral") or "no" in card(page, "May the integral")
+    page.locator(".heights canvas").wait_for()
+    assert "24,714 asperities" in page.locator(".surface").inner_text()
+    put(page, "3 um", "surface", "fine-finish", "file", "filter", "s")
+    complete(page)
+    before = card(page, "Result at")
+    other = page.context.new_page()
+    other.set_default_timeout(LONG)
+    other.goto(page.url)
+    complete(other)
+    assert card(other, "Result at") == before
+    assert key(other, "surface", "fine-finish", "file", "filter", "s").input_value() == "3 um"
+
+
+def x3p():
+    return SURFACES / "x3p-2.x3p"
+
+
+def height_at(x, y):
+    return 1e-7 * ((7 * x * x + 3 * y + 5 * x * y) % 11) + 1e-9 * ((x * 31 + y * 17) % 97)
+
+
+def text_of_heights(folder):
+    path = folder / "heights.txt"
+    rows = [[height_at(x, y) for x in range(24)] for y in range(20)]
+    path.write_text("\n".join(" ".join(f"{height:.6e}" for height in row) for row in rows))
+    return path
+
+
+def points(folder):
+    path = folder / "points.xyz"
+    heights = ((x, y, height_at(x, y)) for x in range(24) for y in range(20))
+    path.write_text("\n".join(f"{1e-6 * x:.6e} {1e-6 * y:.6e} {z:.6e}" for x, y, z in heights))
+    return path
+
+
+def asperities(folder):
+    path = folder / "peaks.csv"
+    path.write_text("height,radius\n" + "".join(f"{1e-8 * ((13 * k) % 17)},{1e-5 * (1 + k % 3)}\n" for k in range(60)))
+    return path
+
+
+@pytest.mark.parametrize("made", ["npy", "x3p", "txt", "xyz", "csv"])
+def test_each_format_that_is_dropped_is_read_and_what_it_lacks_is_asked_for(server, visit, tmp_path, made):
+    files = {"npy": lambda: SURFACES / "al3d-1.npy", "x3p": x3p, "txt": lambda: text_of_heights(tmp_path), "xyz": lambda: points(tmp_path), "csv": lambda: asperities(tmp_path)}
+    path = files[made]()
+    page = visit(server.address)
+    page.locator("input[type=file]").set_input_files(path)
+    form = page.locator(".waits form")
+    if made in ("npy", "txt"):
+        form.locator("input[name=pixel]").fill("0.5 um")
+    if made == "csv":
+        form.locator("input[name=nominal-area]").fill("0.01 mm^2")
+    if made != "x3p":
+        form.get_by_role("button", name="Use").click()
+    complete(page)
+    expect(page.locator(".surface h2")).to_contain_text(f"Surface {path.stem}")
+    assert (server.folder / "uploads" / path.name).read_bytes() == path.read_bytes()
+    if made != "csv":
+        expect(page.locator(".surface .size")).to_contain_text("points")
+
+
+def test_a_file_that_is_no_map_is_refused_with_the_reason(server, visit, tmp_path):
+    page = visit(server.address, expected=REFUSED)
+    path = tmp_path / "<img src=x onerror=alert(1)>.npy"
+    path.write_bytes(b"\x93NUMPY\x01\x00nothing")
+    page.locator("input[type=file]").set_input_files(path)
+    expect(page.locator(".message")).to_contain_text("img src=x")
+    assert page.locator(".message img").count() == 0
+
+
+def spiked(folder):
+    """The fine finish, cut, with three spikes."""
+    data = bytearray((SURFACES / "opd-1.npy").read_bytes())
+    begin = 10 + struct.unpack("<H", data[8:10])[0]
+    size = 8 if b"f8" in data[:begin] else 4
+    code = {8: "<d", 4: "<f"}[size]
+    for place, height in ((20_000, 2.0e-6), (60_000, 1.7e-6), (100_000, 2.3e-6)):
+        data[begin + size * place : begin + size * (place + 1)] = struct.pack(code, height)
+    path = folder / "spiked.npy"
+    path.write_bytes(data)
+    return path
+
+
+def test_a_spiked_map_is_remedied_by_a_button(server, visit, tmp_path):
+    page = visit(server.address)
+    page.locator("input[type=file]").set_input_files(spiked(tmp_path))
+    page.locator("input[name=pixel]").fill("0.1967 um")
+    page.get_by_role("button", name="Use").click()
+    expect(page.locator(".blocked")).to_contain_text("fails a check")
+    page.get_by_role("button", name='Try outliers = "remove"').click()
+    attempt = page.locator(".attempt")
+    expect(attempt).to_contain_text("The map passes")
+    assert attempt.locator(".heights canvas").count() == 2
+    assert page.locator(".surface td", has_text="(passed)").count() >= 1
+    attempt.get_by_role("button", name="Apply").click()
+    complete(page)
+    expect(page.locator(".blocked")).to_have_count(0)
+    assert key(page, "surface", "spiked", "file", "outliers").input_value() == "remove"
+    page.get_by_role("button", name="Undo").click()
+    expect(page.locator(".blocked")).to_contain_text("fails a check")
+
+
+def test_the_coating_thickness_at_which_the_area_halves_is_found_with_a_slider(server, visit):
+    spec = json.loads(json.dumps(POPULATION))
+    spec["material"]["polymer"] = {"young": "3 GPa", "poisson": 0.4, "hardness": "0.2 GPa"}
+    spec["compare"].update(rough="steel", flat="polymer", pressure="1 MPa")
+    save(server, spec, "polymer")
+    page = visit(server.address)
+    open_spec(page, "A population")
+    complete(page)
+    bare = area(page)
+    key(page, "compare", "layer", "material").select_option("coating-DLC")
+    complete(page)
+    slider = page.get_by_label("Thickness, slider")
+    low, high = (float(slider.get_attribute(end)) for end in ("min", "max"))
+    for _ in range(14):
+        middle = (low + high) / 2
+        slider.evaluate("(one, value) => { one.value = value; one.dispatchEvent(new Event('input', { bubbles: true })); }", middle)
+        complete(page)
+        low, high = (middle, high) if area(page) > bare / 2 else (low, middle)
+    assert abs(area(page) / bare - 0.5) < 0.03
+    thickness = key(page, "compare", "layer", "thickness").input_value()
+    assert re.fullmatch(r"[\d.]+ (nm|um)", thickness), thickness
+
+
+def test_a_report_has_the_bytes_of_experiment_run(server, visit, tmp_path):
+    page = visit(server.address)
+    page.get_by_role("button", name="Open the example").click()
+    complete(page)
+    put(page, "2.5 um", "surface", "fine-finish", "file", "filter", "s")
+    complete(page)
+    page.get_by_role("button", name="Write report").click()
+    page.get_by_label("Name").fill("mine")
+    page.get_by_role("button", name="Write", exact=True).click()
+    expect(page.locator("dialog")).to_contain_text("The report is written", timeout=LONG)
+    again = tmp_path / "again"
+    subprocess.run([PROGRAM, "run", "mine.toml", "--out", str(again), "--quiet"], cwd=server.folder / "example", check=True)
+    written = {path.name: path.read_bytes() for path in (server.folder / "reports" / "mine").iterdir()}
+    own = {path.name: path.read_bytes() for path in (again / "mine").iterdir()}
+    assert written.keys() == own.keys()
+    timed = {"timing.json", "manifest.json"}
+    assert not [name for name in own if name not in timed and written[name] != own[name]]
+    # The page that it leads to is shown.
+    with page.context.expect_page() as opened:
+        page.locator("dialog a").click()
+    expect(opened.value.locator(".card")).to_contain_text("May the integral replace the sum?")
+
+
+def test_errors_stand_at_their_controls_and_can_be_undone(server, visit):
+    save(server, POPULATION, "population")
+    page = visit(server.address, expected=REFUSED)
+    open_spec(page, "A population")
+    complete(page)
+    put(page, "3 parsecs", "surface", "a", "population", "sigma")
+    row = page.locator(".row", has=key(page, "surface", "a", "population", "sigma"))
+    expect(row.locator(".error")).to_contain_text("found \"3 parsecs\"; allowed")
+    assert key(page, "surface", "a", "population", "sigma").get_attribute("aria-invalid") == "true"
+    assert page.locator(".results.outdated").count() == 1
+    page.get_by_role("button", name="Undo").click()
+    complete(page)
+    assert page.locator(".row .error").count() == 0
+    page.get_by_role("button", name="Redo").click()
+    expect(row.locator(".error")).to_contain_text("parsecs")
+
+
+def test_up_to_eight_states_are_kept_and_laid_over_each_other(server, visit):
+    save(server, POPULATION, "population")
+    page = visit(server.address)
+    open_spec(page, "A population")
+    complete(page)
+    for number in range(8):
+        put(page, f"{40 + number} nm", "surface", "a", "population", "sigma")
+        complete(page)
+        page.get_by_role("button", name="Keep").click()
+    assert page.get_by_role("button", name="Keep").is_disabled()
+    rows = page.locator(".kept tbody tr")
+    expect(rows).to_have_count(8)
+    expect(rows.nth(7)).to_contain_text("contacts")
+    page.reload()
+    expect(rows).to_have_count(8)
+    expect(rows.nth(7)).to_contain_text("contacts")
+    expect(page.locator("#kept .names button")).to_have_count(16)
+    rows.nth(0).get_by_role("button", name="Restore").click()
+    complete(page)
+    assert key(page, "surface", "a", "population", "sigma").input_value() == "40 nm"
+
+
+def test_a_spec_is_saved_changed_as_text_and_never_overwritten_unasked(server, visit):
+    save(server, POPULATION, "population")
+    page = visit(server.address, expected=REFUSED)
+    open_spec(page, "A population")
+    complete(page)
+    page.get_by_role("button", name="Spec …", exact=True).click()
+    text = page.get_by_label("Spec", exact=True)
+    text.fill(text.input_value().replace("48 nm", "60 nm"))
+    page.get_by_role("button", name="Apply").click()
+    complete(page)
+    assert key(page, "surface", "a", "population", "sigma").input_value() == "60 nm"
+    (server.folder / "population.toml").write_text("title = \"changed by another program\"\n")
+    page.get_by_role("button", name="Save spec").click()
+    page.get_by_role("button", name="Save", exact=True).click()
+    expect(page.locator("dialog .error")).to_contain_text("not the one this page has read")
+    page.get_by_label("Name").fill("other")
+    page.get_by_role("button", name="Save", exact=True).click()
+    expect(page.locator("dialog")).to_contain_text("Saved as other.toml")
+    assert '"60 nm"' in (server.folder / "other.toml").read_text()
+    assert "another program" in (server.folder / "population.toml").read_text()
+
+
+def test_python_of_a_state_runs_it(server, visit):
+    save(server, POPULATION, "population")
+    page = visit(server.address)
+    open_spec(page, "A population")
+    page.get_by_role("button", name="Copy Python").click()
+    expect(page.locator(".message")).to_contain_text("copied")
+    text = page.evaluate("navigator.clipboard.readText()")
+    scope = {}
+    exec(re.search(r"spec = .*?^}", text, re.S | re.M)[0], scope)  # noqa: S102 (what the page copies)
+    assert scope["spec"] == POPULATION
+    assert "asperity.run(spec)" in text
+
+
+def test_long_work_is_shown_and_cancelled_and_goes_on(server, visit):
+    page = visit(server.address)
+    page.get_by_role("button", name="Open the example").click()
+    page.get_by_role("button", name="Run boundary elements").click()
+    page.get_by_role("progressbar").wait_for()
+    page.get_by_role("button", name="Cancel").click()
+    expect(page.locator(".status")).to_contain_text("Cancelled")
+    page.get_by_role("button", name="Continue").click()
+    expect(page.get_by_role("progressbar")).to_be_visible()
+
+
+def test_a_thousand_changes_in_a_row(server, visit):
+    save(server, POPULATION, "population")
+    page = visit(server.address)
+    open_spec(page, "A population")
+    complete(page)
+    slider = page.get_by_label("sigma, slider")
+    ends = [float(slider.get_attribute(end)) for end in ("min", "max")]
+    slider.evaluate(
+        """async (one, [low, high]) => {
+            for (let k = 0; k < 1000; k++) {
+                one.value = low + (high - low) * (0.5 + 0.3 * Math.sin(k / 7));
+                one.dispatchEvent(new Event("input", { bubbles: true }));
+                await new Promise(resolve => setTimeout(resolve, 8));
+            }
+        }""",
+        ends,
+    )
+    complete(page)
+    sigma = key(page, "surface", "a", "population", "sigma").input_value()
+    fresh = page.context.new_page()
+    fresh.goto(page.url)
+    complete(fresh)
+    assert card(fresh, "Result at") == card(page, "Result at")
+    assert key(fresh, "surface", "a", "population", "sigma").input_value() == sigma
+
+
+def test_eight_tabs_at_once(server, visit):
+    save(server, population(server, count=20_000), "population")
+    first = visit(server.address)
+    open_spec(first, "A population")
+    complete(first)
+    pages = [first.context.new_page() for _ in range(7)]
+    for page in pages:
+        page.goto(first.url)
+    for number, page in enumerate(pages):
+        complete(page)
+        put(page, f"{30 + number} nm", "surface", "a", "population", "sigma")
+    for page in pages:
+        complete(page)
+    assert len({card(page, "Result at") for page in pages}) == 7
+
+
+def test_a_file_that_changes_or_vanishes(server, visit, tmp_path):
+    page = visit(server.address, expected=REFUSED)
+    page.locator("input[type=file]").set_input_files(points(tmp_path))
+    page.get_by_role("button", name="Use").click()
+    complete(page)
+    before = card(page, "Result at")
+    path = server.folder / "uploads" / "points.xyz"
+    text = path.read_text()
+    path.write_text(text.replace("e-07\n", "e-08\n"))
+    page.evaluate("dispatchEvent(new Event('focus'))")
+    expect(page.locator(".message")).to_contain_text("changed on disk")
+    complete(page)
+    assert card(page, "Result at") != before
+    path.unlink()
+    put(page, "2 um", "surface", "points", "file", "filter", "s")
+    expect(page.locator(".row .error").first).to_contain_text("points.xyz")
+    path.write_text(text)
+    put(page, "", "surface", "points", "file", "filter", "s")
+    complete(page)
+    assert card(page, "Result at") == before
+
+
+def test_a_server_that_is_killed_and_started_again(server, visit):
+    save(server, POPULATION, "population")
+    page = visit(server.address, expected=GONE)
+    open_spec(page, "A population")
+    complete(page)
+    before = card(page, "Result at")
+    server.end(signal.SIGKILL)
+    put(page, "60 nm", "surface", "a", "population", "sigma")
+    expect(page.locator(".status")).to_contain_text("experiment serve")
+    server.start()
+    put(page, "48 nm", "surface", "a", "population", "sigma")
+    complete(page)
+    assert card(page, "Result at") == before
+
+
+def test_several_surfaces_stand_side_by_side(server, visit, tmp_path):
+    page = visit(server.address)
+    page.locator("input[type=file]").set_input_files(points(tmp_path))
+    page.get_by_role("button", name="Use").click()
+    complete(page)
+    page.locator("input[type=file]").set_input_files(text_of_heights(tmp_path))
+    page.get_by_role("button", name="Put it beside").click()
+    page.locator("input[name=pixel]").fill("1 um")
+    page.get_by_role("button", name="Use").click()
+    complete(page)
+    expect(page.locator(".heights canvas")).to_have_count(2)
+    expect(page.locator(".case")).to_have_count(2)
+    page.get_by_role("button", name="Remove heights").click()
+    complete(page)
+    expect(page.locator(".heights canvas")).to_have_count(1)
+
+
+def test_a_profile_follows_the_line(server, visit, tmp_path):
+    page = visit(server.address)
+    page.locator("input[type=file]").set_input_files(points(tmp_path))
+    page.get_by_role("button", name="Use").click()
+    complete(page)
+    canvas = page.locator(".heights canvas")
+    canvas.scroll_into_view_if_needed()
+    box = canvas.bounding_box()
+    before = page.locator(".heights line").get_attribute("x1")
+    page.mouse.move(box["x"] + 0.2 * box["width"], box["y"] + 0.2 * box["height"])
+    page.mouse.down()
+    page.mouse.move(box["x"] + 0.8 * box["width"], box["y"] + 0.6 * box["height"])
+    page.mouse.up()
+    line = page.locator(".heights line")
+    assert float(line.get_attribute("x1")) == pytest.approx(0.2, abs=0.02) != float(before)
+    canvas.focus()
+    canvas.press("r")
+    canvas.press("ArrowRight")
+    assert line.get_attribute("x1") == line.get_attribute("x2")
+
+
+@pytest.mark.parametrize("width", [1280, 400])
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_everyone_can_use_it(server, visit, width, scheme):
+    """No serious fault by axe, no page wider than the screen, controls reached by the keyboard, the card heard."""
+    save(server, POPULATION, "population")
+    page = visit(server.address, width=width, color_scheme=scheme)
+    page.locator(".entries").wait_for()
+
+    def check():
+        found = Axe().run(page).response["violations"]
+        serious = [(one["id"], one["nodes"][0]["html"][:200]) for one in found if one["impact"] in ("serious", "critical")]
+        assert not serious, serious
+        assert page.evaluate("document.documentElement.scrollWidth") <= width
+
+    check()
+    entry = page.get_by_role("button", name="A population", exact=True)
+    entry.focus()
+    page.keyboard.press("Enter")
+    complete(page)
+    page.evaluate("document.querySelectorAll('.group').forEach(group => { group.open = true; })")
+    check()
+    heard = page.locator(".heard").inner_text()
+    assert "May the integral replace the sum?" in heard and card(page, "Result at").split(":")[0] in heard
+    control = key(page, "surface", "a", "population", "sigma")
+    control.focus()
+    for _ in range(2):
+        page.keyboard.press("Tab")
+        if page.evaluate("document.activeElement.type") == "range":
+            break
+    before = control.input_value()
+    page.keyboard.press("ArrowRight")
+    complete(page)
+    assert control.input_value() != before
+    help_ = page.get_by_role("button", name="Explain sigma")
+    help_.focus()
+    page.keyboard.press("Enter")
+    expect(page.locator(".explanation:popover-open")).to_contain_text("surface.a.population.sigma")
