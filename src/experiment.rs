@@ -83,6 +83,18 @@ impl Experiment {
         Self::read_spec(path, true)
     }
 
+    /// The same, whose files must lie in the folder `root` (an absolute path without links).
+    ///
+    /// # Errors
+    /// As [`Self::read`].
+    #[cfg(feature = "serve")]
+    pub(crate) fn read_confined(path: &Path, root: &Path) -> Result<Self, InputError> {
+        let text = std::fs::read_to_string(path)
+            .map_err(|error| InputError::file(path, format!("cannot be read: {error}")))?;
+        let source = Source::file(path, text).confined_to(root);
+        Self::of_spec(SpecFile::parse(source, &tables())?, stem_of(path)?, false)
+    }
+
     fn read_spec(path: &Path, huge: bool) -> Result<Self, InputError> {
         Self::of_spec(SpecFile::read(path, &tables())?, stem_of(path)?, huge)
     }

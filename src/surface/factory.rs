@@ -103,7 +103,8 @@ impl<'a> SurfaceFactory<'a> {
             self.counter.add(Item::Surfaces, 1);
             return Ok(Surface { realisations: self.plan.realisations, ..surface });
         };
-        if let Some(stored) = store.get(self.plan) {
+        let identity = store.identity(self.plan);
+        if let Some(stored) = store.get(&identity) {
             self.raw.clone_from(&stored.raw);
             (self.fitted, self.bandwidth) = (stored.fitted, stored.bandwidth);
             return Ok(stored.surface.clone());
@@ -112,7 +113,10 @@ impl<'a> SurfaceFactory<'a> {
         let surface = self.one(realisation, AnalysisDepth::Everything, files, timing)?;
         self.counter.add(Item::Surfaces, 1);
         let surface = Surface { realisations: self.plan.realisations, ..surface };
-        store.put(self.plan, self.stored(surface.clone()));
+        // What was read of a file that changed meanwhile is of neither state.
+        if store.identity(self.plan) == identity {
+            store.put(identity, self.stored(surface.clone()));
+        }
         Ok(surface)
     }
 

@@ -7,14 +7,16 @@ use asperity::topography::Rows;
 
 use super::plan::SurfacePlan;
 
-/// Keeps the first realisations of surfaces. What stands for a surface must hold everything that it is made of: its keys, the seed, and
-/// the state of its files.
+/// Keeps the first realisations of surfaces.
 pub trait SurfaceStore: Sync {
-    /// The surface of a plan, if it was made before.
-    fn get(&self, plan: &SurfacePlan) -> Option<Arc<StoredSurface>>;
+    /// Everything that a surface is made of: its keys, the seed, and the present state of its files.
+    fn identity(&self, plan: &SurfacePlan) -> String;
 
-    /// Keeps the surface of a plan.
-    fn put(&self, plan: &SurfacePlan, made: StoredSurface);
+    /// The surface of this identity, if it was made before.
+    fn get(&self, identity: &str) -> Option<Arc<StoredSurface>>;
+
+    /// Keeps a surface.
+    fn put(&self, identity: String, made: StoredSurface);
 }
 
 /// A surface with what other runs need of how it was made.

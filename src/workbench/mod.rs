@@ -19,7 +19,7 @@ use std::sync::Arc;
 
 use asperity_contact_framework::folder as report_folder;
 use asperity_contact_framework::input::{InputError, Source};
-use asperity_contact_framework::progress::{Progress, Silent};
+use asperity_contact_framework::progress::Progress;
 use asperity_contact_framework::report::store::Store;
 use asperity_workbench::engine::Heights;
 use asperity_workbench::{Engine, Example, Prepared, Refused, SpecText};
@@ -74,17 +74,29 @@ impl Engine for Workbench {
         Ok(view::surface(&surface.surface))
     }
 
-    fn heights(&self, spec: &SpecText, name: &str, most: usize) -> Result<Heights, Refused> {
-        let surface = self.surfaces.surface(spec, name, &Silent)?;
+    fn heights(
+        &self,
+        spec: &SpecText,
+        name: &str,
+        most: usize,
+        progress: &dyn Progress,
+    ) -> Result<Heights, Refused> {
+        let surface = self.surfaces.surface(spec, name, progress)?;
         let prepared = surface.surface.prepared.as_ref();
         let map = prepared.ok_or_else(|| Refused::new(format!("{name}: found no height map")))?;
         Ok(view::heights(&map.map, most))
     }
 
-    fn report(&self, path: &Path, out: &Path, progress: &dyn Progress) -> Result<String, Refused> {
+    fn report(
+        &self,
+        path: &Path,
+        root: &Path,
+        out: &Path,
+        progress: &dyn Progress,
+    ) -> Result<String, Refused> {
         let input = |error: InputError| Refused::new(error.to_string());
         let failed = |error: &dyn std::fmt::Display| Refused::new(error.to_string());
-        let experiment = Experiment::read(path).map_err(input)?;
+        let experiment = Experiment::read_confined(path, root).map_err(input)?;
         let key = experiment.key().map_err(input)?;
         let mut store = Store::new(out);
         store.recover().map_err(|error| failed(&error))?;

@@ -73,7 +73,8 @@ impl Surfaces {
         let found = plans.iter().find(|plan| plan.name == name);
         let plan = found.ok_or_else(|| Refused::new(format!("found no surface \"{name}\" in the spec")))?;
         let of_spec = OfSpec::new(self, spec);
-        if let Some(kept) = of_spec.get(plan) {
+        let identity = of_spec.identity(plan);
+        if let Some(kept) = of_spec.get(&identity) {
             return Ok(kept);
         }
         let counter = Counter::default();
@@ -81,8 +82,7 @@ impl Surfaces {
         let mut factory = SurfaceFactory::from_seed(plan, &file.source, file.seed, &counter, progress)
             .with_store(Some(&of_spec));
         let surface = factory.make(1, AnalysisDepth::Everything, &mut files, &mut timing).map_err(refuse)?;
-        // One that is too large to be kept is made once more when it is asked for again.
-        Ok(of_spec.get(plan).unwrap_or_else(|| Arc::new(factory.stored(surface))))
+        Ok(of_spec.get(&identity).unwrap_or_else(|| Arc::new(factory.stored(surface))))
     }
 }
 
@@ -97,25 +97,26 @@ impl<'a> OfSpec<'a> {
     pub fn new(all: &'a Surfaces, spec: &SpecText) -> Self {
         Self { all, folder: spec.folder.clone(), table: spec.text.parse().unwrap_or_default() }
     }
-
-    /// Everything that a surface is made of: its keys (of a pair those of all), the seed, and the state of its files.
-    fn identity(&self, plan: &SurfacePlan) -> String {
-        let all = self.table.get("surface");
-        let keys =
-            if plan.is_pair() || plan.is_composite() { all } else { all.and_then(|all| all.get(&plan.name)) };
-        let seed = self.table.get("seed");
-        let files: Vec<_> = plan.inputs().iter().map(|path| state(path)).collect();
-        format!("{}|{}|{}|{seed:?}|{keys:?}|{files:?}", self.folder.display(), plan.name, plan.has_ellipses())
-    }
 }
 
 impl SurfaceStore for OfSpec<'_> {
-    fn get(&self, plan: &SurfacePlan) -> Option<Arc<StoredSurface>> {
-        self.all.get(&self.identity(plan))
+    /// Of a pair the keys of all surfaces.
+    fn identity(&self, plan: &SurfacePlan) -> String {
+        let all = self.table.get("surface");
+        let is_of_several = plan.is_pair() || plan.is_composite();
+        let keys = if is_of_several { all } else { all.and_then(|all| all.get(&plan.name)) };
+        let seed = self.table.get("seed");
+        let files: Vec<_> = plan.inputs().iter().map(|path| state(path)).collect();
+        let (folder, name) = (self.folder.display(), &plan.name);
+        format!("{folder}|{name}|{}|{seed:?}|{keys:?}|{files:?}", plan.has_ellipses())
     }
 
-    fn put(&self, plan: &SurfacePlan, made: StoredSurface) {
-        self.all.put(self.identity(plan), Arc::new(made));
+    fn get(&self, identity: &str) -> Option<Arc<StoredSurface>> {
+        self.all.get(identity)
+    }
+
+    fn put(&self, identity: String, made: StoredSurface) {
+        self.all.put(identity, Arc::new(made));
     }
 }
 

@@ -168,14 +168,8 @@ impl Drop for Listening {
     }
 }
 
-/// The answer to a request whose `work` takes a while: events `progress`, those that it tells, and at last `done` or `error`. It waits
-/// for its memory, `bytes`, first.
-pub fn answer(
-    budget: Arc<Budget>,
-    bytes: u128,
-    work: impl FnOnce(&Watch) -> Result<(), Refused> + Send + 'static,
-) -> Response {
-    let (events, receiver) = unbounded_channel();
+/// Work that is watched, and what ends it when it is dropped.
+fn watched(events: UnboundedSender<Event>) -> (Watch, Listening) {
     let is_unwanted = Arc::new(AtomicBool::new(false));
     let listening = Listening(Arc::clone(&is_unwanted));
     let watch = Watch {
@@ -186,16 +180,33 @@ pub fn answer(
         told: AtomicU64::new(0),
         state: Mutex::default(),
     };
+    (watch, listening)
+}
+
+/// What work comes to, which keeps its memory as long as it lasts.
+fn outcome<T>(
+    watch: &Watch,
+    permit: OwnedSemaphorePermit,
+    work: impl FnOnce(&Watch) -> Result<T, Refused>,
+) -> Result<T, Refused> {
+    let _permit = permit;
+    catch_unwind(AssertUnwindSafe(|| work(watch))).unwrap_or_else(|cause| Err(ended(&*cause)))
+}
+
+/// The answer to a request whose `work` takes a while: events `progress`, those that it tells, and at last `done` or `error`. It waits
+/// for its memory, `bytes`, first.
+pub fn answer(
+    budget: Arc<Budget>,
+    bytes: u128,
+    work: impl FnOnce(&Watch) -> Result<(), Refused> + Send + 'static,
+) -> Response {
+    let (events, receiver) = unbounded_channel();
+    let (watch, listening) = watched(events.clone());
     tokio::spawn(async move {
         let taken = budget.take(bytes).await;
         // A thread that is not one of the server's: it lasts as long as its work.
         tokio::task::spawn_blocking(move || {
-            let events = watch.events.clone();
-            let done = taken.and_then(|permit| {
-                let _permit = permit;
-                catch_unwind(AssertUnwindSafe(|| work(&watch))).unwrap_or_else(|cause| Err(ended(&*cause)))
-            });
-            let last = match done {
+            let last = match taken.and_then(|permit| outcome(&watch, permit, work)) {
                 Ok(()) => Event::default().event("done").data("{}"),
                 Err(refused) => Event::default().event("error").data(json!(refused).to_string()),
             };
@@ -207,6 +218,21 @@ pub fn answer(
         Some((Ok::<Event, Infallible>(event), (receiver, listening)))
     });
     Sse::new(events).keep_alive(KeepAlive::default()).into_response()
+}
+
+/// What `work` gives, which ends where its request does.
+///
+/// # Errors
+/// Those of the work; work that was cancelled, failed, or needs more memory than there is.
+pub async fn value<T: Send + 'static>(
+    budget: Arc<Budget>,
+    bytes: u128,
+    work: impl FnOnce(&Watch) -> Result<T, Refused> + Send + 'static,
+) -> Result<T, Refused> {
+    let (watch, _listening) = watched(unbounded_channel().0);
+    let permit = budget.take(bytes).await?;
+    let done = tokio::task::spawn_blocking(move || outcome(&watch, permit, work)).await;
+    done.unwrap_or_else(|error| Err(Refused::new(error.to_string())))
 }
 
 /// What a page says of work that did not come to its end.
@@ -222,5 +248,48 @@ fn ended(cause: &(dyn Any + Send)) -> Refused {
             let text = text.or_else(|| cause.downcast_ref::<&str>().copied()).unwrap_or("unknown");
             Refused::new(format!("internal error, please report it with the spec: {text}"))
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn watch(longest: Duration) -> Watch {
+        Watch {
+            is_unwanted: Arc::default(),
+            start: Instant::now(),
+            longest,
+            events: unbounded_channel().0,
+            told: AtomicU64::new(0),
+            state: Mutex::default(),
+        }
+    }
+
+    #[test]
+    fn work_ends_at_its_limit_of_time_and_says_so() {
+        let cause = catch_unwind(AssertUnwindSafe(|| watch(Duration::ZERO).advance(1.0))).unwrap_err();
+        let refused = ended(&*cause);
+        assert!(
+            refused.message.contains("longer than 30 min") && refused.message.contains("experiment run"),
+            "{refused}"
+        );
+        watch(Duration::from_secs(60)).advance(1.0);
+    }
+
+    #[test]
+    fn analyses_share_their_memory_and_wait_for_each_other() {
+        let runtime = tokio::runtime::Builder::new_current_thread().enable_time().build().unwrap();
+        runtime.block_on(async {
+            let budget = Budget::new(10 * UNIT);
+            let soon =
+                |bytes: u64| tokio::time::timeout(Duration::from_millis(20), budget.take(u128::from(bytes)));
+            let first = soon(6 * UNIT).await.unwrap().unwrap();
+            assert!(soon(6 * UNIT).await.is_err(), "6 of 10 are taken");
+            drop(soon(4 * UNIT).await.unwrap().unwrap());
+            drop(first);
+            assert!(soon(10 * UNIT).await.is_ok());
+            assert!(soon(10 * UNIT + 1).await.unwrap().is_err(), "there are never so many");
+        });
     }
 }

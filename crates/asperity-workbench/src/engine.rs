@@ -103,13 +103,25 @@ pub trait Engine: Send + Sync + 'static {
     ///
     /// # Errors
     /// Why it cannot be made, or has no map.
-    fn heights(&self, spec: &SpecText, name: &str, most: usize) -> Result<Heights, Refused>;
+    fn heights(
+        &self,
+        spec: &SpecText,
+        name: &str,
+        most: usize,
+        progress: &dyn Progress,
+    ) -> Result<Heights, Refused>;
 
-    /// Runs the spec at `path` and writes its report into `out`; gives the name of its folder.
+    /// Runs the spec at `path`, whose files must lie in `root`, and writes its report into `out`; gives the name of its folder.
     ///
     /// # Errors
     /// Why it did not run, or could not be written.
-    fn report(&self, path: &Path, out: &Path, progress: &dyn Progress) -> Result<String, Refused>;
+    fn report(
+        &self,
+        path: &Path,
+        root: &Path,
+        out: &Path,
+        progress: &dyn Progress,
+    ) -> Result<String, Refused>;
 
     /// Forgets the surfaces that it keeps.
     fn forget(&self);

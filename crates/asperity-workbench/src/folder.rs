@@ -5,6 +5,7 @@ use std::io::{self, Write};
 use std::path::{Component, Path, PathBuf};
 use std::time::{SystemTime, UNIX_EPOCH};
 
+use asperity_contact_framework::report::Index;
 use asperity_contact_framework::report::answer::Answer;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
@@ -17,6 +18,8 @@ use crate::limits;
 pub const UPLOADS: &str = "uploads";
 /// Where reports are written.
 pub const REPORTS: &str = "reports";
+/// Where the example is put.
+const EXAMPLE: &str = "example";
 /// Begins the name of a file that is not yet whole.
 const PART: &str = ".part-";
 
@@ -74,11 +77,79 @@ impl Folder {
         if !root.is_dir() {
             return Err(io::Error::new(io::ErrorKind::NotADirectory, "is no folder"));
         }
-        let is_part =
-            |entry: &fs::DirEntry| entry.file_name().to_str().is_some_and(|name| name.starts_with(PART));
-        let old = fs::read_dir(root.join(UPLOADS)).into_iter().flatten().flatten().filter(is_part);
-        old.for_each(|entry| drop(fs::remove_file(entry.path())));
-        Ok(Self { root })
+        let folder = Self { root };
+        ["", UPLOADS, EXAMPLE].iter().for_each(|name| folder.remove_parts(name));
+        Ok(folder)
+    }
+
+    /// Removes the parts of files that no server is writing any more.
+    fn remove_parts(&self, name: &str) {
+        let is_part = |entry: &fs::DirEntry| {
+            let is_file = entry.file_type().is_ok_and(|kind| kind.is_file());
+            is_file && entry.file_name().to_str().is_some_and(|name| name.starts_with(PART))
+        };
+        let Ok(folder) = self.made(name) else { return };
+        for part in fs::read_dir(folder).into_iter().flatten().flatten().filter(is_part) {
+            // Another server holds the lock of what it writes.
+            if fs::File::open(part.path()).is_ok_and(|file| file.try_lock().is_ok()) {
+                let _ = fs::remove_file(part.path());
+            }
+        }
+    }
+
+    /// A folder in it, by its path without links.
+    fn made(&self, name: &str) -> io::Result<PathBuf> {
+        let whole = fs::canonicalize(self.root.join(name))?;
+        if whole.starts_with(&self.root) {
+            Ok(whole)
+        } else {
+            Err(io::Error::other("leads out of the folder of the workbench"))
+        }
+    }
+
+    /// The same, which is made where it is not there.
+    fn make(&self, name: &str) -> io::Result<PathBuf> {
+        fs::create_dir_all(self.root.join(name))?;
+        self.made(name)
+    }
+
+    /// A file in it to be filled, which a server that starts meanwhile leaves alone.
+    fn part(folder: &Path) -> io::Result<NamedTempFile> {
+        let file = NamedTempFile::with_prefix_in(PART, folder)?;
+        // Where files have no locks nobody is in the way.
+        let _ = file.as_file().try_lock();
+        Ok(file)
+    }
+
+    /// The folder of reports.
+    ///
+    /// # Errors
+    /// One that leads elsewhere, or cannot be made.
+    pub fn reports(&self) -> Result<PathBuf, Refused> {
+        let refuse = |error: io::Error| Refused::new(format!("{REPORTS}: cannot be written: {error}"));
+        // Nothing is made before there is a report.
+        let folder = match fs::symlink_metadata(self.root.join(REPORTS)) {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => self.root.join(REPORTS),
+            _ => self.made(REPORTS).map_err(refuse)?,
+        };
+        // The lock of the reports is written through a link.
+        let is_link = fs::symlink_metadata(folder.join(".lock")).is_ok_and(|lock| lock.is_symlink());
+        if is_link { Err(outside(&format!("{REPORTS}/.lock"))) } else { Ok(folder) }
+    }
+
+    /// A page that leads to `address`, for its user's browser alone: the address holds the token, and what a program is started with
+    /// everybody on the machine can read.
+    ///
+    /// # Errors
+    /// A folder that cannot be written to.
+    pub fn page_that_leads_to(&self, address: &str) -> io::Result<NamedTempFile> {
+        let mut file = tempfile::Builder::new().prefix(PART).suffix(".html").tempfile_in(&self.root)?;
+        let _ = file.as_file().try_lock();
+        write!(
+            file,
+            "<!DOCTYPE html><title>Asperity workbench</title><meta http-equiv=\"refresh\" content=\"0;url={address}\">"
+        )?;
+        Ok(file)
     }
 
     /// Its absolute path without links.
@@ -95,6 +166,24 @@ impl Folder {
         let whole = fs::canonicalize(&joined)
             .map_err(|error| Refused::new(format!("{path}: cannot be read: {error}")))?;
         if whole.starts_with(&self.root) { Ok(whole) } else { Err(outside(path)) }
+    }
+
+    /// A file in it that is there: no folder, no pipe, which would keep its reader waiting.
+    ///
+    /// # Errors
+    /// As [`Self::existing`].
+    pub fn file(&self, path: &str) -> Result<PathBuf, Refused> {
+        let whole = self.existing(path)?;
+        if whole.is_file() { Ok(whole) } else { Err(Refused::new(format!("{path}: is no file"))) }
+    }
+
+    /// A folder in it that is there.
+    ///
+    /// # Errors
+    /// As [`Self::existing`].
+    pub fn folder(&self, path: &str) -> Result<PathBuf, Refused> {
+        let whole = self.existing(path)?;
+        if whole.is_dir() { Ok(whole) } else { Err(Refused::new(format!("{path}: is no folder"))) }
     }
 
     /// All maps, lists, specs and reports, the newest first.
@@ -163,7 +252,7 @@ impl Folder {
     /// # Errors
     /// A file that cannot be read, or is no text.
     pub fn spec(&self, path: &str) -> Result<SpecOnDisk, Refused> {
-        let whole = self.existing(path)?;
+        let whole = self.file(path)?;
         let bytes = fs::metadata(&whole).map_or(0, |metadata| metadata.len());
         if bytes > limits::REQUEST as u64 {
             return Err(Refused::new(format!(
@@ -194,7 +283,7 @@ impl Folder {
             Err(error) => return Err(Refused::new(format!("{path}: cannot be read: {error}"))),
         }
         let written = || {
-            let mut file = NamedTempFile::with_prefix_in(PART, whole.parent().unwrap_or(&self.root))?;
+            let mut file = Self::part(whole.parent().unwrap_or(&self.root))?;
             file.write_all(text.as_bytes())?;
             file.as_file().sync_all()?;
             if whole.exists() { file.persist(&whole) } else { file.persist_noclobber(&whole) }
@@ -215,7 +304,7 @@ impl Folder {
             )));
         }
         let folder = relative.parent().and_then(Path::to_str).unwrap_or_default();
-        let whole = self.existing(folder)?.join(name);
+        let whole = self.folder(folder)?.join(name);
         // A link in its place would lead elsewhere.
         match fs::symlink_metadata(&whole) {
             Ok(metadata) if !metadata.is_file() => Err(outside(path)),
@@ -228,39 +317,32 @@ impl Folder {
     /// # Errors
     /// A folder that cannot be written to.
     pub fn upload(&self, name: &str) -> Result<Upload, Refused> {
-        let folder = self.root.join(UPLOADS);
-        let made = || {
-            fs::create_dir_all(&folder)?;
-            if !fs::canonicalize(&folder)?.starts_with(&self.root) {
-                return Err(io::Error::other("leads out of the folder of the workbench"));
-            }
-            NamedTempFile::with_prefix_in(PART, &folder)
-        };
-        let file = made().map_err(|error| Refused::new(format!("{UPLOADS}: cannot be written: {error}")))?;
+        let refuse = |error: io::Error| Refused::new(format!("{UPLOADS}: cannot be written: {error}"));
+        let folder = self.make(UPLOADS).map_err(refuse)?;
+        let file = Self::part(&folder).map_err(refuse)?;
         Ok(Upload { file, folder, name: plain_name(name), bytes: 0, hash: Sha256::new() })
     }
 
-    /// Writes a file of the example, unless it is there.
+    /// Writes a file of the example, unless it is there; gives its path.
     ///
     /// # Errors
     /// A file that cannot be written.
-    pub fn add(&self, path: &str, content: &[u8]) -> Result<(), Refused> {
-        let whole = self.root.join(inside(path)?);
+    pub fn add(&self, name: &str, content: &[u8]) -> Result<String, Refused> {
+        let path = format!("{EXAMPLE}/{name}");
+        let (below, last) = path.rsplit_once('/').unwrap_or(("", &path));
         let written = || {
-            let folder = whole.parent().unwrap_or(&self.root);
-            fs::create_dir_all(folder)?;
-            if !fs::canonicalize(folder)?.starts_with(&self.root) {
-                return Err(io::Error::other("leads out of the folder of the workbench"));
-            }
-            if fs::read(&whole).is_ok_and(|before| before == content) {
+            let folder = self.make(below)?;
+            let whole = folder.join(last);
+            if whole.is_file() && fs::read(&whole).is_ok_and(|before| before == content) {
                 return Ok(());
             }
-            let mut file = NamedTempFile::with_prefix_in(PART, folder)?;
+            let mut file = Self::part(&folder)?;
             file.write_all(content)?;
             file.persist_noclobber(&whole).map_err(|error| error.error)?;
             Ok(())
         };
-        written().map_err(|error| Refused::new(format!("{path}: cannot be written: {error}")))
+        written().map_err(|error: io::Error| Refused::new(format!("{path}: cannot be written: {error}")))?;
+        Ok(path)
     }
 
     /// A file of a report, with its media type.
@@ -279,14 +361,20 @@ impl Folder {
             ("toml", "text/plain; charset=utf-8"),
         ];
         let no_file = || Refused::new(format!("{path}: found no file of a report"));
-        let whole = self.existing(path)?;
+        let whole = self.file(path)?;
         let ending = whole.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
         let media =
             TYPES.iter().find(|(one, _)| *one == ending).map(|(_, media)| *media).ok_or_else(no_file)?;
         let folder = whole.parent().unwrap_or(&self.root);
         // The pages that lead to all reports lie beside their folders.
+        let name = whole.file_name().and_then(|name| name.to_str()).unwrap_or_default();
         let is_index = || {
-            fs::read_dir(folder).into_iter().flatten().flatten().any(|entry| report(&entry.path()).is_some())
+            Index::FILES.contains(&name)
+                && fs::read_dir(folder)
+                    .into_iter()
+                    .flatten()
+                    .flatten()
+                    .any(|entry| report(&entry.path()).is_some())
         };
         if report(folder).is_none() && !is_index() {
             return Err(no_file());
@@ -385,6 +473,7 @@ fn outside(path: &str) -> Refused {
 fn is_plain(name: &str) -> bool {
     !name.is_empty()
         && !name.starts_with('.')
+        && !name.ends_with(['.', ' '])
         && name.len() <= 200
         && !name.contains(|c: char| c.is_control() || "/\\:*?\"<>|".contains(c))
 }
@@ -415,7 +504,11 @@ fn report(folder: &Path) -> Option<What> {
         #[serde(default)]
         answer: serde_json::Value,
     }
-    let text = fs::read(folder.join("summary.json")).ok()?;
+    let path = folder.join("summary.json");
+    // What lies elsewhere, has no end or is none of the program's is no summary.
+    let is_summary =
+        fs::symlink_metadata(&path).is_ok_and(|file| file.is_file() && file.len() <= limits::SUMMARY);
+    let text = is_summary.then(|| fs::read(&path).ok()).flatten()?;
     let Summary { program, title, answer } = serde_json::from_slice(&text).ok()?;
     let answer = match answer {
         serde_json::Value::String(sentence) => sentence,
@@ -437,4 +530,72 @@ fn hash(text: &str) -> String {
 
 fn seconds(time: SystemTime) -> u64 {
     time.duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn folder() -> (tempfile::TempDir, Folder) {
+        let made = tempfile::tempdir().unwrap();
+        let folder = Folder::new(made.path()).unwrap();
+        (made, folder)
+    }
+
+    fn uploaded(folder: &Folder, name: &str, content: &[u8]) -> String {
+        let mut upload = folder.upload(name).unwrap();
+        upload.add(content).unwrap();
+        upload.finish().unwrap()
+    }
+
+    #[test]
+    fn a_dropped_file_replaces_none_and_the_same_file_is_kept_once() {
+        let (made, folder) = folder();
+        assert_eq!(uploaded(&folder, "a.npy", b"one"), "uploads/a.npy");
+        assert_eq!(uploaded(&folder, "a.npy", b"two"), "uploads/a-2.npy");
+        assert_eq!(uploaded(&folder, "a.npy", b"one"), "uploads/a.npy");
+        assert_eq!(fs::read(made.path().join("uploads/a.npy")).unwrap(), b"one");
+        drop(folder.upload("b.npy").unwrap());
+        assert_eq!(fs::read_dir(made.path().join(UPLOADS)).unwrap().count(), 2);
+    }
+
+    #[test]
+    fn names_become_names_of_files() {
+        for (name, plain) in [
+            ("../../etc/passwd", "passwd"),
+            ("C:\\maps\\a.npy", "a.npy"),
+            ("<img src=x>.npy", "-img src=x-.npy"),
+            ("..", "surface"),
+            (".hidden.npy", "hidden.npy"),
+            ("\u{7}", "-"),
+            ("", "surface"),
+        ] {
+            assert_eq!(plain_name(name), plain, "{name}");
+        }
+        let long = plain_name(&format!("{}é.x3p", "a".repeat(300)));
+        assert!(long.len() <= 150 && long.ends_with("aé.x3p"), "{long}");
+    }
+
+    #[test]
+    fn a_spec_is_replaced_only_where_its_state_is_known() {
+        let (made, folder) = folder();
+        let first = folder.save("a.toml", "one", None).unwrap();
+        assert!(folder.save("a.toml", "two", None).unwrap_err().message.contains("a new name"));
+        let second = folder.save("a.toml", "two", Some(&first)).unwrap();
+        assert!(folder.save("a.toml", "three", Some(&first)).is_err());
+        assert_eq!(folder.save("a.toml", "two", None).unwrap(), second, "the same text");
+        assert_eq!(fs::read_to_string(made.path().join("a.toml")).unwrap(), "two");
+        for name in ["a.txt", ".a.toml", "../a.toml", "/tmp/a.toml", "b/a.toml", "a:b.toml", ""] {
+            assert!(folder.save(name, "", None).is_err(), "{name}");
+        }
+    }
+
+    #[test]
+    fn parts_of_a_server_that_was_killed_are_removed() {
+        let (made, folder) = folder();
+        uploaded(&folder, "a.npy", b"one");
+        fs::write(made.path().join("uploads/.part-x"), "half").unwrap();
+        Folder::new(made.path()).unwrap();
+        assert!(!made.path().join("uploads/.part-x").exists() && made.path().join("uploads/a.npy").exists());
+    }
 }

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use axum::extract::{Request, State};
 use axum::http::{HeaderMap, HeaderValue, Method, StatusCode, header};
 use axum::middleware::Next;
-use axum::response::{Html, IntoResponse, Redirect, Response};
+use axum::response::{Html, IntoResponse, Response};
 
 use crate::token::is_same;
 
@@ -76,14 +76,16 @@ impl Guard {
         each.any(|(name, value)| name == COOKIE && is_same(value, &self.token))
     }
 
-    /// The page's own address with the cookie, for whoever has the token in the first address.
+    /// A page that leads on, with the cookie, for whoever has the token in the first address. Where that was opened from another site, as from a file,
+    /// a browser sends the cookie only to what this page leads to, not to what it is redirected to.
     fn admitted(&self, query: &str) -> Option<Response> {
         let given = query.split('&').find_map(|pair| pair.strip_prefix("token="))?;
         if !is_same(given, &self.token) {
             return None;
         }
         let cookie = format!("{COOKIE}={given}; HttpOnly; SameSite=Strict; Path=/; Max-Age={COOKIE_AGE}");
-        Some(([(header::SET_COOKIE, cookie)], Redirect::to("/")).into_response())
+        let page = "<!DOCTYPE html><html lang=\"en\"><title>Asperity workbench</title><meta http-equiv=\"refresh\" content=\"0;url=/\">";
+        Some(([(header::SET_COOKIE, cookie)], Html(page)).into_response())
     }
 }
 

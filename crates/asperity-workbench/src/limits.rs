@@ -8,6 +8,9 @@ pub const UPLOAD: u64 = 2 << 30;
 /// Bytes of any other request: a spec.
 pub const REQUEST: usize = 1 << 20;
 
+/// Bytes of the summary of a report that is listed.
+pub const SUMMARY: u64 = 16 << 20;
+
 /// Time of one analysis, from the first stage to the last.
 pub const ANALYSIS: Duration = Duration::from_secs(30 * 60);
 

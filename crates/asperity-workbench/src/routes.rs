@@ -28,7 +28,7 @@ use rayon::ThreadPool;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use crate::analysis::{Budget, Watch, answer};
+use crate::analysis::{Budget, Watch, answer, value};
 use crate::assets;
 use crate::engine::{Engine, Refused, SpecText, Stage};
 use crate::folder::{Folder, REPORTS, too_large};
@@ -91,7 +91,7 @@ struct PageSpec {
 
 impl PageSpec {
     fn text(&self, app: &Shared) -> Result<SpecText, Refused> {
-        let folder = app.folder.existing(&self.folder)?;
+        let folder = app.folder.folder(&self.folder)?;
         Ok(SpecText { root: app.folder.root().to_owned(), folder, text: toml_of(&self.spec)? })
     }
 }
@@ -150,7 +150,7 @@ async fn begin(
     Json(OnePath { path }): Json<OnePath>,
 ) -> Result<Json<Value>, Refused> {
     on_disk(move || {
-        let file = app.folder.existing(&path)?;
+        let file = app.folder.file(&path)?;
         let (text, open) = app.engine.begin(&file, &path)?;
         Ok(Json(json!({ "spec": json_of(&text)?, "folder": "", "open": open })))
     })
@@ -158,12 +158,11 @@ async fn begin(
 }
 
 async fn example(State(app): State<App>) -> Result<Json<Value>, Refused> {
-    const FOLDER: &str = "example";
     on_disk(move || {
-        let files = app.engine.example().files;
-        files.iter().try_for_each(|(name, content)| app.folder.add(&format!("{FOLDER}/{name}"), content))?;
-        let first = files.first().map_or("", |(name, _)| name);
-        Ok(Json(json!({ "path": format!("{FOLDER}/{first}") })))
+        let files = app.engine.example().files.iter();
+        let paths: Result<Vec<String>, Refused> =
+            files.map(|(name, content)| app.folder.add(name, content)).collect();
+        Ok(Json(json!({ "path": paths?.first() })))
     })
     .await
 }
@@ -255,13 +254,11 @@ async fn heights(
 ) -> Result<Response, Refused> {
     let text = one.page.text(&app)?;
     let prepared = checked(&app, &text).await?;
-    let _permit = app.budget.take(prepared.memory()).await?;
     let most = most.clamp(2, limits::POINTS);
-    on_disk(move || {
-        let heights = app.engine.heights(&text, &one.surface, most)?;
-        Ok(([(header::CONTENT_TYPE, "application/octet-stream")], heights.bytes()).into_response())
-    })
-    .await
+    let budget = Arc::clone(&app.budget);
+    let work = move |watch: &Watch| app.engine.heights(&text, &one.surface, most, watch);
+    let heights = value(budget, prepared.memory(), work).await?;
+    Ok(([(header::CONTENT_TYPE, "application/octet-stream")], heights.bytes()).into_response())
 }
 
 async fn checked(app: &App, text: &SpecText) -> Result<Box<dyn crate::engine::Prepared>, Refused> {
@@ -322,8 +319,8 @@ async fn report(State(app): State<App>, Json(saved): Json<Saved>) -> Result<Resp
     let prepared = checked(&app, &text).await?;
     Ok(answer(Arc::clone(&app.budget), prepared.memory(), move |watch| {
         let (path, state) = saved.save(&app)?;
-        let out = app.folder.root().join(REPORTS);
-        let stem = app.background.install(|| app.engine.report(&path, &out, watch))?;
+        let (root, out) = (app.folder.root(), app.folder.reports()?);
+        let stem = app.background.install(|| app.engine.report(&path, root, &out, watch))?;
         let page = format!("{REPORTS}/{stem}/report.html");
         watch.tell("report", &json!({ "path": saved.path(), "state": state, "page": page }));
         Ok(())

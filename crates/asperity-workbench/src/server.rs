@@ -4,6 +4,9 @@ use std::io;
 use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr};
 use std::path::PathBuf;
 use std::sync::Arc;
+use std::time::Duration;
+
+use tempfile::NamedTempFile;
 
 use tokio::net::TcpListener;
 
@@ -66,7 +69,12 @@ pub struct Server {
     listeners: Vec<TcpListener>,
     address: String,
     app: Arc<Shared>,
+    /// The file that the browser is given, until it has read it.
+    opened: Option<NamedTempFile>,
 }
+
+/// How long a browser may take to start.
+const START: Duration = Duration::from_secs(60);
 
 impl Server {
     /// Listens on this machine alone, 127.0.0.1 and, where there is such a thing, ::1.
@@ -98,7 +106,7 @@ impl Server {
             budget: Arc::new(Budget::new(limits::memory())),
             background,
         });
-        Ok(Self { runtime, listeners, address, app })
+        Ok(Self { runtime, listeners, address, app, opened: None })
     }
 
     /// The address that opens the page.
@@ -106,12 +114,15 @@ impl Server {
         &self.address
     }
 
-    /// Opens the page in the user's browser.
+    /// Opens the page in the user's browser, by a file that only its user can read.
     ///
     /// # Errors
-    /// No browser.
-    pub fn open(&self) -> io::Result<()> {
-        open::that_detached(&self.address)
+    /// No browser, or a folder that cannot be written to.
+    pub fn open(&mut self) -> io::Result<()> {
+        let file = self.app.folder.page_that_leads_to(&self.address)?;
+        open::that_detached(file.path())?;
+        self.opened = Some(file);
+        Ok(())
     }
 
     /// Serves until the program ends.
@@ -119,8 +130,12 @@ impl Server {
     /// # Errors
     /// A listener that fails.
     pub fn run(self) -> io::Result<()> {
-        let Self { runtime, listeners, app, .. } = self;
+        let Self { runtime, listeners, app, opened, .. } = self;
         runtime.block_on(async {
+            tokio::spawn(async move {
+                tokio::time::sleep(START).await;
+                drop(opened);
+            });
             let serve = |listener| axum::serve(listener, router(Arc::clone(&app))).into_future();
             let all: Vec<_> = listeners.into_iter().map(|listener| tokio::spawn(serve(listener))).collect();
             for one in all {

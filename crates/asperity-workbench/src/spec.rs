@@ -75,8 +75,10 @@ pub fn python_of(spec: &Value, folder: &str) -> String {
     let mut literal = String::new();
     write_python(&without_empty(spec), 0, &mut literal);
     format!(
-        "# Paths in the spec are relative to {folder}.\nimport asperity\n\nspec = {literal}\nresults = asperity.run(spec)\n\
-         print(results.summary[\"answer\"])\n"
+        "# Paths in the spec are relative to {}.\nimport asperity\n\nspec = {literal}\nresults = asperity.run(spec)\n\
+         print(results.summary[\"answer\"])\n",
+        // A name of a folder may hold the end of a line.
+        quoted(folder)
     )
 }
 

@@ -18,10 +18,8 @@ pub fn path() -> Option<PathBuf> {
 /// A file that cannot be read or written.
 pub fn kept(path: &Path) -> io::Result<String> {
     match fs::read_to_string(path) {
-        Ok(text) if is_token(text.trim_end()) => {
-            make_private(path)?;
-            return Ok(text.trim_end().to_owned());
-        }
+        // One that others could read is theirs, too.
+        Ok(text) if is_token(text.trim_end()) && is_private(path)? => return Ok(text.trim_end().to_owned()),
         Ok(_) => {}
         Err(error) if matches!(error.kind(), io::ErrorKind::NotFound | io::ErrorKind::InvalidData) => {}
         Err(error) => return Err(error),
@@ -56,15 +54,16 @@ pub fn is_same(one: &str, other: &str) -> bool {
     one.len() == other.len() && std::hint::black_box(difference) == 0
 }
 
+/// Whether its owner alone may read a file.
 #[cfg(unix)]
-fn make_private(path: &Path) -> io::Result<()> {
+fn is_private(path: &Path) -> io::Result<bool> {
     use std::os::unix::fs::PermissionsExt;
-    fs::set_permissions(path, fs::Permissions::from_mode(0o600))
+    Ok(fs::metadata(path)?.permissions().mode() & 0o077 == 0)
 }
 
 #[cfg(not(unix))]
-fn make_private(_: &Path) -> io::Result<()> {
-    Ok(())
+fn is_private(_: &Path) -> io::Result<bool> {
+    Ok(true)
 }
 
 #[cfg(test)]
@@ -83,8 +82,9 @@ mod tests {
         #[cfg(unix)]
         {
             use std::os::unix::fs::PermissionsExt;
+            let before = kept(&path).unwrap();
             fs::set_permissions(&path, fs::Permissions::from_mode(0o644)).unwrap();
-            kept(&path).unwrap();
+            assert_ne!(kept(&path).unwrap(), before);
             assert_eq!(fs::metadata(&path).unwrap().permissions().mode() & 0o777, 0o600);
         }
     }

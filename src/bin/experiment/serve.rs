@@ -25,7 +25,7 @@ pub fn serve(folder: &Path, port: Option<u16>, no_open: bool) -> Result<(), Fail
         Failure::Input(format!("{}: {error}; allowed: a folder that is there", folder.display()))
     })?;
     let options = Options { folder: ".".into(), port, token: None };
-    let server = Server::new(&options, Arc::new(Workbench::default()))?;
+    let mut server = Server::new(&options, Arc::new(Workbench::default()))?;
     interrupt::of_workbench();
     print(format_args!("{}", server.address()));
     if port.is_none() && !server.address().contains(&format!(":{PORT}/")) {
