@@ -33,7 +33,7 @@ pub use contact_options::ContactOptions;
 pub use description::{SurfacesPlan, described_file};
 pub use factory::SurfaceFactory;
 pub use files::Files;
-pub use fit::by_hand;
+pub use fit::{by_hand, keys};
 pub use generate_spec::TargetSpec;
 pub use generation::{Generation, Way};
 pub use memory::memory;

@@ -2,6 +2,7 @@
 
 use asperity::HeightMap;
 use asperity::compare::ModelKind;
+use asperity::law::Body;
 use asperity::surface::Surface;
 use asperity_contact_framework::Outcome;
 use asperity_contact_framework::report::page::{Page, Pieces};
@@ -14,6 +15,7 @@ use crate::kind::compare::card::Card;
 use crate::kind::compare::figures::main_figure::of_case_with_map;
 use crate::kind::compare::results::CompareResults;
 use crate::kind::compare::rows::SurfaceCase;
+use crate::surface::keys;
 use crate::surface::rows::{self, SurfaceRow};
 use crate::surface::section::section;
 
@@ -43,8 +45,14 @@ pub fn comparison(results: &CompareResults, extent: Extent) -> Value {
                 page.card(shown.collect());
                 of_case_with_map(&mut page, results, *case);
             }
+            let coated = results.contact.layer.as_ref().map(|layer| {
+                let bodies = &results.contact.bodies;
+                let name = if layer.on == Body::Rough { &bodies.rough } else { &bodies.flat };
+                format!("{}, {name}", if layer.on == Body::Rough { "rough body" } else { "flat" })
+            });
             json!({
                 "name": case.name(results),
+                "coated": coated.filter(|_| case.first().thickness != Some(0.0)),
                 "thickness_m": case.first().thickness.map(|thickness| if thickness.is_finite() { json!(thickness) } else { json!("inf") }),
                 "pieces": page.pieces(false),
                 "curves": curves(case),
@@ -105,6 +113,8 @@ pub fn surface(surface: &Surface) -> Value {
             "is_blocked": surface.is_blocked(),
         })
     });
+    // The preparation that `fit` found, as keys that do the same.
+    let found = surface.fit.as_ref().and_then(|fit| keys(fit).join("\n").parse::<toml::Table>().ok());
     let fitness = Table::new(rows::fitness(surface)).records();
     let fitness: Vec<Value> = fitness.as_array().into_iter().flatten().cloned().map(with_keys).collect();
     json!({
@@ -112,6 +122,7 @@ pub fn surface(surface: &Surface) -> Value {
         "asperities": surface.set.count(),
         "page": page.pieces(true),
         "fitness": fitness,
+        "found": found,
         "map": map,
         "warnings": surface.warnings,
     })

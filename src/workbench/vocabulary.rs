@@ -40,6 +40,12 @@ pub fn vocabulary() -> Value {
             })
         })
         .collect();
-    let laws: Vec<String> = contact_law::registry().iter().map(|law| law.name()).collect();
+    let laws: Vec<[String; 2]> = contact_law::registry()
+        .iter()
+        .map(|law| {
+            let papers: Vec<&str> = law.papers().iter().map(|paper| paper.short).collect();
+            [law.name(), format!("{}: {}", law.name(), papers.join(", "))]
+        })
+        .collect();
     json!({ "keys": keys, "materials": materials, "laws": laws })
 }

@@ -55,6 +55,10 @@ def parts(server):
     return sorted(server.folder.rglob(".part-*"))
 
 
+# A map of heights as text.
+ROWS = "1 2 3 4\n5 1 7 2\n"
+
+
 def begun_upload(server, length="2000"):
     """A connection with half of an upload."""
     connection = socket.create_connection(("127.0.0.1", server.port), timeout=10)
@@ -62,7 +66,7 @@ def begun_upload(server, length="2000"):
         "POST /api/upload/x.npy HTTP/1.1", f"Host: {server.host}", f"Cookie: asperity-workbench={server.token}",
         f"Origin: http://{server.host}", f"Content-Length: {length}", "", "",
     ]
-    connection.sendall("\r\n".join(lines).encode() + b"x" * 1000)
+    connection.sendall("\r\n".join(lines).encode() + ROWS.encode()[:16] * 62 + b"1 2 3 4\n")
     return connection
 
 
@@ -346,10 +350,18 @@ def test_a_file_of_someone_else_is_not_overwritten(server):
 
 def test_an_upload_keeps_what_is_there(server):
     """Another file of the same name gets a number; the same file is kept once."""
-    sent = [("a.csv", "1"), ("a.csv", "2"), ("a.csv", "1")]
+    sent = [("a.csv", ROWS), ("a.csv", 2 * ROWS), ("a.csv", ROWS)]
     found = [server.post(f"/api/upload/{name}", text).json["path"] for name, text in sent]
     assert found == ["uploads/a.csv", "uploads/a-2.csv", "uploads/a.csv"]
-    assert (server.folder / "uploads" / "a.csv").read_text() == "1"
+    assert (server.folder / "uploads" / "a.csv").read_text() == ROWS
+
+
+def test_what_the_program_does_not_read_is_not_kept(server):
+    """A picture, an empty file, a text of letters, a spec without an experiment."""
+    for name, sent in [("a.png", "\x89PNG"), ("a.npy", ""), ("a.txt", "once upon a time"), ("a.toml", "title = 1")]:
+        answer = server.post(f"/api/upload/{name}", sent)
+        assert answer.status == 422 and answer.json["message"], name
+    assert server.request("GET", "/api/files").json == [] and not parts(server)
 
 
 @pytest.mark.parametrize("name", [
@@ -358,8 +370,8 @@ def test_an_upload_keeps_what_is_there(server):
 ])
 def test_an_upload_stays_in_its_folder(server, name):
     """By whatever name it comes."""
-    path = server.post(f"/api/upload/{name}", "hello").json["path"]
-    files = [one for one in server.folder.parent.rglob("*") if one.is_file() and one.read_bytes() == b"hello"]
+    path = server.post(f"/api/upload/{name}", ROWS).json["path"]
+    files = [one for one in server.folder.parent.rglob("*") if one.is_file() and one.read_bytes() == ROWS.encode()]
     assert files == [server.folder / path] and files[0].parent == server.folder / "uploads"
     assert not set(files[0].name) & set('\\:*?"<>|\n\0') and not files[0].name.startswith(".")
 
@@ -369,7 +381,7 @@ def test_linked_folders_of_the_workbench_are_not_written_to(server, outside):
     for name in ["uploads", "example", "reports"]:
         (server.folder / name).symlink_to(outside)
     before = content(outside)
-    assert server.post("/api/upload/x.csv", "hello").status == 422
+    assert server.post("/api/upload/x.csv", ROWS).status == 422
     assert server.post("/api/example", {}).status == 422
     server.events("/api/report", {"spec": SPEC, "folder": "", "name": "r"})
     assert content(outside) == before
@@ -581,7 +593,7 @@ def test_a_second_workbench_leaves_an_upload_alone(start):
     with begun_upload(server) as connection:
         assert wait_for(lambda: parts(server))
         start(server.folder)
-        connection.sendall(b"y" * 1000)
+        connection.sendall((b"5 1 7 2\n1 2 3 4\n" * 63)[:1000])
         assert b" 200 " in connection.recv(200)
 
 

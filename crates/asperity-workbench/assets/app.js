@@ -1,9 +1,9 @@
 // The page: what is shown follows from the state; each change of the spec asks the server for its results.
 
-import { html, render, useState, useEffect, useRef, useErrorBoundary } from "./preact.js";
+import { html, render, useState, useEffect, useMemo, useRef, useErrorBoundary } from "./preact.js";
 import { get, post, upload, events } from "./server.js";
 import { state, listen, change, setValue, undo, redo, canUndo, canRedo } from "./state.js";
-import { Controls, Dialog, WITH_REFERENCE } from "./controls.js";
+import { Controls, Dialog, WITH_REFERENCE, Words } from "./controls.js";
 import { Start } from "./start.js";
 import { Surface } from "./surface.js";
 import { Results, Details, Status, merged } from "./results.js";
@@ -132,6 +132,9 @@ const Save = ({ isReport, close, refresh }) => {
   const { spec, folder, saved } = state();
   const name = useRef(null);
   const [run, setRun] = useState({});
+  const first = saved?.path.split("/").at(-1).replace(/\.toml$/, "") ?? plain(spec.title ?? "");
+  const [chosen, setChosen] = useState(first);
+  const isOwn = saved !== null && chosen.replace(/\.toml$/, "") === first;
   const save = async event => {
     event.preventDefault();
     const request = { spec, folder, name: name.current.value.replace(/\.toml$/, ""), state: saved?.state ?? null };
@@ -148,15 +151,14 @@ const Save = ({ isReport, close, refresh }) => {
     }
   };
   const { vocabulary } = Save;
-  const first = saved?.path.split("/").at(-1).replace(/\.toml$/, "") ?? plain(spec.title ?? "");
   return html`<${Dialog} title=${isReport ? "Write the report" : "Save the spec"} close=${close}>
     ${run.done
       ? html`<p role="status">${isReport ? html`The report is written: <a href=${`/${vocabulary.reports}/${run.done.page}`} target="_blank" rel="noopener">open ${run.done.page}</a>. Its spec is ` : "Saved as "}<code>${run.done.path}</code>.</p>
           <p>The same in a terminal: <code>experiment run ${run.done.path}</code></p>`
-      : html`<form onSubmit=${save}><label>Name <input ref=${name} type="text" value=${first} required /></label>
-          <p>${isReport ? "The report goes to " : "The spec goes to "}<code>${isReport ? "reports/NAME" : `${folder ? `${folder}/` : ""}NAME.toml`}</code>.</p>
+      : html`<form onSubmit=${save}><label>Name <input ref=${name} type="text" value=${chosen} onInput=${event => setChosen(event.target.value)} required autofocus /></label>
+          <p>${isReport ? "The report goes to " : "The spec goes to "}<code>${isReport ? `reports/${chosen}` : `${folder ? `${folder}/` : ""}${chosen}.toml`}</code>${isOwn ? ", and replaces what this page has written there." : "."}</p>
           ${run.error && html`<p class="error" role="alert">${run.error.key && html`<code>${run.error.key}</code>: `}${run.error.message}</p>`}
-          <p class="buttons"><button class="main" disabled=${run.isRunning}>${isReport ? "Write" : "Save"}</button> ${run.isRunning && html`<span role="status">${run.progress ? `${run.progress.stage}, ${Math.round(100 * run.progress.done)} %` : "…"}</span>`}</p></form>`}
+          <p class="buttons"><button class="main" disabled=${run.isRunning}>${isOwn ? "Replace" : isReport ? "Write" : "Save"}</button> ${run.isRunning && html`<span role="status">${run.progress ? `${run.progress.stage}, ${Math.round(100 * run.progress.done)} %` : "…"}</span>`}</p></form>`}
   <//>`;
 };
 
@@ -250,14 +252,17 @@ const App = ({ vocabulary }) => {
     return () => all.forEach(([name, act]) => removeEventListener(name, act));
   }, []);
 
-  if (crash) return html`<main class="start"><h1>The page has failed</h1><p role="alert">${String(crash)}. Your spec is in the address: <a href=${location.href} onClick=${() => location.reload()}>load it again</a>.</p></main>`;
-
   const isCompare = Boolean(spec?.compare);
-  const context = { spec, vocabulary, error: run.error, maps, waits };
+  // Controls and surfaces follow the spec, not each step of a computation.
+  const controls = useMemo(() => isCompare && html`<${Controls} context=${{ spec, vocabulary, error: run.error, maps, waits }} />`, [spec, run.error, maps, waits]);
   const close = () => {
     computation.current.clear();
     change({ spec: null, folder: "", waits: [], saved: null }, { isNewPage: true });
     post("/api/close", {}).catch(fail);
+  };
+  const kept_ = () => {
+    keep();
+    setMessage(`Kept, ${state().kept.length} of ${MOST_KEPT}: below the results they are laid over each other.`);
   };
   const python = guarded(async () => {
     const { python: text } = await post("/api/text", { spec, folder });
@@ -269,40 +274,44 @@ const App = ({ vocabulary }) => {
   const actions = {
     nearer: hasMap && !spec.compare.models && html` <button type="button" onClick=${() => setValue(["compare", "models"], WITH_REFERENCE)}>Run boundary elements</button>`,
   };
+  const results = useMemo(() => html`<${Results} run=${{ results: run.results, isOutdated: run.isOutdated }} actions=${actions} />`, [run.results, run.isOutdated, spec]);
+  const details = useMemo(() => html`<${Details} run=${{ results: run.results, isOutdated: run.isOutdated }} />`, [run.results, run.isOutdated]);
   const isReady = !run.isOutdated || Boolean(run.error);
   const heard = !run.isRunning && run.results ? run.results.cases.map(one => spoken(one)).join(" ") : "";
   const button = (text, act, isDisabled = false) => html`<button type="button" onClick=${act} disabled=${isDisabled}>${text}</button>`;
 
+  if (crash) return html`<main class="start"><h1>The page has failed</h1><p role="alert">${String(crash)}. Your spec is in the address: <a href=${location.href} onClick=${() => location.reload()}>load it again</a>.</p></main>`;
   return html`<div class=${isDragged ? "dragged" : ""}>
+ <button type="button" class="skip" onClick=${() => document.querySelector("main")?.focus()}>Skip to the results</button>
     <header><a class="home" href="#" onClick=${event => { event.preventDefault(); if (spec) close(); }}>Asperity</a>
       ${spec && html`<input class="title" type="text" aria-label="Title of the report" value=${spec.title ?? ""} onChange=${event => change({ spec: { ...spec, title: event.target.value } })} />
       <nav aria-label="Actions">
         ${button("Undo", undo, !canUndo())}${button("Redo", redo, !canRedo())}
-        ${button("Keep", keep, !isCompare || kept.length >= MOST_KEPT)}
+        ${button("Keep", kept_, !isCompare || kept.length >= MOST_KEPT || !run.results || Boolean(run.error))}
         ${button("Spec …", () => setDialog({ kind: "text" }))}${button("Save spec …", () => setDialog({ kind: "save" }))}
         ${button("Copy Python", python)}
         <button type="button" class="main" onClick=${() => setDialog({ kind: "report" })}>Write report …</button>
         ${button("Close", close)}
       </nav>`}
     </header>
-    ${message && html`<p class="message" role="status">${message} <button type="button" onClick=${() => setMessage(null)} aria-label="Dismiss">×</button></p>`}
+    ${message && html`<p class="message" role="status"><span><${Words} text=${message} /></span> <button type="button" onClick=${() => setMessage(null)} aria-label="Dismiss">×</button></p>`}
     <input ref=${chooser} type="file" hidden onChange=${event => { dropped([...event.target.files]); event.target.value = ""; }} />
     ${!spec
       ? html`<${Start} key=${refreshed} vocabulary=${vocabulary} begin=${guarded(begin)} open=${guarded(openSpec)} fail=${fail} chooseFile=${() => chooser.current.click()}
           example=${guarded(async () => openSpec((await post("/api/example", {})).path))} />`
       : html`<div class="work">
-        <div class="side">${isCompare ? html`<${Controls} context=${context} />` : html`<p>This spec has no [compare]: its keys are changed under “Spec …”.</p>`}</div>
-        <main>
+        <div class="side">${isCompare ? controls : html`<p>This spec has no [compare]: its keys are changed under “Spec …”.</p>`}</div>
+        <main tabindex="-1">
           ${open.length > 0
             ? html`<${Waits} waits=${waits} />`
             : html`<${Status} run=${run} cancel=${() => computation.current.cancel()} again=${() => computation.current.start()} />`}
           <p class="heard" role="status">${heard}</p>
           ${unfit.map(name => html`<p class="blocked">No verdict may rest on surface ${name}: it fails a check. <button type="button" onClick=${() => document.getElementById(`checks-${name}`)?.scrollIntoView()}>Checks and remedies</button></p>`)}
-          <${Results} run=${run} actions=${actions} />
-          ${kept.length > 0 && html`<${Kept} kept=${kept} fail=${fail} />`}
+          ${results}
+          ${kept.length > 0 && !open.length && html`<${Kept} kept=${kept} fail=${fail} />`}
           ${!open.length && isCompare && html`<div class="surfaces">${Object.keys(spec.surface ?? {}).map(name => html`<${Surface} key=${name} name=${name} spec=${spec} folder=${folder} ready=${isReady} inputs=${inputs} fail=${fail}
             onView=${(of, map) => setMaps(before => ({ ...before, [of]: map }))} />`)}</div>`}
-          <${Details} run=${run} />
+          ${details}
         </main>
       </div>`}
     ${dialog?.kind === "text" && html`<${SpecText} close=${() => setDialog(null)} fail=${fail} />`}

@@ -13,15 +13,18 @@ const meaningOf = (vocabulary, path) => {
   return vocabulary.keys[name(generic)];
 };
 
+// A text with code between backticks.
+export const Words = ({ text }) => html`${String(text ?? "").split("`").map((part, k) => (k % 2 ? html`<code>${part}</code>` : part))}`;
+
 export const Explanation = ({ vocabulary, path, id }) => {
   const key = meaningOf(vocabulary, path);
   if (!key) return null;
   const row = (label, text) => text && html`<div><dt>${label}</dt><dd>${text}</dd></div>`;
   return html`<div class="meaning explanation" popover="auto" id=${id}>
     <code>${name(path)}</code>
-    <p>${key.meaning}</p>
+    <p><${Words} text=${key.meaning} /></p>
     <dl>${row("type", key.kind)}${row("unit", key.unit)}${row("range", key.range)}${row("default", key.default)}${row("example", key.examples[0])}</dl>
-    ${key.values.length > 0 && html`<ul>${key.values.map(([value, meaning]) => html`<li><code>${value}</code> ${meaning}</li>`)}</ul>`}
+    ${key.values.length > 0 && html`<ul>${key.values.map(([value, meaning]) => html`<li><code>${value}</code> <${Words} text=${meaning} /></li>`)}</ul>`}
   </div>`;
 };
 
@@ -34,7 +37,7 @@ const Row = ({ context, path, label, children, isWide }) => {
     <label for=${id}>${label}</label>
     ${meaningOf(vocabulary, path) && html`<button type="button" class="help" popovertarget=${`${id}-meaning`} aria-label=${`Explain ${label}`}>?</button>`}
     <div class="control">${children(id, isOwn ? `${id}-error` : undefined)}</div>
-    ${isOwn && html`<p class="error" id=${`${id}-error`} role="alert">${error.message}</p>`}
+    ${isOwn && html`<p class="error" id=${`${id}-error`} role="alert"><${Words} text=${error.message} /></p>`}
     <${Explanation} vocabulary=${vocabulary} path=${path} id=${`${id}-meaning`} />
   </div>`;
 };
@@ -55,9 +58,9 @@ const Text = ({ id, value, set, placeholder, describedBy, list }) => {
 const typed = text => (text !== undefined && /^[-+]?[\d.]+(e[-+]?\d+)?$/i.test(text) ? Number(text) : text);
 
 // A quantity: a field with its unit and, where it has a value, a slider between `low` and `high` (SI).
-export const Quantity = ({ context, path, label, dimension, low, high, linear, placeholder, fallback }) => {
+export const Quantity = ({ context, path, label, dimension, low, high, linear, placeholder, fallback, isList }) => {
   const value = at(context.spec, path);
-  const set = next => setValue(path, typed(next));
+  const set = next => setValue(path, isList ? listOf(next) : typed(next));
   const shown = parsed(value ?? fallback, dimension);
   const scale = linear ? number => number : Math.log10;
   const back = linear ? number => number : number => 10 ** number;
@@ -91,7 +94,8 @@ export const Flag = ({ context, path, label, isOn, set }) => html`<${Row} contex
 // A text of the spec.
 export const Field = ({ context, path, label, placeholder, set }) => {
   const value = at(context.spec, path);
-  const text = value === undefined || typeof value === "string" || typeof value === "number" ? value : JSON.stringify(value);
+  const isFlat = Array.isArray(value) && value.every(item => typeof item !== "object");
+  const text = value === undefined || typeof value === "string" || typeof value === "number" ? value : isFlat ? value.join(", ") : JSON.stringify(value);
   return html`<${Row} context=${context} path=${path} label=${label}>
     ${(id, describedBy) => html`<${Text} id=${id} value=${text} set=${set ?? (next => setValue(path, typed(next)))} placeholder=${placeholder ?? ""} describedBy=${describedBy} />`}
   <//>`;
@@ -122,8 +126,8 @@ const SurfaceControls = ({ context, surface }) => {
     const side = Math.min(nx, ny) * pixel;
     return html`<${Group} title=${`Surface ${surface}`} isOpen=${true}>
       <${Field} context=${context} path=${path("path")} label="File" />
-      ${(at(spec, path("pixel")) !== undefined || context.waits.includes("pixel")) && html`<${Field} context=${context} path=${path("pixel")} label="Pixel size" placeholder="such as 0.8 um" />`}
-      ${(at(spec, path("unit")) !== undefined || context.waits.includes("unit")) && html`<${Choice} context=${context} path=${path("unit")} label="Unit of heights" options=${UNITS} none="m, unless you say" />`}
+      <${Field} context=${context} path=${path("pixel")} label="Pixel size" placeholder="in the file" set=${text => setValue(path("pixel"), listOf(text))} />
+      <${Choice} context=${context} path=${path("unit")} label="Unit" options=${UNITS} none="that of the file, or m" />
       <${Choice} context=${context} path=${path("level")} label="Form removed" options=${LEVELS} none="plane (default)" />
       <${Quantity} context=${context} path=${path("filter", "s")} label="S filter" dimension="length" low=${pixel} high=${side / 8} />
       <${Quantity} context=${context} path=${path("filter", "l")} label="L filter" dimension="length" low=${8 * pixel} high=${side} />
@@ -199,7 +203,7 @@ const Load = ({ context }) => {
     const given = next === "force" ? { force: "1 N", "nominal-area": "1 mm^2" } : next === "pressure" ? { pressure: "1 MPa" } : {};
     change({ spec: { ...context.spec, compare: { ...rest, ...kept, ...given } } });
   };
-  return html`<${Choice} context=${context} path=${["compare", kind || "force"]} label="Load" value=${kind} options=${[["force", "force on an area"], ["pressure", "nominal pressure"]]} none="no load of your own" set=${choose} />
+  return html`<${Choice} context=${context} path=${["compare", "kind-of-load"]} label="Load" value=${kind} options=${[["force", "force on an area"], ["pressure", "nominal pressure"]]} none="no load of your own" set=${choose} />
     ${kind === "force" && html`<${Quantity} context=${context} path=${["compare", "force"]} label="Force" dimension="force" low=${1e-3} high=${1e3} />
       <${Quantity} context=${context} path=${["compare", "nominal-area"]} label="on the area" dimension="area" low=${1e-10} high=${1e-3} placeholder="that of the map" />`}
     ${kind === "pressure" && html`<${Quantity} context=${context} path=${["compare", "pressure"]} label="Pressure" dimension="pressure" low=${1e3} high=${1e9} />`}`;
@@ -221,7 +225,8 @@ export const Controls = ({ context }) => {
   const { spec, vocabulary } = context;
   const compare = spec.compare;
   const hasReference = Array.isArray(compare.models) && compare.models.includes("reference");
-  const withThickness = named => (at(named, ["compare", "layer", "thickness"]) === undefined ? withValue(named, ["compare", "layer", "thickness"], "1 um") : named);
+  // A new layer says which body it is on.
+  const withThickness = named => (named.compare.layer.thickness === undefined ? withValue(withValue(named, ["compare", "layer", "on"], "flat"), ["compare", "layer", "thickness"], "1 um") : named);
   // What is wrong is shown, also where its group is folded.
   useEffect(() => {
     for (const row of document.querySelectorAll(".row.wrong")) {
@@ -234,13 +239,13 @@ export const Controls = ({ context }) => {
     <${Group} title="Bodies" isOpen=${true}>
       <${Body} context=${context} path=${["compare", "rough"]} label="Rough body" ownName="rough-body" />
       <${Body} context=${context} path=${["compare", "flat"]} label="Flat" ownName="flat-body" />
-      <${Choice} context=${context} path=${["compare", "law"]} label="Contact law" options=${vocabulary.laws.map(law => [law, law])} value=${typeof compare.law === "string" ? compare.law : Array.isArray(compare.law) ? compare.law.join(", ") : Object.keys(compare.law ?? {})[0]} />
+      <${Choice} context=${context} path=${["compare", "law"]} label="Contact law" options=${vocabulary.laws} value=${typeof compare.law === "string" ? compare.law : Array.isArray(compare.law) ? compare.law.join(", ") : Object.keys(compare.law ?? {})[0]} />
     <//>
     <${Group} title="Layer" isOpen=${true}>
       <${Body} context=${context} path=${["compare", "layer", "material"]} label="Layer" ownName="layer" none="none" extra=${withThickness} />
-      ${isOneThickness && html`<${Quantity} context=${context} path=${["compare", "layer", "thickness"]} label="Thickness" dimension="length" low=${1e-9} high=${1e-4} />`}
+      ${compare.layer && html`<${Choice} context=${context} path=${["compare", "layer", "on"]} label="on the" options=${[["flat", `flat (${compare.flat})`], ["rough", `rough body (${compare.rough})`]]} />`}
+      ${isOneThickness && html`<${Quantity} context=${context} path=${["compare", "layer", "thickness"]} label="Thickness" dimension="length" low=${1e-9} high=${1e-4} isList=${true} placeholder="1 um, or 0.1 um, 1 um" />`}
       ${compare.layer && !isOneThickness && html`<${Field} context=${context} path=${["compare", "layer", "thickness"]} label="Thicknesses" set=${text => setValue(["compare", "layer", "thickness"], listOf(text))} />`}
-      ${compare.layer && html`<${Choice} context=${context} path=${["compare", "layer", "on"]} label="on the" options=${[["flat", "flat"], ["rough", "rough body"]]} none="flat (default)" />`}
     <//>
     <${Group} title="Load" isOpen=${true}>
       <${Load} context=${context} />

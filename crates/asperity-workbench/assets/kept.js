@@ -70,7 +70,7 @@ export const Kept = ({ kept, fail }) => {
 // What a state differs from the kept ones in, as its name.
 export const nameOf = spec => {
   const { compare } = spec;
-  const layer = compare.layer ? `${compare.layer.material} ${JSON.stringify(compare.layer.thickness).replaceAll(/["{}[\]]/g, "")}` : "bare";
+  const layer = compare.layer ? `${[compare.layer.thickness].flat().join(", ")} of ${compare.layer.material} on the ${compare.layer.on ?? "flat"}` : "bare";
   const filter = Object.values(spec.surface ?? {}).map(({ file }) => (file?.filter ? Object.entries(file.filter).map(([key, index]) => `${key.toUpperCase()} ${index}`).join(" ") : "")).filter(text => text);
   return [Object.keys(spec.surface ?? {}).join(" + "), `${compare.rough} on ${compare.flat}`, layer, ...filter, compare.force ?? ""].filter(text => text && typeof text === "string").join(", ");
 };

@@ -1,6 +1,7 @@
 // What the contact gives: cards, charts, contacts on the map, and the folded sections of the report.
 
 import { html, useEffect, useRef } from "./preact.js";
+import { Words } from "./controls.js";
 import { ChartOf, Html } from "./surface.js";
 
 // A figure that is a picture, with a slider over its frames.
@@ -45,11 +46,11 @@ const percent = ({ done, steps: [count, step] }) => `${Math.round(100 * done)} %
 
 // Where the computation is, with its end.
 export const Status = ({ run, cancel, again }) => {
-  if (run.error) return html`<p class="status wrong" role="alert"><span>${run.error.key && html`<code>${run.error.key}</code>: `}${run.error.message}</span></p>`;
+  if (run.error) return html`<p class="status wrong" role="alert"><span>${run.error.key && html`<code>${run.error.key}</code>: `}<${Words} text=${run.error.message} /></span></p>`;
   if (run.isCancelled) return html`<p class="status" role="status">Cancelled: what is greyed is out of date. <button type="button" onClick=${again}>Continue</button></p>`;
   if (!run.isRunning) return html`<p class="status" role="status">${run.results ? `Complete after ${(run.elapsed ?? 0).toFixed(1)} s` : ""}</p>`;
   const stage = run.stage ? STAGES[run.stage] : "Both models";
-  return html`<p class="status"><span role="status">${stage}</span>${run.progress?.stage && html`: ${run.progress.stage}, ${percent(run.progress)}`}
+  return html`<p class="status"><span><span role="status">${stage}</span>${run.progress?.stage && `: ${run.progress.stage}, ${percent(run.progress)}`}</span>
     <progress max="1" value=${run.progress?.done ?? 0} aria-label="Progress"></progress><button type="button" onClick=${cancel}>Cancel</button></p>`;
 };
 
@@ -66,8 +67,9 @@ export const Results = ({ run, actions }) => {
   return html`<div class=${`results${isOutdated ? " outdated" : ""}`} aria-busy=${isOutdated}>
     ${page?.lead && html`<div class=${page.isOld ? "outdated" : ""}><${Html} html=${page.lead} /></div>`}
     ${(hasCards ? coatedFirst(results.cases) : []).map(one => html`<section key=${one.name} class="case">
-      ${several && html`<h2>${one.name}</h2>`}
+      ${several && html`<h2>${one.name}${one.coated && html` <small>(on the ${one.coated})</small>`}</h2>`}
       <${Card} lines=${one.pieces.card} actions=${actions} />
+      ${actions.nearer && !one.pieces.card.some(line => line.key === "nearer") && html`<p>${actions.nearer}</p>`}
       <div class="figures">${one.pieces.figures.map(figure => html`<${Figure} key=${figure.id} figure=${figure} />`)}</div>
     </section>`)}
     ${page && page.card.length > 0 && !hasCards && html`<${Card} lines=${page.card} actions=${actions} />`}
@@ -80,7 +82,7 @@ export const Details = ({ run: { results, isOutdated } }) => {
   if (!results) return null;
   const { warnings, page } = results;
   return html`<div class=${isOutdated || page?.isOld ? "outdated" : ""}>
-    ${warnings.length > 0 && html`<details><summary>${warnings.length === 1 ? "1 warning" : `${warnings.length} warnings`}</summary><ul>${warnings.map(warning => html`<li>${warning}</li>`)}</ul></details>`}
+    ${warnings.length > 0 && !page?.sections && html`<details><summary>${warnings.length === 1 ? "1 warning" : `${warnings.length} warnings`}</summary><ul>${warnings.map(warning => html`<li><${Words} text=${warning} /></li>`)}</ul></details>`}
     ${page?.sections && html`<${Html} html=${page.sections} />`}
   </div>`;
 };

@@ -4,6 +4,7 @@ import { html, useState, useEffect, useMemo, useRef } from "./preact.js";
 import { bytes, events } from "./server.js";
 import { change, withValue } from "./state.js";
 import { length } from "./quantity.js";
+import { Words } from "./controls.js";
 
 const MOST_POINTS = 1024;
 
@@ -157,12 +158,12 @@ const Fitness = ({ rows, others, attempt, isFitting }) => {
   const other = check => others?.find(row => row.check === check);
   const number = value => Number(value.toPrecision(3));
   return html`<div class="table" role="region" aria-label="Checks of the map" tabindex="0"><table>
-    <thead><tr><th>Check</th><th>What is measured</th><th>Value</th>${others && html`<th>After</th>`}<th>Allowed</th><th>Result</th><th>Remedy</th></tr></thead>
+    <thead><tr><th>Check</th><th>What is measured</th><th>Value</th>${others && html`<th>After</th>`}<th>Allowed</th><th>${others ? "Before" : "Result"}</th><th>Remedy</th></tr></thead>
     <tbody>${rows.map(row => html`<tr>
       <td>${row.check}</td><td>${row.measured}</td><td>${number(row.value)}</td>
       ${others && html`<td>${other(row.check) ? `${number(other(row.check).value)} (${other(row.check).result})` : ""}</td>`}
       <td>${row.allowed}</td><td class=${{ passed: "within", failed: "beyond" }[row.result] ?? "open"}>${row.result}</td>
-      <td>${row.keys && attempt ? html`<button type="button" onClick=${() => attempt(row.keys, row.setting)}>Try <code>${row.setting.replaceAll("`", "")}</code></button>` : row.remedy}</td></tr>`)}
+      <td>${row.keys && attempt ? html`<button type="button" onClick=${() => attempt(row.keys, row.setting)}>Try <code>${row.setting.replaceAll("`", "")}</code></button>` : html`<${Words} text=${row.remedy} />`}</td></tr>`)}
     </tbody></table>
     ${attempt && !isFitting && rows.some(row => row.result === "failed") && html`<p><button type="button" onClick=${() => attempt(FIT, "fit = \"auto\"")}>Find the preparation for me</button></p>`}
   </div>`;
@@ -193,8 +194,10 @@ export const Surface = ({ name, spec, folder, ready, inputs, onView, fail }) => 
     setAttempt({ words, next });
     fetchSurface({ spec: next, folder, surface: name }).then(found => setAttempt({ words, next, ...found }), error => { setAttempt(null); fail(error); });
   };
+  // A preparation that was found is written as the keys that do the same.
   const kept = () => {
-    change({ spec: attempt.next });
+    const found = attempt.view.found && remedied(spec, name, attempt.view.found);
+    change({ spec: found ?? attempt.next });
     setAttempt(null);
   };
   const histogram = useMemo(() => shown?.map && histogramOf(shown.map), [shown?.map]);
@@ -220,7 +223,7 @@ export const Surface = ({ name, spec, folder, ready, inputs, onView, fail }) => 
           <button type="button" class="main" onClick=${kept}>Apply</button> <button type="button" onClick=${() => setAttempt(null)}>Discard</button>`
         : html`<p role="status">Preparing the map …</p>`}
     </section>`}
-    ${view.warnings.length > 0 && html`<details><summary>${view.warnings.length === 1 ? "1 warning" : `${view.warnings.length} warnings`} about the surface</summary><ul>${view.warnings.map(warning => html`<li>${warning}</li>`)}</ul></details>`}
+    ${view.warnings.length > 0 && html`<details><summary>${view.warnings.length === 1 ? "1 warning" : `${view.warnings.length} warnings`} about the surface</summary><ul>${view.warnings.map(warning => html`<li><${Words} text=${warning} /></li>`)}</ul></details>`}
     <details><summary>Asperities, properties and spectrum</summary><${Html} html=${view.page.sections} /></details>
   </section>`;
 };

@@ -410,12 +410,18 @@ impl Upload {
             .map_err(|error| Refused::new(format!("{}: cannot be written: {error}", self.name)))
     }
 
-    /// Keeps it under its name, or under one with a number where another file has that; the same file is kept once. Gives its path
-    /// from the folder of the workbench.
+    /// Its name.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Keeps it, if `accept` takes it, under its name, or under one with a number where another file has that; the same file is kept once.
+    /// Gives its path from the folder of the workbench.
     ///
     /// # Errors
-    /// A folder that cannot be written to.
-    pub fn finish(self) -> Result<String, Refused> {
+    /// That of `accept`; a folder that cannot be written to.
+    pub fn finish(self, accept: impl FnOnce(&Path) -> Result<(), Refused>) -> Result<String, Refused> {
+        accept(self.file.path())?;
         /// Files of one name.
         const MOST: u32 = 10_000;
         let Self { mut file, folder, name, hash, bytes } = self;
@@ -470,7 +476,7 @@ fn outside(path: &str) -> Refused {
 }
 
 /// Whether a text is the name of a file on every system.
-fn is_plain(name: &str) -> bool {
+pub fn is_plain(name: &str) -> bool {
     !name.is_empty()
         && !name.starts_with('.')
         && !name.ends_with(['.', ' '])
@@ -545,7 +551,7 @@ mod tests {
     fn uploaded(folder: &Folder, name: &str, content: &[u8]) -> String {
         let mut upload = folder.upload(name).unwrap();
         upload.add(content).unwrap();
-        upload.finish().unwrap()
+        upload.finish(|_| Ok(())).unwrap()
     }
 
     #[test]
@@ -556,6 +562,8 @@ mod tests {
         assert_eq!(uploaded(&folder, "a.npy", b"one"), "uploads/a.npy");
         assert_eq!(fs::read(made.path().join("uploads/a.npy")).unwrap(), b"one");
         drop(folder.upload("b.npy").unwrap());
+        let refused = folder.upload("b.npy").unwrap().finish(|_| Err(Refused::new("no map")));
+        assert_eq!(refused, Err(Refused::new("no map")));
         assert_eq!(fs::read_dir(made.path().join(UPLOADS)).unwrap().count(), 2);
     }
 

@@ -84,7 +84,7 @@ impl Guard {
             return None;
         }
         let cookie = format!("{COOKIE}={given}; HttpOnly; SameSite=Strict; Path=/; Max-Age={COOKIE_AGE}");
-        let page = "<!DOCTYPE html><html lang=\"en\"><title>Asperity workbench</title><meta http-equiv=\"refresh\" content=\"0;url=/\">";
+        let page = "<!DOCTYPE html><html lang=\"en\"><title>Asperity workbench</title><link rel=\"icon\" href=\"data:,\"><meta http-equiv=\"refresh\" content=\"0;url=/\">";
         Some(([(header::SET_COOKIE, cookie)], Html(page)).into_response())
     }
 }

@@ -31,7 +31,7 @@ use serde_json::{Value, json};
 use crate::analysis::{Budget, Watch, answer, value};
 use crate::assets;
 use crate::engine::{Engine, Refused, SpecText, Stage};
-use crate::folder::{Folder, REPORTS, too_large};
+use crate::folder::{Folder, REPORTS, is_plain, too_large};
 use crate::guard::{self, Guard};
 use crate::limits;
 use crate::spec::{json_of, python_of, toml_of};
@@ -136,8 +136,27 @@ async fn upload(
             bytes.map_err(|error| Refused::new(format!("{name}: the upload ended early: {error}")))?;
         file.add(&bytes)?;
     }
-    let path = on_disk(move || file.finish()).await?;
+    let path = on_disk(move || {
+        let name = file.name().to_owned();
+        file.finish(|part| accepted(&*app.engine, part, &name))
+    })
+    .await?;
     Ok(Json(json!({ "path": path })))
+}
+
+/// Refuses a dropped file that the program does not read: it would only be in the way.
+fn accepted(engine: &dyn Engine, file: &std::path::Path, name: &str) -> Result<(), Refused> {
+    if !name.ends_with(".toml") {
+        return engine.begin(file, name).map(drop);
+    }
+    let is_small = std::fs::metadata(file).is_ok_and(|metadata| metadata.len() <= limits::REQUEST as u64);
+    let text = is_small.then(|| std::fs::read_to_string(file).ok()).flatten();
+    match text.and_then(|text| engine.kind(&text)) {
+        Some(_) => Ok(()),
+        None => Err(Refused::new(format!(
+            "{name}: found no experiment; allowed: a spec with a title and one kind, such as [compare]"
+        ))),
+    }
 }
 
 #[derive(Deserialize)]
@@ -193,6 +212,13 @@ impl Saved {
     }
 
     fn save(&self, app: &Shared) -> Result<(PathBuf, String), Refused> {
+        if !is_plain(&self.name) {
+            let message = format!(
+                "found the name \"{}\"; allowed: a name such as my-surface, without any of /\\:*?\"<>| and no point at its beginning",
+                self.name
+            );
+            return Err(Refused::new(message));
+        }
         let (path, text) = (self.path(), self.spec.text(app)?);
         app.engine.prepare(&text)?;
         let state = app.folder.save(&path, &text.text, self.state.as_deref())?;

@@ -98,7 +98,10 @@ impl Server {
             listeners.iter().map(TcpListener::local_addr).collect::<Result<_, _>>()?;
         let port = addresses.first().map_or(0, SocketAddr::port);
         let address = format!("http://127.0.0.1:{port}/?token={token}");
-        let background = rayon::ThreadPoolBuilder::new().build().map_err(io::Error::other)?;
+        let background = rayon::ThreadPoolBuilder::new()
+            .start_handler(|_| yield_to_others())
+            .build()
+            .map_err(io::Error::other)?;
         let app = Arc::new(Shared {
             engine,
             folder,
@@ -145,6 +148,17 @@ impl Server {
         })
     }
 }
+
+/// Gives a thread a low priority: while a slider moves, what it shows comes first.
+#[cfg(target_os = "linux")]
+fn yield_to_others() {
+    const NICE: i32 = 15;
+    // It is of the calling thread alone; without it all still works.
+    let _ = rustix::process::setpriority_process(None, NICE);
+}
+
+#[cfg(not(target_os = "linux"))]
+fn yield_to_others() {}
 
 /// Listeners on both addresses of this machine, with the same port.
 async fn listeners(port: Option<u16>) -> Result<Vec<TcpListener>, ServeError> {

@@ -58,8 +58,6 @@ pub enum MapPatches {
 
 /// Points of the picture along an axis.
 pub const MOST_POINTS: usize = 256;
-/// Loads, beside the reported one.
-const MOST_LOADS: usize = 16;
 /// Asperities that are shown as circles.
 const MOST_CIRCLES: usize = 1500;
 
@@ -67,22 +65,28 @@ const MOST_CIRCLES: usize = 1500;
 pub type Covered = (f64, [usize; 2], Vec<u8>);
 
 impl ContactMap {
-    /// Of the only case on a measured map: by the reference where it was run, else by the sum under `law`. `None` where neither was.
+    /// Of a case on a measured map at `most_loads` and the reported one: by the reference where it was run, else by the sum under `law`. `None` where neither was.
     pub fn new(
         surface: &Surface,
         prepared: &PreparedMap,
         case: &CaseStudy,
         law: &LawContact,
         covered: &[Covered],
+        most_loads: usize,
     ) -> Option<Self> {
         if covered.is_empty() {
-            Self::of_sum(surface, prepared, case, law)
+            Self::of_sum(surface, prepared, (case, law), most_loads)
         } else {
-            Self::of_reference(prepared, case, covered)
+            Self::of_reference(prepared, case, covered, most_loads)
         }
     }
 
-    fn of_reference(prepared: &PreparedMap, case: &CaseStudy, covered: &[Covered]) -> Option<Self> {
+    fn of_reference(
+        prepared: &PreparedMap,
+        case: &CaseStudy,
+        covered: &[Covered],
+        most_loads: usize,
+    ) -> Option<Self> {
         let curve = case.first().reference.as_ref()?;
         let all: Vec<(MapLoad, &Covered)> = covered
             .iter()
@@ -93,7 +97,8 @@ impl ContactMap {
                 ))
             })
             .collect();
-        let (loads, reported) = chosen(case, all.iter().map(|(load, _)| load.pressure).collect())?;
+        let (loads, reported) =
+            chosen(case, all.iter().map(|(load, _)| load.pressure).collect(), most_loads)?;
         let chosen = all.into_iter().filter(|(load, _)| loads.contains(&load.pressure));
         let (loads, covered): (Vec<MapLoad>, Vec<&Covered>) = chosen.unzip();
         let patches = MapPatches::Cells {
@@ -109,14 +114,20 @@ impl ContactMap {
         })
     }
 
-    fn of_sum(surface: &Surface, prepared: &PreparedMap, case: &CaseStudy, law: &LawContact) -> Option<Self> {
+    fn of_sum(
+        surface: &Surface,
+        prepared: &PreparedMap,
+        (case, law): (&CaseStudy, &LawContact),
+        most_loads: usize,
+    ) -> Option<Self> {
         let set = &surface.set;
         let points = curve(&case.first().comparison, ModelKind::Deterministic);
         let load = |point: &CurvePoint| {
             let pressure = point.prescribed_pressure.unwrap_or(point.response.pressure.total());
             MapLoad { pressure, area_ratio: point.response.area_ratio.total(), contacts: None }
         };
-        let (loads, reported) = chosen(case, points.iter().map(|point| load(point).pressure).collect())?;
+        let (loads, reported) =
+            chosen(case, points.iter().map(|point| load(point).pressure).collect(), most_loads)?;
         let at_load = |wanted: &f64| points.iter().find(|point| load(point).pressure == *wanted);
         let points: Vec<&CurvePoint> = loads.iter().filter_map(at_load).copied().collect();
         let flat = |point: &CurvePoint| surface.plane.mean + point.response.separation;
@@ -172,7 +183,7 @@ fn covered_by(map: &HeightMap, places: &[[f64; 2]], radii: &[f64]) -> Vec<u8> {
 
 /// Some of the loads at which a contact is known, the admissible ones where there are such, and the index of the reported one, or of
 /// the middle one where that is not among them.
-fn chosen(case: &CaseStudy, mut all: Vec<f64>) -> Option<(Vec<f64>, usize)> {
+fn chosen(case: &CaseStudy, mut all: Vec<f64>, most: usize) -> Option<(Vec<f64>, usize)> {
     let stretches = &case.verdicts.admissible.stretches;
     let is_admissible = |load: &f64| stretches.iter().any(|[from, to]| (*from..=*to).contains(load));
     if all.iter().any(is_admissible) {
@@ -182,7 +193,7 @@ fn chosen(case: &CaseStudy, mut all: Vec<f64>) -> Option<(Vec<f64>, usize)> {
     all.dedup();
     let reported = case.reported_load().map(|at| at.load).filter(|load| all.contains(load));
     let reported = reported.or_else(|| all.get(all.len() / 2).copied())?;
-    let mut loads = spread_over(&all, MOST_LOADS);
+    let mut loads = spread_over(&all, most);
     if !loads.contains(&reported) {
         loads.push(reported);
         loads.sort_by(f64::total_cmp);

@@ -287,7 +287,8 @@ impl<'a> Run<'a> {
             // The reference has one picture, of its first case.
             let covered = if cases.len() == 1 { &covered[..] } else { &[] };
             let cases = cases.iter().zip(setup.laws);
-            cases.map(|(case, law)| ContactMap::new(&surface, &prepared, case, law, covered)).collect()
+            let loads = scope.loads_of_pictures();
+            cases.map(|(case, law)| ContactMap::new(&surface, &prepared, case, law, covered, loads)).collect()
         });
         Ok(SurfaceResults {
             contact_maps,

@@ -168,7 +168,17 @@ const Chart = (() => {
       const { panels } = data;
       const isAlike = panels.length === this.data.panels.length;
       const known = (unit, units) => (unit < units.length ? unit : 0);
+      const form = ({ panels }) => JSON.stringify(panels.map(({ title, height, x, y, series }) => [title, height, x.units, y.units, x.log, y.log, series.map(({ name, kind, colour, dash, width, opacity }) => [name, kind, colour, dash, width, opacity])]));
+      const isSame = form(data) === form(this.data);
       this.data = data;
+      // Other values of the same curves, as a slider gives them.
+      if (isSame) {
+        for (const { plot, held, k, showWhole } of this.plots) {
+          Object.assign(held, this.content(panels[k], k));
+          plot.batch(() => { plot.setData(held.data, false); showWhole(); });
+        }
+        return;
+      }
       this.units = { x: known(this.units.x, panels[0].x.units), y: panels.map((panel, k) => known(isAlike ? this.units.y[k] : 0, panel.y.units)) };
       if (!isAlike) this.log = { x: panels.map(panel => panel.x.log), y: panels.map(panel => panel.y.log) };
       const names = this.legend();
@@ -261,12 +271,12 @@ const Chart = (() => {
       this.plots = this.data.panels.flatMap((panel, k) => (panel.height ? [this.panel(panel, k, holders[k], sync)] : []));
     }
 
-    panel(panel, k, holder, sync) {
+    // What is drawn of a panel: its values as columns, what each column is, and the whole range of its axes.
+    content(panel, k) {
       const unitX = panel.x.units[Math.min(this.units.x, panel.x.units.length - 1)];
       const unitY = panel.y.units[this.units.y[k]];
       const [logX, logY] = [this.log.x[k], this.log.y[k]];
       const data = aligned(panel, unitX, unitY, logX, logY);
-      // What each column of the data is.
       const keys = panel.series.flatMap(series => (series.kind === "band" ? [series, series] : [series]));
       const isBand = key => key.kind === "band" && key.opacity < 1;
       const columns = keys.flatMap((key, at) => (isBand(key) ? [] : [data[at + 1]]));
@@ -275,6 +285,14 @@ const Chart = (() => {
         x: range(panel.x, unitX, logX, [data[0]], []),
         y: range(panel.y, unitY, logY, columns, widening),
       };
+      return { panel, unitX, unitY, data, keys, whole };
+    }
+
+    panel(panel, k, holder, sync) {
+      // Other values take the place of these.
+      const held = this.content(panel, k);
+      const { unitX, unitY, data, keys, whole } = held;
+      const [logX, logY] = [this.log.x[k], this.log.y[k]];
       const bands = [];
       const series = keys.map((key, at) => {
         const show = !this.hidden.has(key.name);
@@ -299,16 +317,16 @@ const Chart = (() => {
       });
       const values = element("div", { className: "values" });
       // A range that an axis cannot show, such as one that is not yet known, is the whole one.
-      const scale = (log, ends) => ({
+      const scale = (log, axis) => ({
         time: false,
         distr: log ? 3 : 1,
         auto: false,
-        range: (plot, low, high) => (Number.isFinite(low) && high > low && (!log || low > 0) ? [low, high] : ends),
+        range: (plot, low, high) => (Number.isFinite(low) && high > low && (!log || low > 0) ? [low, high] : held.whole[axis]),
       });
       const options = {
         width: room(holder),
         height: Math.round(Math.min(360, Math.max(215, panel.height))),
-        scales: { x: { ...scale(logX, whole.x), min: whole.x[0], max: whole.x[1] }, y: { ...scale(logY, whole.y), min: whole.y[0], max: whole.y[1] } },
+        scales: { x: { ...scale(logX, "x"), min: whole.x[0], max: whole.x[1] }, y: { ...scale(logY, "y"), min: whole.y[0], max: whole.y[1] } },
         series: [{}, ...series],
         bands,
         axes: [axis(logX, true), axis(logY, false)],
@@ -319,7 +337,7 @@ const Chart = (() => {
           points: { size: 7 },
           // The point of each curve that is nearest along x.
           dataIdx: (plot, at, hovered) => {
-            const column = data[at];
+            const column = held.data[at];
             if (at === 0 || column[hovered] !== undefined) return hovered;
             for (let away = 1; away < column.length; away++) {
               for (const near of [hovered - away, hovered + away]) {
@@ -330,9 +348,9 @@ const Chart = (() => {
           },
         },
         hooks: {
-          drawClear: [plot => this.regions(plot, panel, unitX, unitY)],
-          draw: [plot => this.levels(plot, panel, unitX, unitY)],
-          setCursor: [plot => this.read(plot, values, panel, keys, data)],
+          drawClear: [plot => this.regions(plot, held.panel, held.unitX, held.unitY)],
+          draw: [plot => this.levels(plot, held.panel, held.unitX, held.unitY)],
+          setCursor: [plot => this.read(plot, values, held.panel, held.keys, held.data)],
         },
       };
       // Labels are text of the page, since a canvas knows no subscripts.
@@ -342,14 +360,13 @@ const Chart = (() => {
         element("div", { className: "along-x" }, ...typeset(unitX.label)),
       );
       const plot = new uPlot(options, data, place);
-      plot.setScale("x", { min: whole.x[0], max: whole.x[1] });
-      plot.setScale("y", { min: whole.y[0], max: whole.y[1] });
+      const showWhole = () => {
+        for (const axis of ["x", "y"]) plot.setScale(axis, { min: held.whole[axis][0], max: held.whole[axis][1] });
+      };
+      showWhole();
       plot.over.append(values);
-      plot.over.addEventListener("dblclick", () => {
-        plot.setScale("x", { min: whole.x[0], max: whole.x[1] });
-        plot.setScale("y", { min: whole.y[0], max: whole.y[1] });
-      });
-      return { plot, keys, holder };
+      plot.over.addEventListener("dblclick", showWhole);
+      return { plot, keys, holder, held, k, showWhole };
     }
 
     // Shaded regions, below the curves.
