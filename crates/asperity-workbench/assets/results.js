@@ -1,13 +1,13 @@
 // What the contact gives: cards, charts, contacts on the map, and the folded sections of the report.
 
-import { html, useEffect, useRef } from "./preact.js";
+import { html, useLayoutEffect, useRef, useState } from "./preact.js";
 import { Words } from "./controls.js";
 import { ChartOf, Html } from "./surface.js";
 
 // A figure that is a picture, with a slider over its frames.
 const Picture = ({ figure: { id, svg, data, caption } }) => {
   const place = useRef(null);
-  useEffect(() => {
+  useLayoutEffect(() => {
     place.current.innerHTML = svg;
     place.current.parentElement.querySelectorAll(".slider").forEach(slider => slider.remove());
     if (data?.frames?.names.length > 1) Chart.slider(place.current.parentElement, data.frames);
@@ -57,6 +57,14 @@ export const Status = ({ run, cancel, again }) => {
 // A thickness is compared with none: what is asked for stands first.
 export const coatedFirst = cases => (cases.length === 2 && cases[0].thickness_m === 0 ? [cases[1], cases[0]] : cases);
 
+// Those of the uncoated body beside the coated one are drawn once they are unfolded.
+const Figures = ({ figures, isFolded }) => {
+  const [isOpen, setOpen] = useState(!isFolded);
+  const all = html`<div class="figures">${figures.map(figure => html`<${Figure} key=${figure.id} figure=${figure} />`)}</div>`;
+  if (!isFolded) return all;
+  return html`<details onToggle=${event => setOpen(event.target.open)}><summary>Curves and contacts</summary>${isOpen && all}</details>`;
+};
+
 // `actions` stand in the lines of the cards, by their keys.
 export const Results = ({ run, actions }) => {
   const { results, isOutdated } = run;
@@ -66,11 +74,11 @@ export const Results = ({ run, actions }) => {
   const page = results.page;
   return html`<div class=${`results${isOutdated ? " outdated" : ""}`} aria-busy=${isOutdated}>
     ${page?.lead && html`<div class=${page.isOld ? "outdated" : ""}><${Html} html=${page.lead} /></div>`}
-    ${(hasCards ? coatedFirst(results.cases) : []).map(one => html`<section key=${one.name} class="case">
+    ${(hasCards ? coatedFirst(results.cases) : []).map((one, place) => html`<section key=${place} class="case">
       ${several && html`<h2>${one.name}${one.coated && html` <small>(on the ${one.coated})</small>`}</h2>`}
       <${Card} lines=${one.pieces.card} actions=${actions} />
       ${actions.nearer && !one.pieces.card.some(line => line.key === "nearer") && html`<p>${actions.nearer}</p>`}
-      <div class="figures">${one.pieces.figures.map(figure => html`<${Figure} key=${figure.id} figure=${figure} />`)}</div>
+      <${Figures} figures=${one.pieces.figures} isFolded=${place > 0 && results.cases[0].thickness_m === 0} />
     </section>`)}
     ${page && page.card.length > 0 && !hasCards && html`<${Card} lines=${page.card} actions=${actions} />`}
     ${page && html`<div class=${`figures${page.isOld ? " outdated" : ""}`}>${page.figures.map(figure => html`<${Figure} key=${figure.id} figure=${figure} />`)}</div>`}

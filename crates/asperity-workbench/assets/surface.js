@@ -1,6 +1,6 @@
 // A surface: its height map with a profile along a line, its histogram, its checks with their remedies, its properties.
 
-import { html, useState, useEffect, useMemo, useRef } from "./preact.js";
+import { html, useState, useEffect, useLayoutEffect, useMemo, useRef } from "./preact.js";
 import { bytes, events } from "./server.js";
 import { change, withValue } from "./state.js";
 import { length } from "./quantity.js";
@@ -55,7 +55,7 @@ const line = (name, y) => ({ name, kind: "line", colour: "#0072b2", dash: "solid
 export const ChartOf = ({ data, caption, id }) => {
   const figure = useRef(null);
   const chart = useRef(null);
-  useEffect(() => {
+  useLayoutEffect(() => {
     if (!chart.current) chart.current = new Chart(figure.current, data);
     else chart.current.update(data);
   }, [data]);
