@@ -500,3 +500,32 @@ def test_everyone_can_use_it(server, visit, width, scheme):
     help_.focus()
     page.keyboard.press("Enter")
     expect(page.locator(".explanation:popover-open")).to_contain_text("surface.a.population.sigma")
+
+
+def test_the_tutorial_in_the_workbench(server, visit):
+    """Part 3 of docs/tutorial.md: its steps, and the numbers that it quotes."""
+    tutorial = (ROOT / "docs" / "tutorial.md").read_text().split("# Part 3")[1]
+    shutil.copy(SURFACES / "opd-1.npy", server.folder / "shaft.npy")
+    page = visit(server.address)
+    page.get_by_role("button", name="shaft.npy").click()
+    page.locator("input[name=pixel]").fill("196.733 nm")
+    page.get_by_role("button", name="Use").click()
+    complete(page)
+    key(page, "compare", "flat").select_option("steel-42CrMo4-QT")
+    complete(page)
+    assert "integral +95.8 %" in tutorial and "integral +95.8 %" in card(page, "Result at")
+    assert "On this map: no" in card(page, "May the integral")
+    page.get_by_role("button", name="Try filter").first.click()
+    assert "3,176" in tutorial and "24,714" in tutorial
+    expect(page.locator(".attempt")).to_contain_text("3,176 asperities")
+    page.get_by_role("button", name="Discard").click()
+    page.get_by_role("button", name="Keep").click()
+    key(page, "compare", "kind-of-load").select_option("pressure")
+    put(page, "10 MPa", "compare", "pressure")
+    key(page, "compare", "layer", "material").select_option("coating-DLC")
+    for thickness, share in (("200 nm", "77.5 %"), ("2 um", "80.9 %")):
+        put(page, thickness, "compare", "layer", "thickness")
+        complete(page)
+        assert share in tutorial and f"{share} elastic" in card(page, "Result at"), thickness
+    page.get_by_role("button", name="Keep").click()
+    expect(page.locator(".kept tbody tr")).to_have_count(2)

@@ -1,18 +1,17 @@
-//! The user's files in one folder: listed, read, added. Nothing outside of it is touched, and nothing in it is overwritten unasked.
+//! The user's files in one folder: read and added. Nothing outside of it is touched, and nothing in it is overwritten unasked.
 
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Component, Path, PathBuf};
-use std::time::{SystemTime, UNIX_EPOCH};
 
 use asperity_contact_framework::report::Index;
-use asperity_contact_framework::report::answer::Answer;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use sha2::{Digest, Sha256};
 use tempfile::NamedTempFile;
 
-use crate::engine::{Engine, Refused};
+use crate::engine::Refused;
 use crate::limits;
+use crate::listing::is_report;
 
 /// Where dropped files are kept.
 pub const UPLOADS: &str = "uploads";
@@ -27,35 +26,6 @@ const PART: &str = ".part-";
 #[derive(Debug, Clone)]
 pub struct Folder {
     root: PathBuf,
-}
-
-/// What the page lists.
-#[derive(Debug, PartialEq, Serialize)]
-pub struct Entry {
-    /// From the folder, with slashes.
-    path: String,
-    what: What,
-    /// When it was last written, s since 1970.
-    modified: u64,
-    bytes: u64,
-}
-
-#[derive(Debug, PartialEq, Serialize)]
-#[serde(rename_all = "kebab-case", tag = "type")]
-enum What {
-    /// A measured file, or a list of asperities.
-    Surface,
-    Spec {
-        kind: String,
-        title: String,
-    },
-    Report {
-        title: String,
-        answer: String,
-        /// Whether it has a picture.
-        picture: bool,
-        page: &'static str,
-    },
 }
 
 /// A spec on disk.
@@ -184,60 +154,6 @@ impl Folder {
     pub fn folder(&self, path: &str) -> Result<PathBuf, Refused> {
         let whole = self.existing(path)?;
         if whole.is_dir() { Ok(whole) } else { Err(Refused::new(format!("{path}: is no folder"))) }
-    }
-
-    /// All maps, lists, specs and reports, the newest first.
-    pub fn entries(&self, engine: &dyn Engine) -> Vec<Entry> {
-        let mut entries = Vec::new();
-        self.walk(&self.root, 0, engine, &mut entries);
-        entries.sort_by(|a, b| b.modified.cmp(&a.modified).then(a.path.cmp(&b.path)));
-        entries
-    }
-
-    fn walk(&self, folder: &Path, depth: usize, engine: &dyn Engine, entries: &mut Vec<Entry>) {
-        const FOREIGN: [&str; 2] = ["target", "node_modules"];
-        let mut inside: Vec<fs::DirEntry> = fs::read_dir(folder).into_iter().flatten().flatten().collect();
-        inside.sort_by_key(fs::DirEntry::file_name);
-        for entry in inside {
-            if entries.len() >= limits::FILES {
-                return;
-            }
-            // Of a link the link itself, so that it is neither followed nor listed.
-            let (Ok(metadata), Ok(name)) = (entry.metadata(), entry.file_name().into_string()) else {
-                continue;
-            };
-            if name.starts_with('.') {
-                continue;
-            }
-            let path = entry.path();
-            if metadata.is_dir() {
-                match report(&path) {
-                    Some(what) => entries.extend(self.entry(&path, &metadata, what)),
-                    None if depth < limits::DEPTH && !FOREIGN.contains(&name.as_str()) => {
-                        self.walk(&path, depth + 1, engine, entries);
-                    }
-                    None => {}
-                }
-            } else if metadata.is_file() {
-                let ending = path
-                    .extension()
-                    .and_then(|ending| ending.to_str())
-                    .unwrap_or_default()
-                    .to_ascii_lowercase();
-                let what = if ending == "toml" && metadata.len() <= limits::REQUEST as u64 {
-                    let found = fs::read_to_string(&path).ok().and_then(|text| engine.kind(&text));
-                    found.map(|(kind, title)| What::Spec { kind, title })
-                } else {
-                    engine.endings().contains(&ending.as_str()).then_some(What::Surface)
-                };
-                entries.extend(what.and_then(|what| self.entry(&path, &metadata, what)));
-            }
-        }
-    }
-
-    fn entry(&self, path: &Path, metadata: &fs::Metadata, what: What) -> Option<Entry> {
-        let modified = metadata.modified().unwrap_or(UNIX_EPOCH);
-        Some(Entry { path: self.name_of(path)?, what, modified: seconds(modified), bytes: metadata.len() })
     }
 
     /// The path from the folder, with slashes.
@@ -370,13 +286,9 @@ impl Folder {
         let name = whole.file_name().and_then(|name| name.to_str()).unwrap_or_default();
         let is_index = || {
             Index::FILES.contains(&name)
-                && fs::read_dir(folder)
-                    .into_iter()
-                    .flatten()
-                    .flatten()
-                    .any(|entry| report(&entry.path()).is_some())
+                && fs::read_dir(folder).into_iter().flatten().flatten().any(|entry| is_report(&entry.path()))
         };
-        if report(folder).is_none() && !is_index() {
+        if !is_report(folder) && !is_index() {
             return Err(no_file());
         }
         let content =
@@ -501,41 +413,8 @@ fn plain_name(name: &str) -> String {
     if is_plain(&kept) { kept } else { "surface".to_owned() }
 }
 
-/// A report, if that is what a folder holds.
-fn report(folder: &Path) -> Option<What> {
-    #[derive(Deserialize)]
-    struct Summary {
-        program: String,
-        title: String,
-        #[serde(default)]
-        answer: serde_json::Value,
-    }
-    let path = folder.join("summary.json");
-    // What lies elsewhere, has no end or is none of the program's is no summary.
-    let is_summary =
-        fs::symlink_metadata(&path).is_ok_and(|file| file.is_file() && file.len() <= limits::SUMMARY);
-    let text = is_summary.then(|| fs::read(&path).ok()).flatten()?;
-    let Summary { program, title, answer } = serde_json::from_slice(&text).ok()?;
-    let answer = match answer {
-        serde_json::Value::String(sentence) => sentence,
-        other => serde_json::from_value::<Answer>(other).unwrap_or_default().sentence,
-    };
-    let picture = folder.join("card.svg").is_file();
-    let page = if folder.join("report.html").is_file() { "report.html" } else { "report.md" };
-    (program == asperity_contact_framework::report::PROGRAM).then_some(What::Report {
-        title,
-        answer,
-        picture,
-        page,
-    })
-}
-
 fn hash(text: &str) -> String {
     asperity_contact_framework::digest::hexadecimal(&Sha256::digest(text))
-}
-
-fn seconds(time: SystemTime) -> u64 {
-    time.duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs())
 }
 
 #[cfg(test)]

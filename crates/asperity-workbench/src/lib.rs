@@ -9,7 +9,7 @@
 //! | `token` | the secret that opens the page, kept between runs |
 //! | `routes` | what can be asked |
 //! | `analysis` | work on threads of its own, which ends where nobody waits for it |
-//! | `folder` | the user's files: listed, read, added; never outside of one folder |
+//! | `folder`, `listing` | the user's files: read, added, listed; never outside of one folder |
 //! | `spec` | the spec of the page as TOML and as Python |
 //! | `assets` | the page |
 //!
@@ -23,6 +23,7 @@ pub mod engine;
 mod folder;
 mod guard;
 mod limits;
+mod listing;
 mod routes;
 pub mod server;
 mod spec;
