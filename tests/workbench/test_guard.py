@@ -1,10 +1,12 @@
 """Attacks on the workbench: by a page of another site, by what lies in its folder, by whoever has no token."""
 
+import array
 import ast
 import copy
 import json
 import os
 import pathlib
+import random
 import signal
 import socket
 import threading
@@ -743,3 +745,27 @@ def test_a_token_that_others_have_read_is_not_used_again(server):
     path.chmod(0o644)
     server.start()
     assert server.token != token and path.stat().st_mode & 0o777 == 0o600
+
+
+def resident(server):
+    """Bytes of memory that it holds."""
+    pages = pathlib.Path(f"/proc/{server.process.pid}/statm").read_text().split()[1]
+    return int(pages) * os.sysconf("SC_PAGE_SIZE")
+
+
+def test_memory_returns_after_a_surface_is_closed(server):
+    """A map of four million points, shown and closed."""
+    side = 2048
+    draw = random.Random(1).random
+    heights = array.array("f", (1e-7 * draw() for _ in range(side * side)))
+    head = f"{{'descr': '<f4', 'fortran_order': False, 'shape': ({side}, {side}), }}".ljust(117) + "\n"
+    content = b"\x93NUMPY\x01\x00" + len(head).to_bytes(2, "little") + head.encode() + heights.tobytes()
+    (server.folder / "large.npy").write_bytes(content)
+    spec = {**SPEC, "surface": {"large": {"file": {"path": "large.npy", "pixel": "1 um"}}}}
+    before = resident(server)
+    found = server.events("/api/surface", {"spec": spec, "folder": "", "surface": "large"})
+    assert found[-1][0] == "done", found[-1]
+    held = resident(server) - before
+    assert server.post("/api/close", {}).status == 200
+    left = resident(server) - before
+    assert held > 8 * side * side and left < held / 2, (held, left)

@@ -29,16 +29,16 @@ export const Explanation = ({ vocabulary, path, id }) => {
 };
 
 // A label with a button that explains the key, the control itself, and the error.
-const Row = ({ context, path, label, children, isWide }) => {
+const Row = ({ context, path, explained = path, label, children }) => {
   const id = `key-${name(path).replaceAll(/[^\w-]/g, "-")}`;
   const { error, vocabulary } = context;
   const isOwn = error?.key && (error.key === name(path) || error.key.startsWith(`${name(path)}.`));
-  return html`<div class=${`row${isWide ? " wide" : ""}${isOwn ? " wrong" : ""}`}>
+  return html`<div class=${`row${isOwn ? " wrong" : ""}`}>
     <label for=${id}>${label}</label>
-    ${meaningOf(vocabulary, path) && html`<button type="button" class="help" popovertarget=${`${id}-meaning`} aria-label=${`Explain ${label}`}>?</button>`}
+    ${meaningOf(vocabulary, explained) && html`<button type="button" class="help" popovertarget=${`${id}-meaning`} aria-label=${`Explain ${label}`}>?</button>`}
     <div class="control">${children(id, isOwn ? `${id}-error` : undefined)}</div>
     ${isOwn && html`<p class="error" id=${`${id}-error`} role="alert"><${Words} text=${error.message} /></p>`}
-    <${Explanation} vocabulary=${vocabulary} path=${path} id=${`${id}-meaning`} />
+    <${Explanation} vocabulary=${vocabulary} path=${explained} id=${`${id}-meaning`} />
   </div>`;
 };
 
@@ -74,10 +74,10 @@ export const Quantity = ({ context, path, label, dimension, low, high, linear, p
 };
 
 // A choice among some values; the first may be none.
-export const Choice = ({ context, path, label, options, none, set, value }) => {
+export const Choice = ({ context, path, explained, label, options, none, set, value }) => {
   const chosen = value ?? at(context.spec, path);
   const taken = set ?? (next => setValue(path, next));
-  return html`<${Row} context=${context} path=${path} label=${label}>
+  return html`<${Row} context=${context} path=${path} explained=${explained} label=${label}>
     ${(id, describedBy) => html`<select id=${id} value=${chosen ?? ""} aria-describedby=${describedBy} onChange=${event => taken(event.target.value || undefined)}>
       ${none !== undefined && html`<option value="">${none}</option>`}
       ${chosen !== undefined && typeof chosen === "string" && !options.some(([one]) => one === chosen) && html`<option value=${chosen}>${chosen}</option>`}
@@ -203,7 +203,7 @@ const Load = ({ context }) => {
     const given = next === "force" ? { force: "1 N", "nominal-area": "1 mm^2" } : next === "pressure" ? { pressure: "1 MPa" } : {};
     change({ spec: { ...context.spec, compare: { ...rest, ...kept, ...given } } });
   };
-  return html`<${Choice} context=${context} path=${["compare", "kind-of-load"]} label="Load" value=${kind} options=${[["force", "force on an area"], ["pressure", "nominal pressure"]]} none="no load of your own" set=${choose} />
+  return html`<${Choice} context=${context} path=${["compare", "kind-of-load"]} explained=${["compare", kind || "force"]} label="Load" value=${kind} options=${[["force", "force on an area"], ["pressure", "nominal pressure"]]} none="no load of your own" set=${choose} />
     ${kind === "force" && html`<${Quantity} context=${context} path=${["compare", "force"]} label="Force" dimension="force" low=${1e-3} high=${1e3} />
       <${Quantity} context=${context} path=${["compare", "nominal-area"]} label="on the area" dimension="area" low=${1e-10} high=${1e-3} placeholder="that of the map" />`}
     ${kind === "pressure" && html`<${Quantity} context=${context} path=${["compare", "pressure"]} label="Pressure" dimension="pressure" low=${1e3} high=${1e9} />`}`;

@@ -1,6 +1,6 @@
 // Kept states, laid over each other: up to eight.
 
-import { html, useState, useEffect, useMemo } from "./preact.js";
+import { html, useState, useEffect, useMemo, useRef } from "./preact.js";
 import { events } from "./server.js";
 import { change, state } from "./state.js";
 import { coatedFirst } from "./results.js";
@@ -35,17 +35,19 @@ const chartOf = (all, quantity) => {
 
 export const Kept = ({ kept, fail }) => {
   const [found, setFound] = useState({});
+  const complete = useRef(new Set());
   const [quantity, setQuantity] = useState("area_ratio");
   useEffect(() => {
     const abort = new AbortController();
     const load = async () => {
       for (const { spec, folder } of kept) {
         const key = JSON.stringify([spec, folder]);
-        if (found[key]) continue;
-        await events("/api/analyse", { spec, folder, last: "models" }, abort.signal, (name, value) => {
+        if (complete.current.has(key)) continue;
+        await events("/api/analyse", { spec, folder, last: "intervals" }, abort.signal, (name, value) => {
           // Of a thickness and none it is that which was asked for.
           if (name === "results") setFound(before => ({ ...before, [key]: coatedFirst(value.results.cases).slice(0, value.results.cases.length === 2 ? 1 : undefined) }));
         });
+        complete.current.add(key);
       }
     };
     load().catch(error => error.name !== "AbortError" && fail(error));
@@ -60,9 +62,9 @@ export const Kept = ({ kept, fail }) => {
     <h2>Compared</h2>
     <label>Quantity <select value=${quantity} onChange=${event => setQuantity(event.target.value)}>${Object.entries(QUANTITIES).map(([key, { label }]) => html`<option value=${key}>${label.replace("_nom", "ₙₒₘ")}</option>`)}</select></label>
     ${data.panels[0].series.length > 0 && html`<${ChartOf} id="kept" data=${data} caption="Kept states: sums as solid lines, integrals dashed." />`}
-    <div class="table" role="region" aria-label="Kept states" tabindex="0"><table><thead><tr><th>State</th><th>Result</th><th>Difference</th><th></th></tr></thead>
+    <div class="table" role="region" aria-label="Kept states" tabindex="0"><table><thead><tr><th>State</th><th>Result</th><th>May the integral replace the sum?</th><th></th></tr></thead>
       <tbody>${all.map((one, place) => html`<tr><td><span class="sample" style=${{ background: COLOURS[place] }}></span>${one.name}</td>
-        <td dangerouslySetInnerHTML=${{ __html: line(one, "result") ?? "…" }}></td><td dangerouslySetInnerHTML=${{ __html: line(one, "difference") ?? "" }}></td>
+        <td dangerouslySetInnerHTML=${{ __html: line(one, "result") ?? "…" }}></td><td dangerouslySetInnerHTML=${{  __html: line(one, "answer") ?? "" }}></td>
         <td><button type="button" onClick=${() => restore(one)}>Restore</button> <button type="button" onClick=${() => remove(place)} aria-label=${`Remove ${one.name}`}>Remove</button></td></tr>`)}</tbody></table></div>
   </section>`;
 };

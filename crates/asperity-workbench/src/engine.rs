@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use asperity_contact_framework::progress::Progress;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 /// A spec as the page holds it.
@@ -35,7 +35,7 @@ impl Refused {
 }
 
 /// How far an analysis goes; each stage repeats those before.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Stage {
     /// What follows a slider: both models.

@@ -10,6 +10,7 @@
 //! | `routes` | what can be asked |
 //! | `analysis` | work on threads of its own, which ends where nobody waits for it |
 //! | `folder`, `listing` | the user's files: read, added, listed; never outside of one folder |
+//! | `allocator` | memory that returns to the system |
 //! | `spec` | the spec of the page as TOML and as Python |
 //! | `assets` | the page |
 //!
@@ -17,6 +18,7 @@
 #![deny(unsafe_code)]
 #![warn(missing_docs)]
 
+mod allocator;
 mod analysis;
 mod assets;
 pub mod engine;

@@ -295,6 +295,7 @@ async fn checked(app: &App, text: &SpecText) -> Result<Box<dyn crate::engine::Pr
 /// A surface is closed: its memory returns.
 async fn close(State(app): State<App>) -> Json<Value> {
     app.engine.forget();
+    crate::allocator::trim();
     Json(json!({}))
 }
 
@@ -310,7 +311,7 @@ struct Wanted {
     #[serde(flatten)]
     page: PageSpec,
     /// The stage after which the page has enough.
-    last: Option<String>,
+    last: Option<Stage>,
 }
 
 async fn analyse(
@@ -319,10 +320,10 @@ async fn analyse(
 ) -> Result<Response, Refused> {
     let text = page.text(&app)?;
     let prepared = checked(&app, &text).await?;
-    let is_short = last.as_deref() == Some("models");
+    let last = last.unwrap_or(Stage::Everything);
     Ok(answer(Arc::clone(&app.budget), prepared.memory(), move |watch| {
         for &stage in prepared.stages() {
-            if is_short && stage > Stage::Models {
+            if stage > last {
                 break;
             }
             let inputs = prepared.inputs();

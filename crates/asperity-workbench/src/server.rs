@@ -15,7 +15,7 @@ use crate::engine::Engine;
 use crate::folder::Folder;
 use crate::guard::Guard;
 use crate::routes::{Shared, router};
-use crate::{limits, token};
+use crate::{allocator, limits, token};
 
 /// How to serve.
 #[derive(Debug, Clone)]
@@ -82,6 +82,7 @@ impl Server {
     /// # Errors
     /// See [`ServeError`].
     pub fn new(options: &Options, engine: Arc<dyn Engine>) -> Result<Self, ServeError> {
+        allocator::keep_large_apart();
         let folder = Folder::new(&options.folder)
             .map_err(|error| ServeError::Folder { folder: options.folder.clone(), error })?;
         let path = options.token.clone().or_else(token::path);
