@@ -313,6 +313,9 @@ def test_a_spec_is_saved_changed_as_text_and_never_overwritten_unasked(server, v
     assert key(page, "surface", "a", "population", "sigma").input_value() == "60 nm"
     (server.folder / "population.toml").write_text("title = \"changed by another program\"\n")
     page.get_by_role("button", name="Save spec").click()
+    assert page.get_by_label("Name").input_value() == "population-2"
+    page.get_by_label("Name").fill("population")
+    expect(page.locator("dialog")).to_contain_text("replaces the spec of this name with its comments")
     page.get_by_role("button", name="Replace", exact=True).click()
     expect(page.locator("dialog .error")).to_contain_text("not the one this page has read")
     page.get_by_label("Name").fill("other")

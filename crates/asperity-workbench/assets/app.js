@@ -48,7 +48,7 @@ class Computation {
     this.abort = null;
     this.isNext = false;
     this.request = null;
-    this.set({ results: null, isRunning: false, isCancelled: false, error: null, progress: null, isOutdated: false, of: null });
+    this.set({ results: null, isRunning: false, isCancelled: false, error: null, progress: null, isOutdated: false });
   }
 
   async start() {
@@ -64,7 +64,7 @@ class Computation {
         if (name === "progress") this.set({ progress: value });
         if (name !== "results") return;
         const { stage, results, elapsed_s: elapsed } = value;
-        this.set({ results: merged(this.run.results, stage, results), stage, elapsed, error: null, isOutdated: this.isNext, of: request });
+        this.set({ results: merged(this.run.results, stage, results), stage, elapsed, error: null, isOutdated: this.isNext });
         performance.measure(`results-${stage}`, { start: this.started });
         if (this.isNext) this.start();
       });
@@ -77,7 +77,7 @@ class Computation {
       this.abort = null;
       if (error.name === "AbortError") return;
       if (this.isNext) return this.start();
-      this.set({ error, isRunning: false, progress: null, isOutdated: true, of: request });
+      this.set({ error, isRunning: false, progress: null, isOutdated: true });
     }
   }
 }
@@ -128,13 +128,15 @@ const SpecText = ({ close, fail }) => {
 const plain = title => title.toLowerCase().replaceAll(/[^\p{L}\p{N}]+/gu, "-").replaceAll(/^-+|-+$/g, "").slice(0, 60) || "my-surface";
 
 // Saves the spec, or writes its report.
-const Save = ({ isReport, close, refresh }) => {
+const Save = ({ isReport, vocabulary, close, refresh }) => {
   const { spec, folder, saved } = state();
   const name = useRef(null);
   const [run, setRun] = useState({});
-  const first = saved?.path.split("/").at(-1).replace(/\.toml$/, "") ?? plain(spec.title ?? "");
-  const [chosen, setChosen] = useState(first);
-  const isOwn = saved !== null && chosen.replace(/\.toml$/, "") === first;
+  const last = saved?.path.split("/").at(-1).replace(/\.toml$/, "");
+  // A spec that was opened may hold comments, which the page does not: it is replaced only where its name is asked for.
+  const [chosen, setChosen] = useState(last === undefined ? plain(spec.title ?? "") : saved.isOpened ? `${last}-2` : last);
+  const isOwn = chosen.replace(/\.toml$/, "") === last;
+  const replaced = saved?.isOpened ? ", and replaces the spec of this name with its comments." : ", and replaces what this page has written there.";
   const save = async event => {
     event.preventDefault();
     const request = { spec, folder, name: name.current.value.replace(/\.toml$/, ""), state: saved?.state ?? null };
@@ -150,13 +152,12 @@ const Save = ({ isReport, close, refresh }) => {
       setRun({ error });
     }
   };
-  const { vocabulary } = Save;
   return html`<${Dialog} title=${isReport ? "Write the report" : "Save the spec"} close=${close}>
     ${run.done
       ? html`<p role="status">${isReport ? html`The report is written: <a href=${`/${vocabulary.reports}/${run.done.page}`} target="_blank" rel="noopener">open ${run.done.page}</a>. Its spec is ` : "Saved as "}<code>${run.done.path}</code>.</p>
           <p>The same in a terminal: <code>experiment run ${run.done.path}</code></p>`
       : html`<form onSubmit=${save}><label>Name <input ref=${name} type="text" value=${chosen} onInput=${event => setChosen(event.target.value)} required autofocus /></label>
-          <p>${isReport ? "The report goes to " : "The spec goes to "}<code>${isReport ? `reports/${chosen}` : `${folder ? `${folder}/` : ""}${chosen}.toml`}</code>${isOwn ? ", and replaces what this page has written there." : "."}</p>
+          <p>${isReport ? "The report goes to " : "The spec goes to "}<code>${isReport ? `reports/${chosen}` : `${folder ? `${folder}/` : ""}${chosen}.toml`}</code>${isOwn ? replaced : "."}</p>
           ${run.error && html`<p class="error" role="alert">${run.error.key && html`<code>${run.error.key}</code>: `}${run.error.message}</p>`}
           <p class="buttons"><button class="main" disabled=${run.isRunning}>${isOwn ? "Replace" : isReport ? "Write" : "Save"}</button> ${run.isRunning && html`<span role="status">${run.progress ? `${run.progress.stage}, ${Math.round(100 * run.progress.done)} %` : "…"}</span>`}</p></form>`}
   <//>`;
@@ -173,12 +174,11 @@ const App = ({ vocabulary }) => {
   const computation = useRef(null);
   const chooser = useRef(null);
   const [crash] = useErrorBoundary(error => console.error(error));
-  Save.vocabulary = vocabulary;
   if (computation.current === null) computation.current = new Computation(setRun);
   const fail = error => setMessage(error.message ?? String(error));
 
   useEffect(() => listen(setShown), []);
-  const { spec, folder, kept, waits, saved } = shown;
+  const { spec, folder, kept, waits } = shown;
   const open = waits.filter(key => {
     const surfaces = Object.values(spec?.surface ?? {}).flatMap(surface => Object.values(surface));
     return surfaces.some(of => of[key] === undefined);
@@ -210,7 +210,7 @@ const App = ({ vocabulary }) => {
     change({ spec: first, folder: at, waits: needed, saved: null }, { isNewPage: true });
   };
   const beside = async path => {
-    const { spec: first, open: needed } = await post("/api/begin", { path: path });
+    const { spec: first, open: needed } = await post("/api/begin", { path });
     const [[name, keys]] = Object.entries(first.surface);
     const own = spec.surface[name] ? `${name}-${Object.keys(spec.surface).length + 1}` : name;
     const up = folder ? "../".repeat(folder.split("/").length) : "";
@@ -220,7 +220,7 @@ const App = ({ vocabulary }) => {
   };
   const openSpec = async path => {
     const found = await post("/api/open", { path });
-    change({ spec: found.spec, folder: found.folder, waits: [], saved: { path, state: found.state } }, { isNewPage: true });
+    change({ spec: found.spec, folder: found.folder, waits: [], saved: { path, state: found.state, isOpened: true } }, { isNewPage: true });
   };
   const guarded = act => (...rest) => { setMessage(null); return act(...rest).catch(fail); };
   const dropped = guarded(async files => {
@@ -260,7 +260,7 @@ const App = ({ vocabulary }) => {
     change({ spec: null, folder: "", waits: [], saved: null }, { isNewPage: true });
     post("/api/close", {}).catch(fail);
   };
-  const kept_ = () => {
+  const keepThis = () => {
     keep();
     setMessage(`Kept, ${state().kept.length} of ${MOST_KEPT}: below the results they are laid over each other.`);
   };
@@ -282,12 +282,12 @@ const App = ({ vocabulary }) => {
 
   if (crash) return html`<main class="start"><h1>The page has failed</h1><p role="alert">${String(crash)}. Your spec is in the address: <a href=${location.href} onClick=${() => location.reload()}>load it again</a>.</p></main>`;
   return html`<div class=${isDragged ? "dragged" : ""}>
- <button type="button" class="skip" onClick=${() => document.querySelector("main")?.focus()}>Skip to the results</button>
+    <button type="button" class="skip" onClick=${() => document.querySelector("main")?.focus()}>Skip to the results</button>
     <header><a class="home" href="#" onClick=${event => { event.preventDefault(); if (spec) close(); }}>Asperity</a>
       ${spec && html`<input class="title" type="text" aria-label="Title of the report" value=${spec.title ?? ""} onChange=${event => change({ spec: { ...spec, title: event.target.value } })} />
       <nav aria-label="Actions">
         ${button("Undo", undo, !canUndo())}${button("Redo", redo, !canRedo())}
-        ${button("Keep", kept_, !isCompare || kept.length >= MOST_KEPT || !run.results || Boolean(run.error))}
+        ${button("Keep", keepThis, !isCompare || kept.length >= MOST_KEPT || !run.results || Boolean(run.error))}
         ${button("Spec …", () => setDialog({ kind: "text" }))}${button("Save spec …", () => setDialog({ kind: "save" }))}
         ${button("Copy Python", python)}
         <button type="button" class="main" onClick=${() => setDialog({ kind: "report" })}>Write report …</button>
@@ -315,7 +315,7 @@ const App = ({ vocabulary }) => {
         </main>
       </div>`}
     ${dialog?.kind === "text" && html`<${SpecText} close=${() => setDialog(null)} fail=${fail} />`}
-    ${(dialog?.kind === "save" || dialog?.kind === "report") && html`<${Save} isReport=${dialog.kind === "report"} close=${() => setDialog(null)} refresh=${() => setRefreshed(Date.now())} />`}
+    ${(dialog?.kind === "save" || dialog?.kind === "report") && html`<${Save} isReport=${dialog.kind === "report"} vocabulary=${vocabulary} close=${() => setDialog(null)} refresh=${() => setRefreshed(Date.now())} />`}
     ${dialog?.kind === "dropped" && html`<${Dialog} title="Another surface" close=${() => setDialog(null)}>
       <p><code>${dialog.path}</code> is kept.</p><p class="buttons">
         <button type="button" class="main" onClick=${() => { setDialog(null); guarded(begin)(dialog.path); }}>Begin with it</button>

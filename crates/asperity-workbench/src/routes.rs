@@ -102,7 +102,6 @@ async fn vocabulary(State(app): State<App>) -> Json<Value> {
     vocabulary["reports"] = app.guard.reports().into();
     vocabulary["folder"] = app.folder.root().display().to_string().into();
     vocabulary["endings"] = json!(app.engine.endings());
-    vocabulary["version"] = env!("CARGO_PKG_VERSION").into();
     Json(vocabulary)
 }
 
