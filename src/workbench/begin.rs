@@ -4,9 +4,12 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-use asperity::topography::read::{NamedUnits, metadata};
+use asperity::topography::read::{NamedUnits, ReadOptions, height_map, metadata};
+use asperity::topography::{Level, thumbnail};
+use asperity_workbench::engine::Heights;
 use asperity_workbench::{Example, Refused};
 
+use super::view;
 use crate::kind::KINDS;
 use crate::surface::FileOptions;
 
@@ -50,6 +53,17 @@ pub fn spec_of(file: &Path, path: &str) -> Result<(String, Vec<String>), Refused
         open.push("unit".to_owned());
     }
     Ok((text, open))
+}
+
+/// A small picture of a measured file, less its plane.
+pub fn picture(file: &Path, most: usize) -> Result<Heights, Refused> {
+    let refuse = |error: &dyn std::fmt::Display| Refused::new(error.to_string());
+    let pixel = metadata(file).map_err(|error| refuse(&error))?.pixel;
+    // A picture has no scale.
+    let options = ReadOptions { pixel: pixel.is_none().then_some([1e-6; 2]), unit: None };
+    let map = height_map(file, options).map_err(|error| refuse(&error))?;
+    let small = Level::Plane.apply(&thumbnail(&map, most)).map_err(|error| refuse(&error))?;
+    Ok(view::heights(&small, most))
 }
 
 /// Whether a file is a list of asperities: a text whose first line names their heights and radii.

@@ -63,6 +63,10 @@ impl Engine for Workbench {
         begin::spec_of(file, path)
     }
 
+    fn picture(&self, file: &Path, most: usize) -> Result<Heights, Refused> {
+        begin::picture(file, most)
+    }
+
     fn prepare(&self, spec: &SpecText) -> Result<Box<dyn Prepared>, Refused> {
         let contact =
             Contact::new(spec, Arc::clone(&self.surfaces)).map_err(|error| refused(&error, spec))?;

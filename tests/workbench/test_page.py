@@ -126,6 +126,21 @@ def test_whoever_has_nothing_opens_the_example_and_its_address_brings_it_back(se
     assert key(other, "surface", "fine-finish", "file", "filter", "s").input_value() == "3 um"
 
 
+def test_the_list_has_pictures_of_maps_and_answers_of_reports(server, visit, tmp_path):
+    shutil.copy(SURFACES / "al3d-1.npy", server.folder / "surface.npy")
+    asperities(server.folder)
+    save(server, POPULATION, "population")
+    server.events("/api/report", {"spec": POPULATION, "folder": "", "name": "population"})
+    page = visit(server.address)
+    canvas = page.locator("li", has_text="surface.npy").locator("canvas")
+    expect(canvas).to_be_visible()
+    assert canvas.evaluate("one => one.width > 50 && one.getContext('2d').getImageData(5, 5, 1, 1).data[3] === 255")
+    expect(page.locator("li", has_text="peaks.csv").locator("canvas")).to_be_hidden()
+    report = page.locator("li.report")
+    expect(report).to_contain_text("On these asperities")
+    assert report.locator("img").evaluate("one => one.decode().then(() => one.naturalWidth)") > 50
+
+
 def x3p():
     return SURFACES / "x3p-2.x3p"
 

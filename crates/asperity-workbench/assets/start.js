@@ -1,10 +1,30 @@
 // What the folder holds: maps, specs and reports, the newest first.
 
-import { html, useState, useEffect } from "./preact.js";
-import { get } from "./server.js";
+import { html, useState, useEffect, useRef } from "./preact.js";
+import { bytes as bytesOf, get } from "./server.js";
+import { draw, read } from "./surface.js";
 
 const date = seconds => new Date(1000 * seconds).toLocaleString([], { dateStyle: "medium", timeStyle: "short" });
 const size = bytes => (bytes < 1e6 ? `${Math.max(1, Math.round(bytes / 1e3))} kB` : `${(bytes / 1e6).toFixed(1)} MB`);
+
+// A small picture of a map, fetched when it comes near the screen; nothing of a file that has none.
+const Picture = ({ path }) => {
+  const canvas = useRef(null);
+  useEffect(() => {
+    const watcher = new IntersectionObserver(([{ isIntersecting }]) => {
+      if (!isIntersecting) return;
+      watcher.disconnect();
+      bytesOf("/api/picture", { path }).then(buffer => {
+        if (!buffer.byteLength || !canvas.current) return;
+        draw(canvas.current, read(buffer));
+        canvas.current.hidden = false;
+      }, () => {});
+    }, { rootMargin: "200px" });
+    watcher.observe(canvas.current.parentElement);
+    return () => watcher.disconnect();
+  }, [path]);
+  return html`<canvas ref=${canvas} hidden aria-hidden="true"></canvas>`;
+};
 
 export const Start = ({ vocabulary, begin, open, example, fail, chooseFile }) => {
   const [entries, setEntries] = useState(null);
@@ -24,7 +44,7 @@ export const Start = ({ vocabulary, begin, open, example, fail, chooseFile }) =>
         <p>${what.answer}</p><small>Report ${path}, ${date(modified)}</small></li>`;
     }
     const act = what.type === "spec" ? () => open(path) : () => begin(path);
-    return html`<li><button type="button" class="entry" onClick=${act}><strong>${what.type === "spec" ? what.title : path}</strong></button>
+    return html`<li>${what.type === "surface" && html`<${Picture} key=${path} path=${path} />`}<button type="button" class="entry" onClick=${act}><strong>${what.type === "spec" ? what.title : path}</strong></button>
       <small>${what.type === "spec" ? `Spec ${path}, [${what.kind}]` : `Surface, ${size(bytes)}`}, ${date(modified)}</small></li>`;
   };
   return html`<main class="start">

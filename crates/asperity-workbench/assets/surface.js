@@ -17,7 +17,7 @@ const colour = share => {
 };
 
 // What the server sends of a map.
-const read = buffer => {
+export const read = buffer => {
   const view = new DataView(buffer);
   const [nx, ny, every] = [0, 4, 8].map(at => view.getUint32(at, true));
   const pixel = [16, 24].map(at => view.getFloat64(at, true));
@@ -27,7 +27,7 @@ const read = buffer => {
   return { nx, ny, every, pixel, heights, range: [quantile(0.0025), quantile(0.9975)], ends: [sorted[0] ?? 0, sorted.at(-1) ?? 0], count: sorted.length };
 };
 
-const draw = (canvas, { nx, ny, heights, range: [low, high] }) => {
+export const draw = (canvas, { nx, ny, heights, range: [low, high] }) => {
   canvas.width = nx;
   canvas.height = ny;
   const context = canvas.getContext("2d");

@@ -87,6 +87,12 @@ pub trait Engine: Send + Sync + 'static {
     /// A file that is no map.
     fn begin(&self, file: &Path, path: &str) -> Result<(String, Vec<String>), Refused>;
 
+    /// A small picture of a measured file, whose pixel need not be known: heights, less a plane, at most `most` along an axis.
+    ///
+    /// # Errors
+    /// A file that is no map, or whose heights cannot be read without what its user must say.
+    fn picture(&self, file: &Path, most: usize) -> Result<Heights, Refused>;
+
     /// Checks a spec.
     ///
     /// # Errors

@@ -8,6 +8,10 @@ pub const UPLOAD: u64 = 2 << 30;
 /// Bytes of any other request: a spec.
 pub const REQUEST: usize = 1 << 20;
 
+/// Bytes of a map of which the list has a picture, and the points of the picture along an axis.
+pub const PICTURED: u64 = 64 << 20;
+pub const PICTURE: usize = 160;
+
 /// Bytes of the summary of a report that is listed.
 pub const SUMMARY: u64 = 16 << 20;
 

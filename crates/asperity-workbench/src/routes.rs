@@ -6,7 +6,7 @@
 //! | `GET /api/vocabulary` | keys with their explanations, materials, laws, terms |
 //! | `GET /api/files` | maps, specs and reports of the folder |
 //! | `POST /api/upload/NAME` | keeps a dropped file |
-//! | `POST /api/begin` | the first spec of a measured file |
+//! | `POST /api/begin`, `/api/picture` | the first spec of a measured file; a small picture of it |
 //! | `POST /api/example` | puts the example into the folder |
 //! | `POST /api/open`, `/api/save`, `/api/text`, `/api/parse` | a spec on disk; the text of a spec, and back |
 //! | `POST /api/surface`, `/api/analyse`, `/api/report` | events: one surface, the contact, a report |
@@ -30,7 +30,7 @@ use serde_json::{Value, json};
 
 use crate::analysis::{Budget, Watch, answer, value};
 use crate::assets;
-use crate::engine::{Engine, Refused, SpecText, Stage};
+use crate::engine::{Engine, Heights, Refused, SpecText, Stage};
 use crate::folder::{Folder, REPORTS, is_plain, too_large};
 use crate::guard::{self, Guard};
 use crate::limits;
@@ -58,6 +58,7 @@ pub fn router(app: App) -> Router {
         .route("/api/files", get(files))
         .route("/api/upload/{name}", post(upload).layer(DefaultBodyLimit::disable()))
         .route("/api/begin", post(begin))
+        .route("/api/picture", post(picture))
         .route("/api/example", post(example))
         .route("/api/open", post(open))
         .route("/api/save", post(save))
@@ -175,6 +176,22 @@ async fn begin(
     .await
 }
 
+async fn picture(State(app): State<App>, Json(OnePath { path }): Json<OnePath>) -> Result<Response, Refused> {
+    on_disk(move || {
+        let file = app.folder.file(&path)?;
+        let is_small = std::fs::metadata(&file).is_ok_and(|metadata| metadata.len() <= limits::PICTURED);
+        // What has no picture is no error of the list.
+        let picture = is_small.then(|| app.engine.picture(&file, limits::PICTURE).ok()).flatten();
+        Ok(picture.map_or_else(|| StatusCode::NO_CONTENT.into_response(), |heights| as_bytes(&heights)))
+    })
+    .await
+}
+
+/// Heights as numbers.
+fn as_bytes(heights: &Heights) -> Response {
+    ([(header::CONTENT_TYPE, "application/octet-stream")], heights.bytes()).into_response()
+}
+
 async fn example(State(app): State<App>) -> Result<Json<Value>, Refused> {
     on_disk(move || {
         let files = app.engine.example().files.iter();
@@ -283,7 +300,7 @@ async fn heights(
     let budget = Arc::clone(&app.budget);
     let work = move |watch: &Watch| app.engine.heights(&text, &one.surface, most, watch);
     let heights = value(budget, prepared.memory(), work).await?;
-    Ok(([(header::CONTENT_TYPE, "application/octet-stream")], heights.bytes()).into_response())
+    Ok(as_bytes(&heights))
 }
 
 async fn checked(app: &App, text: &SpecText) -> Result<Box<dyn crate::engine::Prepared>, Refused> {

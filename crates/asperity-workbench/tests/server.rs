@@ -82,6 +82,10 @@ impl Engine for Program {
         Err(Refused::new("none"))
     }
 
+    fn picture(&self, _: &Path, _: usize) -> Result<Heights, Refused> {
+        Err(Refused::new("none"))
+    }
+
     fn prepare(&self, spec: &SpecText) -> Result<Box<dyn Prepared>, Refused> {
         let title = spec.text.trim().trim_start_matches("title = ").trim_matches('"').to_owned();
         Ok(Box::new(Asked { title, states: Arc::clone(&self.0) }))
