@@ -16,7 +16,10 @@ const Picture = ({ path }) => {
       watcher.disconnect();
       bytesOf("/api/picture", { path }).then(buffer => {
         if (!buffer.byteLength || !canvas.current) return;
-        draw(canvas.current, read(buffer));
+        const map = read(buffer);
+        draw(canvas.current, map);
+        // Its points may be further apart along one axis.
+        canvas.current.style.aspectRatio = `${map.nx * map.pixel[0]} / ${map.ny * map.pixel[1]}`;
         canvas.current.hidden = false;
       }, () => {});
     }, { rootMargin: "200px" });
