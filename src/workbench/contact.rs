@@ -3,6 +3,7 @@
 use std::sync::Arc;
 use std::time::{SystemTime, UNIX_EPOCH};
 
+use asperity::surface::AnalysisDepth;
 use asperity::work::Counter;
 use asperity_contact_framework::input::InputError;
 use asperity_contact_framework::progress::Progress;
@@ -15,6 +16,7 @@ use super::{refused, source, view};
 use crate::experiment::Experiment;
 use crate::kind::compare::plan::ComparePlan;
 use crate::kind::compare::{Extent, Samplings, Scope, run_within};
+use crate::surface::memory;
 
 /// The name of its report, which is not written.
 const NAME: &str = "workbench";
@@ -37,8 +39,12 @@ impl Contact {
 }
 
 impl Prepared for Contact {
+    /// Surfaces are made in full, so that they can be shown and kept.
     fn memory(&self) -> u128 {
-        self.experiment.memory()
+        let in_full = |compare: &Arc<ComparePlan>| {
+            memory(&compare.study.surfaces, AnalysisDepth::Everything, false).bytes
+        };
+        self.experiment.memory().max(self.compare.as_ref().map_or(0, in_full))
     }
 
     fn inputs(&self) -> Value {

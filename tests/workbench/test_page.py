@@ -8,6 +8,7 @@ import shutil
 import signal
 import struct
 import subprocess
+from html import unescape
 
 import pytest
 from axe_playwright_python.sync_playwright import Axe
@@ -274,6 +275,30 @@ def test_a_report_has_the_bytes_of_experiment_run(server, visit, tmp_path):
     with page.context.expect_page() as opened:
         page.locator("dialog a").click()
     expect(opened.value.locator(".card")).to_contain_text("May the integral replace the sum?")
+
+
+def plain_text(html):
+    """A text of a card without its markup, as a summary has it."""
+    words = unescape(re.sub(r"<[^>]*>", "", html.replace("</p>", " "))).replace("\u2212", "-")
+    return " ".join(words.split())
+
+
+def test_the_last_stage_says_what_experiment_run_says(server, tmp_path):
+    """Also after another filter, with surfaces and sampling errors that are kept from stage to stage."""
+    path = server.post("/api/example", {}).json["path"]
+    found = server.post("/api/open", {"path": path}).json
+    other = json.loads(json.dumps(found["spec"]))
+    other["surface"]["fine-finish"]["file"]["filter"] = {"s": "3 um"}
+    cards = []
+    for spec in (found["spec"], other, found["spec"]):
+        results = [value for name, value in server.events("/api/analyse", {"spec": spec, "folder": found["folder"]}, timeout=120) if name == "results"]
+        assert [one["stage"] for one in results] == ["models", "intervals", "everything"]
+        cards.append({line["key"]: plain_text(line["html"]) for line in results[-1]["results"]["cases"][0]["pieces"]["card"]})
+    assert cards[0] == cards[2] != cards[1]
+    subprocess.run([PROGRAM, "run", path, "--out", str(tmp_path / "out"), "--quiet"], cwd=server.folder, check=True)
+    summary = json.loads((tmp_path / "out" / "measured-fine-finish" / "summary.json").read_text())
+    expected = {line["key"]: " ".join(line["texts"]).replace("`", "") for line in summary["answer"]["lines"]}
+    assert cards[0] == expected
 
 
 def test_errors_stand_at_their_controls_and_can_be_undone(server, visit):

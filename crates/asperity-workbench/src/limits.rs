@@ -25,7 +25,7 @@ pub const DEPTH: usize = 4;
 /// Points of a map along an axis that the page draws.
 pub const POINTS: usize = 2048;
 
-/// Bytes of memory that all analyses may use together, and a share of what the machine has.
+/// Bytes of memory that all analyses may use together: three quarters of what the machine has.
 pub fn memory() -> u64 {
     let mut system = sysinfo::System::new();
     system.refresh_memory();

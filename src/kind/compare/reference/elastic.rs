@@ -7,7 +7,7 @@ use super::ElasticCase;
 use crate::kind::compare::results::CompareResults;
 use crate::kind::compare::rows::SurfaceCase;
 
-/// A smaller share of the load in contacts that yield changes nothing to speak of.
+/// Where a smaller share of the load is in contacts that yield, an elastic reference stands for the law.
 pub const SMALL_YIELDING: f64 = 0.01;
 
 impl CompareResults {
