@@ -18,8 +18,19 @@ pub struct Metadata {
     pub named: NamedUnits,
     /// Labels of a text that are no heights.
     pub left_out: LeftOut,
+    /// The channel of a file that may hold several.
+    pub channel: Option<ChannelName>,
     /// Name of the format.
     pub format: &'static str,
+}
+
+/// Which channel of a file is read.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ChannelName {
+    /// Its name.
+    pub name: String,
+    /// The others of the file, with the unit of those that hold no lengths.
+    pub others: Vec<String>,
 }
 
 /// Units of the lengths in a file, m.
@@ -79,7 +90,7 @@ impl Metadata {
     /// Of a format that stores heights only, in any unit.
     pub(super) fn new(points: [usize; 2], format: &'static str) -> Self {
         let (named, left_out) = (NamedUnits::None, LeftOut::default());
-        Self { points, pixel: None, has_unit: false, named, left_out, format }
+        Self { points, pixel: None, has_unit: false, named, left_out, channel: None, format }
     }
 
     /// Of a map in memory.
@@ -89,7 +100,7 @@ impl Metadata {
 
     /// Whether x runs along the first index of an array, as in `.npy`, rather than along the lines of a file.
     pub fn has_x_first(&self) -> bool {
-        self.format == npy::FORMAT
+        self.format == npy::NAME
     }
 
     /// The same with x and y exchanged.

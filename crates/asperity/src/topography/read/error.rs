@@ -32,6 +32,20 @@ pub enum ReadError {
         /// The line in which the table begins.
         begin: usize,
     },
+    /// The file has no channel of the name given.
+    #[error("holds no channel \"{wanted}\"; allowed: {found}")]
+    Channel {
+        /// The name given.
+        wanted: String,
+        /// The channels of the file.
+        found: String,
+    },
+    /// A channel is named of a file that holds one map.
+    #[error("is {format}, which holds one map; allowed: leave channel out")]
+    NoChannels {
+        /// Name of the format.
+        format: &'static str,
+    },
     /// The content is inconsistent or damaged.
     #[error("{0}")]
     Corrupt(String),
@@ -129,9 +143,6 @@ fn name_of(unit: f64) -> String {
 
 /// The largest height allowed, m: beyond it the unit is wrong.
 pub(super) const MAX_HEIGHT: f64 = 10.0;
-
-/// The supported formats.
-pub(super) const FORMATS: &str = ".npy, X3P, SDF, a matrix of numbers or columns x y z as text";
 
 pub(super) fn too_large() -> ReadError {
     ReadError::Corrupt("claims to hold more numbers than any file can".to_owned())

@@ -6,7 +6,8 @@ use super::content::{Measured, Metadata, ReadOptions, transposed};
 use super::error::{MAX_HEIGHT, ReadError};
 use super::marks::{Extremes, mark_missing};
 use super::npy::MappedMap;
-use super::{Format, measured, metadata, npy};
+use super::source::Source;
+use super::{Channel, Channels, Format, Reader, npy};
 use crate::npy::{Header, Mapped};
 use crate::numeric::LARGEST;
 use crate::progress::Progress;
@@ -24,20 +25,49 @@ pub struct MapFile {
     pub missing: Option<Vec<f64>>,
     /// Whether x and y are exchanged: a pixel of the options is that of the map with x and y exchanged.
     pub transpose: bool,
+    /// The channel of a file that holds several, as the file names it; that of the heights if not given.
+    pub channel: Option<String>,
 }
 
 impl MapFile {
     /// A file that is read as it is.
     pub fn new(path: &Path, options: ReadOptions) -> Self {
-        Self { path: path.to_owned(), options, missing: None, transpose: false }
+        Self { path: path.to_owned(), options, missing: None, transpose: false, channel: None }
     }
 
-    /// Size, pixel and format of the map, see [`metadata`].
+    /// Size, pixel and format of the map, see [`metadata`](super::metadata).
     ///
     /// # Errors
-    /// As [`metadata`].
+    /// As [`metadata`](super::metadata).
     pub fn metadata(&self) -> Result<Metadata, ReadError> {
-        Ok(self.turned(metadata(&self.path)?))
+        let (source, format) = self.open()?;
+        let metadata = match &format.read {
+            Reader::Map { metadata, .. } => metadata(&self.path)?,
+            Reader::Channels(channels) => self.choose(channels(&source)?)?.metadata(&source, format.name)?,
+        };
+        Ok(self.turned(metadata))
+    }
+
+    /// The map as stored.
+    fn measured(&self) -> Result<Measured, ReadError> {
+        let (source, format) = self.open()?;
+        match &format.read {
+            Reader::Map { measured, .. } => measured(&self.path),
+            Reader::Channels(channels) => self.choose(channels(&source)?)?.measured(&source, format.name),
+        }
+    }
+
+    fn open(&self) -> Result<(Source, &'static Format), ReadError> {
+        let source = Source::open(&self.path)?;
+        let format = Format::detect(&source)?;
+        match &format.read {
+            Reader::Map { .. } if self.channel.is_some() => Err(ReadError::NoChannels { format: format.name }),
+            _ => Ok((source, format)),
+        }
+    }
+
+    fn choose(&self, all: Vec<Channel>) -> Result<Channels, ReadError> {
+        Channels::choose(all, self.channel.as_deref())
     }
 
     fn turned(&self, metadata: Metadata) -> Metadata {
@@ -58,7 +88,7 @@ impl MapFile {
     /// # Errors
     /// See [`ReadError`].
     pub fn height_map(&self) -> Result<HeightMap, ReadError> {
-        let Measured { metadata, mut heights, scale, offset, mut precision } = measured(&self.path)?;
+        let Measured { metadata, mut heights, scale, offset, mut precision } = self.measured()?;
         if self.transpose {
             heights = transposed(&heights, metadata.points[1]);
         }
@@ -79,8 +109,8 @@ impl MapFile {
     /// # Errors
     /// As [`metadata`](Self::metadata).
     pub fn stays_on_disk(&self) -> Result<bool, ReadError> {
-        let is_npy = Format::detect(&self.path)? == Format::Npy;
-        Ok(is_npy && !self.transpose && !Header::read(&self.path)?.is_fortran())
+        let (_, format) = self.open()?;
+        Ok(format.name == npy::NAME && !self.transpose && !Header::read(&self.path)?.is_fortran())
     }
 
     /// Opens the map for reading by rows. One that [stays on disk](Self::stays_on_disk) may be larger than memory; its

@@ -13,6 +13,7 @@
 //! formats but `.npy` are transposed. Nothing is mirrored: the first line of a file is the first y. A height far from all
 //! others, such as -9999, is an error until it is stated whether it marks missing points.
 
+mod channel;
 mod columns;
 mod content;
 mod error;
@@ -20,90 +21,77 @@ mod file;
 mod labels;
 mod marks;
 mod npy;
+mod opd;
 mod sdf;
 mod separation;
+mod source;
 mod table;
 mod text;
 mod x3p;
 mod xyz;
 
-use std::fs::File;
-use std::io::Read;
 use std::path::Path;
 
 use super::{HeightMap, Rows};
-use crate::npy as array;
 use crate::progress::Progress;
-pub use content::{LeftOut, LengthUnits, Measured, Metadata, NamedUnits, ReadOptions};
-use error::FORMATS;
+use channel::{Channel, Channels};
+pub use content::{ChannelName, LeftOut, LengthUnits, Measured, Metadata, NamedUnits, ReadOptions};
 pub use error::{ReadError, ReadOptionsError};
 pub use file::MapFile;
+use source::Source;
 
-/// The formats, identified by their first bytes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Format {
-    Npy,
-    Sdf,
-    Text,
-    X3p,
+/// A format of files.
+struct Format {
+    /// With an article, as in "is an SDF file".
+    name: &'static str,
+    /// Whether a file is of this format, by its content.
+    is: fn(&Source) -> bool,
+    read: Reader,
 }
+
+/// How a format is read.
+enum Reader {
+    /// One map, or what its user says of it.
+    Map { metadata: fn(&Path) -> Result<Metadata, ReadError>, measured: fn(&Path) -> Result<Measured, ReadError> },
+    /// Several channels, of which one is chosen.
+    Channels(fn(&Source) -> Result<Vec<Channel>, ReadError>),
+}
+
+/// All formats, in the order in which a file is tried: texts last.
+static FORMATS: &[&Format] = &[&npy::FORMAT, &opd::FORMAT, &sdf::FORMAT, &x3p::FORMAT, &text::FORMAT];
 
 impl Format {
-    fn detect(path: &Path) -> Result<Self, ReadError> {
-        existing(path)?;
-        let mut begin = Vec::new();
-        File::open(path)?.take(BEGIN).read_to_end(&mut begin)?;
-        if begin.starts_with(array::MAGIC) {
-            Ok(Self::Npy)
-        } else if sdf::is_sdf(&begin) {
-            Ok(Self::Sdf)
-        } else if begin.starts_with(x3p::MAGIC) {
-            Ok(Self::X3p)
-        } else if begin.starts_with(b"\xff\xfe") || begin.starts_with(b"\xfe\xff") {
-            Err(ReadError::Unsupported("is a text in UTF-16; allowed: UTF-8 or Latin-1".to_owned()))
-        } else if begin.iter().all(|&byte| byte >= b' ' || byte.is_ascii_whitespace()) {
-            Ok(Self::Text)
-        } else {
-            Err(ReadError::Mismatch(format!(
-                "is not a height map: it begins with \"{}\"; allowed: {FORMATS}",
-                begin
-                    .iter()
-                    .take(12)
-                    .copied()
-                    .map(|byte| byte.escape_ascii().to_string())
-                    .collect::<String>()
-            )))
+    fn detect(source: &Source) -> Result<&'static Self, ReadError> {
+        let begin = source.begin();
+        if let Some(found) = FORMATS.iter().find(|format| (format.is)(source)) {
+            return Ok(found);
         }
+        if begin.starts_with(b"\xff\xfe") || begin.starts_with(b"\xfe\xff") {
+            return Err(ReadError::Unsupported("is a text in UTF-16; allowed: UTF-8 or Latin-1".to_owned()));
+        }
+        let bytes: String = begin.iter().take(12).map(|byte| byte.escape_ascii().to_string()).collect();
+        Err(ReadError::Mismatch(format!(
+            "is not a height map: it begins with \"{bytes}\"; allowed: {}",
+            Self::names()
+        )))
+    }
+
+    /// The formats, as a message lists them.
+    fn names() -> String {
+        let short = |format: &&Self| {
+            let name = format.name.trim_start_matches("an ").trim_start_matches("a ");
+            name.trim_end_matches(" file").to_owned()
+        };
+        FORMATS.iter().map(short).collect::<Vec<_>>().join(", ")
     }
 }
-
-/// Bytes that identify the format.
-const BEGIN: u64 = 4096;
 
 /// Size, pixel and format from the header of a file, checked against its length. A text is read completely.
 ///
 /// # Errors
 /// Those of [`height_map`] that follow from the header and the length of the file.
 pub fn metadata(path: &Path) -> Result<Metadata, ReadError> {
-    match Format::detect(path)? {
-        Format::Npy => npy::metadata(path),
-        Format::Sdf => sdf::metadata(path),
-        Format::Text => Ok(text::measured(path)?.metadata),
-        Format::X3p => x3p::metadata(path),
-    }
-}
-
-/// Reads a map as stored in its file.
-///
-/// # Errors
-/// See [`ReadError`].
-pub fn measured(path: &Path) -> Result<Measured, ReadError> {
-    match Format::detect(path)? {
-        Format::Npy => npy::measured(path),
-        Format::Sdf => sdf::measured(path),
-        Format::Text => text::measured(path),
-        Format::X3p => x3p::measured(path),
-    }
+    MapFile::new(path, ReadOptions::default()).metadata()
 }
 
 /// Reads a map of heights in metres, relative to the offset of its file ([`Rows::offset`]), with the pixel and unit of

@@ -5,22 +5,29 @@ use std::path::Path;
 use super::content::{Measured, Metadata};
 use super::error::ReadError;
 use super::marks::mark_missing;
-use crate::npy::{Header, Mapped, Matrix, matrix};
+use super::{Format, Reader};
+use crate::npy::{Header, MAGIC, Mapped, Matrix, matrix};
 use crate::topography::{Boundary, Rows};
 
 /// The name of the format.
-pub(super) const FORMAT: &str = ".npy";
+pub(super) const NAME: &str = ".npy";
+
+pub(super) const FORMAT: Format = Format {
+    name: NAME,
+    is: |source| source.begin().starts_with(MAGIC),
+    read: Reader::Map { metadata, measured },
+};
 
 /// Size and format of a map from its header.
 pub(super) fn metadata(path: &Path) -> Result<Metadata, ReadError> {
     let Header { rows, columns, .. } = Header::read(path)?;
-    Ok(Metadata::new([rows, columns], FORMAT))
+    Ok(Metadata::new([rows, columns], NAME))
 }
 
 /// Reads a map, in the unit of the file.
 pub(super) fn measured(path: &Path) -> Result<Measured, ReadError> {
     let Matrix { rows, columns, values, precision } = matrix(path)?;
-    let metadata = Metadata::new([rows, columns], FORMAT);
+    let metadata = Metadata::new([rows, columns], NAME);
     Ok(Measured { metadata, heights: values, scale: 1.0, offset: 0.0, precision })
 }
 

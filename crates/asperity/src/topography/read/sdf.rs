@@ -11,10 +11,18 @@ use std::path::Path;
 
 use super::content::{Measured, Metadata, transposed};
 use super::error::{ReadError, shortened, too_large};
+use super::{Format, Reader};
 use crate::numeric::is_positive;
 use crate::numeric::stored::NumberType;
 
-const FORMAT: &str = "an SDF file";
+const NAME: &str = "an SDF file";
+
+pub(super) const FORMAT: Format = Format {
+    name: NAME,
+    is: |source| is_sdf(source.begin()),
+    read: Reader::Map { metadata, measured },
+};
+
 const FIELDS: &str = "NumPoints, NumProfiles, Xscale, Yscale, Zscale, Compression, DataType, CheckType";
 const VERSIONS: [&[u8]; 3] = [b"ISO-1.0", b"ISO-2.0", b"BCR-1.0"];
 /// Names of the codes of `DataType` in BCR-1.0.
@@ -23,7 +31,7 @@ const TYPES: [&str; 8] = ["UCHAR", "UINTEGER", "ULONGINT", "FLOAT", "CHAR", "INT
 const HEAD: usize = 81;
 
 /// Whether a file begins as a surface data file: a or b, three capitals, a hyphen, two digits.
-pub(super) fn is_sdf(begin: &[u8]) -> bool {
+fn is_sdf(begin: &[u8]) -> bool {
     matches!(
         begin,
         [
@@ -268,7 +276,7 @@ impl Fields {
             return Err(too_large());
         };
         let pixel = Some([self.x_scale, self.y_scale]);
-        let metadata = Metadata { pixel, has_unit: true, ..Metadata::new([nx, ny], FORMAT) };
+        let metadata = Metadata { pixel, has_unit: true, ..Metadata::new([nx, ny], NAME) };
         Ok(Checked { metadata, count, z_scale: self.z_scale, stored, greatest })
     }
 }

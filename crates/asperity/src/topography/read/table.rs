@@ -2,7 +2,8 @@
 
 use super::columns;
 use super::content::{LeftOut, NamedUnits};
-use super::error::{FORMATS, ReadError, shortened};
+use super::Format;
+use super::error::{ReadError, shortened};
 use super::labels::{self, Coordinates};
 use super::separation::Separation;
 
@@ -141,7 +142,7 @@ fn no_number(row: usize, line: usize, column: usize, word: &str) -> ReadError {
     if row == 0 {
         return ReadError::Mismatch(format!(
             "is not a height map: line {line} has \"{found}\" for a number; allowed: {}",
-            FORMATS
+            Format::names()
         ));
     }
     ReadError::Corrupt(format!(

@@ -8,10 +8,17 @@ use std::path::Path;
 use super::content::{Measured, Metadata, transposed};
 use super::error::ReadError;
 use super::table::Table;
-use super::xyz;
+use super::{Format, Reader, xyz};
 use crate::units::Dimension;
 
-const FORMAT: &str = "a text with a header of sizes";
+const WITH_HEADER: &str = "a text with a header of sizes";
+
+pub(super) const FORMAT: Format = Format {
+    name: "a matrix of numbers or columns x y z as text",
+    is: |source| source.begin().iter().all(|&byte| byte >= b' ' || byte.is_ascii_whitespace()),
+    read: Reader::Map { metadata: |path| Ok(measured(path)?.metadata), measured },
+};
+
 
 /// Reads a map: in metres with a header, in the unit of the file without.
 ///
@@ -36,7 +43,7 @@ pub(super) fn measured(path: &Path) -> Result<Measured, ReadError> {
     };
     let pixel = Some([header.width / columns as f64, header.height / rows as f64]);
     values.iter_mut().for_each(|z| *z *= header.unit);
-    let metadata = Metadata { pixel, has_unit: true, format: FORMAT, ..metadata };
+    let metadata = Metadata { pixel, has_unit: true, format: WITH_HEADER, ..metadata };
     let heights = transposed(&values, columns);
     Ok(Measured { metadata, heights, scale: header.unit, offset: 0.0, precision })
 }

@@ -16,13 +16,21 @@ use zip::result::ZipError;
 
 use super::content::{Measured, Metadata, transposed};
 use super::error::{ReadError, shortened, too_large};
+use super::{Format, Reader};
 use crate::numeric::stored::NumberType;
 use crate::numeric::{LARGEST, is_positive};
 
 /// The first bytes of a zip archive that is not empty.
-pub(super) const MAGIC: &[u8; 4] = b"PK\x03\x04";
+const MAGIC: &[u8; 4] = b"PK\x03\x04";
 
-const FORMAT: &str = "an X3P file";
+const NAME: &str = "an X3P file";
+
+pub(super) const FORMAT: Format = Format {
+    name: NAME,
+    is: |source| source.begin().starts_with(MAGIC),
+    read: Reader::Map { metadata, measured },
+};
+
 const MAIN: &str = "main.xml";
 /// The largest XML that is read; the standard stores more than 10 000 heights in a binary file.
 const MAX_XML_BYTES: u64 = 32 << 20;
@@ -359,7 +367,7 @@ impl Main {
                 valid: link(&["DataLink", "ValidPointsLink"], "MD5ChecksumValidPoints"),
             }
         };
-        let metadata = Metadata { pixel: Some(pixel), has_unit: true, ..Metadata::new(points, FORMAT) };
+        let metadata = Metadata { pixel: Some(pixel), has_unit: true, ..Metadata::new(points, NAME) };
         Ok(Self { metadata, count, stored, increment, offset, heights })
     }
 }

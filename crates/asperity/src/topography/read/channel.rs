@@ -1,0 +1,283 @@
+//! Files of instruments: the channels that a header describes, the choice of one, and its heights.
+
+use super::content::{ChannelName, Measured, Metadata, transposed};
+use super::error::{ReadError, too_large};
+use super::source::Source;
+use crate::numeric::is_positive;
+use crate::numeric::stored::NumberType;
+use crate::units::Dimension;
+
+/// A map in the file of an instrument.
+pub(super) struct Channel {
+    /// As the file names it.
+    pub(super) name: String,
+    /// Points along x and y.
+    pub(super) points: [u64; 2],
+    /// Distance of neighbouring points along x and y, m.
+    pub(super) pixel: Option<[f64; 2]>,
+    pub(super) quantity: Quantity,
+    /// A height is the stored number x `factor` + `offset`, m; the offset is kept apart.
+    pub(super) factor: f64,
+    pub(super) offset: f64,
+    pub(super) order: Order,
+    /// Whether a stored number marks a missing point; those that are not finite do.
+    pub(super) missing: Box<dyn Fn(f64) -> bool>,
+    pub(super) numbers: Numbers,
+}
+
+/// What a channel holds.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Quantity {
+    /// Heights in metres, after `factor`.
+    Length,
+    /// The file does not say: heights in the unit that its reader gives.
+    Unknown,
+    /// Another quantity than a length, in this unit.
+    Other(String),
+}
+
+/// The order of the stored numbers. The first y is the line at the top of the picture, as the instrument shows it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Order {
+    /// Line after line along x, the top one first.
+    Lines,
+    /// Line after line along x, the bottom one first.
+    LinesUpwards,
+    /// Column after column, each from the bottom.
+    ColumnsUpwards,
+}
+
+/// The stored numbers of a channel.
+pub(super) enum Numbers {
+    /// They lie in the file.
+    Stored(Stored),
+    /// They are unpacked when they are asked for; the type is that of the packed numbers.
+    Packed(NumberType, Box<dyn Fn() -> Result<Vec<f64>, ReadError>>),
+}
+
+/// Numbers in a file.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Stored {
+    /// The place of the first, bytes.
+    pub(super) start: u64,
+    pub(super) kind: NumberType,
+    pub(super) big_endian: bool,
+    /// Bytes from one line to the next where others than the numbers lie between them.
+    pub(super) stride: Option<u64>,
+}
+
+impl Stored {
+    /// Numbers without a gap, the least significant byte first.
+    pub(super) fn new(start: u64, kind: NumberType) -> Self {
+        Self { start, kind, big_endian: false, stride: None }
+    }
+}
+
+impl Channel {
+    /// Heights in metres, line after line from the top, all of them valid.
+    pub(super) fn new(name: impl Into<String>, points: [u64; 2], numbers: Numbers) -> Self {
+        Self {
+            name: name.into(),
+            points,
+            pixel: None,
+            quantity: Quantity::Length,
+            factor: 1.0,
+            offset: 0.0,
+            order: Order::Lines,
+            missing: Box::new(|_| false),
+            numbers,
+        }
+    }
+
+    /// The same with the quantity and factor of a `unit`, which multiplies the factor.
+    pub(super) fn in_unit(mut self, unit: &str) -> Self {
+        match length(unit) {
+            Some(metres) => {
+                self.factor *= metres;
+                self.offset *= metres;
+            }
+            None if unit.trim().is_empty() => self.quantity = Quantity::Unknown,
+            None => self.quantity = Quantity::Other(unit.trim().to_owned()),
+        }
+        self
+    }
+
+    /// How far it is from what a user means by the heights: lower is nearer.
+    fn distance(&self) -> u32 {
+        let name = self.name.to_lowercase();
+        let has = |words: &[&str]| words.iter().any(|word| name.contains(word));
+        let kind = match self.quantity {
+            Quantity::Length => 0,
+            Quantity::Unknown => 8,
+            Quantity::Other(_) => 16,
+        };
+        let named = if has(&["error", "deflection", "amplitude", "phase", "current"]) {
+            4
+        } else if has(&["height", "topograph", "z-axis", "z axis"]) {
+            0
+        } else {
+            2
+        };
+        kind + named + u32::from(has(&["retrace", "backward"]))
+    }
+
+    /// Its name in a list, with the unit where that is none of length.
+    fn described(&self) -> String {
+        match &self.quantity {
+            Quantity::Other(unit) => format!("\"{}\" ({unit})", self.name),
+            Quantity::Length | Quantity::Unknown => format!("\"{}\"", self.name),
+        }
+    }
+
+    /// Bytes of a line, and of all lines.
+    fn lengths(&self, stored: &Stored) -> Option<(u64, u64, u64)> {
+        let (run, runs) = self.runs();
+        let line = run.checked_mul(stored.kind.bytes())?;
+        let stride = stored.stride.unwrap_or(line).max(line);
+        Some((line, stride, stride.checked_mul(runs.checked_sub(1)?)?.checked_add(line)?))
+    }
+
+    /// Numbers that follow each other, and how many such runs there are.
+    fn runs(&self) -> (u64, u64) {
+        let [nx, ny] = self.points;
+        if self.order == Order::ColumnsUpwards { (ny, nx) } else { (nx, ny) }
+    }
+
+    /// Checks the sizes against the file.
+    fn check(&self, source: &Source) -> Result<[usize; 2], ReadError> {
+        let [nx, ny] = self.points;
+        if nx == 0 || ny == 0 {
+            return Err(ReadError::Corrupt(format!("holds a map of {nx} x {ny} points; allowed: at least 1")));
+        }
+        if let Some([x, y]) = self.pixel.filter(|pixel| !pixel.iter().all(|&size| is_positive(size))) {
+            return Err(ReadError::Corrupt(format!("has a pixel of {x:e} x {y:e} m; allowed: positive")));
+        }
+        if let Numbers::Stored(stored) = &self.numbers {
+            let (.., bytes) = self.lengths(stored).ok_or_else(too_large)?;
+            source.check(stored.start, bytes)?;
+        }
+        nx.checked_mul(ny).filter(|&count| count <= 1 << 40).ok_or_else(too_large)?;
+        let length = |count: u64| usize::try_from(count).map_err(|_| too_large());
+        Ok([length(nx)?, length(ny)?])
+    }
+
+    /// The heights, the y index running fastest; NaN where missing.
+    fn heights(&self, source: &Source) -> Result<Vec<f64>, ReadError> {
+        let [nx, ny] = self.check(source)?;
+        let count = nx * ny;
+        let mut values = match &self.numbers {
+            Numbers::Packed(_, unpacked) => unpacked()?,
+            Numbers::Stored(stored) => {
+                let (line, stride, bytes) = self.lengths(stored).ok_or_else(too_large)?;
+                let bytes = source.bytes(stored.start, bytes)?;
+                let mut values = vec![0.0; count];
+                let runs = values.chunks_mut((line / stored.kind.bytes()) as usize);
+                for (run, bytes) in runs.zip(bytes.chunks(stride as usize)) {
+                    stored.kind.decode(bytes, stored.big_endian, run);
+                }
+                values
+            }
+        };
+        if values.len() != count {
+            return Err(ReadError::Corrupt(format!(
+                "holds {} numbers for a map of {nx} x {ny} points",
+                values.len()
+            )));
+        }
+        for value in &mut values {
+            let is_missing = !value.is_finite() || (self.missing)(*value);
+            *value = if is_missing { f64::NAN } else { *value * self.factor };
+        }
+        Ok(match self.order {
+            Order::Lines => transposed(&values, nx),
+            Order::LinesUpwards => {
+                values.reverse();
+                values.chunks_mut(nx).for_each(<[f64]>::reverse);
+                transposed(&values, nx)
+            }
+            Order::ColumnsUpwards => {
+                values.chunks_mut(ny).for_each(<[f64]>::reverse);
+                values
+            }
+        })
+    }
+}
+
+/// The channels of a file, one of them chosen.
+pub(super) struct Channels {
+    all: Vec<Channel>,
+    chosen: usize,
+}
+
+impl Channels {
+    /// Chooses the channel `wanted`, else that of the heights.
+    pub(super) fn choose(mut all: Vec<Channel>, wanted: Option<&str>) -> Result<Self, ReadError> {
+        number_equal_names(&mut all);
+        let names = || all.iter().map(Channel::described).collect::<Vec<_>>().join(", ");
+        let heights = || (0..all.len()).min_by_key(|&k| all[k].distance());
+        let chosen = match wanted {
+            Some(wanted) => all.iter().position(|channel| channel.name.eq_ignore_ascii_case(wanted.trim())),
+            None => heights(),
+        };
+        let Some(chosen) = chosen else {
+            return Err(match wanted {
+                _ if all.is_empty() => ReadError::Unsupported("holds no map of heights".to_owned()),
+                Some(wanted) => ReadError::Channel { wanted: wanted.to_owned(), found: names() },
+                None => ReadError::Unsupported("holds no map of heights".to_owned()),
+            });
+        };
+        if let Quantity::Other(unit) = &all[chosen].quantity {
+            return Err(ReadError::Unsupported(match wanted {
+                Some(_) => format!("holds \"{}\" in {unit}; allowed: a channel of heights, of {}", all[chosen].name, names()),
+                None => format!("holds no channel of heights; found: {}", names()),
+            }));
+        }
+        Ok(Self { all, chosen })
+    }
+
+    /// Size, pixel and channel, checked against the length of the file.
+    pub(super) fn metadata(&self, source: &Source, format: &'static str) -> Result<Metadata, ReadError> {
+        let channel = &self.all[self.chosen];
+        let points = channel.check(source)?;
+        let others = self.all.iter().enumerate().filter(|(k, _)| *k != self.chosen);
+        Ok(Metadata {
+            pixel: channel.pixel,
+            has_unit: channel.quantity == Quantity::Length,
+            channel: Some(ChannelName {
+                name: channel.name.clone(),
+                others: others.map(|(_, other)| other.described()).collect(),
+            }),
+            ..Metadata::new(points, format)
+        })
+    }
+
+    /// The map.
+    pub(super) fn measured(&self, source: &Source, format: &'static str) -> Result<Measured, ReadError> {
+        let channel = &self.all[self.chosen];
+        let metadata = self.metadata(source, format)?;
+        let heights = channel.heights(source)?;
+        let kind = match &channel.numbers {
+            Numbers::Stored(stored) => stored.kind,
+            Numbers::Packed(kind, _) => *kind,
+        };
+        let precision = if channel.factor == 1.0 { kind.precision() } else { kind.scaled_precision() };
+        Ok(Measured { metadata, heights, scale: channel.factor, offset: channel.offset, precision })
+    }
+}
+
+/// Makes the names of channels differ: "Height", "Height (2)".
+fn number_equal_names(all: &mut [Channel]) {
+    for k in 0..all.len() {
+        let before = all[..k].iter().filter(|other| other.name == all[k].name).count();
+        if before > 0 {
+            all[k].name = format!("{} ({})", all[k].name, before + 1);
+        }
+    }
+}
+
+/// A unit of length as instruments write it, m.
+pub(super) fn length(unit: &str) -> Option<f64> {
+    let plain = unit.trim().replace('~', "u");
+    let plain = if plain == "A" { "Å" } else { &plain };
+    Dimension::Length.factor(plain)
+}

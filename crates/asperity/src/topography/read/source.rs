@@ -1,0 +1,120 @@
+//! A file read by places, never beyond its end: what its header claims costs no memory.
+
+use std::fs::File;
+use std::io::{Read, Seek, SeekFrom};
+use std::path::Path;
+
+use super::error::{ReadError, too_large};
+use crate::numeric::stored::NumberType;
+
+/// Bytes that most formats are identified by.
+const BEGIN: u64 = 4096;
+
+/// A file of heights.
+#[derive(Debug)]
+pub(super) struct Source {
+    file: File,
+    length: u64,
+    begin: Vec<u8>,
+}
+
+impl Source {
+    pub(super) fn open(path: &Path) -> Result<Self, ReadError> {
+        super::existing(path)?;
+        let file = File::open(path)?;
+        let length = file.metadata()?.len();
+        let mut begin = Vec::new();
+        (&file).take(BEGIN).read_to_end(&mut begin)?;
+        Ok(Self { file, length, begin })
+    }
+
+    /// The first bytes, of a short file all.
+    pub(super) fn begin(&self) -> &[u8] {
+        &self.begin
+    }
+
+    /// Bytes of the file.
+    pub(super) fn length(&self) -> u64 {
+        self.length
+    }
+
+    /// Checks that the file has `count` bytes from `start`.
+    pub(super) fn check(&self, start: u64, count: u64) -> Result<(), ReadError> {
+        match start.checked_add(count).ok_or_else(too_large)? {
+            end if end <= self.length => Ok(()),
+            end => Err(ReadError::Corrupt(format!(
+                "is truncated: it ends at {} bytes, and its header claims at least {end}",
+                self.length
+            ))),
+        }
+    }
+
+    /// `count` bytes from `start`.
+    pub(super) fn bytes(&self, start: u64, count: u64) -> Result<Vec<u8>, ReadError> {
+        self.check(start, count)?;
+        let mut bytes = vec![0; usize::try_from(count).map_err(|_| too_large())?];
+        let mut file = &self.file;
+        file.seek(SeekFrom::Start(start))?;
+        file.read_exact(&mut bytes)?;
+        Ok(bytes)
+    }
+
+    /// At most `most` bytes from `start`, fewer where the file ends.
+    pub(super) fn at_most(&self, start: u64, most: u64) -> Result<Vec<u8>, ReadError> {
+        self.bytes(start, most.min(self.length.saturating_sub(start)))
+    }
+
+    /// `count` bytes of a header from `start`, their numbers with the least significant byte first.
+    pub(super) fn fields(&self, start: u64, count: u64) -> Result<Fields, ReadError> {
+        Ok(Fields { bytes: self.bytes(start, count)?, big_endian: false })
+    }
+
+    /// The file from its first byte, for a library that reads it.
+    pub(super) fn reader(&self) -> Result<impl Read + Seek + use<>, ReadError> {
+        let mut file = self.file.try_clone()?;
+        file.seek(SeekFrom::Start(0))?;
+        Ok(std::io::BufReader::new(file))
+    }
+}
+
+/// Bytes of a header: numbers and texts at given places.
+#[derive(Debug)]
+pub(super) struct Fields {
+    pub(super) bytes: Vec<u8>,
+    /// Whether the most significant byte of a number stands first.
+    pub(super) big_endian: bool,
+}
+
+impl Fields {
+    fn slice(&self, at: usize, count: usize) -> Result<&[u8], ReadError> {
+        let end = || ReadError::Corrupt("is truncated: its header ends too early".to_owned());
+        self.bytes.get(at..).and_then(|rest| rest.get(..count)).ok_or_else(end)
+    }
+
+    /// The number at a byte.
+    pub(super) fn number(&self, at: usize, kind: NumberType) -> Result<f64, ReadError> {
+        let mut value = [0.0];
+        kind.decode(self.slice(at, kind.bytes() as usize)?, self.big_endian, &mut value);
+        Ok(value[0])
+    }
+
+    /// A number that counts: whole, not negative.
+    pub(super) fn count(&self, at: usize, kind: NumberType) -> Result<u64, ReadError> {
+        let value = self.number(at, kind)?;
+        if value < 0.0 {
+            return Err(ReadError::Corrupt(format!("has a count of {value} in its header; allowed: at least 0")));
+        }
+        Ok(value as u64)
+    }
+
+    /// A text of `count` bytes in Latin-1, up to its first zero byte.
+    pub(super) fn text(&self, at: usize, count: usize) -> Result<String, ReadError> {
+        Ok(latin1(self.slice(at, count)?))
+    }
+}
+
+/// A text in Latin-1 up to its first zero byte, without spaces around it.
+pub(super) fn latin1(bytes: &[u8]) -> String {
+    let bytes = bytes.split(|&byte| byte == 0).next().unwrap_or_default();
+    bytes.iter().map(|&byte| char::from(byte)).collect::<String>().trim().to_owned()
+}
