@@ -1,5 +1,7 @@
 //! Files of instruments: the channels that a header describes, the choice of one, and its heights.
 
+use std::collections::HashMap;
+
 use super::content::{ChannelName, Measured, Metadata, transposed};
 use super::error::{ReadError, too_large};
 use super::source::Source;
@@ -52,8 +54,11 @@ pub(super) enum Numbers {
     /// They lie in the file.
     Stored(Stored),
     /// They are unpacked when they are asked for; the type is that of the packed numbers.
-    Packed(NumberType, Box<dyn Fn() -> Result<Vec<f64>, ReadError>>),
+    Packed(NumberType, Box<Unpack>),
 }
+
+/// Unpacks the numbers of a channel.
+type Unpack = dyn Fn(&Source) -> Result<Vec<f64>, ReadError>;
 
 /// Numbers in a file.
 #[derive(Debug, Clone, Copy)]
@@ -147,7 +152,9 @@ impl Channel {
     fn check(&self, source: &Source) -> Result<[usize; 2], ReadError> {
         let [nx, ny] = self.points;
         if nx == 0 || ny == 0 {
-            return Err(ReadError::Corrupt(format!("holds a map of {nx} x {ny} points; allowed: at least 1")));
+            return Err(ReadError::Corrupt(format!(
+                "holds a map of {nx} x {ny} points; allowed: at least 1"
+            )));
         }
         if let Some([x, y]) = self.pixel.filter(|pixel| !pixel.iter().all(|&size| is_positive(size))) {
             return Err(ReadError::Corrupt(format!("has a pixel of {x:e} x {y:e} m; allowed: positive")));
@@ -166,7 +173,7 @@ impl Channel {
         let [nx, ny] = self.check(source)?;
         let count = nx * ny;
         let mut values = match &self.numbers {
-            Numbers::Packed(_, unpacked) => unpacked()?,
+            Numbers::Packed(_, unpacked) => unpacked(source)?,
             Numbers::Stored(stored) => {
                 let (line, stride, bytes) = self.lengths(stored).ok_or_else(too_large)?;
                 let bytes = source.bytes(stored.start, bytes)?;
@@ -228,7 +235,11 @@ impl Channels {
         };
         if let Quantity::Other(unit) = &all[chosen].quantity {
             return Err(ReadError::Unsupported(match wanted {
-                Some(_) => format!("holds \"{}\" in {unit}; allowed: a channel of heights, of {}", all[chosen].name, names()),
+                Some(_) => format!(
+                    "holds \"{}\" in {unit}; allowed: a channel of heights, of {}",
+                    all[chosen].name,
+                    names()
+                ),
                 None => format!("holds no channel of heights; found: {}", names()),
             }));
         }
@@ -267,10 +278,12 @@ impl Channels {
 
 /// Makes the names of channels differ: "Height", "Height (2)".
 fn number_equal_names(all: &mut [Channel]) {
-    for k in 0..all.len() {
-        let before = all[..k].iter().filter(|other| other.name == all[k].name).count();
-        if before > 0 {
-            all[k].name = format!("{} ({})", all[k].name, before + 1);
+    let mut counts: HashMap<String, usize> = HashMap::new();
+    for channel in all {
+        let count = counts.entry(channel.name.clone()).or_default();
+        *count += 1;
+        if *count > 1 {
+            channel.name = format!("{} ({count})", channel.name);
         }
     }
 }

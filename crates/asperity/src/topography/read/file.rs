@@ -61,7 +61,9 @@ impl MapFile {
         let source = Source::open(&self.path)?;
         let format = Format::detect(&source)?;
         match &format.read {
-            Reader::Map { .. } if self.channel.is_some() => Err(ReadError::NoChannels { format: format.name }),
+            Reader::Map { .. } if self.channel.is_some() => {
+                Err(ReadError::NoChannels { format: format.name })
+            }
             _ => Ok((source, format)),
         }
     }

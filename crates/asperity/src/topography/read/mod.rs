@@ -13,6 +13,8 @@
 //! formats but `.npy` are transposed. Nothing is mirrored: the first line of a file is the first y. A height far from all
 //! others, such as -9999, is an error until it is stated whether it marks missing points.
 
+mod al3d;
+mod bcr;
 mod channel;
 mod columns;
 mod content;
@@ -20,11 +22,15 @@ mod error;
 mod file;
 mod labels;
 mod marks;
+mod metropro;
+mod nid;
 mod npy;
 mod opd;
+mod plu;
 mod sdf;
 mod separation;
 mod source;
+mod sur;
 mod table;
 mod text;
 mod x3p;
@@ -52,13 +58,28 @@ struct Format {
 /// How a format is read.
 enum Reader {
     /// One map, or what its user says of it.
-    Map { metadata: fn(&Path) -> Result<Metadata, ReadError>, measured: fn(&Path) -> Result<Measured, ReadError> },
+    Map {
+        metadata: fn(&Path) -> Result<Metadata, ReadError>,
+        measured: fn(&Path) -> Result<Measured, ReadError>,
+    },
     /// Several channels, of which one is chosen.
     Channels(fn(&Source) -> Result<Vec<Channel>, ReadError>),
 }
 
 /// All formats, in the order in which a file is tried: texts last.
-static FORMATS: &[&Format] = &[&npy::FORMAT, &opd::FORMAT, &sdf::FORMAT, &x3p::FORMAT, &text::FORMAT];
+static FORMATS: &[&Format] = &[
+    &npy::FORMAT,
+    &al3d::FORMAT,
+    &bcr::FORMAT,
+    &metropro::FORMAT,
+    &nid::FORMAT,
+    &opd::FORMAT,
+    &plu::FORMAT,
+    &sdf::FORMAT,
+    &sur::FORMAT,
+    &x3p::FORMAT,
+    &text::FORMAT,
+];
 
 impl Format {
     fn detect(source: &Source) -> Result<&'static Self, ReadError> {

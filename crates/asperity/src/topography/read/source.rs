@@ -102,7 +102,9 @@ impl Fields {
     pub(super) fn count(&self, at: usize, kind: NumberType) -> Result<u64, ReadError> {
         let value = self.number(at, kind)?;
         if value < 0.0 {
-            return Err(ReadError::Corrupt(format!("has a count of {value} in its header; allowed: at least 0")));
+            return Err(ReadError::Corrupt(format!(
+                "has a count of {value} in its header; allowed: at least 0"
+            )));
         }
         Ok(value as u64)
     }
@@ -117,4 +119,35 @@ impl Fields {
 pub(super) fn latin1(bytes: &[u8]) -> String {
     let bytes = bytes.split(|&byte| byte == 0).next().unwrap_or_default();
     bytes.iter().map(|&byte| char::from(byte)).collect::<String>().trim().to_owned()
+}
+
+/// A text in UTF-8, or in Latin-1 as some programs write µ.
+pub(super) fn text(bytes: &[u8]) -> String {
+    match std::str::from_utf8(bytes) {
+        Ok(text) => text.to_owned(),
+        Err(_) => bytes.iter().map(|&byte| char::from(byte)).collect(),
+    }
+}
+
+/// Unpacks `count` bytes of a zlib stream.
+pub(super) fn inflated(packed: &[u8], count: u64) -> Result<Vec<u8>, ReadError> {
+    /// The most that zlib packs.
+    const RATIO: u64 = 1032;
+    let corrupt = |found: &dyn std::fmt::Display| {
+        ReadError::Corrupt(format!(
+            "is damaged: {found} in {} packed bytes that should hold {count}",
+            packed.len()
+        ))
+    };
+    let most = RATIO.saturating_mul(packed.len() as u64);
+    if count > most {
+        return Err(corrupt(&"no room"));
+    }
+    let mut bytes = Vec::with_capacity(usize::try_from(count).map_err(|_| too_large())?);
+    let decoder = flate2::read::ZlibDecoder::new(packed);
+    decoder.take(count + 1).read_to_end(&mut bytes).map_err(|error| corrupt(&error))?;
+    if bytes.len() as u64 != count {
+        return Err(corrupt(&format!("{} bytes", bytes.len())));
+    }
+    Ok(bytes)
 }

@@ -1,8 +1,8 @@
 //! Tables of numbers in a text, without names of columns, numbers of columns and numbers of lines.
 
+use super::Format;
 use super::columns;
 use super::content::{LeftOut, NamedUnits};
-use super::Format;
 use super::error::{ReadError, shortened};
 use super::labels::{self, Coordinates};
 use super::separation::Separation;

@@ -8,7 +8,7 @@ use std::path::Path;
 use super::content::{Measured, Metadata, transposed};
 use super::error::ReadError;
 use super::table::Table;
-use super::{Format, Reader, xyz};
+use super::{Format, Reader, source, xyz};
 use crate::units::Dimension;
 
 const WITH_HEADER: &str = "a text with a header of sizes";
@@ -19,16 +19,12 @@ pub(super) const FORMAT: Format = Format {
     read: Reader::Map { metadata: |path| Ok(measured(path)?.metadata), measured },
 };
 
-
 /// Reads a map: in metres with a header, in the unit of the file without.
 ///
 /// # Errors
 /// See [`ReadError`].
 pub(super) fn measured(path: &Path) -> Result<Measured, ReadError> {
-    let bytes = std::fs::read(path)?;
-    // Some programs write µ in Latin-1.
-    let text = String::from_utf8(bytes)
-        .unwrap_or_else(|error| error.into_bytes().iter().map(|&byte| char::from(byte)).collect());
+    let text = source::text(&std::fs::read(path)?);
     let text = text.trim_start_matches('\u{feff}');
     let header = Header::parse(text)?;
     let Table { rows, columns, mut values, named, left_out, precision } = Table::parse(text)?;
