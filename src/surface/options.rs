@@ -15,6 +15,8 @@ pub struct FileOptions {
     pub unit: Option<String>,
     /// Heights that mark missing points, with commas between them, or "none".
     pub missing: Option<String>,
+    /// The channel of a file that holds several.
+    pub channel: Option<String>,
     /// Whether x and y of the file are exchanged.
     pub transpose: bool,
     /// Form that is removed.
@@ -73,6 +75,8 @@ impl FileOptions {
         lines.extend(self.unit.as_ref().map(|unit| (format!("unit = {}", units(unit)), typed("unit", unit))));
         let missing = self.missing.as_ref();
         lines.extend(missing.map(|marks| (format!("missing = {}", numbers(marks)), typed("missing", marks))));
+        let channel = self.channel.as_ref();
+        lines.extend(channel.map(|name| (format!("channel = {}", quoted(name)), typed("channel", name))));
         if self.transpose {
             lines.push(("transpose = true".to_owned(), "--transpose".to_owned()));
         }
@@ -189,8 +193,8 @@ pub fn with_options(text: &str) -> String {
 
 /// The option for a key of a spec, alone or with its value; `None` where there is none.
 fn option(code: &str) -> Option<String> {
-    const KEYS: [&str; 8] =
-        ["outliers", "align-lines", "level", "neighbours", "missing", "pixel", "unit", "tip"];
+    const KEYS: [&str; 9] =
+        ["outliers", "align-lines", "level", "neighbours", "missing", "pixel", "unit", "tip", "channel"];
     let (key, value) = code.split_once(" = ").map_or((code, None), |(key, value)| (key, Some(value)));
     let bare = |value: &str| {
         let word = value.trim_matches('"');

@@ -17,7 +17,7 @@ use crate::surface::spec::{
     DrawSpec, FileSpec, FitSpec, ListSpec, Outliers, PopulationHeights, PopulationSpec, SurfaceSpec,
 };
 use asperity::surface::{BodyAsperities, Kept, Preparation};
-use asperity::topography::read::{MapFile, Metadata, ReadOptions, ReadOptionsError};
+use asperity::topography::read::{MapFile, Metadata, ReadError, ReadOptions, ReadOptionsError};
 use asperity::topography::{Boundary, Filter, Level, read};
 use asperity::{
     AsperityList, Heights, ListError, ListOptions, MapError, Population, ReferencePlane, SurfaceHeights,
@@ -222,14 +222,24 @@ impl SurfacePlan {
             unit: raw.unit.as_ref().map(|unit| unit.get_ref().0),
         };
         let missing = raw.missing.as_ref().map(|missing| missing.get_ref().0.clone());
-        let is_as_stored = missing.is_none() && !raw.transpose;
-        let file = MapFile { path: path.clone(), options, missing, transpose: raw.transpose };
+        let channel = raw.channel.as_ref().map(|channel| channel.get_ref().clone());
+        let is_as_stored = missing.is_none() && channel.is_none() && !raw.transpose;
+        let file = MapFile { path: path.clone(), options, missing, transpose: raw.transpose, channel };
         let metadata = match in_memory {
             Some(_) if !is_as_stored => {
-                return Err(refuse(&"is a map in memory; allowed: leave missing and transpose out"));
+                return Err(refuse(&"is a map in memory; allowed: leave missing, channel and transpose out"));
             }
             Some(map) => Metadata::in_memory(&**map),
-            None => file.metadata().map_err(|error| refuse(&spec_message(&error)))?,
+            None => file.metadata().map_err(|error| {
+                let key = match error {
+                    ReadError::Channel { .. } | ReadError::NoChannels { .. } => {
+                        raw.channel.as_ref().map(Spanned::span)
+                    }
+                    _ => None,
+                };
+                let message = format!("{} {}", path.display(), spec_message(&error));
+                source.error_at(key.unwrap_or_else(|| raw.path.span()), message)
+            })?,
         };
         let points = metadata.points;
         if points.iter().any(|&count| count < 3) {
@@ -277,7 +287,7 @@ impl SurfacePlan {
             Some(_) => true,
             None => file.stays_on_disk().map_err(|error| refuse(&spec_message(&error)))?,
         };
-        let mut caveats = reading::caveats(&metadata, pixel, file.transpose);
+        let mut caveats = reading::caveats(&metadata, pixel, &file);
         caveats.extend(filter.and_then(|filter| filters::short_caveat(filter, pixel)));
         let fit = raw.fit.map(|FitSpec::Auto| Kept {
             spikes: raw.outliers.is_some(),

@@ -20,6 +20,7 @@ pub fn spec_message(error: &ReadError) -> String {
             "{error}. Delete these lines or put # before each (three columns are x, y and the height, in this order); a pixel and a unit that they state go to pixel = \"0.8 um\" and \
              unit = \"um\" next to path (--pixel and --unit on the command line)"
         ),
+        ReadError::Channel { .. } => format!("{error} (--channel on the command line)"),
         _ => error.to_string(),
     }
 }

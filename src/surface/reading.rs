@@ -1,15 +1,27 @@
 //! How a file of heights was read, where a reader should know: what was left out, and which axis is x.
 
-use asperity::topography::read::{LeftOut, Metadata};
+use asperity::topography::read::{ChannelName, LeftOut, MapFile, Metadata};
 use asperity_contact_framework::report::format::{count, input_number, input_quantity};
 
-/// Caveats of a file that was read as `metadata` (transposed where `transpose`) with this pixel, m.
-pub fn caveats(metadata: &Metadata, pixel: [f64; 2], transpose: bool) -> Vec<String> {
+/// Caveats of a file that was read as `metadata` with this pixel, m.
+pub fn caveats(metadata: &Metadata, pixel: [f64; 2], file: &MapFile) -> Vec<String> {
     let mut caveats: Vec<String> = left_out(metadata.left_out).into_iter().collect();
+    if let (Some(channel), None) = (&metadata.channel, &file.channel) {
+        caveats.extend(others(channel));
+    }
     if metadata.pixel.is_none() && differ(pixel) {
-        caveats.push(axes(metadata, pixel, transpose));
+        caveats.push(axes(metadata, pixel, file.transpose));
     }
     caveats
+}
+
+/// The channel that was read, where others hold lengths, too.
+fn others(ChannelName { name, lengths }: &ChannelName) -> Option<String> {
+    let another = lengths.first()?;
+    let more = if lengths.len() > 1 { format!(" (of {})", lengths.len()) } else { String::new() };
+    Some(format!(
+        "the channel \"{name}\" of its file is read; `channel = \"{another}\"` reads another{more}."
+    ))
 }
 
 fn left_out(LeftOut { header, index_column, spacing }: LeftOut) -> Option<String> {
@@ -72,6 +84,13 @@ mod tests {
         assert!(words(Some(1), true).unwrap().ends_with("both hold no heights and are left out."));
         assert!(words(None, true).unwrap().starts_with("the first column"));
         assert_eq!(words(None, false), None);
+        let mut channel = ChannelName { name: "Height".to_owned(), lengths: Vec::new() };
+        assert_eq!(others(&channel), None);
+        channel.lengths = ["Sensor", "Sensor (2)"].map(str::to_owned).to_vec();
+        assert_eq!(
+            others(&channel).unwrap(),
+            "the channel \"Height\" of its file is read; `channel = \"Sensor\"` reads another (of 2)."
+        );
         let coordinates = LeftOut { header: Some(1), index_column: true, spacing: [Some(0.8), Some(1e-3)] };
         assert_eq!(
             left_out(coordinates).unwrap(),

@@ -182,7 +182,7 @@ pub enum DrawSpec {
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a table { path }")]
 pub struct FileSpec {
-    /// The height map: `.npy` (first index x), X3P, SDF, a text matrix or columns x y z; relative to the spec.
+    /// The height map: a file of an instrument, `.npy` (first index x), X3P, SDF, a text matrix or columns x y z; relative to the spec.
     #[schemars(extend("examples" = ["map.npy"]))]
     pub path: Spanned<PathBuf>,
     /// Pixel size, or one along x and one along y; only where the file contains none. The first index of a `.npy` is x; in a text x runs along a line.
@@ -194,6 +194,9 @@ pub struct FileSpec {
     /// Heights that mark missing points, in the unit of the file. `[]`: every number is a height, although one is far from all others.
     #[schemars(extend("x-default" = "none; a height far from all others is an error", "examples" = [-9999, [-9999, -32768]]))]
     pub missing: Option<Spanned<MissingSpec>>,
+    /// The channel of a file that holds several, by its name there.
+    #[schemars(extend("x-default" = "that of the heights", "examples" = ["Height Sensor"]))]
+    pub channel: Option<Spanned<String>>,
     /// Whether x and y of the file are exchanged; `pixel` is then that of the exchanged map.
     #[serde(default)]
     #[schemars(extend("default" = false, "examples" = [true]))]

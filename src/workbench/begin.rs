@@ -13,8 +13,38 @@ use super::view;
 use crate::kind::KINDS;
 use crate::surface::FileOptions;
 
-/// Endings of files of maps and of lists of asperities; what they hold is found by their content.
-pub const ENDINGS: &[&str] = &["npy", "x3p", "sdf", "xyz", "txt", "asc", "csv", "dat", "tsv"];
+/// Endings of files of maps and of lists of asperities; what they hold is found by their content. `000` stands for any number of
+/// three digits.
+pub const ENDINGS: &[&str] = &[
+    "npy",
+    "x3p",
+    "sdf",
+    "xyz",
+    "txt",
+    "asc",
+    "csv",
+    "dat",
+    "tsv",
+    "000",
+    "al3d",
+    "bcr",
+    "bcrf",
+    "datx",
+    "gwy",
+    "ibw",
+    "jpk",
+    "jpk-qi-image",
+    "nid",
+    "opd",
+    "plu",
+    "spm",
+    "sur",
+    "tiff",
+    "vk3",
+    "vk4",
+    "vk6",
+    "vk7",
+];
 
 /// The committed fine finish.
 pub const EXAMPLE: Example = Example {

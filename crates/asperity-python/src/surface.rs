@@ -89,21 +89,22 @@ impl Map {
     /// Reads a measured map; ``unit`` is that of x and y and that of heights in m. With it what a reader should know of how it was
     /// read.
     #[staticmethod]
-    #[pyo3(signature = (path, *, pixel=None, unit=None, missing=None, transpose=false))]
+    #[pyo3(signature = (path, *, pixel=None, unit=None, missing=None, channel=None, transpose=false))]
     fn read(
         py: Python,
         path: std::path::PathBuf,
         pixel: Option<[f64; 2]>,
         unit: Option<[f64; 2]>,
         missing: Option<Vec<f64>>,
+        channel: Option<String>,
         transpose: bool,
     ) -> PyResult<(Self, Vec<String>)> {
         let unit = unit.map(|[xy, z]| LengthUnits { xy, z });
-        let file = MapFile { path, options: ReadOptions { pixel, unit }, missing, transpose };
+        let file = MapFile { path, options: ReadOptions { pixel, unit }, missing, transpose, channel };
         let shown = file.path.display().to_string();
         let rows = move |watch: &Watch| -> Result<_, ReadError> {
             let (metadata, rows) = (file.metadata()?, file.rows(watch)?);
-            let caveats = caveats(&metadata, rows.pixel(), file.transpose);
+            let caveats = caveats(&metadata, rows.pixel(), &file);
             Ok((Self(Arc::from(rows)), caveats))
         };
         interruptible(py, rows)?.map_err(|error| match error {

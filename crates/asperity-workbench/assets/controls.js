@@ -137,6 +137,7 @@ const SurfaceControls = ({ context, surface }) => {
         <${Choice} context=${context} path=${path("align-lines")} label="Align lines" options=${[["x", "along x"], ["y", "along y"]]} none="no" />
         <${Quantity} context=${context} path=${path("tip")} label="Tip radius" dimension="length" low=${1e-9} high=${1e-5} />
         <${Field} context=${context} path=${path("missing")} label="Missing points" placeholder="such as -9999" />
+        <${Field} context=${context} path=${path("channel")} label="Channel" placeholder="the heights" />
         <${Flag} context=${context} path=${path("transpose")} label="Exchange x and y" isOn=${at(spec, path("transpose")) === true} set=${isOn => setValue(path("transpose"), isOn || undefined)} />
         <${Choice} context=${context} path=${path("neighbours")} label="Neighbours" options=${[["four", "four"], ["eight", "eight"]]} none="four (default)" />
       </details>

@@ -53,7 +53,7 @@ export const Start = ({ vocabulary, begin, open, example, fail, chooseFile }) =>
   return html`<main class="start">
     <h1>May I use the statistical contact model (of Greenwood and Williamson's kind) on my surface?</h1>
     <section class="drop">
-      <p>Drop a height map here (${vocabulary.endings.join(", ")}), or <button type="button" onClick=${chooseFile}>choose a file</button>. It stays on this machine, in <code>${vocabulary.folder}</code>.</p>
+      <p>Drop a height map here (a file of an instrument, .npy, X3P, SDF, text), or <button type="button" onClick=${chooseFile}>choose a file</button>. It stays on this machine, in <code>${vocabulary.folder}</code>.</p>
       ${entries && !entries.some(entry => entry.path.startsWith("example/")) && html`<p>No map at hand? <button type="button" onClick=${example}>Open the example</button>: a fine steel finish, measured by interferometry.</p>`}
     </section>
     ${entries === null ? html`<p role="status">Reading the folder …</p>` : html`<ul class="entries">${entries.map(item)}</ul>`}

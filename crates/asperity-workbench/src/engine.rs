@@ -75,7 +75,7 @@ pub trait Engine: Send + Sync + 'static {
     /// What the page needs once: keys, materials, laws.
     fn vocabulary(&self) -> Value;
 
-    /// Endings of files of maps and of lists of asperities.
+    /// Endings of files of maps and of lists of asperities, in lower case; `000` stands for any number of three digits.
     fn endings(&self) -> &'static [&'static str];
 
     /// The kind of experiment of a spec, and its title; `None` of another text.

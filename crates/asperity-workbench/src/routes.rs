@@ -102,7 +102,6 @@ async fn vocabulary(State(app): State<App>) -> Json<Value> {
     vocabulary["terms"] = json!(asperity_contact_framework::report::meanings());
     vocabulary["reports"] = app.guard.reports().into();
     vocabulary["folder"] = app.folder.root().display().to_string().into();
-    vocabulary["endings"] = json!(app.engine.endings());
     Json(vocabulary)
 }
 

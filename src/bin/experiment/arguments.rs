@@ -165,6 +165,9 @@ pub struct FileArguments {
     /// Heights that mark missing points, in the unit of the file: -9999, or "-9999, 1e30"; none where all are heights
     #[arg(long, allow_hyphen_values = true)]
     missing: Option<String>,
+    /// Channel of a file that holds several, by its name there; default: that of the heights
+    #[arg(long, allow_hyphen_values = true)]
+    channel: Option<String>,
     /// Exchange x and y of the file; the pixel is then that of the exchanged map
     #[arg(long)]
     transpose: bool,
@@ -254,6 +257,7 @@ impl From<FileArguments> for FileOptions {
             pixel: arguments.pixel,
             unit: arguments.unit,
             missing: arguments.missing,
+            channel: arguments.channel,
             transpose: arguments.transpose,
             fit: arguments.fit,
             outliers: arguments.outliers,

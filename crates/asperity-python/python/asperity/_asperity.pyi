@@ -166,6 +166,7 @@ class Map:
         pixel: tuple[float, float] | None = None,
         unit: tuple[float, float] | None = None,
         missing: list[float] | None = None,
+        channel: str | None = None,
         transpose: bool = False,
     ) -> tuple[Map, list[str]]: ...
     @property

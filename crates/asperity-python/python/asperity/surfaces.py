@@ -117,11 +117,12 @@ class Topography:
         pixel: float | tuple[float, float] | None = None,
         unit: str | dict[str, str] | None = None,
         missing: float | Sequence[float] | None = None,
+        channel: str | None = None,
         transpose: bool = False,
         periodic: bool = False,
         **preparation: Any,
     ) -> Topography:
-        """Read a measured map: ``.npy``, X3P, SDF, a text matrix or columns x y z.
+        """Read a measured map: a file of an instrument, ``.npy``, X3P, SDF, a text matrix or columns x y z.
 
         Parameters
         ----------
@@ -136,6 +137,8 @@ class Topography:
         missing : float or sequence of float, optional
             Heights that mark missing points, in the unit of the file. An empty sequence: every number is a height, although
             one is far from all others.
+        channel : str, optional
+            The channel of a file that holds several, by its name there; by default that of the heights.
         transpose : bool
             Whether x and y of the file are exchanged; ``pixel`` is then that of the exchanged map.
         periodic, **preparation
@@ -147,7 +150,9 @@ class Topography:
             unit = _units(unit)
         if missing is not None:
             missing = np.atleast_1d(np.asarray(missing, dtype=np.float64)).tolist()
-        raw, caveats = _asperity.Map.read(path, pixel=pixel, unit=unit, missing=missing, transpose=transpose)
+        raw, caveats = _asperity.Map.read(
+            path, pixel=pixel, unit=unit, missing=missing, channel=channel, transpose=transpose
+        )
         made = cls.__new__(cls)
         made._begin(raw, periodic, preparation, caveats)
         return made

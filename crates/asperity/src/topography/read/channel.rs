@@ -250,13 +250,14 @@ impl Channels {
     pub(super) fn metadata(&self, source: &Source, format: &'static str) -> Result<Metadata, ReadError> {
         let channel = &self.all[self.chosen];
         let points = channel.check(source)?;
-        let others = self.all.iter().enumerate().filter(|(k, _)| *k != self.chosen);
+        let others = self.all.iter().enumerate().filter(|(k, _)| *k != self.chosen).map(|(_, other)| other);
+        let lengths = others.filter(|other| other.quantity == Quantity::Length);
         Ok(Metadata {
             pixel: channel.pixel,
             has_unit: channel.quantity == Quantity::Length,
             channel: Some(ChannelName {
                 name: channel.name.clone(),
-                others: others.map(|(_, other)| other.described()).collect(),
+                lengths: lengths.map(|other| other.name.clone()).collect(),
             }),
             ..Metadata::new(points, format)
         })

@@ -29,8 +29,8 @@ pub struct Metadata {
 pub struct ChannelName {
     /// Its name.
     pub name: String,
-    /// The others of the file, with the unit of those that hold no lengths.
-    pub others: Vec<String>,
+    /// The others of the file that hold lengths.
+    pub lengths: Vec<String>,
 }
 
 /// Units of the lengths in a file, m.
