@@ -159,6 +159,12 @@ impl Channel {
         if let Some([x, y]) = self.pixel.filter(|pixel| !pixel.iter().all(|&size| is_positive(size))) {
             return Err(ReadError::Corrupt(format!("has a pixel of {x:e} x {y:e} m; allowed: positive")));
         }
+        if !(self.factor.is_finite() && self.offset.is_finite()) {
+            return Err(ReadError::Corrupt(format!(
+                "has heights of {:e} m x a stored number + {:e} m; allowed: finite",
+                self.factor, self.offset
+            )));
+        }
         if let Numbers::Stored(stored) = &self.numbers {
             let (.., bytes) = self.lengths(stored).ok_or_else(too_large)?;
             source.check(stored.start, bytes)?;
@@ -223,7 +229,7 @@ impl Channels {
         let names = || all.iter().map(Channel::described).collect::<Vec<_>>().join(", ");
         let heights = || (0..all.len()).min_by_key(|&k| all[k].distance());
         let chosen = match wanted {
-            Some(wanted) => all.iter().position(|channel| channel.name.eq_ignore_ascii_case(wanted.trim())),
+            Some(wanted) => named(&all, wanted.trim()),
             None => heights(),
         };
         let Some(chosen) = chosen else {
@@ -277,15 +283,23 @@ impl Channels {
     }
 }
 
+/// The channel of a name, its letters large or small where no other has just these.
+fn named(all: &[Channel], wanted: &str) -> Option<usize> {
+    let exact = all.iter().position(|channel| channel.name == wanted);
+    exact.or_else(|| all.iter().position(|channel| channel.name.eq_ignore_ascii_case(wanted)))
+}
+
 /// Makes the names of channels differ: "Height", "Height (2)".
 fn number_equal_names(all: &mut [Channel]) {
     let mut counts: HashMap<String, usize> = HashMap::new();
     for channel in all {
-        let count = counts.entry(channel.name.clone()).or_default();
-        *count += 1;
-        if *count > 1 {
-            channel.name = format!("{} ({count})", channel.name);
+        let name = channel.name.clone();
+        while counts.contains_key(&channel.name) {
+            let count = counts.entry(name.clone()).or_default();
+            *count += 1;
+            channel.name = format!("{name} ({count})");
         }
+        counts.insert(channel.name.clone(), 1);
     }
 }
 

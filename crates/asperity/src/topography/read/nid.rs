@@ -122,6 +122,7 @@ fn image(
     let unit = section.text("Dim2Unit")?;
     Ok(match length(unit) {
         Some(_) => channel.in_unit(unit),
+        None if unit.is_empty() => Channel { quantity: Quantity::Other("no unit".to_owned()), ..channel },
         None => Channel { quantity: Quantity::Other(unit.to_owned()), ..channel },
     })
 }

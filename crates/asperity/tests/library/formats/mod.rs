@@ -18,7 +18,17 @@ macro_rules! assert_refused {
     };
 }
 
+mod al3d;
+mod bcr;
+mod channels;
+mod instrument;
+mod metropro;
+mod nid;
+mod opd;
+mod plu;
+mod samples;
 mod sdf;
+mod sur;
 mod text;
 mod x3p;
 

@@ -1,0 +1,136 @@
+//! BCR-STM and BCRF files.
+
+use super::instrument::{Number, assert_heights, assert_no_panic, read, stored};
+use super::{NX, NY, in_lines, z};
+use asperity::topography::read::{ReadOptions, metadata};
+
+const PIXEL: [f64; 2] = [2e-6, 3e-6];
+
+/// How a header is written.
+#[derive(Clone, Copy, PartialEq)]
+enum Letters {
+    Latin1,
+    Utf16,
+    /// With a mark of the byte order before it.
+    MarkedUtf16,
+}
+
+use Letters::{Latin1, MarkedUtf16, Utf16};
+
+/// The lines that every header of these numbers has.
+fn header(format: &str, is_intel: bool) -> String {
+    format!(
+        "fileformat = {format}\n%\n# a comment\nxpixels = {NX}\nypixels = {NY}\nxlength = 10\nylength = 0.012\nxunit = \u{b5}m\n \
+         yunit = mm\nzunit = nm\nintelmode = {}\nbit2nm = 0.25\nvoidpixels = 1\nbias = \n",
+        u8::from(is_intel)
+    )
+}
+
+/// A header filled with spaces, then the numbers.
+fn of(header: &str, letters: Letters, length: usize, numbers: &[u8]) -> Vec<u8> {
+    let text: Vec<char> = header.chars().chain(std::iter::repeat(' ')).take(length).collect();
+    let mut bytes = if letters == MarkedUtf16 { vec![0xff, 0xfe] } else { Vec::new() };
+    match letters {
+        Latin1 => bytes.extend(text.iter().map(|&letter| letter as u8)),
+        Utf16 | MarkedUtf16 => bytes.extend(text.iter().flat_map(|&letter| (letter as u16).to_le_bytes())),
+    }
+    [&bytes, numbers].concat()
+}
+
+/// Heights in quarters, with this mark of missing points.
+fn numbers<T: Number>(missing: f64, is_intel: bool) -> Vec<u8> {
+    stored::<T>(in_lines().map(|z| if z.is_nan() { missing } else { 4.0 * z }), !is_intel)
+}
+
+fn good() -> Vec<u8> {
+    numbers::<i16>(32_767.0, true)
+}
+
+fn wanted(ix: usize, iy: usize) -> f64 {
+    1e-9 * z(ix, iy)
+}
+
+#[test]
+fn bcr_heights_of_every_kind() {
+    for letters in [Latin1, Utf16, MarkedUtf16] {
+        let unicode = if letters == Latin1 { "" } else { "_unicode" };
+        for is_intel in [true, false] {
+            let files = [
+                ("bcrstm", numbers::<i16>(32_767.0, is_intel)),
+                ("bcrf", numbers::<f32>(f64::from(f32::MAX), is_intel)),
+                ("bcrf", numbers::<f32>(1.7e38, is_intel)),
+                ("bcrf", numbers::<f32>(f64::NAN, is_intel)),
+            ];
+            for (format, numbers) in files {
+                let header = header(&format!("{format}{unicode}"), is_intel);
+                let head = assert_heights(of(&header, letters, 2048, &numbers), None, PIXEL, wanted);
+                assert_eq!((head.has_unit, head.channel.unwrap().name), (true, "Heights".to_owned()));
+                // Headers of other lengths state them.
+                for length in [400, 5000] {
+                    let stated = header.replacen("%\n", &format!("headersize = {length}\n"), 1);
+                    assert_heights(of(&stated, letters, length, &numbers), None, PIXEL, wanted);
+                }
+            }
+        }
+        let short = header("bcrf", true).replacen("%\n", "headersize = 400\n", 1);
+        let short = of(&short, letters, 400, &numbers::<f32>(f64::NAN, true));
+        assert_no_panic(&short);
+    }
+}
+
+#[test]
+fn bcr_without_units_is_in_nanometres() {
+    let header = header("bcrstm", true);
+    let bare: String =
+        header.lines().filter(|line| !line.contains("unit")).map(|line| format!("{line}\n")).collect();
+    assert_heights(of(&bare, Latin1, 2048, &good()), None, [2e-9, 3e-12], wanted);
+    let default = bare.replace("bit2nm = 0.25\n", "").replace("intelmode = 1\n", "");
+    assert_heights(of(&default, Latin1, 2048, &good()), None, [2e-9, 3e-12], |ix, iy| 4e-9 * z(ix, iy));
+    // Without a size the pixel is given.
+    let given = ReadOptions { pixel: Some([1e-6; 2]), unit: None };
+    let (head, map) = read(of(&header.replace("xlength = 10", ""), Latin1, 2048, &good()), None, given);
+    assert_eq!((head.pixel, map.pixel()), (None, [1e-6; 2]));
+    // So it is where the size is none of length.
+    let (_folder, path) = super::file(of(&header.replace("yunit = mm", "yunit = s"), Latin1, 2048, &good()));
+    assert_eq!(metadata(&path).unwrap().pixel, None);
+}
+
+#[test]
+fn bad_bcr_is_refused() {
+    let header = header("bcrstm", true);
+    let with = |from: &str, to: &str| of(&header.replacen(from, to, 1), Latin1, 2048, &good());
+    for key in ["xpixels", "ypixels"] {
+        assert_refused!(Corrupt, format!("has no {key} in its header").as_str(), with(key, "pixels"));
+    }
+    for key in ["xpixels = 5", "bit2nm = 0.25", "xlength = 10", "intelmode = 1"] {
+        let (name, _) = key.split_once(' ').unwrap();
+        let words = format!("has {name} = \"many\" in its header; allowed: a number");
+        assert_refused!(Corrupt, words.as_str(), with(key, &format!("{name} = many")));
+    }
+    assert_refused!(Corrupt, "has headersize = \"-1\"", with("%\n", "headersize = -1\n"));
+    assert_refused!(Corrupt, "has no xpixels", with("%\n", "headersize = 3\n"));
+    assert_refused!(
+        Corrupt,
+        "a header of 1048577 characters; allowed: at most 1048576",
+        with("%\n", "headersize = 1048577\n")
+    );
+    assert_refused!(Corrupt, "is truncated: it ends at", with("%\n", "headersize = 9999\n"));
+    assert_refused!(Corrupt, "a map of 0 x 4 points", with("xpixels = 5", "xpixels = 0"));
+    assert_refused!(Corrupt, "a pixel of -2e-6 x", with("xlength = 10", "xlength = -10"));
+    assert_refused!(Corrupt, "has heights of inf m x", with("bit2nm = 0.25", "bit2nm = inf"));
+    assert_refused!(
+        Corrupt,
+        "claims to hold more numbers",
+        with("xpixels = 5", "xpixels = 18446744073709551615")
+    );
+    assert_refused!(Corrupt, "is truncated: it ends at", with("xpixels = 5", "xpixels = 5000000"));
+    assert_refused!(
+        Unsupported,
+        "no channel of heights; found: \"Heights\" (V)",
+        with("zunit = nm", "zunit = V")
+    );
+    let whole = of(&header, Latin1, 2048, &good());
+    for length in 64..whole.len() {
+        assert_refused!(Corrupt, "is truncated", &whole[..length]);
+    }
+}

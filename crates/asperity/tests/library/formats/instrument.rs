@@ -1,0 +1,141 @@
+//! What the tests of instruments' files share: bytes at given places, numbers of every type, and the map that must come back.
+
+use super::{DAMAGES, NX, NY, file, z};
+use asperity::topography::Rows;
+use asperity::topography::read::{MapFile, Metadata, ReadOptions, height_map, metadata};
+use std::path::{Path, PathBuf};
+
+/// A number of a file.
+pub(super) trait Number: Copy {
+    fn of(value: f64) -> Self;
+    fn bytes(self, big_endian: bool) -> Vec<u8>;
+}
+
+macro_rules! number {
+    ($($kind:ty)*) => {$(
+        impl Number for $kind {
+            fn of(value: f64) -> Self {
+                value as $kind
+            }
+
+            fn bytes(self, big_endian: bool) -> Vec<u8> {
+                if big_endian { self.to_be_bytes().to_vec() } else { self.to_le_bytes().to_vec() }
+            }
+        }
+    )*};
+}
+number! { u8 u16 u32 i8 i16 i32 f32 }
+
+/// A header: zeros, and what is put between them.
+pub(super) struct Bytes {
+    pub(super) bytes: Vec<u8>,
+    big_endian: bool,
+}
+
+impl Bytes {
+    pub(super) fn new(count: usize, big_endian: bool) -> Self {
+        Self { bytes: vec![0; count], big_endian }
+    }
+
+    pub(super) fn put(&mut self, at: usize, number: impl Number) {
+        self.text(at, &number.bytes(self.big_endian));
+    }
+
+    pub(super) fn text(&mut self, at: usize, text: impl AsRef<[u8]>) {
+        let text = text.as_ref();
+        self.bytes[at..at + text.len()].copy_from_slice(text);
+    }
+}
+
+/// Heights as numbers of a type.
+pub(super) fn stored<T: Number>(heights: impl Iterator<Item = f64>, big_endian: bool) -> Vec<u8> {
+    heights.flat_map(|height| T::of(height).bytes(big_endian)).collect()
+}
+
+/// The height of the point that is missing, in files that cannot say so.
+const FILLED: f64 = 5.0;
+
+/// The map with that point filled.
+pub(super) fn filled(ix: usize, iy: usize) -> f64 {
+    if z(ix, iy).is_nan() { FILLED } else { z(ix, iy) }
+}
+
+/// Lines along x, the bottom one first.
+pub(super) fn upwards() -> impl Iterator<Item = [usize; 2]> {
+    (0..NX * NY).map(|k| [k % NX, NY - 1 - k / NX])
+}
+
+/// Reads a channel; the size of the header is that of the map.
+pub(super) fn read(
+    bytes: impl AsRef<[u8]>,
+    channel: Option<&str>,
+    given: ReadOptions,
+) -> (Metadata, asperity::HeightMap) {
+    let (_folder, path) = file(bytes);
+    let file = MapFile { channel: channel.map(str::to_owned), ..MapFile::new(&path, given) };
+    let (head, map) = (file.metadata().unwrap(), file.height_map().unwrap());
+    assert_eq!((head.points, map.points()), ([NX, NY], [NX, NY]));
+    (head, map)
+}
+
+/// Asserts the pixel and the heights of a channel, with the offset of its file.
+pub(super) fn assert_heights(
+    bytes: impl AsRef<[u8]>,
+    channel: Option<&str>,
+    pixel: [f64; 2],
+    wanted: impl Fn(usize, usize) -> f64,
+) -> Metadata {
+    let (head, map) = read(bytes, channel, ReadOptions::default());
+    let close = |a: f64, b: f64, scale: f64| (a - b).abs() <= 1e-14 * scale;
+    assert!(map.pixel().iter().zip(pixel).all(|(&a, b)| close(a, b, b)), "{:?} {pixel:?}", map.pixel());
+    let wanted: Vec<f64> = (0..NX * NY).map(|k| wanted(k / NY, k % NY)).collect();
+    let largest = wanted.iter().fold(0.0f64, |largest, z| largest.max(z.abs()));
+    for (k, (found, wanted)) in map.heights().iter().zip(wanted).enumerate() {
+        let found = found + map.offset();
+        let same = close(found, wanted, largest) || found.is_nan() && wanted.is_nan();
+        assert!(same, "x {} y {}: {found} {wanted}", k / NY, k % NY);
+    }
+    head
+}
+
+/// Asserts that a file cut anywhere, or with some bytes replaced, is read or refused without a panic, and that its header and its
+/// map have the same size.
+pub(super) fn assert_no_panic(sample: &[u8]) {
+    let (_folder, path) = file(sample);
+    for length in (0..sample.len()).rev() {
+        std::fs::OpenOptions::new().write(true).open(&path).unwrap().set_len(length as u64).unwrap();
+        read_or_refuse(&path);
+    }
+    let mut state = 1u64;
+    let mut random = |below: usize| {
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (state >> 33) as usize % below
+    };
+    for _ in 0..DAMAGES {
+        let mut bytes = sample.to_vec();
+        for _ in 0..=random(3) {
+            let place = random(bytes.len());
+            match random(4) {
+                0 => bytes[place] = random(256) as u8,
+                1 => bytes[place] = b"0;,.-eE9 \n\t*#"[random(13)],
+                2 => bytes[place] = [0, 0x7f, 0x80, 0xff][random(4)],
+                _ => drop(bytes.splice(place..place, [bytes[place], b'9'])),
+            }
+        }
+        std::fs::write(&path, &bytes).unwrap();
+        read_or_refuse(&path);
+    }
+}
+
+fn read_or_refuse(path: &Path) {
+    let given = ReadOptions { pixel: None, unit: None };
+    if let (Ok(head), Ok(map)) = (metadata(path), height_map(path, given)) {
+        assert_eq!(head.points, map.points());
+        assert!(map.offset().is_finite());
+    }
+}
+
+/// Files of instruments.
+pub(super) fn sample_folder() -> PathBuf {
+    super::sample("samples")
+}

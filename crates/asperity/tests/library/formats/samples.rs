@@ -1,0 +1,50 @@
+//! Files of instruments, cut to a part of their points: what other programs read of them.
+
+use asperity::topography::RoughnessParameters;
+
+use super::instrument::sample_folder;
+use super::*;
+
+/// A file, its points, its pixel (m), how many points are missing, and heights (m) at some places. They are those of
+/// SurfaceTopography 1.27.1; of NID those of NSFopen 2.2.4, its lines in reverse order.
+type Sample = (&'static str, [usize; 2], [f64; 2], usize, [(usize, usize, f64); 5]);
+
+#[rustfmt::skip]
+const SAMPLES: &[Sample] = &[
+    ("st-al3d-1.al3d", [99, 100], [4.3802700000000004e-7, 4.38027e-7], 0, [(0, 0, 7.634811103343964e-2), (98, 0, 7.634153962135315e-2), (0, 99, 7.63401985168457e-2), (98, 99, 7.633336633443832e-2), (33, 50, 7.634107023477554e-2)]),
+    ("st-bcrf-1.bcrf", [120, 100], [1.8514625e-6, 1.851463333e-6], 0, [(0, 0, 5.063079071044922e-5), (119, 0, 5.0639728546142584e-5), (0, 99, 5.0636810302734376e-5), (119, 99, 5.064089584350586e-5), (40, 50, 5.0636890411376956e-5)]),
+    ("st-metropro-1.dat", [100, 90], [1.0982520279867458e-6, 1.0982520279867458e-6], 0, [(0, 0, 5.070258522008042e-5), (99, 0, 5.074397666886797e-5), (0, 89, 5.0706873092375496e-5), (99, 89, 5.0744750747233613e-5), (33, 45, 5.0716231612841015e-5)]),
+    ("st-nid-1.nid", [28, 26], [7.8125e-8, 7.8125e-8], 0, [(0, 0, -1.3065645013377072e-6), (27, 0, -1.3936726432219149e-6), (0, 25, -1.3306794077530506e-6), (27, 25, -1.4153901371732353e-6), (9, 13, -1.3491071370095015e-6)]),
+    ("st-opd-1.opd", [64, 56], [1.9673303177114576e-7, 1.9673303177114578e-7], 95, [(0, 0, -2.742933089446524e-7), (63, 0, -2.828755450058998e-7), (0, 55, -2.8051013533303194e-7), (63, 55, -2.8316546193124127e-7), (21, 28, -2.790974204452723e-7)]),
+    ("st-plu-1.plu", [120, 100], [1.6600000858306886e-6, 1.6600000858306886e-6], 0, [(0, 0, -1.0730859375e-4), (119, 0, -1.057890625e-4), (0, 99, -1.0727734374999999e-4), (119, 99, -1.0574609374999999e-4), (40, 50, -1.0677734374999999e-4)]),
+    ("st-sur-2.sur", [110, 110], [3.4840002190321687e-6, 3.4840002190321687e-6], 51, [(0, 0, 1.0162600118761134e-5), (109, 0, 1.0155500118678162e-5), (0, 109, 1.0128200118359131e-5), (109, 109, f64::NAN), (36, 55, 1.014350011853793e-5)]),
+];
+
+#[test]
+fn samples_hold_what_other_programs_read() {
+    for &(name, points, pixel, missing, heights) in SAMPLES {
+        let path = sample_folder().join(name);
+        let head = metadata(&path).unwrap();
+        let map = height_map(&path, ReadOptions::default()).unwrap();
+        assert_eq!((head.points, map.points(), head.has_unit), (points, points, true), "{name}");
+        assert_eq!(RoughnessParameters::new(&map).missing, missing, "{name}");
+        let close = |a: f64, b: f64, scale: f64| (a - b).abs() <= 1e-9 * scale;
+        let size = head.pixel.unwrap();
+        assert!((0..2).all(|axis| close(size[axis], pixel[axis], pixel[axis])), "{name}: {size:?}");
+        let [low, high] = [f64::INFINITY, f64::NEG_INFINITY];
+        let (low, high) = map.heights().iter().fold((low, high), |(low, high), &z| (low.min(z), high.max(z)));
+        for (ix, iy, wanted) in heights {
+            let found = map.heights()[ix * points[1] + iy] + map.offset();
+            let same = close(found, wanted, high - low) || found.is_nan() && wanted.is_nan();
+            assert!(same, "{name}, x {ix}, y {iy}: {found:e} for {wanted:e}");
+        }
+    }
+}
+
+#[test]
+fn every_sample_is_compared() {
+    for file in std::fs::read_dir(sample_folder()).unwrap() {
+        let name = file.unwrap().file_name();
+        assert!(name == "README.md" || SAMPLES.iter().any(|sample| name == sample.0), "{name:?}");
+    }
+}
