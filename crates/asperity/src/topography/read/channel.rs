@@ -1,5 +1,7 @@
 //! Files of instruments: the channels that a header describes, the choice of one, and its heights.
 
+use std::collections::HashMap;
+
 use super::content::{ChannelName, Measured, Metadata, transposed};
 use super::error::{ReadError, too_large};
 use super::source::Source;
@@ -100,6 +102,14 @@ impl Channel {
             None => self.quantity = Quantity::Other(unit.trim().to_owned()),
         }
         self
+    }
+
+    /// The same of a file that keeps to SI units, where "A" is the ampere and not the ångström.
+    pub(super) fn in_si_unit(self, unit: &str) -> Self {
+        match unit.trim() {
+            "A" => Self { quantity: Quantity::Other("A".to_owned()), ..self },
+            _ => self.in_unit(unit),
+        }
     }
 
     /// How far it is from what a user means by the heights: lower is nearer.
@@ -267,10 +277,12 @@ impl Channels {
 
 /// Makes the names of channels differ: "Height", "Height (2)".
 fn number_equal_names(all: &mut [Channel]) {
-    for k in 0..all.len() {
-        let before = all[..k].iter().filter(|other| other.name == all[k].name).count();
-        if before > 0 {
-            all[k].name = format!("{} ({})", all[k].name, before + 1);
+    let mut counts = HashMap::<String, usize>::new();
+    for channel in all {
+        let count = counts.entry(channel.name.clone()).or_default();
+        *count += 1;
+        if *count > 1 {
+            channel.name = format!("{} ({count})", channel.name);
         }
     }
 }

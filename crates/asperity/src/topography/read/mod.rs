@@ -18,6 +18,7 @@ mod columns;
 mod content;
 mod error;
 mod file;
+mod gwy;
 mod labels;
 mod marks;
 mod npy;
@@ -58,7 +59,8 @@ enum Reader {
 }
 
 /// All formats, in the order in which a file is tried: texts last.
-static FORMATS: &[&Format] = &[&npy::FORMAT, &opd::FORMAT, &sdf::FORMAT, &x3p::FORMAT, &text::FORMAT];
+static FORMATS: &[&Format] =
+    &[&gwy::FORMAT, &npy::FORMAT, &opd::FORMAT, &sdf::FORMAT, &x3p::FORMAT, &text::FORMAT];
 
 impl Format {
     fn detect(source: &Source) -> Result<&'static Self, ReadError> {
