@@ -19,6 +19,7 @@ mod content;
 mod error;
 mod file;
 mod gwy;
+mod ibw;
 mod labels;
 mod marks;
 mod npy;
@@ -60,7 +61,7 @@ enum Reader {
 
 /// All formats, in the order in which a file is tried: texts last.
 static FORMATS: &[&Format] =
-    &[&gwy::FORMAT, &npy::FORMAT, &opd::FORMAT, &sdf::FORMAT, &x3p::FORMAT, &text::FORMAT];
+    &[&gwy::FORMAT, &ibw::FORMAT, &npy::FORMAT, &opd::FORMAT, &sdf::FORMAT, &x3p::FORMAT, &text::FORMAT];
 
 impl Format {
     fn detect(source: &Source) -> Result<&'static Self, ReadError> {

@@ -19,6 +19,7 @@ macro_rules! assert_refused {
 }
 
 mod gwy;
+mod ibw;
 mod sdf;
 mod text;
 mod x3p;
@@ -163,6 +164,7 @@ fn no_damage_to_a_file_is_a_panic() {
         sdf::Sdf::of("ISO-2.0", 7).binary(&numbers),
         x3p::X3p::linked("D", "1e-9", numbers.clone()).bytes(),
         gwy::container(gwy::EVERY),
+        ibw::image(),
     ];
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("map.dat");
