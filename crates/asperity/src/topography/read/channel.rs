@@ -47,6 +47,8 @@ pub(super) enum Order {
     LinesUpwards,
     /// Column after column, each from the bottom.
     ColumnsUpwards,
+    /// The same, the column at the right first.
+    ColumnsUpwardsFromRight,
 }
 
 /// The stored numbers of a channel.
@@ -150,7 +152,10 @@ impl Channel {
     /// Numbers that follow each other, and how many such runs there are.
     fn runs(&self) -> (u64, u64) {
         let [nx, ny] = self.points;
-        if self.order == Order::ColumnsUpwards { (ny, nx) } else { (nx, ny) }
+        match self.order {
+            Order::Lines | Order::LinesUpwards => (nx, ny),
+            Order::ColumnsUpwards | Order::ColumnsUpwardsFromRight => (ny, nx),
+        }
     }
 
     /// Checks the sizes against the file.
@@ -207,6 +212,10 @@ impl Channel {
             }
             Order::ColumnsUpwards => {
                 values.chunks_mut(ny).for_each(<[f64]>::reverse);
+                values
+            }
+            Order::ColumnsUpwardsFromRight => {
+                values.reverse();
                 values
             }
         })

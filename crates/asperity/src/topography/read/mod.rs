@@ -20,14 +20,17 @@ mod error;
 mod file;
 mod gwy;
 mod ibw;
+mod jpk;
 mod labels;
 mod marks;
 mod npy;
 mod opd;
+mod park;
 mod sdf;
 mod separation;
 mod source;
 mod table;
+mod tags;
 mod text;
 mod x3p;
 mod xyz;
@@ -60,8 +63,17 @@ enum Reader {
 }
 
 /// All formats, in the order in which a file is tried: texts last.
-static FORMATS: &[&Format] =
-    &[&gwy::FORMAT, &ibw::FORMAT, &npy::FORMAT, &opd::FORMAT, &sdf::FORMAT, &x3p::FORMAT, &text::FORMAT];
+static FORMATS: &[&Format] = &[
+    &gwy::FORMAT,
+    &ibw::FORMAT,
+    &jpk::FORMAT,
+    &npy::FORMAT,
+    &opd::FORMAT,
+    &park::FORMAT,
+    &sdf::FORMAT,
+    &x3p::FORMAT,
+    &text::FORMAT,
+];
 
 impl Format {
     fn detect(source: &Source) -> Result<&'static Self, ReadError> {
@@ -71,6 +83,9 @@ impl Format {
         }
         if begin.starts_with(b"\xff\xfe") || begin.starts_with(b"\xfe\xff") {
             return Err(ReadError::Unsupported("is a text in UTF-16; allowed: UTF-8 or Latin-1".to_owned()));
+        }
+        if tags::is_tiff(source) {
+            return Err(tags::refused(source));
         }
         let bytes: String = begin.iter().take(12).map(|byte| byte.escape_ascii().to_string()).collect();
         Err(ReadError::Mismatch(format!(

@@ -118,7 +118,7 @@ fn gwy_of_an_instrument() {
 
 #[test]
 fn bad_gwy_is_refused() {
-    let whole = heights(["m", "m"]);
+    let whole = heights(["m", "nm"]);
     assert_refused!(Unsupported, "no container of Gwyddion", [b"GWYP".to_vec(), whole.clone()].concat());
     assert_refused!(Unsupported, "holds no map of heights", of([]));
     assert_refused!(

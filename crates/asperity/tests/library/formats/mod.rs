@@ -20,8 +20,11 @@ macro_rules! assert_refused {
 
 mod gwy;
 mod ibw;
+mod jpk;
+mod park;
 mod sdf;
 mod text;
+mod tiff;
 mod x3p;
 
 const NX: usize = 5;
@@ -165,6 +168,8 @@ fn no_damage_to_a_file_is_a_panic() {
         x3p::X3p::linked("D", "1e-9", numbers.clone()).bytes(),
         gwy::container(gwy::EVERY),
         ibw::image(),
+        jpk::image(),
+        park::image(),
     ];
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("map.dat");
