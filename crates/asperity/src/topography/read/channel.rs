@@ -47,6 +47,8 @@ pub(super) enum Order {
     LinesUpwards,
     /// Column after column, each from the bottom.
     ColumnsUpwards,
+    /// The same, the column at the right first.
+    ColumnsUpwardsFromRight,
 }
 
 /// The stored numbers of a channel.
@@ -107,6 +109,14 @@ impl Channel {
         self
     }
 
+    /// The same of a file that keeps to SI units, where "A" is the ampere and not the ångström.
+    pub(super) fn in_si_unit(self, unit: &str) -> Self {
+        match unit.trim() {
+            "A" => Self { quantity: Quantity::Other("A".to_owned()), ..self },
+            _ => self.in_unit(unit),
+        }
+    }
+
     /// How far it is from what a user means by the heights: lower is nearer.
     fn distance(&self) -> u32 {
         let name = self.name.to_lowercase();
@@ -145,7 +155,10 @@ impl Channel {
     /// Numbers that follow each other, and how many such runs there are.
     fn runs(&self) -> (u64, u64) {
         let [nx, ny] = self.points;
-        if self.order == Order::ColumnsUpwards { (ny, nx) } else { (nx, ny) }
+        match self.order {
+            Order::Lines | Order::LinesUpwards => (nx, ny),
+            Order::ColumnsUpwards | Order::ColumnsUpwardsFromRight => (ny, nx),
+        }
     }
 
     /// Checks the sizes against the file.
@@ -210,6 +223,10 @@ impl Channel {
             }
             Order::ColumnsUpwards => {
                 values.chunks_mut(ny).for_each(<[f64]>::reverse);
+                values
+            }
+            Order::ColumnsUpwardsFromRight => {
+                values.reverse();
                 values
             }
         })

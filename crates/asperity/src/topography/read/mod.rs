@@ -20,6 +20,9 @@ mod columns;
 mod content;
 mod error;
 mod file;
+mod gwy;
+mod ibw;
+mod jpk;
 mod labels;
 mod marks;
 mod metropro;
@@ -27,11 +30,13 @@ mod nid;
 mod npy;
 mod opd;
 mod plu;
+mod park;
 mod sdf;
 mod separation;
 mod source;
 mod sur;
 mod table;
+mod tags;
 mod text;
 mod x3p;
 mod xyz;
@@ -77,6 +82,10 @@ static FORMATS: &[&Format] = &[
     &plu::FORMAT,
     &sdf::FORMAT,
     &sur::FORMAT,
+    &gwy::FORMAT,
+    &ibw::FORMAT,
+    &jpk::FORMAT,
+    &park::FORMAT,
     &x3p::FORMAT,
     &text::FORMAT,
 ];
@@ -89,6 +98,9 @@ impl Format {
         }
         if begin.starts_with(b"\xff\xfe") || begin.starts_with(b"\xfe\xff") {
             return Err(ReadError::Unsupported("is a text in UTF-16; allowed: UTF-8 or Latin-1".to_owned()));
+        }
+        if tags::is_tiff(source) {
+            return Err(tags::refused(source));
         }
         let bytes: String = begin.iter().take(12).map(|byte| byte.escape_ascii().to_string()).collect();
         Err(ReadError::Mismatch(format!(

@@ -1,7 +1,7 @@
 //! A file read by places, never beyond its end: what its header claims costs no memory.
 
 use std::fs::File;
-use std::io::{Read, Seek, SeekFrom};
+use std::io::{BufReader, Read, Seek, SeekFrom};
 use std::path::Path;
 
 use super::error::{ReadError, too_large};
@@ -70,10 +70,15 @@ impl Source {
     }
 
     /// The file from its first byte, for a library that reads it.
-    pub(super) fn reader(&self) -> Result<impl Read + Seek + use<>, ReadError> {
+    pub(super) fn reader(&self) -> Result<BufReader<File>, ReadError> {
         let mut file = self.file.try_clone()?;
         file.seek(SeekFrom::Start(0))?;
-        Ok(std::io::BufReader::new(file))
+        Ok(BufReader::new(file))
+    }
+
+    /// The same file, for numbers that are unpacked later.
+    pub(super) fn duplicate(&self) -> Result<Self, ReadError> {
+        Ok(Self { file: self.file.try_clone()?, length: self.length, begin: self.begin.clone() })
     }
 }
 

@@ -2,7 +2,7 @@
 
 use asperity::HeightMap;
 use asperity::topography::read::{
-    LengthUnits, Metadata, ReadError, ReadOptions, ReadOptionsError, height_map, metadata,
+    LengthUnits, MapFile, Metadata, ReadError, ReadOptions, ReadOptionsError, height_map, metadata,
 };
 use asperity::topography::summits::five_point;
 use asperity::topography::{Level, Moments, RoughnessParameters, Rows};
@@ -27,9 +27,14 @@ mod nid;
 mod opd;
 mod plu;
 mod samples;
+mod gwy;
+mod ibw;
+mod jpk;
+mod park;
 mod sdf;
 mod sur;
 mod text;
+mod tiff;
 mod x3p;
 
 const NX: usize = 5;
@@ -60,9 +65,21 @@ fn refused(bytes: impl AsRef<[u8]>) -> ReadError {
 
 /// Asserts that `bytes` hold the map above, its heights in units of `unit` and its pixel as given.
 fn assert_map(bytes: impl AsRef<[u8]>, given: ReadOptions, unit: f64, pixel: [f64; 2]) -> Metadata {
+    assert_channel(bytes, None, given, unit, pixel)
+}
+
+/// The same of a channel.
+fn assert_channel(
+    bytes: impl AsRef<[u8]>,
+    channel: Option<&str>,
+    given: ReadOptions,
+    unit: f64,
+    pixel: [f64; 2],
+) -> Metadata {
     let (_folder, path) = file(&bytes);
-    let head = metadata(&path).unwrap();
-    let map = height_map(&path, given).unwrap();
+    let file = MapFile { channel: channel.map(str::to_owned), ..MapFile::new(&path, given) };
+    let head = file.metadata().unwrap();
+    let map = file.height_map().unwrap();
     assert_eq!((head.points, map.points()), ([NX, NY], [NX, NY]));
     let close = |a: f64, b: f64| (a - b).abs() <= 1e-14 * b.abs();
     let [x, y] = map.pixel();
@@ -72,6 +89,15 @@ fn assert_map(bytes: impl AsRef<[u8]>, given: ReadOptions, unit: f64, pixel: [f6
         assert!(close(found, wanted) || found.is_nan() && wanted.is_nan(), "{k}: {found} {wanted}");
     }
     head
+}
+
+/// Reads every beginning of a file, which is an error or a map, never a panic.
+fn cut_everywhere(bytes: &[u8]) {
+    let (_folder, path) = file(bytes);
+    for length in (0..bytes.len()).rev() {
+        std::fs::OpenOptions::new().write(true).open(&path).unwrap().set_len(length as u64).unwrap();
+        let _ = (metadata(&path), height_map(&path, ReadOptions { pixel: Some(PIXEL), unit: None }));
+    }
 }
 
 /// The map as lines of text, x running along a line.
@@ -91,6 +117,22 @@ fn in_lines() -> impl Iterator<Item = f64> {
 
 fn sample(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/library/formats").join(name)
+}
+
+/// Asserts the channel of the heights in a file of an instrument, and what an independent reader says of it: the heights of
+/// its corners at the left and right of the top, then of the bottom.
+fn assert_instrument(name: &str, channel: &str, points: [usize; 2], pixel: [f64; 2], corners: [f64; 4]) {
+    let path = sample("samples").join(name);
+    let head = metadata(&path).unwrap();
+    assert_eq!((head.points, head.channel.unwrap().name.as_str()), (points, channel));
+    let map = height_map(&path, ReadOptions::default()).unwrap();
+    let close = |a: f64, b: f64| (a - b).abs() <= 1e-12 * b.abs();
+    assert!(close(map.pixel()[0], pixel[0]) && close(map.pixel()[1], pixel[1]), "{:?}", map.pixel());
+    let [nx, ny] = points;
+    for (k, wanted) in [0, (nx - 1) * ny, ny - 1, nx * ny - 1].into_iter().zip(corners) {
+        let found = map.heights()[k] + map.offset();
+        assert!(close(found, wanted), "{k}: {found} {wanted}");
+    }
 }
 
 fn measured(name: &str) -> PathBuf {
@@ -134,6 +176,10 @@ fn no_damage_to_a_file_is_a_panic() {
         sdf::Sdf::of("ISO-1.0", 7).text(&lines(" ", "BAD")).into_bytes(),
         sdf::Sdf::of("ISO-2.0", 7).binary(&numbers),
         x3p::X3p::linked("D", "1e-9", numbers.clone()).bytes(),
+        gwy::container(gwy::EVERY),
+        ibw::image(),
+        jpk::image(),
+        park::image(),
     ];
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("map.dat");

@@ -1,0 +1,232 @@
+//! Igor binary waves.
+
+use super::*;
+
+#[derive(Clone)]
+struct Wave {
+    big_endian: bool,
+    kind: u16,
+    sizes: [u32; 4],
+    unit: &'static str,
+    /// Units of x and y; those of more than three letters stand behind the numbers.
+    lateral: &'static str,
+    note: &'static str,
+    /// Names along the second and third dimension.
+    names: [&'static [&'static str]; 2],
+    ending: &'static str,
+}
+
+const SIZES: [u32; 4] = [NX as u32, NY as u32, 0, 0];
+
+impl Wave {
+    const fn of(big_endian: bool, kind: u16) -> Self {
+        let (unit, lateral, note, ending) = ("nm", "um", "", "");
+        Self { big_endian, kind, sizes: SIZES, unit, lateral, note, names: [&[], &[]], ending }
+    }
+
+    /// Of a microscope.
+    const fn asylum(names: &'static [&'static str]) -> Self {
+        let mut wave = Self { unit: "m", lateral: "m", ending: "MFP3D", ..Self::of(false, 4) };
+        wave.sizes[2] = names.len() as u32;
+        wave.names[1] = names;
+        wave
+    }
+
+    /// The file with these numbers, which are in its byte order.
+    fn bytes(&self, numbers: &[u8]) -> Vec<u8> {
+        let two = |value: u16| if self.big_endian { value.to_be_bytes() } else { value.to_le_bytes() };
+        let four = |value: usize| {
+            let value = value as u32;
+            if self.big_endian { value.to_be_bytes() } else { value.to_le_bytes() }
+        };
+        let labels = |names: &[&str]| {
+            let named = |name: &&str| [name.as_bytes(), &[0; 32]].concat()[..32].to_vec();
+            let all = if names.is_empty() { vec![] } else { [&[""], names].concat() };
+            all.iter().flat_map(named).collect::<Vec<_>>()
+        };
+        let long = |unit: &'static str| if unit.len() > 3 { unit } else { "" };
+        let [columns, layers] = self.names.map(labels);
+        let mut bytes = vec![0; 384];
+        let mut put = |at: usize, value: &[u8]| bytes[at..at + value.len()].copy_from_slice(value);
+        put(0, &two(5));
+        put(4, &four(320 + numbers.len()));
+        put(12, &four(self.note.len()));
+        put(16, &four(long(self.unit).len()));
+        for at in [20, 24] {
+            put(at, &four(long(self.lateral).len()));
+        }
+        put(40, &four(columns.len()));
+        put(44, &four(layers.len()));
+        put(76, &four(self.sizes.iter().fold(1u32, |all, &size| all.wrapping_mul(size.max(1))) as usize));
+        put(80, &two(self.kind));
+        put(92, b"wave0");
+        for (k, size) in self.sizes.into_iter().enumerate() {
+            put(132 + 4 * k, &four(size as usize));
+        }
+        let metres = if self.lateral == "m" { 1.0 } else { 1e-6 };
+        for (k, size) in PIXEL.into_iter().enumerate() {
+            let step = size / metres;
+            put(148 + 8 * k, &if self.big_endian { step.to_be_bytes() } else { step.to_le_bytes() });
+        }
+        if long(self.unit).is_empty() {
+            put(212, self.unit.as_bytes());
+        }
+        if long(self.lateral).is_empty() {
+            put(216, self.lateral.as_bytes());
+            put(220, self.lateral.as_bytes());
+        }
+        let words = bytes.as_chunks::<2>().0.iter();
+        let sum = words.fold(0u16, |sum, &word| {
+            sum.wrapping_add(if self.big_endian {
+                u16::from_be_bytes(word)
+            } else {
+                u16::from_le_bytes(word)
+            })
+        });
+        bytes[2..4].copy_from_slice(&two(sum.wrapping_neg()));
+        let lateral = long(self.lateral).as_bytes();
+        let parts = [self.note.as_bytes(), long(self.unit).as_bytes(), lateral, lateral, &columns, &layers];
+        [&bytes, numbers, &parts.concat(), self.ending.as_bytes()].concat()
+    }
+}
+
+/// Heights in lines from the bottom.
+fn upwards() -> impl Iterator<Item = f64> {
+    (0..NX * NY).map(|k| z(k % NX, NY - 1 - k / NX))
+}
+
+fn doubles(factor: f64) -> Vec<u8> {
+    upwards().flat_map(|z| (z * factor).to_le_bytes()).collect()
+}
+
+pub fn image() -> Vec<u8> {
+    let phase: Vec<u8> = upwards().flat_map(|z| (z + 100.0).to_le_bytes()).collect();
+    let wave = Wave {
+        note: "ScanSize: 1\rUserIn0Unit: pm\r",
+        ..Wave::asylum(&["PhaseTrace", "HeightRetrace", "UserIn0TraceMod1"])
+    };
+    wave.bytes(&[phase, doubles(1e-9), doubles(1e3)].concat())
+}
+
+#[test]
+fn ibw_of_every_number_type_and_byte_order() {
+    macro_rules! check {
+        ($($kind:ty, $code:literal;)*) => {$(
+            // In units of a quarter nanometre, and 18 of them higher, so that unsigned integers hold it.
+            let stored: Vec<$kind> = upwards().map(|z| (4.0 * z + 54.0) as $kind).collect();
+            for big_endian in [false, true] {
+                let bytes = |number: &$kind| if big_endian { number.to_be_bytes() } else { number.to_le_bytes() };
+                let numbers: Vec<u8> = stored.iter().flat_map(bytes).collect();
+                let (_folder, path) = file(Wave::of(big_endian, $code).bytes(&numbers));
+                let map = height_map(&path, ReadOptions::default()).unwrap();
+                assert_eq!(map.points(), [NX, NY]);
+                for (k, found) in map.heights().iter().enumerate() {
+                    let wanted = 4.0 * z(k / NY, k % NY) + 54.0;
+                    // A missing point is 0 in integers.
+                    let wanted = if wanted.is_nan() && $code > 4 { 0.0 } else { wanted };
+                    let far = (found - wanted * 1e-9).abs() > 1e-20;
+                    assert!(!far && found.is_nan() == wanted.is_nan(), "{} {k}: {found} {wanted}", $code);
+                }
+            }
+        )*};
+    }
+    check! { f32, 2; f64, 4; i8, 8; i16, 16; i32, 32; i64, 128; u8, 72; u16, 80; u32, 96; u64, 192; }
+}
+
+#[test]
+fn ibw_units_and_channels() {
+    let none = ReadOptions::default();
+    let long = Wave { unit: "nanometers", lateral: "micrometers", ..Wave::of(false, 4) };
+    for wave in [Wave::of(false, 4), long] {
+        let head = assert_map(wave.bytes(&doubles(1.0)), none, 1e-9, PIXEL);
+        assert_eq!(head.channel.unwrap().name, "wave0");
+    }
+    let bare = Wave { unit: "", lateral: "", ..Wave::of(false, 4) };
+    assert!(!assert_map(bare.bytes(&doubles(1.0)), IN_NM, 1e-9, PIXEL).has_unit);
+    let channel = assert_map(image(), none, 1e-9, PIXEL).channel.unwrap();
+    assert_eq!(channel.name, "HeightRetrace");
+    assert_eq!(channel.others, ["\"PhaseTrace\" (deg)", "\"UserIn0TraceMod1\""]);
+    // The unit of the note.
+    assert_channel(image(), Some("UserIn0TraceMod1"), none, 1e-9, PIXEL);
+    let names = ["HeightRetrace", "DACHeight", "Current", "Frequency", "CapacitanceTrace", "Sound", ""];
+    let mut wave = Wave::asylum(&[
+        "HeightRetrace",
+        "DACHeight",
+        "Current",
+        "Frequency",
+        "CapacitanceTrace",
+        "Sound",
+        "",
+    ]);
+    wave.sizes[2] = names.len() as u32;
+    let (_folder, path) = file(wave.bytes(&doubles(1e-9).repeat(names.len())));
+    let others = metadata(&path).unwrap().channel.unwrap().others;
+    let units = ["(A)", "(Hz)", "(F)", "(V)", "\"Layer 7\" (V)"];
+    assert!(others[1..].iter().zip(units).all(|(other, unit)| other.ends_with(unit)), "{others:?}");
+    cut_everywhere(&image());
+}
+
+#[test]
+fn ibw_of_an_instrument() {
+    let size = 7.843137254901961e-8;
+    let corners =
+        [-3.760929416785075e-07, -4.10205842626965e-07, -3.3123345133390103e-07, -3.743787999610504e-07];
+    assert_instrument("asylum.ibw", "HeightTrace", [32, 16], [size; 2], corners);
+}
+
+#[test]
+fn bad_ibw_is_refused() {
+    let numbers = doubles(1e-9);
+    let good = Wave::of(false, 4);
+    let sized = |sizes: [u32; 4]| Wave { sizes, ..good.clone() }.bytes(&numbers);
+    let [nx, ny, ..] = SIZES;
+    let columns = Wave { names: [&["Raw", "Defl"], &[]], ..good.clone() };
+    assert_refused!(
+        Unsupported,
+        "holds curves (Raw, Defl), such as those of forces, no map",
+        columns.bytes(&numbers)
+    );
+    let force = Wave { ending: "Force", ..good.clone() };
+    assert_refused!(Unsupported, "holds curves", force.bytes(&numbers));
+    assert_refused!(
+        Unsupported,
+        "holds 20 numbers in an Igor wave; allowed: a map of two",
+        sized([20, 0, 0, 0])
+    );
+    assert_refused!(Unsupported, "holds no numbers", sized([0; 4]));
+    assert_refused!(Unsupported, "holds 5 x 2 x 1 x 2 numbers", sized([5, 2, 1, 2]));
+    assert_refused!(Unsupported, "holds 1001 layers", sized([nx, ny, 1001, 0]));
+    assert_refused!(Corrupt, "is truncated", sized([nx, ny, 2, 0]));
+    assert_refused!(Corrupt, "more numbers than any file can", sized([u32::MAX, u32::MAX, 1000, 0]));
+    let unit = Wave { unit: "V", ..good.clone() };
+    assert_refused!(Unsupported, "no channel of heights; found: \"wave0\" (V)", unit.bytes(&numbers));
+    for (kind, words) in
+        [(0, "holds texts"), (5, "holds complex numbers"), (3, "complex"), (68, "numbers of type 68")]
+    {
+        assert_refused!(Unsupported, words, Wave { kind, ..good.clone() }.bytes(&numbers));
+    }
+    let mut changed = good.bytes(&numbers);
+    changed[300] += 1;
+    assert_refused!(Mismatch, "is not a height map", changed);
+    let mut negative = Wave::of(false, 4);
+    negative.lateral = "m";
+    let mut negative = negative.bytes(&numbers);
+    // The signs of both sizes are bits of words whose sum stays.
+    negative[155] ^= 0x80;
+    negative[163] ^= 0x80;
+    assert_refused!(Corrupt, "has a pixel of -2e-6 x -3e-6 m", negative);
+    // Older waves have one dimension.
+    for version in [1u16, 2, 3] {
+        for big_endian in [false, true] {
+            let mut old = vec![0; 200];
+            let words = [version, version.wrapping_neg()];
+            let bytes = |word: u16| if big_endian { word.to_be_bytes() } else { word.to_le_bytes() };
+            old[..4].copy_from_slice(&words.map(bytes).concat());
+            assert_refused!(
+                Unsupported,
+                &format!("is an Igor wave of version {version}, which holds a curve"),
+                old
+            );
+        }
+    }
+}
