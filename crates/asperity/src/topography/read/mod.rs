@@ -6,6 +6,7 @@
 //! | `text` | matrix of numbers; with Gwyddion's header | no; yes | no; yes |
 //! | `xyz` | three columns of numbers | yes, in the unit | in the names of columns |
 //! | `x3p` | ISO 25178-72 | yes | yes |
+//! | `nanoscope` | Bruker, Veeco, Digital Instruments Nanoscope | yes | yes |
 //! | `sdf` | ISO 25178-71 | yes | yes |
 //!
 //! If the format stores its unit, a height beyond 1 km marks a missing point. Other heights beyond 10 m are rejected in
@@ -20,6 +21,7 @@ mod error;
 mod file;
 mod labels;
 mod marks;
+mod nanoscope;
 mod npy;
 mod opd;
 mod sdf;
@@ -52,13 +54,17 @@ struct Format {
 /// How a format is read.
 enum Reader {
     /// One map, or what its user says of it.
-    Map { metadata: fn(&Path) -> Result<Metadata, ReadError>, measured: fn(&Path) -> Result<Measured, ReadError> },
+    Map {
+        metadata: fn(&Path) -> Result<Metadata, ReadError>,
+        measured: fn(&Path) -> Result<Measured, ReadError>,
+    },
     /// Several channels, of which one is chosen.
     Channels(fn(&Source) -> Result<Vec<Channel>, ReadError>),
 }
 
 /// All formats, in the order in which a file is tried: texts last.
-static FORMATS: &[&Format] = &[&npy::FORMAT, &opd::FORMAT, &sdf::FORMAT, &x3p::FORMAT, &text::FORMAT];
+static FORMATS: &[&Format] =
+    &[&nanoscope::FORMAT, &npy::FORMAT, &opd::FORMAT, &sdf::FORMAT, &x3p::FORMAT, &text::FORMAT];
 
 impl Format {
     fn detect(source: &Source) -> Result<&'static Self, ReadError> {

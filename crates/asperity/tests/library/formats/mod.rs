@@ -18,6 +18,8 @@ macro_rules! assert_refused {
     };
 }
 
+mod damage;
+mod nanoscope;
 mod sdf;
 mod text;
 mod x3p;
