@@ -6,6 +6,7 @@
 //! | `text` | matrix of numbers; with Gwyddion's header | no; yes | no; yes |
 //! | `xyz` | three columns of numbers | yes, in the unit | in the names of columns |
 //! | `x3p` | ISO 25178-72 | yes | yes |
+//! | `datx` | Zygo DATX | yes | yes |
 //! | `nanoscope` | Bruker, Veeco, Digital Instruments Nanoscope | yes | yes |
 //! | `sdf` | ISO 25178-71 | yes | yes |
 //!
@@ -17,6 +18,7 @@
 mod channel;
 mod columns;
 mod content;
+mod datx;
 mod error;
 mod file;
 mod labels;
@@ -64,7 +66,7 @@ enum Reader {
 
 /// All formats, in the order in which a file is tried: texts last.
 static FORMATS: &[&Format] =
-    &[&nanoscope::FORMAT, &npy::FORMAT, &opd::FORMAT, &sdf::FORMAT, &x3p::FORMAT, &text::FORMAT];
+    &[&datx::FORMAT, &nanoscope::FORMAT, &npy::FORMAT, &opd::FORMAT, &sdf::FORMAT, &x3p::FORMAT, &text::FORMAT];
 
 impl Format {
     fn detect(source: &Source) -> Result<&'static Self, ReadError> {

@@ -10,16 +10,16 @@ pub(super) fn read(path: &Path) -> HeightMap {
     height_map(path, ReadOptions::default()).unwrap()
 }
 
-/// Asserts that a file cut at every length below `most`, or with some bytes replaced, is read or refused without a panic,
+/// Asserts that a file cut at these lengths, or with some bytes replaced, is read or refused without a panic,
 /// and that its header and its map have the same size.
-pub(super) fn assert_no_panic(sample: &[u8], most: usize) {
+pub(super) fn assert_no_panic(sample: &[u8], lengths: impl Iterator<Item = usize>) {
     let (_folder, path) = file(sample);
     let mut state = 1u64;
     let mut random = |below: usize| {
         state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         (state >> 33) as usize % below
     };
-    let cut = (0..sample.len().min(most)).map(|length| sample[..length].to_vec());
+    let cut = lengths.filter_map(|length| Some(sample.get(..length)?.to_vec()));
     let mut samples: Vec<Vec<u8>> = cut.collect();
     for _ in 0..DAMAGES {
         let mut bytes = sample.to_vec();

@@ -19,6 +19,7 @@ macro_rules! assert_refused {
 }
 
 mod damage;
+mod datx;
 mod nanoscope;
 mod sdf;
 mod text;
