@@ -16,8 +16,9 @@ pub fn caveats(metadata: &Metadata, pixel: [f64; 2], file: &MapFile) -> Vec<Stri
 }
 
 /// The channel that was read, where others hold lengths, too.
-fn others(ChannelName { name, lengths }: &ChannelName) -> Option<String> {
-    let another = lengths.first()?;
+fn others(ChannelName { name, others }: &ChannelName) -> Option<String> {
+    let lengths: Vec<_> = others.iter().filter(|other| other.unit.as_deref() == Some("m")).collect();
+    let another = &lengths.first()?.name;
     let more = if lengths.len() > 1 { format!(" (of {})", lengths.len()) } else { String::new() };
     Some(format!(
         "the channel \"{name}\" of its file is read; `channel = \"{another}\"` reads another{more}."
@@ -76,6 +77,7 @@ fn axes(metadata: &Metadata, pixel: [f64; 2], transpose: bool) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity::topography::read::OtherChannel;
 
     #[test]
     fn what_is_left_out_is_named() {
@@ -84,9 +86,13 @@ mod tests {
         assert!(words(Some(1), true).unwrap().ends_with("both hold no heights and are left out."));
         assert!(words(None, true).unwrap().starts_with("the first column"));
         assert_eq!(words(None, false), None);
-        let mut channel = ChannelName { name: "Height".to_owned(), lengths: Vec::new() };
+        let mut channel = ChannelName { name: "Height".to_owned(), others: Vec::new() };
         assert_eq!(others(&channel), None);
-        channel.lengths = ["Sensor", "Sensor (2)"].map(str::to_owned).to_vec();
+        let other =
+            |name: &str, unit: &str| OtherChannel { name: name.to_owned(), unit: Some(unit.to_owned()) };
+        channel.others = vec![other("Phase", "deg")];
+        assert_eq!(others(&channel), None);
+        channel.others.extend([other("Sensor", "m"), other("Sensor (2)", "m")]);
         assert_eq!(
             others(&channel).unwrap(),
             "the channel \"Height\" of its file is read; `channel = \"Sensor\"` reads another (of 2)."

@@ -3,6 +3,7 @@
 from pathlib import Path
 
 import gwyfile
+import h5py
 import numpy as np
 import pytest
 import SurfaceTopography
@@ -30,8 +31,34 @@ def by_gwyfile(path, channel):
     return field.data.T, [field.xreal / field.data.shape[1], field.yreal / field.data.shape[0]]
 
 
+def by_h5py(path, channel):
+    """The same of a file of Zygo, whose heights are in fringes."""
+    with h5py.File(path) as file:
+        (surface,) = file["Data/Surface"].values()
+        stated = {name: surface.attrs[name][0] for name in ("Wavelength", "Interferometric Scale Factor", "Obliquity Factor", "No Data")}
+        numbers = surface[()]
+        (measured,) = file["Attributes"].values()
+        pixel = measured.attrs["Data Context.Lateral Resolution:Value"][0]
+    missing = stated.pop("No Data")
+    heights = np.where(numbers >= missing, np.nan, numbers).T * np.prod(list(stated.values()))
+    return heights, [pixel, pixel]
+
+
 # The reader, and its name of the channel that is read here by default.
 READERS = {
+    "asylum.ibw": (by_surface_topography, "HeightTrace"),
+    "jpk-map.jpk": (by_surface_topography, "Height"),
+    "nanosurf.gwy": (by_gwyfile, "Topography"),
+    "park.tiff": (by_surface_topography, "Topography"),
+    "st-al3d-1.al3d": (by_surface_topography, None),
+    "st-bcrf-1.bcrf": (by_surface_topography, None),
+    "st-di-3.spm": (by_surface_topography, "ZSensor"),
+    "st-metropro-1.dat": (by_surface_topography, None),
+    "st-nid-1.nid": (by_surface_topography, "Scan forward (Z-Axis)"),
+    "st-opd-1.opd": (by_surface_topography, "Raw"),
+    "st-plu-1.plu": (by_surface_topography, None),
+    "st-sur-2.sur": (by_surface_topography, None),
+    "zygo_test.datx": (by_h5py, None),
 }
 
 

@@ -56,9 +56,17 @@ impl Header {
         self.text(key).map(number).transpose()
     }
 
-    /// A length: the number of one key in the unit of another, nm where there is none.
+    /// The unit of a key, nm where there is none. No current is stored, so that "A" is the ångström.
+    fn unit(&self, key: &str) -> &str {
+        match self.text(key) {
+            Some("A") => "Å",
+            unit => unit.unwrap_or("nm"),
+        }
+    }
+
+    /// A length: the number of one key in the unit of another.
     fn length(&self, key: &str, unit: &str) -> Result<Option<f64>, ReadError> {
-        let metres = length(self.text(unit).unwrap_or("nm"));
+        let metres = length(self.unit(unit));
         Ok(self.number::<f64>(key)?.zip(metres).map(|(number, metres)| number * metres))
     }
 }
@@ -93,5 +101,5 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
         missing: Box::new(move |value| value >= missing),
         ..Channel::new("Heights", points, Numbers::Stored(Stored { big_endian, ..Stored::new(start, kind) }))
     };
-    Ok(vec![channel.in_unit(header.text("zunit").unwrap_or("nm"))])
+    Ok(vec![channel.in_unit(header.unit("zunit"))])
 }

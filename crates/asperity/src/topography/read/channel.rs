@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::content::{ChannelName, Measured, Metadata, transposed};
+use super::content::{ChannelName, Measured, Metadata, OtherChannel, transposed};
 use super::error::{ReadError, too_large};
 use super::source::Source;
 use crate::numeric::is_positive;
@@ -109,14 +109,6 @@ impl Channel {
         self
     }
 
-    /// The same of a file that keeps to SI units, where "A" is the ampere and not the ångström.
-    pub(super) fn in_si_unit(self, unit: &str) -> Self {
-        match unit.trim() {
-            "A" => Self { quantity: Quantity::Other("A".to_owned()), ..self },
-            _ => self.in_unit(unit),
-        }
-    }
-
     /// How far it is from what a user means by the heights: lower is nearer.
     fn distance(&self) -> u32 {
         let name = self.name.to_lowercase();
@@ -136,12 +128,14 @@ impl Channel {
         kind + named + u32::from(has(&["retrace", "backward"]))
     }
 
-    /// Its name in a list, with the unit where that is none of length.
-    fn described(&self) -> String {
-        match &self.quantity {
-            Quantity::Other(unit) => format!("\"{}\" ({unit})", self.name),
-            Quantity::Length | Quantity::Unknown => format!("\"{}\"", self.name),
-        }
+    /// As the file has it, not read.
+    fn listed(&self) -> OtherChannel {
+        let unit = match &self.quantity {
+            Quantity::Length => Some("m".to_owned()),
+            Quantity::Unknown => None,
+            Quantity::Other(unit) => Some(unit.clone()),
+        };
+        OtherChannel { name: self.name.clone(), unit }
     }
 
     /// Bytes of a line, and of all lines.
@@ -243,7 +237,7 @@ impl Channels {
     /// Chooses the channel `wanted`, else that of the heights.
     pub(super) fn choose(mut all: Vec<Channel>, wanted: Option<&str>) -> Result<Self, ReadError> {
         number_equal_names(&mut all);
-        let names = || all.iter().map(Channel::described).collect::<Vec<_>>().join(", ");
+        let names = || all.iter().map(|channel| channel.listed().to_string()).collect::<Vec<_>>().join(", ");
         let heights = || (0..all.len()).min_by_key(|&k| all[k].distance());
         let chosen = match wanted {
             Some(wanted) => named(&all, wanted.trim()),
@@ -274,13 +268,12 @@ impl Channels {
         let channel = &self.all[self.chosen];
         let points = channel.check(source)?;
         let others = self.all.iter().enumerate().filter(|(k, _)| *k != self.chosen).map(|(_, other)| other);
-        let lengths = others.filter(|other| other.quantity == Quantity::Length);
         Ok(Metadata {
             pixel: channel.pixel,
             has_unit: channel.quantity == Quantity::Length,
             channel: Some(ChannelName {
                 name: channel.name.clone(),
-                lengths: lengths.map(|other| other.name.clone()).collect(),
+                others: others.map(Channel::listed).collect(),
             }),
             ..Metadata::new(points, format)
         })
@@ -320,9 +313,7 @@ fn number_equal_names(all: &mut [Channel]) {
     }
 }
 
-/// A unit of length as instruments write it, m.
+/// A unit of length as instruments write it, m; "A" is the ampere.
 pub(super) fn length(unit: &str) -> Option<f64> {
-    let plain = unit.trim().replace('~', "u");
-    let plain = if plain == "A" { "Å" } else { &plain };
-    Dimension::Length.factor(plain)
+    Dimension::Length.factor(&unit.replace('~', "u"))
 }

@@ -1,5 +1,7 @@
 //! Content of a map file.
 
+use std::fmt;
+
 use super::error::ReadOptionsError;
 use super::npy;
 use crate::topography::Rows;
@@ -29,8 +31,27 @@ pub struct Metadata {
 pub struct ChannelName {
     /// Its name.
     pub name: String,
-    /// The others of the file that hold lengths.
-    pub lengths: Vec<String>,
+    /// The others of the file.
+    pub others: Vec<OtherChannel>,
+}
+
+/// A channel of a file that is not read.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OtherChannel {
+    /// Its name.
+    pub name: String,
+    /// The unit of its numbers, m of lengths; `None` where the file does not say.
+    pub unit: Option<String>,
+}
+
+/// Its name, with the unit where that is none of length.
+impl fmt::Display for OtherChannel {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self.unit.as_deref() {
+            None | Some("m") => write!(f, "\"{}\"", self.name),
+            Some(unit) => write!(f, "\"{}\" ({unit})", self.name),
+        }
+    }
 }
 
 /// Units of the lengths in a file, m.
@@ -123,7 +144,8 @@ impl Metadata {
         match (self.pixel, options.pixel) {
             (Some(pixel), Some(_)) => Err(ReadOptionsError::PixelHeld { format, pixel, has_unit }),
             (Some(pixel), None) => {
-                let unit = self.units(options)?.xy;
+                // A channel of unknown heights has a pixel in metres.
+                let unit = if self.channel.is_some() { 1.0 } else { self.units(options)?.xy };
                 Ok(pixel.map(|size| size * unit))
             }
             (None, Some(pixel)) => Ok(pixel),

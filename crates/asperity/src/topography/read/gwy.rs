@@ -72,7 +72,7 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
     for (number, Found { title, data, mask }) in found {
         let Some(data) = data else { continue };
         let name = if title.trim().is_empty() { format!("Channel {number}") } else { title };
-        let masked = mask.map(|mask| masked(source, &data, &mask)).transpose()?;
+        let masked = mask.map(|mask| masked(&data, &mask));
         channels.push(data.channel(name.clone(), Numbers::Stored(Stored::new(data.start, F64))));
         if let Some(numbers) = masked {
             channels.push(data.channel(format!("{name}, less its mask"), numbers));
@@ -82,10 +82,9 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
 }
 
 /// The numbers of a field, those under its mask missing.
-fn masked(source: &Source, data: &Field, mask: &Field) -> Result<Numbers, ReadError> {
+fn masked(data: &Field, mask: &Field) -> Numbers {
     let ([start, marks], [points, others]) = ([data.start, mask.start], [data.points, mask.points]);
-    let source = source.duplicate()?;
-    let unpacked = move || {
+    let unpacked = move |source: &Source| {
         if points != others {
             let [[nx, ny], [mx, my]] = [points, others];
             return Err(ReadError::Corrupt(format!(
@@ -102,7 +101,7 @@ fn masked(source: &Source, data: &Field, mask: &Field) -> Result<Numbers, ReadEr
         }
         Ok(values)
     };
-    Ok(Numbers::Packed(F64, Box::new(unpacked)))
+    Numbers::Packed(F64, Box::new(unpacked))
 }
 
 impl Field {
@@ -141,7 +140,7 @@ impl Field {
     fn channel(&self, name: String, numbers: Numbers) -> Channel {
         let ([nx, ny], [x, y]) = (self.points, self.size);
         let pixel = length(&self.lateral).map(|unit| [x / nx as f64 * unit, y / ny as f64 * unit]);
-        Channel { pixel, ..Channel::new(name, self.points, numbers) }.in_si_unit(&self.vertical)
+        Channel { pixel, ..Channel::new(name, self.points, numbers) }.in_unit(&self.vertical)
     }
 }
 

@@ -49,8 +49,7 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
         if tags.number(picture, RETRACE)?.is_some_and(|value| value != 0.0) {
             name += " (retrace)";
         }
-        let file = source.duplicate()?;
-        let numbers = Numbers::Packed(kind, Box::new(move || image(&file, picture, most)));
+        let numbers = Numbers::Packed(kind, Box::new(move |source| image(source, picture, most)));
         let mut channel = Channel::new(name, [nx, ny], numbers);
         channel.pixel = Some([widths[0] / nx as f64, widths[1] / ny as f64]);
         channel.order = if is_reflected { Order::Lines } else { Order::LinesUpwards };
@@ -60,7 +59,7 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
             let [_, largest] = kind.range();
             channel.missing = Box::new(move |value| value == largest);
         }
-        channels.push(channel.in_si_unit(&scale.unit));
+        channels.push(channel.in_unit(&scale.unit));
     }
     Ok(channels)
 }

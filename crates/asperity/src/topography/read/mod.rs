@@ -1,23 +1,24 @@
-//! Reading measured surfaces: one module per format, identified by the first bytes of the file, not by its name.
+//! Reading measured surfaces: one module per format, identified by the content of a file, not by its name. `docs/formats.md` says what
+//! of each format is read.
 //!
-//! | module | format | stores the pixel | stores the unit |
-//! |---|---|---|---|
-//! | `npy` | NumPy array, whole or row by row | no | no |
-//! | `text` | matrix of numbers; with Gwyddion's header | no; yes | no; yes |
-//! | `xyz` | three columns of numbers | yes, in the unit | in the names of columns |
-//! | `x3p` | ISO 25178-72 | yes | yes |
-//! | `sdf` | ISO 25178-71 | yes | yes |
+//! | module | format | |
+//! |---|---|---|
+//! | `npy` | NumPy array, whole or row by row | heights only |
+//! | `text`, `xyz` | matrix of numbers, with or without Gwyddion's header; three columns of numbers | one map |
+//! | `x3p`, `sdf` | ISO 25178-72, ISO 25178-71 | one map, with pixel and unit |
+//! | `al3d`, `bcr`, `datx`, `gwy`, `ibw`, `jpk`, `metropro`, `nanoscope`, `nid`, `opd`, `park`, `plu`, `sur`, `vk` | files of instruments and of Gwyddion | a list of channels, with pixel and unit, of which [`channel`] chooses one |
 //!
 //! If the format stores its unit, a height beyond 1 km marks a missing point. Other heights beyond 10 m are rejected in
 //! every format, since the unit must be wrong. The first index of a map is x; in files x runs fastest, so that all
-//! formats but `.npy` are transposed. Nothing is mirrored: the first line of a file is the first y. A height far from all
-//! others, such as -9999, is an error until it is stated whether it marks missing points.
+//! formats but `.npy` are transposed. The first y is the first line of a text, X3P or SDF, and of instruments the top line of the picture. A
+//! height far from all others, such as -9999, is an error until it is stated whether it marks missing points.
 
 mod al3d;
 mod bcr;
 mod channel;
 mod columns;
 mod content;
+mod datx;
 mod error;
 mod file;
 mod gwy;
@@ -26,11 +27,12 @@ mod jpk;
 mod labels;
 mod marks;
 mod metropro;
+mod nanoscope;
 mod nid;
 mod npy;
 mod opd;
-mod plu;
 mod park;
+mod plu;
 mod sdf;
 mod separation;
 mod source;
@@ -38,6 +40,7 @@ mod sur;
 mod table;
 mod tags;
 mod text;
+mod vk;
 mod x3p;
 mod xyz;
 
@@ -46,7 +49,9 @@ use std::path::Path;
 use super::{HeightMap, Rows};
 use crate::progress::Progress;
 use channel::{Channel, Channels};
-pub use content::{ChannelName, LeftOut, LengthUnits, Measured, Metadata, NamedUnits, ReadOptions};
+pub use content::{
+    ChannelName, LeftOut, LengthUnits, Measured, Metadata, NamedUnits, OtherChannel, ReadOptions,
+};
 pub use error::{ReadError, ReadOptionsError};
 pub use file::MapFile;
 use source::Source;
@@ -76,16 +81,19 @@ static FORMATS: &[&Format] = &[
     &npy::FORMAT,
     &al3d::FORMAT,
     &bcr::FORMAT,
-    &metropro::FORMAT,
-    &nid::FORMAT,
-    &opd::FORMAT,
-    &plu::FORMAT,
-    &sdf::FORMAT,
-    &sur::FORMAT,
+    &datx::FORMAT,
     &gwy::FORMAT,
     &ibw::FORMAT,
     &jpk::FORMAT,
+    &metropro::FORMAT,
+    &nanoscope::FORMAT,
+    &nid::FORMAT,
+    &opd::FORMAT,
     &park::FORMAT,
+    &plu::FORMAT,
+    &sdf::FORMAT,
+    &sur::FORMAT,
+    &vk::FORMAT,
     &x3p::FORMAT,
     &text::FORMAT,
 ];

@@ -72,9 +72,8 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
         size.reverse();
         order = Order::ColumnsUpwardsFromRight;
     }
-    let file = source.duplicate()?;
-    let numbers = move || {
-        let bytes = Tags::open(&file)?.bytes(0, DATA, length as usize)?.unwrap_or_default();
+    let numbers = move |source: &Source| {
+        let bytes = Tags::open(source)?.bytes(0, DATA, length as usize)?.unwrap_or_default();
         Ok(kind.values(&bytes))
     };
     let name = wide(&header, 4, 32)?;
@@ -92,7 +91,7 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
             order,
             ..channel
         }
-        .in_si_unit(if unit.is_empty() { "um" } else { &unit }),
+        .in_unit(if unit.is_empty() { "um" } else { &unit }),
     ])
 }
 

@@ -75,11 +75,6 @@ impl Source {
         file.seek(SeekFrom::Start(0))?;
         Ok(BufReader::new(file))
     }
-
-    /// The same file, for numbers that are unpacked later.
-    pub(super) fn duplicate(&self) -> Result<Self, ReadError> {
-        Ok(Self { file: self.file.try_clone()?, length: self.length, begin: self.begin.clone() })
-    }
 }
 
 /// Bytes of a header: numbers and texts at given places.

@@ -67,7 +67,7 @@ fn names_that_are_numbered_stay_apart() {
     let names: Vec<String> = {
         let (_folder, path) =
             file(nid(&[sets.map(|[frame, name, unit]| Set::named(frame, name, unit, 0.0)).into()]));
-        metadata(&path).unwrap().channel.unwrap().others
+        super::others(&metadata(&path).unwrap().channel.unwrap())
     };
     assert_eq!(names, ["\"Up (Z) (2)\"", "\"Up (Z) (2) (2)\""]);
 }

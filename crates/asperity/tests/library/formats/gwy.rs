@@ -95,7 +95,7 @@ fn gwy_heights_and_what_a_mask_hides() {
     let (_folder, path) = file(&bytes);
     let channel = metadata(&path).unwrap().channel.unwrap();
     assert_eq!(channel.name, "Height");
-    assert_eq!(channel.others, ["\"Phase\" (deg)", "\"Height, less its mask\""]);
+    assert_eq!(others(&channel), ["\"Phase\" (deg)", "\"Height, less its mask\""]);
     let seen = height_map(&path, none).unwrap();
     assert_eq!(seen.heights()[3 * NY + 1], HIDDEN * 1e-9);
     let head = assert_channel(&bytes, Some("height, less its MASK"), none, 1e-9, PIXEL);

@@ -145,7 +145,7 @@ fn ibw_units_and_channels() {
     assert!(!assert_map(bare.bytes(&doubles(1.0)), IN_NM, 1e-9, PIXEL).has_unit);
     let channel = assert_map(image(), none, 1e-9, PIXEL).channel.unwrap();
     assert_eq!(channel.name, "HeightRetrace");
-    assert_eq!(channel.others, ["\"PhaseTrace\" (deg)", "\"UserIn0TraceMod1\""]);
+    assert_eq!(others(&channel), ["\"PhaseTrace\" (deg)", "\"UserIn0TraceMod1\""]);
     // The unit of the note.
     assert_channel(image(), Some("UserIn0TraceMod1"), none, 1e-9, PIXEL);
     let names = ["HeightRetrace", "DACHeight", "Current", "Frequency", "CapacitanceTrace", "Sound", ""];
@@ -160,7 +160,7 @@ fn ibw_units_and_channels() {
     ]);
     wave.sizes[2] = names.len() as u32;
     let (_folder, path) = file(wave.bytes(&doubles(1e-9).repeat(names.len())));
-    let others = metadata(&path).unwrap().channel.unwrap().others;
+    let others = others(&metadata(&path).unwrap().channel.unwrap());
     let units = ["(A)", "(Hz)", "(F)", "(V)", "\"Layer 7\" (V)"];
     assert!(others[1..].iter().zip(units).all(|(other, unit)| other.ends_with(unit)), "{others:?}");
     cut_everywhere(&image());

@@ -127,7 +127,7 @@ fn jpk_channels() {
     let (_folder, path) = file(image());
     let channel = metadata(&path).unwrap().channel.unwrap();
     assert_eq!(channel.name, "Height");
-    assert_eq!(channel.others, ["\"Phase\" (deg)", "\"Height (retrace)\""]);
+    assert_eq!(others(&channel), ["\"Phase\" (deg)", "\"Height (retrace)\""]);
     assert_jpk(&image(), |iy| iy);
     // A mark of missing points is a height where no encoder says that it marks them.
     let (_folder, path) = file(bytes(&Picture { encoder: "SignedInteger", ..good() }));

@@ -2,7 +2,8 @@
 
 use asperity::HeightMap;
 use asperity::topography::read::{
-    LengthUnits, MapFile, Metadata, ReadError, ReadOptions, ReadOptionsError, height_map, metadata,
+    ChannelName, LengthUnits, MapFile, Metadata, ReadError, ReadOptions, ReadOptionsError, height_map,
+    metadata,
 };
 use asperity::topography::summits::five_point;
 use asperity::topography::{Level, Moments, RoughnessParameters, Rows};
@@ -21,20 +22,24 @@ macro_rules! assert_refused {
 mod al3d;
 mod bcr;
 mod channels;
-mod instrument;
-mod metropro;
-mod nid;
-mod opd;
-mod plu;
-mod samples;
+mod damage;
+mod datx;
 mod gwy;
 mod ibw;
+mod instrument;
 mod jpk;
+mod metropro;
+mod nanoscope;
+mod nid;
+mod opd;
 mod park;
+mod plu;
+mod samples;
 mod sdf;
 mod sur;
 mod text;
 mod tiff;
+mod vk;
 mod x3p;
 
 const NX: usize = 5;
@@ -53,6 +58,11 @@ fn file(bytes: impl AsRef<[u8]>) -> (tempfile::TempDir, PathBuf) {
     let path = folder.path().join("map.dat");
     std::fs::write(&path, bytes).unwrap();
     (folder, path)
+}
+
+/// The channels of a file that are not read, as messages list them.
+fn others(channel: &ChannelName) -> Vec<String> {
+    channel.others.iter().map(ToString::to_string).collect()
 }
 
 fn refused(bytes: impl AsRef<[u8]>) -> ReadError {

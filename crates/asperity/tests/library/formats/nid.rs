@@ -137,7 +137,7 @@ fn nid_channels_that_are_images() {
     let (head, _) = read(&bytes, None, ReadOptions::default());
     let channel = head.channel.unwrap();
     assert_eq!(channel.name, "Scan forward (Z-Axis)");
-    assert_eq!(channel.others, ["\"Scan forward (Phase)\" (\u{b0})", "\"Scan backward (Z-Axis)\""]);
+    assert_eq!(super::others(&channel), ["\"Scan forward (Phase)\" (\u{b0})", "\"Scan backward (Z-Axis)\""]);
     assert_heights(&bytes, None, PIXEL, |ix, iy| 1e-9 * filled(ix, iy));
     assert_heights(&bytes, Some("Scan backward (Z-Axis)"), PIXEL, |ix, iy| 1e-9 * (filled(ix, iy) + 2.0));
     assert_no_panic(&bytes);

@@ -91,7 +91,7 @@ fn opd_channels_are_its_arrays() {
     let (head, _) = read(&bytes, None, ReadOptions::default());
     let channel = head.channel.unwrap();
     assert_eq!(channel.name, "RAW_DATA");
-    assert_eq!(channel.others, ["\"Image\" (grey)", "\"RAW DATA\""]);
+    assert_eq!(super::others(&channel), ["\"Image\" (grey)", "\"RAW DATA\""]);
     assert_heights(&bytes, Some("raw data"), pixel(), |ix, iy| filled(ix, iy) * 5e-7);
     assert_no_panic(&bytes);
 }

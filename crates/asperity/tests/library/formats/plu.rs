@@ -62,7 +62,7 @@ fn plu_heights_of_every_layer() {
     let second = layer((0..NX * NY).map(|k| filled(k % NX, k / NX)));
     let bytes = Plu { layers: 2, ..PLU }.with(&[layer(in_lines()), second]);
     let (head, map) = read(&bytes, None, ReadOptions::default());
-    assert_eq!(head.channel.unwrap().others, ["\"Layer 2\""]);
+    assert_eq!(super::others(&head.channel.unwrap()), ["\"Layer 2\""]);
     assert!(map.heights()[3 * NY + 1].is_nan());
     assert_heights(&bytes, Some("layer 2"), PIXEL, |ix, iy| 1e-6 * filled(ix, iy));
     assert_no_panic(&bytes);

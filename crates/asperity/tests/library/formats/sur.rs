@@ -124,7 +124,7 @@ fn sur_of_several_objects() {
         // What follows the objects that are read is left.
         let bytes = [first.bytes(), second.bytes(), third.bytes(), b"and more".to_vec()].concat();
         let (head, _) = read(&bytes, None, ReadOptions::default());
-        assert_eq!(head.channel.unwrap().others, ["\"the object\"", "\"Light\" (V)"]);
+        assert_eq!(super::others(&head.channel.unwrap()), ["\"the object\"", "\"Light\" (V)"]);
         assert_heights(&bytes, Some("THE object"), pixel(), |ix, iy| 1e-9 * (z(ix, iy) + 8.0));
         assert_heights(&bytes, Some("Topography"), pixel(), |ix, iy| 1e-9 * (filled(ix, iy) + 8.0));
         assert_no_panic(&bytes);

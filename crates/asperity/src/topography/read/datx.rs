@@ -1,0 +1,186 @@
+//! Zygo `.datx`: an HDF5 file with the groups `Data/Surface` and `Data/Intensity`, a dataset for each measurement in them, and
+//! `Attributes`.
+//!
+//! Read for facts: `IO/DATX.py` of SurfaceTopography. Its converters, compound attributes, are left aside: the same numbers
+//! stand in plain attributes, and the programs Mx and MetroPro write different converters.
+
+use std::collections::HashMap;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use hdf5_pure::{AttrValue, DType, Dataset, File, FormatError, ReadSeekSource};
+
+use super::channel::{Channel, Numbers, Quantity};
+use super::error::{ReadError, too_large};
+use super::source::Source;
+use super::{Format, Reader};
+use crate::numeric::is_positive;
+use crate::numeric::stored::NumberType;
+
+pub(super) const FORMAT: Format = Format {
+    name: "a Zygo DATX file",
+    is: |source| source.begin().starts_with(b"\x89HDF\r\n\x1a\n"),
+    read: Reader::Channels(channels),
+};
+
+/// How many times the bytes of the file its numbers may take: far more than a surface is ever compressed.
+const MOST_UNPACKED: u64 = 256;
+const MOST_DATASETS: usize = 256;
+
+/// A file of which no more is read than a few times its length, however often its parts refer to each other.
+struct Bounded<S> {
+    source: S,
+    left: AtomicU64,
+}
+
+impl<S: hdf5_pure::Source> hdf5_pure::Source for Bounded<S> {
+    fn len(&self) -> u64 {
+        self.source.len()
+    }
+
+    fn read_at(&self, offset: u64, buffer: &mut [u8]) -> Result<(), FormatError> {
+        // A short read costs as much time as a long one.
+        let cost = (buffer.len() as u64).max(1024);
+        let left =
+            self.left.fetch_update(Ordering::Relaxed, Ordering::Relaxed, |left| left.checked_sub(cost));
+        left.map_err(|_| FormatError::Source("its parts refer to each other too often".to_owned()))?;
+        self.source.read_at(offset, buffer)
+    }
+}
+
+fn damaged(error: impl std::fmt::Display) -> ReadError {
+    ReadError::Corrupt(format!("cannot be read as HDF5: {error}"))
+}
+
+type Attributes = HashMap<String, AttrValue>;
+
+fn number(attributes: &Attributes, name: &str) -> Option<f64> {
+    let value = attributes.get(name)?;
+    value.as_f64().or_else(|| value.to_i64s()?.first().map(|&value| value as f64))
+}
+
+fn text<'a>(attributes: &'a Attributes, name: &str) -> Option<&'a str> {
+    let value = attributes.get(name)?;
+    value.as_str().or_else(|| value.as_strings()?.first().map(String::as_str))
+}
+
+/// A unit of length as Zygo names it, m.
+fn metres(unit: &str) -> Option<f64> {
+    Some(match unit.trim().to_ascii_lowercase().as_str() {
+        "meters" => 1.0,
+        "centimeters" => 1e-2,
+        "millimeters" => 1e-3,
+        "micrometers" => 1e-6,
+        "nanometers" => 1e-9,
+        "angstroms" => 1e-10,
+        _ => return super::channel::length(unit),
+    })
+}
+
+fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
+    let left = source.length().saturating_mul(8).saturating_add(1 << 26);
+    let reader = ReadSeekSource::new(source.reader()?).map_err(damaged)?;
+    let file = File::from_source(Bounded { source: reader, left: left.into() }).map_err(damaged)?;
+    let data = file.group("Data").and_then(|data| Ok((data.group("Surface")?, data.group("Intensity"))));
+    let Ok((surface, intensity)) = data else {
+        return Err(ReadError::Unsupported(
+            "is an HDF5 file without the group Data/Surface; allowed: files of Zygo".to_owned(),
+        ));
+    };
+    let mut measured = Vec::new();
+    if let Ok(groups) = file.group("Attributes").and_then(|group| group.iter_groups()) {
+        for (_, group) in groups.take(MOST_DATASETS) {
+            measured.push(group.attrs().map_err(damaged)?);
+        }
+    }
+    let mut channels = Vec::new();
+    for (name, group) in [("Surface", Some(surface)), ("Intensity", intensity.ok())] {
+        for (_, dataset) in
+            group.map(|group| group.iter_datasets()).transpose().map_err(damaged)?.into_iter().flatten()
+        {
+            if channels.len() == MOST_DATASETS {
+                return Err(ReadError::Corrupt(format!("holds more than {MOST_DATASETS} surfaces")));
+            }
+            channels.push(channel(source, name, dataset, &measured)?);
+        }
+    }
+    Ok(channels)
+}
+
+fn channel(
+    source: &Source,
+    name: &str,
+    dataset: Dataset,
+    measured: &[Attributes],
+) -> Result<Channel, ReadError> {
+    let shape = dataset.shape().map_err(damaged)?;
+    let [lines, samples] = shape[..] else {
+        return Err(ReadError::Unsupported(format!(
+            "holds a {name} of {} dimensions; allowed: 2",
+            shape.len()
+        )));
+    };
+    // Chunks are unpacked whole.
+    let chunk = dataset.chunk_shape().map_err(damaged)?.unwrap_or_default();
+    let whole = |points: u64, k: usize| points.checked_next_multiple_of(chunk.get(k).copied().unwrap_or(1));
+    let count =
+        whole(lines, 0).zip(whole(samples, 1)).and_then(|(lines, samples)| lines.checked_mul(samples));
+    let unpacked = count.and_then(|count| count.checked_mul(8)).ok_or_else(too_large)?;
+    if unpacked / MOST_UNPACKED > source.length() {
+        return Err(ReadError::Corrupt(format!(
+            "claims {samples} x {lines} points in {} bytes; allowed: at most {MOST_UNPACKED} times the bytes of the file",
+            source.length()
+        )));
+    }
+    let kind = match dataset.dtype().map_err(damaged)? {
+        DType::F32 => NumberType::F32,
+        DType::F64 => NumberType::F64,
+        DType::I8 | DType::I16 | DType::I32 | DType::U8 | DType::U16 | DType::U32 => NumberType::I32,
+        other => {
+            return Err(ReadError::Unsupported(format!(
+                "holds a {name} of the type {other}; allowed: floats and integers of up to 32 bits"
+            )));
+        }
+    };
+    let attributes = dataset.attrs().map_err(damaged)?;
+    let no_data = number(&attributes, "No Data").unwrap_or(f64::INFINITY);
+    let (factor, quantity) = match text(&attributes, "Unit") {
+        _ if name != "Surface" => (1.0, Quantity::Other("grey".to_owned())),
+        // Of light that goes there and back, and at an angle.
+        Some(unit) if unit.eq_ignore_ascii_case("Fringes") => {
+            let needed = |key: &str| {
+                number(&attributes, key).ok_or_else(|| {
+                    ReadError::Corrupt(format!("has heights in fringes and no attribute \"{key}\""))
+                })
+            };
+            let scale = needed("Interferometric Scale Factor")? * needed("Obliquity Factor")?;
+            (needed("Wavelength")? * scale, Quantity::Length)
+        }
+        Some(unit) => match metres(unit) {
+            Some(factor) => (factor, Quantity::Length),
+            None => (1.0, Quantity::Other(unit.to_owned())),
+        },
+        None => (1.0, Quantity::Unknown),
+    };
+    let mut channel = Channel::new(
+        name,
+        [samples, lines],
+        Numbers::Packed(kind, Box::new(move |_| dataset.read_f64().map_err(damaged))),
+    );
+    // A camera that is not calibrated has a pixel of 0.
+    channel.pixel = pixel(&attributes, measured).filter(|&pixel| is_positive(pixel)).map(|pixel| [pixel; 2]);
+    channel.missing = Box::new(move |value| value >= no_data);
+    Ok(Channel { factor, quantity, ..channel })
+}
+
+/// The pixel in the attributes of the measurement that a dataset belongs to, m.
+fn pixel(dataset: &Attributes, measured: &[Attributes]) -> Option<f64> {
+    let group = |attributes| number(attributes, "Group Number");
+    let own = measured.iter().filter(|attributes| group(attributes) == group(dataset));
+    own.chain(measured).find_map(|attributes| {
+        ["Surface Data Context", "Data Context"].iter().find_map(|context| {
+            let key = format!("{context}.Lateral Resolution");
+            let unit = text(attributes, &format!("{key}:Unit")).map_or(Some(1.0), metres)?;
+            Some(unit * number(attributes, &format!("{key}:Value"))?)
+        })
+    })
+}

@@ -1,0 +1,84 @@
+//! Keyence files.
+
+use std::io::{Cursor, Write};
+
+use super::instrument::{Bytes, Number, assert_heights, assert_no_panic, filled, read, stored};
+use super::{NX, NY};
+use asperity::topography::read::ReadOptions;
+use zip::ZipWriter;
+use zip::write::SimpleFileOptions;
+
+const PIXEL: [f64; 2] = [2e-6, 3e-6];
+/// Heights are not negative: stored from the lowest of the map.
+const LOWEST: f64 = -13.5;
+const STEP: f64 = 250e-9;
+
+/// A file of this version with a picture of heights of the type `T` and one of light.
+fn vk<T: Number>(version: u8) -> Vec<u8> {
+    let places = if version == 4 { 18 } else { 17 };
+    let conditions = 12 + 4 * places;
+    let mut header = Bytes::new(conditions + 320, false);
+    header.text(0, [b'V', b'K', b'0' + version, b'_']);
+    for (axis, length) in [PIXEL[0], PIXEL[1], STEP].into_iter().enumerate() {
+        header.put(conditions + 168 + 4 * axis, (length * 1e12).round() as u32);
+    }
+    let light = picture::<u16>(|_, _| 7.0);
+    header.put(12 + 4 * 3, (conditions + 320) as u32);
+    header.put(12 + 4 * 6, (conditions + 320 + light.len()) as u32);
+    let heights = picture::<T>(|ix, iy| (filled(ix, iy) - LOWEST) / 0.25);
+    [header.bytes, light, heights].concat()
+}
+
+fn picture<T: Number>(of: impl Fn(usize, usize) -> f64) -> Vec<u8> {
+    let numbers = stored::<T>((0..NX * NY).map(|k| of(k % NX, k / NX)), false);
+    let bits = 8 * numbers.len() / (NX * NY);
+    let sizes = [NX, NY, bits, 1, numbers.len(), 0, 0].map(|size| (size as u32).to_le_bytes()).concat();
+    [sizes, vec![0; 768], numbers].concat()
+}
+
+/// The same within a zip archive behind a picture, as versions 6 and 7 are.
+fn packed(version: u8, inner: &[u8]) -> Vec<u8> {
+    let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
+    archive.start_file("Vk4File", SimpleFileOptions::default()).unwrap();
+    archive.write_all(inner).unwrap();
+    let archive = archive.finish().unwrap().into_inner();
+    [&[b'V', b'K', b'0' + version], &b"a picture"[..], &archive].concat()
+}
+
+#[test]
+fn vk_heights_of_every_version_and_type() {
+    let wanted = |ix: usize, iy: usize| 1e-6 * (filled(ix, iy) - LOWEST);
+    for version in [3, 4] {
+        for bytes in [vk::<u8>(version), vk::<u16>(version), vk::<u32>(version)] {
+            let head = assert_heights(&bytes, None, PIXEL, wanted);
+            let channel = head.channel.unwrap();
+            assert_eq!(channel.name, "Height");
+            assert_eq!(super::others(&channel), ["\"Light\" (grey)"]);
+        }
+    }
+    for version in [6, 7] {
+        assert_heights(packed(version, &vk::<u32>(4)), None, PIXEL, wanted);
+    }
+    assert_eq!(read(vk::<u16>(4), Some("height"), ReadOptions::default()).1.heights().len(), NX * NY);
+}
+
+#[test]
+fn vk_errors() {
+    let mut bytes = vk::<u16>(4);
+    bytes.truncate(bytes.len() - 1);
+    assert_refused!(Corrupt, "is truncated: it ends at", &bytes);
+    assert_refused!(Corrupt, "is truncated: its Vk4File ends too early", packed(6, &bytes));
+    let place = 12 + 4 * 18 + 320 + 16;
+    let mut bytes = vk::<u16>(4);
+    bytes[place] = 3;
+    assert_refused!(Unsupported, "holds a picture of 5 x 4 points in 3 bytes; allowed: 40", &bytes);
+    assert_refused!(Corrupt, "is an invalid zip archive", b"VK6 and no archive behind it");
+    let bytes = packed(7, &vec![0; 1 << 20]);
+    assert_refused!(Corrupt, "Vk4File unpacks to more than 200 times the bytes of the file", &bytes);
+}
+
+#[test]
+fn damaged_vk_files_are_refused_or_read() {
+    assert_no_panic(&vk::<u16>(4)[..1300]);
+    assert_no_panic(&packed(6, &vk::<u8>(4)));
+}
