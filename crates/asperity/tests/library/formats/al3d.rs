@@ -66,7 +66,7 @@ fn wanted(ix: usize, iy: usize) -> f64 {
 #[test]
 fn al3d_heights_with_lines_of_every_kind() {
     // The mark is rounded in the tag.
-    let mark = 3.000_000_1e15;
+    let mark = 3e15;
     // Lines begin at multiples of eight bytes, of which there are three here, ...
     let padded = with("Title", "a map", &[depth(mark, 4), vec![0; 8]].concat());
     // ... but not where the end of the file, or the texture, says that they do not.
@@ -107,7 +107,7 @@ fn bad_al3d_is_refused() {
     assert_refused!(Corrupt, "claims to hold more numbers", bad("Cols", &huge));
     assert_refused!(Corrupt, "claims to hold more numbers", bad("DepthImageOffset", &huge));
     assert_refused!(Corrupt, "is truncated: it ends at", bad("Rows", "1000000"));
-    assert_refused!(Corrupt, "is truncated: it ends at", of(&[], &[])[..MAGIC + TAG].to_vec());
+    assert_refused!(Corrupt, "is truncated: it ends at", &of(&[], &[])[..MAGIC + TAG]);
     let mut many = of(&[], &image);
     many[MAGIC + TAG + 20..MAGIC + TAG + 25].copy_from_slice(b"99999");
     assert_refused!(Corrupt, "is truncated: it ends at", many);

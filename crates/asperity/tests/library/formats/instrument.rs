@@ -38,7 +38,7 @@ impl Bytes {
     }
 
     pub(super) fn put(&mut self, at: usize, number: impl Number) {
-        self.text(at, &number.bytes(self.big_endian));
+        self.text(at, number.bytes(self.big_endian));
     }
 
     pub(super) fn text(&mut self, at: usize, text: impl AsRef<[u8]>) {
