@@ -18,6 +18,7 @@ from conftest import PROGRAM
 
 ROOT = pathlib.Path(__file__).parents[2]
 SURFACES = ROOT / "experiments" / "surfaces"
+SAMPLES = ROOT / "crates" / "asperity" / "tests" / "library" / "formats" / "samples"
 COMPLETE = "Complete after"
 # A computation of the example, on a busy machine.
 LONG = 60_000
@@ -170,9 +171,9 @@ def asperities(folder):
     return path
 
 
-@pytest.mark.parametrize("made", ["npy", "x3p", "txt", "xyz", "csv"])
+@pytest.mark.parametrize("made", ["npy", "x3p", "opd", "txt", "xyz", "csv"])
 def test_each_format_that_is_dropped_is_read_and_what_it_lacks_is_asked_for(server, visit, tmp_path, made):
-    files = {"npy": lambda: SURFACES / "al3d-1.npy", "x3p": x3p, "txt": lambda: text_of_heights(tmp_path), "xyz": lambda: points(tmp_path), "csv": lambda: asperities(tmp_path)}
+    files = {"npy": lambda: SURFACES / "al3d-1.npy", "x3p": x3p, "opd": lambda: SAMPLES / "st-opd-1.opd", "txt": lambda: text_of_heights(tmp_path), "xyz": lambda: points(tmp_path), "csv": lambda: asperities(tmp_path)}
     path = files[made]()
     page = visit(server.address)
     page.locator("input[type=file]").set_input_files(path)
@@ -181,7 +182,7 @@ def test_each_format_that_is_dropped_is_read_and_what_it_lacks_is_asked_for(serv
         form.locator("input[name=pixel]").fill("0.5 um")
     if made == "csv":
         form.locator("input[name=nominal-area]").fill("0.01 mm^2")
-    if made != "x3p":
+    if made not in ("x3p", "opd"):
         form.get_by_role("button", name="Use").click()
     complete(page)
     expect(page.locator(".surface h2")).to_contain_text(f"Surface {path.stem}")
