@@ -6,7 +6,7 @@
 //! | `npy` | NumPy array, whole or row by row | heights only |
 //! | `text`, `xyz` | matrix of numbers, with or without Gwyddion's header; three columns of numbers | one map |
 //! | `x3p`, `sdf` | ISO 25178-72, ISO 25178-71 | one map, with pixel and unit |
-//! | `al3d`, `bcr`, `datx`, `gwy`, `ibw`, `jpk`, `metropro`, `nanoscope`, `nid`, `opd`, `park`, `plu`, `sur`, `vk` | files of instruments and of Gwyddion | a list of channels, with pixel and unit, of which [`channel`] chooses one |
+//! | `al3d`, `bcr`, `datx`, `gwy`, `ibw`, `jpk`, `metropro`, `nanoscope`, `nid`, `opd`, `park`, `plu`, `sur`, `vk` | files of instruments and of Gwyddion | a list of channels, with pixel and unit, of which the heights are chosen, or one by its name |
 //!
 //! If the format stores its unit, a height beyond 1 km marks a missing point. Other heights beyond 10 m are rejected in
 //! every format, since the unit must be wrong. The first index of a map is x; in files x runs fastest, so that all
