@@ -4,6 +4,7 @@
 use super::channel::{Channel, Numbers, Quantity, Stored, length};
 use super::error::{ReadError, too_large};
 use super::source::{Fields, Source, inflated};
+use super::x3p::{MAX_COMPRESSION, SMALL_BYTES};
 use super::{Format, Reader};
 use crate::numeric::stored::NumberType::{self, F32, I16, I32, U16, U32};
 
@@ -134,6 +135,13 @@ impl Object {
 
 /// A directory of streams, then the streams.
 fn unpacked(source: &Source, start: u64, kind: NumberType, bytes: u64) -> Result<Vec<f64>, ReadError> {
+    let packed = source.length().saturating_sub(start);
+    if bytes > SMALL_BYTES && bytes / MAX_COMPRESSION > packed {
+        return Err(ReadError::Corrupt(format!(
+            "holds no measured heights: {bytes} bytes from {packed} packed ones; allowed: at most {MAX_COMPRESSION} times as many, \
+             as heights have noise"
+        )));
+    }
     let streams = source.fields(start, 4)?.count(0, U32)?;
     let directory = source.fields(start + 4, 8 * streams)?;
     let mut start = start + 4 + 8 * streams;

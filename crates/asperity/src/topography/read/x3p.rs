@@ -36,9 +36,9 @@ const MAIN: &str = "main.xml";
 const MAX_XML_BYTES: u64 = 32 << 20;
 
 /// Bytes of heights that are read however far they were compressed.
-const SMALL_BYTES: u64 = 64 << 20;
+pub(super) const SMALL_BYTES: u64 = 64 << 20;
 /// The most bytes that a compressed one may unpack to: the noise of measured heights leaves more than that.
-const MAX_COMPRESSION: u64 = 200;
+pub(super) const MAX_COMPRESSION: u64 = 200;
 
 /// A file within the archive, and its check sum if there is one.
 struct Link {

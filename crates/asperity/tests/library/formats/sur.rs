@@ -157,6 +157,8 @@ fn bad_sur_is_refused() {
         let bytes = Sur::of::<i32>(false).changed(|sur| sur.size = size).bytes();
         assert_refused!(Corrupt, "is truncated: it ends at", bytes);
     }
+    let bytes = Sur::of::<i32>(false).changed(|sur| (sur.size, sur.streams) = ([16_000; 2], 1)).bytes();
+    assert_refused!(Corrupt, "holds no measured heights: 1024000000 bytes from", bytes);
     let whole = with(|_| ());
     for length in 12..whole.len() {
         assert_refused!(Corrupt, "is truncated", &whole[..length]);
