@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-use asperity::topography::read::{NamedUnits, ReadOptions, height_map, metadata};
+use asperity::topography::read::{NamedUnits, ReadOptions, endings, height_map, metadata};
 use asperity::topography::{Level, thumbnail};
 use asperity_workbench::engine::Heights;
 use asperity_workbench::{Example, Refused};
@@ -12,39 +12,6 @@ use asperity_workbench::{Example, Refused};
 use super::view;
 use crate::kind::KINDS;
 use crate::surface::FileOptions;
-
-/// Endings of files of maps and of lists of asperities; what they hold is found by their content. `000` stands for any number of
-/// three digits.
-pub const ENDINGS: &[&str] = &[
-    "npy",
-    "x3p",
-    "sdf",
-    "xyz",
-    "txt",
-    "asc",
-    "csv",
-    "dat",
-    "tsv",
-    "000",
-    "al3d",
-    "bcr",
-    "bcrf",
-    "datx",
-    "gwy",
-    "ibw",
-    "jpk",
-    "jpk-qi-image",
-    "nid",
-    "opd",
-    "plu",
-    "spm",
-    "sur",
-    "tiff",
-    "vk3",
-    "vk4",
-    "vk6",
-    "vk7",
-];
 
 /// The committed fine finish.
 pub const EXAMPLE: Example = Example {
@@ -94,6 +61,13 @@ pub fn picture(file: &Path, most: usize) -> Result<Heights, Refused> {
     let map = height_map(file, options).map_err(|error| refuse(&error))?;
     let small = Level::Plane.apply(&thumbnail(&map, most)).map_err(|error| refuse(&error))?;
     Ok(view::heights(&small, most))
+}
+
+/// Whether names of files of maps and of lists of asperities have this ending.
+pub fn is_surface(ending: &str) -> bool {
+    let is_number = ending.len() == 3 && ending.bytes().all(|byte| byte.is_ascii_digit());
+    let ending = if is_number { "000" } else { ending };
+    endings().any(|known| known == ending)
 }
 
 /// Whether a file is a list of asperities: a text whose first line names their heights and radii.

@@ -51,8 +51,8 @@ impl Engine for Workbench {
         vocabulary::vocabulary()
     }
 
-    fn endings(&self) -> &'static [&'static str] {
-        begin::ENDINGS
+    fn is_surface(&self, ending: &str) -> bool {
+        begin::is_surface(ending)
     }
 
     fn kind(&self, text: &str) -> Option<(String, String)> {

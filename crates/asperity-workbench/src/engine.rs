@@ -75,8 +75,8 @@ pub trait Engine: Send + Sync + 'static {
     /// What the page needs once: keys, materials, laws.
     fn vocabulary(&self) -> Value;
 
-    /// Endings of files of maps and of lists of asperities, in lower case; `000` stands for any number of three digits.
-    fn endings(&self) -> &'static [&'static str];
+    /// Whether names of files of maps and of lists of asperities have this ending, in lower case.
+    fn is_surface(&self, ending: &str) -> bool;
 
     /// The kind of experiment of a spec, and its title; `None` of another text.
     fn kind(&self, text: &str) -> Option<(String, String)>;

@@ -83,9 +83,7 @@ impl Folder {
                     let found = fs::read_to_string(&path).ok().and_then(|text| engine.kind(&text));
                     found.map(|(kind, title)| What::Spec { kind, title })
                 } else {
-                    let is_number = ending.len() == 3 && ending.bytes().all(|byte| byte.is_ascii_digit());
-                    let ending = if is_number { "000" } else { &ending };
-                    engine.endings().contains(&ending).then_some(What::Surface)
+                    engine.is_surface(&ending).then_some(What::Surface)
                 };
                 entries.extend(what.and_then(|what| self.entry(&path, &metadata, what)));
             }

@@ -70,8 +70,8 @@ impl Engine for Program {
         json!({})
     }
 
-    fn endings(&self) -> &'static [&'static str] {
-        &["npy"]
+    fn is_surface(&self, ending: &str) -> bool {
+        ending == "npy"
     }
 
     fn kind(&self, _: &str) -> Option<(String, String)> {

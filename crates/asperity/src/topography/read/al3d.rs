@@ -8,6 +8,7 @@ use crate::numeric::stored::NumberType::F32;
 
 pub(super) const FORMAT: Format = Format {
     name: "an Alicona AL3D file",
+    endings: &["al3d"],
     is: |source| source.begin().starts_with(MAGIC),
     read: Reader::Channels(channels),
 };

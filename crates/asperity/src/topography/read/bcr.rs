@@ -9,6 +9,7 @@ use crate::numeric::stored::NumberType::{F32, I16};
 
 pub(super) const FORMAT: Format = Format {
     name: "a BCR-STM or BCRF file",
+    endings: &["bcr", "bcrf"],
     is: |source| {
         decoded(&source.begin()[..BEGIN.min(source.begin().len())]).0.starts_with("fileformat = bcr")
     },

@@ -109,6 +109,11 @@ impl Channel {
         self
     }
 
+    /// The same of a format that states the unit of heights: what has none is something else.
+    pub(super) fn in_stated_unit(self, unit: &str) -> Self {
+        self.in_unit(if unit.trim().is_empty() { "no unit" } else { unit })
+    }
+
     /// How far it is from what a user means by the heights: lower is nearer.
     fn distance(&self) -> u32 {
         let name = self.name.to_lowercase();
@@ -238,29 +243,24 @@ impl Channels {
     pub(super) fn choose(mut all: Vec<Channel>, wanted: Option<&str>) -> Result<Self, ReadError> {
         number_equal_names(&mut all);
         let names = || all.iter().map(|channel| channel.listed().to_string()).collect::<Vec<_>>().join(", ");
-        let heights = || (0..all.len()).min_by_key(|&k| all[k].distance());
-        let chosen = match wanted {
-            Some(wanted) => named(&all, wanted.trim()),
-            None => heights(),
+        let Some(nearest) = (0..all.len()).min_by_key(|&k| all[k].distance()) else {
+            return Err(ReadError::Unsupported("holds no map of heights".to_owned()));
         };
-        let Some(chosen) = chosen else {
-            return Err(match wanted {
-                _ if all.is_empty() => ReadError::Unsupported("holds no map of heights".to_owned()),
-                Some(wanted) => ReadError::Channel { wanted: wanted.to_owned(), found: names() },
-                None => ReadError::Unsupported("holds no map of heights".to_owned()),
-            });
+        let refused = |reason: String| Err(ReadError::Channel { reason, found: names() });
+        let chosen = match wanted.map(|wanted| (wanted, named(&all, wanted.trim()))) {
+            None => nearest,
+            Some((_, Some(found))) => found,
+            Some((wanted, None)) => return refused(format!("holds no channel \"{wanted}\"")),
         };
-        if let Quantity::Other(unit) = &all[chosen].quantity {
-            return Err(ReadError::Unsupported(match wanted {
-                Some(_) => format!(
-                    "holds \"{}\" in {unit}; allowed: a channel of heights, of {}",
-                    all[chosen].name,
-                    names()
-                ),
-                None => format!("holds no channel of heights; found: {}", names()),
-            }));
+        match &all[chosen].quantity {
+            Quantity::Other(unit) if wanted.is_some() => {
+                refused(format!("holds \"{}\" in {unit}, which is no height", all[chosen].name))
+            }
+            Quantity::Other(_) => {
+                Err(ReadError::Unsupported(format!("holds no channel of heights; found: {}", names())))
+            }
+            Quantity::Length | Quantity::Unknown => Ok(Self { all, chosen }),
         }
-        Ok(Self { all, chosen })
     }
 
     /// Size, pixel and channel, checked against the length of the file.

@@ -18,6 +18,7 @@ use crate::numeric::stored::NumberType;
 
 pub(super) const FORMAT: Format = Format {
     name: "a Zygo DATX file",
+    endings: &["datx"],
     is: |source| source.begin().starts_with(b"\x89HDF\r\n\x1a\n"),
     read: Reader::Channels(channels),
 };

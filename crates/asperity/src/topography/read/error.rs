@@ -32,11 +32,11 @@ pub enum ReadError {
         /// The line in which the table begins.
         begin: usize,
     },
-    /// The file has no channel of the name given.
-    #[error("holds no channel \"{wanted}\"; allowed: {found}")]
+    /// The channel that is named is not there, or holds no heights.
+    #[error("{reason}; allowed: {found}")]
     Channel {
-        /// The name given.
-        wanted: String,
+        /// What is wrong with it.
+        reason: String,
         /// The channels of the file.
         found: String,
     },

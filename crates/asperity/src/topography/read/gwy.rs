@@ -16,6 +16,7 @@ use crate::numeric::stored::NumberType::F64;
 
 pub(super) const FORMAT: Format = Format {
     name: "a Gwyddion file",
+    endings: &["gwy"],
     is: |source| source.begin().starts_with(b"GWYP"),
     read: Reader::Channels(channels),
 };

@@ -13,6 +13,7 @@ use crate::numeric::stored::NumberType::{self, F32, F64, I8, I16, I32, I64, U8, 
 
 pub(super) const FORMAT: Format = Format {
     name: "an Igor binary wave",
+    endings: &["ibw"],
     is: |source| version(source.begin()).is_some(),
     read: Reader::Channels(channels),
 };

@@ -9,8 +9,12 @@ use super::source::Source;
 use super::tags::{Tags, has, image};
 use super::{Format, Reader};
 
-pub(super) const FORMAT: Format =
-    Format { name: "a JPK image", is: |source| has(source, &WIDTHS), read: Reader::Channels(channels) };
+pub(super) const FORMAT: Format = Format {
+    name: "a JPK image",
+    endings: &["jpk", "jpk-qi-image"],
+    is: |source| has(source, &WIDTHS),
+    read: Reader::Channels(channels),
+};
 
 /// Lengths of the grid along x and y, m.
 const WIDTHS: [u16; 2] = [0x8042, 0x8043];

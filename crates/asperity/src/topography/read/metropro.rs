@@ -8,6 +8,7 @@ use crate::numeric::stored::NumberType::{F32, I16, I32, U16, U32};
 
 pub(super) const FORMAT: Format = Format {
     name: "a Zygo MetroPro file",
+    endings: &["dat"],
     is: |source| matches!(source.begin(), [0x88, 0x1b, 0x03, 0x6f..=0x71, ..]),
     read: Reader::Channels(channels),
 };

@@ -60,6 +60,8 @@ use source::Source;
 struct Format {
     /// With an article, as in "is an SDF file".
     name: &'static str,
+    /// Usual endings of names of its files; `000` stands for any number of three digits.
+    endings: &'static [&'static str],
     /// Whether a file is of this format, by its content.
     is: fn(&Source) -> bool,
     read: Reader,
@@ -133,6 +135,12 @@ impl Format {
 /// Those of [`height_map`] that follow from the header and the length of the file.
 pub fn metadata(path: &Path) -> Result<Metadata, ReadError> {
     MapFile::new(path, ReadOptions::default()).metadata()
+}
+
+/// Usual endings of names of files of maps, in lower case; `000` stands for any number of three digits. What a file holds is found by
+/// its content.
+pub fn endings() -> impl Iterator<Item = &'static str> {
+    FORMATS.iter().flat_map(|format| format.endings).copied()
 }
 
 /// Reads a map of heights in metres, relative to the offset of its file ([`Rows::offset`]), with the pixel and unit of

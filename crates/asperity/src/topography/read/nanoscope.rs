@@ -12,6 +12,7 @@ use crate::numeric::stored::NumberType::{I16, I32};
 
 pub(super) const FORMAT: Format = Format {
     name: "a Nanoscope file",
+    endings: &["spm", "000"],
     is: |source| BEGINS.iter().any(|begin| source.begin().starts_with(begin)),
     read: Reader::Channels(channels),
 };

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::channel::{Channel, Numbers, Order, Quantity, Stored, length};
+use super::channel::{Channel, Numbers, Order, Stored, length};
 use super::error::{ReadError, shortened};
 use super::source::{Source, text};
 use super::{Format, Reader};
@@ -10,6 +10,7 @@ use crate::numeric::stored::NumberType::{self, I8, I16, I32, U8, U16, U32};
 
 pub(super) const FORMAT: Format = Format {
     name: "a Nanosurf NID file",
+    endings: &["nid"],
     is: |source| source.begin().starts_with(b"[DataSet]"),
     read: Reader::Channels(channels),
 };
@@ -119,10 +120,5 @@ fn image(
         order: Order::LinesUpwards,
         ..Channel::new(name, points, numbers)
     };
-    let unit = section.text("Dim2Unit")?;
-    Ok(match length(unit) {
-        Some(_) => channel.in_unit(unit),
-        None if unit.is_empty() => Channel { quantity: Quantity::Other("no unit".to_owned()), ..channel },
-        None => Channel { quantity: Quantity::Other(unit.to_owned()), ..channel },
-    })
+    Ok(channel.in_stated_unit(section.text("Dim2Unit")?))
 }

@@ -14,6 +14,7 @@ pub(super) const NAME: &str = ".npy";
 
 pub(super) const FORMAT: Format = Format {
     name: NAME,
+    endings: &["npy"],
     is: |source| source.begin().starts_with(MAGIC),
     read: Reader::Map { metadata, measured },
 };

@@ -8,6 +8,7 @@ use crate::numeric::stored::NumberType::{self, F32, I16, U8, U16, U32};
 
 pub(super) const FORMAT: Format = Format {
     name: "a Wyko OPD file",
+    endings: &["opd"],
     is: |source| source.begin().starts_with(b"\x01\x00Directory\x00"),
     read: Reader::Channels(channels),
 };

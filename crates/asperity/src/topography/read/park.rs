@@ -9,6 +9,7 @@ use crate::numeric::stored::NumberType::{F32, F64, I16, I32, U16, U32};
 
 pub(super) const FORMAT: Format = Format {
     name: "a Park TIFF file",
+    endings: &["tiff"],
     is: |source| has(source, &[MAGIC, DATA, HEADER]),
     read: Reader::Channels(channels),
 };

@@ -8,6 +8,7 @@ use crate::numeric::stored::NumberType::{F32, U8, U32};
 
 pub(super) const FORMAT: Format = Format {
     name: "a Sensofar PLU file",
+    endings: &["plu"],
     is: |source| is_plu(source).unwrap_or(false),
     read: Reader::Channels(channels),
 };

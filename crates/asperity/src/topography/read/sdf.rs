@@ -17,8 +17,12 @@ use crate::numeric::stored::NumberType;
 
 const NAME: &str = "an SDF file";
 
-pub(super) const FORMAT: Format =
-    Format { name: NAME, is: |source| is_sdf(source.begin()), read: Reader::Map { metadata, measured } };
+pub(super) const FORMAT: Format = Format {
+    name: NAME,
+    endings: &["sdf"],
+    is: |source| is_sdf(source.begin()),
+    read: Reader::Map { metadata, measured },
+};
 
 const FIELDS: &str = "NumPoints, NumProfiles, Xscale, Yscale, Zscale, Compression, DataType, CheckType";
 const VERSIONS: [&[u8]; 3] = [b"ISO-1.0", b"ISO-2.0", b"BCR-1.0"];

@@ -9,6 +9,8 @@ use crate::numeric::stored::NumberType;
 
 /// Bytes that most formats are identified by.
 const BEGIN: u64 = 4096;
+/// The most bytes that a packed one may unpack to: the noise of measured heights leaves more than that.
+pub(super) const MAX_COMPRESSION: u64 = 200;
 
 /// A file of heights.
 #[derive(Debug)]
@@ -129,21 +131,28 @@ pub(super) fn text(bytes: &[u8]) -> String {
     }
 }
 
+/// Checks that measured heights of `unpacked` bytes may have been packed into `packed`; `what` holds them.
+pub(super) fn check_packed(what: &str, packed: u64, unpacked: u64) -> Result<(), ReadError> {
+    /// Bytes of heights that are read however far they were packed.
+    const SMALL: u64 = 64 << 20;
+    if unpacked > SMALL && unpacked / MAX_COMPRESSION > packed {
+        return Err(ReadError::Corrupt(format!(
+            "holds no measured heights: {what} unpacks from {packed} to {unpacked} bytes; allowed: at most {MAX_COMPRESSION} times as \
+             many, as heights have noise"
+        )));
+    }
+    Ok(())
+}
+
 /// Unpacks `count` bytes of a zlib stream.
 pub(super) fn inflated(packed: &[u8], count: u64) -> Result<Vec<u8>, ReadError> {
-    /// The most that zlib packs.
-    const RATIO: u64 = 1032;
     let corrupt = |found: &dyn std::fmt::Display| {
         ReadError::Corrupt(format!(
             "is damaged: {found} in {} packed bytes that should hold {count}",
             packed.len()
         ))
     };
-    let most = RATIO.saturating_mul(packed.len() as u64);
-    if count > most {
-        return Err(corrupt(&"no room"));
-    }
-    let mut bytes = Vec::with_capacity(usize::try_from(count).map_err(|_| too_large())?);
+    let mut bytes = Vec::new();
     let decoder = flate2::read::ZlibDecoder::new(packed);
     decoder.take(count + 1).read_to_end(&mut bytes).map_err(|error| corrupt(&error))?;
     if bytes.len() as u64 != count {

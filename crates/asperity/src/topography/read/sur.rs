@@ -1,15 +1,15 @@
 //! Digital Surf `.sur` (MountainsMap and the software of many instruments): objects one behind the other, each a header of 512 bytes,
 //! a comment, a private zone, and integers, plain or packed by zlib.
 
-use super::channel::{Channel, Numbers, Quantity, Stored, length};
+use super::channel::{Channel, Numbers, Stored, length};
 use super::error::{ReadError, too_large};
-use super::source::{Fields, Source, inflated};
-use super::x3p::{MAX_COMPRESSION, SMALL_BYTES};
+use super::source::{Fields, Source, check_packed, inflated};
 use super::{Format, Reader};
 use crate::numeric::stored::NumberType::{self, F32, I16, I32, U16, U32};
 
 pub(super) const FORMAT: Format = Format {
     name: "a Digital Surf SUR file",
+    endings: &["sur"],
     is: |source| source.begin().starts_with(PLAIN) || source.begin().starts_with(PACKED),
     read: Reader::Channels(channels),
 };
@@ -106,7 +106,15 @@ impl Object {
         let big_endian = header.big_endian;
         let numbers = if *is_packed {
             let (start, kind, bytes) = (*start, *kind, self.bytes().ok_or_else(too_large)?);
-            Numbers::Packed(kind, Box::new(move |source| unpacked(source, start, kind, bytes)))
+            Numbers::Packed(
+                kind,
+                Box::new(move |source| {
+                    let bytes = unpacked(source, start, bytes, big_endian)?;
+                    let mut values = vec![0.0; bytes.len() / kind.bytes() as usize];
+                    kind.decode(&bytes, big_endian, &mut values);
+                    Ok(values)
+                }),
+            )
         } else {
             Numbers::Stored(Stored { big_endian, ..Stored::new(*start, *kind) })
         };
@@ -125,25 +133,16 @@ impl Object {
             missing: Box::new(move |value| Some(value) == missing),
             ..Channel::new(name.unwrap_or_else(|| "Surface".to_owned()), *points, numbers)
         };
-        let unit = header.text(212, 16)?;
-        Ok(match length(&unit) {
-            None if unit.is_empty() => Channel { quantity: Quantity::Other("no unit".to_owned()), ..channel },
-            _ => channel.in_unit(&unit),
-        })
+        Ok(channel.in_stated_unit(&header.text(212, 16)?))
     }
 }
 
 /// A directory of streams, then the streams.
-fn unpacked(source: &Source, start: u64, kind: NumberType, bytes: u64) -> Result<Vec<f64>, ReadError> {
-    let packed = source.length().saturating_sub(start);
-    if bytes > SMALL_BYTES && bytes / MAX_COMPRESSION > packed {
-        return Err(ReadError::Corrupt(format!(
-            "holds no measured heights: {bytes} bytes from {packed} packed ones; allowed: at most {MAX_COMPRESSION} times as many, \
-             as heights have noise"
-        )));
-    }
-    let streams = source.fields(start, 4)?.count(0, U32)?;
-    let directory = source.fields(start + 4, 8 * streams)?;
+fn unpacked(source: &Source, start: u64, bytes: u64, big_endian: bool) -> Result<Vec<u8>, ReadError> {
+    check_packed("it", source.length().saturating_sub(start), bytes)?;
+    let fields = |start, count| Ok::<_, ReadError>(Fields { big_endian, ..source.fields(start, count)? });
+    let streams = fields(start, 4)?.count(0, U32)?;
+    let directory = fields(start + 4, 8 * streams)?;
     let mut start = start + 4 + 8 * streams;
     let mut all = Vec::new();
     for stream in 0..streams as usize {
@@ -158,5 +157,5 @@ fn unpacked(source: &Source, start: u64, kind: NumberType, bytes: u64) -> Result
     if all.len() as u64 != bytes {
         return Err(ReadError::Corrupt(format!("unpacks to {} bytes; allowed: {bytes}", all.len())));
     }
-    Ok(kind.values(&all))
+    Ok(all)
 }

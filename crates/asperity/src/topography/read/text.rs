@@ -15,6 +15,7 @@ const WITH_HEADER: &str = "a text with a header of sizes";
 
 pub(super) const FORMAT: Format = Format {
     name: "a matrix of numbers or columns x y z as text",
+    endings: &["txt", "csv", "asc", "tsv", "xyz"],
     is: |source| source.begin().iter().all(|&byte| byte >= b' ' || byte.is_ascii_whitespace()),
     read: Reader::Map { metadata: |path| Ok(measured(path)?.metadata), measured },
 };

@@ -8,12 +8,13 @@ use zip::ZipArchive;
 
 use super::channel::{Channel, Numbers, Quantity, Stored};
 use super::error::{ReadError, too_large};
-use super::source::{Fields, Source};
+use super::source::{Fields, MAX_COMPRESSION, Source};
 use super::{Format, Reader};
 use crate::numeric::stored::NumberType::{self, U8, U16, U32};
 
 pub(super) const FORMAT: Format = Format {
     name: "a Keyence VK file",
+    endings: &["vk3", "vk4", "vk6", "vk7"],
     is: |source| version(source.begin()).is_some(),
     read: Reader::Channels(channels),
 };
@@ -42,8 +43,6 @@ const PALETTE: u64 = 768;
 
 /// The file within a zip archive.
 const INNER: &str = "Vk4File";
-/// The most bytes that one packed byte may unpack to: the noise of measured heights leaves more than that.
-const MAX_COMPRESSION: u64 = 200;
 
 fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
     let version = version(source.begin()).unwrap_or_default();

@@ -16,6 +16,7 @@ use zip::result::ZipError;
 
 use super::content::{Measured, Metadata, transposed};
 use super::error::{ReadError, shortened, too_large};
+use super::source::check_packed;
 use super::{Format, Reader};
 use crate::numeric::stored::NumberType;
 use crate::numeric::{LARGEST, is_positive};
@@ -27,6 +28,7 @@ const NAME: &str = "an X3P file";
 
 pub(super) const FORMAT: Format = Format {
     name: NAME,
+    endings: &["x3p"],
     is: |source| source.begin().starts_with(MAGIC),
     read: Reader::Map { metadata, measured },
 };
@@ -34,11 +36,6 @@ pub(super) const FORMAT: Format = Format {
 const MAIN: &str = "main.xml";
 /// The largest XML that is read; the standard stores more than 10 000 heights in a binary file.
 const MAX_XML_BYTES: u64 = 32 << 20;
-
-/// Bytes of heights that are read however far they were compressed.
-pub(super) const SMALL_BYTES: u64 = 64 << 20;
-/// The most bytes that a compressed one may unpack to: the noise of measured heights leaves more than that.
-pub(super) const MAX_COMPRESSION: u64 = 200;
 
 /// A file within the archive, and its check sum if there is one.
 struct Link {
@@ -159,12 +156,7 @@ impl Archive {
                 "{kind}: {name} holds {found} bytes; allowed: {bytes}, as {MAIN} says"
             )));
         }
-        if found > SMALL_BYTES && found / MAX_COMPRESSION > packed {
-            return Err(ReadError::Corrupt(format!(
-                "holds no measured heights: {name} unpacks from {packed} to {found} bytes; allowed: at most {MAX_COMPRESSION} \
-                 times as many, as heights have noise"
-            )));
-        }
+        check_packed(name, packed, found)?;
         Ok(index)
     }
 

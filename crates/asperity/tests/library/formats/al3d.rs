@@ -1,6 +1,7 @@
 //! Alicona files.
 
-use super::instrument::{assert_heights, assert_no_panic, stored};
+use super::damage::assert_no_panic;
+use super::instrument::{assert_heights, stored};
 use super::{NX, NY, PIXEL, in_lines, z};
 
 /// Bytes of the magic and of a tag.

@@ -1,6 +1,7 @@
 //! BCR-STM and BCRF files.
 
-use super::instrument::{Number, assert_heights, assert_no_panic, read, stored};
+use super::damage::assert_no_panic;
+use super::instrument::{Number, assert_heights, read, stored};
 use super::{NX, NY, in_lines, z};
 use asperity::topography::read::{ReadOptions, metadata};
 

@@ -17,7 +17,7 @@ fn chosen(sets: &[[&'static str; 3]], wanted: Option<&str>) -> Result<String, Re
 fn the_channel_of_the_heights_is_read() {
     for sets in [
         // A length before others, forward before backward, heights by name before other lengths, the first of equal ones.
-        &[["Scan", "Phase", "\u{b0}"], ["Scan", "Current", "A/m"], ["Scan", "X", "nm"]][..],
+        &[["Scan", "Phase", "\u{b0}"], ["Scan", "Current", "A"], ["Scan", "X", "nm"]][..],
         &[["Scan backward", "X", "m"], ["Scan forward", "X", "m"]],
         &[["Retrace", "Height", "m"], ["Trace", "Height", "m"]],
         &[["Scan", "Deflection", "m"], ["Scan", "Lateral", "m"]],
@@ -55,8 +55,8 @@ fn a_channel_is_read_by_its_name() {
     assert_eq!(error.to_string(), format!("holds no channel \"Up\"; allowed: {all}"));
     for (name, unit) in [("Up (Phase)", "V"), ("Up (Z) (3)", "V")] {
         let error = read(name).unwrap_err();
-        assert!(matches!(error, ReadError::Unsupported(_)), "{error:?}");
-        let words = format!("holds \"{name}\" in {unit}; allowed: a channel of heights, of {all}");
+        assert!(matches!(error, ReadError::Channel { .. }), "{error:?}");
+        let words = format!("holds \"{name}\" in {unit}, which is no height; allowed: {all}");
         assert_eq!(error.to_string(), words);
     }
 }

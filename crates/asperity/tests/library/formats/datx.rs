@@ -1,8 +1,8 @@
 //! Zygo DATX files: units of heights, pixels, number types, refusals, a file written by the C library of HDF5.
 
-use super::damage::assert_no_panic;
+use super::damage::{cut, damage};
 use super::{IN_NM, NX, NY, PIXEL, assert_map, in_lines, sample};
-use asperity::topography::read::{MapFile, ReadOptions, metadata};
+use asperity::topography::read::ReadOptions;
 use hdf5_pure::{AttrValue, FileBuilder, MaxExtent};
 
 /// What marks a missing point.
@@ -169,26 +169,7 @@ fn damage_is_no_panic() {
         in_nm(surface);
         surface.with_chunks(&[3, 2]).with_shuffle().with_deflate(6);
     });
-    assert_no_panic(&bytes, (0..bytes.len()).step_by(13));
-    assert_no_panic(&std::fs::read(sample("samples/zygo_test.datx")).unwrap(), 0..0);
-}
-
-/// 96 of the 259 lines of `zygo_test.datx` of the repository TWANG006/monolithic, written by h5py with chunks that are
-/// shuffled and packed; h5py gives these heights.
-#[test]
-fn a_file_of_an_instrument() {
-    let datx = MapFile::new(&sample("samples/zygo_test.datx"), ReadOptions::default());
-    let map = datx.height_map().unwrap();
-    assert_eq!(map.points(), [33, 96]);
-    assert_eq!(map.pixel(), [f64::from(1e-3f32); 2]);
-    for ((ix, iy), wanted) in [
-        ((20, 50), -2.1679129476117196e-8),
-        ((16, 95), 1.4459206460549634e-7),
-        ((16, 0), 7.431084741218239e-8),
-    ] {
-        let found: f64 = map.heights()[ix * 96 + iy];
-        assert!((found - wanted).abs() < 1e-20, "{found}");
-    }
-    assert_eq!(map.heights().iter().filter(|z| z.is_nan()).count(), 288);
-    assert_eq!(metadata(&datx.path).unwrap().channel.unwrap().name, "Surface");
+    cut(&bytes, (0..bytes.len()).step_by(13));
+    damage(&bytes);
+    damage(&std::fs::read(sample("samples/zygo_test.datx")).unwrap());
 }

@@ -106,14 +106,12 @@ fn gwy_heights_and_what_a_mask_hides() {
     let head = assert_map(unnamed, IN_NM, 1e-9, PIXEL);
     assert_eq!((head.pixel, head.has_unit), (None, false));
     assert_eq!(head.channel.unwrap().name, "Channel 7");
-    cut_everywhere(&bytes);
-}
-
-#[test]
-fn gwy_of_an_instrument() {
-    let corners =
-        [7.707079372957411e-06, 7.718533725262557e-06, 7.696866704026902e-06, 7.718186160826164e-06];
-    assert_instrument("nanosurf.gwy", "Topography", [100, 12], [1e-7; 2], corners);
+    // A unit that is given is that of the heights: the pixel is in metres.
+    let without = of(named("/7/data", b'o', &field(["m", ""], in_lines())));
+    let in_nm = ReadOptions { pixel: None, ..IN_NM };
+    let head = assert_map(without, in_nm, 1e-9, PIXEL);
+    assert_eq!((head.pixel, head.has_unit), (Some(PIXEL), false));
+    damage::assert_no_panic(&bytes);
 }
 
 #[test]

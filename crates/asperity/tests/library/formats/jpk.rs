@@ -138,14 +138,7 @@ fn jpk_channels() {
     let raw = Picture { default: "raw", ..good() };
     let (_folder, path) = file(bytes(&raw));
     assert!(!metadata(&path).unwrap().has_unit);
-    cut_everywhere(&image());
-}
-
-#[test]
-fn jpk_of_an_instrument() {
-    let corners =
-        [6.638862237024043e-05, 7.22072069861659e-05, 3.1827157220887316e-05, 3.687123931572108e-05];
-    assert_instrument("jpk-map.jpk", "Height", [10, 10], [6e-5; 2], corners);
+    damage::assert_no_panic(&image());
 }
 
 #[test]

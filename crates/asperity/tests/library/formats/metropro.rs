@@ -1,6 +1,7 @@
 //! Zygo MetroPro files.
 
-use super::instrument::{Bytes, assert_heights, assert_no_panic, read, stored};
+use super::damage::assert_no_panic;
+use super::instrument::{Bytes, assert_heights, read, stored};
 use super::{NX, NY, in_lines, z};
 use asperity::topography::read::{LengthUnits, ReadOptions};
 

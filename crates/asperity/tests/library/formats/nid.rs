@@ -1,6 +1,7 @@
 //! Nanosurf files.
 
-use super::instrument::{Number, assert_heights, assert_no_panic, filled, read, stored, upwards};
+use super::damage::assert_no_panic;
+use super::instrument::{Number, assert_heights, filled, read, stored, upwards};
 use super::{NX, NY, PIXEL};
 use asperity::topography::read::ReadOptions;
 

@@ -1,6 +1,7 @@
 //! Wyko files.
 
-use super::instrument::{Bytes, Number, assert_heights, assert_no_panic, filled, read, stored};
+use super::damage::assert_no_panic;
+use super::instrument::{Bytes, Number, assert_heights, filled, read, stored};
 use super::{NX, NY, z};
 use asperity::topography::read::ReadOptions;
 

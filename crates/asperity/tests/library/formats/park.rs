@@ -109,14 +109,7 @@ fn park_of_every_version_and_number_type() {
     let halves: Vec<u8> = upwards().flat_map(|z| (z as f32 / 2.0).to_le_bytes()).collect();
     let head = assert_map(old.bytes(&halves), none, 1e-6, PIXEL);
     assert_eq!(head.channel.unwrap().name, "Topography");
-    cut_everywhere(&image());
-}
-
-#[test]
-fn park_of_an_instrument() {
-    let corners =
-        [1.450929475540761e-07, 1.5023667766945437e-07, 8.831312478287145e-08, 8.562943950528279e-08];
-    assert_instrument("park.tiff", "Topography", [128, 128], [1.5625e-8; 2], corners);
+    damage::assert_no_panic(&image());
 }
 
 #[test]

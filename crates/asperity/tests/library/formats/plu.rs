@@ -1,6 +1,7 @@
 //! Sensofar files.
 
-use super::instrument::{Bytes, assert_heights, assert_no_panic, filled, read, stored};
+use super::damage::assert_no_panic;
+use super::instrument::{Bytes, assert_heights, filled, read, stored};
 use super::{NX, NY, in_lines, z};
 use asperity::topography::read::ReadOptions;
 

@@ -2,7 +2,8 @@
 
 use std::io::Write;
 
-use super::instrument::{Bytes, Number, assert_heights, assert_no_panic, filled, read, stored};
+use super::damage::assert_no_panic;
+use super::instrument::{Bytes, Number, assert_heights, filled, read, stored};
 use super::{NX, NY, in_lines, z};
 use asperity::topography::read::ReadOptions;
 
@@ -78,12 +79,13 @@ impl Sur {
     }
 
     fn packed(&self) -> Vec<u8> {
-        let (mut directory, mut all) = ((self.streams as u32).to_le_bytes().to_vec(), Vec::new());
+        let (mut directory, mut all) = ((self.streams as u32).bytes(self.big_endian), Vec::new());
         for part in self.numbers.chunks(self.numbers.len().div_ceil(self.streams.max(1))) {
             let mut encoder = flate2::write::ZlibEncoder::new(Vec::new(), flate2::Compression::default());
             encoder.write_all(part).unwrap();
             let packed = encoder.finish().unwrap();
-            directory.extend([part.len() as u32, packed.len() as u32].map(u32::to_le_bytes).concat());
+            let lengths = [part.len() as u32, packed.len() as u32];
+            directory.extend(lengths.map(|length| length.bytes(self.big_endian)).concat());
             all.extend(packed);
         }
         [directory, all].concat()
@@ -102,8 +104,8 @@ fn sur_heights_of_every_type() {
             let head = assert_heights(bytes, None, pixel(), |ix, iy| 1e-9 * (z(ix, iy) + 8.0));
             assert_eq!((head.has_unit, head.channel.unwrap().name), (true, "Topography".to_owned()));
         }
-        for streams in [1, 3] {
-            let bytes = sur(false).changed(|sur| sur.streams = streams).bytes();
+        for (streams, big_endian) in [(1, false), (3, false), (2, true)] {
+            let bytes = sur(big_endian).changed(|sur| sur.streams = streams).bytes();
             assert_heights(bytes, None, pixel(), |ix, iy| 1e-9 * (z(ix, iy) + 8.0));
         }
     }
@@ -158,7 +160,7 @@ fn bad_sur_is_refused() {
         assert_refused!(Corrupt, "is truncated: it ends at", bytes);
     }
     let bytes = Sur::of::<i32>(false).changed(|sur| (sur.size, sur.streams) = ([16_000; 2], 1)).bytes();
-    assert_refused!(Corrupt, "holds no measured heights: 1024000000 bytes from", bytes);
+    assert_refused!(Corrupt, "to 1024000000 bytes; allowed: at most 200 times", bytes);
     let whole = with(|_| ());
     for length in 12..whole.len() {
         assert_refused!(Corrupt, "is truncated", &whole[..length]);

@@ -2,7 +2,8 @@
 
 use std::io::{Cursor, Write};
 
-use super::instrument::{Bytes, Number, assert_heights, assert_no_panic, filled, read, stored};
+use super::damage::assert_no_panic;
+use super::instrument::{Bytes, Number, assert_heights, filled, read, stored};
 use super::{NX, NY};
 use asperity::topography::read::ReadOptions;
 use zip::ZipWriter;
