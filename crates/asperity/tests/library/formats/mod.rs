@@ -162,3 +162,12 @@ fn no_damage_to_a_file_is_a_panic() {
     ];
     samples.iter().for_each(|sample| damage::damage(sample));
 }
+
+#[test]
+fn the_page_of_formats_names_every_ending() {
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/formats.md");
+    let page = std::fs::read_to_string(page).unwrap();
+    for ending in asperity::topography::read::endings() {
+        assert!(page.contains(&format!("`.{ending}`")), "{ending}");
+    }
+}

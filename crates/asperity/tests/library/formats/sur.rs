@@ -175,7 +175,7 @@ fn bad_sur_is_refused() {
     assert_refused!(Corrupt, "unpacks to 0 bytes; allowed: 40", changed(streams, 0));
     assert_refused!(Corrupt, "is truncated", changed(streams + 2, 255));
     assert_refused!(Corrupt, "is damaged: 20 bytes in", changed(streams + 4, 19));
-    assert_refused!(Corrupt, "is damaged: no room in 0 packed bytes", changed(streams + 8, 0));
+    assert_refused!(Corrupt, "in 0 packed bytes that should hold 20", changed(streams + 8, 0));
     assert_refused!(Corrupt, "unpacks to 20 bytes; allowed: 40", changed(streams + 12, 21));
     assert_refused!(Corrupt, "is damaged: ", changed(streams + 20, 0));
 }
