@@ -20,7 +20,7 @@ pub struct MapFile {
     pub path: PathBuf,
     /// What the file does not hold.
     pub options: ReadOptions,
-    /// Heights that mark missing points, in the unit of the file (of X3P and SDF: in metres). Where there are none stated,
+    /// Heights that mark missing points, in the unit of the file (of X3P and SDF: in metres; of instruments: as stored). Where there are none stated,
     /// or others than these, a height far from all others is an error; an empty list says that all are heights.
     pub missing: Option<Vec<f64>>,
     /// Whether x and y are exchanged: a pixel of the options is that of the map with x and y exchanged.

@@ -4,8 +4,8 @@ use std::io::Write;
 
 use super::damage::assert_no_panic;
 use super::instrument::{Bytes, Number, assert_heights, filled, read, stored};
-use super::{NX, NY, in_lines, z};
-use asperity::topography::read::ReadOptions;
+use super::{NX, NY, file, in_lines, z};
+use asperity::topography::read::{MapFile, ReadOptions};
 
 /// A header and what follows it.
 struct Sur {
@@ -112,7 +112,11 @@ fn sur_heights_of_every_type() {
     // Where no points are marked, all numbers are heights.
     let bytes = Sur::of::<i16>(false).changed(|sur| sur.least = None).bytes();
     let wanted = |ix, iy| 1e-9 * (if z(ix, iy).is_nan() { -14.0 } else { z(ix, iy) } + 8.0);
-    assert_heights(bytes, None, pixel(), wanted);
+    assert_heights(&bytes, None, pixel(), wanted);
+    // A mark that is given is a number as it is stored.
+    let (_folder, path) = file(&bytes);
+    let given = MapFile { missing: Some(vec![-56.0]), ..MapFile::new(&path, ReadOptions::default()) };
+    assert!(given.height_map().unwrap().heights()[3 * NY + 1].is_nan());
 }
 
 #[test]
