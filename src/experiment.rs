@@ -3,15 +3,12 @@
 use std::any::Any;
 use std::fmt;
 use std::path::{Path, PathBuf};
-#[cfg(feature = "serve")]
 use std::sync::Arc;
 use std::time::SystemTime;
 
 use asperity::Material;
 use asperity::surface::{AnalysisDepth, Surface};
 use asperity::work::Counter;
-#[cfg(feature = "serve")]
-use asperity_contact_framework::Kind;
 use asperity_contact_framework::digest::{hexadecimal, sha256, sha256_of_file};
 use asperity_contact_framework::divided::AnyDivided;
 use asperity_contact_framework::input::material::MaterialOrigin;
@@ -21,17 +18,17 @@ use asperity_contact_framework::progress::{Progress, Silent};
 use asperity_contact_framework::report::format::listed;
 use asperity_contact_framework::report::store::{Store, StoreError, is_plain, plain};
 use asperity_contact_framework::report::{Index, MARK};
-use asperity_contact_framework::{AnyKind, Group, Outcome, Planned, Print, RunContext};
+use asperity_contact_framework::{AnyKind, Group, Kind, Outcome, Planned, Print, RunContext};
 use asperity_plot::Size;
 use indexmap::IndexMap;
 use sha2::{Digest, Sha256};
 
 use crate::kind::compare::plan::described;
 use crate::kind::compare::results::CompareResults;
-#[cfg(feature = "serve")]
 use crate::kind::compare::{Compare, plan::ComparePlan};
-use crate::kind::{KINDS, SURFACES};
+use crate::kind::{KINDS, REPORTED, SURFACES};
 use crate::surface::{FileOptions, SurfaceFactory, SurfacesPlan, by_hand, files_of, surfaces};
+use crate::sweep;
 
 /// SHA-256 of the sources that this program was built from.
 const SOURCES: &str = env!("ASPERITY_SOURCES");
@@ -111,7 +108,6 @@ impl Experiment {
     ///
     /// # Errors
     /// As [`Self::read`].
-    #[cfg(feature = "serve")]
     pub(crate) fn with_comparison(
         source: Source,
         stem: &str,
@@ -306,6 +302,40 @@ impl Experiment {
         self.planned.plan.run(&self.context(&self.input()?, progress))
     }
 
+    /// The same, which keeps what it has done in `folder`, and does not do what is kept there.
+    ///
+    /// # Errors
+    /// As [`Self::run`], and a folder that cannot be written.
+    pub fn run_keeping(
+        &self,
+        progress: &dyn Progress,
+        folder: &Path,
+    ) -> Result<Box<dyn Outcome>, InputError> {
+        let input = self.input()?;
+        let context = RunContext { kept: Some(folder), ..self.context(&input, progress) };
+        self.planned.plan.run(&context)
+    }
+
+    /// Whether it runs variations, which it keeps.
+    pub fn is_sweep(&self) -> bool {
+        self.kind == sweep::NAME
+    }
+
+    /// The name of the kind that runs.
+    pub(crate) fn kind_name(&self) -> &'static str {
+        self.kind
+    }
+
+    /// The files that it reads.
+    pub(crate) fn inputs(&self) -> Vec<PathBuf> {
+        self.planned.plan.inputs()
+    }
+
+    /// What it will do, without its file and title.
+    pub(crate) fn plan_in_words(&self) -> String {
+        self.planned.plan.to_string()
+    }
+
     /// Looks for what a run would refuse, such as a load that a population does not reach, without running it.
     ///
     /// # Errors
@@ -322,7 +352,7 @@ impl Experiment {
     pub(crate) fn divided(&self) -> Result<&dyn AnyDivided, InputError> {
         self.planned.divided.as_deref().ok_or_else(|| {
             let message = format!(
-                "found [{}], which needs its whole input at once and has no parts; allowed: [tiled], which sums a surface tile by tile",
+                "found [{}], which needs its whole input at once and has no parts; allowed: [tiled], which sums a surface tile by tile, and [sweep]",
                 self.kind
             );
             InputError::file(&self.source.path, message)
@@ -346,6 +376,7 @@ impl Experiment {
             origins,
             source,
             progress,
+            kept: None,
         }
     }
 }
@@ -389,7 +420,7 @@ pub fn make_surface(
 /// # Errors
 /// A page that cannot be written, or that no run has written.
 pub fn write_index(store: &mut Store, out: &Path) -> Result<(), StoreError> {
-    let index = Index::read(out, KINDS);
+    let index = Index::read(out, REPORTED);
     if index.is_empty() {
         return Ok(());
     }
@@ -403,7 +434,7 @@ pub fn write_index(store: &mut Store, out: &Path) -> Result<(), StoreError> {
 
 /// Names of the tables that a spec may contain besides the common keys.
 pub(crate) fn tables() -> Vec<&'static str> {
-    KINDS.iter().map(|kind| kind.name()).chain([SURFACES]).collect()
+    REPORTED.iter().map(|kind| kind.name()).chain([SURFACES]).collect()
 }
 
 /// The tables of some kinds, as a spec has them.
@@ -414,6 +445,10 @@ fn bracketed(is_among: fn(&dyn AnyKind) -> bool) -> Vec<String> {
 
 /// The kind of the one experiment that a spec holds.
 fn kind(spec: &SpecFile) -> Result<&'static dyn AnyKind, InputError> {
+    // Its variations have the kind that it stands beside.
+    if spec.tables().iter().any(|(name, _)| name == sweep::NAME) {
+        return Ok(&sweep::Sweep);
+    }
     let allowed = format!("exactly one of {}", bracketed(|_| true).join(", "));
     let mut found = spec.tables().iter().filter(|(name, _)| name != SURFACES);
     let Some((name, _)) = found.next() else {

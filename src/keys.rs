@@ -10,6 +10,7 @@ use serde_json::Value;
 
 use crate::kind::{KINDS, SURFACES};
 use crate::surface::SurfaceSpec;
+use crate::sweep::{self, Sweep};
 
 /// The JSON schema (draft 7) of a spec, for editors.
 pub fn spec_schema() -> Value {
@@ -18,7 +19,8 @@ pub fn spec_schema() -> Value {
     let mut surfaces = generator.subschema_for::<IndexMap<String, SurfaceSpec>>();
     surfaces
         .insert("description".to_owned(), "Where asperities come from, by name: each of one kind.".into());
-    SpecFile::schema(generator, kinds, vec![(SURFACES, surfaces)])
+    let sweeps = asperity_contact_framework::AnyKind::schema(&Sweep, &mut generator);
+    SpecFile::schema(generator, kinds, vec![(SURFACES, surfaces), (sweep::NAME, sweeps)])
 }
 
 /// All keys: those of every spec, materials and surfaces, the kinds of experiment, and the options of laws.

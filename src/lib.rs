@@ -19,6 +19,7 @@ mod plausibility;
 mod presentation;
 pub mod study_plan;
 pub mod surface;
+pub mod sweep;
 #[cfg(feature = "cli")]
 pub mod terminal;
 #[cfg(feature = "serve")]

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use asperity_contact_framework::Outcome;
 use asperity_contact_framework::digest::KnownFiles;
-use asperity_contact_framework::divided::{Part, TileResult};
+use asperity_contact_framework::divided::{AnyDivided, Part, TileResult};
 use asperity_contact_framework::input::InputError;
 use asperity_contact_framework::parts::{Parts, PartsError};
 use asperity_contact_framework::progress::Progress;
@@ -82,6 +82,61 @@ impl Experiment {
             }
         }
         Ok(done)
+    }
+
+    /// What its tile `tile` (from 0) of one pass finds, as JSON, for a program that divides the work itself.
+    ///
+    /// # Errors
+    /// An experiment without parts or with several passes, and what a run would refuse.
+    pub fn run_tile(&self, tile: usize, progress: &dyn Progress) -> Result<String, InputError> {
+        let divided = self.in_one_pass()?;
+        if tile >= divided.tiles() {
+            let message = format!("found tile {tile} of {}; allowed: below", divided.tiles());
+            return Err(InputError::file(self.path(), message));
+        }
+        let found = divided.pass(&self.context(&self.input()?, progress), tile..tile + 1, &[])?;
+        serde_json::to_string(&found).map_err(|error| InputError::file(self.path(), error))
+    }
+
+    /// The number of its tiles.
+    ///
+    /// # Errors
+    /// As [`Self::run_tile`].
+    pub fn tiles(&self) -> Result<usize, InputError> {
+        Ok(self.in_one_pass()?.tiles())
+    }
+
+    /// The results of a run, from what all its tiles have found, in their order.
+    ///
+    /// # Errors
+    /// As [`Self::run_tile`], and what is no result of a tile.
+    pub fn merge_tiles(
+        &self,
+        found: &[String],
+        progress: &dyn Progress,
+    ) -> Result<Box<dyn Outcome>, InputError> {
+        let refuse = |error: &dyn std::fmt::Display| InputError::file(self.path(), error);
+        let divided = self.in_one_pass()?;
+        let tiles: Vec<Vec<TileResult>> = found
+            .iter()
+            .map(|text| serde_json::from_str(text))
+            .collect::<Result<_, _>>()
+            .map_err(|error| refuse(&error))?;
+        let tiles: Vec<TileResult> = tiles.into_iter().flatten().collect();
+        if tiles.len() != divided.tiles() {
+            return Err(refuse(&format!("found {} tiles; allowed: all {}", tiles.len(), divided.tiles())));
+        }
+        divided.merge(&self.context(&self.input()?, progress), &[tiles])
+    }
+
+    fn in_one_pass(&self) -> Result<&dyn AnyDivided, InputError> {
+        let divided = self.divided()?;
+        if divided.passes() == 1 {
+            return Ok(divided);
+        }
+        let message =
+            format!("found {} passes; allowed: a sweep, or [tiled] of a population", divided.passes());
+        Err(InputError::file(self.path(), message))
     }
 
     /// The results of a run, from the parts in `folder`: the same to the bit as those of [`Self::run`].

@@ -1,5 +1,6 @@
 //! The surfaces of a spec: read, planned, made, and described in a report.
 
+mod cache;
 mod composite;
 mod contact_options;
 mod description;
@@ -29,6 +30,7 @@ mod spec;
 mod store;
 mod tiles;
 
+pub use cache::{OfSpec, Surfaces};
 pub use contact_options::ContactOptions;
 pub use description::{SurfacesPlan, described_file};
 pub use factory::SurfaceFactory;

@@ -11,12 +11,11 @@ use asperity_contact_framework::report::table::Tables;
 use asperity_workbench::{Prepared, Refused, SpecText, Stage};
 use serde_json::{Value, json};
 
-use super::surfaces::{OfSpec, Surfaces};
 use super::{refused, source, view};
 use crate::experiment::Experiment;
 use crate::kind::compare::plan::ComparePlan;
 use crate::kind::compare::{Extent, Samplings, Scope, run_within};
-use crate::surface::memory;
+use crate::surface::{OfSpec, Surfaces, memory};
 
 /// The name of its report, which is not written.
 const NAME: &str = "workbench";
@@ -73,7 +72,7 @@ impl Prepared for Contact {
             Stage::Intervals => Extent::Intervals,
             Stage::Everything => Extent::Everything,
         };
-        let of_spec = OfSpec::new(&self.surfaces, &self.spec);
+        let of_spec = OfSpec::new(&self.surfaces, &self.spec.folder, &self.spec.text);
         let scope = Scope {
             extent,
             store: Some(&of_spec),

@@ -2,7 +2,7 @@
 //!
 //! | module | what lives there |
 //! |---|---|
-//! | `surfaces` | surfaces that are kept between changes of a spec |
+//! | `surfaces` | a surface of a spec |
 //! | `contact` | an experiment on its way from a slider to its whole report |
 //! | `view` | results as the page shows them |
 //! | `begin` | the first spec of a file, and the example |
@@ -26,8 +26,9 @@ use asperity_workbench::{Engine, Example, Prepared, Refused, SpecText};
 use serde_json::Value;
 
 use crate::experiment::{Experiment, PRINT, write_index};
+use crate::surface::Surfaces;
 use contact::Contact;
-use surfaces::Surfaces;
+use surfaces::surface;
 
 /// The program behind the workbench.
 #[derive(Default)]
@@ -74,7 +75,7 @@ impl Engine for Workbench {
     }
 
     fn surface(&self, spec: &SpecText, name: &str, progress: &dyn Progress) -> Result<Value, Refused> {
-        let surface = self.surfaces.surface(spec, name, progress)?;
+        let surface = surface(&self.surfaces, spec, name, progress)?;
         Ok(view::surface(&surface.surface))
     }
 
@@ -85,7 +86,7 @@ impl Engine for Workbench {
         most: usize,
         progress: &dyn Progress,
     ) -> Result<Heights, Refused> {
-        let surface = self.surfaces.surface(spec, name, progress)?;
+        let surface = surface(&self.surfaces, spec, name, progress)?;
         let prepared = surface.surface.prepared.as_ref();
         let map = prepared.ok_or_else(|| Refused::new(format!("{name}: found no height map")))?;
         Ok(view::heights(&map.map, most))

@@ -56,6 +56,7 @@ mod results;
 mod sampling_interval;
 mod single_load;
 mod spots;
+mod sweep;
 mod tiled;
 mod tip;
 mod tutorial;

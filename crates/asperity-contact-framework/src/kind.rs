@@ -71,6 +71,11 @@ pub trait Kind: Sync {
 
     /// The tables that its reports may hold.
     fn tables() -> Vec<Schema>;
+
+    /// The table of [`Outcome::swept`].
+    fn swept() -> Option<Schema> {
+        Self::tables().into_iter().next()
+    }
 }
 
 /// A [`Kind`] of any type.
@@ -98,6 +103,9 @@ pub trait AnyKind: Sync {
 
     /// The tables that its reports may hold.
     fn tables(&self) -> Vec<Schema>;
+
+    /// The table of [`Outcome::swept`].
+    fn swept(&self) -> Option<Schema>;
 }
 
 impl<K: Kind> AnyKind for K {
@@ -127,6 +135,10 @@ impl<K: Kind> AnyKind for K {
 
     fn tables(&self) -> Vec<Schema> {
         K::tables()
+    }
+
+    fn swept(&self) -> Option<Schema> {
+        K::swept()
     }
 }
 
@@ -253,6 +265,11 @@ pub trait Outcome: Any + Sync {
         Vec::new()
     }
 
+    /// What a sweep over keys of its spec has of it; by default its first table.
+    fn swept(&self) -> Option<Table> {
+        self.tables().into_iter().next()
+    }
+
     /// The outline of its page, with views of its tables.
     fn page(&self, tables: &Tables) -> Page;
 
@@ -300,6 +317,8 @@ pub struct RunContext<'a> {
     pub source: &'a Source,
     /// Whoever watches.
     pub progress: &'a dyn Progress,
+    /// The folder in which a run may keep what it has done, to continue if it is killed.
+    pub kept: Option<&'a Path>,
 }
 
 impl RunContext<'_> {

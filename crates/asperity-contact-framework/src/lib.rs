@@ -12,6 +12,7 @@ pub mod divided;
 mod folder;
 mod group;
 pub mod input;
+pub mod kept;
 pub mod keys;
 mod kind;
 pub mod metadata;

@@ -76,9 +76,22 @@ pub(super) fn y_ticks(scale: &Scale, length: f64) -> Vec<Tick> {
 
 /// Ticks of the y axis: those of its scale, or its named places.
 pub(super) fn ticks_of_y(axis: &Axis, scale: &Scale, length: f64) -> Vec<Tick> {
+    if axis.names.is_empty() { y_ticks(scale, length) } else { named_ticks(axis, scale) }
+}
+
+/// The same of the x axis, with as many of the names as do not touch.
+pub(super) fn ticks_of_x(axis: &Axis, scale: &Scale, length: f64) -> Vec<Tick> {
     if axis.names.is_empty() {
-        return y_ticks(scale, length);
+        return x_ticks(scale, length);
     }
+    let widest = axis.names.iter().map(|name| width(name, TICK)).fold(0.0, f64::max) + 8.0;
+    let every = (widest * axis.names.len() as f64 / length).ceil().max(1.0) as usize;
+    let mut ticks = named_ticks(axis, scale);
+    ticks.iter_mut().enumerate().filter(|(k, _)| k % every > 0).for_each(|(_, tick)| tick.label = None);
+    ticks
+}
+
+fn named_ticks(axis: &Axis, scale: &Scale) -> Vec<Tick> {
     let tick = |(index, name): (usize, &String)| Tick {
         place: scale.place_measured(index as f64),
         label: Some(name.clone()),

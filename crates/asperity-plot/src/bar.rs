@@ -1,9 +1,12 @@
-//! The colour bar: what the colours of a field mean.
+//! The colour bar: what the colours of a field, or of ordered lines, mean.
 
+use super::Axis;
 use super::axes;
 use super::canvas::{Align, Canvas, Rect, Spot, Stroke, Type};
+use super::colour::order_palette;
 use super::png::encode;
 use super::raster::{Raster, palette};
+use super::scale::Scale;
 use super::style::{INK, LABEL, TICK};
 use super::text::{shrunk, width};
 use super::ticks::Tick;
@@ -14,20 +17,33 @@ const WIDTH: f64 = 14.0;
 const MARK: f64 = 4.0;
 
 pub(super) struct Bar<'a> {
-    raster: &'a Raster,
+    label: &'a str,
+    /// Those behind a transparent one.
+    colours: Vec<[u8; 3]>,
     ticks: Vec<Tick>,
 }
 
 impl<'a> Bar<'a> {
-    /// A bar of a length; none if the field shows nothing.
-    pub(super) fn new(raster: &'a Raster, length: f64) -> Option<Self> {
+    /// A bar of a length for a field; none if it shows nothing.
+    pub(super) fn of_field(raster: &'a Raster, length: f64) -> Option<Self> {
         let scale = raster.scale()?;
-        Some(Self { raster, ticks: axes::y_ticks(&scale, length) })
+        Some(Self {
+            label: &raster.label,
+            colours: palette(raster.map),
+            ticks: axes::y_ticks(&scale, length),
+        })
+    }
+
+    /// The same for lines whose colours follow the values of an axis, which has a range.
+    pub(super) fn of_order(axis: &'a Axis, length: f64) -> Self {
+        let (from, to) = axis.range.unwrap_or((0.0, 1.0));
+        let scale = Scale::new(axis, [from, to].into_iter(), false);
+        Self { label: &axis.label, colours: order_palette(), ticks: axes::y_ticks(&scale, length) }
     }
 
     /// Its width right of the frame.
     pub(super) fn room(&self) -> f64 {
-        GAP + WIDTH + self.numbers() + if self.raster.label.is_empty() { 0.0 } else { LABEL + 6.0 } + 6.0
+        GAP + WIDTH + self.numbers() + if self.label.is_empty() { 0.0 } else { LABEL + 6.0 } + 6.0
     }
 
     /// Room for the numbers and their ticks.
@@ -39,9 +55,8 @@ impl<'a> Bar<'a> {
     /// Draws the bar right of a frame and as high.
     pub(super) fn draw(&self, canvas: &mut Canvas, frame: &Rect) {
         let bar = Rect::new(frame.right + GAP, frame.top, WIDTH, frame.height());
-        let colours = palette(self.raster.map);
         let indices: Vec<u8> = (1..=255).rev().collect();
-        if let Some(image) = encode(&indices, [1, indices.len()], &colours, &[0]) {
+        if let Some(image) = encode(&indices, [1, indices.len()], &self.colours, &[0]) {
             canvas.image(&bar, &image);
         }
         let mut lines: Vec<Vec<Spot>> = vec![bar.outline().to_vec()];
@@ -55,10 +70,10 @@ impl<'a> Bar<'a> {
         let numbers = axes::labelled(&self.ticks)
             .map(|(at, label)| (label, (bar.right + MARK + 4.0, bar.bottom - at * bar.height())));
         canvas.texts(numbers, set);
-        if self.raster.label.is_empty() {
+        if self.label.is_empty() {
             return;
         }
-        let (label, size) = shrunk(&self.raster.label, LABEL, bar.height() + 30.0);
+        let (label, size) = shrunk(self.label, LABEL, bar.height() + 30.0);
         let spot = (bar.right + self.numbers() + 6.0 + LABEL / 2.0, (bar.top + bar.bottom) / 2.0);
         let set = Type { size, align: Align::Centre, upright: true, ..set };
         canvas.texts([(label.as_str(), spot)], set);

@@ -94,6 +94,12 @@ impl Colour {
     }
 }
 
+/// The colours of an order behind a transparent one, as many as a byte can name.
+pub(super) fn order_palette() -> Vec<[u8; 3]> {
+    let colours = (0..255).map(|index| ordered(index, 255));
+    std::iter::once([255; 3]).chain(colours.map(|RGBColor(red, green, blue)| [red, green, blue])).collect()
+}
+
 fn ordered(index: usize, of: usize) -> RGBColor {
     let last = of.saturating_sub(1).max(1);
     ramp(&ORDERED, index.min(last) as f64 / last as f64)

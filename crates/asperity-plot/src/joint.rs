@@ -1,7 +1,6 @@
 //! A plot with the distributions of its two quantities along its sides.
 
 use super::axes::{self, FOOT, Frame};
-use super::bar::Bar;
 use super::canvas::{Canvas, Rect};
 use super::draw::scaled;
 use super::layer::Layer;
@@ -27,7 +26,7 @@ pub(super) fn draw(canvas: &mut Canvas, [main, top, right]: [&Plot; 3], page: f6
     let right_ticks = axes::x_ticks_up_to(LABELS, &right.x, MARGINAL);
 
     let left = main.margins.0.max(axes::left_margin(&top.plot.y, &top_ticks));
-    let bar = |height: f64| main.raster.and_then(|raster| Bar::new(raster, height));
+    let bar = |height: f64| main.plot.bar(height);
     let bar_room = bar(height).map_or(0.0, |bar| bar.room());
     let end = axes::right_margin(&right_ticks).max(bar_room);
     let room = page - left - GAP - MARGINAL - end;

@@ -1,7 +1,6 @@
 //! One plot: its scales and margins first, then its place and its marks.
 
 use super::axes::{self, FOOT, Frame};
-use super::bar::Bar;
 use super::canvas::{Align, Canvas, Rect, Type};
 use super::label::{draw_corner_note, draw_label};
 use super::layer::{Direction, Layer, Shape};
@@ -12,7 +11,7 @@ use super::scale::{Scale, measure};
 use super::style::{BAND_ROOM, INK, LABEL, TICK, TITLE};
 use super::text::{width, wrap};
 use super::ticks::Tick;
-use super::{Axis, Plot, Raster, Spread};
+use super::{Axis, Plot, Spread};
 
 /// Bold letters of the widest font over its others.
 const BOLD: f64 = 1.14;
@@ -26,8 +25,6 @@ pub(super) struct Layout<'a> {
     pub(super) x: Scale,
     pub(super) y: Scale,
     y_ticks: Vec<Tick>,
-    /// The field that the colour bar is about.
-    pub(super) raster: Option<&'a Raster>,
     /// Left and right of the frame.
     pub(super) margins: (f64, f64),
     title: Vec<String>,
@@ -67,8 +64,8 @@ impl<'a> Layout<'a> {
         let x = scale(&plot.x, &shown.iter().map(|p| p.0).collect::<Vec<_>>(), stand(Direction::Y));
         let y = scale(&plot.y, &shown.iter().map(|p| p.1).collect::<Vec<_>>(), stand(Direction::X));
         let y_ticks = axes::ticks_of_y(&plot.y, &y, height);
-        let bar = raster.and_then(|raster| Bar::new(raster, height)).map_or(0.0, |bar| bar.room());
-        let right = axes::right_margin(&axes::x_ticks(&x, 0.8 * width));
+        let bar = plot.bar(height).map_or(0.0, |bar| bar.room());
+        let right = axes::right_margin(&axes::ticks_of_x(&plot.x, &x, 0.8 * width));
         let margins = (axes::left_margin(&plot.y, &y_ticks), right.max(bar));
         let title = wrap(&plot.title, BOLD * TITLE, width - 30.0, 3);
         let frame_name = plot.layers.iter().find_map(|layer| match &layer.shape {
@@ -86,7 +83,7 @@ impl<'a> Layout<'a> {
         };
         let is_cut = plot.layers.iter().any(goes_on);
         let nothing = shown.is_empty();
-        Self { plot, width, x, y, y_ticks, raster, margins, title, frame_name, height, nothing, is_cut }
+        Self { plot, width, x, y, y_ticks, margins, title, frame_name, height, nothing, is_cut }
     }
 
     /// Height of the title.
@@ -122,7 +119,7 @@ impl<'a> Layout<'a> {
         let rect = Rect::new(start + margins.0, corner.1 + 10.0 + head + 2.0, frame_width, frame_height);
         self.draw_title(canvas, corner.0, &rect);
         let frame = Frame { x: self.x, y: self.y, rect };
-        let x_ticks = axes::x_ticks(&self.x, frame_width);
+        let x_ticks = axes::ticks_of_x(&plot.x, &self.x, frame_width);
         let lower =
             (frame_height != self.height).then(|| axes::ticks_of_y(&self.plot.y, &self.y, frame_height));
         let y_ticks = lower.as_ref().unwrap_or(&self.y_ticks);
@@ -131,7 +128,7 @@ impl<'a> Layout<'a> {
             let named = (Some(&plot.x), Some(&plot.y));
             axes::draw_axes(canvas, &frame, &x_ticks, y_ticks, named, label_x);
         });
-        if let Some(bar) = self.raster.and_then(|raster| Bar::new(raster, frame_height)) {
+        if let Some(bar) = plot.bar(frame_height) {
             bar.draw(canvas, &rect);
         }
         let bottom = rect.bottom + if plot.x.label.is_empty() { FOOT - LABEL - 8.0 } else { FOOT };

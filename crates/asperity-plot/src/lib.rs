@@ -61,7 +61,9 @@ pub use legend::Legend;
 pub use raster::Raster;
 pub use style::{DARK_COLOURS, Size, dark_rules};
 
+use bar::Bar;
 use layer::{Direction, Shape};
+use scale::Scale;
 
 /// How values are spread along an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -99,11 +101,17 @@ impl Axis {
         }
     }
 
-    /// An axis of named places 0, 1, ..., each from half before it to half after it; along y the first is at the top.
+    /// An axis of named places 0, 1, ..., each from half before it to half after it; along y the first is at the top. Along x a range
+    /// from -0.5 puts it at the left.
     pub fn named(names: impl IntoIterator<Item = String>) -> Self {
         let names: Vec<String> = names.into_iter().collect();
         let last = names.len() as f64 - 0.5;
         Self { names, ..Self::linear("").range(last, -0.5) }
+    }
+
+    /// The same with a label.
+    pub fn labelled(self, label: impl Into<String>) -> Self {
+        Self { label: label.into(), ..self }
     }
 
     /// A logarithmic axis.
@@ -151,13 +159,24 @@ pub struct Plot {
     legend: Legend,
     height: f64,
     equal: bool,
+    /// What the colours of ordered lines mean.
+    order: Option<Axis>,
 }
 
 impl Plot {
     /// An empty plot; an empty title takes no room.
     pub fn new(title: impl Into<String>, x: Axis, y: Axis) -> Self {
         let title = title.into();
-        Self { title, x, y, layers: Vec::new(), legend: Legend::Auto, height: 380.0, equal: false }
+        Self {
+            title,
+            x,
+            y,
+            layers: Vec::new(),
+            legend: Legend::Auto,
+            height: 380.0,
+            equal: false,
+            order: None,
+        }
     }
 
     /// A cell of a [`Figure::grid`] that stays empty.
@@ -247,6 +266,26 @@ impl Plot {
     pub fn equal_aspect(mut self) -> Self {
         self.equal = true;
         self
+    }
+
+    /// Adds a colour bar: the lines of [`Plot::colour_at`] have the colours of their places along an axis, which has a range.
+    pub fn with_order(mut self, axis: Axis) -> Self {
+        self.order = Some(axis);
+        self
+    }
+
+    /// The colour of a value along an axis with a range, for [`Plot::with_order`].
+    pub fn colour_at(axis: &Axis, value: f64) -> Colour {
+        const OF: usize = 255;
+        let (from, to) = axis.range.unwrap_or((0.0, 1.0));
+        let place = Scale::new(axis, [from, to].into_iter(), false).place(value).unwrap_or(0.0);
+        Colour::Ordered { index: (place.clamp(0.0, 1.0) * (OF - 1) as f64).round() as usize, of: OF }
+    }
+
+    /// Its colour bar, of a length.
+    fn bar(&self, length: f64) -> Option<Bar<'_>> {
+        let of_field = self.raster().and_then(|raster| Bar::of_field(raster, length));
+        of_field.or_else(|| self.order.as_ref().map(|axis| Bar::of_order(axis, length)))
     }
 
     /// Marks zero along y, which a linear axis without a range of its own then holds: for differences.
@@ -384,7 +423,8 @@ impl Figure {
 
     /// What the figure shows as numbers; `None` of a figure that is more than lines, points, bands and references.
     pub fn data(&self) -> Option<FigureData> {
-        (self.arrangement != Arrangement::Joint).then(|| data::of(&self.plots)).flatten()
+        let has_bar = self.plots.iter().any(|plot| plot.order.is_some());
+        (self.arrangement != Arrangement::Joint && !has_bar).then(|| data::of(&self.plots)).flatten()
     }
 
     /// What it shows, for readers that cannot see it.

@@ -28,7 +28,7 @@ mod _asperity {
     #[pymodule_export]
     use crate::models::{deterministic, statistical};
     #[pymodule_export]
-    use crate::spec::{Run, key, read_spec, register_bits, run};
+    use crate::spec::{Run, key, merge_tiles, read_spec, register_bits, run, run_tile, tiles, variations};
     #[pymodule_export]
     use crate::surface::{Map, Surface, length_unit, make_surface};
     #[pymodule_export]

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use asperity_contact_framework::input::{InMemory, Source};
+use asperity_contact_framework::input::{InMemory, InputError, Source};
 use asperity_contact_framework::report::store::Store;
 use asperity_contact_framework::report::table::{Table as Cells, Tables};
 use asperity_contact_framework::{Outcome, folder, summary_json};
@@ -12,7 +12,8 @@ use asperity_experiment::export::{
     ExportedFile, Format, InterfaceOptions, InterfaceTable, TableModel, UnitSystem, interface_files,
     interface_tables,
 };
-use asperity_experiment::kind::KINDS;
+use asperity_experiment::kind::REPORTED;
+use asperity_experiment::sweep;
 use indexmap::IndexMap;
 use pyo3::IntoPyObjectExt;
 use pyo3::exceptions::{PyOSError, PyValueError};
@@ -118,6 +119,63 @@ pub fn key(py: Python, spec: &Bound<PyDict>, name: &str, folder: PathBuf) -> PyR
     found.map_err(|error| refuse(error.to_string()))
 }
 
+/// The variations of a dictionary with ``sweep``: for each the values of its keys, and its spec.
+#[pyfunction]
+#[pyo3(signature = (spec, *, folder=PathBuf::new()))]
+pub fn variations<'py>(
+    py: Python<'py>,
+    spec: &Bound<PyDict>,
+    folder: PathBuf,
+) -> PyResult<Vec<(Bound<'py, PyAny>, Bound<'py, PyAny>)>> {
+    let source = source_of(spec, &folder)?;
+    let found = py.detach(|| sweep::variations(source)).map_err(|error| refuse(error.to_string()))?;
+    let both = |[values, table]: [toml::Table; 2]| {
+        Ok((python_of(py, toml::Value::Table(values))?, python_of(py, toml::Value::Table(table))?))
+    };
+    found.into_iter().map(both).collect()
+}
+
+/// The number of tiles that a dictionary can be divided into: variations of a sweep, or tiles of a population.
+#[pyfunction]
+#[pyo3(signature = (spec, *, name, folder))]
+pub fn tiles(py: Python, spec: &Bound<PyDict>, name: &str, folder: PathBuf) -> PyResult<usize> {
+    let (source, name) = (source_of(spec, &folder)?, name.to_owned());
+    py.detach(|| Experiment::parse(source, &name)?.tiles()).map_err(|error| refuse(error.to_string()))
+}
+
+/// What one tile finds, as JSON.
+#[pyfunction]
+#[pyo3(signature = (spec, tile, *, name, folder))]
+pub fn run_tile(
+    py: Python,
+    spec: &Bound<PyDict>,
+    tile: usize,
+    name: &str,
+    folder: PathBuf,
+) -> PyResult<String> {
+    let (source, name) = (source_of(spec, &folder)?, name.to_owned());
+    let work = move |watch: &Watch| Experiment::parse(source, &name)?.run_tile(tile, watch);
+    interruptible(py, work)?.map_err(|error| refuse(error.to_string()))
+}
+
+/// Merges what all tiles have found to the results, and writes them below ``report``.
+#[pyfunction]
+#[pyo3(signature = (spec, found, *, name, report, folder))]
+pub fn merge_tiles(
+    py: Python,
+    spec: &Bound<PyDict>,
+    found: Vec<String>,
+    name: &str,
+    report: Option<PathBuf>,
+    folder: PathBuf,
+) -> PyResult<Run> {
+    let (source, name) = (source_of(spec, &folder)?, name.to_owned());
+    let work = move |watch: &Watch| {
+        finish(Experiment::parse(source, &name), report, |experiment| experiment.merge_tiles(&found, watch))
+    };
+    Ok(interruptible(py, work)??)
+}
+
 /// Bits of the vector registers that sums run in.
 #[pyfunction]
 pub fn register_bits() -> usize {
@@ -204,7 +262,7 @@ impl Run {
         warnings: Vec<String>,
         report: Option<PathBuf>,
     ) -> PyResult<Self> {
-        let found = KINDS.iter().find(|known| known.name() == kind);
+        let found = REPORTED.iter().find(|known| known.name() == kind);
         let found =
             found.ok_or_else(|| refuse(format!("found results of {kind}, which this version has not")))?;
         let schemas = found.tables();
@@ -304,13 +362,15 @@ pub fn run(
     let work: Work = match spec.cast::<PyDict>() {
         Ok(table) => {
             let source = source_of(table, &folder)?.with_in_memory(in_memory_of(in_memory)?);
-            Box::new(move |watch| finish(Experiment::parse(source, &name), report, watch))
+            Box::new(move |watch| {
+                finish(Experiment::parse(source, &name), report, |experiment| experiment.run(watch))
+            })
         }
         Err(_) => {
             let path: PathBuf = spec
                 .extract()
                 .map_err(|_| refuse("spec: allowed: the path of a spec file, or a dictionary"))?;
-            Box::new(move |watch| finish(Experiment::read(&path), report, watch))
+            Box::new(move |watch| finish(Experiment::read(&path), report, |experiment| experiment.run(watch)))
         }
     };
     Ok(interruptible(py, work)??)
@@ -320,9 +380,9 @@ pub fn run(
 type Work = Box<dyn FnOnce(&Watch) -> Result<Run, Failed> + Send>;
 
 fn finish(
-    experiment: Result<Experiment, asperity_contact_framework::input::InputError>,
+    experiment: Result<Experiment, InputError>,
     report: Option<PathBuf>,
-    watch: &Watch,
+    run: impl FnOnce(&Experiment) -> Result<Box<dyn Outcome>, InputError>,
 ) -> Result<Run, Failed> {
     let input = |error: &dyn std::fmt::Display| Failed::Input(error.to_string());
     let file = |error: &dyn std::fmt::Display| Failed::File(error.to_string());
@@ -330,7 +390,7 @@ fn finish(
     if let Some(directory) = &report {
         Store::new(directory).check(experiment.stem()).map_err(|error| file(&error))?;
     }
-    let outcome: Box<dyn Outcome> = experiment.run(watch).map_err(|error| input(&error))?;
+    let outcome = run(&experiment).map_err(|error| input(&error))?;
     let report = match report {
         None => None,
         Some(directory) => {

@@ -151,3 +151,46 @@ def test_a_variation_that_cannot_run_is_named_before_anything_runs(spec, variati
 def test_what_only_a_run_finds_names_its_variation(spec, client):
     with pytest.raises(ValueError, match="variation 2.*1e15"):
         asperity.distributed.map(spec, [{}, {"compare.pressure": 1e15}], client)
+
+
+SWEEP = """
+[sweep]
+seed = [1, 2]
+"material.steel.hardness" = ["2 GPa", "8 GPa"]
+find = { key = "material.steel.hardness", quantity = "area", ratio = 1.2, to = "8 GPa", at = "5 MPa" }
+"""
+
+
+def test_a_sweep_on_a_cluster_is_that_of_one_process(spec, client, tmp_path):
+    spec.write_text(spec.read_text() + SWEEP)
+    whole = asperity.run(spec, report=tmp_path / "whole")
+    done = []
+    swept = asperity.distributed.sweep(
+        spec, client, report=tmp_path / "swept", results=tmp_path / "kept", progress=lambda *counts: done.append(counts)
+    )
+    assert done == [(count, 4) for count in range(5)]
+    assert (swept.csv, swept.warnings, swept.answer) == (whole.csv, whole.warnings, whole.answer)
+    tables = [(tmp_path / folder / "study" / "sweep.csv").read_bytes() for folder in ("whole", "swept")]
+    assert tables[0] == tables[1]
+    # What is kept is not run again.
+    done.clear()
+    asperity.distributed.sweep(spec, results=tmp_path / "kept", progress=lambda *counts: done.append(counts))
+    assert done == [(4, 4)]
+
+
+def test_the_variations_of_a_sweep_can_be_run_by_themselves(spec):
+    spec.write_text(spec.read_text() + SWEEP)
+    found = asperity.distributed.map(spec)
+    assert len(found) == 4
+    explicit = asperity.distributed.map(
+        asperity._asperity.variations(asperity._asperity.read_spec(spec))[0][1],
+        {"seed": [1, 2], "material.steel.hardness": ["2 GPa", "8 GPa"]},
+    )
+    assert [one.csv for one in found] == [one.csv for one in explicit]
+
+
+def test_what_is_no_sweep_is_refused(spec):
+    with pytest.raises(ValueError, match=r"found no \[sweep\]"):
+        asperity.distributed.map(spec)
+    with pytest.raises(ValueError, match=r"has no parts; allowed: .*\[sweep\]"):
+        asperity.distributed.sweep(spec)

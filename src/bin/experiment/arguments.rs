@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use asperity::units::Dimension;
 use asperity_contact_framework::divided::Part;
-use asperity_experiment::kind::KINDS;
+use asperity_experiment::kind::REPORTED;
 use asperity_experiment::surface::{ContactOptions, FileOptions};
 use clap::builder::PossibleValuesParser;
 use clap::{Args, CommandFactory, Parser, Subcommand};
@@ -114,7 +114,7 @@ pub enum Command {
     /// Print a Markdown reference of the report tables: every column with its unit and meaning
     Columns {
         /// Only tables of this kind of experiment
-        #[arg(value_parser = PossibleValuesParser::new(KINDS.iter().map(|kind| kind.name())))]
+        #[arg(value_parser = PossibleValuesParser::new(REPORTED.iter().map(|kind| kind.name())))]
         kind: Option<String>,
     },
     /// Explain a key of a spec: type, unit, range, default, example

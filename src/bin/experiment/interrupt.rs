@@ -10,7 +10,7 @@ static WRITING: Mutex<()> = Mutex::new(());
 /// Reports that were written.
 static WRITTEN: AtomicUsize = AtomicUsize::new(0);
 
-/// Whether parts are run, which keep what is complete.
+/// Whether parts or variations are run, which keep what is complete.
 static HAS_PARTS: AtomicBool = AtomicBool::new(false);
 
 /// Whether the workbench is served.
@@ -39,9 +39,9 @@ pub fn handle() {
     });
 }
 
-/// Says that parts are run.
-pub fn of_parts() {
-    HAS_PARTS.store(true, Ordering::Relaxed);
+/// Says whether parts, or variations of a sweep, are run.
+pub fn of_parts(are_run: bool) {
+    HAS_PARTS.store(are_run, Ordering::Relaxed);
 }
 
 /// Says that the workbench is served, which Ctrl-C ends.
@@ -62,9 +62,7 @@ pub fn count_written() {
 
 fn line(written: usize, has_parts: bool) -> String {
     match (written, has_parts) {
-        (_, true) => {
-            "interrupted; what is complete of the parts is kept, run the same command to continue".to_owned()
-        }
+        (_, true) => "interrupted; what is complete is kept, run the same command to continue".to_owned(),
         (0, false) => "interrupted; nothing was written".to_owned(),
         (1, false) => "interrupted; 1 report was written before, the one under way was not".to_owned(),
         (count, false) => {
@@ -82,6 +80,6 @@ mod tests {
         assert_eq!(line(0, false), "interrupted; nothing was written");
         assert!(line(1, false).contains("1 report was written before"));
         assert!(line(3, false).contains("3 reports were written before"));
-        assert!(line(0, true).contains("parts is kept"));
+        assert!(line(0, true).contains("complete is kept"));
     }
 }

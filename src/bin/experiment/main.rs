@@ -19,7 +19,7 @@ use asperity_contact_framework::report::store::{Store, StoreError};
 use asperity_contact_framework::report::{Index, MARK, verify};
 use asperity_contact_framework::{Outcome, ReportError, folder as report_folder};
 use asperity_experiment::keys::{all_keys, explain, spec_schema};
-use asperity_experiment::kind::{KINDS, columns};
+use asperity_experiment::kind::{REPORTED, columns};
 use asperity_experiment::materials::{all_materials, one_material};
 use asperity_experiment::surface::{FileOptions, described_file};
 use asperity_experiment::terminal::Monitor;
@@ -31,6 +31,9 @@ use several::{Counts, Done, Place, listed, quick_first};
 
 /// Folder of the specs.
 const SPECS: &str = "experiments";
+
+/// Folder of what long runs have done so far, in that of the reports.
+const KEPT: &str = ".kept";
 
 /// Why a command failed.
 enum Failure {
@@ -229,7 +232,7 @@ fn run_parts(
     folder: &Path,
 ) -> Result<(), Failure> {
     set_threads(options)?;
-    interrupt::of_parts();
+    interrupt::of_parts(true);
     for experiment in read_all(files, extent)? {
         let start = Instant::now();
         let run =
@@ -424,7 +427,9 @@ fn run_and_write(
 ) -> Result<Box<dyn Outcome>, Failure> {
     let start = Instant::now();
     let name = format!("{place}{}", experiment.stem());
-    let results = watched(&name, options, |progress| experiment.run(progress))?;
+    interrupt::of_parts(experiment.is_sweep());
+    let kept = options.out.join(KEPT).join(experiment.stem());
+    let results = watched(&name, options, |progress| experiment.run_keeping(progress, &kept))?;
     if experiment.key()? != key {
         return Err(Failure::Run(format!(
             "{}: an input file changed while it was read; run again",
@@ -563,7 +568,7 @@ fn materials(name: Option<&str>) -> Result<(), Failure> {
 }
 
 fn verify(fresh: &Path, committed: &Path) -> Result<(), Failure> {
-    let verify::Verified { differences, not_run } = verify::verified(fresh, committed, KINDS)
+    let verify::Verified { differences, not_run } = verify::verified(fresh, committed, REPORTED)
         .map_err(|error| Failure::Run(format!("{} and {}: {error}", fresh.display(), committed.display())))?;
     if !not_run.is_empty() {
         print(format_args!("not compared, long runs that were not made again: {}", not_run.join(", ")));

@@ -19,6 +19,8 @@ mod scope;
 mod series;
 pub mod spec;
 
+pub(crate) use figures::verdict_map;
+pub(crate) use rows::swept_name;
 pub use run::{each_surface, run as run_compare, run_within};
 pub use scope::{Extent, Samplings, Scope};
 
@@ -47,6 +49,10 @@ impl Kind for Compare {
 
     fn tables() -> Vec<Schema> {
         rows::schemas()
+    }
+
+    fn swept() -> Option<Schema> {
+        Some(Schema::of::<rows::SweptRow>())
     }
 }
 

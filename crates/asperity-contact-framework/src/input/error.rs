@@ -112,6 +112,12 @@ impl Source {
         Self { is_in_memory: true, ..Self::file(&folder.join(NAME), text) }
     }
 
+    /// Another spec in its place, with the same files.
+    #[must_use]
+    pub fn with_text(&self, text: String) -> Self {
+        Self { text, arguments: Vec::new(), ..self.clone() }
+    }
+
     /// The same spec, whose files must lie in `folder` (an absolute path without links).
     #[must_use]
     pub fn confined_to(self, folder: &Path) -> Self {

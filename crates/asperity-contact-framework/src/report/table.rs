@@ -206,6 +206,27 @@ pub struct Heading {
     pub part: Option<&'static str>,
 }
 
+impl Heading {
+    /// That of a key of a spec, whose values tables of a sweep have: SI in `unit`, or `text`.
+    pub fn of_key(key: &str, unit: &'static str) -> Self {
+        Self {
+            name: key.to_owned(),
+            unit,
+            meaning: "Value of this key of the spec.".to_owned(),
+            label: None,
+            reading: Reading::Input,
+            prefix: None,
+            comparison: Comparison::default(),
+            part: None,
+        }
+    }
+
+    /// Whether a name is a key of a spec; no other column has a point in its name.
+    fn is_of_key(name: &str) -> bool {
+        name == "seed" || name.contains('.')
+    }
+}
+
 /// A column of rows `R`: its heading, and its value in a row.
 pub struct Column<R> {
     /// Name, unit and meaning, and how it is shown and compared.
@@ -409,6 +430,18 @@ impl Table {
         Self { schema: Schema::of::<R>(), cells, rows: count }
     }
 
+    /// The table of these columns, of equal length.
+    pub fn from_columns(
+        file: &'static str,
+        rows: &'static str,
+        columns: impl IntoIterator<Item = (Heading, Vec<Value>)>,
+    ) -> Self {
+        let (columns, cells): (Vec<_>, Vec<Vec<Value>>) = columns.into_iter().unzip();
+        let count = cells.first().map_or(0, Vec::len);
+        let schema = Schema { file, rows, records: None, is_long: false, columns };
+        Self { schema, cells, rows: count }
+    }
+
     /// The same without the columns of a part that was not run.
     #[must_use]
     pub fn without_part(mut self, part: &str) -> Self {
@@ -421,29 +454,33 @@ impl Table {
         self
     }
 
-    /// The table that [`Self::csv`] has written, which may lack columns of `schema`.
+    /// The table that [`Self::csv`] has written, which may lack columns of `schema`, and have columns of swept keys.
     ///
     /// # Errors
     /// A column that the schema does not have.
     pub fn read(schema: &Schema, csv: &[u8]) -> Result<Self, TableError> {
         let mut reader = csv::Reader::from_reader(csv);
         let names = reader.headers()?.clone();
-        let heading = |name: &str| {
-            let heading = schema.columns.iter().find(|heading| heading.name == name);
+        let records = reader.records().collect::<Result<Vec<_>, _>>()?;
+        let heading = |(place, name): (usize, &str)| {
+            let heading = schema.columns.iter().find(|heading| heading.name == name).cloned();
+            let of_key = || {
+                let mut cells = records.iter().filter_map(|record| record.get(place));
+                let are_numbers = cells.all(|cell| cell.is_empty() || cell.parse::<f64>().is_ok());
+                Heading::is_of_key(name)
+                    .then(|| Heading::of_key(name, if are_numbers { "SI" } else { "text" }))
+            };
             let unknown = || io::Error::other(format!("{}: unknown column {name}", schema.file));
-            heading.cloned().ok_or_else(|| TableError::from(unknown()))
+            heading.or_else(of_key).ok_or_else(|| TableError::from(unknown()))
         };
-        let columns = names.iter().map(heading).collect::<Result<Vec<_>, _>>()?;
+        let columns = names.iter().enumerate().map(heading).collect::<Result<Vec<_>, _>>()?;
         let mut cells: Vec<Vec<Value>> = vec![Vec::new(); columns.len()];
-        let mut rows = 0;
-        for record in reader.records() {
-            rows += 1;
-            let record = record?;
+        for record in &records {
             for ((cells, heading), cell) in cells.iter_mut().zip(&columns).zip(record.iter()) {
                 cells.push(Value::read(cell, heading.unit));
             }
         }
-        Ok(Self { schema: Schema { columns, ..schema.clone() }, cells, rows })
+        Ok(Self { schema: Schema { columns, ..schema.clone() }, cells, rows: records.len() })
     }
 
     /// Number of rows.
@@ -526,65 +563,4 @@ impl Tables {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    struct Sphere {
-        name: &'static str,
-        radius: f64,
-        load: Option<f64>,
-    }
-
-    impl Row for Sphere {
-        const FILE: &'static str = "spheres.csv";
-        const ROWS: &'static str = "One row for each sphere.";
-
-        fn columns() -> Vec<Column<Self>> {
-            columns! { sphere: Self =>
-                name["text"] = sphere.name, "Name of the sphere.";
-                radius_m["m", part("radii")] = sphere.radius, "Radius.";
-                load_n["N"] = sphere.load, "Load; empty where there is no contact.";
-                in_contact["true/false"] = sphere.load.is_some(), "Whether there is contact.";
-                letters["count"] = sphere.name.len(), "Letters of the name.";
-            }
-        }
-    }
-
-    #[test]
-    fn header_and_cells_come_from_the_columns() {
-        let rows = [
-            Sphere { name: "a, b", radius: 1e-6, load: Some(0.1 + 0.2) },
-            Sphere { name: "c", radius: 2.0, load: None },
-        ];
-        let table = Table::new(rows);
-        let expected = "name,radius_m,load_n,in_contact,letters\n\"a, b\",1e-6,0.30000000000000004,true,4\nc,2.0,,false,1\n";
-        assert_eq!(String::from_utf8(table.csv().unwrap()).unwrap(), expected);
-        let read = Table::read(&table.schema, expected.as_bytes()).unwrap();
-        assert_eq!(read.csv().unwrap(), expected.as_bytes());
-        let parted = table.without_part("radii").csv().unwrap();
-        assert!(parted.starts_with(
-            b"name,load_n,in_contact,letters
-\"a, b\",0.3"
-        ));
-        let empty = Table::new::<Sphere>([]).csv().unwrap();
-        assert_eq!(empty, b"name,radius_m,load_n,in_contact,letters\n");
-    }
-
-    #[test]
-    fn records_have_every_column_and_no_infinity() {
-        let rows = [Sphere { name: "a", radius: f64::INFINITY, load: None }];
-        let expected = serde_json::json!([
-            { "name": "a", "radius_m": "inf", "load_n": null, "in_contact": false, "letters": 1 }
-        ]);
-        assert_eq!(Table::new(rows).records(), expected);
-        assert_eq!(Value::List(vec!["a".into(), "b, c".into()]).json(), serde_json::json!(["a", "b, c"]));
-    }
-
-    #[test]
-    fn a_schema_has_the_headings_in_file_order() {
-        let schema = Schema::of::<Sphere>();
-        let units: Vec<&str> = schema.columns.iter().map(|column| column.unit).collect();
-        assert_eq!(units, ["text", "m", "N", "true/false", "count"]);
-        assert_eq!(schema.columns[1].meaning, "Radius.");
-    }
-}
+mod tests;

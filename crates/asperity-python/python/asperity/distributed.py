@@ -47,7 +47,7 @@ def combinations(values: Mapping[str, Iterable[Any]]) -> list[dict[str, Any]]:
 
 def map(
     spec: str | PathLike[str] | Mapping[str, Any],
-    variations: Mapping[str, Iterable[Any]] | Sequence[Variation],
+    variations: Mapping[str, Iterable[Any]] | Sequence[Variation] | None = None,
     client: Client | None = None,
     *,
     results: str | PathLike[str] | None = None,
@@ -64,8 +64,9 @@ def map(
     spec : path_like or mapping
         A spec file, or a dictionary with the same keys. Paths in it are relative to the folder of the file, or to the working
         directory; the workers must find the files there too.
-    variations : mapping of str to iterable, or sequence of mappings
-        Values by dotted key: a mapping stands for all its :func:`combinations`.
+    variations : mapping of str to iterable, or sequence of mappings, optional
+        Values by dotted key: a mapping stands for all its :func:`combinations`. Without them those of ``[sweep]`` of the spec
+        (:func:`sweep` makes its one report).
     client : distributed.Client, optional
         Any client: of a ``LocalCluster``, of ``dask_jobqueue.SLURMCluster``, of Kubernetes. Without one the variations run
         here, one after the other.
@@ -98,13 +99,15 @@ def map(
     >>> [float(results.curves["area_ratio"][0].round(5)) for results in hard]
     [0.00079, 0.00056]
     """
-    if isinstance(spec, Mapping):
-        base, folder, name = dict(spec), os.getcwd(), "asperity"
+    base, folder, name = _read(spec)
+    if variations is None:
+        chosen, specs = [], []
+        for values, varied in _asperity.variations(base, folder=folder):
+            chosen.append(values)
+            specs.append(varied)
     else:
-        path = Path(spec).resolve()
-        base, folder, name = _asperity.read_spec(path), str(path.parent), path.stem
-    chosen = combinations(variations) if isinstance(variations, Mapping) else [dict(one) for one in variations]
-    specs = [_varied(base, variation) for variation in chosen]
+        chosen = combinations(variations) if isinstance(variations, Mapping) else [dict(one) for one in variations]
+        specs = [_varied(base, variation) for variation in chosen]
     named = [f"variation {number} {variation}" for number, variation in enumerate(chosen, 1)]
     keys = []
     for varied, words in zip(specs, named):
@@ -131,36 +134,123 @@ def map(
     for place, key in enumerate(keys):
         if found[place] is None:
             places.setdefault(key, []).append(place)
-    missing = {key: specs[those[0]] for key, those in places.items()}
-    for key, (result, bits) in _answers(missing, name, folder, client):
+    missing = {key: (specs[those[0]], name, folder) for key, those in places.items()}
+    for key, (result, bits) in _answers(_run, missing, name, client):
         if isinstance(result, ValueError):
             raise ValueError(f"{named[places[key][0]]}: {result}") from None
-        own = _asperity.register_bits()
-        if bits != own:
-            warnings.warn(
-                f"{named[places[key][0]]} ran in vector registers of {bits} bits, this process has {own}: the last digits of sums "
-                "may differ from those of a run here",
-                stacklevel=2,
-            )
+        _warn_of_registers(named[places[key][0]], bits)
         for place in places[key]:
             keep(place, result)
     return [result for result in found if result is not None]
 
 
+def sweep(
+    spec: str | PathLike[str] | Mapping[str, Any],
+    client: Client | None = None,
+    *,
+    report: str | PathLike[str] | None = None,
+    results: str | PathLike[str] | None = None,
+    progress: Callable[[int, int], None] | None = None,
+) -> Results:
+    """Run a spec with ``[sweep]``, each variation on one worker of a Dask cluster, and make its one report.
+
+    Parameters
+    ----------
+    spec, client, progress
+        As for :func:`map`.
+    report : path_like, optional
+        A folder of reports, in which that of the sweep is written.
+    results : path_like, optional
+        A folder in which what each variation finds is kept as soon as it is there, and not run again.
+
+    Returns
+    -------
+    Results
+        The tables and the answer of the sweep: the same to the bit as of ``asperity.run`` on one machine whose vector registers
+        are as wide as the workers'.
+
+    Raises
+    ------
+    ValueError
+        A spec without a sweep, or one that cannot run.
+
+    Examples
+    --------
+    >>> import asperity
+    >>> spec = {
+    ...     "title": "Hardness",
+    ...     "material": {"steel": {"young": 210e9, "poisson": 0.3, "hardness": 7.6e9}},
+    ...     "surface": {"S": {"population": {"radius": 20e-6, "sigma": 48e-9, "density": 6e10, "count": 10_000}}},
+    ...     "compare": {"rough": "steel", "flat": "steel", "law": "zmc", "pressure": 1e6},
+    ...     "sweep": {"material.steel.hardness": [2e9, 7.6e9]},
+    ... }
+    >>> swept = asperity.distributed.sweep(spec)
+    >>> swept.tables["sweep"]["deterministic_area_ratio"].round(5).tolist()
+    [0.00079, 0.00056]
+    """
+    base, folder, name = _read(spec)
+    count, key = _asperity.tiles(base, name=name, folder=folder), _asperity.key(base, name=name, folder=folder)
+    kept = None if results is None else Path(results)
+    if kept:
+        kept.mkdir(parents=True, exist_ok=True)
+
+    def path(tile: int) -> Path:
+        return kept / f"{name}-{key[:32]}-{_asperity.register_bits()}-{tile + 1}-of-{count}.json"
+
+    found: list[str | None] = [path(tile).read_text() if kept and path(tile).exists() else None for tile in range(count)]
+
+    def report_progress() -> None:
+        if progress is not None:
+            progress(sum(tile is not None for tile in found), count)
+
+    report_progress()
+    missing = {f"{key}-{tile}": (base, tile, name, folder) for tile in range(count) if found[tile] is None}
+    for of_tile, (answer, bits) in _answers(_run_tile, missing, name, client):
+        tile = int(of_tile.rsplit("-", 1)[1])
+        if isinstance(answer, ValueError):
+            raise answer
+        _warn_of_registers(f"variation {tile + 1}", bits)
+        found[tile] = answer
+        if kept:
+            new = path(tile).with_name(f".{path(tile).name}.{os.getpid()}")
+            new.write_text(answer)
+            os.replace(new, path(tile))
+        report_progress()
+    return Results(_asperity.merge_tiles(base, found, name=name, report=report, folder=folder))
+
+
+def _read(spec: str | PathLike[str] | Mapping[str, Any]) -> tuple[dict[str, Any], str, str]:
+    """A spec as a dictionary, the folder of its paths, and the name of its report."""
+    if isinstance(spec, Mapping):
+        return dict(spec), os.getcwd(), "asperity"
+    path = Path(spec).resolve()
+    return _asperity.read_spec(path), str(path.parent), path.stem
+
+
+def _warn_of_registers(name: str, bits: int) -> None:
+    own = _asperity.register_bits()
+    if bits != own:
+        warnings.warn(
+            f"{name} ran in vector registers of {bits} bits, this process has {own}: the last digits of sums may differ from those of "
+            "a run here",
+            stacklevel=3,
+        )
+
+
 def _answers(
-    specs: Mapping[str, dict], name: str, folder: str, client: Client | None
-) -> Iterable[tuple[str, tuple[Results | ValueError, int]]]:
-    """The results by key, in the order in which they are there."""
+    run: Callable[..., tuple[Any, int]], calls: Mapping[str, tuple], name: str, client: Client | None
+) -> Iterable[tuple[str, tuple[Any, int]]]:
+    """What `run` gives for the arguments of each call, by key, in the order in which it is there."""
     if client is None:
-        for key, spec in specs.items():
-            yield key, _run(spec, name, folder)
+        for key, arguments in calls.items():
+            yield key, run(*arguments)
         return
     from distributed import as_completed
 
     # By the key of the results, so that another call with the same client shares them.
     futures = {
-        client.submit(_run, spec, name, folder, key=f"asperity-{key}-{name}", pure=True): key
-        for key, spec in specs.items()
+        client.submit(run, *arguments, key=f"asperity-{key}-{name}", pure=True): key
+        for key, arguments in calls.items()
     }
     try:
         for future, answer in as_completed(list(futures), with_results=True):
@@ -173,6 +263,14 @@ def _run(spec: dict, name: str, folder: str) -> tuple[Results | ValueError, int]
     """A variation on its worker; an invalid one is no failure of the worker, and would fail on every other."""
     try:
         return Results(_asperity.run(spec, {}, name=name, folder=folder)), _asperity.register_bits()
+    except ValueError as error:
+        return error, _asperity.register_bits()
+
+
+def _run_tile(spec: dict, tile: int, name: str, folder: str) -> tuple[str | ValueError, int]:
+    """A tile on its worker."""
+    try:
+        return _asperity.run_tile(spec, tile, name=name, folder=folder), _asperity.register_bits()
     except ValueError as error:
         return error, _asperity.register_bits()
 

@@ -9,7 +9,7 @@ use super::differences::{MARGIN, megapascals};
 use crate::presentation::quantity_name;
 
 /// What a stretch of loads says: colour, name in the legend, and sign.
-type Mark = (Colour, &'static str, &'static str);
+pub type Mark = (Colour, &'static str, &'static str);
 
 const WITHIN: Mark = (Colour::Reference, "= within what is accepted", "=");
 const TOO_LARGE: Mark = (Colour::Deterministic, "+ integral too large", "+");
@@ -17,7 +17,8 @@ const TOO_SMALL: Mark = (Colour::Statistical, "− integral too small", "−");
 const OPEN: Mark = (Colour::Neutral, "? cannot be told", "?");
 const UNFIT: Mark = (Colour::Others, "× map not fit", "×");
 
-const MARKS: [Mark; 5] = [WITHIN, TOO_LARGE, TOO_SMALL, OPEN, UNFIT];
+/// All of them.
+pub const MARKS: [Mark; 5] = [WITHIN, TOO_LARGE, TOO_SMALL, OPEN, UNFIT];
 
 /// The verdicts on several cases at their admissible loads; blank where a load is not admissible. `None` where no load is admissible.
 pub fn figure(cases: &[(String, &Verdicts)], title: &str) -> Option<Figure> {
@@ -98,12 +99,27 @@ fn mark(at: &Difference, verdicts: &Verdicts, quantity: ComparedQuantity) -> Opt
     if verdicts.is_blocked {
         return Some(UNFIT);
     }
-    Some(match Verdict::from_estimate(&estimate, verdicts.accepted.band(quantity)) {
+    Some(of_verdict(Verdict::from_estimate(&estimate, verdicts.accepted.band(quantity)), estimate.contrast))
+}
+
+fn of_verdict(verdict: Verdict, difference: f64) -> Mark {
+    match verdict {
         Verdict::Within | Verdict::VeryLikelyWithin => WITHIN,
-        Verdict::Beyond | Verdict::VeryLikelyBeyond if estimate.contrast > 0.0 => TOO_LARGE,
+        Verdict::Beyond | Verdict::VeryLikelyBeyond if difference > 0.0 => TOO_LARGE,
         Verdict::Beyond | Verdict::VeryLikelyBeyond => TOO_SMALL,
         Verdict::CannotTell => OPEN,
-    })
+    }
+}
+
+/// What a verdict as tables name it says of a difference; `None` where there is none.
+pub fn named(verdict: &str, difference: f64) -> Option<Mark> {
+    match verdict {
+        "blocked" => Some(UNFIT),
+        name => {
+            let known = Verdict::ALL.into_iter().find(|one| one.name() == name)?;
+            Some(of_verdict(known, difference))
+        }
+    }
 }
 
 #[cfg(test)]

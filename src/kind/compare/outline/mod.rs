@@ -30,6 +30,7 @@ use super::figures::main_figure;
 use super::results::{CompareResults, SurfaceResults};
 use super::rows::{self, RuleRow, Simplification, SurfaceCase, TwoBodiesRow, answers, tables};
 use super::series::Series;
+use crate::model_tables::{REFERENCE, of_asked_spots};
 use crate::surface::{rows as surface_rows, section};
 
 impl Outcome for CompareResults {
@@ -43,6 +44,11 @@ impl Outcome for CompareResults {
 
     fn tables(&self) -> Vec<Table> {
         tables(self)
+    }
+
+    fn swept(&self) -> Option<Table> {
+        let table = of_asked_spots(Table::new(rows::swept(self)), &self.spots);
+        Some(if self.reference.is_none() { table.without_part(REFERENCE) } else { table })
     }
 
     fn page(&self, tables: &Tables) -> Page {

@@ -18,6 +18,7 @@ mod results;
 mod robustness;
 mod spread;
 mod standings;
+mod swept;
 mod two_bodies;
 mod verdicts;
 
@@ -35,6 +36,7 @@ pub(crate) use results::{GapRow, ResultRow};
 pub(crate) use robustness::{RobustnessRow, words as treatment_words};
 pub(crate) use spread::SpreadRow;
 pub(crate) use standings::StandingRow;
+pub(crate) use swept::{SweptRow, rows as swept, swept_name};
 pub(crate) use two_bodies::{Simplification, TwoBodiesRow, rows as two_bodies};
 pub(crate) use verdicts::VerdictRow;
 

@@ -1,0 +1,153 @@
+//! `[sweep]`: an experiment for several values of some of its keys, in one report.
+//!
+//! | module | what lives there |
+//! |---|---|
+//! | `spec` | the table of a spec |
+//! | `values` | the values of a key, in a spec and in SI |
+//! | `plan` | variations, each an experiment of its own |
+//! | `run` | each variation once, kept as soon as it is there |
+//! | `find` | where a quantity is a given one, or a verdict changes |
+//! | `results` | one tidy table, where the answer changes |
+//! | `figures`, `outline` | the report |
+
+mod figures;
+mod find;
+mod outline;
+mod plan;
+mod results;
+mod run;
+mod spec;
+mod values;
+
+use std::ops::Range;
+use std::path::PathBuf;
+
+use asperity_contact_framework::divided::{Divided, TileResult};
+use asperity_contact_framework::input::{InputError, Source, Spanned, SpecFile};
+use asperity_contact_framework::report::table::{Heading, Schema};
+use asperity_contact_framework::{Kind, Memory, Plan, Planned, RunContext};
+
+use crate::experiment::tables;
+use crate::kind::KINDS;
+use crate::kind::compare::Compare;
+use plan::SweepPlan;
+use results::{ChangeRow, CrossingRow, FILE, ROWS, SweepResults};
+use run::{Found, Run, as_tiles};
+use toml::Table;
+
+/// The name of its table.
+pub const NAME: &str = "sweep";
+
+/// `[sweep]`
+pub struct Sweep;
+
+impl Sweep {
+    /// What a sweep has of an experiment of a kind: the columns of the one table.
+    fn schema_of(kind: &str) -> Option<Schema> {
+        let kind = KINDS.iter().find(|known| known.name() == kind)?;
+        Some(Schema { file: FILE, rows: ROWS, records: None, is_long: false, ..kind.swept()? })
+    }
+}
+
+/// The variations of a spec with a sweep: the values of its keys, and its spec without the sweep.
+///
+/// # Errors
+/// A spec without a sweep, and the first variation that cannot run.
+pub fn variations(source: Source) -> Result<Vec<[Table; 2]>, InputError> {
+    let spec = SpecFile::parse(source, &tables())?;
+    let plan = SweepPlan::new(&spec, &spec.required_table(NAME)?)?;
+    let one = |variation: &plan::Variation| {
+        let keys = plan.keys.iter().zip(&variation.places);
+        let values = keys.map(|(key, &place)| (key.name.clone(), key.values[place].clone())).collect();
+        let table = plan.spec(&variation.places);
+        Ok([values, table.map_err(|message| InputError::file(&spec.source.path, message))?])
+    };
+    plan.variations.iter().map(one).collect()
+}
+
+impl Kind for Sweep {
+    const NAME: &'static str = NAME;
+    type Spec = spec::SweepSpec;
+    type Plan = SweepPlan;
+
+    fn plan(file: &SpecFile, table: &Spanned<Self::Spec>, _: bool) -> Result<SweepPlan, InputError> {
+        SweepPlan::new(file, table)
+    }
+
+    fn planned(plan: SweepPlan) -> Planned {
+        Planned::in_parts(plan)
+    }
+
+    /// The one table has the columns of the kind that is swept; listed are those of all kinds.
+    fn tables() -> Vec<Schema> {
+        tables_of(KINDS.iter().filter_map(|kind| Self::schema_of(kind.name())))
+    }
+}
+
+/// The tables of a sweep of comparisons, as documentation lists them.
+pub fn documented() -> Vec<Schema> {
+    tables_of(Sweep::schema_of(Compare::NAME))
+}
+
+/// The tables of a sweep whose one table has the columns of any of some schemas.
+fn tables_of(schemas: impl IntoIterator<Item = Schema>) -> Vec<Schema> {
+    let mut columns: Vec<Heading> = Vec::new();
+    for heading in schemas.into_iter().flat_map(|schema| schema.columns) {
+        if columns.iter().all(|known| known.name != heading.name) {
+            columns.push(heading);
+        }
+    }
+    let one = Schema { file: FILE, rows: ROWS, records: None, is_long: false, columns };
+    vec![one, Schema::of::<ChangeRow>(), Schema::of::<CrossingRow>()]
+}
+
+impl Plan for SweepPlan {
+    type Outcome = SweepResults;
+
+    fn inputs(&self) -> Vec<PathBuf> {
+        self.inputs()
+    }
+
+    fn memory(&self) -> Memory {
+        self.memory()
+    }
+
+    fn work(&self) -> u128 {
+        self.work()
+    }
+
+    fn run(&self, context: &RunContext) -> Result<SweepResults, InputError> {
+        let run = Run::new(self, context);
+        let found = run.variations(0..self.variations.len())?;
+        run.finish(&found)
+    }
+}
+
+/// A tile is a variation.
+impl Divided for SweepPlan {
+    type Outcome = SweepResults;
+
+    fn tiles(&self) -> usize {
+        self.variations.len()
+    }
+
+    fn passes(&self) -> usize {
+        1
+    }
+
+    fn pass(
+        &self,
+        context: &RunContext,
+        tiles: Range<usize>,
+        _: &[Vec<TileResult>],
+    ) -> Result<Vec<TileResult>, InputError> {
+        let found = Run::new(self, context).variations(tiles)?;
+        as_tiles(&found).map_err(|error| InputError::file(&context.source.path, error))
+    }
+
+    fn merge(&self, context: &RunContext, passes: &[Vec<TileResult>]) -> Result<SweepResults, InputError> {
+        let tiles = passes.first().map_or(&[][..], Vec::as_slice);
+        let found: Result<Vec<Found>, _> = tiles.iter().map(TileResult::value).collect();
+        Run::new(self, context).finish(&found.map_err(|error| InputError::file(&context.source.path, error))?)
+    }
+}

@@ -1,0 +1,201 @@
+//! Running a sweep: each variation once, kept as soon as it is there.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+use std::time::Instant;
+
+use asperity::literature;
+use asperity::work::Counter;
+use asperity_contact_framework::digest::sha256_of_file;
+use asperity_contact_framework::divided::TileResult;
+use asperity_contact_framework::input::InputError;
+use asperity_contact_framework::kept::Kept;
+use asperity_contact_framework::metadata::Timing;
+use asperity_contact_framework::progress::Progress;
+use asperity_contact_framework::report::table::Table;
+use asperity_contact_framework::{Outcome, RunContext};
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+use super::plan::{SweepPlan, VariedCase};
+use super::results::SweepResults;
+use crate::kind::compare::{Scope, run_within};
+use crate::surface::{OfSpec, Surfaces};
+
+/// What a sweep keeps of a variation.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct Found {
+    /// Its table as CSV; empty where it failed.
+    csv: String,
+    /// Its warnings.
+    pub warnings: Vec<String>,
+    /// The papers that it used, as cited.
+    papers: Vec<String>,
+    /// Why it could not be run to its end.
+    pub failure: Option<String>,
+}
+
+impl Found {
+    fn of(outcome: &dyn Outcome) -> Result<Self, String> {
+        let table = outcome.swept().ok_or("found no table")?;
+        let csv = table.csv().map_err(|error| error.to_string())?;
+        Ok(Self {
+            csv: String::from_utf8(csv).map_err(|error| error.to_string())?,
+            warnings: outcome.warnings(),
+            papers: outcome.metadata().papers.iter().map(|paper| paper.short.to_owned()).collect(),
+            failure: None,
+        })
+    }
+
+    fn failed(reason: String) -> Self {
+        Self { csv: String::new(), warnings: Vec::new(), papers: Vec::new(), failure: Some(reason) }
+    }
+
+    /// Its table; `None` where it failed.
+    pub fn table(&self, plan: &SweepPlan) -> Option<Table> {
+        let is_there = self.failure.is_none();
+        is_there.then(|| Table::read(&plan.schema, self.csv.as_bytes()).ok()).flatten()
+    }
+}
+
+/// A sweep under way.
+pub struct Run<'a> {
+    plan: &'a SweepPlan,
+    context: &'a RunContext<'a>,
+    surfaces: Surfaces,
+    kept: Option<Kept>,
+    /// The names of all pieces that belong to this run.
+    used: Mutex<BTreeSet<String>>,
+    /// SHA-256 of input files, each hashed once.
+    files: Mutex<BTreeMap<PathBuf, [u8; 32]>>,
+}
+
+/// The progress of a variation as a part of a run: its own steps do not count.
+struct OfVariation<'a>(&'a dyn Progress);
+
+impl Progress for OfVariation<'_> {
+    fn stage(&self, name: &str, total: f64) {
+        self.0.stage(name, total);
+    }
+
+    fn advance(&self, work: f64) {
+        self.0.advance(work);
+    }
+}
+
+impl<'a> Run<'a> {
+    pub fn new(plan: &'a SweepPlan, context: &'a RunContext<'a>) -> Self {
+        Self {
+            plan,
+            context,
+            surfaces: Surfaces::default(),
+            kept: context.kept.map(Kept::new),
+            used: Mutex::default(),
+            files: Mutex::default(),
+        }
+    }
+
+    /// What is found in some variations, in their order.
+    ///
+    /// # Errors
+    /// A disk that refuses to keep it; an input file that cannot be read.
+    pub fn variations(&self, numbers: std::ops::Range<usize>) -> Result<Vec<Found>, InputError> {
+        self.context.progress.steps(numbers.len() as u64);
+        let one = |number: usize| {
+            let found = self.one(&self.plan.variations[number].case);
+            self.context.progress.step();
+            found
+        };
+        let numbers: Vec<usize> = numbers.collect();
+        let found: Vec<_> = if self.plan.at_once() > 1 {
+            numbers.into_par_iter().map(one).collect()
+        } else {
+            numbers.into_iter().map(one).collect()
+        };
+        found.into_iter().collect()
+    }
+
+    /// What is found in one, which is kept.
+    ///
+    /// # Errors
+    /// As [`Self::variations`].
+    pub fn one(&self, case: &VariedCase) -> Result<Found, InputError> {
+        let input = case.experiment.input_by(|path| self.hash(path))?;
+        let name = case.experiment.key_of(&input);
+        let lock = |error| -> InputError { InputError::file(&self.context.source.path, error) };
+        self.used.lock().map_err(|error| lock(error.to_string()))?.insert(name.clone());
+        let known = self.kept.as_ref().and_then(|kept| kept.read(&name));
+        if let Some(found) = known.and_then(|bytes| serde_json::from_slice(&bytes).ok()) {
+            return Ok(found);
+        }
+        let found = self.run(case, &input);
+        if let Some(kept) = &self.kept {
+            let bytes = serde_json::to_vec(&found).map_err(|error| lock(error.to_string()))?;
+            kept.write(&name, &bytes).map_err(|error| lock(error.to_string()))?;
+        }
+        Ok(found)
+    }
+
+    fn run(&self, case: &VariedCase, input: &str) -> Found {
+        let progress = OfVariation(self.context.progress);
+        let context = case.experiment.context(input, &progress);
+        let outcome: Result<Box<dyn Outcome>, InputError> = match &case.comparison {
+            None => case.experiment.run(&progress),
+            Some(plan) => {
+                let store = OfSpec::new(&self.surfaces, self.plan.folder(), &case.text);
+                let scope = Scope { store: Some(&store), pictures: 0, ..Scope::default() };
+                run_within(&context, plan, &Counter::default(), scope).map(|results| Box::new(results) as _)
+            }
+        };
+        let found =
+            outcome.map_err(|error| error.message().to_owned()).and_then(|outcome| Found::of(&*outcome));
+        found.unwrap_or_else(Found::failed)
+    }
+
+    fn hash(&self, path: &Path) -> std::io::Result<[u8; 32]> {
+        let known = self.files.lock().ok().and_then(|files| files.get(path).copied());
+        if let Some(hash) = known {
+            return Ok(hash);
+        }
+        let hash = sha256_of_file(path)?;
+        if let Ok(mut files) = self.files.lock() {
+            files.insert(path.to_owned(), hash);
+        }
+        Ok(hash)
+    }
+
+    /// The results, from what was found in all variations.
+    ///
+    /// # Errors
+    /// As [`Self::variations`], and where all variations failed.
+    pub fn finish(self, found: &[Found]) -> Result<SweepResults, InputError> {
+        let start = Instant::now();
+        if let Some(failure) = found.iter().find_map(|one| one.failure.as_ref())
+            && found.iter().all(|one| one.failure.is_some())
+        {
+            let message = format!("no variation could be run; the first: {failure}");
+            return Err(InputError::file(&self.context.source.path, message));
+        }
+        let crossings = self.plan.finds.iter().map(|find| find.run(&self)).collect::<Result<Vec<_>, _>>()?;
+        let papers = literature::ALL.into_iter();
+        let is_used = |short: &str| found.iter().flat_map(|one| &one.papers).any(|paper| paper == short);
+        let papers = papers.filter(|paper| is_used(paper.short)).collect();
+        if let (Some(kept), Ok(used)) = (&self.kept, self.used.lock()) {
+            kept.retain(&used);
+        }
+        let timing = Timing { total: start.elapsed(), ..Timing::default() };
+        let metadata = self.context.metadata(papers, timing, None);
+        Ok(SweepResults::new(metadata, self.plan, found, crossings.into_iter().flatten().collect()))
+    }
+
+    /// The plan.
+    pub fn plan(&self) -> &SweepPlan {
+        self.plan
+    }
+}
+
+/// What a part of a run keeps of its variations.
+pub fn as_tiles(found: &[Found]) -> serde_json::Result<Vec<TileResult>> {
+    found.iter().map(TileResult::from_value).collect()
+}

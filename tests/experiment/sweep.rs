@@ -1,0 +1,325 @@
+//! Sweeps: variations are the experiments that they name, a killed run ends with the bytes of another, and what is looked for is found.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+use std::thread::sleep;
+use std::time::Duration;
+
+use asperity_contact_framework::input::Source;
+use asperity_contact_framework::progress::Silent;
+use asperity_experiment::Experiment;
+
+use crate::results::{Row, column, number, rows};
+
+const SPEC: &str = concat!(
+    "title = \"Swept\"\nseed = 3\n\n",
+    steel!(),
+    lead!(),
+    "\n[surface.a.population]\n",
+    case_1!(),
+    "count = 3000\nheights.johnson = { skewness = -1, kurtosis = 4.5 }\n\n",
+    "[compare]\nrough = \"steel\"\nflat = \"steel\"\nlaw = \"zmc\"\npressure = [\"1 MPa\", \"3 MPa\", \"9 MPa\"]\n\n"
+);
+
+fn spec(sweep: &str) -> String {
+    format!("{SPEC}[sweep]\n{sweep}\n")
+}
+
+fn tables(text: &str) -> Vec<(String, Vec<u8>)> {
+    let source = Source::in_memory(Path::new(""), text.to_owned());
+    let outcome =
+        Experiment::parse(source, "swept").unwrap_or_else(|error| panic!("{error}")).run(&Silent).unwrap();
+    outcome.tables().iter().map(|table| (table.schema.file.to_owned(), table.csv().unwrap())).collect()
+}
+
+fn table(text: &str, file: &str) -> Vec<Row> {
+    let tables = tables(text);
+    rows(&tables.iter().find(|(name, _)| name == file).unwrap_or_else(|| panic!("no {file}")).1)
+}
+
+fn refusal(text: &str) -> String {
+    let source = Source::in_memory(Path::new(""), text.to_owned());
+    Experiment::parse(source, "swept").err().expect("refused").to_string()
+}
+
+#[test]
+fn variations_are_the_experiments_that_they_name() {
+    let swept =
+        table(&spec("\"material.steel.hardness\" = [\"2 GPa\", \"4 GPa\"]\nseed = [3, 4]"), "sweep.csv");
+    assert_eq!(swept.len(), 2 * 2 * 3);
+    for (hardness, seed, variation) in
+        [("2 GPa", 3, 1.0), ("2 GPa", 4, 2.0), ("4 GPa", 3, 3.0), ("4 GPa", 4, 4.0)]
+    {
+        let alone = SPEC.replace("7.6 GPa", hardness).replace("seed = 3", &format!("seed = {seed}"));
+        let pairs: Vec<Row> =
+            table(&alone, "comparison.csv").into_iter().filter(|row| row["pairing"] == "load").collect();
+        let own: Vec<Row> =
+            swept.iter().filter(|row| number(row, "variation") == variation).cloned().collect();
+        for name in
+            ["statistical_area_ratio", "deterministic_area_ratio", "deterministic_separation_over_sigma"]
+        {
+            assert_eq!(column(&own, name), column(&pairs, name), "{name}");
+        }
+        assert!(own.iter().all(|row| number(row, "seed") == f64::from(seed)));
+        assert_eq!(number(&own[0], "material.steel.hardness"), if hardness == "2 GPa" { 2e9 } else { 4e9 });
+        let differences = table(&alone, "differences.csv");
+        for row in &own {
+            let is_same =
+                |other: &&Row| other["quantity"] == "area" && other["pressure_pa"] == row["pressure_pa"];
+            let same = differences.iter().find(is_same).unwrap();
+            assert_eq!(
+                [&row["area_difference"], &row["area_low"], &row["area_verdict"]],
+                [&same["difference"], &same["low"], &same["verdict"]]
+            );
+        }
+    }
+}
+
+#[test]
+fn zipped_keys_step_together_and_any_value_may_be_swept() {
+    let zipped = "combine = \"zip\"\nseed = [3, 4, 5]\n\"material.steel.young\" = { from = \"100 GPa\", to = \"400 GPa\", points = 3 }";
+    let swept = table(&spec(zipped), "sweep.csv");
+    assert_eq!(column(&swept, "seed"), [3.0, 3.0, 3.0, 4.0, 4.0, 4.0, 5.0, 5.0, 5.0]);
+    assert!((number(&swept[3], "material.steel.young") / 2e11 - 1.0).abs() < 1e-12);
+    let laws = table(
+        &spec(
+            "compare.law = [\"hertz\", \"zmc\"]\nsurface.a.population.heights = [\"gaussian\", { johnson = { skewness = 1, kurtosis = 5 } }]",
+        ),
+        "sweep.csv",
+    );
+    assert_eq!(laws.len(), 12);
+    assert_eq!(laws[11]["surface.a.population.heights"], "{ johnson = { skewness = 1, kurtosis = 5 } }");
+}
+
+/// Its table is the first of the kind.
+#[test]
+fn every_kind_can_be_swept() {
+    let text = concat!(
+        "title = \"t\"\n",
+        steel!(),
+        lead!(),
+        "[indentation]\nradius = \"1 um\"\nball = \"steel\"\nflat = \"steel\"\nlaw = \"hertz\"\nlayer = { material = \"lead\", thickness = \"1 nm\" }\nindentation = { from = \"1 nm\", to = \"10 nm\", points = 3 }\n",
+        "[sweep]\n\"indentation.radius\" = [\"1 um\", \"4 um\"]\n"
+    );
+    let swept = table(text, "sweep.csv");
+    let loads: Vec<f64> =
+        swept.iter().filter(|row| row["curve"] == "uncoated").map(|row| number(row, "load_n")).collect();
+    assert_eq!(loads.len(), 6);
+    // Hertz's load grows with the square root of the radius.
+    for k in 0..3 {
+        assert!((loads[3 + k] / loads[k] - 2.0).abs() < 1e-12, "{loads:?}");
+    }
+}
+
+#[test]
+fn what_cannot_be_swept_says_why() {
+    for (sweep, words) in [
+        ("", "found no key to vary"),
+        ("title = [\"a\"]", "title: found a key that changes no result"),
+        ("\"compare.law\" = \"zmc\"", "compare.law: found \"zmc\"; allowed: a list of values"),
+        (
+            "\"compare.low\" = [\"zmc\"]",
+            "variation 1 (compare.low = zmc): compare.low: found the key `low`; allowed: ",
+        ),
+        ("\"compare.law.zmc\" = [1]", "found a path through `compare.law`"),
+        (
+            "\"material.steel.poisson\" = [0.3, 0.7]",
+            "variation 2 (material.steel.poisson = 0.7): material.steel.poisson: found 0.7",
+        ),
+        ("combine = \"zip\"\nseed = [1, 2]\n\"compare.law\" = [\"zmc\"]", "2 of seed, 1 of compare.law"),
+        ("combine = \"any\"\nseed = [1, 2]", "combine: found \"any\"; allowed: \"all\""),
+        (
+            "seed = [1, 2]\nfind = { key = \"compare.law\", verdict = \"area\", at = \"1 MPa\" }",
+            "which is not swept; allowed: seed",
+        ),
+        ("seed = [1, 2]\nfind = { key = \"seed\", at = \"1 MPa\" }", "found no complete question"),
+        (
+            "seed = [1, 2]\nfind = { key = \"seed\", quantity = \"area\", ratio = 2, to = \"x\", at = \"1 MPa\" }",
+            "found to = \"x\"; allowed: \"uncoated\"",
+        ),
+        (
+            "seed = [1, 2]\nfind = { key = \"seed\", quantity = \"area\", value = 2, at = \"1 nm\" }",
+            "found \"1 nm\"; allowed: ",
+        ),
+    ] {
+        let message = refusal(&spec(sweep));
+        assert!(message.contains(words) && message.contains("line "), "{sweep}: {message}");
+    }
+    let alone = format!("title = \"t\"\n{}[sweep]\nseed = [1]\n", steel!());
+    assert!(refusal(&alone).contains("found no experiment"), "{}", refusal(&alone));
+}
+
+/// A load that one of the surfaces does not reach is a warning, the others have their results.
+#[test]
+fn a_variation_that_fails_does_not_stop_the_others() {
+    let text = spec("\"compare.pressure\" = [\"1 MPa\", \"900 GPa\"]");
+    let source = Source::in_memory(Path::new(""), text.clone());
+    let outcome = Experiment::parse(source, "swept").unwrap().run(&Silent).unwrap();
+    let warnings = outcome.warnings().join("\n");
+    assert!(warnings.contains("variation 2 (compare.pressure = 900 GPa) could not be run"), "{warnings}");
+    assert_eq!(table(&text, "sweep.csv").len(), 1);
+    let all = spec("\"compare.pressure\" = [\"800 GPa\", \"900 GPa\"]");
+    let source = Source::in_memory(Path::new(""), all);
+    let message = Experiment::parse(source, "swept").unwrap().run(&Silent).err().unwrap().to_string();
+    assert!(message.contains("no variation could be run"), "{message}");
+}
+
+fn law(text: String) -> String {
+    text.replace("law = \"zmc\"", "law = \"hertz\"")
+}
+
+/// Hertz's area over the nominal one depends on p/E* alone: twice the modulus at twice the load is the same contact.
+#[test]
+fn the_value_of_a_key_is_found_where_a_quantity_is_a_given_one() {
+    let young = "\"material.steel.young\" = [\"50 GPa\", \"200 GPa\", \"800 GPa\"]";
+    let found = |what: &str| {
+        let text = law(spec(&format!(
+            "{young}\nfind = {{ key = \"material.steel.young\", at = \"2 MPa\", {what} }}"
+        )));
+        table(&text, "crossings.csv")
+    };
+    let at_one =
+        law(SPEC.replace("210 GPa", "100 GPa").replace("[\"1 MPa\", \"3 MPa\", \"9 MPa\"]", "\"1 MPa\""));
+    let pair = &table(&at_one, "comparison.csv")[0];
+    for model in ["deterministic", "statistical"] {
+        let area = number(pair, &format!("{model}_area_ratio"));
+        let crossing = found(&format!("quantity = \"area\", value = {area}, model = \"{model}\""));
+        assert_eq!(crossing.len(), 1);
+        assert!((number(&crossing[0], "at") / 2e11 - 1.0).abs() < 1e-4, "{crossing:?}");
+        assert!(number(&crossing[0], "low") <= 2e11 && 2e11 <= number(&crossing[0], "high"));
+    }
+    let ratio = found("quantity = \"separation\", ratio = 1, to = \"100 GPa\"");
+    assert!((number(&ratio[0], "at") / 1e11 - 1.0).abs() < 1e-4, "{ratio:?}");
+    assert!(found("quantity = \"area\", value = 1e-9").is_empty());
+}
+
+/// The share of a film in friction has a least value, so that the same friction is found twice.
+#[test]
+fn all_crossings_are_reported() {
+    let text = spec(
+        "\"compare.layer.thickness\" = { from = \"1 nm\", to = \"10 um\", points = 9 }\n\
+         find = { key = \"compare.layer.thickness\", quantity = \"friction\", ratio = 0.8, to = \"uncoated\", at = \"3 MPa\" }",
+    );
+    let sheared = "law = \"zmc\"\nlayer = { material = \"lead\", thickness = \"1 nm\", shear-strength = { tau0 = \"33 MPa\" } }\nshear-strength = { tau0 = \"300 MPa\" }\n";
+    let text = text.replace("law = \"zmc\"\n", sheared);
+    let crossings = table(&text, "crossings.csv");
+    let at = column(&crossings, "at");
+    assert!(at.len() == 2 && at[0] < at[1], "{crossings:?}");
+    let at_first = text.replace("thickness = \"1 nm\"", &format!("thickness = \"{:e} m\"", at[0]));
+    let alone =
+        at_first.split("[sweep]").next().unwrap().replace("[\"1 MPa\", \"3 MPa\", \"9 MPa\"]", "\"3 MPa\"");
+    let friction: Vec<f64> = table(&alone, "results.csv")
+        .iter()
+        .filter(|row| row["model"] == "deterministic")
+        .map(|row| number(row, "friction"))
+        .collect();
+    // The film breaks on one asperity after the other: the sum has steps.
+    assert!((friction[1] / friction[0] / 0.8 - 1.0).abs() < 1e-2, "{friction:?}");
+}
+
+#[test]
+fn a_change_of_verdict_is_found_where_there_is_one() {
+    let found = |kurtosis: &str, skewness: &str| {
+        let text = spec(&format!(
+            "\"surface.a.population.heights.johnson.skewness\" = [{skewness}]\n\
+             find = {{ key = \"surface.a.population.heights.johnson.skewness\", verdict = \"separation\", at = \"3 MPa\" }}"
+        ));
+        let text = text.replace("kurtosis = 4.5", kurtosis).replace("count = 3000", "count = 30_000");
+        tables(&text)
+    };
+    let rows_of = |tables: &[(String, Vec<u8>)], file: &str| {
+        rows(&tables.iter().find(|(name, _)| name == file).unwrap().1)
+    };
+    let changing = found("kurtosis = 4.5", "-1, 0");
+    let crossings = rows_of(&changing, "crossings.csv");
+    assert!(!crossings.is_empty(), "no change");
+    let at = number(&crossings[0], "at");
+    assert!(-1.0 < at && at < 0.0 && crossings[0]["target"].contains(" to "), "{crossings:?}");
+    assert!(rows_of(&changing, "changes.csv").iter().any(|row| row["quantity"] == "separation"));
+    let steady = found("kurtosis = 4.5", "-1, -0.99");
+    assert!(rows_of(&steady, "crossings.csv").is_empty() && rows_of(&steady, "changes.csv").is_empty());
+}
+
+fn command(folder: &Path, arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_experiment"));
+    command.args(arguments).current_dir(folder);
+    command
+}
+
+fn succeeds(folder: &Path, arguments: &[&str]) -> Output {
+    let output = command(folder, arguments).output().unwrap();
+    assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+    output
+}
+
+/// The files of a report, except for what depends on the clock.
+fn report(folder: &Path, out: &str) -> Vec<(String, Vec<u8>)> {
+    let files = fs::read_dir(folder.join(out).join("a")).unwrap().map(|entry| entry.unwrap());
+    let mut files: Vec<_> = files
+        .map(|entry| (entry.file_name().into_string().unwrap(), fs::read(entry.path()).unwrap()))
+        .filter(|(name, _)| name != "timing.json" && name != "manifest.json")
+        .collect();
+    files.sort();
+    files
+}
+
+#[test]
+fn a_killed_sweep_continues_and_ends_with_the_same_bytes() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let text = spec(
+        "\"compare.layer.thickness\" = { from = \"1 nm\", to = \"1 um\", points = 4 }\n\"material.lead.hardness\" = [\"0.1 GPa\", \"0.4 GPa\"]\n\
+         find = { key = \"compare.layer.thickness\", quantity = \"area\", ratio = 1.2, to = \"uncoated\", at = \"3 MPa\" }",
+    );
+    let text = text
+        .replace("law = \"zmc\"\n", "law = \"zmc\"\nlayer = { material = \"lead\", thickness = \"1 nm\" }\n");
+    fs::write(folder.join("a.toml"), text).unwrap();
+    succeeds(folder, &["run", "a.toml", "--out", "whole", "--quiet", "--threads", "1"]);
+    let whole = report(folder, "whole");
+    assert!(whole.iter().any(|(name, _)| name == "crossings.csv"));
+    let kept = folder.join("out/.kept/a");
+    let count = || fs::read_dir(&kept).map_or(0, Iterator::count);
+    let mut last = 0;
+    for delay in [150, 300, 300, 400] {
+        let mut child =
+            command(folder, &["run", "a.toml", "--out", "out", "--quiet", "--threads", "2"]).spawn().unwrap();
+        sleep(Duration::from_millis(delay));
+        child.kill().unwrap();
+        child.wait().unwrap();
+        assert!(count() >= last, "what is kept grows");
+        last = count();
+    }
+    // A piece that is no whole one is done again.
+    let first = fs::read_dir(&kept).ok().and_then(|mut files| files.next()).map(|file| file.unwrap().path());
+    if let Some(first) = first {
+        fs::write(first, "{\"csv\":").unwrap();
+    }
+    succeeds(folder, &["run", "a.toml", "--out", "out", "--quiet", "--threads", "3"]);
+    assert!(report(folder, "out") == whole);
+    // Another value runs that value alone: what is kept stays as it is.
+    let pieces =
+        || fs::read_dir(&kept).unwrap().map(|file| file.unwrap().metadata().unwrap().modified().unwrap());
+    let newest = pieces().max().unwrap();
+    let before = count();
+    let longer = fs::read_to_string(folder.join("a.toml"))
+        .unwrap()
+        .replace("\"0.4 GPa\"]", "\"0.4 GPa\", \"0.2 GPa\"]");
+    fs::write(folder.join("a.toml"), longer).unwrap();
+    succeeds(folder, &["run", "a.toml", "--out", "out", "--quiet"]);
+    assert_eq!(pieces().filter(|time| *time <= newest).count(), before);
+    assert!(count() > before);
+}
+
+#[test]
+fn parts_of_a_sweep_merge_to_its_report() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    fs::write(folder.join("a.toml"), spec("seed = [1, 2, 3]")).unwrap();
+    succeeds(folder, &["run", "a.toml", "--out", "whole", "--quiet"]);
+    for part in ["2/2", "1/2"] {
+        succeeds(folder, &["run", "a.toml", "--part", part, "--quiet"]);
+    }
+    succeeds(folder, &["merge", "a.toml", "--out", "merged", "--quiet"]);
+    assert!(report(folder, "whole") == report(folder, "merged"));
+}
