@@ -10,6 +10,7 @@ mod independence;
 mod overview;
 mod remedy;
 mod search;
+mod steps;
 
 pub use bodies::BodyAsperities;
 pub use fit::{Fit, FitStep, Kept, NotApplied};
@@ -17,6 +18,7 @@ pub use independence::{Independence, MapBlocks};
 pub use overview::{AnalysisDepth, MOST_ANALYSED_POINTS, MapOverview};
 pub use remedy::{Remedy, usual_long_filter};
 pub use search::{FoundSpikes, MOST_SPIKE_POINTS, NoAsperities, Preparation, SummitSearch};
+pub use steps::Step;
 
 use std::sync::Arc;
 

@@ -5,17 +5,17 @@ use std::sync::Arc;
 use crate::compare::Division;
 use crate::progress::{Progress, Silent};
 use crate::topography::fitness::{
-    AlignedLines, Examined, Finding, LineOffsets, Lines, Measured, Spikes, Without, step_over_drop,
+    Examined, Finding, LineOffsets, Lines, Measured, Spikes, Without, step_over_drop,
 };
 use crate::topography::generate::{FittedProcess, SigmaOf};
 use crate::topography::summits::{Detail, Neighbours, Summits, find};
-use crate::topography::tip::eroded;
 use crate::topography::{
-    Autocorrelation, Blocks, CorrelationLengths, Filter, FilterError, Level, Levelled, Quantisation,
+    Autocorrelation, Blocks, CorrelationLengths, Filter, FilterError, Level, Quantisation,
     RoughnessParameters, Rows, Undetermined, Watched, Window, theory, thumbnail,
 };
 use crate::{AsperitySet, Ellipse, HeightMap, MIN_CONTACTS, ReferencePlane, SetError, Statistics};
 
+use super::steps::PreparationSteps;
 use super::{
     AnalysisDepth, GenerationFacts, Independence, MapFacts, MapOverview, PreparedMap, SmallMap, SpikeFacts,
     Surface, TipFacts,
@@ -153,7 +153,7 @@ pub struct SummitSearch<'a> {
 #[derive(Debug, Clone, Default)]
 pub struct FoundSpikes {
     /// Points that are removed as spikes, ascending.
-    removed: Vec<usize>,
+    pub(super) removed: Vec<usize>,
     /// The spikes that are left; `None` where they are not searched.
     left: Option<Spikes>,
 }
@@ -241,32 +241,27 @@ impl SummitSearch<'_> {
         let raw: &dyn Rows = &Watched { map: raw, progress };
         let halves = Window::halves(raw);
         let raw: &dyn Rows = self.preparation.half.map_or(raw, |half| &halves[half]);
-        let is_checked = self.depth != AnalysisDepth::Asperities;
         let FoundSpikes { removed, left } =
             if self.generation.is_none() { self.spikes(raw) } else { FoundSpikes::default() };
-        let without = Without { map: raw, points: &removed };
-        let aligned = self.preparation.aligned.map(|lines| AlignedLines::new(&without, lines));
-        let cleaned: &dyn Rows = aligned.as_ref().map_or(&without as &dyn Rows, |aligned| aligned);
-        let eroded = self.preparation.tip.map(|radius| {
-            progress.stage("tip", 1.0);
-            eroded(cleaned, radius)
-        });
-        let cleaned: &dyn Rows = eroded.as_ref().map_or(cleaned, |(map, _)| map);
-        progress.stage("levelling", 1.0);
-        let levelled = Levelled { map: cleaned, form: self.preparation.level.form(cleaned)? };
-        let filtered = match self.preparation.filter {
-            Some(filter) => {
-                progress.stage("filtering", filter.work(raw.pixel()));
-                Some(filter.apply(&levelled)?)
-            }
-            None => None,
-        };
-        let map: &dyn Rows = filtered.as_ref().map_or(&levelled as &dyn Rows, |map| map);
-        let map: &dyn Rows = &Watched { map, progress };
+        self.preparation
+            .steps(raw, &removed, progress, |steps| self.searched(raw, steps, removed.len(), left))
+    }
+
+    /// Checks a prepared map and finds its summits; so many spikes were removed of it, and these are left.
+    fn searched(
+        &self,
+        raw: &dyn Rows,
+        PreparationSteps { without, reach, levelled, last, .. }: PreparationSteps,
+        removed: usize,
+        left: Option<Spikes>,
+    ) -> Result<SearchedMap, NoAsperities> {
+        let progress = self.progress;
+        let is_checked = self.depth != AnalysisDepth::Asperities;
+        let map: &dyn Rows = &Watched { map: last, progress };
         progress.stage("roughness parameters", 2.0);
         let roughness = RoughnessParameters::new(map);
         if is_checked && self.generation.is_none() {
-            self.check_long_filter(&levelled, &roughness)?;
+            self.check_long_filter(levelled, &roughness)?;
         }
         if roughness.moments.sq <= levelled.form.magnitude() * raw.precision().max(f64::EPSILON) {
             return Err(NoAsperities::Flat);
@@ -319,11 +314,10 @@ impl SummitSearch<'_> {
                 }),
             })
         });
-        let spikes = left.map(|left| SpikeFacts { removed: removed.len(), left });
-        let mut facts = self.facts(&without, map, roughness, &summits, spikes);
+        let spikes = left.map(|left| SpikeFacts { removed, left });
+        let mut facts = self.facts(without, map, roughness, &summits, spikes);
         facts.correlation = correlation;
-        facts.tip =
-            eroded.as_ref().map(|(_, reach)| TipFacts { reach: *reach, radius: sharper_radius(&summits) });
+        facts.tip = reach.map(|reach| TipFacts { reach, radius: sharper_radius(&summits) });
         if is_checked {
             progress.stage("fitness checks", 4.0);
             facts.offsets = facts.spikes.is_some().then(|| LineOffsets::new(map));

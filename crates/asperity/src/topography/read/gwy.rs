@@ -26,12 +26,18 @@ const MAX_NAME: u64 = 4096;
 /// A mask of more than this marks its point.
 const MASKED: f64 = 0.5;
 
+/// The key of a channel's pixel in metres, "1e-7 x 1e-7", as [`write`](super::super::write) has it: the size of a map over its points is
+/// rounded.
+pub const PIXEL: &str = "data/pixel";
+
 /// What is known of a channel.
 #[derive(Default)]
 struct Found {
     title: String,
     data: Option<Field>,
     mask: Option<Field>,
+    /// As the file states it, m.
+    pixel: Option<[f64; 2]>,
 }
 
 /// A data field.
@@ -59,6 +65,9 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
         match (key, kind) {
             ("data", b'o') => found.entry(number).or_default().data = Field::read(place)?,
             ("mask", b'o') => found.entry(number).or_default().mask = Field::read(place)?,
+            (PIXEL, b's') => {
+                found.entry(number).or_default().pixel = stated_pixel(&place.text(u64::MAX)?);
+            }
             ("data/title", b's') => found.entry(number).or_default().title = place.text(u64::MAX)?,
             _ => return Ok(false),
         }
@@ -70,16 +79,22 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
         ));
     }
     let mut channels = Vec::new();
-    for (number, Found { title, data, mask }) in found {
+    for (number, Found { title, data, mask, pixel }) in found {
         let Some(data) = data else { continue };
         let name = if title.trim().is_empty() { format!("Channel {number}") } else { title };
         let masked = mask.map(|mask| masked(&data, &mask));
-        channels.push(data.channel(name.clone(), Numbers::Stored(Stored::new(data.start, F64))));
+        channels.push(data.channel(name.clone(), pixel, Numbers::Stored(Stored::new(data.start, F64))));
         if let Some(numbers) = masked {
-            channels.push(data.channel(format!("{name}, less its mask"), numbers));
+            channels.push(data.channel(format!("{name}, less its mask"), pixel, numbers));
         }
     }
     Ok(channels)
+}
+
+/// A pixel as [`PIXEL`] has it, m.
+fn stated_pixel(text: &str) -> Option<[f64; 2]> {
+    let (x, y) = text.split_once(" x ")?;
+    Some([x.parse().ok()?, y.parse().ok()?])
 }
 
 /// The numbers of a field, those under its mask missing.
@@ -138,9 +153,15 @@ impl Field {
         Ok(is_field.then_some(field))
     }
 
-    fn channel(&self, name: String, numbers: Numbers) -> Channel {
+    /// The channel; its pixel is the one that is `stated`, but for a map that was rescaled since.
+    fn channel(&self, name: String, stated: Option<[f64; 2]>, numbers: Numbers) -> Channel {
+        const ROUNDING: f64 = 1e-12;
         let ([nx, ny], [x, y]) = (self.points, self.size);
-        let pixel = length(&self.lateral).map(|unit| [x / nx as f64 * unit, y / ny as f64 * unit]);
+        let pixel = length(&self.lateral).map(|unit| {
+            let own = [x / nx as f64 * unit, y / ny as f64 * unit];
+            let is_own = |stated: &[f64; 2]| (0..2).all(|k| (stated[k] / own[k] - 1.0).abs() < ROUNDING);
+            stated.filter(is_own).unwrap_or(own)
+        });
         Channel { pixel, ..Channel::new(name, self.points, numbers) }.in_unit(&self.vertical)
     }
 }

@@ -54,6 +54,7 @@ pub use content::{
 };
 pub use error::{ReadError, ReadOptionsError};
 pub use file::MapFile;
+pub(super) use gwy::PIXEL as PIXEL_OF_GWY;
 use source::Source;
 
 /// A format of files.

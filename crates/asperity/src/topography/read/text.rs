@@ -30,7 +30,7 @@ pub(super) fn measured(path: &Path) -> Result<Measured, ReadError> {
     let header = Header::parse(text)?;
     let Table { rows, columns, mut values, named, left_out, precision } = Table::parse(text)?;
     if header.is_none() && columns == 3 && rows > 3 {
-        let measured = xyz::measured(&values, precision)?;
+        let measured = xyz::measured(&values, xyz::Grid::parse(text)?, precision)?;
         return Ok(Measured { metadata: Metadata { named, left_out, ..measured.metadata }, ..measured });
     }
     let metadata = Metadata { left_out, ..Metadata::new([columns, rows], "a plain text") };

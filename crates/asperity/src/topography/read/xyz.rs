@@ -5,15 +5,50 @@
 
 use super::content::{Measured, Metadata};
 use super::error::ReadError;
-use crate::numeric::LARGEST;
+use crate::numeric::{LARGEST, is_positive};
 
 /// The largest distance of a point from its line of the grid, pixels.
 const TOLERANCE: f64 = 0.2;
 /// The largest number of grid places per point of the file.
 const SPARSEST: usize = 4;
 
-/// The map of points given as triples in `values`, in the unit of the file.
-pub(super) fn measured(values: &[f64], precision: f64) -> Result<Measured, ReadError> {
+/// The grid of a file that states it, as [`write`](super::super::write) does: `# Grid: 128 x 96 points, 8e-7 x 8e-7`. Its first point is at zero.
+pub(super) struct Grid {
+    axes: [Axis; 2],
+}
+
+impl Grid {
+    /// The grid that a comment states; `None` where there is none.
+    pub(super) fn parse(text: &str) -> Result<Option<Self>, ReadError> {
+        let comments = text.lines().map_while(|line| line.trim().strip_prefix('#'));
+        let stated = comments.filter_map(|line| line.trim().strip_prefix("Grid:"));
+        // A comment of another program may have this name, too.
+        let Some(stated) = stated.map(str::trim).find(|stated| stated.contains(" points, ")) else {
+            return Ok(None);
+        };
+        let both = |part: &str| {
+            let (x, y) = part.split_once(" x ")?;
+            Some([x.trim().to_owned(), y.trim().to_owned()])
+        };
+        let axes = stated.split_once(" points, ").and_then(|(points, pixel)| {
+            let [[nx, ny], [dx, dy]] = [both(points)?, both(pixel)?];
+            let axis = |count: &str, step: &str| {
+                let (count, step) =
+                    (count.parse().ok()?, step.parse().ok().filter(|&step| is_positive(step))?);
+                Some(Axis { first: 0.0, step, count })
+            };
+            Some([axis(&nx, &dx)?, axis(&ny, &dy)?])
+        });
+        axes.map(|axes| Some(Self { axes })).ok_or_else(|| {
+            ReadError::Corrupt(format!(
+                "has the grid \"{stated}\"; allowed: such as \"128 x 96 points, 8e-7 x 8e-7\", or no line of this name"
+            ))
+        })
+    }
+}
+
+/// The map of points given as triples in `values`, in the unit of the file; on the grid that the file states, or on the one that is found.
+pub(super) fn measured(values: &[f64], stated: Option<Grid>, precision: f64) -> Result<Measured, ReadError> {
     let (points, _) = values.as_chunks::<3>();
     for (row, point) in (1..).zip(points) {
         if let Some(found) = point[..2].iter().find(|value| value.is_nan() || value.abs() > LARGEST) {
@@ -23,8 +58,14 @@ pub(super) fn measured(values: &[f64], precision: f64) -> Result<Measured, ReadE
             )));
         }
     }
-    let x = Axis::find("x", points.iter().map(|point| point[0]).collect())?;
-    let y = Axis::find("y", points.iter().map(|point| point[1]).collect())?;
+    let is_stated = stated.is_some();
+    let [x, y] = match stated {
+        Some(Grid { axes }) => axes,
+        None => [
+            Axis::find("x", points.iter().map(|point| point[0]).collect())?,
+            Axis::find("y", points.iter().map(|point| point[1]).collect())?,
+        ],
+    };
     let most = points.len().saturating_mul(SPARSEST);
     let size = x.count.checked_mul(y.count).filter(|&size| size <= most).ok_or_else(|| {
         no_grid(&format!(
@@ -37,6 +78,9 @@ pub(super) fn measured(values: &[f64], precision: f64) -> Result<Measured, ReadE
     let mut heights = vec![f64::NAN; size];
     let mut seen = vec![false; size];
     for &[px, py, z] in points {
+        if is_stated && !(x.holds(px) && y.holds(py)) {
+            return Err(no_grid(&format!("the point {px} {py} beside the grid that its head states")));
+        }
         let place = x.line(px) * y.count + y.line(py);
         let (Some(height), Some(seen)) = (heights.get_mut(place), seen.get_mut(place)) else {
             return Err(no_grid(&format!("the point {px} {py} outside")));
@@ -105,6 +149,12 @@ impl Axis {
         let axis = Self { first, step, count: steps as usize + 1 };
         let beside = |x: &f64| ((x - first) / step - ((x - first) / step).round()).abs();
         positions.iter().all(|x| beside(x) <= TOLERANCE).then_some(axis)
+    }
+
+    /// Whether `x` lies on a line.
+    fn holds(&self, x: f64) -> bool {
+        let line = (x - self.first) / self.step;
+        (line - line.round()).abs() <= TOLERANCE && (0.0..self.count as f64).contains(&line.round())
     }
 
     /// The index of the line that `x` lies on.

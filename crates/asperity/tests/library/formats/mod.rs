@@ -40,6 +40,7 @@ mod sur;
 mod text;
 mod tiff;
 mod vk;
+mod written;
 mod x3p;
 
 const NX: usize = 5;

@@ -1,0 +1,126 @@
+//! Writing height maps: one module per format.
+//!
+//! | module | format | what it holds besides heights |
+//! |---|---|---|
+//! | `npy` | NumPy array | |
+//! | `x3p` | ISO 25178-72 | pixel, unit, offset, notes |
+//! | [`gwy`] | Gwyddion | pixel, unit, notes; several fields of any unit |
+//! | `xyz` | columns x y z as text | pixel, unit, notes |
+//!
+//! Read back by [`read`](super::read) a map has the same heights, missing points and pixel, to the bit. Heights are those of [`Rows`], in
+//! metres: an [offset](Rows::offset) that is kept apart is lost in all formats but X3P. The first y is the first line of an X3P and a `.gwy`
+//! file, which programs show at the top, as they do with the file of the instrument that it was read from. All writers go through a map row
+//! by row, and take 64 MB at most.
+
+mod gwy;
+mod npy;
+mod x3p;
+mod xyz;
+
+use std::fs::File;
+use std::io::{self, BufWriter, Seek, Write};
+use std::path::Path;
+
+use super::Rows;
+use crate::memory::zeros;
+pub use gwy::{GwyField, gwy};
+
+/// What is said of a map: a name, such as "Preparation", and a text.
+pub type Note = (&'static str, String);
+
+/// A format that maps are written in.
+pub struct MapFormat {
+    /// How its files end.
+    pub ending: &'static str,
+    /// Whether it holds pixel, unit and notes; otherwise it holds numbers only.
+    pub holds_notes: bool,
+    write: fn(&mut dyn Out, &dyn Rows, &[Note]) -> io::Result<()>,
+}
+
+/// Where a file is written to.
+pub trait Out: Write + Seek {}
+
+impl<T: Write + Seek> Out for T {}
+
+/// All formats.
+pub static FORMATS: [&MapFormat; 4] = [&npy::FORMAT, &x3p::FORMAT, &gwy::FORMAT, &xyz::FORMAT];
+
+impl MapFormat {
+    /// The format whose files end in `ending`, in any case.
+    pub fn of_ending(ending: &str) -> Option<&'static Self> {
+        FORMATS.iter().copied().find(|format| format.ending.eq_ignore_ascii_case(ending))
+    }
+
+    /// Writes a map with what is said of it.
+    ///
+    /// # Errors
+    /// A file that cannot be written; a map that the format cannot hold ([`io::ErrorKind::InvalidInput`]).
+    pub fn write(&self, mut out: impl Out, map: &dyn Rows, notes: &[Note]) -> io::Result<()> {
+        (self.write)(&mut out, map, notes)
+    }
+
+    /// The same to a file that is written whole or not at all.
+    ///
+    /// # Errors
+    /// As [`Self::write`].
+    pub fn write_file(&self, path: &Path, map: &dyn Rows, notes: &[Note]) -> io::Result<()> {
+        whole_file(path, |out| self.write(out, map, notes))
+    }
+}
+
+/// Writes a file beside its place and moves it there, so that a reader finds the old file or the whole new one.
+///
+/// # Errors
+/// Those of `write`, and a file that cannot be written.
+pub fn whole_file(path: &Path, write: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>) -> io::Result<()> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let beside = path.with_file_name(format!(".{name}.{}", std::process::id()));
+    let mut out = BufWriter::new(File::create_new(&beside)?);
+    let written = write(&mut out).and_then(|()| out.flush()).and_then(|()| std::fs::rename(&beside, path));
+    if written.is_err() {
+        // The first error says more than one of the removal.
+        let _ = std::fs::remove_file(&beside);
+    }
+    written
+}
+
+/// Calls `take` with the heights of each line along x, from the first y on.
+fn each_line(map: &dyn Rows, mut take: impl FnMut(&[f64]) -> io::Result<()>) -> io::Result<()> {
+    /// Of the lines that are held at a time.
+    const HEIGHTS: usize = (64 << 20) / 8;
+    let [nx, ny] = map.points();
+    let most = (HEIGHTS / nx).clamp(1, ny);
+    let (mut lines, mut own) = (zeros(nx * most), zeros(ny));
+    for first in (0..ny).step_by(most) {
+        let count = most.min(ny - first);
+        for ix in 0..nx {
+            let row = match map.block(ix..ix + 1) {
+                Some(row) => row,
+                None => {
+                    map.read(ix, &mut own);
+                    &own
+                }
+            };
+            for (k, z) in row[first..first + count].iter().enumerate() {
+                lines[k * nx + ix] = *z;
+            }
+        }
+        lines.chunks(nx).take(count).try_for_each(&mut take)?;
+    }
+    Ok(())
+}
+
+/// The bytes of a line of doubles, the least significant first; missing points are one and the same NaN.
+fn bytes_of(line: &[f64], bytes: &mut Vec<u8>) {
+    bytes.clear();
+    bytes.extend(line.iter().flat_map(|z| if z.is_nan() { f64::NAN } else { *z }.to_le_bytes()));
+}
+
+/// A text on one line.
+fn one_line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+fn too_large(what: &str) -> io::Error {
+    io::Error::new(io::ErrorKind::InvalidInput, what.to_owned())
+}
