@@ -18,13 +18,13 @@ use super::files::Files;
 use super::fit::{self, as_written};
 use super::fitness;
 use super::pair::{PairPlan, PreparedPair, greenwood_tripp_caveat};
-use super::plan::{Origin, SurfacePlan};
+use super::plan::{MapPlan, Origin, SurfacePlan};
 use super::read_error::{list_message, spec_message};
 use super::spec::DrawSpec;
 use super::store::{StoredSurface, SurfaceStore};
 use asperity::surface::{AnalysisDepth, Fit, Independence};
 use asperity::surface::{MapFacts, Surface, usual_long_filter};
-use asperity::surface::{NoAsperities, Preparation, SummitSearch};
+use asperity::surface::{NoAsperities, Preparation, Step, SummitSearch};
 
 /// Makes or reads the realisations of a surface.
 pub struct SurfaceFactory<'a> {
@@ -174,6 +174,81 @@ impl<'a> SurfaceFactory<'a> {
         found(&self.plan.name, &search, (map, [false; 2]), &mut Timing::default()).ok()
     }
 
+    /// Calls `take` with the map of realisation `realisation` (from 1) after each step of its preparation, in order; of a surface that is
+    /// not measured with its map alone, which is not prepared. Where the preparation is found on the map, it is known from then on.
+    ///
+    /// # Errors
+    /// As [`Self::make`], but for what concerns asperities; a surface without a map.
+    pub fn each_step(
+        &mut self,
+        realisation: usize,
+        files: &mut Files,
+        mut take: impl FnMut(&Preparation, Step, &dyn Rows),
+    ) -> Result<(), InputError> {
+        let refuse = |error: String| self.source.error_at(self.plan.size_key.clone(), error);
+        let mut timing = Timing::default();
+        let Origin::Map(map) = &self.plan.origin else {
+            if self.plan.has_given_asperities() {
+                let message = format!(
+                    "surface {} has no height map: {}; allowed: a surface of [surface.NAME.file], [surface.NAME.generate] or \
+                     [surface.NAME.pair]",
+                    self.plan.name,
+                    self.plan.describe()
+                );
+                return Err(refuse(message));
+            }
+            self.keeps_map = true;
+            let surface = self.one(realisation, AnalysisDepth::Asperities, files, &mut timing)?;
+            if let (Some(prepared), Some(facts)) = (&surface.prepared, &surface.map) {
+                take(&Preparation::none(facts.neighbours), Step::Measured, &*prepared.map);
+            }
+            return Ok(());
+        };
+        let (rows, fit) = self.measured(map, AnalysisDepth::Comparison, files, &mut timing)?;
+        self.fitted = fit.as_ref().map(|fit| as_written(&fit.preparation));
+        let preparation = self.fitted.unwrap_or(map.preparation);
+        let search = SummitSearch {
+            depth: AnalysisDepth::Asperities,
+            spikes: fit.as_ref().map(|fit| &fit.spikes),
+            progress: self.progress,
+            ..SummitSearch::new(preparation)
+        };
+        let steps = search.each_step(&*rows, |step, map| take(&preparation, step, map));
+        steps.map_err(|error| {
+            let error = no_asperities(&error, map.size(), preparation.filter);
+            refuse(format!("{} {error}", map.file.path.display()))
+        })
+    }
+
+    /// A measured map as read, and the preparation that is found on it where the spec leaves it open.
+    fn measured(
+        &self,
+        map: &MapPlan,
+        depth: AnalysisDepth,
+        files: &mut Files,
+        timing: &mut Timing,
+    ) -> Result<(Arc<dyn Rows>, Option<Fit>), InputError> {
+        let refuse = |error: &dyn std::fmt::Display| {
+            let message = format!("{} {error}", map.file.path.display());
+            self.source.error_at(self.plan.size_key.clone(), message)
+        };
+        let start = Instant::now();
+        self.progress.stage("reading", 1.0);
+        let mut rows = match self.source.content_in_memory(&map.file.path) {
+            Some(InMemory::Map(rows)) => Arc::clone(rows),
+            _ => files.map(&map.file, self.progress).map_err(|error| refuse(&spec_message(&error)))?,
+        };
+        if map.is_periodic {
+            rows = Arc::new(Continued(rows));
+        }
+        timing.read += start.elapsed();
+        let Some(kept) = map.fit else { return Ok((rows, None)) };
+        let found = Fit::new(&*rows, map.preparation, kept, depth, self.progress);
+        let filter = map.preparation.filter;
+        let fit = found.map_err(|error| refuse(&no_asperities(&error, map.size(), filter)))?;
+        Ok((rows, Some(fit)))
+    }
+
     /// Whether a map is divided into blocks: unless its realisations give the sampling error. Relative positions of two bodies alone do not.
     fn divides(&self, depth: AnalysisDepth) -> bool {
         depth != AnalysisDepth::Asperities && self.plan.is_one()
@@ -316,25 +391,7 @@ impl<'a> SurfaceFactory<'a> {
             Origin::Map(map) => {
                 let refuse =
                     |error: &dyn std::fmt::Display| refuse(&format!("{} {error}", map.file.path.display()));
-                self.progress.stage("reading", 1.0);
-                let mut rows = match source.content_in_memory(&map.file.path) {
-                    Some(InMemory::Map(rows)) => Arc::clone(rows),
-                    _ => {
-                        files.map(&map.file, self.progress).map_err(|error| refuse(&spec_message(&error)))?
-                    }
-                };
-                if map.is_periodic {
-                    rows = Arc::new(Continued(rows));
-                }
-                timing.read += start.elapsed();
-                let fit = match map.fit {
-                    Some(kept) => {
-                        let found = Fit::new(&*rows, map.preparation, kept, depth, self.progress);
-                        let filter = map.preparation.filter;
-                        Some(found.map_err(|error| refuse(&no_asperities(&error, map.size(), filter)))?)
-                    }
-                    None => None,
-                };
+                let (rows, fit) = self.measured(map, depth, files, timing)?;
                 self.fitted = fit.as_ref().map(|fit| as_written(&fit.preparation));
                 let preparation = self.fitted.unwrap_or(map.preparation);
                 let search = SummitSearch {

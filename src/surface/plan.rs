@@ -321,6 +321,22 @@ impl SurfacePlan {
         }
     }
 
+    /// The same with the ellipses of its asperities, where it has a map or ellipses of its own.
+    #[must_use]
+    pub fn with_own_ellipses(mut self) -> Self {
+        self.as_ellipses |= match &self.origin {
+            Origin::Population { ratio, .. } => ratio.is_some(),
+            Origin::List { .. } => false,
+            Origin::Generated(_) | Origin::Map(_) | Origin::Pair(_) => true,
+        };
+        self
+    }
+
+    /// Whether it is a list of asperities.
+    pub fn is_list(&self) -> bool {
+        matches!(self.origin, Origin::List { .. })
+    }
+
     /// Whether its asperities are given, by a list or a population, not found on a map.
     pub fn has_given_asperities(&self) -> bool {
         matches!(self.origin, Origin::List { .. } | Origin::Population { .. })

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use asperity::HeightMap;
 use asperity::topography::read::{LengthUnits, MapFile, ReadError, ReadOptions};
+use asperity::topography::write::{FORMATS, MapFormat, Note};
 use asperity::topography::{Boundary, Rows};
 use asperity::units::Dimension;
 use asperity_contact_framework::input::InMemory;
@@ -113,6 +114,18 @@ impl Map {
             }
             _ => refuse(format!("{shown} {error}")),
         })
+    }
+
+    /// Writes the map in the format of the file's ending.
+    fn write(&self, py: Python, path: std::path::PathBuf) -> PyResult<()> {
+        let ending = path.extension().unwrap_or_default().to_string_lossy();
+        let format = MapFormat::of_ending(&ending).ok_or_else(|| {
+            let endings = FORMATS.map(|format| format!(".{}", format.ending)).join(", ");
+            refuse(format!("{} ends in \".{ending}\"; allowed: {endings}", path.display()))
+        })?;
+        let program: Note = ("Program", format!("asperity {}", env!("CARGO_PKG_VERSION")));
+        let written = py.detach(|| format.write_file(&path, &*self.0, &[program]));
+        Ok(written?)
     }
 
     /// Points along x and y.

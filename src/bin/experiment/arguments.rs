@@ -155,6 +155,18 @@ pub enum Command {
 /// Options of a measured file, as in a spec.
 #[derive(Args)]
 pub struct FileArguments {
+    #[command(flatten)]
+    map: MapArguments,
+    #[command(flatten)]
+    contact: ContactArguments,
+    /// Solve the contact of the map by boundary elements too, which know no asperities (seconds to minutes)
+    #[arg(long)]
+    reference: bool,
+}
+
+/// Options of a measured file, as in a spec.
+#[derive(Args)]
+pub struct MapArguments {
     /// Pixel size, if the file does not contain it: "0.8 um", or "0.8 um, 0.5 um" along x and y. The first index of a .npy is x;
     /// in a text x runs along a line and y from line to line
     #[arg(long, allow_hyphen_values = true)]
@@ -195,6 +207,11 @@ pub struct FileArguments {
     /// Number of neighbours that a summit must exceed: four, eight
     #[arg(long, allow_hyphen_values = true, value_name = "four|eight")]
     neighbours: Option<String>,
+}
+
+/// Bodies, layer and load on a measured file, as in a spec.
+#[derive(Args)]
+pub struct ContactArguments {
     /// Material of both bodies, a name of the library (`experiment materials`); default: steel-100Cr6
     #[arg(long)]
     material: Option<String>,
@@ -222,22 +239,20 @@ pub struct FileArguments {
     /// Nominal pressure, instead of --load: "1.25 MPa"
     #[arg(long, allow_hyphen_values = true)]
     pressure: Option<String>,
-    /// Solve the contact of the map by boundary elements too, which know no asperities (seconds to minutes)
-    #[arg(long)]
-    reference: bool,
 }
 
 /// What is wrong with the options of a file that are not what they seem: another option where a value should be, since values may begin with a
 /// hyphen, as -9999 does; a load after `--force`, which has no value.
 pub fn misread(words: &[String]) -> Option<String> {
     let command = Cli::command();
-    let surface =
-        command.find_subcommand("surface").filter(|_| words.iter().any(|word| word == "surface"))?;
+    // The options of a file are those of `surface` wherever they are.
+    let takes_file = |word: &String| ["surface", "export"].contains(&word.as_str());
+    let surface = command.find_subcommand("surface").filter(|_| words.iter().any(takes_file))?;
     let is_load = |word: &str| word.parse::<f64>().is_ok() || Dimension::Force.parse(word).is_some();
     let load = words.windows(2).find(|pair| pair[0] == "--force" && is_load(&pair[1]));
     if let Some([_, load]) = load {
         return Some(format!(
-            "--force: found \"{load}\" after it; --force runs an unchanged spec again and has no value; a load is --load \"{load}\""
+            "--force: found \"{load}\" after it; --force has no value; a load is --load \"{load}\""
         ));
     }
     let is_open = |word: &str| {
@@ -251,8 +266,8 @@ pub fn misread(words: &[String]) -> Option<String> {
     Some(format!("{option}: found the option {next}; allowed: a value, see `experiment surface --help`"))
 }
 
-impl From<FileArguments> for FileOptions {
-    fn from(arguments: FileArguments) -> Self {
+impl From<MapArguments> for FileOptions {
+    fn from(arguments: MapArguments) -> Self {
         Self {
             pixel: arguments.pixel,
             unit: arguments.unit,
@@ -267,19 +282,31 @@ impl From<FileArguments> for FileOptions {
             s: arguments.s,
             l: arguments.l,
             neighbours: arguments.neighbours,
-            contact: ContactOptions {
-                material: arguments.material,
-                rough: arguments.rough,
-                flat: arguments.flat,
-                layer: arguments.layer,
-                thickness: arguments.thickness,
-                layer_on: arguments.layer_on,
-                load: arguments.load,
-                area: arguments.area,
-                pressure: arguments.pressure,
-                reference: arguments.reference,
-            },
+            contact: ContactOptions::default(),
         }
+    }
+}
+
+impl From<ContactArguments> for ContactOptions {
+    fn from(arguments: ContactArguments) -> Self {
+        Self {
+            material: arguments.material,
+            rough: arguments.rough,
+            flat: arguments.flat,
+            layer: arguments.layer,
+            thickness: arguments.thickness,
+            layer_on: arguments.layer_on,
+            load: arguments.load,
+            area: arguments.area,
+            pressure: arguments.pressure,
+            reference: false,
+        }
+    }
+}
+
+impl From<FileArguments> for FileOptions {
+    fn from(FileArguments { map, contact, reference }: FileArguments) -> Self {
+        Self { contact: ContactOptions { reference, ..contact.into() }, ..map.into() }
     }
 }
 

@@ -347,7 +347,7 @@ fn options_of_a_surface_are_checked_before_it_runs() {
         (&["--missing", "--fit"], "--missing: found the option --fit; allowed: a value"),
         (
             &["--force", "5 N"],
-            "--force: found \"5 N\" after it; --force runs an unchanged spec again and has no value; a load is --load \"5 N\"",
+            "--force: found \"5 N\" after it; --force has no value; a load is --load \"5 N\"",
         ),
         (&["--save-spec", "none/mine.toml"], "--save-spec none/mine.toml: found no folder none; allowed"),
         (&["--save-spec", "map.txt"], "--save-spec map.txt: found a file of this name"),

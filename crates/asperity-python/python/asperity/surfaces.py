@@ -253,6 +253,31 @@ class Topography:
         """The prepared heights in m, shape (nx, ny): aligned, levelled and filtered, NaN where they are missing."""
         return self._surface.map.heights()
 
+    def write(self, path: str | PathLike[str], *, prepared: bool = False) -> None:
+        """Write the map for other programs; read back it has the same heights, missing points and pixel, to the bit.
+
+        Parameters
+        ----------
+        path : path_like
+            The file; its ending says the format: ``.gwy`` (Gwyddion), ``.x3p`` (ISO 25178-72), ``.xyz`` (text) or ``.npy``, which holds no
+            pixel. It is written whole or not at all.
+        prepared : bool
+            Whether the prepared map is written, instead of the map as read. Read it back with ``level="none"``.
+
+        Examples
+        --------
+        >>> import asperity, pathlib, tempfile
+        >>> spectrum = {"self-affine": {"hurst": 0.8, "roll-off": 32e-6, "cut-off": 8e-6}}
+        >>> topography = asperity.generate(64, pixel=1e-6, sigma=50e-9, spectrum=spectrum)
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     path = pathlib.Path(folder) / "surface.gwy"
+        ...     topography.write(path)
+        ...     again = asperity.Topography.read(path, periodic=True)
+        >>> bool((again.heights == topography.heights).all())
+        True
+        """
+        (self._surface.map if prepared else self._raw).write(path)
+
     def find_summits(self) -> Asperities:
         """The summits of the prepared map: heights, radii and places in m, with their principal curvatures in 1/m."""
         return self._surface.asperities

@@ -36,6 +36,20 @@ impl Ellipse {
         [2.0 * self.mean_curvature - smaller, smaller]
     }
 
+    /// Principal curvatures (1/m, the larger first) of which [`Self::new`] makes this ellipse: those of [`Self::principal`] but for a few
+    /// units of their last digit, to the bit where there are such.
+    pub fn exact_principal(&self) -> [f64; 2] {
+        const STEPS: i64 = 8;
+        let near = |k: f64, steps: i64| f64::from_bits(k.to_bits().wrapping_add_signed(steps));
+        let [larger, smaller] = self.principal();
+        let steps = (0..=STEPS).flat_map(|step| [step, -step]);
+        let made = |(a, b): (i64, i64)| [near(larger, a), near(smaller, b)];
+        let all = steps.flat_map(|a| (0..=STEPS).flat_map(move |b| [(a, b), (a, -b)]));
+        all.map(made)
+            .find(|&[larger, smaller]| Self::new(larger, smaller) == *self)
+            .unwrap_or([larger, smaller])
+    }
+
     /// The equivalent spheres of the paraboloid.
     pub fn shape(&self) -> Shape {
         Shape::ellipse(self.mean_curvature, self.curvature_ratio)

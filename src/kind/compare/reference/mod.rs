@@ -22,7 +22,7 @@ mod spots;
 mod view;
 
 pub use elastic::SMALL_YIELDING;
-pub use plan::{ElasticCase, ReferencePlan};
+pub use plan::{ElasticCase, ReferencePlan, Solution};
 pub use run::ReferenceRun;
 pub use spec::ReferenceSpec;
-pub use view::{ContactView, Part, SummitsInContact};
+pub use view::{ContactView, Part, SummitsInContact, numbered_patches};

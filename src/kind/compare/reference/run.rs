@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::time::Instant;
 
 use asperity::HeightMap;
-use asperity::bem::{Boundary, ElasticPair, MOST_MISSING, Options, Solver, SolverError, refined};
+use asperity::bem::{Boundary, Contact, ElasticPair, MOST_MISSING, Options, Solver, SolverError, refined};
 use asperity::compare::{BlockShare, Control, ModelKind, ReferenceCurve, ReferencePoint};
 use asperity::progress::Silent;
 use asperity::study::{CaseResults, LawContact};
@@ -110,6 +110,37 @@ impl ReferenceRun<'_> {
         context.source.error_at(self.reference.key.clone(), message)
     }
 
+    /// The bodies of a contact, and how it is solved.
+    fn problem(&self, solution: &Solution) -> (ElasticPair, Options) {
+        let boundary = self.reference.boundary(self.plan);
+        let [bare, coated] = self.compare.study.bare_and_coated();
+        let layer =
+            self.compare.study.layer.as_ref().map(|layer| &layer.coating.material).zip(solution.thickness);
+        let options = Options { boundary, error: self.reference.error, cap: solution.cap };
+        (ElasticPair::new(bare, coated, layer), options)
+    }
+
+    /// Calls `take` with the map that is solved and one contact on it at each of the nominal `pressures` (Pa).
+    ///
+    /// # Errors
+    /// As [`Self::run`]; the first of `take`.
+    pub fn each_contact<E: From<InputError>>(
+        &self,
+        context: &RunContext,
+        solution: &Solution,
+        pressures: &[f64],
+        mut take: impl FnMut(&HeightMap, f64, &Contact) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let refuse = |error: SolverError| self.refuse(context, solution.thickness, &error);
+        let (pair, options) = self.problem(solution);
+        let map = self.map(options.boundary).map_err(refuse)?;
+        let solver = Solver::new(&map, &pair, &options).map_err(refuse)?;
+        context.progress.stage("boundary elements", pressures.len() as f64);
+        pressures.iter().try_for_each(|&pressure| {
+            take(&map, pressure, &solver.at_pressure(pressure, context.progress).map_err(refuse)?)
+        })
+    }
+
     /// Solves one contact at ascending pressures (Pa).
     fn solve(
         &self,
@@ -120,12 +151,8 @@ impl ReferenceRun<'_> {
         sum_at: &dyn Fn(f64) -> Option<SumAtLoad>,
     ) -> Result<(Solved, Option<ContactView>), InputError> {
         let refuse = |error: &SolverError| self.refuse(context, solution.thickness, error);
-        let boundary = self.reference.boundary(self.plan);
-        let [bare, coated] = self.compare.study.bare_and_coated();
-        let layer =
-            self.compare.study.layer.as_ref().map(|layer| &layer.coating.material).zip(solution.thickness);
-        let pair = ElasticPair::new(bare, coated, layer);
-        let options = Options { boundary, error: self.reference.error, cap: solution.cap };
+        let (pair, options) = self.problem(solution);
+        let boundary = options.boundary;
         let solver = Solver::new(map, &pair, &options).map_err(|error| refuse(&error))?;
         let of_thickness =
             |law: &&LawContact| law.thickness.unwrap_or(0.0) == solution.thickness.unwrap_or(0.0);

@@ -214,6 +214,21 @@ impl SummitsInContact {
     }
 }
 
+/// The patch that each point of a contact belongs to, from 1 in the order of their first points, 0 out of contact; and how many there are.
+pub fn numbered_patches(contact: &Contact) -> (Vec<u32>, u32) {
+    let (pressures, grid) = (contact.pressures(), contact.points());
+    let wraps = contact.boundary().wraps();
+    let mut patches = Patches { pressures, grid, wraps, seen: vec![false; pressures.len()] };
+    let (mut numbers, mut count) = (vec![0; pressures.len()], 0);
+    for (point, &p) in pressures.iter().enumerate() {
+        if p > 0.0 && !patches.seen[point] {
+            count += 1;
+            patches.visit_each([point / grid[1], point % grid[1]], 0, |point| numbers[point] = count);
+        }
+    }
+    (numbers, count)
+}
+
 /// Connected points in contact, over sides and corners.
 struct Patches<'a> {
     pressures: &'a [f64],
@@ -227,10 +242,16 @@ struct Patches<'a> {
 impl Patches<'_> {
     /// Visits the patches with a point at most `reach` points from `at`; whether there is one.
     fn visit(&mut self, at: [usize; 2], reach: usize) -> bool {
+        self.visit_each(at, reach, |_| {})
+    }
+
+    /// The same, which calls `each` with the points that were not visited before.
+    fn visit_each(&mut self, at: [usize; 2], reach: usize, mut each: impl FnMut(usize)) -> bool {
         let mut ahead: Vec<usize> = self.contacts(at, reach).collect();
         let is_touched = !ahead.is_empty();
         while let Some(point) = ahead.pop() {
             if !std::mem::replace(&mut self.seen[point], true) {
+                each(point);
                 let around = self.contacts([point / self.grid[1], point % self.grid[1]], 1);
                 let new: Vec<usize> = around.filter(|&point| !self.seen[point]).collect();
                 ahead.extend(new);

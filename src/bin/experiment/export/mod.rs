@@ -1,0 +1,116 @@
+//! `experiment export`: results for other programs.
+
+mod interface;
+mod surface;
+
+use std::fs::File;
+use std::io::{self, BufWriter};
+use std::path::{Path, PathBuf};
+
+use asperity::topography::write::whole_file;
+use clap::{Args, Subcommand};
+
+use super::{Failure, RunOptions, say, set_threads, watched, write_new};
+use interface::InterfaceExport;
+use surface::{AsperitiesExport, MapExport, PatchesExport};
+
+/// What is exported.
+#[derive(Subcommand)]
+pub enum Export {
+    /// Write the map of a surface after each step of its preparation, with its pixel and where it comes from
+    Map(Box<MapExport>),
+    /// Write the asperities of a surface, as `[surface.NAME.asperities]` of a spec reads them
+    Asperities(Box<AsperitiesExport>),
+    /// Solve the contact by boundary elements and write its patches and pressures as a picture and as maps
+    Patches(Box<PatchesExport>),
+    /// Run a comparison and write pressure over closure, conductance and friction over pressure for programs for finite elements
+    Interface(InterfaceExport),
+}
+
+/// Where files are written to, and how.
+#[derive(Args)]
+struct Writing {
+    /// Folder to write to
+    #[arg(long, default_value = ".")]
+    out: PathBuf,
+    /// Replace files of the same name
+    #[arg(long)]
+    force: bool,
+    /// Number of threads; default: all cores. Results do not depend on it
+    #[arg(long, value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+    /// Print errors only
+    #[arg(long)]
+    quiet: bool,
+}
+
+impl Export {
+    /// Writes it.
+    ///
+    /// # Errors
+    /// A spec or a file that cannot be read or run, results without what is asked for, files that are there already.
+    pub fn run(self) -> Result<(), Failure> {
+        match self {
+            Self::Map(export) => export.run(),
+            Self::Asperities(export) => export.run(),
+            Self::Patches(export) => export.run(),
+            Self::Interface(export) => export.run(),
+        }
+    }
+}
+
+/// Writes the files of an export.
+struct Writer {
+    options: RunOptions,
+}
+
+impl Writing {
+    /// A writer into the folder, which is made and checked.
+    fn begin(self) -> Result<Writer, Failure> {
+        let Self { out, force, threads, quiet } = self;
+        let options = RunOptions { out, force, threads, quiet };
+        set_threads(&options)?;
+        std::fs::create_dir_all(&options.out).map_err(|error| {
+            let message = format!(
+                "--out {}: {error}; allowed: a folder, which is made if it is missing",
+                options.out.display()
+            );
+            Failure::Input(message)
+        })?;
+        let probe = options.out.join(format!(".asperity.{}", std::process::id()));
+        write_new(&probe, "")?;
+        let _ = std::fs::remove_file(&probe);
+        Ok(Writer { options })
+    }
+}
+
+impl Writer {
+    /// Refuses names of files that are there already, before anything is computed.
+    fn check<'a>(&self, names: impl IntoIterator<Item = &'a String>) -> Result<(), Failure> {
+        let mut paths = names.into_iter().map(|name| self.options.out.join(name));
+        match paths.find(|path| !self.options.force && path.exists()) {
+            Some(path) => Err(taken(&path)),
+            None => Ok(()),
+        }
+    }
+
+    /// Writes a file whole or not at all.
+    fn write(
+        &self,
+        name: &str,
+        content: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
+    ) -> Result<(), Failure> {
+        let path = self.options.out.join(name);
+        self.check([&name.to_owned()])?;
+        whole_file(&path, content).map_err(|error| Failure::Input(format!("{}: {error}", path.display())))?;
+        say(&self.options, &format!("{} written", path.display()));
+        Ok(())
+    }
+}
+
+fn taken(path: &Path) -> Failure {
+    Failure::Input(format!(
+        "{}: found a file of this name; allowed: --force to replace it, or another --out",
+        path.display()
+    ))
+}

@@ -1,0 +1,233 @@
+//! Maps and asperities of a surface, as the models see them, with where they come from.
+
+use std::path::{Path, PathBuf};
+
+use asperity::Ellipse;
+use asperity::npy;
+use asperity::surface::{AnalysisDepth, Preparation, Step, Surface};
+use asperity::topography::write::{Note, Out};
+use asperity::topography::{Boundary, Rows};
+use asperity::work::Counter;
+use asperity_contact_framework::input::{InputError, SpecFile};
+use asperity_contact_framework::metadata::Timing;
+use asperity_contact_framework::progress::{Progress, Silent};
+
+use super::origin::{SurfaceChoice, chosen, described, file_name, is_spec, origin, refuse_options};
+use crate::experiment::tables;
+use crate::surface::{FileOptions, SurfaceFactory, SurfacePlan, files_of, surfaces};
+
+/// One surface of a spec, or that of a measured file.
+pub struct ExportedSurface {
+    spec: SpecFile,
+    /// The spec or the measured file.
+    path: PathBuf,
+    plan: SurfacePlan,
+    realisation: usize,
+    /// Whether the spec has others.
+    is_one_of_several: bool,
+}
+
+/// A map after a step of its preparation.
+pub struct ExportedMap<'a> {
+    /// How the names of its files begin.
+    pub name: &'a str,
+    /// The step.
+    pub step: Step,
+    /// Its heights.
+    pub map: &'a dyn Rows,
+    /// Where they come from.
+    pub notes: &'a [Note],
+}
+
+/// Asperities with where they come from.
+pub struct ExportedAsperities {
+    /// How the names of their files begin.
+    pub name: String,
+    /// Where they come from.
+    pub notes: Vec<Note>,
+    columns: Vec<(&'static str, Vec<f64>)>,
+}
+
+impl ExportedSurface {
+    /// The chosen surface of the spec at `path`, or the surface of a measured file with `options`.
+    ///
+    /// # Errors
+    /// A spec or options that cannot be read, a choice that there is not.
+    pub fn read(path: &Path, options: &FileOptions, choice: &SurfaceChoice) -> Result<Self, InputError> {
+        let spec = if is_spec(path) {
+            refuse_options(path, options)?;
+            SpecFile::read(path, &tables())?
+        } else {
+            options.check()?;
+            SpecFile::parse(options.source(path), &tables())?
+        };
+        let mut all = surfaces(&spec, None, 0..0, false)?;
+        let is_one_of_several = all.len() > 1;
+        let (place, realisation) = chosen(path, &all, choice)?;
+        let plan = all.swap_remove(place);
+        Ok(Self { spec, path: path.to_owned(), plan, realisation, is_one_of_several })
+    }
+
+    /// How the names of its files begin: the name of the spec or the file, of the surface where there are several, and the realisation.
+    pub fn name(&self) -> String {
+        file_name(&self.path, &self.plan, self.is_one_of_several, self.realisation)
+    }
+
+    /// The steps that its preparation has, as far as that is known before it is made.
+    pub fn known_steps(&self) -> Vec<Step> {
+        let counter = Counter::default();
+        let preparation = self.factory(&counter, &Silent).preparation();
+        Step::ALL.into_iter().filter(|step| preparation.is_some_and(|known| known.has(*step))).collect()
+    }
+
+    /// Calls `take` with the map after each step of its preparation, in order.
+    ///
+    /// # Errors
+    /// A surface without a map, or one that cannot be made; the first error of `take`.
+    pub fn each_map<E: From<InputError>>(
+        &self,
+        progress: &dyn Progress,
+        mut take: impl FnMut(&ExportedMap) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let counter = Counter::default();
+        let mut files = files_of(std::slice::from_ref(&self.plan), &counter);
+        let (name, origin) = (self.name(), self.origin()?);
+        let mut result = Ok(());
+        self.factory(&counter, progress).each_step(
+            self.realisation,
+            &mut files,
+            |preparation, step, map| {
+                if result.is_ok() {
+                    let mut notes = origin.clone();
+                    notes.extend(self.of_map(preparation, step, map));
+                    result = take(&ExportedMap { name: &name, step, map, notes: &notes });
+                }
+            },
+        )?;
+        result
+    }
+
+    /// Its asperities.
+    ///
+    /// # Errors
+    /// A surface that cannot be made, or is a list already.
+    pub fn asperities(mut self, progress: &dyn Progress) -> Result<ExportedAsperities, InputError> {
+        if self.plan.is_list() {
+            let message = format!(
+                "surface {}: {}; allowed: a surface whose asperities are found on a map or drawn of a population",
+                self.plan.name,
+                self.plan.describe()
+            );
+            return Err(self.spec.source.error_at(self.plan.size_key.clone(), message));
+        }
+        self.plan = self.plan.with_own_ellipses();
+        let counter = Counter::default();
+        let (mut files, mut timing) =
+            (files_of(std::slice::from_ref(&self.plan), &counter), Timing::default());
+        let mut factory = self.factory(&counter, progress).keeping_map(true);
+        let surface = factory.make(self.realisation, AnalysisDepth::Asperities, &mut files, &mut timing)?;
+        let mut notes = self.origin()?;
+        if let Some(preparation) = factory.preparation() {
+            notes.push(("Preparation", described(&preparation, Step::Filtered)));
+        }
+        notes.push(("Nominal area (m^2)", format!("{:e}", surface.set.nominal_area())));
+        let lost = surface.map.as_ref().map_or(0.0, |map| map.offset);
+        if lost != 0.0 {
+            notes.push(("Height of zero (m)", format!("{:e}", surface.origin)));
+        }
+        Ok(ExportedAsperities { name: self.name(), notes, columns: columns(&surface, lost) })
+    }
+
+    fn factory<'a>(&'a self, counter: &'a Counter, progress: &'a dyn Progress) -> SurfaceFactory<'a> {
+        SurfaceFactory::from_seed(&self.plan, &self.spec.source, self.spec.seed, counter, progress)
+    }
+
+    fn origin(&self) -> Result<Vec<Note>, InputError> {
+        let SpecFile { source, seed, .. } = &self.spec;
+        origin(&self.path, &source.text, *seed, &self.plan, self.realisation)
+    }
+
+    /// What is said of a map.
+    fn of_map(&self, preparation: &Preparation, step: Step, map: &dyn Rows) -> Vec<Note> {
+        let mut notes = vec![("Step", step.name().to_owned())];
+        notes.push(("Preparation", described(preparation, step)));
+        if map.offset() != 0.0 {
+            notes.push(("Height of zero (m)", format!("{:e}", map.offset())));
+        }
+        notes.push(("Read by a spec with", keys(map)));
+        notes
+    }
+}
+
+/// The keys of `[surface.NAME.file]` that read a map as it is.
+fn keys(map: &dyn Rows) -> String {
+    let periodic = if map.boundary() == Boundary::Periodic { ", periodic = true" } else { "" };
+    format!("level = \"none\"{periodic}")
+}
+
+/// The columns of a list of asperities; places where they are known, principal curvatures of ellipses.
+fn columns(surface: &Surface, lost: f64) -> Vec<(&'static str, Vec<f64>)> {
+    let mut columns = Vec::new();
+    if let Some(prepared) = &surface.prepared {
+        let ([_, ny], [dx, dy]) = (prepared.map.points(), prepared.map.pixel());
+        let along = |of: &dyn Fn(usize) -> f64| prepared.positions.iter().map(|&at| of(at)).collect();
+        columns.push(("x [m]", along(&|at| (at / ny) as f64 * dx)));
+        columns.push(("y [m]", along(&|at| (at % ny) as f64 * dy)));
+    }
+    // The heights of the file, exactly, unless it keeps an offset apart.
+    let origin = if lost == 0.0 { surface.origin } else { 0.0 };
+    let height = |z: &f64| if origin == 0.0 { *z } else { z + origin };
+    columns.push(("height [m]", surface.set.heights().iter().map(height).collect()));
+    columns.push(("radius [m]", surface.set.radii().to_vec()));
+    if let Some(ellipses) = surface.set.ellipses() {
+        let (larger, smaller) =
+            ellipses.iter().map(Ellipse::exact_principal).map(|[larger, smaller]| (larger, smaller)).unzip();
+        columns.extend([("kx [1/m]", larger), ("ky [1/m]", smaller)]);
+    }
+    columns
+}
+
+impl ExportedAsperities {
+    /// Number of asperities.
+    pub fn count(&self) -> usize {
+        self.columns.first().map_or(0, |(_, column)| column.len())
+    }
+
+    /// As a text with a line for each, which a spec reads by `[surface.NAME.asperities]`.
+    ///
+    /// # Errors
+    /// A file that cannot be written.
+    pub fn write_csv(&self, out: &mut dyn Out) -> std::io::Result<()> {
+        for (name, text) in &self.notes {
+            writeln!(out, "# {name}: {text}")?;
+        }
+        let names: Vec<&str> = self.columns.iter().map(|(name, _)| *name).collect();
+        writeln!(out, "{}", names.join(","))?;
+        for row in 0..self.count() {
+            for (k, (_, column)) in self.columns.iter().enumerate() {
+                write!(out, "{}{:e}", if k > 0 { "," } else { "" }, column[row])?;
+            }
+            writeln!(out)?;
+        }
+        Ok(())
+    }
+
+    /// As an array with the columns that a spec reads of one: height, radius, and kx and ky where they are known.
+    ///
+    /// # Errors
+    /// As [`Self::write_csv`].
+    pub fn write_npy(&self, out: &mut dyn Out) -> std::io::Result<()> {
+        let columns: Vec<&Vec<f64>> = self.of_array().map(|(_, column)| column).collect();
+        let values = (0..self.count()).flat_map(|row| columns.iter().map(move |column| column[row]));
+        npy::write(out, [self.count(), columns.len()], values)
+    }
+
+    /// Names of the columns of the array.
+    pub fn array_columns(&self) -> Vec<&'static str> {
+        self.of_array().map(|(name, _)| *name).collect()
+    }
+
+    fn of_array(&self) -> impl Iterator<Item = &(&'static str, Vec<f64>)> {
+        self.columns.iter().filter(|(name, _)| !name.starts_with(['x', 'y']))
+    }
+}
