@@ -54,6 +54,7 @@ pub struct Experiment {
     kind: &'static str,
     notes: String,
     figure: Option<Size>,
+    has_parquet: bool,
     is_long: bool,
     group: Option<Group>,
     seed: u64,
@@ -173,7 +174,7 @@ impl Experiment {
     fn new(spec: SpecFile, stem: String, kind: &'static str, planned: Planned) -> Result<Self, InputError> {
         let materials = spec.materials().map(|(name, body)| (name.get_ref().clone(), *body)).collect();
         let origins = spec.origins();
-        let SpecFile { source, title, notes, figure, is_long, seed, .. } = spec;
+        let SpecFile { source, title, notes, figure, has_parquet, is_long, seed, .. } = spec;
         check_memory(&planned, &source)?;
         Ok(Self {
             source,
@@ -182,6 +183,7 @@ impl Experiment {
             kind,
             notes,
             figure,
+            has_parquet,
             is_long,
             group: None,
             seed,
@@ -368,6 +370,7 @@ impl Experiment {
             input_sha256,
             notes,
             figure: *figure,
+            has_parquet: self.has_parquet,
             is_long: self.is_long,
             group: self.group,
             library_sha256: LIBRARY,

@@ -144,7 +144,6 @@ impl ExportedContacts {
             prepared,
             is_viewed: false,
         };
-        let is_one = reference.solutions.len() == 1 && loads.len() == 1;
         let mut names: Vec<String> = Vec::new();
         let mut left_out = Vec::new();
         for solution in &reference.solutions {
@@ -158,16 +157,14 @@ impl ExportedContacts {
                 )
             }));
             run.each_contact(&context, solution, &carried, |heights, load, contact| {
-                let mut name = self.name();
-                if !is_one {
-                    let layer = solution.thickness.map(thickness_words);
-                    let parts = layer.into_iter().chain([quantity(load, "Pa")]);
-                    name = identifier(&parts.fold(name, |name, part| format!("{name}-{part}")));
-                }
-                if names.contains(&name) {
-                    name = format!("{name}-{}", names.len() + 1);
-                }
+                let name = identifier(&format!(
+                    "{}{}",
+                    self.name(),
+                    differs(reference, solution, load, loads.len())
+                ));
+                let repeats = names.iter().filter(|other| **other == name).count();
                 names.push(name.clone());
+                let name = if repeats > 0 { format!("{name}-{}", repeats + 1) } else { name };
                 let mut notes = of_surface.clone();
                 let (patches, count) = numbered_patches(contact);
                 notes.extend(self.facts(reference, solution, contact, [load, area]));
@@ -219,6 +216,22 @@ impl ExportedContacts {
         ]);
         notes
     }
+}
+
+/// What tells a contact from the others at so many loads, behind a dash each: the layer, whether a hardness limits its pressures, the load.
+fn differs(reference: &ReferencePlan, solution: &Solution, load: f64, loads: usize) -> String {
+    let mut parts = Vec::new();
+    let others = |differs: &dyn Fn(&Solution) -> bool| reference.solutions.iter().any(differs);
+    if others(&|other| other.thickness != solution.thickness) {
+        parts.extend(solution.thickness.map(thickness_words));
+    }
+    if others(&|other| other.thickness == solution.thickness && other.cap != solution.cap) {
+        parts.push(if solution.cap.is_some() { "plastic" } else { "elastic" }.to_owned());
+    }
+    if loads > 1 {
+        parts.push(quantity(load, "Pa"));
+    }
+    parts.iter().map(|part| format!("-{part}")).collect()
 }
 
 impl StatedLoad {

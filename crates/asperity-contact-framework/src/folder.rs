@@ -9,6 +9,7 @@ use crate::digest::{hexadecimal, sha256};
 use crate::kind::Outcome;
 use crate::report::CARD;
 use crate::report::digest::digest;
+use crate::report::parquet;
 use crate::report::store::Folder;
 use crate::report::table::Tables;
 use crate::summary;
@@ -69,6 +70,9 @@ pub fn folder(outcome: &dyn Outcome, key: &str, print: Option<Print>) -> Result<
     }
     for table in tables.iter() {
         folder.file(table.schema.file, table.csv()?);
+        if outcome.metadata().has_parquet {
+            folder.file(parquet::file_name(table), parquet::parquet(table));
+        }
     }
     let is_committed = |name: &str| {
         COMMITTED.iter().any(|ending| name.ends_with(ending))

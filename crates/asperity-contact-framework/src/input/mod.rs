@@ -16,6 +16,7 @@ mod resolver;
 pub mod schema;
 mod spanned;
 pub mod sweep;
+mod tables;
 pub mod tolerance;
 mod whole;
 
