@@ -72,6 +72,21 @@ mod tests {
     }
 
     #[test]
+    fn an_ellipse_is_made_again_to_the_bit() {
+        let mut inexact = 0;
+        for k in 1..20_000 {
+            let larger = 1e4 * (1.0 + f64::from(k).sin().abs());
+            let smaller = larger * (0.7 * f64::from(k)).cos().abs().powi(k % 40);
+            let ellipse = Ellipse::of_summit([larger, smaller]);
+            let [kx, ky] = ellipse.exact_principal();
+            assert_eq!(Ellipse::new(kx, ky), ellipse, "{larger:e} {smaller:e}");
+            let [kx, ky] = ellipse.principal();
+            inexact += u32::from(Ellipse::new(kx, ky) != ellipse);
+        }
+        assert!(inexact > 1000, "{inexact}: rounding is not tried");
+    }
+
+    #[test]
     fn a_summit_that_is_no_ellipse_is_the_sphere_of_its_mean_curvature() {
         for smaller in [-1.0, 0.0, 1e-9] {
             let found = Ellipse::of_summit([4.0, smaller]);
