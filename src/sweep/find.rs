@@ -156,12 +156,15 @@ impl Find {
                 .iter()
                 .map(|&number| self.points(run, places, Some(number)))
                 .collect::<Result<_, _>>()?;
-            let cases = at_grid.iter().map(Vec::len).min().unwrap_or(0);
+            let cases = at_grid.iter().map(Vec::len).max().unwrap_or(0);
             for case in 0..cases {
                 let goal = goals.get(case).copied().flatten();
-                for pair in 0..grid.len().saturating_sub(1) {
-                    let ends = [pair, pair + 1].map(|k| End { at: grid[k], point: at_grid[k][case].clone() });
-                    let found = self.between(run, places, case, goal, ends)?;
+                // None where a variation could not be run.
+                let end =
+                    |k: usize| at_grid[k].get(case).map(|point| End { at: grid[k], point: point.clone() });
+                for upper in 1..grid.len() {
+                    let (Some(low), Some(high)) = (end(upper - 1), end(upper)) else { continue };
+                    let found = self.between(run, places, case, goal, [low, high])?;
                     crossings.extend(found.map(|(ends, target)| Crossing {
                         key: self.key,
                         places: places.clone(),
@@ -172,8 +175,8 @@ impl Find {
                         target,
                         is_of_verdict: matches!(self.target, Target::Verdict),
                         pressure: self.spec.at.value(),
-                        surface: at_grid[pair][case].surface.clone(),
-                        law: at_grid[pair][case].law.clone(),
+                        surface: ends[0].point.surface.clone(),
+                        law: ends[0].point.law.clone(),
                     }));
                 }
             }

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
-use std::time::Instant;
+use std::time::{Instant, SystemTime};
 
 use asperity::literature;
 use asperity::work::Counter;
@@ -59,6 +59,9 @@ impl Found {
     }
 }
 
+/// When a file was last written, and its size.
+type State = (SystemTime, u64);
+
 /// A sweep under way.
 pub struct Run<'a> {
     plan: &'a SweepPlan,
@@ -67,8 +70,8 @@ pub struct Run<'a> {
     kept: Option<Kept>,
     /// The names of all pieces that belong to this run.
     used: Mutex<BTreeSet<String>>,
-    /// SHA-256 of input files, each hashed once.
-    files: Mutex<BTreeMap<PathBuf, [u8; 32]>>,
+    /// SHA-256 of input files, each hashed once in a state.
+    files: Mutex<BTreeMap<PathBuf, (State, [u8; 32])>>,
 }
 
 /// The progress of a variation as a part of a run: its own steps do not count.
@@ -121,18 +124,21 @@ impl<'a> Run<'a> {
     /// # Errors
     /// As [`Self::variations`].
     pub fn one(&self, case: &VariedCase) -> Result<Found, InputError> {
+        let before = case.experiment.modified();
         let input = case.experiment.input_by(|path| self.hash(path))?;
         let name = case.experiment.key_of(&input);
-        let lock = |error| -> InputError { InputError::file(&self.context.source.path, error) };
-        self.used.lock().map_err(|error| lock(error.to_string()))?.insert(name.clone());
+        let refuse = |error: String| InputError::file(&self.context.source.path, error);
+        self.used.lock().map_err(|error| refuse(error.to_string()))?.insert(name.clone());
         let known = self.kept.as_ref().and_then(|kept| kept.read(&name));
         if let Some(found) = known.and_then(|bytes| serde_json::from_slice(&bytes).ok()) {
             return Ok(found);
         }
         let found = self.run(case, &input);
-        if let Some(kept) = &self.kept {
-            let bytes = serde_json::to_vec(&found).map_err(|error| lock(error.to_string()))?;
-            kept.write(&name, &bytes).map_err(|error| lock(error.to_string()))?;
+        // A failure may be one of the disk, and what was read of a file that changed meanwhile is of neither state.
+        let is_sound = found.failure.is_none() && case.experiment.modified() == before;
+        if let Some(kept) = self.kept.as_ref().filter(|_| is_sound) {
+            let bytes = serde_json::to_vec(&found).map_err(|error| refuse(error.to_string()))?;
+            kept.write(&name, &bytes).map_err(|error| refuse(error.to_string()))?;
         }
         Ok(found)
     }
@@ -154,13 +160,15 @@ impl<'a> Run<'a> {
     }
 
     fn hash(&self, path: &Path) -> std::io::Result<[u8; 32]> {
+        let metadata = std::fs::metadata(path)?;
+        let state = (metadata.modified()?, metadata.len());
         let known = self.files.lock().ok().and_then(|files| files.get(path).copied());
-        if let Some(hash) = known {
+        if let Some((_, hash)) = known.filter(|(known, _)| *known == state) {
             return Ok(hash);
         }
         let hash = sha256_of_file(path)?;
         if let Ok(mut files) = self.files.lock() {
-            files.insert(path.to_owned(), hash);
+            files.insert(path.to_owned(), (state, hash));
         }
         Ok(hash)
     }
