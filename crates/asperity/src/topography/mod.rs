@@ -4,7 +4,7 @@
 //! |---|---|
 //! | [`HeightMap`], [`Rows`], [`Watched`], [`Continued`] | heights in memory; heights row by row, for maps larger than memory; with progress; continued periodically |
 //! | [`read`] | measured maps, one file per format |
-//! | [`write`] | maps for other programs, one file per format |
+//! | [`mod@write`] | maps for other programs, one file per format |
 //! | [`thumbnail`], [`Sampled`], [`Window`] | a coarse map of a map; every n-th point of it; a part of it |
 //! | [`Level`], [`Filter`] | removing the form; Gaussian S and L filters |
 //! | [`tip`] | what the stylus or tip of the instrument could not reach |
