@@ -421,7 +421,6 @@ impl SurfacePlan {
     }
 
     /// Whether a law treats its asperities as ellipses.
-    #[cfg(feature = "serve")]
     pub fn has_ellipses(&self) -> bool {
         self.as_ellipses
     }

@@ -239,7 +239,7 @@ impl Find {
         let words = match &self.target {
             Target::Verdict => {
                 let [low, high] = ends.each_ref().map(|end| verdict_in_words(&end.point.verdict));
-                format!("{low} to {high}")
+                format!("{low} to {high}").replace('-', " ")
             }
             Target::Value(value) => input_number(*value),
             Target::Ratio(ratio, To::Uncoated) => format!("{} times uncoated", input_number(*ratio)),

@@ -4,7 +4,7 @@ use asperity::compare::ComparedQuantity;
 use asperity_contact_framework::Outcome;
 use asperity_contact_framework::metadata::Metadata;
 use asperity_contact_framework::report::format::{input_quantity, listed};
-use asperity_contact_framework::report::page::{Page, escape};
+use asperity_contact_framework::report::page::Page;
 use asperity_contact_framework::report::sections;
 use asperity_contact_framework::report::table::{Table, Tables};
 use serde_json::{Map, Value, json};
@@ -125,16 +125,21 @@ impl SweepResults {
         const MOST_CROSSINGS: usize = 3;
         if let Some(first) = self.crossings.first() {
             let found = first.crossing();
-            let crossing = |row: &CrossingRow| {
-                let with =
-                    if row.with().is_empty() { String::new() } else { format!(" ({})", escape(row.with())) };
-                let beyond =
-                    if row.crossing().limits.is_empty() { "" } else { ", where the load is not admissible" };
-                format!("{}{with}{beyond}", row.value())
+            let alike: Vec<&CrossingRow> =
+                self.crossings.iter().filter(|row| row.question() == first.question()).collect();
+            let values = if alike.iter().all(|row| row.with() == first.with()) {
+                let mut shown: Vec<String> =
+                    alike.iter().take(MOST_CROSSINGS).map(|row| row.value()).collect();
+                let more = alike.len().saturating_sub(MOST_CROSSINGS);
+                shown.extend((more > 0).then(|| format!("{more} more values")));
+                listed(&shown)
+            } else {
+                let by_value =
+                    |a: &&&CrossingRow, b: &&&CrossingRow| a.crossing().at().total_cmp(&b.crossing().at());
+                let ends = [alike.iter().min_by(by_value), alike.iter().max_by(by_value)];
+                let [from, to] = ends.map(|row| row.map_or_else(String::new, |row| row.value()));
+                format!("{from} to {to}, by the other keys")
             };
-            let mut shown: Vec<String> = self.crossings.iter().take(MOST_CROSSINGS).map(crossing).collect();
-            let more = self.crossings.len().saturating_sub(MOST_CROSSINGS);
-            shown.extend((more > 0).then(|| format!("{more} more values")));
             let (quantity, load) = (quantity_name(found.quantity), input_quantity(found.pressure, "Pa"));
             let what = match found.model {
                 _ if first.is_of_verdict() => {
@@ -145,17 +150,13 @@ impl SweepResults {
                 FoundModel::Reference => format!("The {quantity} by boundary elements is {}", found.target),
                 FoundModel::Difference => format!("The difference in {quantity} is {}", found.target),
             };
-            let is_beyond = |row: &&CrossingRow| !row.crossing().limits.is_empty();
-            let beyond = match self.crossings.iter().filter(is_beyond).count() {
+            let is_beyond = |row: &&&CrossingRow| !row.crossing().limits.is_empty();
+            let beyond = match alike.iter().filter(is_beyond).count() {
                 0 => String::new(),
-                count if count == self.crossings.len() => "; the load is not admissible there".to_owned(),
+                count if count == alike.len() => "; the load is not admissible there".to_owned(),
                 count => format!("; the load is not admissible at {count} of them"),
             };
-            sentences.push(format!(
-                "{what} at {load} and `{}` = {}{beyond}.",
-                first.key().name,
-                listed(&shown)
-            ));
+            sentences.push(format!("{what} at {load} and `{}` = {values}{beyond}.", first.key().name));
         }
         let verdicts = self.counted();
         sentences.extend((!verdicts.is_empty()).then_some(verdicts));

@@ -137,6 +137,12 @@ impl CrossingRow {
         &self.crossing
     }
 
+    /// What was asked, which several values may answer.
+    pub fn question(&self) -> impl PartialEq {
+        let Crossing { key, quantity, model, target, pressure, .. } = &self.crossing;
+        (*key, *quantity, *model, target.clone(), *pressure)
+    }
+
     pub fn key(&self) -> &SweptKey {
         &self.key
     }
@@ -310,11 +316,7 @@ impl SweepResults {
         }
         warnings.extend(counted.into_values().map(|(warning, variations)| match variations.len() {
             count if count == found.len() => warning.to_owned(),
-            count => format!(
-                "in {count} of {} variations, as in variation {}: {warning}",
-                found.len(),
-                variations.first().map_or(0, |k| k + 1)
-            ),
+            count => format!("{count} of {} variations: {warning}", found.len()),
         }));
         let looked_for = self.asked > 0 && self.crossings.is_empty();
         warnings.extend(

@@ -27,6 +27,8 @@ impl<'de> Deserialize<'de> for SweepSpec {
 
 written_schema!(SweepSpec, |generator| {
     let one = generator.subschema_for::<FindSpec>();
+    let mut combine = generator.subschema_for::<Combine>().to_value();
+    combine["default"] = json!("all");
     let values = json!({
         "anyOf": [
             { "type": "array", "minItems": 1 },
@@ -43,8 +45,9 @@ written_schema!(SweepSpec, |generator| {
         "type": "object",
         "description": "The experiment beside it is run for several values of some of its keys, and one report compares them: `\"KEY\" = [...]` for each key.",
         schema::TYPE: "table of keys of the spec",
+        "examples": [{ "seed": [1, 2, 3] }],
         "properties": {
-            COMBINE: generator.subschema_for::<Combine>(),
+            COMBINE: combine,
             FIND: {
                 "anyOf": [one, { "type": "array", "items": one }],
                 "description": "A value of a swept key that is to be found between its values: where a quantity is a given one, or a verdict changes. One or a list; only with `[compare]`.",

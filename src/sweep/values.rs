@@ -110,7 +110,12 @@ fn quantities(values: &[Value]) -> Option<(Vec<f64>, Option<Dimension>)> {
     if let Some(numbers) = all(None) {
         return Some((numbers, None));
     }
-    Dimension::ALL.into_iter().find_map(|dimension| Some((all(Some(dimension))?, Some(dimension))))
+    // "inf" has no unit that would tell which.
+    let states = |value: &Value, dimension: Dimension| {
+        value.as_str().is_some_and(|text| dimension.parse(text).is_some())
+    };
+    let mut stated = Dimension::ALL.into_iter().filter(|one| values.iter().any(|value| states(value, *one)));
+    stated.find_map(|dimension| Some((all(Some(dimension))?, Some(dimension))))
 }
 
 fn number(value: &Value, dimension: Option<Dimension>) -> Option<f64> {
