@@ -169,7 +169,7 @@ def test_a_sweep_on_a_cluster_is_that_of_one_process(spec, client, tmp_path):
         spec, client, report=tmp_path / "swept", results=tmp_path / "kept", progress=lambda *counts: done.append(counts)
     )
     assert done == [(count, 4) for count in range(5)]
-    assert (swept.csv, swept.warnings, swept.answer) == (whole.csv, whole.warnings, whole.answer)
+    assert (swept.csv, swept.warnings, repr(swept.answer)) == (whole.csv, whole.warnings, repr(whole.answer))
     tables = [(tmp_path / folder / "study" / "sweep.csv").read_bytes() for folder in ("whole", "swept")]
     assert tables[0] == tables[1]
     # What is kept is not run again.
