@@ -46,10 +46,17 @@ class Server:
     def __init__(self, folder, config, program=PROGRAM, path=None):
         self.folder, self.config, self.program = pathlib.Path(folder), pathlib.Path(config), program
         self.path = path
-        self.port = free_port()
         self.process = None
         self.errors = []
-        self.start()
+        for attempts_left in (2, 1, 0):
+            self.port = free_port()
+            try:
+                self.start()
+                break
+            except AssertionError:
+                # Another process may have taken the port since it was found to be free.
+                if not attempts_left:
+                    raise
 
     def start(self):
         """Starts it, and waits for its address."""
