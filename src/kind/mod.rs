@@ -1,4 +1,4 @@
-//! The kinds of experiment. To add one: a folder here, or another crate, and a line in [`KINDS`].
+//! The kinds of experiment. To add one: a folder here, or another crate, and a line in [`REPORTED`].
 
 pub mod causes;
 pub mod compare;
@@ -19,9 +19,9 @@ use asperity_validation::kind::{
     stability::Stability,
 };
 
-/// Every kind, in the order in which messages list them; those that measure the program itself only with the feature
-/// `validation`.
-pub const KINDS: &[&dyn AnyKind] = &[
+/// What reports may be of: every kind of experiment, those that measure the program itself only with the feature `validation`; last the sweep
+/// over keys of one.
+pub const REPORTED: &[&dyn AnyKind] = &[
     &causes::Causes,
     &compare::Compare,
     #[cfg(feature = "validation")]
@@ -37,18 +37,11 @@ pub const KINDS: &[&dyn AnyKind] = &[
     #[cfg(feature = "validation")]
     &Stability,
     &tiled::Tiled,
+    &sweep::Sweep,
 ];
 
-/// What reports may be of: a kind of experiment, or a sweep over keys of one.
-pub const REPORTED: &[&dyn AnyKind] = &{
-    let mut all: [&dyn AnyKind; KINDS.len() + 1] = [&sweep::Sweep; KINDS.len() + 1];
-    let mut place = 0;
-    while place < KINDS.len() {
-        all[place] = KINDS[place];
-        place += 1;
-    }
-    all
-};
+/// Every kind of experiment, in the order in which messages list them.
+pub const KINDS: &[&dyn AnyKind] = REPORTED.split_at(REPORTED.len() - 1).0;
 
 /// The table of surfaces, which some kinds read.
 pub const SURFACES: &str = "surface";

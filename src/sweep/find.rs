@@ -10,7 +10,7 @@ use super::plan::without_what_is_not_shown;
 use super::run::Run;
 use super::spec::{Combine, FindSpec, FoundModel};
 use super::values::{SweptKey, as_text, set};
-use crate::kind::compare::{Compare, swept_name};
+use crate::kind::compare::{Compare, Extent, swept_name};
 use asperity_contact_framework::Kind;
 
 /// A crossing is known to this part of its value.
@@ -152,13 +152,14 @@ impl Find {
         let starts = run.plan().variations.iter().filter(|variation| variation.places[self.key] == 0);
         for places in starts.map(|variation| &variation.places) {
             let goals = self.goals(run, places)?;
-            let at_grid: Vec<Vec<Point>> = grid
-                .iter()
-                .map(|&number| self.points(run, places, Some(number)))
-                .collect::<Result<_, _>>()?;
+            let at_grid: Vec<Vec<Point>> =
+                grid.iter().map(|&number| self.points_at(run, places, number)).collect::<Result<_, _>>()?;
             let cases = at_grid.iter().map(Vec::len).max().unwrap_or(0);
             for case in 0..cases {
-                let goal = goals.get(case).copied().flatten();
+                let goal = match self.target {
+                    Target::Value(value) => Some(value),
+                    Target::Ratio(..) | Target::Verdict => goals.get(case).copied().flatten(),
+                };
                 // None where a variation could not be run.
                 let end =
                     |k: usize| at_grid[k].get(case).map(|point| End { at: grid[k], point: point.clone() });
@@ -184,29 +185,19 @@ impl Find {
         Ok(crossings)
     }
 
-    /// The value of the quantity that is looked for, case by case; none of a verdict.
+    /// The value of the quantity that a ratio refers to times the ratio, case by case.
     fn goals(&self, run: &Run, places: &[usize]) -> Result<Vec<Option<f64>>, InputError> {
-        Ok(match &self.target {
-            Target::Verdict => Vec::new(),
-            Target::Value(value) => {
-                let cases = self.points(run, places, None)?;
-                vec![Some(*value); cases.len()]
+        let Target::Ratio(ratio, to) = &self.target else { return Ok(Vec::new()) };
+        let points = self.points(run, places, |table| match to {
+            To::Uncoated => {
+                if let Some(compare) = table.get_mut(Compare::NAME).and_then(Value::as_table_mut) {
+                    compare.remove("layer");
+                }
+                Ok(())
             }
-            Target::Ratio(ratio, to) => {
-                let points = match to {
-                    To::Uncoated => self.points_of(run, places, |table| {
-                        if let Some(compare) = table.get_mut(Compare::NAME).and_then(Value::as_table_mut) {
-                            compare.remove("layer");
-                        }
-                        Ok(())
-                    })?,
-                    To::Value(value) => {
-                        self.points_of(run, places, |table| set(table, &self.spec.key, value.clone()))?
-                    }
-                };
-                points.iter().map(|point| Some(ratio * point.value?)).collect()
-            }
-        })
+            To::Value(value) => set(table, &self.spec.key, value.clone()),
+        })?;
+        Ok(points.iter().map(|point| Some(ratio * point.value?)).collect())
     }
 
     /// Where it holds between two values, narrowed down by bisection; with what was looked for.
@@ -225,7 +216,7 @@ impl Find {
         let tolerance = if is_verdict { OF_VERDICT } else { TOLERANCE };
         while !is_narrow(ends.each_ref().map(|end| end.at), tolerance) {
             let at = middle(ends.each_ref().map(|end| end.at));
-            let points = self.points(run, places, Some(at))?;
+            let points = self.points_at(run, places, at)?;
             let Some(point) = points.get(case).cloned() else { return Ok(None) };
             let between = End { at, point };
             let [low, high] = ends;
@@ -242,7 +233,9 @@ impl Find {
                 format!("{low} to {high}").replace('-', " ")
             }
             Target::Value(value) => input_number(*value),
-            Target::Ratio(ratio, To::Uncoated) => format!("{} times uncoated", input_number(*ratio)),
+            Target::Ratio(ratio, To::Uncoated) => {
+                format!("{} times that without the layer", input_number(*ratio))
+            }
             Target::Ratio(ratio, To::Value(value)) => {
                 format!("{} times that at {}", input_number(*ratio), as_text(value))
             }
@@ -263,16 +256,14 @@ impl Find {
         }
     }
 
-    fn points(&self, run: &Run, places: &[usize], number: Option<f64>) -> Result<Vec<Point>, InputError> {
+    /// The cases of a variation at a value of the key, at the load alone.
+    fn points_at(&self, run: &Run, places: &[usize], number: f64) -> Result<Vec<Point>, InputError> {
         let key = &run.plan().keys[self.key];
-        self.points_of(run, places, |table| match number {
-            Some(number) => set(table, &key.name, key.written(number)),
-            None => Ok(()),
-        })
+        self.points(run, places, |table| set(table, &key.name, key.written(number)))
     }
 
     /// The cases of a variation, at the load alone.
-    fn points_of(
+    fn points(
         &self,
         run: &Run,
         places: &[usize],
@@ -288,7 +279,10 @@ impl Find {
         });
         // A value between two that run may not; it is no crossing.
         let Ok(case) = case else { return Ok(Vec::new()) };
-        let found = run.one(&case)?;
+        // Intervals, and what else a value does not need, are left out.
+        let is_value = !matches!(self.target, Target::Verdict) && self.spec.model != FoundModel::Reference;
+        let extent = if is_value && case.has_single_surfaces() { Extent::Models } else { Extent::Everything };
+        let found = run.one(&case, extent)?;
         Ok(found.table(run.plan()).map_or_else(Vec::new, |table| self.read(&table)))
     }
 

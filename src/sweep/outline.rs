@@ -145,10 +145,18 @@ impl SweepResults {
                 _ if first.is_of_verdict() => {
                     format!("The verdict on the {quantity} changes from {}", found.target)
                 }
-                FoundModel::Deterministic => format!("The {quantity} by the sum is {}", found.target),
-                FoundModel::Statistical => format!("The {quantity} by the integral is {}", found.target),
-                FoundModel::Reference => format!("The {quantity} by boundary elements is {}", found.target),
-                FoundModel::Difference => format!("The difference in {quantity} is {}", found.target),
+                FoundModel::Deterministic => {
+                    format!("On the compared surface the {quantity} by the sum is {}", found.target)
+                }
+                FoundModel::Statistical => {
+                    format!("On the compared surface the {quantity} by the integral is {}", found.target)
+                }
+                FoundModel::Reference => {
+                    format!("On the compared surface the {quantity} by boundary elements is {}", found.target)
+                }
+                FoundModel::Difference => {
+                    format!("On the compared surface the difference in {quantity} is {}", found.target)
+                }
             };
             let is_beyond = |row: &&&CrossingRow| !row.crossing().limits.is_empty();
             let beyond = match alike.iter().filter(is_beyond).count() {
@@ -181,7 +189,7 @@ impl SweepResults {
             (count(|verdict| verdict.ends_with("beyond")), "beyond it"),
             (count(|verdict| verdict == "cannot-tell"), "undecided"),
             (count(|verdict| verdict == "blocked"), "not told of an unfit map"),
-            (count(str::is_empty), "not admissible"),
+            (count(str::is_empty), "at a load that is not admissible"),
         ];
         let words: Vec<String> = counts
             .iter()

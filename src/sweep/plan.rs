@@ -53,6 +53,14 @@ pub struct VariedCase {
     pub text: String,
 }
 
+impl VariedCase {
+    /// Whether it compares single surfaces, whose results need no mean.
+    pub fn has_single_surfaces(&self) -> bool {
+        let surfaces = self.comparison.iter().flat_map(|plan| &plan.study.surfaces);
+        surfaces.map(|surface| surface.realisations).max() == Some(1)
+    }
+}
+
 /// The spec without its sweep.
 #[derive(Clone)]
 pub struct Base {

@@ -162,7 +162,7 @@ impl CrossingRow {
 
 impl Row for CrossingRow {
     const FILE: &'static str = "crossings.csv";
-    const ROWS: &'static str = "One row for each value of a swept key at which what `find` asks for holds, found by bisection between its values.";
+    const ROWS: &'static str = "One row for each value of a swept key at which what `find` asks for holds, found by bisection between its values: on the compared surface, without an interval.";
     const RECORDS: Option<&'static str> = Some("crossings");
 
     fn columns() -> Vec<Column<Self>> {

@@ -20,7 +20,7 @@ use serde::{Deserialize, Serialize};
 
 use super::plan::{SweepPlan, VariedCase};
 use super::results::SweepResults;
-use crate::kind::compare::{Scope, run_within};
+use crate::kind::compare::{Extent, Scope, run_within};
 use crate::surface::{OfSpec, Surfaces};
 
 /// What a sweep keeps of a variation.
@@ -106,7 +106,7 @@ impl<'a> Run<'a> {
     pub fn variations(&self, numbers: std::ops::Range<usize>) -> Result<Vec<Found>, InputError> {
         self.context.progress.steps(numbers.len() as u64);
         let one = |number: usize| {
-            let found = self.one(&self.plan.variations[number].case);
+            let found = self.one(&self.plan.variations[number].case, Extent::Everything);
             self.context.progress.step();
             found
         };
@@ -119,21 +119,22 @@ impl<'a> Run<'a> {
         found.into_iter().collect()
     }
 
-    /// What is found in one, which is kept.
+    /// What is found in one to an extent, which is kept.
     ///
     /// # Errors
     /// As [`Self::variations`].
-    pub fn one(&self, case: &VariedCase) -> Result<Found, InputError> {
+    pub fn one(&self, case: &VariedCase, extent: Extent) -> Result<Found, InputError> {
         let before = case.experiment.modified();
         let input = case.experiment.input_by(|path| self.hash(path))?;
-        let name = case.experiment.key_of(&input);
+        let key = case.experiment.key_of(&input);
+        let name = if extent == Extent::Everything { key } else { format!("{key}-without-intervals") };
         let refuse = |error: String| InputError::file(&self.context.source.path, error);
         self.used.lock().map_err(|error| refuse(error.to_string()))?.insert(name.clone());
         let known = self.kept.as_ref().and_then(|kept| kept.read(&name));
         if let Some(found) = known.and_then(|bytes| serde_json::from_slice(&bytes).ok()) {
             return Ok(found);
         }
-        let found = self.run(case, &input);
+        let found = self.run(case, &input, extent);
         // A failure may be one of the disk, and what was read of a file that changed meanwhile is of neither state.
         let is_sound = found.failure.is_none() && case.experiment.modified() == before;
         if let Some(kept) = self.kept.as_ref().filter(|_| is_sound) {
@@ -143,14 +144,14 @@ impl<'a> Run<'a> {
         Ok(found)
     }
 
-    fn run(&self, case: &VariedCase, input: &str) -> Found {
+    fn run(&self, case: &VariedCase, input: &str, extent: Extent) -> Found {
         let progress = OfVariation(self.context.progress);
         let context = case.experiment.context(input, &progress);
         let outcome: Result<Box<dyn Outcome>, InputError> = match &case.comparison {
             None => case.experiment.run(&progress),
             Some(plan) => {
                 let store = OfSpec::new(&self.surfaces, self.plan.folder(), &case.text);
-                let scope = Scope { store: Some(&store), pictures: 0, ..Scope::default() };
+                let scope = Scope { extent, store: Some(&store), pictures: 0, ..Scope::default() };
                 run_within(&context, plan, &Counter::default(), scope).map(|results| Box::new(results) as _)
             }
         };

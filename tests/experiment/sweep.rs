@@ -38,9 +38,9 @@ fn table(text: &str, file: &str) -> Vec<Row> {
     rows(&tables.iter().find(|(name, _)| name == file).unwrap_or_else(|| panic!("no {file}")).1)
 }
 
-fn refusal(text: &str) -> String {
+fn error(text: &str) -> String {
     let source = Source::in_memory(Path::new(""), text.to_owned());
-    Experiment::parse(source, "swept").err().expect("refused").to_string()
+    Experiment::parse(source, "swept").err().expect("an error").to_string()
 }
 
 #[test]
@@ -143,11 +143,11 @@ fn what_cannot_be_swept_says_why() {
             "found \"1 nm\"; allowed: ",
         ),
     ] {
-        let message = refusal(&spec(sweep));
+        let message = error(&spec(sweep));
         assert!(message.contains(words) && message.contains("line "), "{sweep}: {message}");
     }
     let alone = format!("title = \"t\"\n{}[sweep]\nseed = [1]\n", steel!());
-    assert!(refusal(&alone).contains("found no experiment"), "{}", refusal(&alone));
+    assert!(error(&alone).contains("found no experiment"), "{}", error(&alone));
 }
 
 /// A load that one of the surfaces does not reach is a warning, the others have their results.
@@ -309,6 +309,35 @@ fn a_killed_sweep_continues_and_ends_with_the_same_bytes() {
     succeeds(folder, &["run", "a.toml", "--out", "out", "--quiet"]);
     assert_eq!(pieces().filter(|time| *time <= newest).count(), before);
     assert!(count() > before);
+}
+
+/// What is kept belongs to the content of the files that were read.
+#[test]
+fn another_list_under_the_same_name_is_run_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let list = |scale: f64| {
+        let rows = (0..400).map(|k| format!("{:e},1e-5\n", scale * 1e-9 * f64::from(k % 37)));
+        fs::write(folder.join("list.csv"), format!("height,radius\n{}", rows.collect::<String>())).unwrap();
+    };
+    let text = format!(
+        "title = \"t\"\n{}[surface.a.asperities]\nfile = \"list.csv\"\nnominal-area = \"0.01 mm^2\"\n\
+         [compare]\nrough = \"steel\"\nflat = \"steel\"\nlaw = \"hertz\"\npressure = \"9 MPa\"\n\
+         [sweep]\n\"material.steel.young\" = [\"100 GPa\", \"200 GPa\"]\n",
+        steel!()
+    );
+    fs::write(folder.join("a.toml"), text).unwrap();
+    let areas = || {
+        succeeds(folder, &["run", "a.toml", "--out", "out", "--quiet"]);
+        column(&rows(&fs::read(folder.join("out/a/sweep.csv")).unwrap()), "deterministic_area_ratio")
+    };
+    list(1.0);
+    let first = areas();
+    list(3.0);
+    let second = areas();
+    assert!(first.len() == 2 && first.iter().zip(&second).all(|(a, b)| a != b), "{first:?} {second:?}");
+    list(1.0);
+    assert_eq!(areas(), first);
 }
 
 #[test]

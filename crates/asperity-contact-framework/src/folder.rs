@@ -23,6 +23,9 @@ pub enum ReportError {
     /// A table.
     #[error("a table cannot be written: {0}")]
     Table(#[from] csv::Error),
+    /// The same as Parquet.
+    #[error("a table cannot be written as Parquet: {0}")]
+    Parquet(#[from] ::parquet::errors::ParquetError),
     /// A figure in print.
     #[error("a figure {0}")]
     Print(#[from] PrintError),
@@ -71,7 +74,7 @@ pub fn folder(outcome: &dyn Outcome, key: &str, print: Option<Print>) -> Result<
     for table in tables.iter() {
         folder.file(table.schema.file, table.csv()?);
         if outcome.metadata().has_parquet {
-            folder.file(parquet::file_name(table), parquet::parquet(table));
+            folder.file(parquet::file_name(table), parquet::parquet(table)?);
         }
     }
     let is_committed = |name: &str| {

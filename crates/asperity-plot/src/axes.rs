@@ -195,3 +195,23 @@ pub(super) fn draw_axes(
         canvas.texts([(label.as_str(), spot)], Type { upright: true, size, ..set });
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Axis, Figure, Layer, Plot};
+
+    #[test]
+    fn named_places_along_x_have_as_many_names_as_fit() {
+        let names = |count: usize| {
+            let axis = Axis::named((0..count).map(|k| format!("place {k}"))).range(-0.5, count as f64 - 0.5);
+            let tile = Layer::tile((-0.4, -0.4), (0.4, 0.4), "=");
+            let svg =
+                Figure::from(Plot::new("", axis.labelled("where"), Axis::named(["a".to_owned()])).with(tile))
+                    .file(None);
+            assert!(svg.contains("where"), "{svg}");
+            svg.matches("place ").count()
+        };
+        assert_eq!(names(4), 4);
+        assert!((5..15).contains(&names(40)));
+    }
+}

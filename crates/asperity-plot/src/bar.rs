@@ -79,3 +79,23 @@ impl<'a> Bar<'a> {
         canvas.texts([(label.as_str(), spot)], set);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Axis, Colour, Figure, Layer, Plot};
+
+    #[test]
+    fn lines_of_an_order_have_a_bar_in_the_colours_of_its_ends() {
+        let axis = Axis::log("thickness (nm)").range(1.0, 100.0);
+        assert_eq!(Plot::colour_at(&axis, 1.0), Colour::Ordered { index: 0, of: 255 });
+        assert_eq!(Plot::colour_at(&axis, 10.0), Colour::Ordered { index: 127, of: 255 });
+        assert_eq!(Plot::colour_at(&axis, 1000.0), Colour::Ordered { index: 254, of: 255 });
+        let line = Layer::line([(1.0, 1.0), (2.0, 3.0)]).coloured(Plot::colour_at(&axis, 10.0));
+        let plot = Plot::new("", Axis::linear("x"), Axis::linear("y")).with(line);
+        let with_bar = Figure::from(plot.clone().with_order(axis));
+        let svg = with_bar.file(None);
+        assert!(svg.contains("thickness (nm)") && svg.contains("data:image/png"), "{svg}");
+        // A chart without its bar would not say what its colours mean.
+        assert!(with_bar.data().is_none() && Figure::from(plot).data().is_some());
+    }
+}

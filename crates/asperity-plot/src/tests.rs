@@ -576,33 +576,3 @@ fn a_difference_is_shown_with_its_zero() {
     other.y = other.y.range(-70.0, -40.0);
     assert!(!shown(other).contains("\n0\n"));
 }
-
-#[test]
-fn lines_of_an_order_have_a_bar_in_the_colours_of_its_ends() {
-    let axis = Axis::log("thickness (nm)").range(1.0, 100.0);
-    assert_eq!(Plot::colour_at(&axis, 1.0), Colour::Ordered { index: 0, of: 255 });
-    assert_eq!(Plot::colour_at(&axis, 10.0), Colour::Ordered { index: 127, of: 255 });
-    assert_eq!(Plot::colour_at(&axis, 1000.0), Colour::Ordered { index: 254, of: 255 });
-    let line = Layer::line([(1.0, 1.0), (2.0, 3.0)]).coloured(Plot::colour_at(&axis, 10.0));
-    let plot = Plot::new("", Axis::linear("x"), Axis::linear("y")).with(line);
-    let with_bar = Figure::from(plot.clone().with_order(axis));
-    let svg = with_bar.file(None);
-    assert!(svg.contains("thickness (nm)") && svg.contains("data:image/png"), "{svg}");
-    // A chart without its bar would not say what its colours mean.
-    assert!(with_bar.data().is_none() && Figure::from(plot).data().is_some());
-}
-
-#[test]
-fn named_places_along_x_have_as_many_names_as_fit() {
-    let names = |count: usize| {
-        let axis = Axis::named((0..count).map(|k| format!("place {k}"))).range(-0.5, count as f64 - 0.5);
-        let tile = Layer::tile((-0.4, -0.4), (0.4, 0.4), "=");
-        let svg =
-            Figure::from(Plot::new("", axis.labelled("where"), Axis::named(["a".to_owned()])).with(tile))
-                .file(None);
-        assert!(svg.contains("where"), "{svg}");
-        svg.matches("place ").count()
-    };
-    assert_eq!(names(4), 4);
-    assert!((5..15).contains(&names(40)));
-}

@@ -285,3 +285,20 @@ pub const ALL: [Paper; 39] = [
     GREENWOOD_1966,
     MINDLIN_1949,
 ];
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn all_papers_are_listed() {
+        let text = include_str!("literature.rs");
+        let names: Vec<&str> = text
+            .lines()
+            .filter_map(|line| line.strip_prefix("pub const ")?.strip_suffix(": Paper = Paper {"))
+            .collect();
+        assert!(names.len() > 30 && names.len() == super::ALL.len(), "{names:?}");
+        let mut shorts: Vec<&str> = super::ALL.iter().map(|paper| paper.short).collect();
+        shorts.sort_unstable();
+        shorts.dedup();
+        assert_eq!(shorts.len(), names.len(), "a sweep keeps papers by their short names");
+    }
+}
