@@ -138,7 +138,7 @@ impl SweepResults {
                     |a: &&&CrossingRow, b: &&&CrossingRow| a.crossing().at().total_cmp(&b.crossing().at());
                 let ends = [alike.iter().min_by(by_value), alike.iter().max_by(by_value)];
                 let [from, to] = ends.map(|row| row.map_or_else(String::new, |row| row.value()));
-                format!("{from} to {to}, by the other keys")
+                format!("{from} to {to}, depending on the other keys")
             };
             let (quantity, load) = (quantity_name(found.quantity), input_quantity(found.pressure, "Pa"));
             let what = match found.model {
@@ -146,16 +146,16 @@ impl SweepResults {
                     format!("The verdict on the {quantity} changes from {}", found.target)
                 }
                 FoundModel::Deterministic => {
-                    format!("On the compared surface the {quantity} by the sum is {}", found.target)
+                    format!("By the sum the {quantity} is {}", found.target)
                 }
                 FoundModel::Statistical => {
-                    format!("On the compared surface the {quantity} by the integral is {}", found.target)
+                    format!("By the integral the {quantity} is {}", found.target)
                 }
                 FoundModel::Reference => {
-                    format!("On the compared surface the {quantity} by boundary elements is {}", found.target)
+                    format!("By boundary elements the {quantity} is {}", found.target)
                 }
                 FoundModel::Difference => {
-                    format!("On the compared surface the difference in {quantity} is {}", found.target)
+                    format!("The difference in {quantity} is {}", found.target)
                 }
             };
             let is_beyond = |row: &&&CrossingRow| !row.crossing().limits.is_empty();
@@ -165,6 +165,9 @@ impl SweepResults {
                 count => format!("; the load is not admissible at {count} of them"),
             };
             sentences.push(format!("{what} at {load} and `{}` = {values}{beyond}.", first.key().name));
+            if !first.is_of_verdict() {
+                sentences.push("This holds on the compared surface, without an interval.".to_owned());
+            }
         }
         let verdicts = self.counted();
         sentences.extend((!verdicts.is_empty()).then_some(verdicts));
@@ -189,7 +192,7 @@ impl SweepResults {
             (count(|verdict| verdict.ends_with("beyond")), "beyond it"),
             (count(|verdict| verdict == "cannot-tell"), "undecided"),
             (count(|verdict| verdict == "blocked"), "not told of an unfit map"),
-            (count(str::is_empty), "at a load that is not admissible"),
+            (count(str::is_empty), "outside admissible loads"),
         ];
         let words: Vec<String> = counts
             .iter()
