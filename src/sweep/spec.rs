@@ -3,7 +3,7 @@
 use asperity::compare::ComparedQuantity;
 use asperity_contact_framework::input::bare::NominalPressureRange;
 use asperity_contact_framework::input::quantity::{Pressure, Quantity};
-use asperity_contact_framework::input::schema;
+use asperity_contact_framework::input::{plain_message, schema};
 use asperity_contact_framework::written_schema;
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer};
@@ -173,8 +173,9 @@ impl SweepSpec {
     /// A table that asks for nothing that can be found.
     pub fn find(&self) -> Result<Vec<FindSpec>, String> {
         let Some(found) = self.0.get(FIND).cloned() else { return Ok(Vec::new()) };
-        let read =
-            |value| FindSpec::deserialize(value).map_err(|error: toml::de::Error| error.message().to_owned());
+        let read = |value| {
+            FindSpec::deserialize(value).map_err(|error: toml::de::Error| plain_message(error.message()))
+        };
         match found {
             Value::Array(all) => all.into_iter().map(read).collect(),
             one => read(one).map(|one| vec![one]),

@@ -138,6 +138,11 @@ fn what_cannot_be_swept_says_why() {
             "seed = [1, 2]\nfind = { key = \"seed\", quantity = \"area\", ratio = 2, to = \"x\", at = \"1 MPa\" }",
             "found to = \"x\"; allowed: \"uncoated\"",
         ),
+        ("seed = [1, 2]\nfind = { key = \"seed\", verdict = \"area\" }", "found no `at`, which is needed"),
+        (
+            "seed = [1, 2]\nfind = { key = \"seed\", verdict = \"aera\", at = \"1 MPa\" }",
+            "found `aera`; allowed: `area`",
+        ),
         (
             "seed = [1, 2]\nfind = { key = \"seed\", quantity = \"area\", value = 2, at = \"1 nm\" }",
             "found \"1 nm\"; allowed: ",

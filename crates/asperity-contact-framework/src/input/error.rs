@@ -205,7 +205,7 @@ fn is_of_escape(message: &str) -> bool {
 }
 
 /// Message of the parser as what was found and what is allowed.
-fn plain_message(message: &str) -> String {
+pub fn plain_message(message: &str) -> String {
     let plain = match message {
         "wanted string or table" => {
             Some("found neither a name nor a table; allowed: a name in quotes, or a table")

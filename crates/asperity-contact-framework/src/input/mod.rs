@@ -20,7 +20,7 @@ mod tables;
 pub mod tolerance;
 mod whole;
 
-pub use error::{InputError, Source};
+pub use error::{InputError, Source, plain_message};
 pub use file::SpecFile;
 pub use forms::{Forms, named, named_or_none};
 pub use in_memory::InMemory;
