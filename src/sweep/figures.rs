@@ -50,12 +50,12 @@ impl KeyAxis {
 
 impl SweepResults {
     /// The key with most values; the first of several.
-    fn main_key(&self) -> usize {
+    pub fn main_key(&self) -> usize {
         (0..self.keys.len()).rev().max_by_key(|&key| self.keys[key].values.len()).unwrap_or(0)
     }
 
     /// Whether there is one value for each variation along the main key: one key, or zipped keys.
-    fn is_one_line(&self) -> bool {
+    pub fn is_one_line(&self) -> bool {
         self.variations.len() == self.keys[self.main_key()].values.len()
     }
 
@@ -222,7 +222,17 @@ pub fn against_key(results: &SweepResults) -> Option<Figure> {
     let of_models = |quantity: ComparedQuantity| {
         move |point: &Point| [point.of(quantity).deterministic, point.of(quantity).statistical]
     };
+    // Wide intervals are cut where they say no more than that nothing is known.
+    const WIDEST: [f64; 2] = [-60.0, 150.0];
+    let ends = lines
+        .iter()
+        .flat_map(|(_, points)| points)
+        .filter_map(|point| point.of(ComparedQuantity::Area).interval);
+    let [low, high] = ends.fold([0.0, 0.0], |[low, high]: [f64; 2], ends| {
+        [low.min(100.0 * ends[0]), high.max(100.0 * ends[1])]
+    });
     let percent = Axis::linear("integral over sum − 1 (%)");
+    let percent = if low < high { percent.range(low.max(WIDEST[0]), high.min(WIDEST[1])) } else { percent };
     let mut difference = Plot::new("Difference, 95 % interval", along.axis.clone(), percent);
     for (index, (name, points)) in lines.iter().enumerate() {
         let area = |point: &Point| point.of(ComparedQuantity::Area).clone();

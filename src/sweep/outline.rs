@@ -64,7 +64,11 @@ impl Outcome for SweepResults {
             page.figure(
                 "against-key.svg",
                 figure,
-                &format!("Both models{}; solid: sum, dashed: integral.", self.at_load_words()),
+                &format!(
+                    "Both models{}; solid: sum, dashed: integral{}.",
+                    self.at_load_words(),
+                    self.colours()
+                ),
             );
         }
         if let Some(figure) = figures::curves(self) {
@@ -206,13 +210,28 @@ impl SweepResults {
         format!("{load} the area of the integral is, of {of} cases, {}.", listed(&words))
     }
 
+    /// "; colours: material.lead.hardness" of lines that differ in other keys.
+    fn colours(&self) -> String {
+        if self.is_one_line() { String::new() } else { format!("; colours: {}", self.other_keys()) }
+    }
+
     fn caption_of_map(&self) -> String {
-        let one_line = self.keys.len() == 1;
-        if one_line {
-            format!("Verdicts by `{}` and load; blank where the load is not admissible.", self.keys[0].name)
+        let rows = self.other_keys();
+        if self.is_one_line() {
+            format!(
+                "Verdicts by {} and load; blank where the load is not admissible.",
+                self.keys[self.main_key()].name
+            )
         } else {
-            format!("Verdicts{}; blank where the load is not admissible.", self.at_load_words())
+            format!("Verdicts{}, {rows} down; blank where the load is not admissible.", self.at_load_words())
         }
+    }
+
+    /// The keys but the one with most values.
+    fn other_keys(&self) -> String {
+        let others = self.keys.iter().enumerate().filter(|(key, _)| *key != self.main_key());
+        let names: Vec<String> = others.map(|(_, key)| key.name.clone()).collect();
+        listed(&names)
     }
 
     /// The variations with their verdicts on the area at the load.
