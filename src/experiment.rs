@@ -23,6 +23,7 @@ use asperity_plot::Size;
 use indexmap::IndexMap;
 use sha2::{Digest, Sha256};
 
+use crate::available_memory;
 use crate::kind::compare::plan::described;
 use crate::kind::compare::results::CompareResults;
 use crate::kind::compare::{Compare, plan::ComparePlan};
@@ -45,6 +46,9 @@ pub const PRINT: Option<Print> = None;
 
 /// A commented spec that runs as it stands.
 pub const TEMPLATE: &str = include_str!("template.toml");
+
+/// When a file was last written, and its size; `None` where it is not there.
+pub(crate) type Modified = Option<(SystemTime, u64)>;
 
 /// An experiment that can be run. `Display` prints what it will do and need.
 pub struct Experiment {
@@ -230,7 +234,7 @@ impl Experiment {
     }
 
     /// When its input files were last written, and their sizes.
-    pub(crate) fn modified(&self) -> Vec<Option<(SystemTime, u64)>> {
+    pub(crate) fn modified(&self) -> Vec<Modified> {
         let of = |path: &PathBuf| {
             let metadata = std::fs::metadata(path).ok()?;
             Some((metadata.modified().ok()?, metadata.len()))
@@ -304,18 +308,33 @@ impl Experiment {
         self.planned.plan.run(&self.context(&self.input()?, progress))
     }
 
-    /// The same, which keeps what it has done in `folder`, and does not do what is kept there.
+    /// Runs it, where its input stays that of `key`, its [`Self::key`] before. What it has done is kept in the folder `kept`, and what
+    /// is kept there is not done again.
     ///
     /// # Errors
-    /// As [`Self::run`], and a folder that cannot be written.
-    pub fn run_keeping(
+    /// As of [`Self::run`]; a folder that cannot be written; an input file that is written or removed meanwhile, even where it has the same content in the end.
+    pub fn run_on(
         &self,
+        key: &str,
+        kept: Option<&Path>,
         progress: &dyn Progress,
-        folder: &Path,
     ) -> Result<Box<dyn Outcome>, InputError> {
-        let input = self.input()?;
-        let context = RunContext { kept: Some(folder), ..self.context(&input, progress) };
-        self.planned.plan.run(&context)
+        let (before, input) = (self.modified(), self.input()?);
+        let results = self.planned.plan.run(&RunContext { kept, ..self.context(&input, progress) });
+        self.check_unchanged(&before)?;
+        if self.key()? != key {
+            return Err(InputError::file(&self.source.path, "has an input file that changed; run again"));
+        }
+        results
+    }
+
+    /// Refuses input files that have been written or removed since they were `before`.
+    pub(crate) fn check_unchanged(&self, before: &[Modified]) -> Result<(), InputError> {
+        let changed = self.modified().iter().zip(before).position(|(now, before)| now != before);
+        match changed.and_then(|place| self.planned.plan.inputs().into_iter().nth(place)) {
+            Some(path) => Err(InputError::file(&path, "changed while it was read; run again")),
+            None => Ok(()),
+        }
     }
 
     /// Whether it runs variations, which it keeps.
@@ -480,9 +499,7 @@ fn kind(spec: &SpecFile) -> Result<&'static dyn AnyKind, InputError> {
 
 /// Refuses what memory cannot hold, before anything is allocated.
 fn check_memory(planned: &Planned, source: &Source) -> Result<(), InputError> {
-    let mut system = sysinfo::System::new();
-    system.refresh_memory();
-    let available = u128::from(system.available_memory());
+    let available = available_memory::available_memory();
     let needed = planned.plan.memory();
     // Without a known limit nothing is refused.
     if available == 0 || needed.bytes <= available {

@@ -6,6 +6,7 @@
 #![deny(unsafe_code)]
 #![warn(missing_docs)]
 
+mod available_memory;
 mod experiment;
 pub mod export;
 pub mod keys;

@@ -64,10 +64,7 @@ impl Experiment {
         for pass in 0..divided.passes() {
             if !parts.is_written(part, pass)? {
                 let results = divided.pass(&self.context(&input, progress), part.tiles(tiles), &earlier)?;
-                if self.modified() != before {
-                    let message = "its input changed while it was read; run the part again";
-                    return Err(InputError::file(self.path(), message).into());
-                }
+                self.check_unchanged(&before)?;
                 done.written.push(parts.write(part, pass, results)?);
             }
             if pass + 1 < divided.passes() {

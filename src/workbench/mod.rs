@@ -107,10 +107,7 @@ impl Engine for Workbench {
         store.recover().map_err(|error| failed(&error))?;
         if !store.is_current(experiment.stem(), &key) {
             store.check(experiment.stem()).map_err(|error| failed(&error))?;
-            let results = experiment.run(progress).map_err(input)?;
-            if experiment.key().map_err(input)? != key {
-                return Err(Refused::new("an input file changed while it was read; write the report again"));
-            }
+            let results = experiment.run_on(&key, None, progress).map_err(input)?;
             let report = report_folder(&*results, &key, PRINT).map_err(|error| failed(&error))?;
             store.write(&report).map_err(|error| failed(&error))?;
         }

@@ -8,6 +8,7 @@
 
 pub mod contact;
 pub mod digest;
+pub mod disk;
 pub mod divided;
 mod folder;
 mod group;

@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use asperity::numeric::lanes::register_bits;
 use serde::{Deserialize, Serialize};
 
+use crate::disk::advice;
 use crate::divided::{Part, TileResult};
 
 /// The folder of the parts of one run.
@@ -23,7 +24,7 @@ pub struct Parts {
 #[derive(Debug, thiserror::Error)]
 pub enum PartsError {
     /// The operating system refused.
-    #[error("cannot {operation} {}: {source}", path.display())]
+    #[error("cannot {operation} {}: {source}{}", path.display(), advice(source))]
     Io {
         /// What was tried, as in "cannot write".
         operation: &'static str,

@@ -4,12 +4,14 @@ use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use etcetera::base_strategy::{BaseStrategy, choose_native_strategy};
+
 /// Digits of a token.
 const DIGITS: usize = 64;
 
 /// Where the token is kept: `asperity/workbench-token` in the configuration folder.
 pub fn path() -> Option<PathBuf> {
-    Some(dirs::config_dir()?.join("asperity").join("workbench-token"))
+    Some(choose_native_strategy().ok()?.config_dir().join("asperity").join("workbench-token"))
 }
 
 /// The token in the file at `path`, which is made where there is none or it holds something else; only its owner can read it.

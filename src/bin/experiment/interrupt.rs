@@ -1,4 +1,4 @@
-//! Ctrl-C: one line that says what became of the run, exit code 130, and no report that is half written.
+//! Ctrl-C and SIGTERM: one line that says what became of the run, exit code 130 or 143, and no report that is half written.
 
 use std::io::{IsTerminal, Write};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -16,27 +16,48 @@ static HAS_PARTS: AtomicBool = AtomicBool::new(false);
 /// Whether the workbench is served.
 static IS_WORKBENCH: AtomicBool = AtomicBool::new(false);
 
-/// The exit code of a program that SIGINT ends: 128 + 2.
-const EXIT_CODE: i32 = 130;
+/// Added to the number of a signal, the exit code of a program that it ends.
+const OF_SIGNAL: i32 = 128;
 
-/// Ends the program at Ctrl-C. Where no handler can be set, the system ends it without a word.
+/// Ends the program at Ctrl-C and, where there are signals, at SIGTERM. Where no handler can be set, the system ends it without a
+/// word.
+#[cfg(unix)]
 pub fn handle() {
-    let _ = ctrlc::set_handler(|| {
-        let _whole = WRITING.lock().unwrap_or_else(PoisonError::into_inner);
-        let mut to = std::io::stderr();
-        // Below the bar of progress.
-        let start = if to.is_terminal() { "\n" } else { "" };
-        if IS_WORKBENCH.load(Ordering::Relaxed) {
-            let _ = writeln!(
-                to,
-                "{start}the workbench has ended; the address works again after the next `experiment serve`"
-            );
-            std::process::exit(0);
+    use signal_hook::consts::{SIGINT, SIGTERM};
+    use signal_hook::iterator::Signals;
+    // Set by the thread that waits: without it a signal does what the system has it do.
+    let wait = || {
+        let Ok(mut signals) = Signals::new([SIGINT, SIGTERM]) else { return };
+        if let Some(signal) = signals.forever().next() {
+            end(OF_SIGNAL + signal);
         }
-        let line = line(WRITTEN.load(Ordering::Relaxed), HAS_PARTS.load(Ordering::Relaxed));
-        let _ = writeln!(to, "{start}{line}");
-        std::process::exit(EXIT_CODE);
-    });
+    };
+    let _ = std::thread::Builder::new().spawn(wait);
+}
+
+/// The same.
+#[cfg(not(unix))]
+pub fn handle() {
+    const SIGINT: i32 = 2;
+    let _ = ctrlc::set_handler(|| end(OF_SIGNAL + SIGINT));
+}
+
+/// Ends the program with one line, once a report that is being written is whole.
+fn end(code: i32) {
+    let _whole = begin_writing();
+    let mut to = std::io::stderr();
+    // Below the bar of progress.
+    let start = if to.is_terminal() { "\n" } else { "" };
+    if IS_WORKBENCH.load(Ordering::Relaxed) {
+        let _ = writeln!(
+            to,
+            "{start}the workbench has ended; the address works again after the next `experiment serve`"
+        );
+        std::process::exit(0);
+    }
+    let line = line(WRITTEN.load(Ordering::Relaxed), HAS_PARTS.load(Ordering::Relaxed));
+    let _ = writeln!(to, "{start}{line}");
+    std::process::exit(code);
 }
 
 /// Says whether parts, or variations of a sweep, are run.

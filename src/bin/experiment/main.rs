@@ -3,11 +3,12 @@
 mod arguments;
 mod export;
 mod interrupt;
+mod output;
 #[cfg(feature = "serve")]
 mod serve;
 mod several;
+mod single_file;
 
-use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
@@ -27,7 +28,9 @@ use asperity_experiment::{Experiment, PRINT, PartError, TEMPLATE, saved_spec, wr
 use clap::{CommandFactory, Parser};
 
 use arguments::{Cli, Command, Extent, RunOptions};
+use output::{print, print_error, print_text, say};
 use several::{Counts, Done, Place, listed, quick_first};
+use single_file::{check_save_spec, unwritten, write_new};
 
 /// Folder of the specs.
 const SPECS: &str = "experiments";
@@ -52,7 +55,7 @@ impl From<InputError> for Failure {
 impl From<StoreError> for Failure {
     fn from(error: StoreError) -> Self {
         match error {
-            StoreError::NotAFolder(_) => Self::Input(error.to_string()),
+            StoreError::NotAFolder(_) | StoreError::LeadsNowhere { .. } => Self::Input(error.to_string()),
             _ => Self::Run(error.to_string()),
         }
     }
@@ -81,7 +84,7 @@ fn main() -> ExitCode {
     let cli = Cli::parse();
     interrupt::handle();
     let outcome = match cli.command {
-        None => specs_in(Path::new(SPECS)).and_then(|files| {
+        None => set_threads(&cli.options).and_then(|()| specs_in(Path::new(SPECS))).and_then(|files| {
             let experiments = read_all(&files, &cli.extent)?;
             let is_run = |experiment: &Experiment| cli.full || !experiment.is_long();
             run(experiments.into_iter().filter(is_run).collect(), &cli.options)
@@ -89,9 +92,9 @@ fn main() -> ExitCode {
         Some(Command::Run { files, extent, options, part: Some(part), parts }) => {
             run_parts(&files, &extent, &options, part, &parts)
         }
-        Some(Command::Run { files, extent, options, .. }) => {
-            read_all(&files, &extent).and_then(|experiments| run(experiments, &options))
-        }
+        Some(Command::Run { files, extent, options, .. }) => set_threads(&options)
+            .and_then(|()| read_all(&files, &extent))
+            .and_then(|experiments| run(experiments, &options)),
         Some(Command::Merge { files, parts, options }) => merge(&files, &parts, &options),
         Some(Command::List { out }) => list(&out),
         Some(Command::Check { files, extent }) => check(&files, &extent),
@@ -103,14 +106,12 @@ fn main() -> ExitCode {
         Some(Command::Serve { folder, port, no_open }) => serve::serve(&folder, port, no_open),
         Some(Command::Export { what }) => what.run(),
         Some(Command::Columns { kind }) => {
-            print(format_args!("{}", columns(kind.as_deref()).trim_end()));
+            print_text(&columns(kind.as_deref()));
             Ok(())
         }
-        Some(Command::Explain { key }) => {
-            explain(&key).map_err(Failure::Input).map(|text| print(format_args!("{}", text.trim_end())))
-        }
+        Some(Command::Explain { key }) => explain(&key).map_err(Failure::Input).map(|text| print_text(&text)),
         Some(Command::Keys) => {
-            print(format_args!("{}", all_keys().trim_end()));
+            print_text(&all_keys());
             Ok(())
         }
         Some(Command::Schema) => {
@@ -118,14 +119,21 @@ fn main() -> ExitCode {
             Ok(())
         }
         Some(Command::Completions { shell }) => {
-            clap_complete::generate(shell, &mut Cli::command(), "experiment", &mut std::io::stdout());
+            let mut script = Vec::new();
+            clap_complete::generate(shell, &mut Cli::command(), "experiment", &mut script);
+            print_text(&String::from_utf8_lossy(&script));
             Ok(())
         }
         Some(Command::Man { out }) => manual(out.as_deref()),
         Some(Command::Materials { name }) => materials(name.as_deref()),
         Some(Command::Verify { fresh, out }) => verify(&fresh, &out),
     };
-    match outcome {
+    let lost = |error| {
+        Failure::Run(format!(
+            "cannot write to the standard output: {error}; free some space or send it elsewhere"
+        ))
+    };
+    match outcome.and_then(|()| output::lost().map_or(Ok(()), |error| Err(lost(error)))) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => failure.report(),
     }
@@ -192,7 +200,6 @@ fn read_all(files: &[PathBuf], extent: &Extent) -> Result<Vec<Experiment>, Failu
 }
 
 fn run(mut experiments: Vec<Experiment>, options: &RunOptions) -> Result<(), Failure> {
-    set_threads(options)?;
     let mut store = open_store(options)?;
     quick_first(&mut experiments, &store);
     let of = experiments.len();
@@ -202,8 +209,7 @@ fn run(mut experiments: Vec<Experiment>, options: &RunOptions) -> Result<(), Fai
         let place = Place { number: index + 1, of };
         // Each report can be opened as soon as it is written.
         let run = run_one(experiment, place, &mut store, options);
-        match run.and_then(|done| write_index(&mut store, &options.out).map_err(Failure::from).map(|()| done))
-        {
+        match run.and_then(|done| update_index(&mut store, options).map(|()| done)) {
             Ok(done) => counts.add(done),
             Err(failure) => {
                 counts.add(Done::Failed);
@@ -271,7 +277,7 @@ fn merge(files: &[PathBuf], folder: &Path, options: &RunOptions) -> Result<(), F
         let merged = watched(experiment.stem(), options, |progress| experiment.merge(folder, progress))?;
         write_report(&experiment, Place::ALONE, &*merged.outcome, &merged.key, &mut store, options, start)?;
     }
-    Ok(write_index(&mut store, &options.out)?)
+    update_index(&mut store, options)
 }
 
 /// Runs with a display of progress, unless that is not wanted.
@@ -289,12 +295,16 @@ fn watched<T, E>(
     done
 }
 
+/// Starts the threads, before specs are read: a plan looks through lists with them.
 fn set_threads(options: &RunOptions) -> Result<(), Failure> {
-    let Some(threads) = options.threads else { return Ok(()) };
-    rayon::ThreadPoolBuilder::new()
-        .num_threads(threads.into())
-        .build_global()
-        .map_err(|error| Failure::Run(error.to_string()))
+    // Without a number as many as there are cores.
+    let threads = options.threads.map_or(0, usize::from);
+    rayon::ThreadPoolBuilder::new().num_threads(threads).build_global().map_err(|error| {
+        Failure::Run(format!(
+            "cannot start the threads of a run: {error}; allowed: fewer of them (`--threads 1`), or higher limits of memory and \
+             processes (`ulimit -v`, `ulimit -u`)"
+        ))
+    })
 }
 
 /// The folder of reports, recovered after an interrupted run, and checked to be writable by this program.
@@ -332,44 +342,13 @@ fn surface(
             &format!("\n{} written; run it with `experiment run {}`", spec.display(), spec.display()),
         );
     }
-    Ok(write_index(&mut store, &options.out)?)
+    update_index(&mut store, options)
 }
 
-/// Refuses to save a spec of a spec, over a file, or where none can be written, before anything runs.
-fn check_save_spec(file: &Path, spec: &Path) -> Result<(), Failure> {
-    if file.extension().is_some_and(|ending| ending == "toml") {
-        let message =
-            format!("{}: is a spec already; allowed: --save-spec with a measured file", file.display());
-        return Err(Failure::Input(message));
-    }
-    if spec.exists() {
-        let message =
-            format!("--save-spec {}: found a file of this name; allowed: a new name", spec.display());
-        return Err(Failure::Input(message));
-    }
-    let folder = spec.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    if !folder.is_dir() {
-        let message = format!(
-            "--save-spec {}: found no folder {}; allowed: a new name in a folder that is there",
-            spec.display(),
-            folder.display()
-        );
-        return Err(Failure::Input(message));
-    }
-    // Nothing but an attempt says whether a file can be made there.
-    std::fs::File::create_new(spec).and_then(|_| std::fs::remove_file(spec)).map_err(|error| {
-        Failure::Input(format!(
-            "--save-spec {}: {error}; allowed: a file that can be written",
-            spec.display()
-        ))
-    })
-}
-
-/// Writes a file that is not there yet.
-fn write_new(path: &Path, text: &str) -> Result<(), Failure> {
-    std::fs::File::create_new(path)
-        .and_then(|mut file| file.write_all(text.as_bytes()))
-        .map_err(|error| Failure::Input(format!("{}: {error}", path.display())))
+/// Writes the index of all reports, where it has changed.
+fn update_index(store: &mut Store, options: &RunOptions) -> Result<(), Failure> {
+    let _whole = interrupt::begin_writing();
+    Ok(write_index(store, &options.out)?)
 }
 
 /// The report on a file must not replace that on another file of the same name.
@@ -429,13 +408,7 @@ fn run_and_write(
     let name = format!("{place}{}", experiment.stem());
     interrupt::of_parts(experiment.is_sweep());
     let kept = options.out.join(KEPT).join(experiment.stem());
-    let results = watched(&name, options, |progress| experiment.run_keeping(progress, &kept))?;
-    if experiment.key()? != key {
-        return Err(Failure::Run(format!(
-            "{}: an input file changed while it was read; run again",
-            experiment.stem()
-        )));
-    }
+    let results = watched(&name, options, |progress| experiment.run_on(key, Some(&kept), progress))?;
     write_report(experiment, place, &*results, key, store, options, start)?;
     Ok(results)
 }
@@ -493,22 +466,6 @@ fn write_report(
     Ok(())
 }
 
-/// Prints a line; a closed pipe, as after `head`, is ignored.
-fn print(line: std::fmt::Arguments) {
-    let _ = writeln!(std::io::stdout(), "{line}");
-}
-
-/// The same on standard error.
-fn print_error(line: std::fmt::Arguments) {
-    let _ = writeln!(std::io::stderr(), "{line}");
-}
-
-fn say(options: &RunOptions, line: &str) {
-    if !options.quiet {
-        print(format_args!("{line}"));
-    }
-}
-
 fn seconds(start: Instant) -> String {
     format!("{:.2}", start.elapsed().as_secs_f64())
 }
@@ -527,7 +484,7 @@ fn list(out: &Path) -> Result<(), Failure> {
 fn check(files: &[PathBuf], extent: &Extent) -> Result<(), Failure> {
     let mut errors = Vec::new();
     for experiment in read_all(files, extent)? {
-        print(format_args!("{}", experiment.to_string().trim_end()));
+        print_text(&experiment.to_string());
         errors.extend(experiment.check().err().map(|error| error.to_string()));
     }
     if errors.is_empty() { Ok(()) } else { Err(Failure::Input(errors.join("\nerror: "))) }
@@ -543,13 +500,16 @@ fn new(name: &Path) -> Result<(), Failure> {
 /// Prints the manual page, or writes one for each command.
 fn manual(folder: Option<&Path>) -> Result<(), Failure> {
     let Some(folder) = folder else {
-        // A closed pipe, as after `head`, is ignored.
-        let _ = clap_mangen::Man::new(Cli::command()).render(&mut std::io::stdout());
+        let mut page = Vec::new();
+        clap_mangen::Man::new(Cli::command())
+            .render(&mut page)
+            .map_err(|error| Failure::Run(format!("the manual page cannot be made: {error}")))?;
+        print_text(&String::from_utf8_lossy(&page));
         return Ok(());
     };
     std::fs::create_dir_all(folder)
         .and_then(|()| clap_mangen::generate_to(Cli::command(), folder))
-        .map_err(|error| Failure::Input(format!("--out {}: {error}", folder.display())))?;
+        .map_err(|error| unwritten(&format!("--out {}", folder.display()), &error))?;
     print(format_args!(
         "manual pages written to {}; read them with `man {}/experiment.1`",
         folder.display(),
@@ -563,7 +523,7 @@ fn materials(name: Option<&str>) -> Result<(), Failure> {
         None => all_materials(),
         Some(name) => one_material(name).map_err(Failure::Input)?,
     };
-    print(format_args!("{}", text.trim_end()));
+    print_text(&text);
     Ok(())
 }
 

@@ -54,7 +54,7 @@ pub enum NpyError {
         extra: u64,
     },
     /// The file was cut after its header had been checked.
-    #[error("is truncated: it became shorter while it was being opened")]
+    #[error("became shorter while it was read; run again once it is written")]
     Shortened,
     /// The array is in Fortran order, so that rows are not contiguous.
     #[error("is in Fortran order; allowed here: C order")]

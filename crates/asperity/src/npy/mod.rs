@@ -4,13 +4,13 @@
 //! | function | what it does |
 //! |---|---|
 //! | [`matrix`] | reads an entire array |
-//! | [`Mapped`] | memory-maps an array to read rows or columns |
+//! | [`OnDisk`] | reads rows or columns of an array that stays in its file |
 //! | [`write()`] | writes an array of float64 |
 
 mod error;
 mod header;
 mod literal;
-mod mapped;
+mod on_disk;
 
 use std::fs::File;
 use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
@@ -20,7 +20,7 @@ use crate::memory::zeros;
 pub use error::{HeaderError, NpyError};
 pub use header::Header;
 pub(crate) use header::MAGIC;
-pub use mapped::Mapped;
+pub use on_disk::OnDisk;
 
 /// A two-dimensional array.
 #[derive(Debug, Clone, PartialEq)]

@@ -76,6 +76,9 @@ pub enum NoAsperities {
         /// Number of summits.
         summits: usize,
     },
+    /// A file that another program has made shorter since it was opened.
+    #[error("became shorter while it was read; run again once it is written")]
+    Shortened,
     /// Asperities that cannot be.
     #[error(transparent)]
     Set(#[from] SetError),
@@ -328,6 +331,9 @@ impl SummitSearch<'_> {
             progress.stage("copying the map", 1.0);
             PreparedMap { map: Arc::new(HeightMap::from_rows(map)), positions: summits.positions.clone() }
         });
+        if !raw.is_whole() {
+            return Err(NoAsperities::Shortened);
+        }
         let [dx, dy] = map.pixel();
         let radii = summits.curvatures.iter().map(|curvature| curvature.recip()).collect();
         let set = AsperitySet::new(summits.heights, radii, dx * dy * summits.tested as f64)?;

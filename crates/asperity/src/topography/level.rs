@@ -185,7 +185,7 @@ pub struct Levelled<'a> {
 }
 
 impl Rows for Levelled<'_> {
-    rows_from!(map: points pixel precision boundary progress);
+    rows_from!(map: points pixel precision boundary progress is_whole);
 
     /// Every form includes the mean, and with it the offset.
     fn offset(&self) -> f64 {

@@ -15,7 +15,7 @@ struct Means<'a> {
 }
 
 impl Rows for Means<'_> {
-    rows_from!(map: boundary offset progress);
+    rows_from!(map: boundary offset progress is_whole);
 
     fn points(&self) -> [usize; 2] {
         [0, 1].map(|axis| self.map.points()[axis].div_ceil(self.block[axis]))
@@ -59,7 +59,7 @@ pub struct Sampled<'a> {
 }
 
 impl Rows for Sampled<'_> {
-    rows_from!(map: precision offset progress);
+    rows_from!(map: precision offset progress is_whole);
 
     fn points(&self) -> [usize; 2] {
         self.map.points().map(|count| count.div_ceil(self.every))
@@ -121,7 +121,7 @@ impl<'a> Window<'a> {
 }
 
 impl Rows for Window<'_> {
-    rows_from!(map: pixel precision offset progress);
+    rows_from!(map: pixel precision offset progress is_whole);
 
     fn points(&self) -> [usize; 2] {
         self.points

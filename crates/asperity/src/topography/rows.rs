@@ -38,6 +38,12 @@ pub trait Rows: Send + Sync {
         0.0
     }
 
+    /// Whether all heights that were asked for could be read: not where the file of a map became shorter meanwhile. Those that
+    /// could not are missing points.
+    fn is_whole(&self) -> bool {
+        true
+    }
+
     /// Writes the heights (m) at the x index `ix` to `row`, in the order of y.
     fn read(&self, ix: usize, row: &mut [f64]);
 
@@ -82,6 +88,11 @@ macro_rules! rows_from {
             self.$map.offset()
         }
     };
+    (@is_whole $map:tt) => {
+        fn is_whole(&self) -> bool {
+            self.$map.is_whole()
+        }
+    };
     (@progress $map:tt) => {
         fn progress(&self) -> &dyn $crate::progress::Progress {
             self.$map.progress()
@@ -94,7 +105,7 @@ pub(super) use rows_from;
 pub struct Continued(pub Arc<dyn Rows>);
 
 impl Rows for Continued {
-    rows_from!(0: points pixel precision offset);
+    rows_from!(0: points pixel precision offset is_whole);
 
     fn boundary(&self) -> Boundary {
         Boundary::Periodic
@@ -118,7 +129,7 @@ pub struct Watched<'a> {
 }
 
 impl Rows for Watched<'_> {
-    rows_from!(map: points pixel precision boundary offset);
+    rows_from!(map: points pixel precision boundary offset is_whole);
 
     fn read(&self, ix: usize, row: &mut [f64]) {
         self.map.read(ix, row);

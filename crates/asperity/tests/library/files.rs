@@ -4,7 +4,9 @@ use std::path::{Path, PathBuf};
 
 use asperity::npy::NpyError;
 use asperity::progress::Silent;
+use asperity::surface::{NoAsperities, Preparation, SummitSearch};
 use asperity::topography::read::{LengthUnits, ReadOptions, height_map, metadata, rows};
+use asperity::topography::summits::Neighbours;
 use asperity::topography::{RoughnessParameters, Rows};
 use asperity::{AsperityList, Ellipse, ListColumn, ListError, ListOptions, npy};
 
@@ -64,7 +66,7 @@ fn every_type_in_both_byte_orders() {
 }
 
 #[test]
-fn mapped_rows_are_those_of_the_array() {
+fn rows_on_disk_are_those_of_the_array() {
     macro_rules! check {
         ($($kind:ty, $code:literal;)*) => {$(
             for (order, big) in [("<", false), (">", true)] {
@@ -75,11 +77,11 @@ fn mapped_rows_are_those_of_the_array() {
                 let data: Vec<u8> = VALUES.iter().flat_map(|&v| bytes(v)).collect();
                 let (_folder, path) = file("a.npy", &array(&format!("{order}{}", $code), false, "(2, 3)", &data));
                 let matrix = npy::matrix(&path).unwrap();
-                let mapped = npy::Mapped::open(&path).unwrap();
-                assert_eq!((mapped.points(), mapped.precision()), ([2, 3], matrix.precision));
+                let on_disk = npy::OnDisk::open(&path).unwrap();
+                assert_eq!((on_disk.points(), on_disk.precision()), ([2, 3], matrix.precision));
                 let mut row = [0.0; 3];
                 for ix in 0..2 {
-                    mapped.row(ix, &mut row);
+                    on_disk.row(ix, &mut row).unwrap();
                     assert_eq!(row, matrix.values[3 * ix..][..3]);
                 }
             }
@@ -91,12 +93,12 @@ fn mapped_rows_are_those_of_the_array() {
     let data: Vec<u8> = [1.0, f64::NAN, 1e31f64].iter().flat_map(|v| v.to_le_bytes()).collect();
     let (_folder, path) = file("a.npy", &array("<f8", false, "(1, 3)", &data));
     let mut row = [0.0; 3];
-    npy::Mapped::open(&path).unwrap().row(0, &mut row);
+    npy::OnDisk::open(&path).unwrap().row(0, &mut row).unwrap();
     assert!(row[0] == 1.0 && row[1].is_nan() && row[2].is_nan());
     let (_folder, path) = file("a.npy", &array("<f8", true, "(1, 3)", &data));
-    assert!(matches!(npy::Mapped::open(&path), Err(NpyError::FortranOrder)));
+    assert!(matches!(npy::OnDisk::open(&path), Err(NpyError::FortranOrder)));
     let (_folder, path) = file("a.npy", &array("<f8", false, "(1, 3)", &data[..23]));
-    assert!(matches!(npy::Mapped::open(&path), Err(NpyError::Truncated { .. })));
+    assert!(matches!(npy::OnDisk::open(&path), Err(NpyError::Truncated { .. })));
 }
 
 #[test]
@@ -279,6 +281,27 @@ fn curvatures_that_are_missing_or_none_are_refused() {
     }
 }
 
+/// Another program writes the file anew, which first makes it empty: never a signal, nor the heights of two contents.
+#[test]
+fn a_file_that_becomes_shorter_while_it_is_read_is_an_error() {
+    const SIDE: usize = 100;
+    let data: Vec<u8> = (0..SIDE * SIDE).flat_map(|k| ((k * k % 97) as f64 * 1e-9).to_le_bytes()).collect();
+    let (_folder, path) = file("a.npy", &array("<f8", false, "(100, 100)", &data));
+    let on_disk = npy::OnDisk::open(&path).unwrap();
+    let mut row = [0.0; SIDE];
+    let map = rows(&path, ReadOptions { pixel: Some([1e-6; 2]), unit: None }, &Silent).unwrap();
+    map.read(99, &mut row);
+    assert!(map.is_whole() && row.iter().all(|z| z.is_finite()));
+    std::fs::File::options().write(true).open(&path).unwrap().set_len(5000).unwrap();
+    on_disk.row(0, &mut row).unwrap();
+    assert!(matches!(on_disk.row(99, &mut row), Err(NpyError::Shortened)));
+    let mut pieces = [&mut row[..1]];
+    assert!(matches!(on_disk.columns(99, &mut pieces), Err(NpyError::Shortened)));
+    let search = SummitSearch::new(Preparation::none(Neighbours::Four));
+    assert!(matches!(search.surface("a", &*map), Err(NoAsperities::Shortened)));
+    assert!(!map.is_whole());
+}
+
 /// Versions 2 and 3 store the length of the header in four bytes.
 #[test]
 fn later_versions_have_a_longer_head() {
@@ -290,7 +313,7 @@ fn later_versions_have_a_longer_head() {
         assert_eq!(read(&bytes), VALUES.map(f64::from));
         let (_folder, path) = file("a.npy", &bytes);
         let mut row = [0.0; 3];
-        npy::Mapped::open(&path).unwrap().row(1, &mut row);
+        npy::OnDisk::open(&path).unwrap().row(1, &mut row).unwrap();
         assert_eq!(row, [-10.0, 11.0, 12.0]);
     }
 }

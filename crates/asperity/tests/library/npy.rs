@@ -1,7 +1,7 @@
 //! Headers of `.npy` files: round trips, and errors for damaged ones.
 
 use asperity::HeightMap;
-use asperity::npy::{Header, HeaderError, Mapped, NpyError, matrix, write};
+use asperity::npy::{Header, HeaderError, NpyError, OnDisk, matrix, write};
 use asperity::progress::Silent;
 use asperity::topography::read::{LengthUnits, MapFile, ReadError, ReadOptions, height_map};
 
@@ -102,7 +102,7 @@ fn no_damage_to_an_array_is_a_panic() {
                 }
             }
             std::fs::write(&path, &bytes).unwrap();
-            let (matrix, mapped) = (matrix(&path), Mapped::in_either_order(&path));
+            let (matrix, mapped) = (matrix(&path), OnDisk::in_either_order(&path));
             assert_eq!(matrix.is_ok(), mapped.is_ok());
             if let (Ok(matrix), Ok(mapped)) = (matrix, mapped) {
                 assert_eq!([matrix.rows, matrix.columns], mapped.points());

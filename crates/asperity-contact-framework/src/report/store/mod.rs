@@ -11,11 +11,13 @@
 //! - One run writes at a time: `DIR/.lock` is locked from the first write until the store is
 //!   dropped. The empty file stays; unlocked it means nothing, and removing it could give two runs
 //!   a lock each. File systems without locks are not locked.
-//! - Nothing is created before the first write, so that a rejected run leaves no trace.
+//! - Nothing is created before the first write, so that a rejected run leaves no trace. Whether there is a place to write to is
+//!   checked before a run. A folder that is removed during a run is made again.
 
 mod manifest;
 mod swap;
 
+use crate::disk::{advice, check_writable};
 use manifest::{Kept, MANIFEST, Manifest};
 use serde::Deserialize;
 use std::fs::{self, File, TryLockError};
@@ -29,7 +31,7 @@ const LOCK: &str = ".lock";
 #[derive(Debug, thiserror::Error)]
 pub enum StoreError {
     /// The operating system refused.
-    #[error("cannot {operation} {}: {source}", path.display())]
+    #[error("cannot {operation} {}: {source}{}", path.display(), advice(source))]
     Io {
         /// What was tried, as in "cannot write".
         operation: &'static str,
@@ -41,6 +43,14 @@ pub enum StoreError {
     /// A file is where the folder of reports, or a folder above it, should be.
     #[error("--out: {} is a file; allowed: a folder for the reports, new or existing", .0.display())]
     NotAFolder(PathBuf),
+    /// The folder of reports, or a folder above it, is a link that leads nowhere.
+    #[error("--out: {} is a link to {}, which is not there; allowed: a folder for the reports, new or existing", link.display(), to.display())]
+    LeadsNowhere {
+        /// The link.
+        link: PathBuf,
+        /// Where it leads.
+        to: PathBuf,
+    },
     /// Another process holds the lock.
     #[error("another run is writing to {}; wait for it to end or choose another --out", .0.display())]
     Busy(PathBuf),
@@ -223,22 +233,32 @@ impl Store {
     }
 
     /// Clears up after a run that was killed: unfinished reports go, a report that was moved aside
-    /// comes back. A store that does not exist needs nothing. Errors: [`StoreError::NotAFolder`],
-    /// [`StoreError::Busy`] and [`StoreError::Io`].
+    /// comes back. A store that does not exist needs nothing but a place where it can be made. Errors: [`StoreError::NotAFolder`],
+    /// [`StoreError::LeadsNowhere`], [`StoreError::Busy`] and [`StoreError::Io`].
     pub fn recover(&mut self) -> Result<(), StoreError> {
         if let Some(file) = self.directory.ancestors().find(|path| path.is_file()) {
             return Err(StoreError::NotAFolder(file.to_owned()));
         }
-        if self.directory.is_dir() { self.open() } else { Ok(()) }
+        if let Some(link) = self.directory.ancestors().find(|path| path.is_symlink() && !path.exists()) {
+            let to = fs::read_link(link).or_else(|e| failed("read", link, e))?;
+            return Err(StoreError::LeadsNowhere { link: link.to_owned(), to });
+        }
+        if self.directory.is_dir() {
+            return self.open();
+        }
+        // A run takes long: that its report has no place is said before.
+        let above = self.directory.ancestors().find(|path| path.is_dir()).unwrap_or(Path::new("."));
+        check_writable(above).or_else(|e| failed("create folder", &self.directory, e))
     }
 
-    /// Creates the folder, locks it and clears up, once.
+    /// Creates the folder, locks it and clears up: once, and again where it was removed meanwhile.
     fn open(&mut self) -> Result<(), StoreError> {
-        if self.lock.is_some() {
+        let path = self.directory.join(LOCK);
+        if self.lock.as_ref().is_some_and(|lock| is_at(lock, &path)) {
             return Ok(());
         }
         fs::create_dir_all(&self.directory).or_else(|e| failed("create folder", &self.directory, e))?;
-        let path = self.directory.join(LOCK);
+        check_writable(&self.directory).or_else(|e| failed("write to", &self.directory, e))?;
         let file = File::options().create(true).truncate(false).write(true).open(&path);
         let file = file.or_else(|e| failed("open", &path, e))?;
         match file.try_lock() {
@@ -266,6 +286,20 @@ fn write_all(path: &Path, folder: &Folder, kept: &Kept) -> Result<(), StoreError
 fn write_file(path: &Path, content: &[u8]) -> Result<(), StoreError> {
     let mut file = File::create(path).or_else(|e| failed("create", path, e))?;
     file.write_all(content).and_then(|()| file.sync_all()).or_else(|e| failed("write", path, e))
+}
+
+/// Whether an open file is still the one at a path.
+#[cfg(unix)]
+fn is_at(file: &File, path: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let place = |found: fs::Metadata| (found.dev(), found.ino());
+    file.metadata().map(place).ok() == fs::metadata(path).map(place).ok()
+}
+
+/// Elsewhere an open file cannot be removed.
+#[cfg(not(unix))]
+fn is_at(_: &File, _: &Path) -> bool {
+    true
 }
 
 /// Brings renames in a folder down to the disk.

@@ -356,3 +356,38 @@ fn a_file_is_no_folder_of_reports() {
     }
     assert!(Store::new(home.path().join("new")).recover().is_ok());
 }
+
+#[cfg(unix)]
+#[test]
+fn a_link_that_leads_nowhere_is_refused_before_a_run() {
+    let home = tempfile::tempdir().unwrap();
+    std::os::unix::fs::symlink("gone", home.path().join("out")).unwrap();
+    let error = Store::new(home.path().join("out/reports")).recover().unwrap_err();
+    assert!(matches!(error, StoreError::LeadsNowhere { .. }) && error.to_string().contains("link to gone"));
+    assert!(!home.path().join("gone").exists());
+}
+
+/// The lock of the folder that was removed is not that of the new one, which another run may hold.
+#[cfg(unix)]
+#[test]
+fn a_folder_that_is_removed_during_a_run_is_made_again() {
+    let (_home, mut store) = stored();
+    fs::remove_dir_all(&store.directory).unwrap();
+    store.write(&folder("new", "new")).unwrap();
+    assert!(store.is_current("lead", "new"));
+    let mut other = Store::new(store.directory.clone());
+    assert!(matches!(other.recover(), Err(StoreError::Busy(_))));
+    fs::remove_dir_all(&store.directory).unwrap();
+    other.write(&folder("other", "other")).unwrap();
+    assert!(matches!(store.write(&folder("new", "new")), Err(StoreError::Busy(_))));
+    assert!(store.is_current("lead", "other"));
+}
+
+#[test]
+fn an_error_of_the_disk_says_what_to_do() {
+    let text =
+        |kind: io::ErrorKind| failed::<()>("write", Path::new("a"), kind.into()).unwrap_err().to_string();
+    assert!(text(io::ErrorKind::StorageFull).contains("free some space"));
+    assert!(text(io::ErrorKind::ReadOnlyFilesystem).contains("choose another folder"));
+    assert!(text(io::ErrorKind::NotFound).ends_with("it was removed meanwhile: run again"));
+}

@@ -176,7 +176,7 @@ impl AsperityList {
     /// A text has a header such as `height [um]; radius [mm]`; without units its values are in m and 1/m, or in the unit
     /// of `options`. The separator is the first of semicolon, tab, comma and blank that the header contains; between
     /// others than commas, decimal commas are read too. Lines that begin with `#` are comments, the last of which is the
-    /// header if no other line is; further columns are ignored. An `.npy` is memory-mapped: memory is used only for the
+    /// header if no other line is; further columns are ignored. An `.npy` is read in pieces: memory is used only for the
     /// columns returned.
     ///
     /// # Errors
@@ -218,7 +218,7 @@ impl AsperityList {
     /// # Errors
     /// Those of [`AsperityList::read`]; [`ListError::Empty`] of a range without rows.
     pub fn read_rows(path: &Path, rows: Range<usize>, options: ListOptions) -> Result<Self, ListError> {
-        let array = npy::Mapped::in_either_order(path)?;
+        let array = npy::OnDisk::in_either_order(path)?;
         let needed = options.needed();
         check_shape(array.points()[0], array.points()[1], needed)?;
         let rows = rows.start..rows.end.min(array.points()[0]);
@@ -297,7 +297,7 @@ const ROWS: usize = 8192;
 const MOST_CHECKED: usize = 100_000_000;
 
 fn read_npy(path: &Path, needed: &'static [ListColumn], options: ListOptions) -> Result<Columns, ListError> {
-    let array = npy::Mapped::in_either_order(path)?;
+    let array = npy::OnDisk::in_either_order(path)?;
     let [rows, columns] = array.points();
     check_shape(rows, columns, needed)?;
     rows_of(&array, 0..rows, needed, options)
@@ -305,7 +305,7 @@ fn read_npy(path: &Path, needed: &'static [ListColumn], options: ListOptions) ->
 
 /// The columns of an index range of rows.
 fn rows_of(
-    array: &npy::Mapped,
+    array: &npy::OnDisk,
     rows: Range<usize>,
     needed: &'static [ListColumn],
     options: ListOptions,
@@ -323,7 +323,7 @@ fn rows_of(
 
 /// The number of rows of an array that are all valid.
 fn check_npy(path: &Path, needed: &'static [ListColumn], options: ListOptions) -> Result<usize, ListError> {
-    let array = npy::Mapped::in_either_order(path)?;
+    let array = npy::OnDisk::in_either_order(path)?;
     let [rows, columns] = array.points();
     check_shape(rows, columns, needed)?;
     if rows > MOST_CHECKED {
@@ -344,13 +344,15 @@ fn check_npy(path: &Path, needed: &'static [ListColumn], options: ListOptions) -
 
 /// Reads the rows from `begin` on in SI; returns the first invalid value.
 fn piece(
-    array: &npy::Mapped,
+    array: &npy::OnDisk,
     begin: usize,
     needed: &'static [ListColumn],
     options: ListOptions,
     pieces: &mut [&mut [f64]],
 ) -> Option<ListError> {
-    array.columns(begin, pieces);
+    if let Err(error) = array.columns(begin, pieces) {
+        return Some(error.into());
+    }
     let per_metre = options.unit.map_or(1.0, per_metre);
     let bad = needed.iter().zip(pieces).filter_map(|(&column, piece)| {
         let mut bad = None;

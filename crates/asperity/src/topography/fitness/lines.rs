@@ -285,7 +285,7 @@ impl<'a> AlignedLines<'a> {
 }
 
 impl Rows for AlignedLines<'_> {
-    rows_from!(map: points pixel precision boundary offset progress);
+    rows_from!(map: points pixel precision boundary offset progress is_whole);
 
     fn read(&self, ix: usize, row: &mut [f64]) {
         self.map.read(ix, row);

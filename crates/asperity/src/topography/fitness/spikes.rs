@@ -343,7 +343,7 @@ pub struct Without<'a> {
 }
 
 impl Rows for Without<'_> {
-    rows_from!(map: points pixel precision boundary offset progress);
+    rows_from!(map: points pixel precision boundary offset progress is_whole);
 
     fn read(&self, ix: usize, row: &mut [f64]) {
         self.map.read(ix, row);

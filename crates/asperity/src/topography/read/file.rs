@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 use super::content::{Measured, Metadata, ReadOptions, transposed};
 use super::error::{MAX_HEIGHT, ReadError};
 use super::marks::{Extremes, mark_missing};
-use super::npy::MappedMap;
+use super::npy::MapOnDisk;
 use super::source::Source;
 use super::{Channel, Channels, Format, Reader, npy};
-use crate::npy::{Header, Mapped};
+use crate::npy::{Header, NpyError, OnDisk};
 use crate::numeric::LARGEST;
 use crate::progress::Progress;
 use crate::topography::{HeightMap, MapError, Rows, Watched, rows};
@@ -139,8 +139,8 @@ impl MapFile {
         }
         let metadata = npy::metadata(&self.path)?;
         let (pixel, unit) = (metadata.pixel(&self.options)?, metadata.units(&self.options)?.z);
-        let array = Mapped::open(&self.path)?;
-        Ok(Box::new(MappedMap { array, pixel, unit, missing: self.marks().to_vec() }))
+        let array = OnDisk::open(&self.path)?;
+        Ok(Box::new(MapOnDisk::new(array, pixel, unit, self.marks().to_vec())))
     }
 
     /// Checks size, units and heights of the map, or of a part of it, that was read row by row.
@@ -153,6 +153,9 @@ impl MapFile {
             Extremes::new((0..strip.count as isize).filter_map(|k| strip.row(k)).flatten())
         };
         let all = rows::strips(map, 0, extremes).into_iter().fold(Extremes::NONE, Extremes::joined);
+        if !map.is_whole() {
+            return Err(NpyError::Shortened.into());
+        }
         let Some(tallest) = all.tallest() else { return Err(MapError::AllMissing.into()) };
         let unit = self.options.unit.map_or(1.0, |units| units.z);
         self.check_extremes(all, unit)?;

@@ -1,12 +1,13 @@
 //! NumPy's `.npy` as a height map. The first index is x.
 
 use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::content::{Measured, Metadata};
 use super::error::ReadError;
 use super::marks::mark_missing;
 use super::{Format, Reader};
-use crate::npy::{Header, MAGIC, Mapped, Matrix, matrix};
+use crate::npy::{Header, MAGIC, Matrix, OnDisk, matrix};
 use crate::topography::{Boundary, Rows};
 
 /// The name of the format.
@@ -32,20 +33,25 @@ pub(super) fn measured(path: &Path) -> Result<Measured, ReadError> {
     Ok(Measured { metadata, heights: values, scale: 1.0, offset: 0.0, precision })
 }
 
-/// A mapped array as a height map.
+/// An array in its file as a height map.
 #[derive(Debug)]
-pub(super) struct MappedMap {
-    /// The array.
-    pub(super) array: Mapped,
-    /// Distance of neighbouring points along x and y, m.
-    pub(super) pixel: [f64; 2],
-    /// Unit of the stored heights, m.
-    pub(super) unit: f64,
-    /// Heights that mark missing points, in that unit.
-    pub(super) missing: Vec<f64>,
+pub(super) struct MapOnDisk {
+    array: OnDisk,
+    pixel: [f64; 2],
+    unit: f64,
+    missing: Vec<f64>,
+    /// Whether a row could not be read.
+    has_failed: AtomicBool,
 }
 
-impl Rows for MappedMap {
+impl MapOnDisk {
+    /// A map of this `pixel` (m), whose heights in `unit` (m) are missing where they are one of the marks in `missing`.
+    pub(super) fn new(array: OnDisk, pixel: [f64; 2], unit: f64, missing: Vec<f64>) -> Self {
+        Self { array, pixel, unit, missing, has_failed: AtomicBool::new(false) }
+    }
+}
+
+impl Rows for MapOnDisk {
     fn points(&self) -> [usize; 2] {
         self.array.points()
     }
@@ -63,8 +69,15 @@ impl Rows for MappedMap {
         Boundary::Open
     }
 
+    fn is_whole(&self) -> bool {
+        !self.has_failed.load(Ordering::Relaxed)
+    }
+
     fn read(&self, ix: usize, row: &mut [f64]) {
-        self.array.row(ix, row);
+        if self.array.row(ix, row).is_err() {
+            row.fill(f64::NAN);
+            self.has_failed.store(true, Ordering::Relaxed);
+        }
         mark_missing(row, &self.missing);
         if self.unit != 1.0 {
             row.iter_mut().for_each(|z| *z *= self.unit);

@@ -1,0 +1,131 @@
+"""A run that is ended at any moment leaves each report as it was before or as it is after, and nothing that is in the way."""
+
+import json
+import random
+import shutil
+import signal
+import subprocess
+import time
+
+import pytest
+
+from conftest import IS_FULL, PROGRAM, Ended, count, leftovers, run, spec, start
+
+# What a run does to the disk.
+CALLS = ["openat", "write", "fsync", "mkdir", "rename", "renameat2", "unlinkat", "unlink", "rmdir", "ftruncate", "flock"]
+
+
+def duration(place, *arguments):
+    """Seconds of a run."""
+    begin = time.monotonic()
+    assert run(*arguments, cwd=place.folder).code == 0
+    return time.monotonic() - begin
+
+
+def ended_at(seconds, number, *arguments, cwd):
+    """A program to which a signal is sent after so many seconds."""
+    process = start(*arguments, cwd=cwd)
+    try:
+        process.wait(seconds)
+    except subprocess.TimeoutExpired:
+        process.send_signal(number)
+    return Ended(process)
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL], ids=lambda number: number.name)
+def test_at_random_moments(several, number):
+    rng, longest = random.Random(number), duration(several)
+    codes = {0: 0}
+    for _ in range(count(3, 200 if number == signal.SIGKILL else 100)):
+        several.reset()
+        ended = ended_at(rng.uniform(0, longest), number, cwd=several.folder)
+        codes[ended.code] = codes.get(ended.code, 0) + 1
+        new = several.is_whole()
+        if ended.code == 128 + number:
+            assert "interrupted; " in ended.errors and str(new or "nothing") in ended.errors, ended
+            assert leftovers(several.out) == []
+        several.is_new_after_next_run()
+    print(number.name, {code: codes[code] for code in sorted(codes)})
+    # Before `main` the system ends a program.
+    assert set(codes) <= {0, -number} | ({128 + number} if number != signal.SIGKILL else set())
+
+
+@pytest.mark.skipif(not shutil.which("strace"), reason="strace is not installed")
+@pytest.mark.parametrize("call", CALLS)
+def test_at_each_step_on_the_disk(place, call):
+    """A kill at the first, second, ... call of the system of a kind, until a run makes no more of them."""
+    step, was_ended, ends = count(17, 1), True, 0
+    at = 1
+    while was_ended:
+        place.reset()
+        inject = f"{call}:signal=KILL:when={at}"
+        process = subprocess.run(
+            ["strace", "-f", "-qq", "-o", "/dev/null", "-e", f"trace={call}", "-e", f"inject={inject}", PROGRAM],
+            cwd=place.folder, capture_output=True, text=True,
+        )
+        was_ended = process.returncode != 0
+        assert was_ended or process.returncode == 0, process
+        place.is_whole()
+        place.is_new_after_next_run()
+        ends += was_ended
+        at += step
+    print(call, ends)
+
+
+def test_leftovers_of_many_kills_do_not_add_up(place):
+    rng, longest = random.Random(3), duration(place)
+    most = 0
+    for _ in range(count(6, 50)):
+        # The report stays the old one for the next kill, which meets what the last one left.
+        if place.is_whole() == 1:
+            place.reset()
+        ended_at(rng.uniform(0.5 * longest, longest), signal.SIGKILL, cwd=place.folder)
+        place.is_whole()
+        most = max(most, len(leftovers(place.out)))
+    assert most <= 2
+    place.is_new_after_next_run()
+
+
+def test_signals_that_mean_nothing_change_nothing(place):
+    """System calls that signals interrupt (EINTR) are made again; a stopped run goes on."""
+    process = start(cwd=place.folder)
+    while process.poll() is None:
+        for number in (signal.SIGWINCH, signal.SIGSTOP, signal.SIGCONT, signal.SIGCHLD, signal.SIGURG):
+            if process.poll() is None:
+                process.send_signal(number)
+        time.sleep(0.001)
+    assert Ended(process).code == 0
+    place.is_new_after_next_run()
+
+
+TILED = spec(1, keys=f'radius = "20 um"\nsigma = "48 nm"\ndensity = "6e10 /m^2"\ncount = {300_000 if IS_FULL else 100_000}\n').replace(
+    'pressure = { from = "1 MPa", to = "100 MPa", points = 5 }', "separation = { values = [1, 2, 3] }"
+).replace("[compare]", "[tiled]")
+
+
+def test_parts_at_random_moments(tmp_path):
+    """Files of parts are whole, and a merge after kills is that of a run without them."""
+    (tmp_path / "t.toml").write_text(TILED)
+    whole = run("run", "t.toml", "--out", "whole", cwd=tmp_path)
+    assert whole.code == 0, whole
+    rng = random.Random(5)
+    begin = time.monotonic()
+    assert run("run", "t.toml", "--part", "1/2", "--parts", "first", cwd=tmp_path).code == 0
+    longest = time.monotonic() - begin
+    for trial in range(count(2, 30)):
+        parts = tmp_path / "parts"
+        shutil.rmtree(parts, ignore_errors=True)
+        for _ in range(3):
+            for part in ("1/2", "2/2"):
+                ended_at(rng.uniform(0, longest), signal.SIGKILL, "run", "t.toml", "--part", part, "--parts", parts, cwd=tmp_path)
+                for path in parts.glob("t-*.json"):
+                    json.loads(path.read_text())
+        for _ in range(3):
+            for part in ("1/2", "2/2"):
+                run("run", "t.toml", "--part", part, "--parts", parts, cwd=tmp_path)
+        ended = run("merge", "t.toml", "--parts", parts, "--out", f"merged-{trial}", cwd=tmp_path)
+        assert ended.code == 0, ended
+        assert [path.name for path in parts.iterdir() if path.name.endswith(".new")] == []
+        for name in ("report.md", "curves.csv"):
+            if (tmp_path / "whole/t" / name).exists():
+                assert (tmp_path / f"merged-{trial}/t" / name).read_bytes() == (tmp_path / "whole/t" / name).read_bytes()
