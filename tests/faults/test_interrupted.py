@@ -9,7 +9,7 @@ import time
 
 import pytest
 
-from conftest import IS_FULL, PROGRAM, Ended, count, leftovers, run, spec, start
+from conftest import IS_FULL, PROGRAM, Ended, content, count, leftovers, report, run, spec, start
 
 # What a run does to the disk.
 CALLS = ["openat", "write", "fsync", "mkdir", "rename", "renameat2", "unlinkat", "unlink", "rmdir", "ftruncate", "flock"]
@@ -129,3 +129,50 @@ def test_parts_at_random_moments(tmp_path):
         for name in ("report.md", "curves.csv"):
             if (tmp_path / "whole/t" / name).exists():
                 assert (tmp_path / f"merged-{trial}/t" / name).read_bytes() == (tmp_path / "whole/t" / name).read_bytes()
+
+
+SWEEP = spec(1) + """
+[sweep]
+"surface.a.population.sigma" = ["40 nm", "48 nm", "56 nm", "64 nm", "72 nm", "80 nm"]
+"""
+
+
+def test_sweeps_at_random_moments(tmp_path):
+    """A sweep that is killed again and again goes on, and ends with the report of one that was not."""
+    (tmp_path / "s.toml").write_text(SWEEP)
+    begin = time.monotonic()
+    assert run("run", "s.toml", "--out", "whole", cwd=tmp_path).code == 0
+    longest = time.monotonic() - begin
+    rng = random.Random(6)
+    for trial in range(count(2, 20)):
+        out = tmp_path / f"out-{trial}"
+        for kill in range(6):
+            number = signal.SIGKILL if kill % 2 else signal.SIGINT
+            ended_at(rng.uniform(0, longest), number, "run", "s.toml", "--out", out, cwd=tmp_path)
+            if out.exists():
+                assert report(out / "s") in (None, report(tmp_path / "whole/s"))
+        assert run("run", "s.toml", "--out", out, cwd=tmp_path).code == 0
+        assert report(out / "s") == report(tmp_path / "whole/s")
+        assert leftovers(out) == leftovers(tmp_path / "whole")
+        kept = [path.name for path in (out / ".kept/s").iterdir()]
+        assert sorted(kept) == sorted(path.name for path in (tmp_path / "whole/.kept/s").iterdir())
+
+
+def test_exports_at_random_moments(place):
+    """Each file of an export is the old one, the new one, or not there; what kills leave goes with the next export."""
+    export = ("export", "asperities", "experiments/a.toml", "--out", "exported", "--force")
+    folder = place.folder / "exported"
+    versions = []
+    for seed in (1, 2):
+        place.edit(seed)
+        assert run(*export, cwd=place.folder).code == 0
+        versions.append(content(folder))
+    longest = duration(place, *export)
+    rng = random.Random(8)
+    for trial in range(count(4, 50)):
+        place.edit(1 + trial % 2)
+        ended_at(rng.uniform(0, longest), signal.SIGKILL, *export, cwd=place.folder)
+        assert all(found in [version[name] for version in versions] for name, found in content(folder).items())
+    assert run(*export, cwd=place.folder).code == 0
+    assert content(folder) in versions
+    assert leftovers(folder) == []

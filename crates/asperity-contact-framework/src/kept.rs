@@ -7,6 +7,8 @@ use std::path::{Path, PathBuf};
 
 use tempfile::NamedTempFile;
 
+use crate::disk::advice;
+
 /// The pieces of one run in a folder.
 #[derive(Debug)]
 pub struct Kept {
@@ -43,7 +45,7 @@ impl Kept {
             Ok(())
         };
         write().map_err(|error: io::Error| {
-            io::Error::new(error.kind(), format!("cannot keep {}: {error}", path.display()))
+            io::Error::new(error.kind(), format!("cannot keep {}: {error}{}", path.display(), advice(&error)))
         })
     }
 

@@ -53,7 +53,10 @@ pub fn write_new(path: &Path, text: &str) -> Result<(), Failure> {
 pub fn unwritten(place: &str, error: &io::Error) -> Failure {
     let message = format!("{place}: {error}{}", advice(error));
     match error.kind() {
-        ErrorKind::AlreadyExists | ErrorKind::NotFound | ErrorKind::NotADirectory => Failure::Input(message),
+        ErrorKind::AlreadyExists
+        | ErrorKind::InvalidInput
+        | ErrorKind::NotADirectory
+        | ErrorKind::NotFound => Failure::Input(message),
         _ => Failure::Run(message),
     }
 }

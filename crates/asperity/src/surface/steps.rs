@@ -119,7 +119,7 @@ impl SummitSearch<'_> {
     /// filters need it in memory.
     ///
     /// # Errors
-    /// A form that the map does not determine, a filter that it does not hold.
+    /// A form that the map does not determine, a filter that it does not hold, a file that became shorter.
     pub fn each_step(
         &self,
         map: &dyn Rows,
@@ -131,7 +131,7 @@ impl SummitSearch<'_> {
         let removed = self.spikes(map).removed;
         self.preparation.steps(map, &removed, self.progress, |steps| {
             steps.all.into_iter().for_each(|(step, map)| take(step, map));
-            Ok(())
+            if map.is_whole() { Ok(()) } else { Err(NoAsperities::Shortened) }
         })
     }
 }

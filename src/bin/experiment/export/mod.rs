@@ -4,13 +4,14 @@ mod interface;
 mod surface;
 
 use std::fs::File;
-use std::io::{self, BufWriter};
+use std::io::{self, BufWriter, ErrorKind};
 use std::path::{Path, PathBuf};
 
 use asperity::topography::write::whole_file;
+use asperity_contact_framework::disk::check_writable;
 use clap::{Args, Subcommand};
 
-use super::{Failure, RunOptions, say, set_threads, watched, write_new};
+use super::{Failure, RunOptions, interrupt, say, set_threads, unwritten, watched};
 use interface::InterfaceExport;
 use surface::{AsperitiesExport, MapExport, PatchesExport};
 
@@ -70,16 +71,15 @@ impl Writing {
         let Self { out, force, threads, quiet } = self;
         let options = RunOptions { out, force, threads, quiet };
         set_threads(&options)?;
-        std::fs::create_dir_all(&options.out).map_err(|error| {
-            let message = format!(
-                "--out {}: {error}; allowed: a folder, which is made if it is missing",
-                options.out.display()
-            );
-            Failure::Input(message)
-        })?;
-        let probe = options.out.join(format!(".asperity.{}", std::process::id()));
-        write_new(&probe, "")?;
-        let _ = std::fs::remove_file(&probe);
+        let place = format!("--out {}", options.out.display());
+        std::fs::create_dir_all(&options.out).and_then(|()| check_writable(&options.out)).map_err(
+            |error| match error.kind() {
+                ErrorKind::AlreadyExists | ErrorKind::NotADirectory => Failure::Input(format!(
+                    "{place}: {error}; allowed: a folder, which is made if it is missing"
+                )),
+                _ => unwritten(&place, &error),
+            },
+        )?;
         Ok(Writer { options })
     }
 }
@@ -102,7 +102,8 @@ impl Writer {
     ) -> Result<(), Failure> {
         let path = self.options.out.join(name);
         self.check([&name.to_owned()])?;
-        whole_file(&path, content).map_err(|error| Failure::Input(format!("{}: {error}", path.display())))?;
+        let _whole = interrupt::begin_writing();
+        whole_file(&path, content).map_err(|error| unwritten(&path.display().to_string(), &error))?;
         say(&self.options, &format!("{} written", path.display()));
         Ok(())
     }

@@ -68,20 +68,43 @@ impl MapFormat {
     }
 }
 
-/// Writes a file beside its place and moves it there, so that a reader finds the old file or the whole new one.
+/// Writes a file beside its place and moves it there, so that a reader finds the old file or the whole new one. What killed
+/// processes have left of the same file goes.
 ///
 /// # Errors
 /// Those of `write`, and a file that cannot be written.
 pub fn whole_file(path: &Path, write: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>) -> io::Result<()> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let beside = path.with_file_name(format!(".{name}.{}", std::process::id()));
+    let beginning = format!(".{name}.");
+    clear_leftovers(path, &beginning);
+    let beside = path.with_file_name(format!("{beginning}{}", std::process::id()));
     let mut out = BufWriter::new(File::create_new(&beside)?);
-    let written = write(&mut out).and_then(|()| out.flush()).and_then(|()| std::fs::rename(&beside, path));
+    // Says that it is no leftover; where files have no locks, two processes that write the same file are in each other's way.
+    let _ = out.get_ref().try_lock();
+    let written = write(&mut out)
+        .and_then(|()| out.flush())
+        .and_then(|()| out.get_ref().sync_all())
+        .and_then(|()| std::fs::rename(&beside, path));
     if written.is_err() {
         // The first error says more than one of the removal.
         let _ = std::fs::remove_file(&beside);
     }
     written
+}
+
+/// Removes files beside a path whose names are a beginning and a number, and which nobody writes.
+fn clear_leftovers(path: &Path, beginning: &str) {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let is_ours = |entry: &std::fs::DirEntry| {
+        let name = entry.file_name();
+        let number = name.to_str().and_then(|name| name.strip_prefix(beginning));
+        number.is_some_and(|number| number.parse::<u32>().is_ok())
+    };
+    for entry in std::fs::read_dir(folder).into_iter().flatten().flatten().filter(is_ours) {
+        if File::open(entry.path()).is_ok_and(|file| file.try_lock().is_ok()) {
+            let _ = std::fs::remove_file(entry.path());
+        }
+    }
 }
 
 /// Calls `take` with the heights of each line along x, from the first y on.

@@ -1,11 +1,11 @@
 //! Maps that are written and read back.
 
-use std::io::Read;
+use std::io::{Read, Write};
 
 use asperity::progress::Silent;
 use asperity::surface::{AnalysisDepth, Preparation, Step, SummitSearch};
 use asperity::topography::summits::Neighbours;
-use asperity::topography::write::{FORMATS, GwyField, MapFormat, Note, gwy};
+use asperity::topography::write::{FORMATS, GwyField, MapFormat, Note, gwy, whole_file};
 use asperity::topography::{Filter, read};
 
 use super::*;
@@ -169,4 +169,25 @@ fn a_map_is_given_after_every_step_of_its_preparation() {
     let (one, other) = (search.surface("a", &map).unwrap(), none.surface("a", &again).unwrap());
     assert_eq!(bits(one.set.heights()), bits(other.set.heights()));
     assert_eq!(bits(one.set.radii()), bits(other.set.radii()));
+}
+
+/// A process that was killed leaves a file beside its place, which the next one that writes the same file removes.
+#[test]
+fn what_killed_processes_left_goes() {
+    let folder = tempfile::tempdir().unwrap();
+    let beside = |name: &str| folder.path().join(name);
+    let others = [".a.txt.4242x", ".b.txt.4242", ".a.txt"];
+    for name in [".a.txt.4242"].iter().chain(&others) {
+        std::fs::write(beside(name), "half").unwrap();
+    }
+    whole_file(&beside("a.txt"), |out| out.write_all(b"whole")).unwrap();
+    assert_eq!(std::fs::read(beside("a.txt")).unwrap(), b"whole");
+    assert!(!beside(".a.txt.4242").exists() && others.iter().all(|name| beside(name).exists()));
+    // Another process that writes it holds a lock.
+    let other = std::fs::File::create(beside(".a.txt.4243")).unwrap();
+    other.lock().unwrap();
+    whole_file(&beside("a.txt"), |_| Err(std::io::ErrorKind::StorageFull.into())).unwrap_err();
+    assert_eq!(std::fs::read(beside("a.txt")).unwrap(), b"whole");
+    assert!(beside(".a.txt.4243").exists());
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 2 + others.len());
 }
