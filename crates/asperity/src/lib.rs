@@ -88,6 +88,7 @@ pub mod distribution;
 mod interface;
 pub mod law;
 pub mod layer;
+mod legible;
 pub mod literature;
 mod material;
 pub mod material_library;
@@ -124,6 +125,7 @@ pub use law::{
     Zmc,
 };
 pub use layer::{LayerError, LayeredFlat, ModulusModel};
+pub use legible::legible;
 pub use literature::Paper;
 pub use material::{Material, MaterialError, reduced_modulus, softer_hardness};
 pub use model::{

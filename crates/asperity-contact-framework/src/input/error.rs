@@ -4,6 +4,7 @@ use std::fmt;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
+use asperity::legible;
 use indexmap::IndexMap;
 use toml::de::{DeTable, DeValue};
 
@@ -51,17 +52,18 @@ impl InputError {
 impl fmt::Display for InputError {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let Self { file, place, message } = self;
+        let message = legible(message, 2000);
         match place {
             Place::File => write!(f, "{}: {message}", file.display()),
             Place::Line { line, key, text } => {
                 write!(f, "{}, line {line}", file.display())?;
                 if let Some(key) = key {
-                    write!(f, ", {key}")?;
+                    write!(f, ", {}", legible(key, 200))?;
                 }
-                write!(f, ": {message}\n{line:>6} | {text}")
+                write!(f, ": {message}\n{line:>6} | {}", legible(text, 300))
             }
             // A message about a file begins with its name.
-            Place::Argument(argument) if message.starts_with(argument) => f.write_str(message),
+            Place::Argument(argument) if message.starts_with(argument) => f.write_str(&message),
             Place::Argument(argument) => write!(f, "{argument}: {message}"),
         }
     }

@@ -1,5 +1,6 @@
 //! The spec file as a whole: what every experiment has, and tables that its kind reads by name.
 
+use std::io::Read;
 use std::ops::Range;
 use std::path::Path;
 
@@ -90,6 +91,9 @@ enum RunSpec {
     Long,
 }
 
+/// The longest spec, bytes.
+const MOST_BYTES: u64 = 500_000;
+
 /// Names of the fields of [`CommonKeys`].
 const COMMON: [&str; 8] = ["title", "notes", "seed", "figure", "tables", "run", "group", "material"];
 
@@ -99,8 +103,11 @@ impl SpecFile {
     /// # Errors
     /// A file that cannot be read, is not TOML, or has an unknown key or an invalid value.
     pub fn read(path: &Path, tables: &[&str]) -> Result<Self, InputError> {
-        let bytes = std::fs::read(path)
-            .map_err(|error| InputError::file(path, format!("cannot be read: {error}")))?;
+        let mut bytes = Vec::new();
+        // One byte more than is allowed.
+        let read =
+            std::fs::File::open(path).and_then(|file| file.take(MOST_BYTES + 1).read_to_end(&mut bytes));
+        read.map_err(|error| InputError::file(path, format!("cannot be read: {error}")))?;
         let text = String::from_utf8(bytes).map_err(|error| {
             InputError::file(path, format!("is no UTF-8 text (byte {})", error.utf8_error().valid_up_to()))
         })?;
@@ -112,6 +119,12 @@ impl SpecFile {
     /// # Errors
     /// As [`SpecFile::read`].
     pub fn parse(source: Source, tables: &[&str]) -> Result<Self, InputError> {
+        if source.text.len() as u64 > MOST_BYTES {
+            let message = format!(
+                "is longer than a spec is; allowed: at most {MOST_BYTES} bytes, heights and lists in files of their own"
+            );
+            return Err(InputError::file(&source.path, message));
+        }
         let mut document = DeTable::parse(&source.text).map_err(|error| source.parse_error(&error))?;
         let mut found: Vec<(String, Range<usize>)> = Vec::new();
         for (key, value) in document.get_ref().iter() {
@@ -199,5 +212,36 @@ impl SpecFile {
             Some((name.get_ref().clone(), material.origin.clone()?))
         };
         self.materials.iter().filter_map(origin).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_spec_is_at_most_half_a_megabyte() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("long.toml");
+        let spec = |length: usize| {
+            let title = "title = \"long\"\n# ";
+            std::fs::write(&path, format!("{title}{}", "x".repeat(length - title.len()))).unwrap();
+            SpecFile::read(&path, &[])
+        };
+        assert_eq!(spec(500_000).unwrap().title, "long");
+        let error = spec(500_001).unwrap_err().to_string();
+        assert!(error.ends_with("long.toml: is longer than a spec is; allowed: at most 500000 bytes, heights and lists in files of their own"), "{error}");
+    }
+
+    #[test]
+    fn a_message_shows_a_part_of_a_long_line() {
+        let source = |text: String| Source::file(Path::new("a.toml"), text);
+        for text in [format!("title = \"{}", "x".repeat(100_000)), format!("{} = 1", "x".repeat(100_000))] {
+            let error = SpecFile::parse(source(text), &[]).unwrap_err().to_string();
+            assert!(error.len() < 3000 && error.starts_with("a.toml, line 1"), "{error}");
+        }
+        let error =
+            SpecFile::parse(source("title = \"a\u{1b}[31m\"".to_owned()), &[]).unwrap_err().to_string();
+        assert!(error.contains("a\\u{1b}[31m") && !error.contains('\u{1b}'), "{error}");
     }
 }

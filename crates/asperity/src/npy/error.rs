@@ -2,6 +2,8 @@
 
 use std::io;
 
+use crate::legible::legible;
+
 /// An error in reading a `.npy` file. Texts are predicates without the file name: "is empty".
 #[derive(Debug, thiserror::Error)]
 pub enum NpyError {
@@ -21,10 +23,10 @@ pub enum NpyError {
     #[error("has an invalid .npy header: {0}")]
     Header(#[from] HeaderError),
     /// The type of the numbers is not supported.
-    #[error("holds numbers of type {0}; allowed: float32, float64 and integers")]
+    #[error("holds numbers of type {}; allowed: float32, float64 and integers", legible(.0, 40))]
     NumberType(String),
     /// The array is not two-dimensional.
-    #[error("holds an array of shape ({}); allowed: two dimensions", .0.iter().map(u64::to_string).collect::<Vec<_>>().join(", "))]
+    #[error("holds an array of shape ({}); allowed: two dimensions", shown(.0))]
     Dimensions(Vec<u64>),
     /// The size in the header exceeds any possible file.
     #[error("claims to hold more numbers than any file can")]
@@ -59,6 +61,13 @@ pub enum NpyError {
     /// The array is in Fortran order, so that rows are not contiguous.
     #[error("is in Fortran order; allowed here: C order")]
     FortranOrder,
+}
+
+/// The lengths of an array, the first ones of very many.
+fn shown(lengths: &[u64]) -> String {
+    const MOST: usize = 8;
+    let words = lengths.iter().take(MOST).map(u64::to_string);
+    words.chain((lengths.len() > MOST).then(|| "...".to_owned())).collect::<Vec<_>>().join(", ")
 }
 
 /// A defect of a header.

@@ -18,9 +18,10 @@ pub(super) fn closed(low: f64, high: f64) -> bool {
 /// Chandrupatla's method (Advances in Engineering Software 28, 145, 1997) on ln(value/level), with bisection where a
 /// value is zero or infinite.
 pub fn last_reaching(value: impl Fn(f64) -> f64, level: f64, low: f64, high: f64) -> Option<f64> {
-    let gap = |x: f64| (value(x) / level).ln();
+    // What is negative, or no number, does not reach the level.
+    let gap = |x: f64| (value(x) / level).max(0.0).ln();
     let near_gap = gap(low);
-    if near_gap.is_nan() || near_gap < 0.0 {
+    if near_gap < 0.0 {
         return None;
     }
     let far_gap = gap(high);
@@ -164,6 +165,16 @@ mod tests {
             assert!((found - exact).abs() < 4e-15, "{found} for {exact}");
             assert!(value(found) >= value(exact));
             assert!(calls.get() < 40, "{} calls for {exact}", calls.get());
+        }
+    }
+
+    #[test]
+    fn what_is_negative_or_no_number_does_not_reach_a_level() {
+        for beyond in [-1e-17, f64::NAN] {
+            let value = |x: f64| if x < 1.0 { 1.0 - x } else { beyond };
+            let found = last_reaching(value, 1e-3, 0.0, 2.0).unwrap();
+            assert!((found - 0.999).abs() < 1e-12, "{found}");
+            assert_eq!(last_reaching(value, 1e-3, 1.0, 2.0), None);
         }
     }
 

@@ -31,6 +31,9 @@ use table::{
     THERMAL_FILM, Unit, Units,
 };
 
+/// The longest text that may be a quantity.
+const MOST_BYTES: usize = 400;
+
 /// A physical dimension.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Dimension {
@@ -108,11 +111,17 @@ impl Dimension {
 
     /// The SI value of one `unit`; `None` if it is not a unit of this dimension.
     pub fn factor(self, unit: &str) -> Option<f64> {
+        if unit.len() > MOST_BYTES {
+            return None;
+        }
         self.canonical_factor(&canonical(unit.trim()))
     }
 
     /// The SI value of one `unit`; `None` unless it is one of the [documented](Self::documented) ones.
     pub fn documented_factor(self, unit: &str) -> Option<f64> {
+        if unit.len() > MOST_BYTES {
+            return None;
+        }
         let unit = canonical(unit);
         self.documented().contains(&unit.as_str()).then(|| self.canonical_factor(&unit))?
     }
@@ -121,6 +130,9 @@ impl Dimension {
     /// is missing. For a unit that is a power of ten the result is correctly rounded: "50 nm" is 5e-8.
     pub fn parse(self, text: &str) -> Option<f64> {
         let text = text.trim();
+        if text.len() > MOST_BYTES {
+            return None;
+        }
         // "6e10 /m^2", but also "210GPa": the number is the longest prefix that parses as one.
         let end = (1..=text.len()).rev().find(|&end| text.get(..end).is_some_and(is_number))?;
         let (number, unit) = text.split_at(end);

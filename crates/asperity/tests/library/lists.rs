@@ -139,3 +139,16 @@ fn a_bad_value_of_an_array_is_found_by_the_check() {
     let error = refused(super::files::array("<f8", false, "(2, 2)", &values), METRES).to_string();
     assert!(error.contains("row 2 of 2, column `height`: found NaN"), "{error}");
 }
+
+#[test]
+fn a_header_is_at_most_ten_thousand_columns_wide_and_shown_in_part() {
+    let header = |others: usize| format!("height;radius{}\n", ";a".repeat(others));
+    let rows = format!("1;2{}\n", ";3".repeat(9_998));
+    assert_eq!(spheres(header(9_998) + &rows, METRES).0, [1.0]);
+    let error = refused(header(9_999), METRES).to_string();
+    assert_eq!(error, "line 1 names more than 10000 columns; allowed: at most 10000");
+    let error = refused("a;".repeat(9_000) + "\n", METRES).to_string();
+    assert!(error.contains("(found: a, a, a, ") && error.len() < 500, "{error}");
+    let error = refused(format!("height [{}];radius\n1;2\n", "u".repeat(1000)), METRES).to_string();
+    assert!(error.contains("has the unit \"uuu") && error.len() < 300, "{error}");
+}

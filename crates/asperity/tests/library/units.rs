@@ -23,3 +23,13 @@ fn spellings_keep_their_values() {
     }
     assert_eq!(checked, 2 * 508);
 }
+
+/// The longest beginning that is a number is looked for byte by byte.
+#[test]
+fn a_text_longer_than_any_quantity_is_none() {
+    assert_eq!(Dimension::Length.parse(&format!("1.{} m", "0".repeat(300))), Some(1.0));
+    let start = std::time::Instant::now();
+    assert_eq!(Dimension::Length.parse(&("1".repeat(300_000) + &"x".repeat(300_000))), None);
+    assert_eq!(Dimension::Length.factor(&"m".repeat(300_000)), None);
+    assert!(start.elapsed().as_secs() < 1, "{:?}", start.elapsed());
+}

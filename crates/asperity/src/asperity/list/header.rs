@@ -1,6 +1,6 @@
 //! The header of a list as text: names of columns, their units, and what separates them.
 
-use super::{ListColumn, ListError, ListOptions, column};
+use super::{ListColumn, ListError, ListOptions, MOST_COLUMNS, column};
 
 /// What separates the cells of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -79,6 +79,9 @@ impl Header {
     ) -> Result<Self, ListError> {
         let separator = Separator::detect(text);
         let mut named = names(text, separator);
+        if named.len() > MOST_COLUMNS {
+            return Err(ListError::Wide { line });
+        }
         while named.last().is_some_and(|(name, unit)| name.is_empty() && unit.is_none()) {
             named.pop();
         }
@@ -132,7 +135,8 @@ fn names(text: &str, separator: Separator) -> Vec<(String, Option<String>)> {
         (name.trim().to_owned(), unit)
     };
     let mut names: Vec<(String, Option<String>)> = Vec::new();
-    for cell in separator.cells(text) {
+    // One more than is allowed.
+    for cell in separator.cells(text).take(MOST_COLUMNS + 1) {
         let (name, unit) = split(cell);
         // Between blanks a unit is a cell of its own.
         match names.last_mut().filter(|_| separator == Separator::Blanks && name.is_empty()) {

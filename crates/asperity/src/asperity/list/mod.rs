@@ -11,6 +11,7 @@ use std::path::Path;
 use rayon::prelude::*;
 
 use super::{AsperitySet, Ellipse, SetError};
+use crate::legible::legible;
 use crate::memory::zeros;
 use crate::npy::{self, NpyError};
 pub use column::ListColumn;
@@ -37,8 +38,9 @@ pub enum ListError {
     },
     /// A column is missing.
     #[error(
-        "has no column `{}` (found: {found}); allowed: a header line with the columns {}",
+        "has no column `{}` (found: {}); allowed: a header line with the columns {}",
         column.name(),
+        legible(found, 200),
         ListColumn::names(needed)
     )]
     Column {
@@ -48,6 +50,12 @@ pub enum ListError {
         found: String,
         /// The columns that are needed.
         needed: &'static [ListColumn],
+    },
+    /// The header names more columns than a list has.
+    #[error("line {line} names more than {MOST_COLUMNS} columns; allowed: at most {MOST_COLUMNS}")]
+    Wide {
+        /// The line of the header, from 1.
+        line: usize,
     },
     /// The first line holds numbers.
     #[error(
@@ -74,7 +82,7 @@ pub enum ListError {
         places: [usize; 2],
     },
     /// The header gives a column a unit that is not supported.
-    #[error("line {line}: the column `{}` has the unit \"{unit}\"; allowed: {}", column.name(), column.allowed_units())]
+    #[error("line {line}: the column `{}` has the unit \"{}\"; allowed: {}", column.name(), legible(unit, 40), column.allowed_units())]
     Unit {
         /// The column.
         column: ListColumn,
@@ -91,8 +99,9 @@ pub enum ListError {
     },
     /// A row has more or fewer cells than the header.
     #[error(
-        "line {line} holds {found} value{} (\"{text}\"); allowed: {allowed}, as in the header, line {header}{}",
+        "line {line} holds {found} value{} (\"{}\"); allowed: {allowed}, as in the header, line {header}{}",
         if *found == 1 { "" } else { "s" },
+        legible(text, 40),
         if *may_be_decimal_commas { "; with decimal commas the values must be separated by semicolons or tabs" } else { "" }
     )]
     Ragged {
@@ -124,7 +133,7 @@ pub enum ListError {
     #[error("is a text in UTF-16; allowed: UTF-8 or Latin-1")]
     Encoding,
     /// A cell holds no number, or one out of range.
-    #[error("{place}, column `{}`: found {found}; allowed: {}", column.name(), column.allowed())]
+    #[error("{place}, column `{}`: found {}; allowed: {}", column.name(), legible(found, 60), column.allowed())]
     Cell {
         /// The row or line of the file.
         place: String,
@@ -137,6 +146,9 @@ pub enum ListError {
     #[error("has no asperity: the list has no rows")]
     Empty,
 }
+
+/// The most columns of a text.
+const MOST_COLUMNS: usize = 10_000;
 
 /// How a list is read.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

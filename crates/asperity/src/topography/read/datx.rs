@@ -165,12 +165,31 @@ fn channel(
     let mut channel = Channel::new(
         name,
         [samples, lines],
-        Numbers::Packed(kind, Box::new(move |_| dataset.read_f64().map_err(damaged))),
+        Numbers::Packed(
+            kind,
+            Box::new(move |source| {
+                check_chunks(source, &dataset)?;
+                dataset.read_f64().map_err(damaged)
+            }),
+        ),
     );
     // A camera that is not calibrated has a pixel of 0.
     channel.pixel = pixel(&attributes, measured).filter(|&pixel| is_positive(pixel)).map(|pixel| [pixel; 2]);
     channel.missing = Box::new(move |value| value >= no_data);
     Ok(Channel { factor, quantity, ..channel })
+}
+
+/// Checks that the file has the bytes of all chunks of a dataset, and that they hold all of it, before memory is taken for them.
+fn check_chunks(source: &Source, dataset: &Dataset) -> Result<(), ReadError> {
+    let Some(chunk) = dataset.chunk_shape().map_err(damaged)? else { return Ok(()) };
+    let shape = dataset.shape().map_err(damaged)?;
+    let needed =
+        shape.iter().zip(&chunk).map(|(points, size)| points.div_ceil((*size).max(1))).product::<u64>();
+    let chunks = dataset.chunks().map_err(damaged)?;
+    if chunks.len() as u64 != needed {
+        return Err(ReadError::Corrupt(format!("holds {} chunks of {needed}", chunks.len())));
+    }
+    chunks.iter().try_for_each(|chunk| source.check(chunk.address, chunk.storage_size))
 }
 
 /// The pixel in the attributes of the measurement that a dataset belongs to, m.

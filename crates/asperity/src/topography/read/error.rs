@@ -1,6 +1,9 @@
 //! Errors in reading a map.
 
+use std::borrow::Cow;
+
 use super::content::LengthUnits;
+use crate::legible::legible;
 use crate::npy::NpyError;
 use crate::topography::MapError;
 use crate::units::Dimension;
@@ -12,17 +15,18 @@ pub enum ReadError {
     #[error("cannot be read: {0}")]
     Io(#[from] std::io::Error),
     /// The format of the file is not known.
-    #[error("{0}")]
+    #[error("{}", shown(.0))]
     Mismatch(String),
     /// The format is known, but the content is not supported.
-    #[error("{0}")]
+    #[error("{}", shown(.0))]
     Unsupported(String),
     /// Lines of words or sizes stand above the numbers of a text.
     #[error(
-        "begins with {} that hold{} no row of the table (line {line}: \"{found}\"), the table begins in line {begin}; allowed: a table \
+        "begins with {} that hold{} no row of the table (line {line}: \"{}\"), the table begins in line {begin}; allowed: a table \
          only, below lines that begin with #",
         if *begin == line + 1 { "a line".to_owned() } else { format!("{} lines", begin - line) },
         if *begin == line + 1 { "s" } else { "" },
+        shown(found),
     )]
     Heading {
         /// The first of these lines, from 1.
@@ -33,7 +37,7 @@ pub enum ReadError {
         begin: usize,
     },
     /// The channel that is named is not there, or holds no heights.
-    #[error("{reason}; allowed: {found}")]
+    #[error("{}; allowed: {}", shown(reason), shown(found))]
     Channel {
         /// What is wrong with it.
         reason: String,
@@ -47,7 +51,7 @@ pub enum ReadError {
         format: &'static str,
     },
     /// The content is inconsistent or damaged.
-    #[error("{0}")]
+    #[error("{}", shown(.0))]
     Corrupt(String),
     /// The file is a `.npy` whose array cannot be read.
     #[error(transparent)]
@@ -123,8 +127,9 @@ pub enum ReadOptionsError {
     },
     /// Names of columns in a text with units that are not clear, where the options give none.
     #[error(
-        "names columns with units in line {line}: \"{found}\"; allowed: one unit of length for x and y and one for z, as in x [um] \
-         y [um] z [nm], or the units given separately"
+        "names columns with units in line {line}: \"{}\"; allowed: one unit of length for x and y and one for z, as in x [um] \
+         y [um] z [nm], or the units given separately",
+        shown(found)
     )]
     UnitsInColumns {
         /// Line number, from 1.
@@ -146,6 +151,11 @@ pub(super) const MAX_HEIGHT: f64 = 10.0;
 
 pub(super) fn too_large() -> ReadError {
     ReadError::Corrupt("claims to hold more numbers than any file can".to_owned())
+}
+
+/// A text with parts of a file, as a message shows it.
+fn shown(text: &str) -> Cow<'_, str> {
+    legible(text, 1000)
 }
 
 /// A text shortened for a message.

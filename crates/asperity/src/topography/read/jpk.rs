@@ -34,22 +34,22 @@ const OFFSET: u16 = 0x80a5;
 const NEXT_SLOT: u16 = 0x30;
 
 fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
-    let mut tags = Tags::open(source)?;
-    let mut width = |tag: u16| Ok::<_, ReadError>(tags.number(0, tag)?.unwrap_or(0.0).abs());
+    let tags = Tags::open(source)?;
+    let width = |tag: u16| Ok::<_, ReadError>(tags.number(0, tag)?.unwrap_or(0.0).abs());
     let widths = [width(WIDTHS[0])?, width(WIDTHS[1])?];
     let is_reflected = tags.number(0, REFLECTED)?.is_some_and(|value| value != 0.0);
     let mut channels = Vec::new();
     for picture in 0..tags.count() {
         // The thumbnail has colours.
         let Some(([nx, ny], kind)) = tags.grey(picture)? else { continue };
-        let most = tags.most_bytes(source, picture)?;
+        let most = tags.most_bytes(picture)?;
         if nx.saturating_mul(ny).saturating_mul(kind.bytes()) > most {
             return Err(ReadError::Corrupt(format!(
                 "claims a picture of {nx} x {ny} points, more than its TIFF can hold"
             )));
         }
         let Some(mut name) = tags.text(picture, FULL_NAME)?.or(tags.text(picture, NAME)?) else { continue };
-        let scale = Scale::of(&mut tags, picture, &name)?;
+        let scale = Scale::of(&tags, picture, &name)?;
         if tags.number(picture, RETRACE)?.is_some_and(|value| value != 0.0) {
             name += " (retrace)";
         }
@@ -78,7 +78,7 @@ struct Scale {
 }
 
 impl Scale {
-    fn of(tags: &mut Tags, picture: usize, name: &str) -> Result<Self, ReadError> {
+    fn of(tags: &Tags, picture: usize, name: &str) -> Result<Self, ReadError> {
         let wanted = tags.text(picture, DEFAULT_SLOT)?.unwrap_or_default();
         let count = tags.number(picture, SLOTS)?.unwrap_or(0.0) as u16;
         for slot in 0..count {
@@ -92,7 +92,7 @@ impl Scale {
             }
             let encoder = tags.text(picture, ENCODER + shift)?.unwrap_or_default();
             let unit = tags.text(picture, UNIT + shift)?.unwrap_or_default();
-            let mut number = |tag: u16| tags.number(picture, tag + shift);
+            let number = |tag: u16| tags.number(picture, tag + shift);
             let (factor, offset) = (number(FACTOR)?, number(OFFSET)?);
             let [factor, offset] = match tags.text(picture, SCALING + shift)?.as_deref() {
                 Some("LinearScaling") => [factor.unwrap_or(1.0), offset.unwrap_or(0.0)],

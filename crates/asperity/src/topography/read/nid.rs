@@ -17,6 +17,8 @@ pub(super) const FORMAT: Format = Format {
 
 /// The most bytes of the text.
 const MOST: u64 = 4 << 20;
+/// The most channels that are listed.
+const MOST_CHANNELS: usize = 1000;
 const MARK: &[u8] = b"\n#!";
 
 /// A section of the text.
@@ -88,6 +90,9 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
             let numbers = Numbers::Stored(Stored { big_endian, ..Stored::new(start, kind) });
             let bytes = points[0].checked_mul(points[1]).and_then(|count| count.checked_mul(kind.bytes()));
             start = bytes.and_then(|bytes| bytes.checked_add(start)).ok_or_else(super::error::too_large)?;
+            if channels.len() == MOST_CHANNELS {
+                return Err(ReadError::Corrupt(format!("holds more than {MOST_CHANNELS} channels")));
+            }
             if points[1] > 1 && section.text("Dim1Unit").is_ok_and(|unit| length(unit).is_some()) {
                 channels.push(image(section, points, kind, numbers)?);
             }

@@ -26,7 +26,7 @@ const KIND: usize = 348;
 const MICROMETRE: f64 = 1e-6;
 
 fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
-    let mut tags = Tags::open(source)?;
+    let tags = Tags::open(source)?;
     let magic = tags.number(0, MAGIC)?.unwrap_or(0.0) as u64;
     let version = tags.number(0, VERSION)?.unwrap_or(0.0) as u64;
     if magic != 0x0e03_1301 || ![0x0100_0001, 0x0100_0002].contains(&version) {
@@ -34,7 +34,7 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
             "is a Park TIFF of version {version:x}; allowed: 1000001, 1000002"
         )));
     }
-    let bytes = tags.bytes(0, HEADER, KIND + 4)?.unwrap_or_default();
+    let bytes = tags.bytes(0, HEADER, KIND as u64 + 4)?.unwrap_or_default();
     let needed = if version == 0x0100_0001 { HEADER_BYTES } else { KIND + 4 };
     if bytes.len() < needed {
         return Err(ReadError::Corrupt(format!(
@@ -74,7 +74,7 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
         order = Order::ColumnsUpwardsFromRight;
     }
     let numbers = move |source: &Source| {
-        let bytes = Tags::open(source)?.bytes(0, DATA, length as usize)?.unwrap_or_default();
+        let bytes = Tags::open(source)?.bytes(0, DATA, length)?.unwrap_or_default();
         Ok(kind.values(&bytes))
     };
     let name = wide(&header, 4, 32)?;

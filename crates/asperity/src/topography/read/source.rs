@@ -134,7 +134,7 @@ pub(super) fn text(bytes: &[u8]) -> String {
 /// Checks that measured heights of `unpacked` bytes may have been packed into `packed`; `what` holds them.
 pub(super) fn check_packed(what: &str, packed: u64, unpacked: u64) -> Result<(), ReadError> {
     /// Bytes of heights that are read however far they were packed.
-    const SMALL: u64 = 64 << 20;
+    const SMALL: u64 = 8 << 20;
     if unpacked > SMALL && unpacked / MAX_COMPRESSION > packed {
         return Err(ReadError::Corrupt(format!(
             "holds no measured heights: {what} unpacks from {packed} to {unpacked} bytes; allowed: at most {MAX_COMPRESSION} times as \
@@ -152,7 +152,8 @@ pub(super) fn inflated(packed: &[u8], count: u64) -> Result<Vec<u8>, ReadError> 
             packed.len()
         ))
     };
-    let mut bytes = Vec::new();
+    // The caller has checked the count.
+    let mut bytes = Vec::with_capacity(usize::try_from(count + 1).map_err(|_| too_large())?);
     let decoder = flate2::read::ZlibDecoder::new(packed);
     decoder.take(count + 1).read_to_end(&mut bytes).map_err(|error| corrupt(&error))?;
     if bytes.len() as u64 != count {

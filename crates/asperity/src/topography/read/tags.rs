@@ -1,11 +1,9 @@
 //! TIFF: pictures and tags of two bytes, in which instruments store their heights or how to scale a picture to heights.
 
-use std::fs::File;
-use std::io::BufReader;
+use std::collections::BTreeMap;
 
 use tiff::TiffError;
 use tiff::decoder::{Decoder, DecodingResult, Limits};
-use tiff::tags::{Tag, Type};
 
 use super::error::ReadError;
 use super::source::{Fields, Source, latin1};
@@ -14,7 +12,7 @@ use crate::numeric::stored::NumberType::{self, F32, F64, I8, I16, I32, U8, U16, 
 /// Bytes of an entry of a directory.
 const ENTRY: u64 = 12;
 /// The longest text of a tag that is read, bytes.
-const MAX_TEXT: usize = 256;
+const MAX_TEXT: u64 = 256;
 /// The most bytes that a compressed one may unpack to: the noise of measured heights leaves more than that.
 const MAX_COMPRESSION: u64 = 50;
 
@@ -31,11 +29,8 @@ pub(super) fn is_tiff(source: &Source) -> bool {
 
 /// Whether the first directory has all of these tags.
 pub(super) fn has(source: &Source, tags: &[u16]) -> bool {
-    let first = |mut decoder: Decoder<BufReader<File>>| {
-        let directory = decoder.ifd_pointer().and_then(|first| decoder.read_directory(first).ok());
-        directory.is_some_and(|found| tags.iter().all(|&tag| found.contains(Tag::from_u16_exhaustive(tag))))
-    };
-    is_tiff(source) && source.reader().is_ok_and(|reader| Decoder::new(reader).is_ok_and(first))
+    let first = || Directory::read(source, header(source)?.count(4, U32)?, &mut source.length());
+    is_tiff(source) && first().is_ok_and(|(first, _)| tags.iter().all(|tag| first.0.contains_key(tag)))
 }
 
 /// Why a TIFF that no instrument wrote is refused.
@@ -60,33 +55,83 @@ fn damaged(error: TiffError) -> ReadError {
     }
 }
 
+/// The mark of the byte order and the place of the first directory.
+fn header(source: &Source) -> Result<Fields, ReadError> {
+    Ok(Fields { big_endian: source.begin().starts_with(b"MM"), ..source.fields(0, 8)? })
+}
+
+/// The value of a tag.
+#[derive(Debug, Clone, Copy)]
+struct Entry {
+    /// Its number type; `None` of texts, fractions and types that are not known.
+    kind: Option<NumberType>,
+    /// Bytes of the value.
+    length: u64,
+    /// The place of its first byte.
+    start: u64,
+}
+
+/// The tags of a picture.
+struct Directory(BTreeMap<u16, Entry>);
+
+impl Directory {
+    /// The directory at a byte and the place of the next, which is 0 behind the last. Its bytes are taken from those `left`: directories that
+    /// lie in each other, or in a circle, claim more than the file holds.
+    fn read(source: &Source, at: u64, left: &mut u64) -> Result<(Self, u64), ReadError> {
+        let big_endian = header(source)?.big_endian;
+        let fields = |start, count| Ok::<_, ReadError>(Fields { big_endian, ..source.fields(start, count)? });
+        let count = fields(at, 2)?.count(0, U16)?;
+        let length = count * ENTRY;
+        *left = left.checked_sub(length.max(ENTRY)).ok_or_else(|| {
+            ReadError::Corrupt(
+                "has more entries in the directories of its TIFF than bytes for them".to_owned(),
+            )
+        })?;
+        let directory = fields(at + 2, length + 4)?;
+        let mut entries = BTreeMap::new();
+        for place in (0..length as usize).step_by(ENTRY as usize) {
+            let (kind, bytes) = match directory.count(place + 2, U16)? {
+                1 => (Some(U8), 1),
+                6 => (Some(I8), 1),
+                2 | 7 => (None, 1),
+                3 => (Some(U16), 2),
+                8 => (Some(I16), 2),
+                4 => (Some(U32), 4),
+                9 => (Some(I32), 4),
+                11 => (Some(F32), 4),
+                13 => (None, 4),
+                12 => (Some(F64), 8),
+                _ => (None, 8),
+            };
+            let length = directory.count(place + 4, U32)? * bytes;
+            // A short value stands in place of the place of a long one.
+            let start =
+                if length <= 4 { at + 2 + place as u64 + 8 } else { directory.count(place + 8, U32)? };
+            entries.entry(directory.count(place, U16)? as u16).or_insert(Entry { kind, length, start });
+        }
+        Ok((Self(entries), directory.count(length as usize, U32)?))
+    }
+}
+
 /// A TIFF and the directories of its pictures.
-pub(super) struct Tags {
-    decoder: Decoder<BufReader<File>>,
-    directories: Vec<tiff::Directory>,
+pub(super) struct Tags<'a> {
+    source: &'a Source,
+    directories: Vec<Directory>,
     big_endian: bool,
 }
 
-impl Tags {
-    pub(super) fn open(source: &Source) -> Result<Self, ReadError> {
-        let mut decoder = Decoder::new(source.reader()?).map_err(damaged)?;
-        let big_endian = source.begin().starts_with(b"MM");
+impl<'a> Tags<'a> {
+    pub(super) fn open(source: &'a Source) -> Result<Self, ReadError> {
+        let header = header(source)?;
         let mut directories = Vec::new();
-        let mut left = source.length() / ENTRY;
-        let mut next = decoder.ifd_pointer();
-        while let Some(pointer) = next {
-            let entries = Fields { big_endian, ..source.fields(pointer.0, 2)? }.count(0, U16)?;
-            // Directories that lie in each other, or in a circle, claim more than the file holds.
-            left = left.checked_sub(entries.max(1)).ok_or_else(|| {
-                ReadError::Corrupt(
-                    "has more entries in the directories of its TIFF than bytes for them".to_owned(),
-                )
-            })?;
-            let directory = decoder.read_directory(pointer).map_err(damaged)?;
-            next = directory.next();
+        let mut left = source.length();
+        let mut next = header.count(4, U32)?;
+        while next != 0 {
+            let (directory, following) = Directory::read(source, next, &mut left)?;
             directories.push(directory);
+            next = following;
         }
-        Ok(Self { decoder, directories, big_endian })
+        Ok(Self { source, directories, big_endian: header.big_endian })
     }
 
     /// How many pictures there are.
@@ -94,61 +139,37 @@ impl Tags {
         self.directories.len()
     }
 
+    fn entry(&self, picture: usize, tag: u16) -> Option<&Entry> {
+        self.directories.get(picture)?.0.get(&tag)
+    }
+
     /// Bytes of the value of a tag.
     pub(super) fn length(&self, picture: usize, tag: u16) -> Option<u64> {
-        let entry = self.directories.get(picture)?.get(Tag::from_u16_exhaustive(tag))?;
-        entry.count().checked_mul(match entry.field_type() {
-            Type::BYTE | Type::SBYTE | Type::ASCII | Type::UNDEFINED => 1,
-            Type::SHORT | Type::SSHORT => 2,
-            Type::LONG | Type::SLONG | Type::FLOAT | Type::IFD => 4,
-            _ => 8,
-        })
+        Some(self.entry(picture, tag)?.length)
     }
 
     /// The first bytes of the value of a tag, at most `most` of them.
-    pub(super) fn bytes(
-        &mut self,
-        picture: usize,
-        tag: u16,
-        most: usize,
-    ) -> Result<Option<Vec<u8>>, ReadError> {
-        let (Some(length), Some(directory)) = (self.length(picture, tag), self.directories.get(picture))
-        else {
-            return Ok(None);
-        };
-        let mut bytes = vec![0; usize::try_from(length).map_or(most, |length| length.min(most))];
-        let mut tags = self.decoder.read_directory_tags(directory);
-        tags.find_tag_bytes(Tag::from_u16_exhaustive(tag), &mut bytes, 0).map_err(damaged)?;
-        Ok(Some(bytes))
+    pub(super) fn bytes(&self, picture: usize, tag: u16, most: u64) -> Result<Option<Vec<u8>>, ReadError> {
+        let bytes = |entry: &Entry| self.source.bytes(entry.start, entry.length.min(most));
+        self.entry(picture, tag).map(bytes).transpose()
     }
 
-    pub(super) fn text(&mut self, picture: usize, tag: u16) -> Result<Option<String>, ReadError> {
+    pub(super) fn text(&self, picture: usize, tag: u16) -> Result<Option<String>, ReadError> {
         Ok(self.bytes(picture, tag, MAX_TEXT)?.map(|bytes| latin1(&bytes)))
     }
 
     /// The first number of a tag.
-    pub(super) fn number(&mut self, picture: usize, tag: u16) -> Result<Option<f64>, ReadError> {
-        let entry = self.directories.get(picture).and_then(|all| all.get(Tag::from_u16_exhaustive(tag)));
-        let kind = match entry.map(tiff::decoder::ifd::Entry::field_type) {
-            Some(Type::BYTE) => U8,
-            Some(Type::SBYTE) => I8,
-            Some(Type::SHORT) => U16,
-            Some(Type::SSHORT) => I16,
-            Some(Type::LONG) => U32,
-            Some(Type::SLONG) => I32,
-            Some(Type::FLOAT) => F32,
-            Some(Type::DOUBLE) => F64,
-            _ => return Ok(None),
-        };
-        let bytes = self.bytes(picture, tag, kind.bytes() as usize)?.unwrap_or_default();
+    pub(super) fn number(&self, picture: usize, tag: u16) -> Result<Option<f64>, ReadError> {
+        let Some(kind) = self.entry(picture, tag).and_then(|entry| entry.kind) else { return Ok(None) };
+        let bytes = self.bytes(picture, tag, kind.bytes())?.unwrap_or_default();
         let mut value = [f64::NAN];
         kind.decode(&bytes, self.big_endian, &mut value);
         Ok(Some(value[0]).filter(|value| value.is_finite()))
     }
 
     /// The size and the numbers of a grey picture of more than 8 bits, of which a program can compute.
-    pub(super) fn grey(&mut self, picture: usize) -> Result<Option<([u64; 2], NumberType)>, ReadError> {
-        let mut number =
+    pub(super) fn grey(&self, picture: usize) -> Result<Option<([u64; 2], NumberType)>, ReadError> {
+        let number =
             |tag: u16, default: f64| Ok::<_, ReadError>(self.number(picture, tag)?.unwrap_or(default));
         let size = [number(256, 0.0)? as u64, number(257, 0.0)? as u64];
         if number(PHOTOMETRIC, 0.0)? != 1.0 || number(SAMPLES, 1.0)? != 1.0 {
@@ -167,9 +188,16 @@ impl Tags {
     }
 
     /// The most bytes that a picture can unpack to.
-    pub(super) fn most_bytes(&mut self, source: &Source, picture: usize) -> Result<u64, ReadError> {
+    pub(super) fn most_bytes(&self, picture: usize) -> Result<u64, ReadError> {
         let is_compressed = self.number(picture, COMPRESSION)?.is_some_and(|method| method != 1.0);
-        Ok(if is_compressed { source.length().saturating_mul(MAX_COMPRESSION) } else { source.length() })
+        let length = self.source.length();
+        Ok(if is_compressed { length.saturating_mul(MAX_COMPRESSION) } else { length })
+    }
+
+    /// Checks that the file has the bytes of all values of a picture, before a decoder takes memory for them.
+    fn check(&self, picture: usize) -> Result<(), ReadError> {
+        let entries = self.directories.get(picture).into_iter().flat_map(|directory| directory.0.values());
+        entries.into_iter().try_for_each(|entry| self.source.check(entry.start, entry.length))
     }
 }
 
@@ -178,6 +206,9 @@ pub(super) fn image(source: &Source, picture: usize, most: u64) -> Result<Vec<f6
     let mut limits = Limits::default();
     limits.decoding_buffer_size = usize::try_from(most).unwrap_or(usize::MAX);
     limits.intermediate_buffer_size = limits.decoding_buffer_size;
+    // A decoder begins with the first picture.
+    let tags = Tags::open(source)?;
+    tags.check(0).and_then(|()| tags.check(picture))?;
     let mut decoder = Decoder::new(source.reader()?).map_err(damaged)?.with_limits(limits);
     decoder.seek_to_image(picture).map_err(damaged)?;
     macro_rules! numbers {

@@ -10,7 +10,7 @@ use std::io::{BufReader, ErrorKind, Read};
 use std::path::Path;
 
 use md5::{Digest, Md5};
-use roxmltree::{Document, Node};
+use roxmltree::{Document, Node, ParsingOptions};
 use zip::ZipArchive;
 use zip::result::ZipError;
 
@@ -34,8 +34,11 @@ pub(super) const FORMAT: Format = Format {
 };
 
 const MAIN: &str = "main.xml";
-/// The largest XML that is read; the standard stores more than 10 000 heights in a binary file.
-const MAX_XML_BYTES: u64 = 32 << 20;
+/// The largest XML that is read, with its nodes, two of a height; the standard stores more than 10 000 heights in a binary file.
+const MAX_XML_BYTES: u64 = 4 << 20;
+const MAX_NODES: u32 = 500_000;
+/// The most attributes of an element, and the most namespaces, each of which the parser compares with all others.
+const MAX_ATTRIBUTES: usize = 200;
 
 /// A file within the archive, and its check sum if there is one.
 struct Link {
@@ -60,8 +63,9 @@ struct Main {
     heights: Heights,
 }
 
-/// The archive, and the folder in it that `main.xml` is in, with a slash behind it: a folder that was packed rather than its content.
-struct Archive(ZipArchive<BufReader<File>>, String);
+/// The archive, the folder in it that `main.xml` is in, with a slash behind it: a folder that was packed rather than its content; and the
+/// bytes of the file.
+struct Archive(ZipArchive<BufReader<File>>, String, u64);
 
 /// The header, its links checked against the sizes of the files in the archive.
 ///
@@ -117,8 +121,10 @@ fn plain(name: &str) -> String {
 
 impl Archive {
     fn open(path: &Path) -> Result<Self, ReadError> {
-        let archive = ZipArchive::new(BufReader::new(File::open(path)?)).map_err(of_zip)?;
-        let mut all = Self(archive, String::new());
+        let file = File::open(path)?;
+        let length = file.metadata()?.len();
+        let archive = ZipArchive::new(BufReader::new(file)).map_err(of_zip)?;
+        let mut all = Self(archive, String::new(), length);
         if all.find(MAIN).is_none() {
             let mut folders = all.0.file_names().flatten().filter_map(|name| {
                 let name = plain(&name);
@@ -156,7 +162,7 @@ impl Archive {
                 "{kind}: {name} holds {found} bytes; allowed: {bytes}, as {MAIN} says"
             )));
         }
-        check_packed(name, packed, found)?;
+        check_packed(name, packed.min(self.2), found)?;
         Ok(index)
     }
 
@@ -164,10 +170,10 @@ impl Archive {
         self.0.file_names().flatten().take(8).collect::<Vec<_>>().join(", ")
     }
 
-    /// The content of an entry of at most `most` bytes, regardless of its declared size.
+    /// The content of an entry of at most `most` bytes, whatever its declared size.
     fn content(&mut self, index: usize, most: u64) -> Result<Vec<u8>, ReadError> {
-        let mut content = Vec::new();
         let entry = self.0.by_index(index).map_err(of_zip)?;
+        let mut content = Vec::with_capacity(entry.size().min(most) as usize + 1);
         entry.take(most.saturating_add(1)).read_to_end(&mut content).map_err(of_io)?;
         if content.len() as u64 > most {
             return Err(ReadError::Unsupported(format!(
@@ -209,10 +215,24 @@ impl Archive {
         }
         let text = String::from_utf8(content)
             .unwrap_or_else(|error| error.into_bytes().iter().map(|&byte| char::from(byte)).collect());
-        let document = Document::parse(text.trim_start_matches('\u{feff}'))
+        let text = text.trim_start_matches('\u{feff}');
+        if has_many_attributes(text) {
+            return Err(ReadError::Corrupt(format!(
+                "has more than {MAX_ATTRIBUTES} attributes of an element, or namespaces, in {MAIN}"
+            )));
+        }
+        let options = ParsingOptions { nodes_limit: MAX_NODES, ..ParsingOptions::default() };
+        let document = Document::parse_with_options(text, options)
             .map_err(|error| ReadError::Corrupt(format!("holds a {MAIN} that is not XML: {error}")))?;
         Main::parse(document.root_element())
     }
+}
+
+/// Whether an element of an XML has more attributes, or the XML more namespaces, than are read.
+fn has_many_attributes(xml: &str) -> bool {
+    let attributes = |element: &str| element.split('>').next().unwrap_or_default().matches('=').count();
+    xml.split('<').any(|element| !element.starts_with(['!', '?']) && attributes(element) > MAX_ATTRIBUTES)
+        || xml.matches("xmlns").count() > MAX_ATTRIBUTES
 }
 
 fn check_md5(name: &str, content: &[u8], wanted: Option<&str>) -> Result<(), ReadError> {

@@ -170,3 +170,15 @@ fn bad_jpk_is_refused() {
     flat.last_mut().unwrap().1 = Value::Double(0.0);
     assert_refused!(Corrupt, "has a pixel of 2e-6 x 0e0 m", tiff(false, &[flat, good().directory()]));
 }
+
+/// The strips of a picture are a list, the count of which is a claim.
+#[test]
+fn more_strips_than_the_file_has_bytes_for_are_refused() {
+    let bytes = tiff(false, &[grid(), Picture { method: 8, ..good() }.directory()]);
+    // Tag 273, four bytes each, two of them.
+    let entry = [273u16.to_le_bytes(), 4u16.to_le_bytes(), [2, 0], [0, 0]].concat();
+    let place = bytes.windows(8).position(|window| window == entry).unwrap() + 4;
+    let mut bytes = bytes;
+    bytes[place..place + 4].copy_from_slice(&4_000_000u32.to_le_bytes());
+    assert_refused!(Corrupt, "is truncated: it ends at ", bytes);
+}
