@@ -63,10 +63,11 @@ impl Section<'_> {
 }
 
 fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
-    let bytes = source.at_most(0, MOST)?;
+    let mut bytes = source.at_most(0, MOST)?;
     let end = bytes.windows(MARK.len()).position(|window| window == MARK);
     let end = end.ok_or_else(|| ReadError::Corrupt("is truncated: no #! ends its text".to_owned()))?;
-    let text = text(&bytes[..end]);
+    bytes.truncate(end);
+    let text = text(bytes);
     let mut sections: HashMap<&str, Section> = HashMap::new();
     let mut name = "";
     for line in text.lines().map(str::trim) {

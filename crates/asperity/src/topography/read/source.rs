@@ -124,11 +124,9 @@ pub(super) fn latin1(bytes: &[u8]) -> String {
 }
 
 /// A text in UTF-8, or in Latin-1 as some programs write µ.
-pub(super) fn text(bytes: &[u8]) -> String {
-    match std::str::from_utf8(bytes) {
-        Ok(text) => text.to_owned(),
-        Err(_) => bytes.iter().map(|&byte| char::from(byte)).collect(),
-    }
+pub(super) fn text(bytes: Vec<u8>) -> String {
+    String::from_utf8(bytes)
+        .unwrap_or_else(|error| error.as_bytes().iter().map(|&byte| char::from(byte)).collect())
 }
 
 /// Checks that measured heights of `unpacked` bytes may have been packed into `packed`; `what` holds them.

@@ -25,10 +25,12 @@ pub(super) const FORMAT: Format = Format {
 /// # Errors
 /// See [`ReadError`].
 pub(super) fn measured(path: &Path) -> Result<Measured, ReadError> {
-    let text = source::text(&std::fs::read(path)?);
-    let text = text.trim_start_matches('\u{feff}');
-    let header = Header::parse(text)?;
-    let Table { rows, columns, mut values, named, left_out, precision } = Table::parse(text)?;
+    let (header, table) = {
+        let text = source::text(std::fs::read(path)?);
+        let text = text.trim_start_matches('\u{feff}');
+        (Header::parse(text)?, Table::parse(text)?)
+    };
+    let Table { rows, columns, mut values, named, left_out, precision } = table;
     if header.is_none() && columns == 3 && rows > 3 {
         let measured = xyz::measured(&values, xyz::Grid::parse(text)?, precision)?;
         return Ok(Measured { metadata: Metadata { named, left_out, ..measured.metadata }, ..measured });
