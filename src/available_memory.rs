@@ -6,7 +6,8 @@ use std::fs;
 pub fn available_memory() -> u128 {
     let mut system = sysinfo::System::new();
     system.refresh_memory();
-    let container = system.cgroup_limits().map(|limits| limits.free_memory + limits.free_swap);
+    // Not what its processes hold: `free_memory` would count the cache of files as taken.
+    let container = system.cgroup_limits().map(|limits| limits.total_memory.saturating_sub(limits.rss));
     let process = fs::read_to_string("/proc/self/limits")
         .ok()
         .zip(fs::read_to_string("/proc/self/status").ok())

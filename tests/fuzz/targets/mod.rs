@@ -29,8 +29,6 @@ const MOST_MEMORY: usize = 64_000_000;
 const MOST_PER_POINT: usize = 32;
 /// The most points for a byte of a packed file that is refused.
 const MOST_PACKED: usize = 200;
-/// The same for a file, however few bytes it has.
-const SMALL: usize = 4_000_000;
 /// The most letters of a message.
 const MOST_LETTERS: usize = 4000;
 /// Times that an input is tried before its time counts: the machine may have been busy.
@@ -206,7 +204,7 @@ fn map(clock: &mut Clock, path: &Path) -> usize {
     }
     // A refused file whose header fits its length holds the points of its header, packed at most as far as heights may be.
     let length = std::fs::metadata(path).map_or(0, |found| found.len() as usize);
-    let claimed = head.points[0].saturating_mul(head.points[1]).min(SMALL.max(MOST_PACKED * length));
+    let claimed = head.points[0].saturating_mul(head.points[1]).min(MOST_PACKED * length);
     let points = match clock.step(|| file.height_map()) {
         Ok(map) => {
             assert_eq!(map.points(), head.points);

@@ -192,5 +192,6 @@ pub struct Measured {
 
 /// Transposes heights in lines of `points_x` along x, so that the y index runs fastest.
 pub(super) fn transposed(lines: &[f64], points_x: usize) -> Vec<f64> {
-    (0..points_x).flat_map(|ix| lines.iter().skip(ix).step_by(points_x)).copied().collect()
+    // Lines without points may claim any length.
+    (0..points_x.min(lines.len())).flat_map(|ix| lines.iter().skip(ix).step_by(points_x)).copied().collect()
 }

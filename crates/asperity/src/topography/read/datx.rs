@@ -187,7 +187,10 @@ fn check_chunks(source: &Source, dataset: &Dataset) -> Result<(), ReadError> {
         shape.iter().zip(&chunk).map(|(points, size)| points.div_ceil((*size).max(1))).product::<u64>();
     let chunks = dataset.chunks().map_err(damaged)?;
     if chunks.len() as u64 != needed {
-        return Err(ReadError::Corrupt(format!("holds {} chunks of {needed}", chunks.len())));
+        return Err(ReadError::Corrupt(format!(
+            "is damaged: {} of the {needed} chunks of its heights are there",
+            chunks.len()
+        )));
     }
     chunks.iter().try_for_each(|chunk| source.check(chunk.address, chunk.storage_size))
 }

@@ -78,14 +78,14 @@ pub(super) fn coordinates(
     separation: &Separation,
     has_header: bool,
 ) -> Option<Coordinates> {
-    let cells = |column: usize| lines.iter().filter_map(move |(_, line)| separation.words(line).nth(column));
-    let cells = [0, 1].map(|column| cells(column).collect::<Vec<&str>>());
-    let in_column = |from: usize| unlike(cells[0].get(from..)?, cells[1].get(from..)?, separation);
     let words = |k: usize| lines.get(k).map(|(_, line)| separation.words(line).collect::<Vec<&str>>());
     let (header, below) = (words(0)?, words(1)?);
     if below.len() < FEWEST {
         return None;
     }
+    let cells = |column: usize| lines.iter().filter_map(move |(_, line)| separation.words(line).nth(column));
+    let cells = [0, 1].map(|column| cells(column).collect::<Vec<&str>>());
+    let in_column = |from: usize| unlike(cells[0].get(from..)?, cells[1].get(from..)?, separation);
     let is_counted = |from: usize| {
         let numbers: Option<Vec<f64>> = cells[0][from..].iter().map(|word| separation.value(word)).collect();
         numbers.is_some_and(|numbers| is_count(&numbers))

@@ -260,6 +260,12 @@ impl Fields {
             return unsupported("CheckType", self.check_type);
         }
         let stored = stored(self.data_type)?;
+        if self.points == 0 || self.profiles == 0 {
+            return Err(ReadError::Corrupt(format!(
+                "holds no point: NumPoints = {}, NumProfiles = {}; allowed: at least 2",
+                self.points, self.profiles
+            )));
+        }
         if self.profiles == 1 {
             return Err(ReadError::Unsupported("holds a single profile; allowed: surfaces".to_owned()));
         }

@@ -63,8 +63,13 @@ impl Table {
             left_out.index_column |= index_column;
             left_out.spacing = [columns, down];
         }
+        // From here on one line at a time: their index takes as much memory as the numbers.
+        let rows = lines.len();
+        drop(lines);
+        let above = numbered().count() - rows;
+        let lines = || numbered().skip(above);
         let (mut values, mut columns, mut digits) = (Vec::new(), 0, 0);
-        for (row, &(number, line)) in lines.iter().enumerate() {
+        for (row, (number, line)) in lines().enumerate() {
             let begin = values.len();
             for (column, word) in separation.words(line).enumerate() {
                 if left_out.index_column && column == 0 {
@@ -74,7 +79,11 @@ impl Table {
                 }
                 let Some(value) = separation.value(word) else {
                     let error = || no_number(row, number, column + 1, word);
-                    return Err(if row == 0 { heading(&lines).unwrap_or_else(error) } else { error() });
+                    return Err(if row == 0 {
+                        heading(&lines().collect::<Vec<_>>()).unwrap_or_else(error)
+                    } else {
+                        error()
+                    });
                 };
                 digits = digits.max(significant_digits(word));
                 values.push(value);
@@ -83,18 +92,21 @@ impl Table {
             if row == 0 {
                 columns = found;
                 // A number takes two bytes.
-                values.reserve_exact(columns.saturating_mul(lines.len() - 1).min(text.len() / 2));
+                values.reserve_exact(columns.saturating_mul(rows - 1).min(text.len() / 2));
             } else if found > columns
-                && lines[row..].len() > 1
-                && lines[row..].iter().all(|(_, line)| separation.words(line).count() == found)
+                && row + 1 < rows
+                && lines().skip(row).all(|(_, line)| separation.words(line).count() == found)
+                && let Some((line, text)) = lines().next()
             {
-                let (line, text) = lines[0];
                 return Err(ReadError::Heading { line, found: shortened(text), begin: number });
             } else if found != columns {
                 return Err(ReadError::Corrupt(format!(
                     "is ragged: line {number} holds {found} numbers; allowed: {columns}, as in its first line",
                 )));
             }
+        }
+        if rows == 0 {
+            return Err(ReadError::Corrupt("holds no number".to_owned()));
         }
         left_out.index_column |= labels::number_lines(&values, columns);
         if left_out.index_column {
@@ -105,7 +117,7 @@ impl Table {
         if values.iter().all(|value| value.is_nan()) {
             return Err(ReadError::Corrupt("holds no number".to_owned()));
         }
-        Ok(Self { rows: lines.len(), columns, values, named, left_out, precision: precision(digits) })
+        Ok(Self { rows, columns, values, named, left_out, precision: precision(digits) })
     }
 }
 

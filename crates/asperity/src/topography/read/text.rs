@@ -25,14 +25,15 @@ pub(super) const FORMAT: Format = Format {
 /// # Errors
 /// See [`ReadError`].
 pub(super) fn measured(path: &Path) -> Result<Measured, ReadError> {
-    let (header, table) = {
+    // Without the text itself, which takes as much memory as the heights.
+    let (header, grid, table) = {
         let text = source::text(std::fs::read(path)?);
         let text = text.trim_start_matches('\u{feff}');
-        (Header::parse(text)?, Table::parse(text)?)
+        (Header::parse(text)?, xyz::Grid::parse(text), Table::parse(text)?)
     };
     let Table { rows, columns, mut values, named, left_out, precision } = table;
     if header.is_none() && columns == 3 && rows > 3 {
-        let measured = xyz::measured(&values, xyz::Grid::parse(text)?, precision)?;
+        let measured = xyz::measured(&values, grid?, precision)?;
         return Ok(Measured { metadata: Metadata { named, left_out, ..measured.metadata }, ..measured });
     }
     let metadata = Metadata { left_out, ..Metadata::new([columns, rows], "a plain text") };

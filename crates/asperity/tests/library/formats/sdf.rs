@@ -173,6 +173,7 @@ fn bad_sdf_is_refused() {
     assert_refused!(Unsupported, "DataType 8; allowed: 0 to 7", with(|sdf| sdf.codes[1] = 8).text(&text));
     assert_refused!(Unsupported, "Compression 1", with(|sdf| sdf.codes[0] = 1).binary(&[0; 160]));
     assert_refused!(Unsupported, "CheckType 2", with(|sdf| sdf.codes[2] = 2).text(&text));
+    assert_refused!(Corrupt, "NumProfiles = 0", with(|sdf| sdf.size[1] = 0).binary(&[0; 160]));
     assert_refused!(Unsupported, "single profile", with(|sdf| sdf.size[1] = 1).text(&text));
     assert_refused!(TooTall, "holds a height of 5.4e1 m", with(|sdf| sdf.scales[2] = 4.0).text(&text));
     assert_refused!(Corrupt, "has Yscale = 0e0", with(|sdf| sdf.scales[1] = 0.0).text(&text));

@@ -100,6 +100,7 @@ fn bad_text_is_refused_with_its_place() {
     );
     assert_refused!(Corrupt, "is empty", "");
     assert_refused!(Corrupt, "holds no number", "# only a comment\n");
+    assert_refused!(Corrupt, "holds no number", ",x_um,y_um,z_um\n");
     assert_refused!(Corrupt, "line 3, column 2: found \"oops\"", "1 2 3 4\n1 2 3 4\n1 oops 3 4\n");
     assert_refused!(Corrupt, "is ragged: line 3 holds 3 numbers; allowed: 4", "1 2 3 4\n1 2 3 4\n1 2 3\n");
     assert_refused!(Unsupported, "UTF-16", b"\xff\xfe1\0 \x002\0");
