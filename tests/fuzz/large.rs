@@ -22,10 +22,11 @@ fn doubles() -> Vec<u8> {
     heights().flat_map(|z| (1e-9 * f64::from(z)).to_le_bytes()).collect()
 }
 
-/// The names of targets, and a file for each.
-pub fn files() -> [(&'static str, fn() -> Vec<u8>); 6] {
-    [("npy", npy), ("text", matrix), ("text", columns), ("sdf", sdf), ("gwy", gwy), ("x3p", x3p)]
-}
+/// The name of a target, and what makes a file for it.
+type LargeFile = (&'static str, fn() -> Vec<u8>);
+
+pub const FILES: [LargeFile; 6] =
+    [("npy", npy), ("text", matrix), ("text", columns), ("sdf", sdf), ("gwy", gwy), ("x3p", x3p)];
 
 /// In Fortran order, which is read into memory.
 fn npy() -> Vec<u8> {

@@ -97,7 +97,7 @@ static ALONE: Mutex<()> = Mutex::new(());
 #[test]
 fn a_large_file_takes_no_more_memory_than_its_points() {
     let _alone = ALONE.lock();
-    for (name, file) in large::files() {
+    for (name, file) in large::FILES {
         let target = TARGETS.iter().find(|target| target.name == name).expect("the name of a target");
         let file = file();
         let taken = target.check(&Place::new(), &file);
