@@ -22,12 +22,16 @@ pub(super) struct OwnHeights {
 const STEP: f64 = 0.25;
 
 impl OwnHeights {
-    /// Of the present heights of a map, which are worth `independent` independent ones; `None` of a flat map.
+    /// Of the present heights of a map, which are worth `independent` independent ones; `None` of a flat map, and of
+    /// one without heights, such as that of a file that became shorter.
     pub(super) fn new(map: &HeightMap, independent: f64) -> Option<Self> {
         /// Independent heights beyond the outermost nodes.
         const BEYOND: f64 = 0.5;
         let mut sorted: Vec<f64> = map.heights().iter().copied().filter(|z| !z.is_nan()).collect();
         sorted.par_sort_unstable_by(f64::total_cmp);
+        if sorted.first() == sorted.last() {
+            return None;
+        }
         let normal = Normal::standard();
         let last = -normal.inverse_cdf((BEYOND / independent).min(0.2));
         let half = (last / STEP).floor();
@@ -41,8 +45,7 @@ impl OwnHeights {
         };
         let mean = moment(&|z| z);
         let deviation = moment(&|z| (z - mean).powi(2)).sqrt();
-        let is_flat = sorted.first() == sorted.last();
-        (!is_flat && deviation > 0.0).then_some(Self { mean, deviation, ..raw })
+        (deviation > 0.0).then_some(Self { mean, deviation, ..raw })
     }
 
     /// The height at g.
@@ -78,6 +81,7 @@ impl OwnHeights {
 mod tests {
     use super::*;
     use crate::distribution::Heights;
+    use crate::topography::{Boundary, Rows};
 
     /// The heights of a map at the quantiles of a distribution give its transform, also beyond the outermost node at 2.5.
     #[test]
@@ -104,5 +108,28 @@ mod tests {
         assert!((-40..40).all(|k| own.at(0.2 * f64::from(k)).is_finite()));
         let flat = HeightMap::new([200; 2], [1.0; 2], vec![1.0; 40_000], 0.0).unwrap();
         assert!(OwnHeights::new(&flat, 100.0).is_none());
+    }
+
+    #[test]
+    fn a_map_without_heights_has_none() {
+        struct Missing;
+        impl Rows for Missing {
+            fn points(&self) -> [usize; 2] {
+                [20; 2]
+            }
+            fn pixel(&self) -> [f64; 2] {
+                [1.0; 2]
+            }
+            fn precision(&self) -> f64 {
+                0.0
+            }
+            fn boundary(&self) -> Boundary {
+                Boundary::Open
+            }
+            fn read(&self, _: usize, row: &mut [f64]) {
+                row.fill(f64::NAN);
+            }
+        }
+        assert!(OwnHeights::new(&HeightMap::from_rows(&Missing), 100.0).is_none());
     }
 }

@@ -4,7 +4,7 @@
 //! Read for facts: `IO/DATX.py` of SurfaceTopography. Its converters, compound attributes, are left aside: the same numbers
 //! stand in plain attributes, and the programs Mx and MetroPro write different converters.
 
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use hdf5_pure::{AttrValue, DType, Dataset, File, FormatError, ReadSeekSource};
@@ -186,10 +186,18 @@ fn check_chunks(source: &Source, dataset: &Dataset) -> Result<(), ReadError> {
     let needed =
         shape.iter().zip(&chunk).map(|(points, size)| points.div_ceil((*size).max(1))).product::<u64>();
     let chunks = dataset.chunks().map_err(damaged)?;
-    if chunks.len() as u64 != needed {
+    // What lies elsewhere the crate would add up beyond the range of its numbers.
+    let is_placed = |offset: &[u64]| {
+        let mut axes = offset.iter().zip(&shape).zip(&chunk);
+        offset.len() == shape.len()
+            && axes.all(|((first, points), size)| first < points && first.is_multiple_of((*size).max(1)))
+    };
+    let placed: BTreeSet<&[u64]> =
+        chunks.iter().map(|chunk| &*chunk.offset).filter(|offset| is_placed(offset)).collect();
+    if placed.len() as u64 != needed || chunks.len() != placed.len() {
         return Err(ReadError::Corrupt(format!(
             "is damaged: {} of the {needed} chunks of its heights are there",
-            chunks.len()
+            placed.len()
         )));
     }
     chunks.iter().try_for_each(|chunk| source.check(chunk.address, chunk.storage_size))
