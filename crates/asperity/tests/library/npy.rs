@@ -102,10 +102,10 @@ fn no_damage_to_an_array_is_a_panic() {
                 }
             }
             std::fs::write(&path, &bytes).unwrap();
-            let (matrix, mapped) = (matrix(&path), OnDisk::in_either_order(&path));
-            assert_eq!(matrix.is_ok(), mapped.is_ok());
-            if let (Ok(matrix), Ok(mapped)) = (matrix, mapped) {
-                assert_eq!([matrix.rows, matrix.columns], mapped.points());
+            let (matrix, on_disk) = (matrix(&path), OnDisk::in_either_order(&path));
+            assert_eq!(matrix.is_ok(), on_disk.is_ok());
+            if let (Ok(matrix), Ok(on_disk)) = (matrix, on_disk) {
+                assert_eq!([matrix.rows, matrix.columns], on_disk.points());
                 assert_eq!(matrix.values.len(), matrix.rows * matrix.columns);
                 read += 1;
             }
@@ -131,7 +131,7 @@ fn what_is_written_reads_back_to_the_bit() {
 }
 
 #[test]
-fn marks_of_missing_points_of_a_mapped_array() {
+fn marks_of_missing_points_of_an_array_on_disk() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("map.npy");
     let mut heights: Vec<f64> = (0..30).map(|k| f64::from(k * k % 17)).collect();

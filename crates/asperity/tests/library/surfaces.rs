@@ -391,16 +391,16 @@ fn the_same_bits_on_any_number_of_threads() {
     assert!(on(1) == on(7));
 }
 
-/// A mapped file is worked on row by row and gives what the whole map gives.
+/// A map on disk is worked on row by row and gives what the whole map gives.
 #[test]
-fn a_mapped_file_gives_the_same_summits_as_the_map_in_memory() {
+fn a_map_on_disk_gives_the_same_summits_as_the_map_in_memory() {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../experiments/surfaces/opd-1.npy");
     let given = ReadOptions { pixel: Some([2e-7, 3e-7]), unit: Some(LengthUnits::same(1e-3)) };
-    let mapped = read::rows(&path, given, &Silent).unwrap();
+    let on_disk = read::rows(&path, given, &Silent).unwrap();
     let whole = read::height_map(&path, given).unwrap();
-    assert!(mapped.block(0..1).is_none() && whole.block(0..1).is_some(), "one of them is in memory");
+    assert!(on_disk.block(0..1).is_none() && whole.block(0..1).is_some(), "one of them is in memory");
     let [rows, map]: [Levelled; 2] =
-        [&*mapped, &whole as &dyn Rows].map(|map| Levelled { map, form: Level::Plane.form(map).unwrap() });
+        [&*on_disk, &whole as &dyn Rows].map(|map| Levelled { map, form: Level::Plane.form(map).unwrap() });
     let summits = five_point(&rows);
     assert_eq!(summits.heights.len(), 24714);
     assert_eq!(summits, five_point(&map));
