@@ -345,6 +345,17 @@ fn another_list_under_the_same_name_is_run_again() {
     assert_eq!(areas(), first);
 }
 
+/// A failure may be one of the machine, which the next run does not have.
+#[test]
+fn a_failure_is_not_kept() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    fs::write(folder.join("a.toml"), spec("\"compare.pressure\" = [\"1 MPa\", \"900 GPa\", \"2 MPa\"]"))
+        .unwrap();
+    succeeds(folder, &["run", "a.toml", "--out", "out", "--quiet"]);
+    assert_eq!(fs::read_dir(folder.join("out/.kept/a")).unwrap().count(), 2);
+}
+
 #[test]
 fn parts_of_a_sweep_merge_to_its_report() {
     let folder = tempfile::tempdir().unwrap();
