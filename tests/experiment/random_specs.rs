@@ -204,7 +204,7 @@ fn place() -> tempfile::TempDir {
     place
 }
 
-/// A refusal that names a line and a key, and no type of the program.
+/// Whether an error names a line and a key, and no type of the program.
 fn is_of_a_key(error: &InputError, path: &Path) -> bool {
     let text = error.to_string();
     text.starts_with(&format!("{}, line ", path.display()))
