@@ -20,9 +20,9 @@ use peak_alloc::PeakAlloc;
 #[global_allocator]
 static HEAP: PeakAlloc = PeakAlloc;
 
-/// The largest input for which the limits hold, bytes.
+/// The largest input for which the limit of time holds, bytes.
 pub const MOST_BYTES: usize = 1 << 20;
-/// The most time for an input.
+/// The most time for an input of at most so many bytes.
 const MOST_TIME: Duration = Duration::from_secs(2);
 /// The most memory for an input: so many bytes, and so many for each point or row that is read.
 const MOST_MEMORY: usize = 64_000_000;
@@ -116,11 +116,12 @@ impl Target {
         Self { name, body: Body::Map(prepare) }
     }
 
-    /// Runs an input, which must keep the limits of time and memory.
+    /// Runs an input, which must keep the limits of memory and, where it is small, of time.
     pub fn check(&self, place: &Place, bytes: &[u8]) -> Taken {
         let mut taken = self.run(place, bytes);
+        let is_late = |taken: &Taken| bytes.len() <= MOST_BYTES && taken.time > MOST_TIME;
         for _ in 1..TRIES {
-            if taken.time > MOST_TIME {
+            if is_late(&taken) {
                 taken.time = taken.time.min(self.run(place, bytes).time);
             }
         }
@@ -134,7 +135,7 @@ impl Target {
             bytes.len()
         );
         assert!(
-            taken.time <= MOST_TIME,
+            !is_late(&taken),
             "{}: {:?} for {} bytes; allowed: {MOST_TIME:?}",
             self.name,
             taken.time,
