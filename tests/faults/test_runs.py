@@ -111,6 +111,53 @@ def test_what_does_not_fit_into_memory_is_refused(place):
     place.is_old()
 
 
+# A shell in a container of 300 MB, which shows its limits where those of the machine are. Its memory is full of cached files, as
+# after a build.
+CONTAINER = """
+set -e
+echo 300M > "$1/$2"
+echo $$ > "$1/cgroup.procs"
+mount --bind "$1" "$(dirname "$1")"
+dd if=/dev/zero of=cached bs=1M count=400 status=none
+exec "$3"
+"""
+
+
+@pytest.fixture
+def container():
+    """Its folder and the file of its limit."""
+    machine = pathlib.Path("/sys/fs/cgroup")
+    if (machine / "memory").is_dir():
+        machine /= "memory"
+    folder = machine / "asperity-faults"
+    try:
+        folder.mkdir()
+    except OSError as error:
+        pytest.skip(str(error))
+    limit = next((name for name in ("memory.max", "memory.limit_in_bytes") if (folder / name).exists()), None)
+    try:
+        if limit is None or subprocess.run(["unshare", "--mount", "true"], capture_output=True).returncode:
+            pytest.skip("no container can be made")
+        yield folder, limit
+    finally:
+        folder.rmdir()
+
+
+def test_a_container_has_what_its_processes_do_not_hold(place, container):
+    def contained():
+        return Ended(subprocess.Popen(
+            ["unshare", "--mount", "bash", "-c", CONTAINER, "bash", *container, PROGRAM],
+            cwd=place.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+        ))
+
+    place.edit(2)
+    ended = contained()
+    assert ended.code == 0, ended
+    path = place.folder / "experiments/a.toml"
+    path.write_text(path.read_text().replace("count = 2000", "count = 20000000"))
+    fails(contained(), "a.toml, line", "GB of memory; available: 0.3 GB", code=2)
+
+
 @pytest.mark.parametrize("megabytes", range(64, 400, 8 if IS_FULL else 64))
 def test_no_limit_of_memory_damages_a_report(place, megabytes):
     """Too little for what an estimate leaves out ends the program by SIGABRT, with a line of the system's own."""
