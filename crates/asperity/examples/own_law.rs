@@ -9,8 +9,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use asperity::law::Property;
 use asperity::numeric::lanes::Real;
 use asperity::{
-    Contacts, Deterministic, Draw, Heights, Hertz, Interface, Law, Material, Model, Pair, Paper, Population,
-    Statistical, YieldLimits,
+    Contacts, Deterministic, Draw, Heights, Hertz, Interface, Law, Material, Model, Pair, Pairs, Paper,
+    Population, Statistical, YieldLimits,
 };
 
 /// Hertz up to w_y, where the pressure at the centre of the contact reaches the limit p_y; beyond it the pressure is
@@ -55,7 +55,7 @@ impl Law for Thornton {
 
     // One formula for scalars and vector registers: no branches, but a selection between both sides of w_y.
     #[inline(always)]
-    fn contacts<N: Real>(&self, w: N, b: N, pair: &Pair<N>) -> Contacts<N> {
+    fn contacts<N: Real>(&self, w: N, b: N, pair: &Pairs<N>) -> Contacts<N> {
         let limit = pair.yield_limits.onset;
         let strain = limit / pair.reduced_modulus * FRAC_PI_2;
         let w_y = b * strain * strain;

@@ -110,7 +110,7 @@ pub mod work;
 pub use accumulator::{Accumulator, ContactSums, Total};
 pub use asperity::{
     Asperities, AsperityList, AsperitySet, AsperitySums, Draw, Ellipse, Ellipses, Ellipticity, ListColumn,
-    ListError, ListOptions, Ordered, Population, STREAM, SetError, Statistics, SurfaceHeights,
+    ListError, ListOptions, Ordered, Population, RadiiAbove, STREAM, SetError, Statistics, SurfaceHeights,
     SurfaceHeightsError,
 };
 pub use contact::{ByRegime, Contact, Contacts, Regime};
@@ -121,8 +121,8 @@ pub use interface::{
     plasticity_index,
 };
 pub use law::{
-    Ceb, FullyPlastic, Hertz, Inapplicable, JacksonGreen, KogutEtsion, Law, Pair, ScalableLaw, YieldLimits,
-    Zmc,
+    Ceb, FullyPlastic, Hertz, Inapplicable, JacksonGreen, KogutEtsion, Law, Pair, Pairs, ScalableLaw,
+    YieldLimits, Zmc,
 };
 pub use layer::{LayerError, LayeredFlat, ModulusModel};
 pub use legible::legible;

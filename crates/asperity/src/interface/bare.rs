@@ -48,8 +48,14 @@ impl<L: Law + Clone> Interface<L> {
 struct LawOfPair<L>(L, Pair);
 
 impl<L: Law> LaneContacts for LawOfPair<L> {
+    /// Nothing: the bodies are the same everywhere.
+    type Local<N: Real> = ();
+
     #[inline(always)]
-    fn contacts<N: Real>(&self, w: N, radius: N, spheres: N) -> Contacts<N> {
+    fn local<N: Real>(&self, _: N, _: N, _: N) {}
+
+    #[inline(always)]
+    fn contacts<N: Real>(&self, w: N, radius: N, spheres: N, (): &()) -> Contacts<N> {
         self.0.contacts(w, radius, &self.1.splat(w)).times(spheres)
     }
 }
@@ -63,7 +69,7 @@ impl<L: Law + Clone> Interface<L> {
 impl<L: Law + Clone> MicroContact for Interface<L> {
     #[inline]
     fn contact(&self, w: f64, shape: Shape) -> Contact {
-        self.law.contacts(w, shape.radius, &self.pair).times(shape.spheres).into()
+        self.law.contacts(w, shape.radius, &self.pair.splat(w)).times(shape.spheres).into()
     }
 
     fn accumulate_weighted(

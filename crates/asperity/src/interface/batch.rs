@@ -7,11 +7,19 @@ use crate::numeric::lanes::{MOST, Real, Work, run};
 use crate::numeric::sum::Sum;
 use crate::shape::Shape;
 
-/// Evaluates the contacts of one asperity per lane.
+/// Evaluates the contacts of one asperity per lane, in two steps that each run over several registers: the instructions of one step
+/// are few enough for the processor to work at several registers at once.
+///
+/// All methods must be `#[inline(always)]`, see [`crate::numeric::lanes`].
 pub(super) trait LaneContacts {
-    /// The contacts at indentations `w` (m) of `spheres` spheres of `radius` (m) each. Must be `#[inline(always)]`, see
-    /// [`crate::numeric::lanes`].
-    fn contacts<N: Real>(&self, w: N, radius: N, spheres: N) -> Contacts<N>;
+    /// What the first step finds.
+    type Local<N: Real>: Copy;
+
+    /// Properties of the bodies under asperities at indentations `w` (m), each `spheres` spheres of `radius` (m).
+    fn local<N: Real>(&self, w: N, radius: N, spheres: N) -> Self::Local<N>;
+
+    /// The contacts with these properties.
+    fn contacts<N: Real>(&self, w: N, radius: N, spheres: N, local: &Self::Local<N>) -> Contacts<N>;
 }
 
 /// Implements [`super::MicroContact::accumulate`].
@@ -70,40 +78,57 @@ fn last<N: Real>(values: &[f64], zero: N) -> N {
     zero.load(&lanes)
 }
 
+/// Indentations, radii and numbers of spheres of the asperities from `start` on, one per lane.
+#[inline(always)]
+fn registers<N: Real, const ELLIPSES: bool>(
+    zero: N,
+    separation: f64,
+    [heights, radii, spheres]: [&[f64]; 3],
+    start: usize,
+) -> [N; 3] {
+    // The compiler removes a multiplication by one.
+    let n = if ELLIPSES { zero.load(&spheres[start..]) } else { zero.splat(1.0) };
+    [zero.load(&heights[start..]) - separation, zero.load(&radii[start..]), n]
+}
+
 /// Adds the contacts of asperities, each a sphere or, with `ELLIPSES`, a number of equal spheres.
 #[inline(always)]
 fn accumulate_lanes<N: Real, A: LaneContacts, const ELLIPSES: bool>(
     contact: A,
     zero: N,
     separation: f64,
-    [heights, radii, spheres]: [&[f64]; 3],
+    asperities: [&[f64]; 3],
 ) -> ContactSums<Sum<N>> {
+    let [heights, radii, spheres] = asperities;
     let count = heights.len();
+    let whole = count - count % N::LANES;
     let mut lanes = ContactSums::new(Sum::new(zero));
     let mut largest_load = zero;
-    let mut start = 0;
-    while start + N::LANES <= count {
-        let mut plain = ContactSums::new(zero);
-        for _ in 0..PLAIN_TERMS {
-            if start + N::LANES <= count {
-                let w = zero.load(&heights[start..]) - separation;
-                // The compiler removes a multiplication by one.
-                let n = if ELLIPSES { zero.load(&spheres[start..]) } else { zero.splat(1.0) };
-                let radius = zero.load(&radii[start..]);
-                let contacts = contact.contacts(w, radius, n);
+    if whole > 0 {
+        let [w, radius, n] = registers::<N, ELLIPSES>(zero, separation, asperities, 0);
+        let mut local = [contact.local(w, radius, n); PLAIN_TERMS];
+        for first in (0..whole).step_by(PLAIN_TERMS * N::LANES) {
+            let starts = || (first..whole).step_by(N::LANES);
+            for (local, start) in local.iter_mut().zip(starts()) {
+                let [w, radius, n] = registers::<N, ELLIPSES>(zero, separation, asperities, start);
+                *local = contact.local(w, radius, n);
+            }
+            let mut plain = ContactSums::new(zero);
+            for (local, start) in local.iter().zip(starts()) {
+                let [w, radius, n] = registers::<N, ELLIPSES>(zero, separation, asperities, start);
+                let contacts = contact.contacts(w, radius, n, local);
                 plain.add(&contacts, small_strain_area(radius, n));
                 largest_load = larger(largest_load, contacts.load);
-                start += N::LANES;
             }
+            lanes.merge(&plain);
         }
-        lanes.merge(&plain);
     }
-    if start < count {
+    if whole < count {
         // Lanes before the rest hold asperities already added.
-        let rest = zero.lanes_from(N::LANES - (count - start));
+        let rest = zero.lanes_from(N::LANES - (count - whole));
         let n = if ELLIPSES { last(spheres, zero) } else { zero.splat(1.0) };
-        let radius = last(radii, zero);
-        let contacts = contact.contacts(last(heights, zero) - separation, radius, n);
+        let (w, radius) = (last(heights, zero) - separation, last(radii, zero));
+        let contacts = contact.contacts(w, radius, n, &contact.local(w, radius, n));
         let loads = lanes.add_present(&contacts, small_strain_area(radius, n), rest);
         largest_load = larger(largest_load, loads);
     }
@@ -131,26 +156,31 @@ impl<A: LaneContacts> Work for AccumulateWeighted<'_, A> {
     fn with<N: Real>(self, zero: N) {
         let Self { contact, indentations, weights, shape, accumulator } = self;
         let (radius, spheres) = (zero.splat(shape.radius), zero.splat(shape.spheres));
+        let whole = indentations.len() - indentations.len() % N::LANES;
         let mut lanes = ContactSums::new(Sum::new(zero));
-        let mut start = 0;
-        while start + N::LANES <= indentations.len() {
-            let mut plain = ContactSums::new(zero);
-            for _ in 0..PLAIN_TERMS {
-                if start + N::LANES <= indentations.len() {
+        if whole > 0 {
+            let mut local = [contact.local(zero.load(indentations), radius, spheres); PLAIN_TERMS];
+            for first in (0..whole).step_by(PLAIN_TERMS * N::LANES) {
+                let starts = || (first..whole).step_by(N::LANES);
+                for (local, start) in local.iter_mut().zip(starts()) {
+                    *local = contact.local(zero.load(&indentations[start..]), radius, spheres);
+                }
+                let mut plain = ContactSums::new(zero);
+                for (local, start) in local.iter().zip(starts()) {
                     let w = zero.load(&indentations[start..]);
                     lanes.accumulate_weighted(
                         &mut plain,
-                        &contact.contacts(w, radius, spheres),
+                        &contact.contacts(w, radius, spheres, local),
                         zero.load(&weights[start..]),
                     );
-                    start += N::LANES;
                 }
+                lanes.merge_weighted(&plain);
             }
-            lanes.merge_weighted(&plain);
         }
-        if start < indentations.len() {
-            let rest = zero.lanes_from(N::LANES - (indentations.len() - start));
-            let contacts = contact.contacts(last(indentations, zero), radius, spheres);
+        if whole < indentations.len() {
+            let rest = zero.lanes_from(N::LANES - (indentations.len() - whole));
+            let w = last(indentations, zero);
+            let contacts = contact.contacts(w, radius, spheres, &contact.local(w, radius, spheres));
             let mut plain = ContactSums::new(zero);
             lanes.accumulate_weighted(&mut plain, &contacts, N::select(rest, last(weights, zero), zero));
             lanes.merge_weighted(&plain);

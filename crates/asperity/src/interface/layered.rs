@@ -5,12 +5,12 @@ use super::{JUMP, LoadBounds, MicroContact, Reference, Shapes};
 use crate::accumulator::Accumulator;
 use crate::asperity::Asperities;
 use crate::contact::{Contact, Contacts, Regime};
-use crate::law::{Inapplicable, Pair, ScalableLaw, YieldLimits};
+use crate::law::{Inapplicable, Pair, Pairs, ScalableLaw, YieldLimits};
 use crate::layer::{Bounds, LayeredFlat};
 use crate::literature::Paper;
 use crate::material::Material;
 use crate::numeric::interval::Interval;
-use crate::numeric::lanes::Real;
+use crate::numeric::lanes::{Mask, Real};
 use crate::numeric::root::sign_changes;
 use crate::shape::Shape;
 
@@ -28,6 +28,10 @@ pub struct LayeredInterface<L> {
     rough_compliance: f64,
     /// Yield limits of the rough body.
     rough: YieldLimits,
+    /// The least yield limits of both bodies at any indentation.
+    least: YieldLimits,
+    /// Contacts below (w/b) (E*/onset)^2 of this size are elastic.
+    elastic_below: f64,
     reference: Reference,
     /// Load jumps of the law.
     jumps: Vec<Jump>,
@@ -49,16 +53,20 @@ fn unit(strength: f64) -> Pair {
     Pair { reduced_modulus: 1.0, yield_limits: YieldLimits { onset: 1.0, strength } }
 }
 
-/// The effective pair of an asperity on a layered flat, and how it changes with the indentation.
+/// The effective pairs of asperities on a layered flat, and how they change with the indentation.
 #[derive(Clone, Copy)]
-struct EffectivePair<N> {
-    pair: Pair<N>,
+pub(super) struct EffectivePairs<N> {
+    pairs: Pairs<N>,
+    /// Whether all are elastic whatever the hardness at their indentations. The yield limits are then the least.
+    are_elastic: bool,
     /// d ln E*/d ln w.
     modulus_slope: N,
     /// d ln onset/d ln w.
     onset_slope: N,
     /// d ln strength/d ln w.
     strength_slope: N,
+    /// 1/w, 1/m.
+    inverse: N,
 }
 
 /// Bounds of an effective pair over a range of indentations and radii.
@@ -88,10 +96,19 @@ impl<L: ScalableLaw> LayeredInterface<L> {
         let jumps = law.critical_ratios(&low).into_iter().zip(factors);
         let jumps = jumps.map(|(place, factor)| Jump { place, factor });
         let reference = Reference::new(rough, substrate);
+        let yields_at = law.yield_limits_by_hardness(rough);
+        let of_flat = law.limits_at(layered.hardness_range().low, poisson.low);
+        let elastic_below = if law.is_hertz() {
+            f64::INFINITY
+        } else {
+            law.critical_ratios(&low).first().copied().unwrap_or(0.0)
+        };
         let is_jump = |jump: &Jump| jump.factor.low < 1.0 - JUMP || jump.factor.high > 1.0 + JUMP;
         Ok(Self {
             rough_compliance: rough.plane_compliance(),
-            rough: law.yield_limits_by_hardness(rough),
+            rough: yields_at,
+            least: yields_at.with(of_flat),
+            elastic_below,
             jumps: jumps.filter(|jump| reference.hardness.is_finite() && is_jump(jump)).collect(),
             strength_over_onset: low.yield_limits.strength,
             law,
@@ -104,31 +121,61 @@ impl<L: ScalableLaw> LayeredInterface<L> {
         self.rough.onset.is_finite() || self.layered.hardness_range().high.is_finite()
     }
 
-    /// The effective pair of spheres whose elastic contacts have the radius (b w)^.5.
+    /// The effective pairs of asperities, each `spheres` spheres of `radius` (m), at indentations `w` (m).
     #[inline(always)]
-    fn effective<N: Real>(&self, w: N, b: N) -> EffectivePair<N> {
-        let flat = self.layered.at(w, b);
-        let nothing = w.splat(0.0);
+    fn effective<N: Real>(&self, w: N, radius: N, spheres: N) -> EffectivePairs<N> {
+        let b = spheres * radius;
+        let (of_flat, compliance_slope) = self.layered.compliance(w, b);
+        let compliance = of_flat + self.rough_compliance;
+        let (nothing, one) = (w.splat(0.0), w.splat(1.0));
+        let yield_limits = self.least.splat(w);
+        let least =
+            Pairs { reduced_modulus: one, yield_limits, onset_strain: yield_limits.onset * compliance };
+        if w.lt(least.ratio(self.elastic_below) * radius).all() {
+            let reduced_modulus = one / compliance;
+            return EffectivePairs {
+                pairs: Pairs { reduced_modulus, ..least },
+                are_elastic: true,
+                modulus_slope: -(reduced_modulus * compliance_slope),
+                onset_slope: nothing,
+                strength_slope: nothing,
+                inverse: nothing,
+            };
+        }
+        // One reciprocal for three: a division takes as long as a dozen products.
+        let (hardness, hardness_slope, reduced_modulus, inverse) = match self.layered.hardness(w) {
+            Some((hardness, slope)) => {
+                let of_all = one / (compliance * hardness * w);
+                let slope = slope * (of_all * (compliance * w));
+                (hardness, slope, of_all * (hardness * w), of_all * (compliance * hardness))
+            }
+            None => {
+                let of_both = one / (compliance * w);
+                (w.splat(f64::INFINITY), nothing, of_both * w, of_both * compliance)
+            }
+        };
         let (poisson, poisson_slope) =
             if L::depends_on_poisson() { self.layered.poisson(w, b) } else { (nothing, nothing) };
-        let reduced_modulus = w.splat(1.0) / (flat.compliance + self.rough_compliance);
-        let of_flat = self.law.limits_at(flat.hardness, poisson);
+        let of_flat = self.law.limits_at(hardness, poisson);
         let rough = w.splat(self.rough.onset);
         let yields_first = of_flat.onset.lt(rough);
         let onset = N::select(yields_first, of_flat.onset, rough);
         // If the onset equals the strength, one comparison suffices.
-        let (mut strength, mut onset_slope, mut is_weaker) = (onset, flat.hardness_slope, yields_first);
+        let (mut strength, mut onset_slope, mut is_weaker) = (onset, hardness_slope, yields_first);
         if L::depends_on_poisson() {
             let rough = w.splat(self.rough.strength);
             is_weaker = of_flat.strength.lt(rough);
             strength = N::select(is_weaker, of_flat.strength, rough);
             onset_slope = onset_slope + w.splat(L::ONSET.slope) / L::ONSET.of(poisson) * poisson_slope;
         }
-        EffectivePair {
-            pair: Pair { reduced_modulus, yield_limits: YieldLimits { onset, strength } },
-            modulus_slope: -(reduced_modulus * flat.compliance_slope),
+        let yield_limits = YieldLimits { onset, strength };
+        EffectivePairs {
+            pairs: Pairs { reduced_modulus, yield_limits, onset_strain: onset * compliance },
+            are_elastic: false,
+            modulus_slope: -(reduced_modulus * compliance_slope),
             onset_slope: N::select(yields_first, onset_slope, nothing),
-            strength_slope: N::select(is_weaker, flat.hardness_slope, nothing),
+            strength_slope: N::select(is_weaker, hardness_slope, nothing),
+            inverse,
         }
     }
 
@@ -150,16 +197,21 @@ impl<L: ScalableLaw> LayeredInterface<L> {
     }
 
     /// With P = E* b^.5 w^1.5 g(u), u = (w/b) (E*/onset)^2, and e = d ln P/d ln w of the fixed pair, the load is
-    /// proportional to E*^(2e - 2) onset^(3 - 2e), with the strength in place of the onset in a plastic contact.
+    /// proportional to E*^(2e - 2) onset^(3 - 2e), with the strength in place of the onset in a plastic contact. An elastic
+    /// contact has e = 3/2.
     #[inline(always)]
-    fn contacts_of<N: Real>(&self, w: N, radius: N, effective: &EffectivePair<N>) -> Contacts<N> {
-        let contacts = self.law.contacts(w, radius, &effective.pair);
+    fn contacts_of<N: Real>(&self, w: N, radius: N, effective: &EffectivePairs<N>) -> Contacts<N> {
+        let contacts = self.law.contacts(w, radius, &effective.pairs);
+        if effective.are_elastic {
+            let stiffness = contacts.stiffness * (effective.modulus_slope * (2.0 / 3.0) + 1.0);
+            return Contacts { stiffness, ..contacts };
+        }
         let mut slope = effective.onset_slope;
         if L::depends_on_poisson() {
             slope = N::select(contacts.plastic, effective.strength_slope, slope);
         }
         let stiffness = contacts.stiffness * ((effective.modulus_slope - slope) * 2.0 + 1.0)
-            + contacts.load / w * (slope * 3.0 - effective.modulus_slope * 2.0);
+            + contacts.load * effective.inverse * (slope * 3.0 - effective.modulus_slope * 2.0);
         Contacts { stiffness, ..contacts }
     }
 
@@ -187,8 +239,9 @@ impl<L: ScalableLaw> LayeredInterface<L> {
         let low = bound(all.onset.low, all.modulus.high) - 1e-9;
         let high = bound(all.onset.high, all.modulus.low) + 1e-9;
         let value = |v: f64| {
-            let effective = self.effective(v.exp(), b);
-            v - 2.0 * (effective.pair.yield_limits.onset / effective.pair.reduced_modulus).ln() - level
+            let w = v.exp();
+            let compliance = self.layered.compliance(w, b).0 + self.rough_compliance;
+            v - 2.0 * (self.limits_of_flat(w, b).with(self.rough).onset * compliance).ln() - level
         };
         let over = |from: f64, to: f64| {
             let effective = self.effective_over(Interval { low: from.exp(), high: to.exp() }, radius);
@@ -202,7 +255,8 @@ impl<L: ScalableLaw> LayeredInterface<L> {
 
     fn limits_of_flat(&self, w: f64, b: f64) -> YieldLimits {
         let poisson = if L::depends_on_poisson() { self.layered.poisson(w, b).0 } else { 0.0 };
-        self.law.limits_at(self.layered.at(w, b).hardness, poisson)
+        let hardness = self.layered.hardness(w).map_or(f64::INFINITY, |(hardness, _)| hardness);
+        self.law.limits_at(hardness, poisson)
     }
 
     /// Indentations at which the body that yields first changes.
@@ -255,16 +309,24 @@ fn weaker(value: Interval, slope: Interval, constant: f64) -> (Interval, Interva
 }
 
 impl<L: ScalableLaw> LaneContacts for &LayeredInterface<L> {
+    type Local<N: Real> = EffectivePairs<N>;
+
     #[inline(always)]
-    fn contacts<N: Real>(&self, w: N, radius: N, spheres: N) -> Contacts<N> {
-        self.contacts_of(w, radius, &self.effective(w, spheres * radius)).times(spheres)
+    fn local<N: Real>(&self, w: N, radius: N, spheres: N) -> EffectivePairs<N> {
+        self.effective(w, radius, spheres)
+    }
+
+    #[inline(always)]
+    fn contacts<N: Real>(&self, w: N, radius: N, spheres: N, local: &EffectivePairs<N>) -> Contacts<N> {
+        self.contacts_of(w, radius, local).times(spheres)
     }
 }
 
 impl<L: ScalableLaw> MicroContact for LayeredInterface<L> {
     #[inline]
     fn contact(&self, w: f64, shape: Shape) -> Contact {
-        (&self).contacts(w, shape.radius, shape.spheres).into()
+        let Shape { radius, spheres } = shape;
+        self.contacts_of(w, radius, &self.effective(w, radius, spheres)).times(spheres).into()
     }
 
     fn accumulate_weighted(

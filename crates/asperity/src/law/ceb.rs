@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::regimes::exponents_passed;
-use super::{Hertz, Law, OfPoisson, Pair, Property, ScalableLaw, YieldLimits};
+use super::{Hertz, Law, OfPoisson, Pair, Pairs, Property, ScalableLaw, YieldLimits};
 use crate::contact::Contacts;
 use crate::literature::{self, Paper};
 use crate::material::Material;
@@ -57,7 +57,7 @@ impl Law for Ceb {
     }
 
     #[inline(always)]
-    fn contacts<N: Real>(&self, w: N, b: N, pair: &Pair<N>) -> Contacts<N> {
+    fn contacts<N: Real>(&self, w: N, b: N, pair: &Pairs<N>) -> Contacts<N> {
         let critical = pair.ratio(CRITICAL) * b;
         let elastic = w.le(critical);
         let springing = Hertz::elastic(w, b, pair.reduced_modulus);

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::{Law, Pair, Property, ScalableLaw, YieldLimits};
+use super::{Law, Pair, Pairs, Property, ScalableLaw, YieldLimits};
 use crate::contact::Contacts;
 use crate::literature::{self, Paper};
 use crate::material::Material;
@@ -54,7 +54,7 @@ impl Law for FullyPlastic {
     }
 
     #[inline(always)]
-    fn contacts<N: Real>(&self, w: N, b: N, pair: &Pair<N>) -> Contacts<N> {
+    fn contacts<N: Real>(&self, w: N, b: N, pair: &Pairs<N>) -> Contacts<N> {
         Self::plastic(w, b, pair.yield_limits.strength)
     }
 

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use super::ceb::CRITICAL;
-use super::{Hertz, Inapplicable, Law, Pair, Property, YieldLimits};
+use super::{Hertz, Inapplicable, Law, Pair, Pairs, Property, YieldLimits};
 use crate::contact::Contacts;
 use crate::literature::{self, Paper};
 use crate::material::Material;
@@ -118,7 +118,7 @@ fn normalised(u: f64, pair: &Pair) -> Normalised {
 impl JacksonGreen {
     /// Beyond the elastic range, at `v` = u/1.9.
     #[inline(always)]
-    fn at<N: Real>(&self, v: N, pair: &Pair<N>) -> Normalised<N> {
+    fn at<N: Real>(&self, v: N, pair: &Pairs<N>) -> Normalised<N> {
         // The law is not used under a layer: the pair is the same in every lane.
         let YieldLimits { onset, strength } = pair.yield_limits;
         let yield_limits = YieldLimits { onset: onset.first(), strength: strength.first() };
@@ -186,7 +186,7 @@ impl Law for JacksonGreen {
     }
 
     #[inline(always)]
-    fn contacts<N: Real>(&self, w: N, b: N, pair: &Pair<N>) -> Contacts<N> {
+    fn contacts<N: Real>(&self, w: N, b: N, pair: &Pairs<N>) -> Contacts<N> {
         let critical = pair.ratio(CRITICAL) * b;
         // 0 if the pair never yields.
         let u = w / critical;

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use super::ceb::{CRITICAL, HARDNESS_FACTOR};
 use super::regimes::{exponents_passed, in_range};
-use super::{Hertz, Law, OfPoisson, Pair, Property, ScalableLaw, YieldLimits};
+use super::{Hertz, Law, OfPoisson, Pair, Pairs, Property, ScalableLaw, YieldLimits};
 use crate::contact::Contacts;
 use crate::literature::{self, Paper};
 use crate::material::Material;
@@ -108,7 +108,7 @@ impl Law for KogutEtsion {
     }
 
     #[inline(always)]
-    fn contacts<N: Real>(&self, w: N, b: N, pair: &Pair<N>) -> Contacts<N> {
+    fn contacts<N: Real>(&self, w: N, b: N, pair: &Pairs<N>) -> Contacts<N> {
         let critical = pair.ratio(CRITICAL) * b;
         let elastic = w.lt(critical);
         if elastic.all() {

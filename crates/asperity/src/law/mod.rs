@@ -52,6 +52,12 @@ impl YieldLimits {
     /// The limits of a body that never yields.
     pub const NEVER_YIELDS: Self = Self { onset: f64::INFINITY, strength: f64::INFINITY };
 
+    /// The same limits in every lane; `zero` gives the type of register.
+    #[inline(always)]
+    pub fn splat<N: Real>(self, zero: N) -> YieldLimits<N> {
+        YieldLimits { onset: zero.splat(self.onset), strength: zero.splat(self.strength) }
+    }
+
     /// The limits of two bodies in contact.
     #[inline(always)]
     pub fn with(self, other: Self) -> Self {
@@ -61,11 +67,22 @@ impl YieldLimits {
 
 /// The properties of a pair of bodies that a law needs.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Pair<N = f64> {
+pub struct Pair {
     /// Reduced modulus E*, Pa (Pasaribu and Schipper 2005, Eq. 3).
-    pub reduced_modulus: N,
+    pub reduced_modulus: f64,
     /// Yield limits; infinite if neither body yields.
+    pub yield_limits: YieldLimits,
+}
+
+/// The pair of one asperity per lane.
+#[derive(Debug, Clone, Copy)]
+pub struct Pairs<N> {
+    /// Reduced modulus E*, Pa.
+    pub reduced_modulus: N,
+    /// Yield limits.
     pub yield_limits: YieldLimits<N>,
+    /// onset/E*.
+    pub onset_strain: N,
 }
 
 impl Pair {
@@ -86,19 +103,25 @@ impl Pair {
 
     /// The same pair in every lane; `zero` gives the type of register.
     #[inline(always)]
-    pub fn splat<N: Real>(&self, zero: N) -> Pair<N> {
-        let YieldLimits { onset, strength } = self.yield_limits;
-        let yield_limits = YieldLimits { onset: zero.splat(onset), strength: zero.splat(strength) };
-        Pair { reduced_modulus: zero.splat(self.reduced_modulus), yield_limits }
+    pub fn splat<N: Real>(&self, zero: N) -> Pairs<N> {
+        Pairs {
+            reduced_modulus: zero.splat(self.reduced_modulus),
+            yield_limits: self.yield_limits.splat(zero),
+            onset_strain: zero.splat(self.yield_limits.onset / self.reduced_modulus),
+        }
+    }
+
+    /// The ratio w/b at which (w/b) (E*/onset)^2 = `u`.
+    pub fn ratio(&self, u: f64) -> f64 {
+        self.splat(0.0).ratio(u)
     }
 }
 
-impl<N: Real> Pair<N> {
+impl<N: Real> Pairs<N> {
     /// The ratio w/b at which (w/b) (E*/onset)^2 = `u`.
     #[inline(always)]
     pub fn ratio(&self, u: f64) -> N {
-        let strain = self.yield_limits.onset / self.reduced_modulus;
-        strain * u * strain
+        self.onset_strain * u * self.onset_strain
     }
 }
 
@@ -285,7 +308,7 @@ pub trait Law: SingleContact + Send + Sync + 'static {
 
     /// Area, load, stiffness and regime at indentations `w` (m) of spheres of radii `b` (m), one per lane. Must be
     /// `#[inline(always)]`, see [`crate::numeric::lanes`].
-    fn contacts<N: Real>(&self, w: N, b: N, pair: &Pair<N>) -> Contacts<N>
+    fn contacts<N: Real>(&self, w: N, b: N, pair: &Pairs<N>) -> Contacts<N>
     where
         Self: Sized;
 
@@ -337,7 +360,7 @@ pub trait SingleContact {
 impl<L: Law> SingleContact for L {
     #[inline]
     fn single_contact(&self, w: f64, b: f64, pair: &Pair) -> Contact {
-        self.contacts(w, b, pair).into()
+        self.contacts(w, b, &pair.splat(0.0)).into()
     }
 }
 

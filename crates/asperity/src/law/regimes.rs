@@ -1,6 +1,6 @@
 //! Common parts of laws with several regimes.
 
-use super::{FullyPlastic, Hertz, Pair};
+use super::{FullyPlastic, Hertz, Pairs};
 use crate::contact::Contacts;
 use crate::numeric::interval::Interval;
 use crate::numeric::lanes::{Mask, Real};
@@ -10,7 +10,7 @@ use crate::numeric::lanes::{Mask, Real};
 pub(super) fn in_range<N: Real>(
     w: N,
     b: N,
-    pair: &Pair<N>,
+    pair: &Pairs<N>,
     [elastic, plastic]: [N::Mask; 2],
     between: Contacts<N>,
 ) -> Contacts<N> {

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 use std::ops::Bound;
 
 use super::regimes::in_range;
-use super::{Hertz, Law, LawOption, OptionError, Pair, Property, ScalableLaw, YieldLimits};
+use super::{Hertz, Law, LawOption, OptionError, Pair, Pairs, Property, ScalableLaw, YieldLimits};
 use crate::contact::Contacts;
 use crate::literature::{self, Paper};
 use crate::material::Material;
@@ -161,7 +161,7 @@ impl Law for Zmc {
     }
 
     #[inline(always)]
-    fn contacts<N: Real>(&self, w: N, b: N, pair: &Pair<N>) -> Contacts<N> {
+    fn contacts<N: Real>(&self, w: N, b: N, pair: &Pairs<N>) -> Contacts<N> {
         // Infinite where neither body yields.
         let w1 = pair.ratio(self.onset) * b;
         let elastic = w.le(w1);

@@ -55,7 +55,7 @@ pub struct Effective<N = f64> {
     pub compliance_slope: N,
     /// H_eff (Eq. 16), Pa; infinite if neither body yields.
     pub hardness: N,
-    /// d ln H_eff/d ln w.
+    /// d H_eff/d ln w, Pa.
     pub hardness_slope: N,
 }
 
@@ -120,12 +120,28 @@ impl LayeredFlat {
     /// Effective properties under asperities of radii `b` (m) at indentations `w` (m).
     #[inline(always)]
     pub fn at<N: Real>(&self, w: N, b: N) -> Effective<N> {
-        let (compliance, compliance_slope) = self.modulus.compliance(self.inverse(w, b));
-        let (hardness, hardness_slope) = match &self.hardness {
-            Some(hardness) => hardness.at(w * self.inverse_thickness),
+        let (compliance, compliance_slope) = self.compliance(w, b);
+        let (hardness, hardness_slope) = match self.hardness(w) {
+            Some(found) => found,
             None => (w.splat(f64::INFINITY), w.splat(0.0)),
         };
         Effective { compliance, compliance_slope, hardness, hardness_slope }
+    }
+
+    /// (1 - nu_eff^2)/E_eff under asperities of radii `b` (m) at indentations `w` (m), and its d/d ln w, 1/Pa.
+    #[inline(always)]
+    pub(crate) fn compliance<N: Real>(&self, w: N, b: N) -> (N, N) {
+        self.modulus.compliance(self.inverse(w, b))
+    }
+
+    /// H_eff (Eq. 16) at indentations `w` (m), and its d/d ln w, Pa; `None` if neither body yields.
+    #[inline(always)]
+    #[expect(clippy::manual_map, reason = "no closure may return lanes")]
+    pub(crate) fn hardness<N: Real>(&self, w: N) -> Option<(N, N)> {
+        match &self.hardness {
+            Some(hardness) => Some(hardness.at(w * self.inverse_thickness)),
+            None => None,
+        }
     }
 
     /// nu_eff (Eq. 14) under asperities of radii `b` (m) at indentations `w` (m), and d nu_eff/d ln w.

@@ -100,14 +100,19 @@ pub trait Real:
         for (row, &x) in rows.iter_mut().zip(&lanes[..Self::LANES]) {
             *row = of(x);
         }
-        // Written out, so that compilers assemble each column in a register.
         let [a, b, c, d, e, f, g, h] = &rows;
-        let mut columns = [self; K];
-        for (k, column) in columns.iter_mut().enumerate() {
-            *column = self.load(&[a[k], b[k], c[k], d[k], e[k], f[k], g[k], h[k]]);
-        }
-        columns
+        assembled(self, [a, b, c, d, e, f, g, h])
     }
+
+    /// The columns of as many rows of four numbers as there are lanes.
+    #[inline(always)]
+    fn columns(self, rows: [&[f64; 4]; MOST]) -> [Self; 4] {
+        assembled(self, rows)
+    }
+
+    /// The mantissa m of a positive, normal number, 1 <= m < 2, and the middle of that of 2^`BITS` equal intervals between 1 and 2
+    /// in which it lies.
+    fn mantissa_and_middle<const BITS: u32>(self) -> (Self, Self);
 
     /// The first lane.
     #[inline(always)]
@@ -132,6 +137,17 @@ pub trait Real:
         }
         sum
     }
+}
+
+/// The columns of as many rows as there are lanes, number by number.
+#[inline(always)]
+fn assembled<N: Real, const K: usize>(of: N, [a, b, c, d, e, f, g, h]: [&[f64; K]; MOST]) -> [N; K] {
+    let mut columns = [of; K];
+    for (k, column) in columns.iter_mut().enumerate() {
+        // Written out, so that compilers assemble each column in a register.
+        *column = of.load(&[a[k], b[k], c[k], d[k], e[k], f[k], g[k], h[k]]);
+    }
+    columns
 }
 
 impl Mask for bool {
@@ -179,6 +195,12 @@ impl Real for f64 {
     #[inline(always)]
     fn exp_and_exp_m1(self) -> (Self, Self) {
         (self.exp(), self.exp_m1())
+    }
+
+    #[inline(always)]
+    fn mantissa_and_middle<const BITS: u32>(self) -> (Self, Self) {
+        let mantissa = (self.to_bits() & !EXPONENT) | 1f64.to_bits();
+        (Self::from_bits(mantissa), Self::from_bits((mantissa & leading(BITS)) | half(BITS)))
     }
 
     #[inline(always)]
@@ -317,6 +339,19 @@ const LN_2: [f64; 2] = [0.693_147_180_369_123_8, 1.908_214_929_270_587_7e-10];
 /// Bits of the exponent of a number.
 const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
 
+/// Bits of the mantissa.
+const MANTISSA: u32 = f64::MANTISSA_DIGITS - 1;
+
+/// The exponent and the first `count` bits of the mantissa.
+const fn leading(count: u32) -> u64 {
+    !(u64::MAX >> (u64::BITS - MANTISSA + count))
+}
+
+/// The bit of the mantissa that follows the first `count`.
+const fn half(count: u32) -> u64 {
+    1 << (MANTISSA - 1 - count)
+}
+
 /// Bits of the exponent in the upper half of a number start at this bit.
 const UPPER_MANTISSA: i32 = 20;
 
@@ -426,6 +461,34 @@ impl<S: Simd> Real for Register<S> {
         let (one, is_gone) = (self.splat(1.0), self.lt(self.splat(-700.0)));
         let exp = Self::select(is_gone, self.splat(0.0), power.mul_add(rest, power));
         (exp, Self::select(is_gone, -one, power.mul_add(rest, power - one)))
+    }
+
+    /// Transposes: the rows are in the order in which [`Simd::deinterleave_shfl_f64s`] takes them from its lanes.
+    #[inline(always)]
+    fn columns(self, rows: [&[f64; 4]; MOST]) -> [Self; 4] {
+        let [a, b, c, d, e, f, g, h] = rows;
+        let rows: [S::f64s; 4] = match S::F64_LANES {
+            8 => bytemuck::cast([[*a, *c], [*b, *d], [*e, *g], [*f, *h]]),
+            4 => bytemuck::cast([*a, *b, *c, *d]),
+            _ => return assembled(self, rows),
+        };
+        let [first, second, third, fourth] = self.simd.deinterleave_shfl_f64s(rows);
+        [
+            Self { lanes: first, ..self },
+            Self { lanes: second, ..self },
+            Self { lanes: third, ..self },
+            Self { lanes: fourth, ..self },
+        ]
+    }
+
+    #[inline(always)]
+    fn mantissa_and_middle<const BITS: u32>(self) -> (Self, Self) {
+        let simd = self.simd;
+        let fraction = simd.and_u64s(self.bits(), simd.splat_u64s(!EXPONENT));
+        let mantissa = simd.or_u64s(fraction, simd.splat_u64s(1f64.to_bits()));
+        let start = simd.and_u64s(mantissa, simd.splat_u64s(leading(BITS)));
+        let middle = simd.or_u64s(start, simd.splat_u64s(half(BITS)));
+        (self.of_bits(mantissa), self.of_bits(middle))
     }
 
     #[inline(always)]

@@ -1,12 +1,15 @@
 //! A function tabulated as piecewise polynomials.
 
 use std::ops::Range;
+use std::sync::LazyLock;
 
-use super::lanes::Real;
+use super::lanes::{MOST, Mask, Real};
 
-const INTERVALS: usize = 32;
+/// Bits of the mantissa that select a polynomial: 32 in each octave.
+const BITS: u32 = 5;
+const INTERVALS: usize = 1 << BITS;
 const TERMS: usize = 8;
-const MANTISSA_BITS: u32 = f64::MANTISSA_DIGITS - 1;
+const OCTAVES: usize = 64;
 
 /// A smooth positive function of x > 0 and its slope, with 32 polynomials per octave.
 ///
@@ -14,91 +17,100 @@ const MANTISSA_BITS: u32 = f64::MANTISSA_DIGITS - 1;
 /// error of eight terms is then 130^-8.
 #[derive(Debug, PartialEq)]
 pub struct Table {
-    /// Exponent and leading mantissa bits of the start of the table.
-    first: u64,
-    pieces: Vec<Piece>,
+    /// Where it begins and ends, powers of two at most 64 octaves apart.
+    range: [f64; 2],
+    /// Each at its [`place`], so that no index needs a check; places outside the range are unused.
+    pieces: Box<[Piece; INTERVALS * OCTAVES]>,
 }
 
-/// Middle, inverse half width, and coefficients.
-#[derive(Debug, PartialEq)]
-struct Piece([f64; TERMS + 2]);
+/// The coefficients of a polynomial in the distance of the mantissa of x from the middle of its interval, the lowest power
+/// first: a cache line.
+type Piece = [[f64; 4]; TERMS / 4];
 
-/// The index of the interval of `x`: exponent and leading mantissa bits.
+/// The exponent of `x` and the first bits of its mantissa, modulo the number of pieces.
 #[inline(always)]
-fn place(x: f64) -> u64 {
-    x.to_bits() >> (MANTISSA_BITS - INTERVALS.ilog2())
+fn place(x: f64) -> usize {
+    (x.to_bits() >> (f64::MANTISSA_DIGITS - 1 - BITS)) as usize % (INTERVALS * OCTAVES)
 }
 
 impl Table {
-    /// A table of `value` from 2^start (included) to 2^end, which must be normal numbers.
+    /// A table of `value` from 2^start (included) to 2^end, which must be normal numbers, at most 64 octaves.
     pub fn new(octaves: Range<i32>, value: impl Fn(f64) -> f64) -> Self {
-        let octave = |power: i32| (0..INTERVALS).map(move |k| (power, k));
-        let piece = |(power, k): (i32, usize)| {
-            let width = 2f64.powi(power) / INTERVALS as f64;
-            Piece::through(&value, 2f64.powi(power) + (k as f64 + 0.5) * width, 0.5 * width)
-        };
-        Self { first: place(2f64.powi(octaves.start)), pieces: octaves.flat_map(octave).map(piece).collect() }
+        assert!(octaves.len() <= OCTAVES, "{} octaves", octaves.len());
+        let mut pieces = Box::new([[[0.0; 4]; TERMS / 4]; INTERVALS * OCTAVES]);
+        for power in octaves.clone().map(|power| 2f64.powi(power)) {
+            for k in 0..INTERVALS {
+                let middle = 1.0 + (k as f64 + 0.5) / INTERVALS as f64;
+                pieces[place(power * middle)] = piece(|mantissa| value(power * mantissa), middle);
+            }
+        }
+        Self { range: [octaves.start, octaves.end].map(|power| 2f64.powi(power)), pieces }
     }
 
     /// The value at each `x`, and x times the slope there; `None` if one is outside the table.
     #[inline(always)]
     pub fn at<N: Real>(&self, x: N) -> Option<(N, N)> {
-        let mut is_inside = true;
-        let numbers: [N; TERMS + 2] = x.each(|x| {
-            let piece =
-                usize::try_from(place(x).wrapping_sub(self.first)).ok().and_then(|k| self.pieces.get(k));
-            is_inside &= piece.is_some();
-            piece.map_or([0.0; TERMS + 2], |piece| piece.0)
-        });
-        if !is_inside {
+        let [from, to] = self.range;
+        if !(x.splat(from).le(x) & x.lt(x.splat(to))).all() {
             return None;
         }
-        let [middle, inverse, coefficients @ ..] = numbers;
-        let r = (x - middle) * inverse;
-        let (mut value, mut slope) = (coefficients[TERMS - 1], x.splat(0.0));
-        for &term in coefficients[..TERMS - 1].iter().rev() {
+        let mut lanes = [from; MOST];
+        x.store(&mut lanes);
+        let (mut low, mut high) = ([&self.pieces[0][0]; MOST], [&self.pieces[0][1]; MOST]);
+        for lane in 0..N::LANES {
+            [low[lane], high[lane]] = self.pieces[place(lanes[lane])].each_ref();
+        }
+        let (low, high) = (x.columns(low), x.columns(high));
+        let (mantissa, middle) = x.mantissa_and_middle::<BITS>();
+        let r = mantissa - middle;
+        let (mut value, mut slope) = (high[3], x.splat(0.0));
+        for term in [high[2], high[1], high[0], low[3], low[2], low[1], low[0]] {
             slope = slope.mul_add(r, value);
             value = value.mul_add(r, term);
         }
-        Some((value, slope * x * inverse))
+        Some((value, slope * mantissa))
     }
 }
 
-impl Piece {
-    /// Interpolates at the Chebyshev points of middle +- half.
-    fn through(value: &impl Fn(f64) -> f64, middle: f64, half: f64) -> Self {
-        use std::f64::consts::PI;
-        let angle = |j: usize| PI * (j as f64 + 0.5) / TERMS as f64;
-        // Values differ from that in the middle by 1/64 at most: differences have smaller rounding errors.
-        let centre = value(middle);
-        let steps: [f64; TERMS] = std::array::from_fn(|j| value(middle + half * angle(j).cos()) - centre);
-        let mut coefficients = [0.0; TERMS];
-        // T_0 and T_1 as powers of r; each next one is 2 r T_k - T_(k-1).
-        let (mut before, mut chebyshev) = ([0.0; TERMS], [0.0; TERMS]);
-        chebyshev[0] = 1.0;
-        for k in 0..TERMS {
-            let double = if k == 0 { 1.0 } else { 2.0 };
-            let sum: f64 = (0..TERMS).map(|j| steps[j] * (k as f64 * angle(j)).cos()).sum();
-            for (total, power) in coefficients.iter_mut().zip(chebyshev) {
-                *total += double / TERMS as f64 * sum * power;
-            }
-            let mut next = before.map(|c: f64| -c);
-            for j in 0..TERMS - 1 {
-                next[j + 1] += double * chebyshev[j];
-            }
-            (before, chebyshev) = (chebyshev, next);
+/// T_k at the Chebyshev point j: the cosine of k times its angle.
+static COSINES: LazyLock<[[f64; TERMS]; TERMS]> = LazyLock::new(|| {
+    let angle = |j: usize| std::f64::consts::PI * (j as f64 + 0.5) / TERMS as f64;
+    std::array::from_fn(|k| std::array::from_fn(|j| (k as f64 * angle(j)).cos()))
+});
+
+/// Interpolates a function of the mantissa at the Chebyshev points of the interval around `middle`.
+fn piece(value: impl Fn(f64) -> f64, middle: f64) -> Piece {
+    /// Half the width.
+    const HALF: f64 = 0.5 / INTERVALS as f64;
+    let cosines = &*COSINES;
+    // Values differ from that in the middle by 1/64 at most: differences have smaller rounding errors.
+    let centre = value(middle);
+    let steps: [f64; TERMS] = std::array::from_fn(|j| value(middle + HALF * cosines[1][j]) - centre);
+    let mut coefficients = [0.0; TERMS];
+    // T_0 and T_1 as powers of the distance over half the width; each next one is 2 r T_k - T_(k-1).
+    let (mut before, mut chebyshev) = ([0.0; TERMS], [0.0; TERMS]);
+    chebyshev[0] = 1.0;
+    for k in 0..TERMS {
+        let double = if k == 0 { 1.0 } else { 2.0 };
+        let sum: f64 = steps.iter().zip(cosines[k]).map(|(step, cosine)| step * cosine).sum();
+        for (total, power) in coefficients.iter_mut().zip(chebyshev) {
+            *total += double / TERMS as f64 * sum * power;
         }
-        coefficients[0] += centre;
-        let mut numbers = [0.0; TERMS + 2];
-        [numbers[0], numbers[1]] = [middle, half.recip()];
-        numbers[2..].copy_from_slice(&coefficients);
-        Self(numbers)
+        let mut next = before.map(|c: f64| -c);
+        for j in 0..TERMS - 1 {
+            next[j + 1] += double * chebyshev[j];
+        }
+        (before, chebyshev) = (chebyshev, next);
     }
+    coefficients[0] += centre;
+    let scaled = |j: usize| coefficients[j] / HALF.powi(j as i32);
+    std::array::from_fn(|half| std::array::from_fn(|j| scaled(4 * half + j)))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::numeric::lanes::{Work, run};
 
     #[test]
     fn a_power_and_its_slope() {
@@ -113,6 +125,41 @@ mod tests {
             assert_eq!(table.at(outside), None);
         }
     }
+    /// At each x; NaN if one of a register is outside.
+    struct At<'a>(&'a Table, &'a [f64]);
+
+    impl Work for At<'_> {
+        type Output = Vec<[f64; 2]>;
+
+        #[inline(always)]
+        fn with<N: Real>(self, zero: N) -> Vec<[f64; 2]> {
+            let mut found = Vec::new();
+            for x in self.1.chunks_exact(N::LANES) {
+                let (mut values, mut slopes) = ([f64::NAN; MOST], [f64::NAN; MOST]);
+                if let Some((value, slope)) = self.0.at(zero.load(x)) {
+                    value.store(&mut values);
+                    slope.store(&mut slopes);
+                }
+                found.extend(values.into_iter().zip(slopes).map(<[f64; 2]>::from).take(N::LANES));
+            }
+            found
+        }
+    }
+
+    /// Whatever the registers of the machine, each lane has the polynomial of its own interval.
+    #[test]
+    fn lanes_are_evaluated_one_by_one() {
+        let table = Table::new(-8..8, |x| 1.0 + x.atan());
+        let x: Vec<f64> = (0..8000).map(|k| (f64::from((k * 7919) % 8000 - 4000) * 1.3e-3).exp()).collect();
+        for (&x, [value, slope]) in x.iter().zip(run(At(&table, &x))) {
+            let (one, of_one) = table.at(x).unwrap();
+            assert!((value / one - 1.0).abs() < 1e-15 && (slope - of_one).abs() < 1e-14, "{x}");
+        }
+        let mut outside = [1.0; MOST];
+        outside[0] = 300.0;
+        assert!(run(At(&table, &outside))[0][0].is_nan());
+    }
+
     #[test]
     fn the_ends() {
         let table = Table::new(0..3, |x| 1.0 + x);

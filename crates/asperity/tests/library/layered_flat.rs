@@ -79,7 +79,7 @@ fn bounds_hold_what_they_bound() {
                 holds(bounds.compliance, felt.compliance, felt.compliance);
                 holds(bounds.compliance_slope, felt.compliance_slope, felt.compliance);
                 holds(bounds.hardness, felt.hardness, felt.hardness);
-                holds(bounds.hardness_slope, felt.hardness_slope, 1.0);
+                holds(bounds.hardness_slope, felt.hardness_slope / felt.hardness, 1.0);
             }
         }
     }

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use asperity::law::{LawOption, OptionError, Property};
 use asperity::numeric::lanes::{Mask, Real};
 use asperity::numeric::{Interval, LARGEST};
-use asperity::{Contacts, FullyPlastic, Hertz, Law, Material, Pair, Paper, ScalableLaw, YieldLimits};
+use asperity::{Contacts, FullyPlastic, Hertz, Law, Material, Pair, Pairs, Paper, ScalableLaw, YieldLimits};
 use std::ops::Bound;
 
 /// Hertz up to w = onset b (H/E*)^2, Abbott and Firestone from there on, with nothing between.
@@ -58,7 +58,7 @@ impl Law for Abrupt {
     }
 
     #[inline(always)]
-    fn contacts<N: Real>(&self, w: N, b: N, pair: &Pair<N>) -> Contacts<N> {
+    fn contacts<N: Real>(&self, w: N, b: N, pair: &Pairs<N>) -> Contacts<N> {
         let elastic = w.lt(pair.ratio(self.onset) * b);
         let hertz = Hertz.contacts(w, b, pair);
         if elastic.all() {
