@@ -3,7 +3,8 @@
 use pulp::Arch;
 use rayon::prelude::*;
 
-use super::{Asperities, Ellipse};
+use super::radii_above::OnDemand;
+use super::{Asperities, Ellipse, RadiiAbove};
 use crate::numeric::{LARGEST, is_positive};
 
 /// The asperities of a rough surface, as a struct of arrays in the order of their origin.
@@ -13,6 +14,7 @@ pub struct AsperitySet {
     radii: Vec<f64>,
     ellipses: Option<Vec<Ellipse>>,
     nominal_area: f64,
+    radii_above: OnDemand,
 }
 
 /// Values that form no valid set.
@@ -132,7 +134,7 @@ impl AsperitySet {
     /// The first invalid value; see [`SetError`].
     pub fn new(heights: Vec<f64>, radii: Vec<f64>, nominal_area: f64) -> Result<Self, SetError> {
         SetError::check(&heights, &radii, nominal_area)?;
-        Ok(Self { heights, radii, ellipses: None, nominal_area })
+        Ok(Self { heights, radii, ellipses: None, nominal_area, radii_above: OnDemand::default() })
     }
 
     /// The same asperities with heights relative to an origin (m), which is returned, so that an offset costs no digits:
@@ -147,7 +149,7 @@ impl AsperitySet {
     #[must_use]
     pub fn relative_to(mut self, height: f64) -> Self {
         self.heights.iter_mut().for_each(|z| *z -= height);
-        self
+        Self { radii_above: OnDemand::default(), ..self }
     }
 
     /// Heights, m.
@@ -181,6 +183,11 @@ impl AsperitySet {
         Asperities::new(&self.heights, &self.radii, None, self.nominal_area)
     }
 
+    /// The mean radius of the asperities above a height, sorted once.
+    pub fn radii_above(&self) -> &RadiiAbove {
+        self.radii_above.of(self.spheres())
+    }
+
     /// Number of asperities.
     pub fn count(&self) -> usize {
         self.heights.len()
@@ -197,7 +204,14 @@ impl AsperitySet {
         let column = |values: &[f64]| kept.iter().map(|&index| values[index]).collect();
         let ellipses = self.ellipses().map(|all| kept.iter().map(|&index| all[index]).collect());
         let (heights, radii) = (column(&self.heights), column(&self.radii));
-        (!kept.is_empty() && nominal_area > 0.0).then_some(Self { heights, radii, ellipses, nominal_area })
+        let radii_above = OnDemand::default();
+        (!kept.is_empty() && nominal_area > 0.0).then_some(Self {
+            heights,
+            radii,
+            ellipses,
+            nominal_area,
+            radii_above,
+        })
     }
 
     /// Asperities per nominal area, 1/m^2.

@@ -2,7 +2,7 @@
 
 use super::load_control::{LOWEST_SEPARATION, search_missing};
 use super::{Model, ReferencePlane, Response, Statistical, descent};
-use crate::asperity::{Asperities, Population};
+use crate::asperity::{Population, RadiiAbove};
 use crate::interface::MicroContact;
 use crate::numeric::parallel;
 use crate::numeric::root::last_reaching;
@@ -22,37 +22,26 @@ pub struct RadiusInContact<'a> {
     plane: ReferencePlane,
     /// The same in the frame of the set's heights, m.
     origin: f64,
-    /// Heights, descending, m, and the mean radius of the asperities down to each, m.
-    touching: Vec<(f64, f64)>,
+    radii: &'a RadiiAbove,
 }
 
 impl<'a> RadiusInContact<'a> {
-    /// Of a set of `asperities` that the `population` describes, with separations measured from `plane`, which is relative to
+    /// Of a set with these `radii` that the `population` describes, with separations measured from `plane`, which is relative to
     /// the population's mean height and at the height `origin` (m) in the frame of the set.
     pub fn new(
         contact: &'a dyn MicroContact,
-        asperities: Asperities,
+        radii: &'a RadiiAbove,
         population: Population,
         mean_shape: Shape,
         plane: ReferencePlane,
         origin: f64,
     ) -> Self {
-        let each = asperities.heights().iter().copied().zip(asperities.radii().iter().copied());
-        let mut touching: Vec<(f64, f64)> = each.collect();
-        touching.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.total_cmp(&b.1)));
-        let mut sum = 0.0;
-        for (index, (_, radius)) in touching.iter_mut().enumerate() {
-            sum += *radius;
-            *radius = sum / (index + 1) as f64;
-        }
-        Self { contact, population, mean_shape, plane, origin, touching }
+        Self { contact, population, mean_shape, plane, origin, radii }
     }
 
     /// The mean radius of the asperities above the reported separation `h`, m.
     pub fn radius(&self, h: f64) -> f64 {
-        let separation = self.origin + h * self.plane.sigma;
-        let count = self.touching.partition_point(|(height, _)| *height > separation);
-        self.touching[count.max(1) - 1].1
+        self.radii.mean(self.origin + h * self.plane.sigma)
     }
 
     fn at(&self, h: f64) -> Statistical<'a> {
@@ -114,7 +103,7 @@ mod tests {
             Population { radius: 7e-6 / 3.0, sigma: 1e-8, density: 3e10, heights: Heights::GAUSSIAN };
         let shape = Shape::sphere(population.radius);
         let plane = ReferencePlane { mean: 0.0, sigma: 1e-8 };
-        let model = RadiusInContact::new(&contact, set.spheres(), population.clone(), shape, plane, 0.0);
+        let model = RadiusInContact::new(&contact, set.radii_above(), population.clone(), shape, plane, 0.0);
         for (h, radius) in [(4.0, 1e-6), (2.0, 1e-6), (0.5, 1.5e-6), (-2.0, 7e-6 / 3.0)] {
             assert!((model.radius(h) / radius - 1.0).abs() < 1e-14, "{h}");
             let of_radius = Statistical::new(&contact, Population { radius, ..population.clone() });
@@ -127,7 +116,7 @@ mod tests {
         // A heavy tail reaches separations of many thousand sigma.
         let heavy = Heights::new(crate::distribution::Weibull::new(0.5).unwrap());
         let population = Population { heights: heavy, ..population };
-        let model = RadiusInContact::new(&contact, set.spheres(), population, shape, plane, 0.0);
+        let model = RadiusInContact::new(&contact, set.radii_above(), population, shape, plane, 0.0);
         let found = model.separation_at(pressure).unwrap();
         assert!((model.respond(found).pressure.total() / pressure - 1.0).abs() < 1e-9);
     }

@@ -122,8 +122,8 @@ impl<'a> SurfaceModels<'a> {
         let plane = self.surface.reporting_plane();
         match self.statistical.mean_radius {
             MeanRadius::InContact => {
-                let (spheres, origin) = (self.surface.set.spheres(), self.surface.plane.mean);
-                Box::new(RadiusInContact::new(contact, spheres, population, shape, plane, origin))
+                let (radii, origin) = (self.surface.set.radii_above(), self.surface.plane.mean);
+                Box::new(RadiusInContact::new(contact, radii, population, shape, plane, origin))
             }
             MeanRadius::Arithmetic | MeanRadius::InverseMeanCurvature => {
                 Box::new(Statistical::of_shape(contact, population, shape).reported_from(plane))
