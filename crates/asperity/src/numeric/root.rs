@@ -5,7 +5,7 @@
 use super::interval::Interval;
 
 /// Relative width of the last bracket, a few units of rounding.
-pub(super) const WIDTH: f64 = 4.0 * f64::EPSILON;
+pub(crate) const WIDTH: f64 = 4.0 * f64::EPSILON;
 
 /// Whether a bracket is closed to rounding.
 pub(super) fn closed(low: f64, high: f64) -> bool {
@@ -105,9 +105,9 @@ pub fn sign_changes(
             let end = value(to);
             // Zero counts as positive.
             if start >= 0.0 && end < 0.0 {
-                found.push(crossing(value, [from, start], [to, end]));
+                found.push(crossing(value, [from, start], [to, end], WIDTH));
             } else if start < 0.0 && end >= 0.0 {
-                found.push(-crossing(|x| value(-x), [-to, end], [-from, start]));
+                found.push(-crossing(|x| value(-x), [-to, end], [-from, start], WIDTH));
             }
             continue;
         }

@@ -90,9 +90,9 @@ fn piece(value: impl Fn(f64) -> f64, middle: f64) -> Piece {
     // T_0 and T_1 as powers of the distance over half the width; each next one is 2 r T_k - T_(k-1).
     let (mut before, mut chebyshev) = ([0.0; TERMS], [0.0; TERMS]);
     chebyshev[0] = 1.0;
-    for k in 0..TERMS {
+    for (k, cosines) in cosines.iter().enumerate() {
         let double = if k == 0 { 1.0 } else { 2.0 };
-        let sum: f64 = steps.iter().zip(cosines[k]).map(|(step, cosine)| step * cosine).sum();
+        let sum: f64 = steps.iter().zip(cosines).map(|(step, cosine)| step * cosine).sum();
         for (total, power) in coefficients.iter_mut().zip(chebyshev) {
             *total += double / TERMS as f64 * sum * power;
         }
