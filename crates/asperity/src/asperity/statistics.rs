@@ -29,25 +29,27 @@ impl Statistics {
     /// Statistics of `set`, the same to the bit on any number of threads.
     pub fn new(set: &AsperitySet) -> Self {
         let (heights, radii) = (set.heights(), set.radii());
-        let count = set.count() as f64;
+        let count = set.count();
+        let mean_of = |term: &(dyn Fn(usize) -> f64 + Sync)| sum_of(count, term) / count as f64;
+
         let (height, radius) = (Mean::new(heights), Mean::new(radii));
         let mean_radius = radius.value();
-        let (sigma, radius_sigma) = (height.sigma(heights), radius.sigma(radii));
+        let sigma = height.sigma(heights);
         let standardised = |power: i32| {
-            let term = StandardisedPower { mean: &height, per_sigma: sigma.recip(), power };
-            (sigma > 0.0).then(|| sum_over(heights, term) / count)
+            (sigma > 0.0).then(|| mean_of(&|i| (height.deviation(heights[i]) / sigma).powi(power)))
         };
-        let product = |i: usize| height.deviation(heights[i]) * radius.deviation(radii[i]);
-        let correlation = || sum_of(set.count(), product) / count / (sigma * radius_sigma);
+        let radius_sigma = mean_of(&|i| radius.deviation(radii[i]).powi(2)).sqrt();
+        let covariance = mean_of(&|i| height.deviation(heights[i]) * radius.deviation(radii[i]));
         Self {
             mean_height: height.value(),
             sigma,
             skewness: standardised(3),
             kurtosis: standardised(4),
             mean_radius,
-            radius_of_mean_curvature: (sum_over(radii, Reciprocal) / count).recip(),
+            radius_of_mean_curvature: mean_of(&|i| radii[i].recip()).recip(),
             radius_cv: radius_sigma / mean_radius,
-            height_radius_correlation: (sigma > 0.0 && radius_sigma > 0.0).then(correlation),
+            height_radius_correlation: (sigma > 0.0 && radius_sigma > 0.0)
+                .then(|| covariance / (sigma * radius_sigma)),
         }
     }
 }
@@ -82,8 +84,7 @@ impl Mean {
         (sum_over(values, SquaredDeviation(self)) / values.len() as f64).sqrt()
     }
 
-    #[inline(always)]
-    fn deviation<N: Real>(&self, value: N) -> N {
+    fn deviation(&self, value: f64) -> f64 {
         (value - self.origin) - self.relative
     }
 }
@@ -106,37 +107,8 @@ struct SquaredDeviation<'a>(&'a Mean);
 impl Term for SquaredDeviation<'_> {
     #[inline(always)]
     fn of<N: Real>(self, values: N) -> N {
-        let deviation = self.0.deviation(values);
+        let deviation = (values - self.0.origin) - self.0.relative;
         deviation * deviation
-    }
-}
-
-/// A power, 3 or 4, of the deviation from a mean over a standard deviation.
-#[derive(Clone, Copy)]
-struct StandardisedPower<'a> {
-    mean: &'a Mean,
-    /// One over the standard deviation.
-    per_sigma: f64,
-    power: i32,
-}
-
-impl Term for StandardisedPower<'_> {
-    #[inline(always)]
-    fn of<N: Real>(self, values: N) -> N {
-        let deviation = self.mean.deviation(values) * self.per_sigma;
-        let square = deviation * deviation;
-        if self.power == 3 { square * deviation } else { square * square }
-    }
-}
-
-/// One over a value.
-#[derive(Clone, Copy)]
-struct Reciprocal;
-
-impl Term for Reciprocal {
-    #[inline(always)]
-    fn of<N: Real>(self, values: N) -> N {
-        values.splat(1.0) / values
     }
 }
 
