@@ -34,7 +34,7 @@ impl RadiiAbove {
     }
 }
 
-/// Those of a set, found when they are first asked for. Says nothing of the set that it does not, so that all are equal.
+/// Those of a set, found when they are first asked for. They follow from the set: two sets are compared without them.
 #[derive(Debug, Clone, Default)]
 pub(super) struct OnDemand(Arc<OnceLock<RadiiAbove>>);
 
