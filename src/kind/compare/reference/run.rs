@@ -7,7 +7,7 @@ use std::time::Instant;
 use asperity::HeightMap;
 use asperity::bem::{Boundary, Contact, ElasticPair, MOST_MISSING, Options, Solver, SolverError, refined};
 use asperity::compare::{BlockShare, Control, ModelKind, ReferenceCurve, ReferencePoint};
-use asperity::progress::Silent;
+use asperity::progress::Share;
 use asperity::study::{CaseResults, LawContact};
 use asperity::surface::{Independence, PreparedMap, Surface};
 use asperity::topography::Blocks;
@@ -170,6 +170,7 @@ impl ReferenceRun<'_> {
         };
         let mut solved = Solved { interpolated: missing(&self.prepared.map), ..Solved::default() };
         let mut view: Option<ContactView> = None;
+        let goes_on = &Share { progress: context.progress, units: 0.0 };
         for &pressure in pressures {
             if solution.cap.is_some_and(|cap| pressure >= cap) {
                 solved.unreached.push(pressure);
@@ -179,7 +180,7 @@ impl ReferenceRun<'_> {
             let found = SolvedContact::new(&solver, &spots[0], pressure, error, context.progress)
                 .map_err(|error| refuse(&error))?;
             let at_own =
-                own.as_ref().map(|solver| SolvedContact::new(solver, &spots[1], pressure, error, &Silent));
+                own.as_ref().map(|solver| SolvedContact::new(solver, &spots[1], pressure, error, goes_on));
             let at_own = at_own.transpose();
             let at_own = at_own.map_err(|error| refuse(&error))?;
             let bits = pressure.to_bits();
