@@ -1,9 +1,10 @@
-"""The longest times that a run goes without a sign of progress, at which it also looks whether it is still wanted.
+"""The longest times that a run goes without a sign of progress, at which it also ends where it is no longer wanted.
 
 python benches/comparison/silences.py [--write] [NAME...]
 
-Runs the specs below, or those named, each on files of 100 to 600 MB or on surfaces of 2048 x 2048 to 4096 x 4096 points, by the release build of `silences`.
-It needs numpy and 4 GB on the disk; files are kept in `ASPERITY_SILENCES`, or a temporary folder, for the next run.
+Runs the specs below, or those named, on files of 100 to 500 MB and surfaces of up to 4096 x 4096 points, by the release build of `silences`, and prints
+the stages with the longest silences. `BEFORE=PROGRAM` names a build of an earlier version of `silences`, which each spec is run by first. It needs numpy and 2 GB
+on the disk; the files are kept in `SILENCES`, or in the folder of temporary files, for the next run.
 """
 
 import json
@@ -18,7 +19,7 @@ import numpy as np
 
 from timing import ROOT, publish
 
-FOLDER = pathlib.Path(os.environ.get("ASPERITY_SILENCES", pathlib.Path(tempfile.gettempdir()) / "asperity-silences"))
+FOLDER = pathlib.Path(os.environ.get("SILENCES", pathlib.Path(tempfile.gettempdir()) / "silences"))
 PIXEL = 1e-6
 
 
@@ -137,27 +138,20 @@ SPECS = {
     "fit": compare(file("map2048.npy", True, None) + 'fit = "auto"\n'),
     "all of a map of 2048": compare(file("map2048.npy", True, None), ALL),
     "all of a map of 4096": compare(file("map.npy", True, None), ALL),
-    "list, CSV": compare('asperities]\nfile = "list.csv"\nnominal-area = "100 mm2"\nindependent = true\n', LAYER + LOADS),
-    "list, NumPy": compare('asperities]\nfile = "list.npy"\nnominal-area = "300 mm2"\nindependent = true\n', LAYER + LOADS),
-    "population": compare('population]\nradius = "20 um"\nsigma = "48 nm"\ndensity = "6e10 /m^2"\ncount = 30_000_000\n', LAYER + LOADS),
+    "list, CSV": compare('asperities]\nfile = "list.csv"\nnominal-area = "100 mm2"\nindependent = true\n', LOADS),
+    "list, NumPy": compare('asperities]\nfile = "list.npy"\nnominal-area = "300 mm2"\nindependent = true\n', LOADS),
+    "population": compare('population]\nradius = "20 um"\nsigma = "48 nm"\ndensity = "6e10 /m^2"\ncount = 30_000_000\n', LOADS),
     "reference of 2048": compare(generated(2048), 'models = ["statistical", "deterministic", "reference"]\npressure = "50 MPa"\n'),
-    "reference, refined": compare(generated(1024), 'models = ["statistical", "deterministic", "reference"]\nreference = { refine = 4 }\npressure = "50 MPa"\n'),
+    "reference, refined": compare(generated(2048), 'models = ["statistical", "deterministic", "reference"]\nreference = { refine = 2 }\npressure = "50 MPa"\n'),
     "generated, Gaussian": compare(generated(4096), LOADS),
     "generated, Johnson": compare(generated(4096, "heights.johnson = { skewness = -1, kurtosis = 4.5 }\n"), LOADS),
     "generated, realisations": compare(generated(2048, "realisations = 4\n"), LOADS),
     "small map": compare(generated(2048).replace('256 um', '2000 um'), LOADS),
-    "pair": compare('pair]\nbodies = ["b", "c"]\n', LOADS, "".join(f"[surface.{name}.{generated(2048)}" for name in "bc")),
+    "pair": compare('pair]\na = "b"\nb = "c"\n', LOADS, "".join(f"[surface.{name}.{generated(2048)}" for name in "bc")),
     "sweep": compare(file("map2048.npy", True, None), LOADS) + '[sweep]\n"surface.a.file.filter.s" = ["3 um", "5 um"]\n',
     "tiled": f'title = "t"\nseed = 1\n{STEEL}[surface.a.population]\nradius = "20 um"\nsigma = "48 nm"\ndensity = "6e10 /m^2"\ncount = 100_000_000\n[tiled]\n{PLAIN}separation = {{ from = 5, to = 0, points = 21 }}\n',
     "sampling interval": f'title = "t"\nseed = 1\n{STEEL}[sampling-interval]\n{PLAIN}pressure = ["10 MPa"]\n[surface.a.{file("map2048.npy", True, None)}',
-    "surfaces": None,
 }
-
-
-def spec_of(name):
-    path = FOLDER / (name.replace(",", "").replace(" ", "-") + ".toml")
-    path.write_text(SPECS[name])
-    return path
 
 
 def inputs():
@@ -173,5 +167,48 @@ def inputs():
             asperities(FOLDER / name, count)
 
 
-if __name__ == "__main__":
+def built():
+    """The release build."""
+    build = subprocess.run(
+        ["cargo", "build", "--release", "-p", "asperity-benches", "--bin", "silences", "--message-format=json"],
+        cwd=ROOT, check=True, capture_output=True, text=True,
+    )
+    messages = map(json.loads, build.stdout.splitlines())
+    return [m["executable"] for m in messages if m.get("target", {}).get("name") == "silences"][-1]
+
+
+def longest(program, name):
+    """The stage of the longest silence of a run, its seconds, and those of the whole run."""
+    path = FOLDER / (name.replace(",", "").replace(" ", "-") + ".toml")
+    path.write_text(SPECS[name])
+    found = subprocess.run([program, path], check=True, capture_output=True, text=True).stdout
+    stages = [line.split("\t") for line in found.splitlines()]
+    if any(len(stage) != 5 for stage in stages):
+        sys.exit(found)
+    _, stage, seconds, *_ = max(stages, key=lambda stage: float(stage[2]))
+    return stage, float(seconds), sum(float(stage[3]) for stage in stages)
+
+
+def main():
     inputs()
+    programs = [os.environ["BEFORE"]] * ("BEFORE" in os.environ) + [built()]
+    names = [name for name in SPECS if name in sys.argv] or SPECS
+    rows = []
+    for name in names:
+        cells = [name]
+        for program in programs:
+            stage, seconds, whole = longest(program, name)
+            cells += [stage, f"{seconds:.2f}", f"{whole:.0f}"]
+        rows.append("| " + " | ".join(cells) + " |")
+        print(rows[-1], flush=True)
+    head = ["longest silence", "[s]", "whole run [s]"]
+    heads = [["before: " + head[0], *head[1:]], head][2 - len(programs) :]
+    publish("silences", [
+        "| run | " + " | ".join(word for words in heads for word in words) + " |",
+        "|---|" + "---|---:|---:|" * len(programs),
+        *rows,
+    ])
+
+
+if __name__ == "__main__":
+    main()

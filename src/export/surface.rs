@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use asperity::Ellipse;
 use asperity::npy;
+use asperity::progress::Count;
 use asperity::surface::{AnalysisDepth, Preparation, Step, Surface};
 use asperity::topography::write::{Note, Out};
 use asperity::topography::{Boundary, Rows};
@@ -204,7 +205,8 @@ impl ExportedAsperities {
     ///
     /// # Errors
     /// A file that cannot be written.
-    pub fn write_csv(&self, out: &mut dyn Out) -> std::io::Result<()> {
+    pub fn write_csv(&self, out: &mut dyn Out, progress: &dyn Progress) -> std::io::Result<()> {
+        let mut count = Count::new(progress, 1.0, self.count() * self.columns.len());
         for (name, text) in &self.notes {
             writeln!(out, "# {name}: {text}")?;
         }
@@ -215,7 +217,9 @@ impl ExportedAsperities {
                 write!(out, "{}{:e}", if k > 0 { "," } else { "" }, column[row])?;
             }
             writeln!(out)?;
+            count.add(self.columns.len());
         }
+        count.end();
         Ok(())
     }
 
@@ -223,9 +227,11 @@ impl ExportedAsperities {
     ///
     /// # Errors
     /// As [`Self::write_csv`].
-    pub fn write_npy(&self, out: &mut dyn Out) -> std::io::Result<()> {
+    pub fn write_npy(&self, out: &mut dyn Out, progress: &dyn Progress) -> std::io::Result<()> {
+        let mut count = Count::new(progress, 1.0, self.count());
         let columns: Vec<&Vec<f64>> = self.of_array().map(|(_, column)| column).collect();
-        let values = (0..self.count()).flat_map(|row| columns.iter().map(move |column| column[row]));
+        let rows = (0..self.count()).inspect(|_| count.add(1));
+        let values = rows.flat_map(|row| columns.iter().map(move |column| column[row]));
         npy::write(out, [self.count(), columns.len()], values)
     }
 

@@ -240,7 +240,7 @@ fn in_sample(built: &[BuiltModel], law: &LawContact, case: &CaseResults, progres
             }
         };
         let counter = Counter::default();
-        let contact = CountedContact::new(&*law.contact, &counter);
+        let contact = CountedContact::new(&*law.contact, &counter).watched_by(progress);
         let responses = responses(&*models.statistical(&contact, &law.spec), &loads);
         let work = counter.work();
         ranking.models.push(Ranked {

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use asperity::progress::Progress;
 use asperity::surface::Step;
+use asperity::topography::Watched;
 use asperity::topography::write::{FORMATS, MapFormat, Note};
 use asperity_experiment::export::{ExportedContacts, ExportedMap, ExportedSurface, SurfaceChoice};
 use asperity_experiment::surface::{ContactOptions, FileOptions};
@@ -87,7 +88,8 @@ impl MapExport {
                 }
                 let all: Vec<String> = names(name, *step).collect();
                 writer.check(&all)?;
-                writer.write(&all[0], |out| format.write(out, *map, notes))?;
+                progress.stage("writing", 1.0);
+                writer.write(&all[0], |out| format.write(out, &Watched { map: *map, progress }, notes))?;
                 let [points, pixel] = [json!(map.points()), json!(map.pixel())];
                 all[1..].iter().try_for_each(|beside| {
                     let facts = [("points", points.clone()), ("pixel_m", pixel.clone())];
@@ -135,12 +137,22 @@ impl AsperitiesExport {
         let [file, beside] = [&format, "json"].map(|ending| format!("{name}.{ending}"));
         let is_text = format == "csv";
         writer.check([&file].into_iter().chain((!is_text).then_some(&beside)))?;
-        let asperities =
-            watched(&surface.name(), writer.options.quiet, |progress| surface.asperities(progress))?;
+        let name = surface.name();
+        let asperities = watched(&name, writer.options.quiet, |progress| {
+            let asperities = surface.asperities(progress)?;
+            progress.stage("writing", 1.0);
+            writer.write(&file, |out| {
+                if is_text {
+                    asperities.write_csv(out, progress)
+                } else {
+                    asperities.write_npy(out, progress)
+                }
+            })?;
+            Ok::<_, Failure>(asperities)
+        })?;
         if is_text {
-            return writer.write(&file, |out| asperities.write_csv(out));
+            return Ok(());
         }
-        writer.write(&file, |out| asperities.write_npy(out))?;
         let facts = [("columns", json!(asperities.array_columns()))];
         writer.write_notes(&beside, "one row for each asperity", facts, &asperities.notes)
     }

@@ -74,7 +74,7 @@ impl Table {
         // From here on one line at a time: their index takes as much memory as the numbers.
         let rows = lines.len();
         drop(lines);
-        let above = numbered().count() - rows;
+        let above = filled - rows;
         let lines = || numbered().skip(above);
         let (mut values, mut columns, mut digits) = (Vec::new(), 0, 0);
         let mut parsed = count(0.7);
