@@ -65,7 +65,7 @@ fn main() {
         let recorder = Recorder::new();
         let phase = |name: &str| recorder.sign(Some(name));
         phase("plan");
-        let experiment = match Experiment::read(Path::new(&path)) {
+        let experiment = match Experiment::watched_read(Path::new(&path), false, &recorder) {
             Ok(experiment) => experiment,
             Err(error) => {
                 println!("{path}: {error}");
@@ -73,7 +73,7 @@ fn main() {
             }
         };
         phase("hash of input files");
-        let key = experiment.key();
+        let key = experiment.watched_key(&recorder);
         phase("run");
         let results = experiment.run(&recorder);
         phase("pages and tables");

@@ -3,8 +3,8 @@
 mod counted;
 mod timing;
 
-pub use crate::progress::PIECE;
-use counted::CountedContact;
+use crate::progress::PIECE;
+pub use counted::CountedContact;
 pub use timing::Timing;
 
 use std::sync::atomic::{AtomicU64, Ordering};

@@ -1,6 +1,5 @@
 //! `experiment export interface`: joints for programs for finite elements.
 
-use std::io::Write;
 use std::path::PathBuf;
 
 use asperity_experiment::Experiment;

@@ -1,6 +1,5 @@
 //! `experiment export map|asperities|patches`: what the models see of a surface.
 
-use std::io::Write;
 use std::path::PathBuf;
 
 use asperity::progress::Progress;
