@@ -123,6 +123,7 @@ def generated(points, more=""):
     return "generate]\n" + SELF_AFFINE.replace("POINTS", str(points)) + more
 
 
+SUMS = "attribution = false\nrank-models = false\n" + LOADS
 ALL = "robustness = true\n" + LAYER + LOADS
 SPECS = {
     "text": compare(file("map.txt")),
@@ -138,9 +139,9 @@ SPECS = {
     "fit": compare(file("map2048.npy", True, None) + 'fit = "auto"\n'),
     "all of a map of 2048": compare(file("map2048.npy", True, None), ALL),
     "all of a map of 4096": compare(file("map.npy", True, None), ALL),
-    "list, CSV": compare('asperities]\nfile = "list.csv"\nnominal-area = "100 mm2"\nindependent = true\n', LOADS),
-    "list, NumPy": compare('asperities]\nfile = "list.npy"\nnominal-area = "300 mm2"\nindependent = true\n', LOADS),
-    "population": compare('population]\nradius = "20 um"\nsigma = "48 nm"\ndensity = "6e10 /m^2"\ncount = 30_000_000\n', LOADS),
+    "list, CSV": compare('asperities]\nfile = "list.csv"\nnominal-area = "100 mm2"\nindependent = true\n', SUMS),
+    "list, NumPy": compare('asperities]\nfile = "list.npy"\nnominal-area = "300 mm2"\nindependent = true\n', SUMS),
+    "population": compare('population]\nradius = "20 um"\nsigma = "48 nm"\ndensity = "6e10 /m^2"\ncount = 30_000_000\n', SUMS),
     "reference of 2048": compare(generated(2048), 'models = ["statistical", "deterministic", "reference"]\npressure = "50 MPa"\n'),
     "reference, refined": compare(generated(2048), 'models = ["statistical", "deterministic", "reference"]\nreference = { refine = 2 }\npressure = "50 MPa"\n'),
     "generated, Gaussian": compare(generated(4096), LOADS),

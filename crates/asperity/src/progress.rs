@@ -2,7 +2,7 @@
 //!
 //! A sign of progress is also where a task ends that is no longer wanted: whoever watches then unwinds
 //! ([`std::panic::resume_unwind`]). No stage goes on for long without one: work that is not divided into rows or other short tasks is counted
-//! by a [`Count`].
+//! by a [`Count`]. Parallel tasks give their sign before they work: those that have not begun when one of them unwinds still begin.
 
 /// Receives the progress of a run: its steps, if there are several of similar length, and within a step one stage after
 /// the other. All methods do nothing by default and may be called from any thread; no result depends on them.

@@ -77,6 +77,7 @@ impl Convolution {
         rows.par_chunks_mut(BLOCK * stride).enumerate().for_each_init(
             || (vec![0.0; ny], vec![0.0; stride], self.rows.scratch()),
             |(row, packed, scratch), (block, tiles)| {
+                progress.advance(0.0);
                 let count = tiles.len() / stride;
                 for k in 0..count {
                     row.fill(0.0);
@@ -86,7 +87,6 @@ impl Convolution {
                         tile[k * waves.len()..][..waves.len()].copy_from_slice(waves);
                     }
                 }
-                progress.advance(0.0);
             },
         );
         self.respond(rows, &mut buffers.columns, progress);

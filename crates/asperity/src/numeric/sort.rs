@@ -11,8 +11,8 @@ pub(crate) fn sort(values: &mut [f64], progress: &dyn Progress) {
 
 fn halves(values: &mut [f64], done: &(dyn Fn(usize) + Sync)) {
     if values.len() <= PIECE {
-        values.sort_unstable_by(f64::total_cmp);
-        return done(values.len());
+        done(values.len());
+        return values.sort_unstable_by(f64::total_cmp);
     }
     let middle = values.len() / 2;
     values.select_nth_unstable_by(middle, f64::total_cmp);

@@ -98,6 +98,7 @@ fn left_out(
     let slopes: Vec<_> = setup.laws.iter().zip(states).map(of_case).collect();
     setup.progress.stage("sampling errors of the causes", division.shares().len() as f64);
     let without = |group: usize| {
+        setup.progress.advance(0.0);
         let rest = surface.without(division, group)?;
         setup.progress.advance(0.0);
         let models = models.of_part(&rest, setup.law_specs, true).ok()?;

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use crate::HeightMap;
 use crate::compare::{Generated, NotModelled, Scatter, State, pairs_at};
 use crate::numeric::stream_seed;
-use crate::progress::Share;
+use crate::progress::{Progress, Share};
 use crate::surface::{AnalysisDepth, Preparation, SummitSearch, Surface};
 use crate::topography::generate::{FittedProcess, roughness_scatter};
 
@@ -56,6 +56,7 @@ fn on_surfaces(
     setup.progress.stage("generated surfaces", GENERATED_SURFACES as f64);
     let within = &Share { progress: setup.progress, units: 0.0 };
     let sample = |number: usize| {
+        within.advance(0.0);
         let seed = stream_seed(setup.seed, &format!("generated surface {number} of {}", surface.name));
         let sample = of_map(
             Setup { progress: within, ..setup },

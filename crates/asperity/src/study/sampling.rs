@@ -75,6 +75,7 @@ fn left_out(
     setup.progress.stage("sampling errors", shares.len() as f64);
     let without = |group: usize| {
         let goes_on = || setup.progress.advance(0.0);
+        goes_on();
         let rest = surface.without(division, group);
         goes_on();
         let of_rest =

@@ -26,8 +26,8 @@ const STEP: f64 = 0.01;
 pub fn map_normals(heights: &dyn HeightDistribution, field: &mut [f64], scale: f64, progress: &dyn Progress) {
     let value = (field.len() as f64).recip();
     for_each_row(field, CHUNK, &|_, field| {
-        heights.map_normals(field, scale);
         progress.advance(value * field.len() as f64);
+        heights.map_normals(field, scale);
     });
 }
 

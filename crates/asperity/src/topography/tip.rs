@@ -95,18 +95,16 @@ impl Grid {
         let along_y: Vec<Vec<Lowest>> = heights
             .par_chunks(ny)
             .map(|heights| {
-                let lowest = self.lowest(heights, self.pixel[1]);
                 progress.advance(row);
-                lowest
+                self.lowest(heights, self.pixel[1])
             })
             .collect();
         let along_x: Vec<Vec<Lowest>> = (0..ny)
             .into_par_iter()
             .map(|iy| {
-                let heights: Vec<f64> = along_y.iter().map(|row| row[iy].height).collect();
-                let lowest = self.lowest(&heights, self.pixel[0]);
                 progress.advance(line);
-                lowest
+                let heights: Vec<f64> = along_y.iter().map(|row| row[iy].height).collect();
+                self.lowest(&heights, self.pixel[0])
             })
             .collect();
         let each = (0..nx * ny).into_par_iter().map(|k| {

@@ -339,9 +339,8 @@ fn rows_of(
     let bad = pieces.par_iter_mut().enumerate();
     let bad = bad.find_map_first(|(k, pieces)| {
         let read = pieces.first().map_or(0, |piece| piece.len());
-        let bad = piece(array, rows.start + k * ROWS, needed, options, pieces);
         progress.advance(read as f64 / count);
-        bad
+        piece(array, rows.start + k * ROWS, needed, options, pieces)
     });
     bad.map_or(Ok(found), Err)
 }
@@ -363,9 +362,8 @@ fn check_npy(
         let length = ROWS.min(rows - k * ROWS);
         let mut columns = vec![vec![0.0; length]; needed.len()];
         let mut pieces: Vec<&mut [f64]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
-        let bad = piece(&array, k * ROWS, needed, options, &mut pieces);
         progress.advance(length as f64 / rows as f64);
-        bad
+        piece(&array, k * ROWS, needed, options, &mut pieces)
     });
     match bad {
         Some(error) => Err(error),
