@@ -92,6 +92,7 @@ impl Preparation {
             eroded(straight, radius)
         });
         let cleaned: &dyn Rows = eroded.as_ref().map_or(straight, |(map, _)| map);
+        let cleaned: &dyn Rows = &Watched { map: cleaned, progress };
         progress.stage("levelling", 1.0);
         let levelled = Levelled { map: cleaned, form: self.level.form(cleaned)? };
         let filtered = match self.filter {

@@ -179,6 +179,7 @@ fn open(source: &Source) -> Result<(Checked, Body), ReadError> {
 /// Removes the comments of BCR-1.0, which begin with a semicolon; `count` is of the bytes.
 fn without_comments<'a>(text: &'a str, mut count: Count) -> Cow<'a, str> {
     if !text.contains(';') {
+        count.end();
         return Cow::Borrowed(text);
     }
     let bare = text.lines().map(|line| {

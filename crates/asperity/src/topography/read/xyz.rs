@@ -5,8 +5,9 @@
 
 use super::content::{Measured, Metadata};
 use super::error::ReadError;
+use crate::numeric::sort::sort;
 use crate::numeric::{LARGEST, is_positive};
-use crate::progress::{Count, Progress};
+use crate::progress::{Count, Progress, Share};
 
 /// The largest distance of a point from its line of the grid, pixels.
 const TOLERANCE: f64 = 0.2;
@@ -70,11 +71,12 @@ pub(super) fn measured(
     }
     checked.end();
     let is_stated = stated.is_some();
+    let of_axis = &Share { progress, units: 0.3 };
     let [x, y] = match stated {
         Some(Grid { axes }) => axes,
         None => [
-            Axis::find("x", points.iter().map(|point| point[0]).collect(), count(0.3))?,
-            Axis::find("y", points.iter().map(|point| point[1]).collect(), count(0.3))?,
+            Axis::find("x", points.iter().map(|point| point[0]).collect(), of_axis)?,
+            Axis::find("y", points.iter().map(|point| point[1]).collect(), of_axis)?,
         ],
     };
     let most = points.len().saturating_mul(SPARSEST);
@@ -128,14 +130,9 @@ struct Axis {
 
 impl Axis {
     /// Finds the lines that all `positions` lie on. Rounded positions of one line are first clustered by a trial
-    /// distance, which is increased until equidistant lines result; `count` is of the positions.
-    fn find(name: &str, mut positions: Vec<f64>, count: Count) -> Result<Self, ReadError> {
-        count.pieces(&mut positions, |piece| {
-            piece.sort_unstable_by(f64::total_cmp);
-            Ok::<_, ReadError>(())
-        })?;
-        // Merges the pieces.
-        positions.sort_by(f64::total_cmp);
+    /// distance, which is increased until equidistant lines result. One unit of work.
+    fn find(name: &str, mut positions: Vec<f64>, progress: &dyn Progress) -> Result<Self, ReadError> {
+        sort(&mut positions, progress);
         let (Some(&first), Some(&last)) = (positions.first(), positions.last()) else {
             return Err(no_grid("no point"));
         };
