@@ -140,7 +140,7 @@ impl Process {
     ) -> Vec<f64> {
         let mut spectrum = self.spectrum.on_grid(points, pixel);
         if self.heights != Heights::GAUSSIAN && self.of == SpectrumOf::Heights {
-            spectrum = spectrum.before(&Distortion::new(&*self.heights));
+            spectrum = spectrum.before(&Distortion::new(&*self.heights), progress);
         }
         field(&spectrum, &self.heights, self.sigma, seed, progress)
     }
