@@ -85,7 +85,7 @@ fn summits(surface: &HeightMap) -> String {
 /// Reads a list of asperities; its nominal area follows from the density of a case of Table 1.
 fn read(case: &str, path: &str) -> Option<(Population, AsperitySet)> {
     let population = population(case)?;
-    let list = AsperityList::read(Path::new(path), ListOptions::default()).ok()?;
+    let list = AsperityList::read(Path::new(path), ListOptions::default(), &Silent).ok()?;
     let area = list.count() as f64 / population.density;
     Some((population, list.set(area).ok()?))
 }

@@ -9,7 +9,7 @@ use std::time::SystemTime;
 use asperity::Material;
 use asperity::surface::{AnalysisDepth, Surface};
 use asperity::work::Counter;
-use asperity_contact_framework::digest::{hexadecimal, sha256, sha256_of_file};
+use asperity_contact_framework::digest::{hexadecimal, sha256, watched_sha256_of_file};
 use asperity_contact_framework::divided::AnyDivided;
 use asperity_contact_framework::input::material::MaterialOrigin;
 use asperity_contact_framework::input::{InputError, Source, SpecFile};
@@ -74,15 +74,15 @@ impl Experiment {
     /// # Errors
     /// What keeps it from running, with file, line and key.
     pub fn read(path: &Path) -> Result<Self, InputError> {
-        Self::read_spec(path, false)
+        Self::watched_read(path, false, &Silent)
     }
 
-    /// The same, to run also what needs gigabytes, where the spec has such a thing.
+    /// The same with progress where its files are large, to run also what needs gigabytes if `huge`, where the spec has such a thing.
     ///
     /// # Errors
     /// As [`Self::read`].
-    pub fn read_huge(path: &Path) -> Result<Self, InputError> {
-        Self::read_spec(path, true)
+    pub fn watched_read(path: &Path, huge: bool, progress: &dyn Progress) -> Result<Self, InputError> {
+        Self::of_spec(SpecFile::read(path, &tables())?.watched_by(progress), stem_of(path)?, huge)
     }
 
     /// The same, whose files must lie in the folder `root` (an absolute path without links).
@@ -97,16 +97,20 @@ impl Experiment {
         Self::of_spec(SpecFile::parse(source, &tables())?, stem_of(path)?, false)
     }
 
-    fn read_spec(path: &Path, huge: bool) -> Result<Self, InputError> {
-        Self::of_spec(SpecFile::read(path, &tables())?, stem_of(path)?, huge)
-    }
-
     /// An experiment from a text, whose report is called `stem`.
     ///
     /// # Errors
     /// As [`Self::read`].
     pub fn parse(source: Source, stem: &str) -> Result<Self, InputError> {
-        Self::of_spec(SpecFile::parse(source, &tables())?, stem.to_owned(), false)
+        Self::watched_parse(source, stem, &Silent)
+    }
+
+    /// The same with progress where its files are large.
+    ///
+    /// # Errors
+    /// As [`Self::read`].
+    pub fn watched_parse(source: Source, stem: &str, progress: &dyn Progress) -> Result<Self, InputError> {
+        Self::of_spec(SpecFile::parse(source, &tables())?.watched_by(progress), stem.to_owned(), false)
     }
 
     /// An experiment from a text, with its comparison where it is one, which can be run to an extent.
@@ -116,8 +120,9 @@ impl Experiment {
     pub(crate) fn with_comparison(
         source: Source,
         stem: &str,
+        progress: &dyn Progress,
     ) -> Result<(Self, Option<Arc<ComparePlan>>), InputError> {
-        let spec = SpecFile::parse(source, &tables())?;
+        let spec = SpecFile::parse(source, &tables())?.watched_by(progress);
         if kind(&spec)?.name() != Compare::NAME {
             return Ok((Self::of_spec(spec, stem.to_owned(), false)?, None));
         }
@@ -138,7 +143,12 @@ impl Experiment {
     ///
     /// # Errors
     /// As [`Self::read`].
-    pub fn describe(path: &Path, options: &FileOptions, name: Option<&str>) -> Result<Self, InputError> {
+    pub fn describe(
+        path: &Path,
+        options: &FileOptions,
+        name: Option<&str>,
+        progress: &dyn Progress,
+    ) -> Result<Self, InputError> {
         let is_spec = path.extension().is_some_and(|ending| ending == "toml");
         if is_spec && *options != FileOptions::default() {
             return Err(InputError::file(
@@ -168,6 +178,7 @@ impl Experiment {
             }
             Some(name) => name.to_owned(),
         };
+        let spec = spec.watched_by(progress);
         let planned =
             if is_spec { Planned::new(SurfacesPlan::new(&spec)?) } else { Planned::new(described(&spec)?) };
         let described =
@@ -258,7 +269,15 @@ impl Experiment {
     /// # Errors
     /// An input file that cannot be read.
     pub fn key(&self) -> Result<String, InputError> {
-        Ok(self.key_of(&self.input()?))
+        self.watched_key(&Silent)
+    }
+
+    /// The same with progress where its files are large.
+    ///
+    /// # Errors
+    /// As [`Self::key`].
+    pub fn watched_key(&self, progress: &dyn Progress) -> Result<String, InputError> {
+        Ok(self.key_of(&self.watched_input(progress)?))
     }
 
     /// The same on an [`Self::input`] that was hashed before.
@@ -278,7 +297,12 @@ impl Experiment {
     /// # Errors
     /// As [`Self::key`].
     pub fn input(&self) -> Result<String, InputError> {
-        self.input_by(sha256_of_file)
+        self.watched_input(&Silent)
+    }
+
+    /// The same with progress where its files are large.
+    pub(crate) fn watched_input(&self, progress: &dyn Progress) -> Result<String, InputError> {
+        self.input_by(|path| watched_sha256_of_file(path, progress))
     }
 
     /// The same with the SHA-256 of each file from `of_file`.
@@ -305,7 +329,7 @@ impl Experiment {
     /// # Errors
     /// What only a run can find: a map without a summit, a pressure that is not reached.
     pub fn run(&self, progress: &dyn Progress) -> Result<Box<dyn Outcome>, InputError> {
-        self.planned.plan.run(&self.context(&self.input()?, progress))
+        self.planned.plan.run(&self.context(&self.watched_input(progress)?, progress))
     }
 
     /// Runs it, where its input stays that of `key`, its [`Self::key`] before. What it has done is kept in the folder `kept`, and what
@@ -319,10 +343,10 @@ impl Experiment {
         kept: Option<&Path>,
         progress: &dyn Progress,
     ) -> Result<Box<dyn Outcome>, InputError> {
-        let (before, input) = (self.modified(), self.input()?);
+        let (before, input) = (self.modified(), self.watched_input(progress)?);
         let results = self.planned.plan.run(&RunContext { kept, ..self.context(&input, progress) });
         self.check_unchanged(&before)?;
-        if self.key()? != key {
+        if self.watched_key(progress)? != key {
             return Err(InputError::file(&self.source.path, "has an input file that changed; run again"));
         }
         results
@@ -425,7 +449,7 @@ pub fn make_surface(
     as_ellipses: bool,
     progress: &dyn Progress,
 ) -> Result<Surface, InputError> {
-    let spec = SpecFile::parse(source, &[SURFACES])?;
+    let spec = SpecFile::parse(source, &[SURFACES])?.watched_by(progress);
     let plans = surfaces(&spec, None, 0..0, as_ellipses)?;
     let [plan] = &plans[..] else {
         return Err(InputError::file(&spec.source.path, "found several surfaces; allowed: one"));

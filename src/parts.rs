@@ -91,7 +91,8 @@ impl Experiment {
             let message = format!("found tile {tile} of {}; allowed: below", divided.tiles());
             return Err(InputError::file(self.path(), message));
         }
-        let found = divided.pass(&self.context(&self.input()?, progress), tile..tile + 1, &[])?;
+        let found =
+            divided.pass(&self.context(&self.watched_input(progress)?, progress), tile..tile + 1, &[])?;
         serde_json::to_string(&found).map_err(|error| InputError::file(self.path(), error))
     }
 
@@ -123,7 +124,7 @@ impl Experiment {
         if tiles.len() != divided.tiles() {
             return Err(refuse(&format!("found {} tiles; allowed: all {}", tiles.len(), divided.tiles())));
         }
-        divided.merge(&self.context(&self.input()?, progress), &[tiles])
+        divided.merge(&self.context(&self.watched_input(progress)?, progress), &[tiles])
     }
 
     fn in_one_pass(&self) -> Result<&dyn AnyDivided, InputError> {

@@ -61,7 +61,12 @@ impl ExportedContacts {
     ///
     /// # Errors
     /// What keeps the comparison from being run, one without boundary elements or a load, a choice that there is not.
-    pub fn read(path: &Path, options: &FileOptions, choice: &SurfaceChoice) -> Result<Self, InputError> {
+    pub fn read(
+        path: &Path,
+        options: &FileOptions,
+        choice: &SurfaceChoice,
+        progress: &dyn Progress,
+    ) -> Result<Self, InputError> {
         let refuse = |message: &str| Err(InputError::file(path, message));
         let (source, stated) = if is_spec(path) {
             let ContactOptions { load, area, pressure, .. } = &options.contact;
@@ -85,7 +90,7 @@ impl ExportedContacts {
             (options.source(path), None)
         };
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-        let (experiment, plan) = Experiment::with_comparison(source, &stem)?;
+        let (experiment, plan) = Experiment::with_comparison(source, &stem, progress)?;
         let Some(plan) = plan else {
             return refuse(
                 "holds another kind of experiment; allowed: [compare], whose contacts boundary elements solve",
@@ -122,7 +127,7 @@ impl ExportedContacts {
         mut take: impl FnMut(&ExportedContact) -> Result<(), E>,
     ) -> Result<Vec<String>, E> {
         let Some(reference) = self.plan.reference.as_deref() else { return Ok(Vec::new()) };
-        let input = self.experiment.input()?;
+        let input = self.experiment.watched_input(progress)?;
         let context = self.experiment.context(&input, progress);
         let plan = self.surface();
         let counter = Counter::default();

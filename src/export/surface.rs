@@ -4,11 +4,12 @@ use std::path::{Path, PathBuf};
 
 use asperity::Ellipse;
 use asperity::npy;
+use asperity::progress::Count;
 use asperity::surface::{AnalysisDepth, Preparation, Step, Surface};
 use asperity::topography::write::{Note, Out};
 use asperity::topography::{Boundary, Rows};
 use asperity::work::Counter;
-use asperity_contact_framework::input::{InputError, SpecFile};
+use asperity_contact_framework::input::{InputError, Source, SpecFile};
 use asperity_contact_framework::metadata::Timing;
 use asperity_contact_framework::progress::{Progress, Silent};
 
@@ -18,7 +19,8 @@ use crate::surface::{FileOptions, SurfaceFactory, SurfacePlan, files_of, surface
 
 /// One surface of a spec, or that of a measured file.
 pub struct ExportedSurface {
-    spec: SpecFile,
+    source: Source,
+    seed: u64,
     /// The spec or the measured file.
     path: PathBuf,
     plan: SurfacePlan,
@@ -53,7 +55,12 @@ impl ExportedSurface {
     ///
     /// # Errors
     /// A spec or options that cannot be read, a choice that there is not.
-    pub fn read(path: &Path, options: &FileOptions, choice: &SurfaceChoice) -> Result<Self, InputError> {
+    pub fn read(
+        path: &Path,
+        options: &FileOptions,
+        choice: &SurfaceChoice,
+        progress: &dyn Progress,
+    ) -> Result<Self, InputError> {
         let spec = if is_spec(path) {
             refuse_options(path, options)?;
             SpecFile::read(path, &tables())?
@@ -61,11 +68,13 @@ impl ExportedSurface {
             options.check()?;
             SpecFile::parse(options.source(path), &tables())?
         };
+        let spec = spec.watched_by(progress);
         let mut all = surfaces(&spec, None, 0..0, false)?;
         let is_one_of_several = all.len() > 1;
         let (place, realisation) = chosen(path, &all, choice)?;
         let plan = all.swap_remove(place);
-        Ok(Self { spec, path: path.to_owned(), plan, realisation, is_one_of_several })
+        let SpecFile { source, seed, .. } = spec;
+        Ok(Self { source, seed, path: path.to_owned(), plan, realisation, is_one_of_several })
     }
 
     /// How the names of its files begin: the name of the spec or the file, of the surface where there are several, and the realisation.
@@ -118,7 +127,7 @@ impl ExportedSurface {
                 self.plan.name,
                 self.plan.describe()
             );
-            return Err(self.spec.source.error_at(self.plan.size_key.clone(), message));
+            return Err(self.source.error_at(self.plan.size_key.clone(), message));
         }
         self.plan = self.plan.with_own_ellipses();
         let counter = Counter::default();
@@ -139,12 +148,11 @@ impl ExportedSurface {
     }
 
     fn factory<'a>(&'a self, counter: &'a Counter, progress: &'a dyn Progress) -> SurfaceFactory<'a> {
-        SurfaceFactory::from_seed(&self.plan, &self.spec.source, self.spec.seed, counter, progress)
+        SurfaceFactory::from_seed(&self.plan, &self.source, self.seed, counter, progress)
     }
 
     fn origin(&self) -> Result<Vec<Note>, InputError> {
-        let SpecFile { source, seed, .. } = &self.spec;
-        origin(&self.path, &source.text, *seed, &self.plan, self.realisation)
+        origin(&self.path, &self.source.text, self.seed, &self.plan, self.realisation)
     }
 
     /// What is said of a map.
@@ -197,7 +205,8 @@ impl ExportedAsperities {
     ///
     /// # Errors
     /// A file that cannot be written.
-    pub fn write_csv(&self, out: &mut dyn Out) -> std::io::Result<()> {
+    pub fn write_csv(&self, out: &mut dyn Out, progress: &dyn Progress) -> std::io::Result<()> {
+        let mut count = Count::new(progress, 1.0, self.count() * self.columns.len());
         for (name, text) in &self.notes {
             writeln!(out, "# {name}: {text}")?;
         }
@@ -208,7 +217,9 @@ impl ExportedAsperities {
                 write!(out, "{}{:e}", if k > 0 { "," } else { "" }, column[row])?;
             }
             writeln!(out)?;
+            count.add(self.columns.len());
         }
+        count.end();
         Ok(())
     }
 
@@ -216,9 +227,11 @@ impl ExportedAsperities {
     ///
     /// # Errors
     /// As [`Self::write_csv`].
-    pub fn write_npy(&self, out: &mut dyn Out) -> std::io::Result<()> {
+    pub fn write_npy(&self, out: &mut dyn Out, progress: &dyn Progress) -> std::io::Result<()> {
+        let mut count = Count::new(progress, 1.0, self.count());
         let columns: Vec<&Vec<f64>> = self.of_array().map(|(_, column)| column).collect();
-        let values = (0..self.count()).flat_map(|row| columns.iter().map(move |column| column[row]));
+        let rows = (0..self.count()).inspect(|_| count.add(1));
+        let values = rows.flat_map(|row| columns.iter().map(move |column| column[row]));
         npy::write(out, [self.count(), columns.len()], values)
     }
 

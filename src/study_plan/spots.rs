@@ -319,7 +319,7 @@ impl SpotKeys<'_> {
 /// Bodies whose property of the name `key` is asked for at `span`.
 #[derive(Clone)]
 struct Bodies<'a> {
-    file: &'a SpecFile,
+    file: &'a SpecFile<'a>,
     bodies: SpottedBodies<'a>,
     thickness: f64,
     key: &'static str,

@@ -11,7 +11,7 @@ use asperity::{AsperityList, Draw, Ellipse, Ellipticity, Statistics};
 use asperity_contact_framework::RunContext;
 use asperity_contact_framework::input::{InMemory, InputError, Source};
 use asperity_contact_framework::metadata::Timing;
-use asperity_contact_framework::progress::{Progress, Silent};
+use asperity_contact_framework::progress::Progress;
 use asperity_contact_framework::report::format::{input_quantity, quantity};
 
 use super::files::Files;
@@ -139,6 +139,7 @@ impl<'a> SurfaceFactory<'a> {
         &self,
         preparation: Preparation,
         correlation: Option<CorrelationLengths>,
+        progress: &dyn Progress,
     ) -> Option<Surface> {
         let search = SummitSearch {
             preparation,
@@ -149,7 +150,7 @@ impl<'a> SurfaceFactory<'a> {
             correlation,
             spikes: None,
             keeps_map: false,
-            progress: &Silent,
+            progress,
         };
         self.counter.add(Item::Surfaces, 1);
         found(&self.plan.name, &search, (&**self.raw.as_ref()?, [false; 2]), &mut Timing::default()).ok()
@@ -158,7 +159,7 @@ impl<'a> SurfaceFactory<'a> {
     /// The surface of a `map` that was derived from the prepared map of a surface with these `facts`: not prepared further and not
     /// checked; summits are searched and separations measured as there, and its blocks are those of the same correlation
     /// lengths. `None` where it has no asperities.
-    pub fn derived(&self, map: &dyn Rows, facts: &MapFacts) -> Option<Surface> {
+    pub fn derived(&self, map: &dyn Rows, facts: &MapFacts, progress: &dyn Progress) -> Option<Surface> {
         let search = SummitSearch {
             preparation: Preparation::none(facts.neighbours),
             generation: facts.generation.clone(),
@@ -168,7 +169,7 @@ impl<'a> SurfaceFactory<'a> {
             correlation: facts.correlation,
             spikes: None,
             keeps_map: false,
-            progress: &Silent,
+            progress,
         };
         self.counter.add(Item::Surfaces, 1);
         found(&self.plan.name, &search, (map, [false; 2]), &mut Timing::default()).ok()
@@ -270,7 +271,9 @@ impl<'a> SurfaceFactory<'a> {
                 self.progress.stage("reading", 1.0);
                 let list = match source.content_in_memory(path) {
                     Some(InMemory::List(list)) => AsperityList::clone(list),
-                    _ => files.list(path, *given).map_err(|error| refuse(&list_message(path, &error)))?,
+                    _ => files
+                        .list(path, *given, self.progress)
+                        .map_err(|error| refuse(&list_message(path, &error)))?,
                 };
                 timing.read += start.elapsed();
                 let (contradictions, count) = (list.contradictions(), list.count());

@@ -47,12 +47,17 @@ impl<'a> Files<'a> {
     }
 
     /// The list at `path`.
-    pub fn list(&mut self, path: &Path, given: ListOptions) -> Result<AsperityList, ListError> {
+    pub fn list(
+        &mut self,
+        path: &Path,
+        given: ListOptions,
+        progress: &dyn Progress,
+    ) -> Result<AsperityList, ListError> {
         let reading = Reading::list(path, given);
         let is_needed_again = self.take(&reading);
         let read = || {
             self.counter.add(Item::Files, 1);
-            AsperityList::read(path, given).map(Arc::new)
+            AsperityList::read(path, given, progress).map(Arc::new)
         };
         let list = once(&mut self.lists, reading, is_needed_again, read)?;
         Ok(Arc::unwrap_or_clone(list))

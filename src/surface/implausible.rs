@@ -34,7 +34,7 @@ impl SurfacePlan {
             Origin::List { path, given, nominal_area, .. } => {
                 let list = match source.content_in_memory(path) {
                     Some(InMemory::List(list)) => AsperityList::clone(list),
-                    _ => AsperityList::read(path, *given).ok()?,
+                    _ => AsperityList::read(path, *given, &Silent).ok()?,
                 };
                 let density = list.count() as f64 / nominal_area;
                 let statistics = Statistics::new(&list.set(*nominal_area).ok()?);

@@ -9,7 +9,7 @@ use asperity::topography::fitness::Finding;
 use asperity::topography::summits::Neighbours;
 use asperity::topography::{HeightMap, Placement, RoughPair};
 use asperity::{GreenwoodTrippError, MeanRadius};
-use asperity_contact_framework::input::{InputError, Source, Spanned};
+use asperity_contact_framework::input::{InputError, Source, Spanned, SpecFile};
 use asperity_contact_framework::report::format::quantity;
 
 use super::files::Files;
@@ -57,16 +57,17 @@ impl PairPlan {
     /// # Errors
     /// Names that are not of surfaces with one height map whose pixel is known.
     pub(super) fn new(
-        source: &Source,
+        file: &SpecFile,
         raw: &PairSpec,
         all: &Surfaces,
         as_ellipses: bool,
     ) -> Result<Self, InputError> {
+        let source = &file.source;
         let body = |name: &Spanned<String>| {
             let refuse = |message: String| source.error_at(name.span(), message);
             let wanted = name.get_ref();
             let (name, spec) = named_surface(source, all, name, |spec| !spec.is_pair())?;
-            let plan = SurfacePlan::new(source, name, spec, all, as_ellipses)?;
+            let plan = SurfacePlan::new(file, name, spec, all, as_ellipses)?;
             if plan.has_given_asperities() {
                 return Err(refuse(format!(
                     "found \"{wanted}\", whose asperities have no height map; allowed: [surface.{wanted}.file] or [surface.{wanted}.generate], or \

@@ -89,6 +89,9 @@ impl MapPlan {
     }
 }
 
+/// The stage in which a file is looked through before a run.
+const CHECKING: &str = "checking the file";
+
 /// More are a study of their own.
 const MOST_REALISATIONS: u64 = 1000;
 
@@ -98,12 +101,13 @@ impl SurfacePlan {
     /// # Errors
     /// A file that is missing or is not what it should be; numbers that make no surface.
     pub(super) fn new(
-        source: &Source,
+        file: &SpecFile,
         name: &Spanned<String>,
         raw: &Spanned<SurfaceSpec>,
         all: &Surfaces,
         as_ellipses: bool,
     ) -> Result<Self, InputError> {
+        let source = &file.source;
         // The name becomes part of file names.
         let is_plain = |name: &str| {
             !name.is_empty() && name.chars().all(|c| c.is_alphanumeric() || c == '-' || c == '_')
@@ -115,9 +119,7 @@ impl SurfacePlan {
             ));
         }
         let (origin, size_key, realisations) = match raw.get_ref() {
-            SurfaceSpec::Asperities(list) => {
-                (Self::list(source, list, as_ellipses)?, list.file.span(), &None)
-            }
+            SurfaceSpec::Asperities(list) => (Self::list(file, list, as_ellipses)?, list.file.span(), &None),
             SurfaceSpec::Population(population) => {
                 let origin = Self::population(source, raw.span(), population, as_ellipses)?;
                 (origin, population.count.span(), &population.realisations)
@@ -126,11 +128,11 @@ impl SurfacePlan {
                 let origin = Origin::Generated(Box::new(Generation::new(source, raw.span(), generate)?));
                 (origin, generate.points.span(), &generate.realisations)
             }
-            SurfaceSpec::File(file) => (Self::map(source, file)?, file.path.span(), &None),
+            SurfaceSpec::File(map) => (Self::map(file, map)?, map.path.span(), &None),
             SurfaceSpec::Pair(pair) => match composite::of_populations(source, pair, all)? {
                 Some(composite) => (composite, pair.a.span(), &None),
                 None => {
-                    let plan = PairPlan::new(source, pair, all, as_ellipses)?;
+                    let plan = PairPlan::new(file, pair, all, as_ellipses)?;
                     (Origin::Pair(Box::new(plan)), pair.a.span(), &pair.shifts)
                 }
             },
@@ -158,7 +160,8 @@ impl SurfacePlan {
         Self { name, size_key, realisations, as_ellipses, origin: Origin::Generated(Box::new(generation)) }
     }
 
-    fn list(source: &Source, raw: &ListSpec, as_ellipses: bool) -> Result<Origin, InputError> {
+    fn list(file: &SpecFile, raw: &ListSpec, as_ellipses: bool) -> Result<Origin, InputError> {
+        let source = &file.source;
         let path = beside(source, &raw.file)?;
         let unit = raw.unit.as_ref().map(|unit| unit.get_ref().0);
         let given = ListOptions { as_ellipses, unit };
@@ -172,11 +175,14 @@ impl SurfacePlan {
                 ));
             }
             Some(InMemory::List(list)) => list.count(),
-            None => AsperityList::check(&path, given).map_err(|error| {
-                let key = raw.unit.as_ref().filter(|_| matches!(error, ListError::UnitHeld { .. }));
-                let key = key.map_or_else(|| raw.file.span(), Spanned::span);
-                source.error_at(key, list_message(&path, &error))
-            })?,
+            None => {
+                file.progress.stage(CHECKING, 1.0);
+                AsperityList::check(&path, given, file.progress).map_err(|error| {
+                    let key = raw.unit.as_ref().filter(|_| matches!(error, ListError::UnitHeld { .. }));
+                    let key = key.map_or_else(|| raw.file.span(), Spanned::span);
+                    source.error_at(key, list_message(&path, &error))
+                })?
+            }
         };
         let nominal_area = raw.nominal_area.value();
         Ok(Origin::List { path, given, rows, nominal_area, is_independent: raw.independent })
@@ -207,7 +213,8 @@ impl SurfacePlan {
         Ok(Origin::Population { population, ratio, count, draw: raw.draw, plane, bodies: None })
     }
 
-    fn map(source: &Source, raw: &FileSpec) -> Result<Origin, InputError> {
+    fn map(spec: &SpecFile, raw: &FileSpec) -> Result<Origin, InputError> {
+        let source = &spec.source;
         let path = beside(source, &raw.path)?;
         let refuse = |error: &dyn std::fmt::Display| {
             source.error_at(raw.path.span(), format!("{} {error}", path.display()))
@@ -230,16 +237,19 @@ impl SurfacePlan {
                 return Err(refuse(&"is a map in memory; allowed: leave missing, channel and transpose out"));
             }
             Some(map) => Metadata::in_memory(&**map),
-            None => file.metadata().map_err(|error| {
-                let key = match error {
-                    ReadError::Channel { .. } | ReadError::NoChannels { .. } => {
-                        raw.channel.as_ref().map(Spanned::span)
-                    }
-                    _ => None,
-                };
-                let message = format!("{} {}", path.display(), spec_message(&error));
-                source.error_at(key.unwrap_or_else(|| raw.path.span()), message)
-            })?,
+            None => {
+                spec.progress.stage(CHECKING, 1.0);
+                file.watched_metadata(spec.progress).map_err(|error| {
+                    let key = match error {
+                        ReadError::Channel { .. } | ReadError::NoChannels { .. } => {
+                            raw.channel.as_ref().map(Spanned::span)
+                        }
+                        _ => None,
+                    };
+                    let message = format!("{} {}", path.display(), spec_message(&error));
+                    source.error_at(key.unwrap_or_else(|| raw.path.span()), message)
+                })?
+            }
         };
         let points = metadata.points;
         if points.iter().any(|&count| count < 3) {
@@ -483,7 +493,7 @@ pub fn surfaces(
     as_ellipses: bool,
 ) -> Result<Vec<SurfacePlan>, InputError> {
     let all: Surfaces = file.table("surface")?.map(Spanned::into_inner).unwrap_or_default();
-    let plan = |name: &Spanned<String>, raw| SurfacePlan::new(&file.source, name, raw, &all, as_ellipses);
+    let plan = |name: &Spanned<String>, raw| SurfacePlan::new(file, name, raw, &all, as_ellipses);
     let Some(named) = named else {
         if all.is_empty() {
             return Err(file.source.error_at(

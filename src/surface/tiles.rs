@@ -14,7 +14,7 @@ use asperity::{
 };
 use asperity_contact_framework::input::{InMemory, InputError, Source};
 use asperity_contact_framework::metadata::Timing;
-use asperity_contact_framework::progress::Silent;
+use asperity_contact_framework::progress::{Progress, Silent};
 
 use super::factory::SurfaceFactory;
 use super::files::Files;
@@ -161,6 +161,7 @@ impl SurfaceTiles {
         plan: &'a SurfacePlan,
         source: &'a Source,
         seed: u64,
+        progress: &dyn Progress,
     ) -> Result<OpenTiles<'a>, InputError> {
         let mut open = OpenTiles { tiles: self, plan, source, seed, map: None, origin: 0.0, radius: 0.0 };
         let refuse = |message: String| source.error_at(plan.size_key.clone(), message);
@@ -174,9 +175,12 @@ impl SurfaceTiles {
             Origin::Map(map) => {
                 let rows: Arc<dyn Rows> = match source.content_in_memory(&map.file.path) {
                     Some(InMemory::Map(rows)) => Arc::clone(rows),
-                    _ => map.file.unchecked_rows().map(Arc::from).map_err(|error| {
-                        refuse(format!("{} {}", map.file.path.display(), spec_message(&error)))
-                    })?,
+                    _ => {
+                        progress.stage("reading", 1.0);
+                        map.file.unchecked_rows(progress).map(Arc::from).map_err(|error| {
+                            refuse(format!("{} {}", map.file.path.display(), spec_message(&error)))
+                        })?
+                    }
                 };
                 open.origin = first_height(&*rows).unwrap_or(0.0);
                 open.map = Some(rows);

@@ -269,7 +269,7 @@ impl Find {
         places: &[usize],
         change: impl FnOnce(&mut Table) -> Result<(), String>,
     ) -> Result<Vec<Point>, InputError> {
-        let case = run.plan().varied(places, |table| {
+        let case = run.plan().varied(run.progress(), places, |table| {
             change(table)?;
             without_what_is_not_shown(table);
             if let Some(compare) = table.get_mut(Compare::NAME).and_then(Value::as_table_mut) {

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use asperity_contact_framework::input::{InputError, Source, Spanned, SpecFile};
+use asperity_contact_framework::progress::Progress;
 use asperity_contact_framework::report::table::Schema;
 use asperity_contact_framework::{Kind, Memory};
 use toml::{Table, Value};
@@ -78,7 +79,11 @@ impl Base {
     ///
     /// # Errors
     /// What keeps it from running, without file and line.
-    pub fn with(&self, changes: impl FnOnce(&mut Table) -> Result<(), String>) -> Result<VariedCase, String> {
+    pub fn with(
+        &self,
+        progress: &dyn Progress,
+        changes: impl FnOnce(&mut Table) -> Result<(), String>,
+    ) -> Result<VariedCase, String> {
         /// What its report would be called.
         const STEM: &str = "variation";
         let mut table = self.table.clone();
@@ -89,7 +94,7 @@ impl Base {
             Some(key) => format!("{key}: {}", error.message()),
             None => error.message().to_owned(),
         };
-        let (experiment, comparison) = Experiment::with_comparison(source, STEM).map_err(words)?;
+        let (experiment, comparison) = Experiment::with_comparison(source, STEM, progress).map_err(words)?;
         Ok(VariedCase { experiment, comparison, text })
     }
 }
@@ -131,7 +136,7 @@ impl SweepPlan {
                 without_what_is_not_shown(table);
                 Ok(())
             };
-            let case = base.with(put).map_err(|message| {
+            let case = base.with(file.progress, put).map_err(|message| {
                 let words = words(&keys, &places);
                 source.error_at(at(&keys[0].name), format!("variation {} ({words}): {message}", number + 1))
             })?;
@@ -156,10 +161,11 @@ impl SweepPlan {
     /// What keeps it from running.
     pub fn varied(
         &self,
+        progress: &dyn Progress,
         places: &[usize],
         changes: impl FnOnce(&mut Table) -> Result<(), String>,
     ) -> Result<VariedCase, String> {
-        self.base.with(|table| {
+        self.base.with(progress, |table| {
             put(table, &self.keys, places)?;
             changes(table)
         })

@@ -198,6 +198,11 @@ impl<'a> Run<'a> {
         Ok(SweepResults::new(metadata, self.plan, found, crossings.into_iter().flatten().collect()))
     }
 
+    /// Whoever watches.
+    pub fn progress(&self) -> &'a dyn Progress {
+        self.context.progress
+    }
+
     /// The plan.
     pub fn plan(&self) -> &SweepPlan {
         self.plan

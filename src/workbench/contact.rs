@@ -6,7 +6,7 @@ use std::time::{SystemTime, UNIX_EPOCH};
 use asperity::surface::AnalysisDepth;
 use asperity::work::Counter;
 use asperity_contact_framework::input::InputError;
-use asperity_contact_framework::progress::Progress;
+use asperity_contact_framework::progress::{Progress, Silent};
 use asperity_contact_framework::report::table::Tables;
 use asperity_workbench::{Prepared, Refused, SpecText, Stage};
 use serde_json::{Value, json};
@@ -32,7 +32,7 @@ pub struct Contact {
 
 impl Contact {
     pub fn new(spec: &SpecText, surfaces: Arc<Surfaces>) -> Result<Self, InputError> {
-        let (experiment, compare) = Experiment::with_comparison(source(spec), NAME)?;
+        let (experiment, compare) = Experiment::with_comparison(source(spec), NAME, &Silent)?;
         Ok(Self { experiment, compare, spec: spec.clone(), surfaces, samplings: Samplings::default() })
     }
 }

@@ -48,6 +48,7 @@ mod lists;
 mod main_figure;
 mod materials;
 mod pairs;
+mod progress;
 mod random_specs;
 mod ranking;
 mod readings;

@@ -260,7 +260,8 @@ fn a_surface_description_evaluates_no_contacts() {
     fs::write(&path, rows.collect::<Vec<_>>().join("\n")).unwrap();
     let spec = folder.path().join("spec.toml");
     fs::write(&spec, "title = \"t\"\n[surface.a.file]\npath = \"map.txt\"\npixel = \"1 um\"\n").unwrap();
-    let found = Experiment::describe(&spec, &FileOptions::default(), None).unwrap().run(&Silent).unwrap();
+    let found =
+        Experiment::describe(&spec, &FileOptions::default(), None, &Silent).unwrap().run(&Silent).unwrap();
     assert_eq!(found.metadata().work, Some(Work { files_read: 1, surfaces_made: 1, ..Work::default() }));
 }
 

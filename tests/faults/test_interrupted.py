@@ -176,3 +176,33 @@ def test_exports_at_random_moments(place):
     assert run(*export, cwd=place.folder).code == 0
     assert content(folder) in versions
     assert leftovers(folder) == []
+
+
+GENERATED = """\
+points = 700
+pixel = "1 um"
+spectrum.self-affine = { hurst = 0.8, roll-off = "64 um", cut-off = "8 um" }
+sigma = "100 nm"
+"""
+
+
+@pytest.mark.parametrize("form", ["xyz", "x3p"])
+def test_exports_end_at_once(tmp_path, form):
+    """An interrupted export leaves neither a part of a file nor what was to become one, and does not wait for a large file."""
+    (tmp_path / "g.toml").write_text(spec(1, "generate", GENERATED))
+    export = ("export", "map", "g.toml", "--format", form, "--out", "exported", "--force")
+    folder = tmp_path / "exported"
+    begin = time.monotonic()
+    assert run(*export, cwd=tmp_path).code == 0
+    longest, whole = time.monotonic() - begin, content(folder)
+    rng = random.Random(9)
+    for trial in range(count(5, 50)):
+        if trial % 2:
+            shutil.rmtree(folder, ignore_errors=True)
+        number = signal.SIGINT if trial % 3 else signal.SIGTERM
+        ended = ended_at(rng.uniform(0.1 * longest, longest), number, *export, cwd=tmp_path)
+        assert ended.code in (0, -number, 128 + number), ended
+        if ended.code == 128 + number:
+            assert "interrupted; " in ended.errors and "error" not in ended.errors.lower() and "fail" not in ended.errors.lower(), ended
+        if folder.exists():
+            assert leftovers(folder) == [] and content(folder) in (whole, {}), ended

@@ -5,6 +5,7 @@ use std::io::{ErrorKind, Read, Seek, Write};
 use std::path::Path;
 use std::time::SystemTime;
 
+use asperity::progress::{Count, Progress, Silent};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
@@ -18,13 +19,27 @@ pub fn sha256(bytes: &[u8]) -> [u8; 32] {
 /// # Errors
 /// A file that cannot be read.
 pub fn sha256_of_file(path: &Path) -> std::io::Result<[u8; 32]> {
+    watched_sha256_of_file(path, &Silent)
+}
+
+/// [`sha256_of_file`] with progress: a stage of the bytes of the file.
+///
+/// # Errors
+/// A file that cannot be read.
+pub fn watched_sha256_of_file(path: &Path, progress: &dyn Progress) -> std::io::Result<[u8; 32]> {
     let mut file = std::fs::File::open(path)?;
+    let bytes = file.metadata()?.len();
+    progress.stage("comparing files", bytes as f64);
+    let mut count = Count::new(progress, bytes as f64, bytes as usize);
     let mut hash = Sha256::new();
     let mut buffer = vec![0; 1 << 16];
     loop {
         match file.read(&mut buffer)? {
             0 => return Ok(hash.finalize().into()),
-            length => hash.update(&buffer[..length]),
+            length => {
+                hash.update(&buffer[..length]);
+                count.add(length);
+            }
         }
     }
 }

@@ -1,3 +1,3 @@
 //! Progress of a run, as the library reports it.
 
-pub use asperity::progress::{Progress, Silent};
+pub use asperity::progress::{Named, Progress, Silent};

@@ -115,8 +115,8 @@ fn python_of(py: Python<'_>, value: toml::Value) -> PyResult<Bound<'_, PyAny>> {
 #[pyo3(signature = (spec, *, name="asperity", folder=PathBuf::new()))]
 pub fn key(py: Python, spec: &Bound<PyDict>, name: &str, folder: PathBuf) -> PyResult<String> {
     let (source, name) = (source_of(spec, &folder)?, name.to_owned());
-    let found = py.detach(|| Experiment::parse(source, &name)?.key());
-    found.map_err(|error| refuse(error.to_string()))
+    let work = move |watch: &Watch| Experiment::watched_parse(source, &name, watch)?.watched_key(watch);
+    interruptible(py, work)?.map_err(|error| refuse(error.to_string()))
 }
 
 /// The variations of a dictionary with ``sweep``: for each the values of its keys, and its spec.
@@ -140,7 +140,8 @@ pub fn variations<'py>(
 #[pyo3(signature = (spec, *, name, folder))]
 pub fn tiles(py: Python, spec: &Bound<PyDict>, name: &str, folder: PathBuf) -> PyResult<usize> {
     let (source, name) = (source_of(spec, &folder)?, name.to_owned());
-    py.detach(|| Experiment::parse(source, &name)?.tiles()).map_err(|error| refuse(error.to_string()))
+    let work = move |watch: &Watch| Experiment::watched_parse(source, &name, watch)?.tiles();
+    interruptible(py, work)?.map_err(|error| refuse(error.to_string()))
 }
 
 /// What one tile finds, as JSON.
@@ -154,7 +155,7 @@ pub fn run_tile(
     folder: PathBuf,
 ) -> PyResult<String> {
     let (source, name) = (source_of(spec, &folder)?, name.to_owned());
-    let work = move |watch: &Watch| Experiment::parse(source, &name)?.run_tile(tile, watch);
+    let work = move |watch: &Watch| Experiment::watched_parse(source, &name, watch)?.run_tile(tile, watch);
     interruptible(py, work)?.map_err(|error| refuse(error.to_string()))
 }
 
@@ -171,7 +172,8 @@ pub fn merge_tiles(
 ) -> PyResult<Run> {
     let (source, name) = (source_of(spec, &folder)?, name.to_owned());
     let work = move |watch: &Watch| {
-        finish(Experiment::parse(source, &name), report, |experiment| experiment.merge_tiles(&found, watch))
+        let experiment = Experiment::watched_parse(source, &name, watch);
+        finish(experiment, report, |experiment| experiment.merge_tiles(&found, watch))
     };
     Ok(interruptible(py, work)??)
 }
@@ -363,14 +365,18 @@ pub fn run(
         Ok(table) => {
             let source = source_of(table, &folder)?.with_in_memory(in_memory_of(in_memory)?);
             Box::new(move |watch| {
-                finish(Experiment::parse(source, &name), report, |experiment| experiment.run(watch))
+                let experiment = Experiment::watched_parse(source, &name, watch);
+                finish(experiment, report, |experiment| experiment.run(watch))
             })
         }
         Err(_) => {
             let path: PathBuf = spec
                 .extract()
                 .map_err(|_| refuse("spec: allowed: the path of a spec file, or a dictionary"))?;
-            Box::new(move |watch| finish(Experiment::read(&path), report, |experiment| experiment.run(watch)))
+            Box::new(move |watch| {
+                let experiment = Experiment::watched_read(&path, false, watch);
+                finish(experiment, report, |experiment| experiment.run(watch))
+            })
         }
     };
     Ok(interruptible(py, work)??)

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use asperity::HeightMap;
 use asperity::topography::read::{LengthUnits, MapFile, ReadError, ReadOptions};
 use asperity::topography::write::{FORMATS, MapFormat, Note};
-use asperity::topography::{Boundary, Rows};
+use asperity::topography::{Boundary, Rows, Watched};
 use asperity::units::Dimension;
 use asperity_contact_framework::input::InMemory;
 use asperity_experiment::surface::fit_rows::fit_records;
@@ -104,7 +104,7 @@ impl Map {
         let file = MapFile { path, options: ReadOptions { pixel, unit }, missing, transpose, channel };
         let shown = file.path.display().to_string();
         let rows = move |watch: &Watch| -> Result<_, ReadError> {
-            let (metadata, rows) = (file.metadata()?, file.rows(watch)?);
+            let (metadata, rows) = (file.watched_metadata(watch)?, file.rows(watch)?);
             let caveats = caveats(&metadata, rows.pixel(), &file);
             Ok((Self(Arc::from(rows)), caveats))
         };
@@ -124,8 +124,11 @@ impl Map {
             refuse(format!("{} ends in \".{ending}\"; allowed: {endings}", path.display()))
         })?;
         let program: Note = ("Program", format!("asperity {}", env!("CARGO_PKG_VERSION")));
-        let written = py.detach(|| format.write_file(&path, &*self.0, &[program]));
-        Ok(written?)
+        let map = Arc::clone(&self.0);
+        let write = move |watch: &Watch| {
+            format.write_file(&path, &Watched { map: &*map, progress: watch }, &[program])
+        };
+        Ok(interruptible(py, write)??)
     }
 
     /// Points along x and y.

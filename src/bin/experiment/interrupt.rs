@@ -1,11 +1,16 @@
 //! Ctrl-C and SIGTERM: one line that says what became of the run, exit code 130 or 143, and no report that is half written.
 
-use std::io::{IsTerminal, Write};
+use std::io::{self, IsTerminal, Seek, SeekFrom, Write};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
+use asperity::topography::write::Out;
+
 /// Held while a report is written: an interruption waits for it.
 static WRITING: Mutex<()> = Mutex::new(());
+
+/// Whether a signal has come.
+static HAS_COME: AtomicBool = AtomicBool::new(false);
 
 /// Reports that were written.
 static WRITTEN: AtomicUsize = AtomicUsize::new(0);
@@ -44,6 +49,7 @@ pub fn handle() {
 
 /// Ends the program with one line, once a report that is being written is whole.
 fn end(code: i32) {
+    HAS_COME.store(true, Ordering::Relaxed);
     let _whole = begin_writing();
     let mut to = std::io::stderr();
     // Below the bar of progress.
@@ -74,6 +80,53 @@ pub fn of_workbench() {
 /// Begins to write a report; an interruption waits until the guard is dropped.
 pub fn begin_writing() -> MutexGuard<'static, ()> {
     WRITING.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Whether a signal has come that ends the program.
+pub fn has_come() -> bool {
+    HAS_COME.load(Ordering::Relaxed)
+}
+
+/// Waits for the end of the program, of which another thread takes care once nothing is being written.
+pub fn wait_for_the_end(writing: MutexGuard<'static, ()>) -> ! {
+    drop(writing);
+    loop {
+        std::thread::park();
+    }
+}
+
+/// A file that may be large: writing fails once a signal has come, so that its writer gives it up and nobody waits for it.
+pub struct GivenUp<'a> {
+    out: &'a mut dyn Out,
+    has_failed: bool,
+}
+
+impl<'a> GivenUp<'a> {
+    /// What is written to `out`.
+    pub fn new(out: &'a mut dyn Out) -> Self {
+        Self { out, has_failed: false }
+    }
+}
+
+impl Write for GivenUp<'_> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        // Once: the end of an archive, which is written in any case, is no second error.
+        if has_come() && !self.has_failed {
+            self.has_failed = true;
+            return Err(io::Error::other("interrupted"));
+        }
+        self.out.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.out.flush()
+    }
+}
+
+impl Seek for GivenUp<'_> {
+    fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
+        self.out.seek(to)
+    }
 }
 
 /// Counts a report that was written.

@@ -85,7 +85,7 @@ fn main() -> ExitCode {
     interrupt::handle();
     let outcome = match cli.command {
         None => set_threads(&cli.options).and_then(|()| specs_in(Path::new(SPECS))).and_then(|files| {
-            let experiments = read_all(&files, &cli.extent)?;
+            let experiments = read_all(&files, &cli.extent, cli.options.quiet)?;
             let is_run = |experiment: &Experiment| cli.full || !experiment.is_long();
             run(experiments.into_iter().filter(is_run).collect(), &cli.options)
         }),
@@ -93,7 +93,7 @@ fn main() -> ExitCode {
             run_parts(&files, &extent, &options, part, &parts)
         }
         Some(Command::Run { files, extent, options, .. }) => set_threads(&options)
-            .and_then(|()| read_all(&files, &extent))
+            .and_then(|()| read_all(&files, &extent, options.quiet))
             .and_then(|experiments| run(experiments, &options)),
         Some(Command::Merge { files, parts, options }) => merge(&files, &parts, &options),
         Some(Command::List { out }) => list(&out),
@@ -178,12 +178,12 @@ fn specs_in(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
 }
 
 /// Reads all specs before anything runs: a single invalid one stops the run.
-fn read_all(files: &[PathBuf], extent: &Extent) -> Result<Vec<Experiment>, Failure> {
+fn read_all(files: &[PathBuf], extent: &Extent, is_quiet: bool) -> Result<Vec<Experiment>, Failure> {
     let mut experiments: Vec<Experiment> = Vec::new();
     let mut errors = Vec::new();
     for file in files {
-        let read = if extent.huge { Experiment::read_huge } else { Experiment::read };
-        match read(file) {
+        let name = file.file_stem().unwrap_or_default().to_string_lossy();
+        match watched(&name, is_quiet, |progress| Experiment::watched_read(file, extent.huge, progress)) {
             Ok(experiment) if experiments.iter().any(|other| other.stem() == experiment.stem()) => {
                 errors.push(format!(
                     "{}: found a second file called {} in this run, which would write the same report; allowed: each name \
@@ -239,10 +239,11 @@ fn run_parts(
 ) -> Result<(), Failure> {
     set_threads(options)?;
     interrupt::of_parts(true);
-    for experiment in read_all(files, extent)? {
+    for experiment in read_all(files, extent, options.quiet)? {
         let start = Instant::now();
-        let run =
-            watched(experiment.stem(), options, |progress| experiment.run_part(part, folder, progress))?;
+        let run = watched(experiment.stem(), options.quiet, |progress| {
+            experiment.run_part(part, folder, progress)
+        })?;
         let name = format!("{} part {part}", experiment.stem());
         for path in &run.written {
             say(options, &format!("{name}: {} written in {} s", path.display(), seconds(start)));
@@ -271,10 +272,11 @@ fn run_parts(
 fn merge(files: &[PathBuf], folder: &Path, options: &RunOptions) -> Result<(), Failure> {
     set_threads(options)?;
     let mut store = open_store(options)?;
-    for experiment in read_all(files, &Extent { huge: false })? {
+    for experiment in read_all(files, &Extent { huge: false }, options.quiet)? {
         let start = Instant::now();
         store.check(experiment.stem())?;
-        let merged = watched(experiment.stem(), options, |progress| experiment.merge(folder, progress))?;
+        let merged =
+            watched(experiment.stem(), options.quiet, |progress| experiment.merge(folder, progress))?;
         write_report(&experiment, Place::ALONE, &*merged.outcome, &merged.key, &mut store, options, start)?;
     }
     update_index(&mut store, options)
@@ -283,10 +285,10 @@ fn merge(files: &[PathBuf], folder: &Path, options: &RunOptions) -> Result<(), F
 /// Runs with a display of progress, unless that is not wanted.
 fn watched<T, E>(
     name: &str,
-    options: &RunOptions,
+    is_quiet: bool,
     run: impl FnOnce(&dyn Progress) -> Result<T, E>,
 ) -> Result<T, E> {
-    if options.quiet {
+    if is_quiet {
         return run(&Silent);
     }
     let monitor = Monitor::new(name);
@@ -326,14 +328,17 @@ fn surface(
     options: &RunOptions,
 ) -> Result<(), Failure> {
     set_threads(options)?;
-    let experiment = Experiment::describe(file, &file_options, name)?;
+    let shown = file.file_stem().unwrap_or_default().to_string_lossy();
+    let experiment =
+        watched(&shown, options.quiet, |progress| Experiment::describe(file, &file_options, name, progress))?;
     if let Some(spec) = save_spec {
         check_save_spec(file, spec)?;
     }
     let mut store = open_store(options)?;
     store.check(experiment.stem())?;
     check_same_file(&experiment, &options.out.join(experiment.stem()))?;
-    let results = run_and_write(&experiment, Place::ALONE, &experiment.key()?, &mut store, options)?;
+    let key = watched(experiment.stem(), options.quiet, |progress| experiment.watched_key(progress))?;
+    let results = run_and_write(&experiment, Place::ALONE, &key, &mut store, options)?;
     say_answer(&experiment, &*results, options);
     if let Some(spec) = save_spec {
         write_new(spec, &saved_spec(&file_options, file, spec, &*results))?;
@@ -375,7 +380,7 @@ fn run_one(
     options: &RunOptions,
 ) -> Result<Done, Failure> {
     let start = Instant::now();
-    let key = experiment.key()?;
+    let key = watched(experiment.stem(), options.quiet, |progress| experiment.watched_key(progress))?;
     let folder = options.out.join(experiment.stem());
     if !options.force && store.is_current(experiment.stem(), &key) {
         say(options, &format!("{place}{} is unchanged ({} s)", folder.display(), seconds(start)));
@@ -408,7 +413,7 @@ fn run_and_write(
     let name = format!("{place}{}", experiment.stem());
     interrupt::of_parts(experiment.is_sweep());
     let kept = options.out.join(KEPT).join(experiment.stem());
-    let results = watched(&name, options, |progress| experiment.run_on(key, Some(&kept), progress))?;
+    let results = watched(&name, options.quiet, |progress| experiment.run_on(key, Some(&kept), progress))?;
     write_report(experiment, place, &*results, key, store, options, start)?;
     Ok(results)
 }
@@ -483,7 +488,7 @@ fn list(out: &Path) -> Result<(), Failure> {
 
 fn check(files: &[PathBuf], extent: &Extent) -> Result<(), Failure> {
     let mut errors = Vec::new();
-    for experiment in read_all(files, extent)? {
+    for experiment in read_all(files, extent, false)? {
         print_text(&experiment.to_string());
         errors.extend(experiment.check().err().map(|error| error.to_string()));
     }

@@ -5,6 +5,7 @@ use asperity::surface::Surface;
 use asperity::work::Counter;
 use asperity_contact_framework::RunContext;
 use asperity_contact_framework::input::accept::AcceptSpec;
+use asperity_contact_framework::progress::Progress;
 
 use super::plan::ComparePlan;
 use crate::surface::SurfaceFactory;
@@ -29,7 +30,7 @@ pub fn treatments(
 ) -> Option<Treatments> {
     let own = factory.preparation().filter(|_| plan.is_robustness_examined)?;
     let correlation = surface.map.as_ref()?.correlation;
-    let prepare = |preparation| factory.prepared(preparation, correlation);
+    let prepare = |preparation, progress: &dyn Progress| factory.prepared(preparation, correlation, progress);
     let treated = under_treatments(plan.setup(context), surface, &own, cases, prepare, counter)?;
     Some(Treatments { own_cut_off: own.filter.and_then(|filter| filter.s()), treated })
 }

@@ -6,14 +6,14 @@ use asperity::compare::{CaseSampling, Division, LeftOut};
 use asperity::plasticity_index;
 use asperity::study::{Setup, StudyError, study};
 use asperity::surface::{AnalysisDepth, Independence, Surface};
-use asperity::topography::{Filter, FilterError, Rows, Sampled};
+use asperity::topography::{Filter, FilterError, Rows, Sampled, Watched};
 use asperity::work::Counter;
 use asperity::{AsperitySet, HeightMap, Statistics, literature};
 use asperity_contact_framework::RunContext;
 use asperity_contact_framework::contact::{contact_metadata, papers_of};
 use asperity_contact_framework::input::InputError;
 use asperity_contact_framework::metadata::Timing;
-use asperity_contact_framework::progress::Silent;
+use asperity_contact_framework::progress::{Named, Progress};
 
 use super::plan::IntervalPlan;
 use super::quantity::Asperities;
@@ -41,7 +41,6 @@ pub(super) fn run(context: &RunContext, plan: &IntervalPlan) -> Result<IntervalR
         let mut factory = SurfaceFactory::new(surface, context, &counter).keeping_map(true);
         let mut made = factory.make(1, AnalysisDepth::Comparison, &mut files, &mut timing)?;
         papers.extend(made.papers());
-        context.progress.stage("intervals and filters", plan.scales() as f64);
         let mut series = Vec::new();
         // Planned surfaces have a map, which is kept.
         if let Some(prepared) = made.prepared.take() {
@@ -89,40 +88,45 @@ impl Variants<'_> {
             let series = Series { surface: surface.name.clone(), variation, scales, trends: Vec::new() };
             series.with_trends(&study.controls.pressures, &accepted)
         };
-        let sampled = intervals.iter().map(|&every| self.sampled(every)).collect();
-        let filtered: Result<Vec<Scale>, _> =
-            multiples.iter().map(|&multiple| self.filtered(multiple)).collect();
+        let named = |number: usize| Named {
+            name: format!("interval or filter {number} of {}", self.plan.scales()),
+            progress: self.context.progress,
+        };
+        let each = |(&every, number)| self.sampled(every, &named(number));
+        let sampled = intervals.iter().zip(1..).map(each).collect();
+        let each = |(&multiple, number)| self.filtered(multiple, &named(number));
+        let filtered: Result<Vec<Scale>, _> = multiples.iter().zip(intervals.len() + 1..).map(each).collect();
         let mut all = vec![series(Variation::Interval, sampled), series(Variation::Filter, filtered?)];
         all.retain(|series| !series.scales.is_empty());
         Ok(all)
     }
 
     /// Every so many points of the map.
-    fn sampled(&self, every: usize) -> Scale {
+    fn sampled(&self, every: usize, progress: &dyn Progress) -> Scale {
         let pixel = self.map.pixel();
         let length = every as f64 * pixel[0].max(pixel[1]);
-        self.scale(every as f64, length, &Sampled { map: self.map, every })
+        self.scale(every as f64, length, &Sampled { map: self.map, every }, progress)
     }
 
     /// The map under an S filter.
-    fn filtered(&self, multiple: f64) -> Result<Scale, FilterError> {
+    fn filtered(&self, multiple: f64, progress: &dyn Progress) -> Result<Scale, FilterError> {
         let length = multiple * self.plan.nesting_index(self.map.pixel());
-        let filtered = Filter::new(Some(length), None)?.apply(self.map)?;
-        Ok(self.scale(multiple, length, &filtered))
+        let filter = Filter::new(Some(length), None)?;
+        progress.stage("filtering", filter.work(self.map.pixel()));
+        let filtered = filter.apply(&Watched { map: self.map, progress })?;
+        Ok(self.scale(multiple, length, &filtered, progress))
     }
 
-    fn scale(&self, multiple: f64, length: f64, map: &dyn Rows) -> Scale {
-        let results = self.results(map);
-        self.context.progress.advance(1.0);
-        Scale { multiple, length, results }
+    fn scale(&self, multiple: f64, length: f64, map: &dyn Rows, progress: &dyn Progress) -> Scale {
+        Scale { multiple, length, results: self.results(map, progress) }
     }
 
     /// Both models on a variant of the map.
-    fn results(&self, map: &dyn Rows) -> Result<ScaleResults, String> {
+    fn results(&self, map: &dyn Rows, progress: &dyn Progress) -> Result<ScaleResults, String> {
         let facts = self.surface.map.as_ref();
-        let surface = facts.and_then(|facts| self.factory.derived(map, facts));
+        let surface = facts.and_then(|facts| self.factory.derived(map, facts, progress));
         let surface = &surface.ok_or("no summit is left, or all are equally high")?;
-        let setup = Setup { progress: &Silent, generates: false, ..self.plan.study.setup(self.context) };
+        let setup = Setup { progress, generates: false, ..self.plan.study.setup(self.context) };
         let results = study(setup, surface, self.counter).map_err(|error| match error {
             StudyError::Inapplicable(error) => error.to_string(),
             StudyError::NotReached(_, error) => error.to_string(),

@@ -55,7 +55,7 @@ impl Divided for TiledPlan {
         tiles: Range<usize>,
         earlier: &[Vec<TileResult>],
     ) -> Result<Vec<TileResult>, InputError> {
-        let open = self.tiles.open(self.surface(), context.source, context.seed)?;
+        let open = self.tiles.open(self.surface(), context.source, context.seed, context.progress)?;
         let plane = match (self.surface().nominal(), earlier.first()) {
             (Some((_, plane)), _) => Some(plane),
             (None, Some(first)) => Some(self.whole(context, &read(context, first)?)?.plane),
@@ -178,7 +178,7 @@ impl TiledPlan {
 
     /// The whole surface, from the first pass.
     fn whole(&self, context: &RunContext, first: &[TileSums]) -> Result<TiledSurface, InputError> {
-        let open = self.tiles.open(self.surface(), context.source, context.seed)?;
+        let open = self.tiles.open(self.surface(), context.source, context.seed, context.progress)?;
         let mut sums = open.sums();
         first.iter().filter_map(|tile| tile.asperities.as_ref()).for_each(|tile| sums.merge(tile));
         let refuse = |message: &str| {

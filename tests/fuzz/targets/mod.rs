@@ -237,8 +237,8 @@ fn map(clock: &mut Clock, path: &Path) -> usize {
 fn list(clock: &mut Clock, path: &Path) -> usize {
     let mut both = |as_ellipses: bool, unit: Option<f64>| {
         let options = ListOptions { as_ellipses, unit };
-        let checked = clock.step(|| AsperityList::check(path, options));
-        match clock.step(|| AsperityList::read(path, options)) {
+        let checked = clock.step(|| AsperityList::check(path, options, &Silent));
+        match clock.step(|| AsperityList::read(path, options, &Silent)) {
             Ok(list) => {
                 assert_eq!(checked.ok(), Some(list.count()));
                 let count = list.count();

@@ -19,14 +19,16 @@ use super::spanned::Spanned;
 use super::tables::TablesSpec;
 use super::whole::Whole;
 use crate::group::Group;
+use crate::progress::{Progress, Silent};
 use asperity::Material;
 use asperity_plot::Size;
 
 /// A spec file whose common keys are read; the table of its kind is read by [`SpecFile::table`].
-#[derive(Debug)]
-pub struct SpecFile {
+pub struct SpecFile<'a> {
     /// The text, for errors that name a line.
     pub source: Source,
+    /// Whoever watches while its files are looked at.
+    pub progress: &'a dyn Progress,
     /// Title of the report.
     pub title: String,
     /// The author's notes; a blank line separates paragraphs.
@@ -97,7 +99,7 @@ const MOST_BYTES: u64 = 500_000;
 /// Names of the fields of [`CommonKeys`].
 const COMMON: [&str; 8] = ["title", "notes", "seed", "figure", "tables", "run", "group", "material"];
 
-impl SpecFile {
+impl<'a> SpecFile<'a> {
     /// Reads a spec that may hold, besides the common keys, the tables named in `tables`.
     ///
     /// # Errors
@@ -147,6 +149,7 @@ impl SpecFile {
             keys.map_err(|error| source.parse_error(&error))?;
         Ok(Self {
             source,
+            progress: &Silent,
             title,
             notes,
             seed: seed.0,
@@ -157,6 +160,12 @@ impl SpecFile {
             materials: material,
             tables: found,
         })
+    }
+
+    /// The same, while whose files are looked at `progress` watches.
+    #[must_use]
+    pub fn watched_by(self, progress: &'a dyn Progress) -> Self {
+        Self { progress, ..self }
     }
 
     /// The JSON schema of a spec: the common keys, exactly one of the tables `kinds`, and `others`.

@@ -22,7 +22,7 @@ pub fn materials(rough: &str, flat: &str) -> String {
     }
 }
 
-impl SpecFile {
+impl SpecFile<'_> {
     /// The material `name`; `span` is where it is used.
     ///
     /// # Errors

@@ -2,7 +2,7 @@
 
 use asperity::HeightMap;
 use asperity::compare::{Accepted, ComparedQuantity, Controls, Difference, ModelKind, Support, Verdict};
-use asperity::progress::Silent;
+use asperity::progress::{Progress, Silent};
 use asperity::study::{
     Choice, Dependence, LawContact, Setup, StatisticalModel, Treated, study, under_treatments,
 };
@@ -62,9 +62,9 @@ impl StudyTask<'_> {
         let counter = Counter::default();
         let (realisation, _) = study(setup, &surface, &counter)?;
         let correlation = surface.map.as_ref().and_then(|map| map.correlation);
-        let prepare = |preparation| {
+        let prepare = |preparation, progress: &dyn Progress| {
             let depth = AnalysisDepth::Asperities;
-            let search = SummitSearch { depth, correlation, ..SummitSearch::new(preparation) };
+            let search = SummitSearch { depth, correlation, progress, ..SummitSearch::new(preparation) };
             search.surface("window", window).ok()
         };
         let treated = under_treatments(setup, &surface, &own, &realisation.cases, prepare, &counter);

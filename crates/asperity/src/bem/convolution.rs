@@ -9,6 +9,7 @@ use super::compliance::SurfaceResponse;
 use super::influence;
 use super::row::RowTransform;
 use crate::memory::zeros;
+use crate::progress::Progress;
 use asperity_fft::Complex64;
 
 /// Rows or columns transposed together: eight complex numbers are two cache lines.
@@ -61,9 +62,11 @@ impl Convolution {
     }
 
     /// Displacements (m) to `out` from the pressures (Pa) that `fill` writes to row i, given as zeros. `each` sees every
-    /// row of `out` when it is done; its results are in the order of the rows. Bit-identical for any number of threads.
+    /// row of `out` when it is done; its results are in the order of the rows. Bit-identical for any number of threads. To `progress` it
+    /// shows that it goes on.
     pub fn apply<T: Send>(
         &self,
+        progress: &dyn Progress,
         fill: impl Fn(usize, &mut [f64]) + Sync,
         out: &mut [f64],
         buffers: &mut Buffers,
@@ -74,6 +77,7 @@ impl Convolution {
         rows.par_chunks_mut(BLOCK * stride).enumerate().for_each_init(
             || (vec![0.0; ny], vec![0.0; stride], self.rows.scratch()),
             |(row, packed, scratch), (block, tiles)| {
+                progress.advance(0.0);
                 let count = tiles.len() / stride;
                 for k in 0..count {
                     row.fill(0.0);
@@ -85,7 +89,7 @@ impl Convolution {
                 }
             },
         );
-        self.respond(rows, &mut buffers.columns);
+        self.respond(rows, &mut buffers.columns, progress);
         let columns = &buffers.columns;
         let mut answers: Vec<Vec<T>> = Vec::new();
         out.par_chunks_mut(BLOCK * ny)
@@ -93,6 +97,7 @@ impl Convolution {
             .map_init(
                 || (vec![0.0; BLOCK * stride], self.rows.scratch()),
                 |(packed, scratch), (block, out)| {
+                    progress.advance(0.0);
                     let first = block * BLOCK;
                     self.gather(columns, first, &mut packed[..out.len() / ny * stride]);
                     let rows = out.chunks_mut(ny).zip(packed.chunks(stride));
@@ -109,12 +114,13 @@ impl Convolution {
     }
 
     /// The response to the waves along y of all rows, by blocks of columns.
-    fn respond(&self, rows: &[f64], columns: &mut [f64]) {
+    fn respond(&self, rows: &[f64], columns: &mut [f64], progress: &dyn Progress) {
         let Self { points: [nx, _], stride, .. } = *self;
         let length = self.columns.length();
         columns.par_chunks_mut(2 * BLOCK * nx).enumerate().for_each_init(
             || (vec![Complex64::default(); BLOCK * (length + PADDING)], self.columns.scratch()),
             |(batch, scratch), (block, columns)| {
+                progress.advance(0.0);
                 let first = block * BLOCK;
                 let count = columns.len() / (2 * nx);
                 for (b, tiles) in rows.chunks(BLOCK * stride).enumerate() {

@@ -13,6 +13,7 @@ use super::convolution::{Buffers, Convolution};
 use super::preconditioner::Stencil;
 use super::projection::project;
 use crate::memory::zeros;
+use crate::progress::Progress;
 
 /// Rows of one task.
 pub const ROWS: usize = 8;
@@ -28,6 +29,8 @@ pub struct Grid<'a> {
     pub stencil: Stencil,
     /// Whether a point on the border has its neighbours at the opposite one.
     pub wraps: bool,
+    /// Whoever watches.
+    pub progress: &'a dyn Progress,
 }
 
 /// What a descent is to reach.
@@ -172,6 +175,7 @@ impl State<'_> {
         let (ny, cap) = (self.width(), self.target.cap);
         let (pressures, heights) = (&self.pressures, self.grid.heights);
         let rows = self.grid.convolution.apply(
+            self.grid.progress,
             |i, row| row.copy_from_slice(&pressures[i * ny..][..ny]),
             &mut self.gaps,
             &mut self.buffers,
@@ -316,6 +320,7 @@ impl State<'_> {
         let &Contact { count, mean_gap, .. } = contact;
         let (gaps, direction, active) = (&self.gaps, &self.direction, &self.active);
         let rows = self.grid.convolution.apply(
+            self.grid.progress,
             |i, row| members(active.row(i)).for_each(|j| row[j] = direction[i * ny + j]),
             &mut self.response,
             &mut self.buffers,

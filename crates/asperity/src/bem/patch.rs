@@ -11,6 +11,7 @@ use super::convolution::{Buffers, Convolution};
 use super::descent::{ROWS, Sums, total};
 use super::preconditioner::Stencil;
 use crate::memory::zeros;
+use crate::progress::Progress;
 
 /// The steps whose gains of energy exceed what all further ones gain: on rough surfaces a hundred times.
 const LOOK_BACK: usize = 2;
@@ -24,6 +25,8 @@ pub struct PatchGrid<'a> {
     pub wraps: bool,
     /// What each load adds to the field at its own point, over the load.
     pub film: f64,
+    /// Whoever watches: it is shown that the solution goes on.
+    pub progress: &'a dyn Progress,
 }
 
 /// A patch that moves as one.
@@ -108,6 +111,7 @@ impl State<'_> {
             members(words).for_each(|j| row[j] = pressure);
         });
         let rows = self.grid.convolution.apply(
+            self.grid.progress,
             |i, row| members(patch.row(i)).for_each(|j| row[j] = pressure),
             &mut self.displacements,
             &mut self.buffers,
@@ -160,6 +164,7 @@ impl State<'_> {
         let ny = self.width();
         let (direction, patch, film) = (&self.direction, self.patch, self.grid.film);
         let rows = self.grid.convolution.apply(
+            self.grid.progress,
             |i, row| members(patch.row(i)).for_each(|j| row[j] = direction[i * ny + j]),
             &mut self.response,
             &mut self.buffers,

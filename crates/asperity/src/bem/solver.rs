@@ -17,7 +17,7 @@ use super::{Boundary, Options, SolverError};
 use crate::literature::{self, Paper};
 use crate::numeric::is_positive;
 use crate::numeric::sum::sum_of;
-use crate::progress::Progress;
+use crate::progress::{Progress, Silent};
 use crate::topography::HeightMap;
 
 /// Points along the shorter side of a map that is solved without a coarser one.
@@ -209,6 +209,11 @@ impl<'a> Solver<'a> {
     /// How `contact`, one of this solver, changes with the load: a linear solution on its points in contact below the cap. `None`
     /// where there are no such points, and in full contact of a map that repeats, which moves without a change of its gap.
     pub fn tangent(&self, contact: &Contact) -> Option<Tangent> {
+        self.watched_tangent(contact, &Silent)
+    }
+
+    /// [`Self::tangent`], which shows to `progress` that it goes on.
+    pub fn watched_tangent(&self, contact: &Contact, progress: &dyn Progress) -> Option<Tangent> {
         let Level { points, convolution, stencil, .. } = &self.levels[0];
         if self.boundary != Boundary::Finite && contact.pressures.iter().all(|&p| p > 0.0) {
             return None;
@@ -219,6 +224,7 @@ impl<'a> Solver<'a> {
             stencil: *stencil,
             wraps: self.boundary.wraps(),
             film: 0.0,
+            progress,
         };
         let response = grid.respond(&Tangent::patch(contact), self.error, STEPS)?;
         Some(Tangent::new(contact, response))
@@ -311,6 +317,7 @@ impl Level<'_> {
             convolution: &self.convolution,
             stencil: self.stencil,
             wraps: boundary.wraps(),
+            progress,
         };
         // Errors fall about as a power of the steps.
         let (first, done) = (Cell::new(f64::NAN), Cell::new(0.0));

@@ -17,6 +17,7 @@ use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::Path;
 
 use crate::memory::zeros;
+use crate::progress::{Count, Progress, Silent};
 pub use error::{HeaderError, NpyError};
 pub use header::Header;
 pub(crate) use header::MAGIC;
@@ -50,24 +51,41 @@ pub fn is_npy(path: &Path) -> io::Result<bool> {
 /// # Errors
 /// See [`NpyError`]; a truncated file is rejected before memory is allocated.
 pub fn matrix(path: &Path) -> Result<Matrix, NpyError> {
-    let mut file = File::open(path)?;
-    let header = Header::parse(&mut file, std::fs::metadata(path)?.len())?;
-    file.seek(SeekFrom::Start(header.data_start))?;
-    let stored = stored_values(&mut file, &header).map_err(|error| match error.kind() {
-        io::ErrorKind::UnexpectedEof => NpyError::Shortened,
-        _ => NpyError::Io(error),
-    })?;
-    let Header { rows, columns, .. } = header;
-    let values = if header.is_fortran() {
-        (0..rows * columns).map(|k| stored[k / columns + (k % columns) * rows]).collect()
-    } else {
-        stored
-    };
-    Ok(Matrix { rows, columns, values, precision: header.precision() })
+    Matrix::read(File::open(path)?, std::fs::metadata(path)?.len(), &Silent)
 }
 
-/// The numbers of an array in file order; the header has been checked against the file length.
-fn stored_values(file: &mut File, header: &Header) -> io::Result<Vec<f64>> {
+impl Matrix {
+    /// Reads the array of a file of `length` bytes: one unit of work.
+    pub(crate) fn read(
+        mut file: impl Read + Seek,
+        length: u64,
+        progress: &dyn Progress,
+    ) -> Result<Self, NpyError> {
+        let header = Header::parse(&mut file, length)?;
+        file.seek(SeekFrom::Start(header.data_start))?;
+        let Header { rows, columns, .. } = header;
+        let count = |work: f64| Count::new(progress, work, rows * columns);
+        let (read, mut sorted) = if header.is_fortran() { (0.5, count(0.5)) } else { (1.0, count(0.0)) };
+        let stored = stored_values(file, &header, count(read)).map_err(|error| match error.kind() {
+            io::ErrorKind::UnexpectedEof => NpyError::Shortened,
+            _ => NpyError::Io(error),
+        })?;
+        let mut values = stored;
+        if header.is_fortran() {
+            let stored = std::mem::take(&mut values);
+            values.reserve_exact(stored.len());
+            for row in 0..rows {
+                values.extend(stored.iter().skip(row).step_by(rows));
+                sorted.add(columns);
+            }
+        }
+        sorted.end();
+        Ok(Self { rows, columns, values, precision: header.precision() })
+    }
+}
+
+/// The numbers of an array in file order, counted; the header has been checked against the file length.
+fn stored_values(mut file: impl Read, header: &Header, mut count: Count) -> io::Result<Vec<f64>> {
     /// Numbers read at a time.
     const NUMBERS: usize = 1 << 16;
     let size = header.number_type.bytes() as usize;
@@ -77,7 +95,9 @@ fn stored_values(file: &mut File, header: &Header) -> io::Result<Vec<f64>> {
         let bytes = &mut bytes[..size * values.len()];
         file.read_exact(bytes)?;
         header.number_type.decode(bytes, header.big_endian, values);
+        count.add(values.len());
     }
+    count.end();
     Ok(values)
 }
 

@@ -9,6 +9,7 @@ pub(crate) mod parallel;
 pub(crate) mod power;
 pub mod quadrature;
 pub(crate) mod root;
+pub(crate) mod sort;
 pub(crate) mod stored;
 mod stream;
 pub(crate) mod sum;

@@ -74,11 +74,4 @@ impl NumberType {
             }
         });
     }
-
-    /// All numbers in `bytes`, in little-endian order.
-    pub(crate) fn values(self, bytes: &[u8]) -> Vec<f64> {
-        let mut values = vec![0.0; bytes.len() / self.bytes() as usize];
-        self.decode(bytes, false, &mut values);
-        values
-    }
 }

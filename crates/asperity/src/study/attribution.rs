@@ -1,9 +1,10 @@
 //! The gap between both models divided among its causes, at every load of a case.
 
 use super::law::LawContact;
+use crate::ContactLaw;
 use crate::compare::{Division, GroupsLeftOut, Rearranged, StatesAtLoads};
 use crate::numeric::stream_seed;
-use crate::{ContactLaw, MicroContact};
+use crate::work::{CountedContact, Counter};
 
 use super::models::SurfaceModels;
 use super::results::CaseResults;
@@ -46,7 +47,9 @@ pub fn attribute(
         .iter()
         .zip(&*cases)
         .map(|(law, case)| {
-            let attributions = all.for_law(&law.spec)?.at_loads(&*law.contact, &case.comparison.pairs);
+            let counter = Counter::default();
+            let contact = CountedContact::new(&*law.contact, &counter).watched_by(setup.progress);
+            let attributions = all.for_law(&law.spec)?.at_loads(&contact, &case.comparison.pairs);
             setup.progress.advance(1.0);
             Some(attributions)
         })
@@ -95,11 +98,15 @@ fn left_out(
     let slopes: Vec<_> = setup.laws.iter().zip(states).map(of_case).collect();
     setup.progress.stage("sampling errors of the causes", division.shares().len() as f64);
     let without = |group: usize| {
+        setup.progress.advance(0.0);
         let rest = surface.without(division, group)?;
+        setup.progress.advance(0.0);
         let models = models.of_part(&rest, setup.law_specs, true).ok()?;
+        setup.progress.advance(0.0);
         let rearranged = ForLaws::new(&models, setup.laws, Rearranged::coarse);
         let case = |(index, law): (usize, &LawContact)| {
-            let contact: &dyn MicroContact = &*law.contact;
+            let counter = Counter::default();
+            let contact = &CountedContact::new(&*law.contact, &counter).watched_by(setup.progress);
             let (states, rest) = (states[index].as_ref()?, rearranged.for_law(&law.spec)?);
             Some(states.without(rest, contact, &slopes[index]))
         };

@@ -5,6 +5,7 @@ use rayon::prelude::*;
 use crate::HeightMap;
 use crate::compare::{Generated, NotModelled, Scatter, State, pairs_at};
 use crate::numeric::stream_seed;
+use crate::progress::{Progress, Share};
 use crate::surface::{AnalysisDepth, Preparation, SummitSearch, Surface};
 use crate::topography::generate::{FittedProcess, roughness_scatter};
 
@@ -53,9 +54,16 @@ fn on_surfaces(
     cases: &[CaseResults],
 ) -> Result<Vec<Generated>, NotModelled> {
     setup.progress.stage("generated surfaces", GENERATED_SURFACES as f64);
+    let within = &Share { progress: setup.progress, units: 0.0 };
     let sample = |number: usize| {
+        within.advance(0.0);
         let seed = stream_seed(setup.seed, &format!("generated surface {number} of {}", surface.name));
-        let sample = of_map(setup, surface, &process.surface(seed), cases);
+        let sample = of_map(
+            Setup { progress: within, ..setup },
+            surface,
+            &process.watched_surface(seed, within),
+            cases,
+        );
         setup.progress.advance(1.0);
         sample.ok_or(NotModelled::Failed)
     };
@@ -83,10 +91,12 @@ fn of_map(setup: Setup, surface: &Surface, map: &HeightMap, cases: &[CaseResults
         as_ellipses: surface.set.ellipses().is_some(),
         depth: AnalysisDepth::Asperities,
         divides: false,
+        progress: setup.progress,
         ..SummitSearch::new(Preparation::none(facts.neighbours))
     };
     let found = search.surface(&surface.name, &map).ok()?;
     let models = SurfaceModels::new(&found, setup.statistical, setup.law_specs, true).ok()?;
+    setup.progress.advance(0.0);
     Some(Sample { states: states(setup, &models, cases)?, roughness_scatter: roughness_scatter(&map) })
 }
 
@@ -104,6 +114,7 @@ fn states(setup: Setup, models: &SurfaceModels, cases: &[CaseResults]) -> Option
         let statistical = models.statistical(&*law.contact, &law.spec);
         let deterministic = models.deterministic(&*law.contact, &law.spec)?;
         let pairs = pairs_at(&*statistical, &deterministic, &loads);
+        setup.progress.advance(0.0);
         Some(pairs.into_iter().map(|pair| pair?.states()).collect())
     };
     setup.laws.iter().zip(cases).map(of_case).collect()

@@ -67,7 +67,11 @@ impl Halves {
         let laws = setup.law_specs;
         let on_both = |model: &StatisticalModel, is_summed: bool| {
             let [first, second] = &self.surfaces;
-            let on_half = |half| SurfaceModels::new(half, model, laws, is_summed).ok();
+            let on_half = |half| {
+                let models = SurfaceModels::new(half, model, laws, is_summed).ok();
+                setup.progress.advance(0.0);
+                models
+            };
             Some([on_half(first)?, on_half(second)?])
         };
         let fitted = models.iter().filter(|model| model.is_fitted());

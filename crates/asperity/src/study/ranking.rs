@@ -8,6 +8,7 @@ use crate::compare::{
     Accepted, ByQuantity, ComparedQuantity, Pair, ReferenceCurve, ReferencePoint, Repeats, of_each_decade,
 };
 use crate::distribution::HeightsError;
+use crate::progress::Progress;
 use crate::work::{CountedContact, Counter};
 use crate::{INTERACTION, Model, Response, reached_at};
 
@@ -185,20 +186,26 @@ pub fn rank(setup: Setup, surface: &Surface, cases: &[CaseStudy]) -> Vec<Ranking
     if !(setup.has_both_models() && setup.is_ranked) {
         return Vec::new();
     }
-    setup.progress.stage("other statistical models", cases.len() as f64);
     let mut all = StatisticalModel::all();
     let selected = setup.statistical.explicit(surface.nominal.as_ref());
     if !all.contains(&selected) {
         all.insert(0, selected);
     }
+    setup.progress.stage("other statistical models", (all.len() + cases.len()) as f64);
     // Shifts of a pair are no other surfaces.
     let is_one = surface.realisations == 1 || surface.repeats == Repeats::Shifts;
     let halves = if is_one { Halves::new(setup, surface) } else { None };
+    setup.progress.advance(0.0);
     let halves = halves.as_ref().and_then(|halves| halves.models(setup, &all));
     let models = |model: &StatisticalModel| SurfaceModels::new(surface, model, setup.law_specs, false);
-    let built: Vec<_> = all.into_iter().map(|model| (models(&model), model)).collect();
+    let build = |model: StatisticalModel| {
+        let built = (models(&model), model);
+        setup.progress.advance(1.0);
+        built
+    };
+    let built: Vec<_> = all.into_iter().map(build).collect();
     let of_case = |(law, case): (&LawContact, &CaseStudy)| {
-        let mut ranking = in_sample(&built, law, case.first());
+        let mut ranking = in_sample(&built, law, case.first(), setup.progress);
         if let [_, others @ ..] = &case.realisations[..]
             && !others.is_empty()
             && !is_one
@@ -216,7 +223,7 @@ pub fn rank(setup: Setup, surface: &Surface, cases: &[CaseStudy]) -> Vec<Ranking
 /// A model with what it is on a surface, where it applies.
 pub(super) type BuiltModel<'a> = (Result<SurfaceModels<'a>, HeightsError>, StatisticalModel);
 
-fn in_sample(built: &[BuiltModel], law: &LawContact, case: &CaseResults) -> Ranking {
+fn in_sample(built: &[BuiltModel], law: &LawContact, case: &CaseResults, progress: &dyn Progress) -> Ranking {
     let pairs = ranked_pairs(case);
     let loads: Vec<f64> = pairs.iter().map(|pair| pair.target).collect();
     let mut ranking = Ranking { loads: loads.clone(), ..Ranking::default() };
@@ -224,6 +231,7 @@ fn in_sample(built: &[BuiltModel], law: &LawContact, case: &CaseResults) -> Rank
         return ranking;
     }
     for (models, model) in built {
+        progress.advance(0.0);
         let models = match models {
             Ok(models) => models,
             Err(error) => {
@@ -232,7 +240,7 @@ fn in_sample(built: &[BuiltModel], law: &LawContact, case: &CaseResults) -> Rank
             }
         };
         let counter = Counter::default();
-        let contact = CountedContact::new(&*law.contact, &counter);
+        let contact = CountedContact::new(&*law.contact, &counter).watched_by(progress);
         let responses = responses(&*models.statistical(&contact, &law.spec), &loads);
         let work = counter.work();
         ranking.models.push(Ranked {

@@ -2,7 +2,7 @@
 
 use crate::MeanRadius;
 use crate::compare::{Controls, Difference};
-use crate::progress::Silent;
+use crate::progress::{Named, Progress};
 use crate::surface::{Preparation, Surface};
 use crate::work::Counter;
 
@@ -23,14 +23,14 @@ const MOST_LOADS: usize = 9;
 const MOST_UNTIL_ADMISSIBLE: usize = 41;
 
 /// Compares the models on a measured map, which was prepared as `own` and gave `cases`, under other treatments; `prepare` gives the surface of
-/// the map in another preparation, not checked, with blocks by the same correlation lengths. Where no load is admissible, only S filters, with
+/// the map in another preparation, not checked, with blocks by the same correlation lengths, and shows its progress. Where no load is admissible, only S filters, with
 /// which some may be, if the map is fit. `None` unless both models were run and compared at equal load on a map.
 pub fn under_treatments(
     setup: Setup,
     surface: &Surface,
     own: &Preparation,
     cases: &[CaseResults],
-    prepare: impl Fn(Preparation) -> Option<Surface>,
+    prepare: impl Fn(Preparation, &dyn Progress) -> Option<Surface>,
     counter: &Counter,
 ) -> Option<Vec<TreatedCases>> {
     let is_admissible = |at: &Difference| at.exceeded().is_none();
@@ -52,8 +52,9 @@ pub fn under_treatments(
     let controls = Controls::at_pressures(loads);
     let mut treatments = Treatment::all(own, setup.statistical, surface.map.as_ref()?);
     treatments.retain(|one| any_is_admissible || matches!(one, Treatment::ShortWaves(Some(_))));
-    setup.progress.stage("robustness", treatments.len() as f64);
-    let treated = treatments.into_iter().map(|treatment| {
+    let count = treatments.len();
+    let treated = treatments.into_iter().zip(1..).map(|(treatment, number)| {
+        let progress = &Named { name: format!("robustness, {number} of {count}"), progress: setup.progress };
         let model = match treatment {
             Treatment::MeanRadius(mean_radius) => with_radius(setup.statistical, mean_radius),
             _ => setup.statistical.clone(),
@@ -63,21 +64,19 @@ pub fn under_treatments(
             statistical: &model,
             is_attributed: false,
             generates: false,
-            progress: &Silent,
+            progress,
             ..setup
         };
         let treat = || {
             // The mean radius changes nothing on the surface.
             let prepared = match treatment {
                 Treatment::MeanRadius(_) => None,
-                _ => Some(prepare(treatment.preparation(*own))?),
+                _ => Some(prepare(treatment.preparation(*own), progress)?),
             };
             let (realisation, _) = study(treated, prepared.as_ref().unwrap_or(surface), counter).ok()?;
             Some(realisation.cases.into_iter().map(|case| case.differences).collect())
         };
-        let differences = treat().unwrap_or_default();
-        setup.progress.advance(1.0);
-        (treatment, differences)
+        (treatment, treat().unwrap_or_default())
     });
     Some(treated.collect())
 }

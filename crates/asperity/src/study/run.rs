@@ -145,7 +145,7 @@ pub fn run_surface<'a>(
     let mut cases = Vec::new();
     setup.progress.stage("both models", setup.laws.len() as f64);
     for law in setup.laws {
-        let contact = &CountedContact::new(&*law.contact, counter);
+        let contact = &CountedContact::new(&*law.contact, counter).watched_by(setup.progress);
         let statistical = is_run(ModelKind::Statistical).then(|| models.statistical(contact, &law.spec));
         let deterministic = models.deterministic(contact, &law.spec);
         let models = Models {

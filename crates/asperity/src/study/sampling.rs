@@ -5,6 +5,7 @@ use super::law::LawContact;
 use crate::Total;
 use crate::compare::{CaseSampling, Division, LeftOut, OneStep, Pair, State};
 use crate::numeric::stream_seed;
+use crate::work::{CountedContact, Counter};
 
 use super::models::SurfaceModels;
 use super::results::CaseResults;
@@ -73,23 +74,31 @@ fn left_out(
     let shares = division.shares();
     setup.progress.stage("sampling errors", shares.len() as f64);
     let without = |group: usize| {
+        let goes_on = || setup.progress.advance(0.0);
+        goes_on();
         let rest = surface.without(division, group);
+        goes_on();
         let of_rest =
             rest.as_ref().and_then(|rest| Some((rest, models.of_part(rest, setup.law_specs, false).ok()?)));
         let Some((rest, of_rest)) = of_rest else {
             let none = |step: &OneStep| vec![None; step.deterministic_separations().len()];
             return (None, steps.iter().map(none).collect());
         };
+        goes_on();
         let part = surface.only(division, group);
+        goes_on();
         // The sum over a group needs no statistical model.
         let of_part = part.as_ref().and_then(|part| {
             SurfaceModels::new(part, &StatisticalModel::default(), setup.law_specs, true).ok()
         });
+        goes_on();
         let case = |(law, step): (&LawContact, &OneStep)| {
-            let statistical = of_rest.statistical(&*law.contact, &law.spec);
+            let counter = Counter::default();
+            let contact = &CountedContact::new(&*law.contact, &counter).watched_by(setup.progress);
+            let statistical = of_rest.statistical(contact, &law.spec);
             let responses = statistical.respond_all(&step.statistical_separations());
             let separations = step.deterministic_separations();
-            let sum = of_part.as_ref().and_then(|models| models.deterministic(&*law.contact, &law.spec));
+            let sum = of_part.as_ref().and_then(|models| models.deterministic(contact, &law.spec));
             // A block without asperities adds nothing.
             let totals =
                 sum.map_or_else(|| vec![Total::default(); separations.len()], |sum| sum.totals(separations));

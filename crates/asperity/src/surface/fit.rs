@@ -7,7 +7,7 @@ use super::{
     AnalysisDepth, FoundSpikes, MapFacts, MapOverview, NoAsperities, Preparation, Remedy, SummitSearch,
 };
 use crate::HeightMap;
-use crate::progress::Progress;
+use crate::progress::{Named, Progress};
 use crate::topography::fitness::Finding;
 use crate::topography::{Rows, Watched};
 
@@ -315,30 +315,13 @@ impl Analysis<'_> {
         keeps_map: bool,
     ) -> Result<(MapFacts, Option<HeightMap>), NoAsperities> {
         self.trials += 1;
-        let progress = &Trial { number: self.trials, progress: self.progress };
+        let progress = &Named { name: format!("fit, trial {}", self.trials), progress: self.progress };
         let search = SummitSearch { divides: false, keeps_map, progress, ..SummitSearch::new(preparation) };
         let raw = self.raw;
         let spikes = self.spikes[usize::from(preparation.removes_spikes)]
             .get_or_insert_with(|| search.spikes(&Watched { map: raw, progress }));
         let (facts, prepared) = SummitSearch { spikes: Some(spikes), ..search }.facts_and_map(raw)?;
         Ok((facts, prepared.map(|prepared| Arc::unwrap_or_clone(prepared.map))))
-    }
-}
-
-/// The progress of one trial, whose stages are those of any other one.
-struct Trial<'a> {
-    /// From 1.
-    number: usize,
-    progress: &'a dyn Progress,
-}
-
-impl Progress for Trial<'_> {
-    fn stage(&self, name: &str, total: f64) {
-        self.progress.stage(&format!("fit, trial {}: {name}", self.number), total);
-    }
-
-    fn advance(&self, work: f64) {
-        self.progress.advance(work);
     }
 }
 

@@ -82,7 +82,12 @@ impl MapOverview {
         // Two processes have two spectra: neither is that of what they leave.
         whole.target = generator.filter(|generator| generator.plateau.is_none()).map(|generator| {
             let &SurfaceGenerator { points, pixel, ref process, .. } = generator;
-            RadialSpectrum::prescribed(&process.spectrum.on_grid(points, pixel), pixel, process.sigma)
+            RadialSpectrum::prescribed(
+                &process.spectrum.on_grid(points, pixel),
+                pixel,
+                process.sigma,
+                progress,
+            )
         });
         whole.is_target_of_gaussian = generator.is_some_and(|SurfaceGenerator { process, .. }| {
             process.of == SpectrumOf::Gaussian && process.heights != Heights::GAUSSIAN

@@ -290,9 +290,10 @@ impl SummitSearch<'_> {
         let mut correlation = self.correlation;
         let mut aspect = None;
         if correlation.is_none() && (self.divides || is_checked) {
-            progress.stage("correlation", 1.0);
+            // One for the copy, four of the correlation, two for blocks and halves.
+            progress.stage("correlation", 7.0);
             let points = left.as_ref().map_or(&[][..], |left| &left.points);
-            let found = correlation_of(&Without { map, points }, roughness.moments.mean);
+            let found = correlation_of(&Without { map, points }, roughness.moments.mean, progress);
             aspect = found.as_ref().and_then(|(_, heights)| heights.largest_aspect());
             correlation = Some(found.map_or(CorrelationLengths::NONE, |(lengths, _)| lengths));
         }
@@ -407,6 +408,8 @@ impl SummitSearch<'_> {
         let Preparation { aligned, level, filter, neighbours, .. } = self.preparation;
         let is_five_point = neighbours == Neighbours::Four;
         let is_checked = self.generation.is_none() && self.depth != AnalysisDepth::Asperities;
+        // Two for the steps, one for the image.
+        self.progress.stage("height steps and image", if is_checked { 3.0 } else { 1.0 });
         MapFacts {
             points: map.points(),
             pixel: map.pixel(),
@@ -481,10 +484,14 @@ fn sharper_radius(summits: &Summits) -> f64 {
 }
 
 /// The correlation lengths of a coarse map, and the autocorrelation of its heights.
-fn correlation_of(map: &dyn Rows, mean: f64) -> Option<(CorrelationLengths, Autocorrelation)> {
+fn correlation_of(
+    map: &dyn Rows,
+    mean: f64,
+    progress: &dyn Progress,
+) -> Option<(CorrelationLengths, Autocorrelation)> {
     /// Points along an axis of the coarse map.
     const MOST: usize = 1024;
-    CorrelationLengths::from_map(&thumbnail(map, MOST), mean)
+    CorrelationLengths::watched(&thumbnail(map, MOST), mean, progress)
 }
 
 #[cfg(test)]

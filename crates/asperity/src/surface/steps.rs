@@ -5,7 +5,7 @@ use super::search::{Preparation, SummitSearch};
 use crate::HeightMap;
 use crate::progress::Progress;
 use crate::topography::fitness::{AlignedLines, Without};
-use crate::topography::tip::{TipReach, eroded};
+use crate::topography::tip::{TipReach, WORK, eroded};
 use crate::topography::{Levelled, Rows, Watched, Window};
 
 /// A step of the preparation of a map.
@@ -88,10 +88,11 @@ impl Preparation {
         let aligned = self.aligned.map(|lines| AlignedLines::new(&without, lines));
         let straight: &dyn Rows = aligned.as_ref().map_or(&without as &dyn Rows, |aligned| aligned);
         let eroded: Option<(HeightMap, TipReach)> = self.tip.map(|radius| {
-            progress.stage("tip", 1.0);
+            progress.stage("tip", WORK);
             eroded(straight, radius)
         });
         let cleaned: &dyn Rows = eroded.as_ref().map_or(straight, |(map, _)| map);
+        let cleaned: &dyn Rows = &Watched { map: cleaned, progress };
         progress.stage("levelling", 1.0);
         let levelled = Levelled { map: cleaned, form: self.level.form(cleaned)? };
         let filtered = match self.filter {

@@ -101,14 +101,15 @@ impl RadialSpectrum {
         rings.spectrum(columns)
     }
 
-    /// The prescribed spectrum of a Gaussian surface of standard deviation `sigma` (m).
-    pub fn prescribed(spectrum: &GridSpectrum, pixel: [f64; 2], sigma: f64) -> Self {
+    /// The prescribed spectrum of a Gaussian surface of standard deviation `sigma` (m); to `progress` it shows that it goes on.
+    pub fn prescribed(spectrum: &GridSpectrum, pixel: [f64; 2], sigma: f64, progress: &dyn Progress) -> Self {
         let points = spectrum.points();
         let rings = Rings::new(points, pixel);
         let columns = parallel::map(columns(points), |j| {
             let mut deviations = vec![0.0; points[0]];
             spectrum.column(j, &mut deviations);
             let total = deviations.iter().map(|d| d * d).sum::<f64>() * weight(points, j);
+            progress.advance(0.0);
             (rings.column(j, |i| deviations[i] * deviations[i]), total)
         });
         let total = spectrum.mean_variance() + columns.iter().map(|column| column.1).sum::<f64>();
@@ -284,7 +285,7 @@ mod tests {
         let (hurst, roll_off, cut_off) = (0.7, 20.0, 2.0);
         let shape = SpectrumShape::SelfAffine { hurst, roll_off, cut_off };
         let (_, grid) = surface(shape, Lay::default(), 1);
-        let asked = RadialSpectrum::prescribed(&grid, PIXEL, 3.0);
+        let asked = RadialSpectrum::prescribed(&grid, PIXEL, 3.0, &Silent);
         let mut reached = vec![0.0; asked.rings.len()];
         for seed in 0..20 {
             let map = surface(shape, Lay::default(), seed).0;
@@ -408,7 +409,8 @@ mod tests {
     #[test]
     fn the_spectrum_asked_for_is_that_of_an_endless_surface() {
         let spectrum = Spectrum::new(SpectrumShape::Gaussian(10.0), Lay::default()).unwrap();
-        let (q, density) = RadialSpectrum::prescribed(&spectrum.on_grid(POINTS, PIXEL), PIXEL, 3.0).rings[0];
+        let (q, density) =
+            RadialSpectrum::prescribed(&spectrum.on_grid(POINTS, PIXEL), PIXEL, 3.0, &Silent).rings[0];
         assert!((q / (TAU / 160.0) - 1.0).abs() < 1e-12);
         let exact = 9.0 * 100.0 / (4.0 * PI) * (-(5.0 * q).powi(2)).exp();
         assert!((density / exact - 1.0).abs() < 1e-6, "{density} for {exact}");

@@ -131,12 +131,12 @@ fn heights_along_y(map: &mut [f64], ny: usize, scale: f64, progress: &dyn Progre
     map.par_chunks_mut(ny).for_each_init(
         || (along_y.make_input_vec(), along_y.make_scratch_vec()),
         |(half, scratch), row| {
+            progress.advance(part);
             for (j, wave) in half.iter_mut().enumerate() {
                 *wave = scale * get(row, j);
             }
             // Cannot fail: the lengths are those of the plan, and the ends are real.
             let _ = along_y.process_with_scratch(half, row, scratch);
-            progress.advance(part);
         },
     );
 }
@@ -200,12 +200,12 @@ fn waves_along_y(map: &mut [f64], ny: usize, progress: &dyn Progress) {
     map.par_chunks_mut(ny).for_each_init(
         || (along_y.make_output_vec(), along_y.make_scratch_vec()),
         |(half, scratch), row| {
+            progress.advance(part);
             // Cannot fail: the lengths are those of the plan.
             let _ = along_y.process_with_scratch(row, half, scratch);
             for (j, wave) in half.iter().enumerate() {
                 put(row, j, *wave);
             }
-            progress.advance(part);
         },
     );
 }

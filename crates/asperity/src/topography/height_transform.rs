@@ -7,6 +7,7 @@
 use crate::distribution::{HeightDistribution, normal_nodes};
 use crate::numeric::parallel::for_each_row;
 use crate::numeric::root::last_reaching;
+use crate::progress::Progress;
 
 /// Heights mapped per task.
 const CHUNK: usize = 1 << 14;
@@ -21,9 +22,13 @@ const MOST: usize = 4000;
 /// the highest Hermite polynomial.
 const STEP: f64 = 0.01;
 
-/// Replaces each standard normal value g of `field` by `scale` T(g).
-pub fn map_normals(heights: &dyn HeightDistribution, field: &mut [f64], scale: f64) {
-    for_each_row(field, CHUNK, &|_, field| heights.map_normals(field, scale));
+/// Replaces each standard normal value g of `field` by `scale` T(g): one unit of work.
+pub fn map_normals(heights: &dyn HeightDistribution, field: &mut [f64], scale: f64, progress: &dyn Progress) {
+    let value = (field.len() as f64).recip();
+    for_each_row(field, CHUNK, &|_, field| {
+        progress.advance(value * field.len() as f64);
+        heights.map_normals(field, scale);
+    });
 }
 
 /// The correlation of two heights T(g1), T(g2) as a function of that of g1 and g2.
@@ -137,6 +142,7 @@ mod tests {
     use super::*;
     use crate::distribution::tests::all;
     use crate::distribution::{Gaussian, Heights, Johnson, Weibull};
+    use crate::progress::Silent;
 
     fn johnson(skewness: f64, kurtosis: f64) -> Heights {
         Heights::new(Johnson::from_moments(skewness, kurtosis).unwrap())
@@ -176,7 +182,7 @@ mod tests {
         let field: Vec<f64> = (0..40_001).map(|k| f64::from(k - 20_000) * 4.5e-4).collect();
         for heights in all() {
             let mut mapped = field.clone();
-            map_normals(&*heights, &mut mapped, 1e-7);
+            map_normals(&*heights, &mut mapped, 1e-7, &Silent);
             for (&g, &z) in field.iter().zip(&mapped) {
                 assert_eq!(z, 1e-7 * heights.height_at_normal(g), "{heights}, g = {g}");
             }

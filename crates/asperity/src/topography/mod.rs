@@ -140,8 +140,8 @@ impl HeightMap {
         let points = map.points();
         let mut heights = zeros(points[0] * points[1]);
         for_each_row(&mut heights, points[1], &|ix, row| {
-            map.read(ix, row);
             map.progress().advance((points[0] as f64).recip());
+            map.read(ix, row);
         });
         Self::like(map, heights)
     }

@@ -1,10 +1,10 @@
 //! Detection of height steps of the instrument. On a quantised map levelling turns steps into summits, whose radii are
 //! artefacts.
 
-use rayon::prelude::*;
-
 use super::rows::{Rows, strips};
 use super::summits::Summits;
+use crate::numeric::sort::sort;
+use crate::progress::Share;
 
 /// Quantisation of the heights of a map and of the curvatures of its summits.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,18 +52,25 @@ pub enum HeightPlace {
 pub const SHARED: f64 = 1e-3;
 
 impl Quantisation {
-    /// Analyses the raw heights of `map` and the summits found on it after levelling and, if it `is_filtered`, filtering.
+    /// Analyses the raw heights of `map` and the summits found on it after levelling and, if it `is_filtered`, filtering: two units of work
+    /// for whoever watches the map.
     pub fn new(map: &dyn Rows, summits: &Summits, is_filtered: bool) -> Self {
+        let progress = map.progress();
+        let goes_on = || progress.advance(0.0);
         let mut heights = sample(map);
-        heights.par_sort_unstable_by(f64::total_cmp);
+        sort(&mut heights, progress);
         let points = heights.len();
         let largest = heights.iter().fold(0.0f64, |a, z| a.max(z.abs()));
         // Rounding error of a stored height, with a margin for an offset subtracted before.
         let rounding = 4.0 * map.precision() * largest;
-        let step = lattice(&distinct(&heights, rounding), points);
+        goes_on();
+        let levels = distinct(&heights, rounding);
+        goes_on();
+        let step = lattice(&levels, points, &goes_on);
 
+        let of_summits = &Share { progress, units: 0.0 };
         let mut curvatures = summits.curvatures.clone();
-        curvatures.par_sort_unstable_by(f64::total_cmp);
+        sort(&mut curvatures, of_summits);
         let [dx, dy] = map.pixel();
         let noise = match step {
             // On a lattice curvatures are multiples of half a step over a squared pixel; a filter leaves no lattice.
@@ -71,10 +78,12 @@ impl Quantisation {
             _ => 2.0 * rounding * (1.0 / (dx * dx) + 1.0 / (dy * dy)),
         };
         let mut drops = summits.drops.clone();
-        drops.par_sort_unstable_by(f64::total_cmp);
+        sort(&mut drops, of_summits);
+        let levels = distinct(&heights, 0.0).len();
+        goes_on();
         Self {
             step,
-            levels: distinct(&heights, 0.0).len(),
+            levels,
             distinct_curvatures: distinct(&curvatures, noise).len(),
             summits: summits.curvatures.len(),
             median_drop: drops.get(drops.len() / 2).copied().unwrap_or_default(),
@@ -156,7 +165,7 @@ fn distinct(sorted: &[f64], tolerance: f64) -> Vec<f64> {
 }
 
 /// The step of the lattice of all levels; `None` if they form none.
-fn lattice(levels: &[f64], points: usize) -> Option<f64> {
+fn lattice(levels: &[f64], points: usize, goes_on: &dyn Fn()) -> Option<f64> {
     /// RMS deviation of gaps from integer steps: 0 on a lattice, 0.289 for continuous heights.
     const ON_LATTICE: f64 = 0.1;
     /// With fewer gaps agreement may be by chance, unless each level has many points.
@@ -169,9 +178,11 @@ fn lattice(levels: &[f64], points: usize) -> Option<f64> {
     let mut step = gaps.iter().copied().fold(f64::INFINITY, f64::min);
     // The smallest gap is a noisy first guess; the whole range over the number of steps is not.
     for _ in 0..3 {
+        goes_on();
         let steps: f64 = gaps.iter().map(|gap| (gap / step).round()).sum();
         step = gaps.iter().sum::<f64>() / steps;
     }
+    goes_on();
     let residual = |gap: &f64| (gap / step - (gap / step).round()).powi(2);
     let spread = (gaps.iter().map(residual).sum::<f64>() / gaps.len() as f64).sqrt();
     (spread <= ON_LATTICE).then_some(step)

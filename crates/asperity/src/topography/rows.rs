@@ -186,10 +186,9 @@ pub fn strips<T: Send + Sync>(rows: &dyn Rows, halo: usize, part: impl Fn(Strip)
 
 fn for_each_strip(rows: &dyn Rows, halo: usize, indices: Range<usize>, task: &(dyn Fn(usize, Strip) + Sync)) {
     let strip_of = |buffer: &mut Vec<f64>, index| {
-        let strip = strip(rows, halo, index * STRIP, STRIP, buffer);
-        let part = strip.count as f64 / rows.points()[0] as f64;
-        task(index, strip);
-        rows.progress().advance(part);
+        let nx = rows.points()[0];
+        rows.progress().advance(STRIP.min(nx - index * STRIP) as f64 / nx as f64);
+        task(index, strip(rows, halo, index * STRIP, STRIP, buffer));
     };
     indices.into_par_iter().for_each_init(Vec::new, strip_of);
 }
@@ -238,8 +237,8 @@ pub fn fill_strips(
         Vec::new,
         |buffer, (index, values)| {
             let part = values.len() as f64 / (rows.points()[0] * rows.points()[1]) as f64;
-            task(strip(rows, halo, index * size, size, buffer), values);
             rows.progress().advance(part);
+            task(strip(rows, halo, index * size, size, buffer), values);
         },
     );
 }

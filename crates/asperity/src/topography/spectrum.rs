@@ -10,7 +10,7 @@ use crate::memory::zeros;
 use crate::numeric::is_positive;
 use crate::numeric::parallel::for_each_row;
 use crate::numeric::power::Power;
-use crate::progress::Silent;
+use crate::progress::{Progress, Share, Silent};
 
 /// The smallest number of correlation lengths along each side of a map: about a hundred independent patches.
 const LENGTHS_ACROSS: f64 = 10.0;
@@ -259,17 +259,17 @@ impl Spectrum {
                 *value = all.filter_map(|distance| self.autocorrelation(distance)).sum();
             }
         });
-        roots(wrapped, points)
+        roots(wrapped, points, &Silent)
     }
 }
 
 /// Amplitudes of the waves of a field with this autocorrelation, column by column. Its transform is real; negative
 /// values, which no field has, are set to 0.
-fn roots(correlation: Vec<f64>, points: [usize; 2]) -> Vec<f64> {
+fn roots(correlation: Vec<f64>, points: [usize; 2], progress: &dyn Progress) -> Vec<f64> {
     let column = |_, column: &[Complex<f64>]| -> Vec<f64> {
         column.iter().map(|wave| wave.re.max(0.0).sqrt()).collect()
     };
-    analyse(correlation, points, column, &Silent).concat()
+    analyse(correlation, points, column, progress).concat()
 }
 
 impl Lay {
@@ -325,7 +325,7 @@ enum Kind {
 impl GridSpectrum {
     /// Of a field with this autocorrelation on a grid of `points`, by lag around the border.
     pub(super) fn from_autocorrelation(points: [usize; 2], correlation: Vec<f64>) -> Self {
-        Self { points, kind: Kind::Table(roots(correlation, points)) }
+        Self { points, kind: Kind::Table(roots(correlation, points, &Silent)) }
     }
 
     /// Points along x and y.
@@ -334,8 +334,10 @@ impl GridSpectrum {
     }
 
     /// The spectrum of the Gaussian field that a transform of heights turns into a field of this spectrum.
-    /// Autocorrelations impossible for a Gaussian field are replaced by the nearest possible ones (Grigoriu 1998).
-    pub fn before(&self, map: &Distortion) -> Self {
+    /// Autocorrelations impossible for a Gaussian field are replaced by the nearest possible ones (Grigoriu 1998). To `progress` it shows
+    /// that it goes on.
+    pub fn before(&self, map: &Distortion, progress: &dyn Progress) -> Self {
+        let goes_on = &Share { progress, units: 0.0 };
         let points = self.points;
         let inverse = map.inverse();
         let mut correlation = synthesise(
@@ -354,12 +356,13 @@ impl GridSpectrum {
                 weight(points, j) * total
             },
             |totals| totals.iter().sum::<f64>().recip(),
-            &Silent,
+            goes_on,
         );
         for_each_row(&mut correlation, points[1], &|_, row| {
+            goes_on.advance(0.0);
             row.iter_mut().for_each(|rho| *rho = inverse.of(*rho));
         });
-        Self::from_autocorrelation(points, correlation)
+        Self { points, kind: Kind::Table(roots(correlation, points, goes_on)) }
     }
 
     /// The variance of the wave of zero wave number, up to the factor common to all waves. A map of zero mean lacks it:

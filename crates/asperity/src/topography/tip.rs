@@ -9,6 +9,7 @@
 use rayon::prelude::*;
 
 use super::{Boundary, HeightMap, Rows};
+use crate::progress::{Count, Progress};
 
 /// What a tip of a radius has reached of a map.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,26 +32,35 @@ const PART_OF_SQ: f64 = 0.01;
 /// Places of the tip per pixel.
 const PARTS: usize = 4;
 
-/// Erodes a map by a tip of `radius` (m). Missing points stay missing and bound nothing.
+/// Units of work of [`eroded`]: the copy of the map, two erosions of three passes each, and what they have reached.
+pub const WORK: f64 = 8.0;
+
+/// Erodes a map by a tip of `radius` (m). Missing points stay missing and bound nothing. [`WORK`] units of work for whoever watches the map.
 pub fn eroded(map: &dyn Rows, radius: f64) -> (HeightMap, TipReach) {
+    let progress = map.progress();
     let traced = HeightMap::from_rows(map);
     let is_periodic = map.boundary() == Boundary::Periodic;
     let grid = Grid { points: map.points(), pixel: map.pixel(), is_periodic, radius };
     let heights = traced.heights();
-    let (mut surface, apexes) = grid.eroded(heights);
+    let (mut surface, apexes) = grid.eroded(heights, progress);
     let negated: Vec<f64> = surface.iter().map(|z| -z).collect();
-    let (opened, _) = grid.eroded(&negated);
+    let (opened, _) = grid.eroded(&negated, progress);
+    let goes_on = || progress.advance(0.0);
     let is_present = |k: &usize| !heights[*k].is_nan();
     let present: Vec<usize> = (0..heights.len()).filter(is_present).collect();
+    goes_on();
     let count = present.len() as f64;
     let mean = present.iter().map(|&k| heights[k]).sum::<f64>() / count;
     let sq = (present.iter().map(|&k| (heights[k] - mean).powi(2)).sum::<f64>() / count).sqrt();
+    goes_on();
     // Between points of the grid the tip touches lower than at the nearest of them by at most this.
     let of_grid: f64 = grid.pixel.iter().map(|pixel| pixel * pixel / (4.0 * radius)).sum();
     let is_untraced = |k: &&usize| heights[**k] + opened[**k] > PART_OF_SQ * sq + of_grid;
     let untraced = present.iter().filter(is_untraced).count() as f64 / count;
-    let unreached = grid.unreached(&apexes, &present) as f64 / count;
+    goes_on();
+    let unreached = grid.unreached(&apexes, &present, progress) as f64 / count;
     let largest = present.iter().map(|&k| heights[k] - surface[k]).fold(0.0, f64::max);
+    goes_on();
     for (z, traced) in surface.iter_mut().zip(heights) {
         if traced.is_nan() {
             *z = f64::NAN;
@@ -79,22 +89,32 @@ struct Lowest {
 
 impl Grid {
     /// The lowest of the tips at all points at each point, with the displacement of its apex along x and y.
-    fn eroded(&self, heights: &[f64]) -> (Vec<f64>, Vec<[i32; 2]>) {
+    fn eroded(&self, heights: &[f64], progress: &dyn Progress) -> (Vec<f64>, Vec<[i32; 2]>) {
         let [nx, ny] = self.points;
-        let along_y: Vec<Vec<Lowest>> =
-            heights.par_chunks(ny).map(|row| self.lowest(row, self.pixel[1])).collect();
+        let [row, line] = [nx, ny].map(|count| (count as f64).recip());
+        let along_y: Vec<Vec<Lowest>> = heights
+            .par_chunks(ny)
+            .map(|heights| {
+                progress.advance(row);
+                self.lowest(heights, self.pixel[1])
+            })
+            .collect();
         let along_x: Vec<Vec<Lowest>> = (0..ny)
             .into_par_iter()
             .map(|iy| {
-                let line: Vec<f64> = along_y.iter().map(|row| row[iy].height).collect();
-                self.lowest(&line, self.pixel[0])
+                progress.advance(line);
+                let heights: Vec<f64> = along_y.iter().map(|row| row[iy].height).collect();
+                self.lowest(&heights, self.pixel[0])
             })
             .collect();
         let each = (0..nx * ny).into_par_iter().map(|k| {
             let (ix, iy) = (k / ny, k % ny);
+            if iy == 0 {
+                progress.advance(row);
+            }
             let Lowest { height, apex } = along_x[iy][ix];
-            let row = apex.rem_euclid(nx as i32) as usize;
-            (height, [apex - ix as i32, along_y[row][iy].apex - iy as i32])
+            let apex_row = apex.rem_euclid(nx as i32) as usize;
+            (height, [apex - ix as i32, along_y[apex_row][iy].apex - iy as i32])
         });
         each.unzip()
     }
@@ -173,7 +193,8 @@ impl Grid {
     }
 
     /// The number of `present` points whose place of the tip touches points that are not neighbours.
-    fn unreached(&self, apexes: &[[i32; 2]], present: &[usize]) -> usize {
+    fn unreached(&self, apexes: &[[i32; 2]], present: &[usize], progress: &dyn Progress) -> usize {
+        let count = || Count::new(progress, 0.5, present.len());
         let [nx, ny] = self.points.map(|count| count as i32);
         let apex = |k: usize| {
             let at = [(k / self.points[1]) as i32 + apexes[k][0], (k % self.points[1]) as i32 + apexes[k][1]];
@@ -181,24 +202,32 @@ impl Grid {
         };
         let none = ([i32::MAX; 2], [i32::MIN; 2]);
         let mut extents = vec![none; apexes.len()];
+        let mut joined = count();
         for &k in present {
+            joined.add(1);
             let (low, high) = &mut extents[apex(k)];
             for axis in 0..2 {
                 low[axis] = low[axis].min(apexes[k][axis]);
                 high[axis] = high[axis].max(apexes[k][axis]);
             }
         }
+        joined.end();
+        let mut looked_at = count();
         let is_unreached = |k: &&usize| {
+            looked_at.add(1);
             let (low, high) = extents[apex(**k)];
             (0..2).any(|axis| high[axis] - low[axis] > 1)
         };
-        present.iter().filter(is_unreached).count()
+        let unreached = present.iter().filter(is_unreached).count();
+        looked_at.end();
+        unreached
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::progress::Silent;
     use crate::topography::summits::{Detail, Neighbours, find};
 
     const PIXEL: f64 = 0.5e-6;
@@ -224,7 +253,7 @@ mod tests {
         };
         let negated: Vec<f64> = (0..n * n).map(height).collect();
         let grid = Grid { points: [n; 2], pixel: [PIXEL / FINER as f64; 2], is_periodic: true, radius };
-        let fine = grid.eroded(&negated).0;
+        let fine = grid.eroded(&negated, &Silent).0;
         let coarse = (0..120 * 120).map(|k| -fine[k / 120 * FINER * n + k % 120 * FINER]).collect();
         HeightMap::new([120; 2], [PIXEL; 2], coarse, 0.0).unwrap().periodic()
     }

@@ -7,6 +7,7 @@ use crate::contact::Contact;
 use crate::interface::{LoadBounds, MicroContact, Shapes};
 use crate::literature::Paper;
 use crate::numeric::interval::Interval;
+use crate::progress::{Progress, Silent};
 use crate::shape::Shape;
 use crate::spot::{SpotProperties, SpotValues};
 
@@ -15,16 +16,25 @@ pub struct CountedContact<'a> {
     contact: &'a dyn MicroContact,
     is_layered: bool,
     counter: &'a Counter,
+    progress: &'a dyn Progress,
 }
 
 impl<'a> CountedContact<'a> {
     /// Counts the evaluations of `contact` in `counter`.
     pub fn new(contact: &'a dyn MicroContact, counter: &'a Counter) -> Self {
-        Self { contact, is_layered: contact.is_layered(), counter }
+        Self { contact, is_layered: contact.is_layered(), counter, progress: &Silent }
+    }
+
+    /// The same, which shows to `progress` that the evaluations go on.
+    #[must_use]
+    pub fn watched_by(self, progress: &'a dyn Progress) -> Self {
+        Self { progress, ..self }
     }
 
     fn count(&self, item: Item, count: usize) {
-        self.counter.add(item, count);
+        if self.counter.add(item, count) {
+            self.progress.advance(0.0);
+        }
         if self.is_layered {
             self.counter.add(Item::CoatingCalls, count);
         }

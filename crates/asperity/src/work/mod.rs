@@ -3,6 +3,7 @@
 mod counted;
 mod timing;
 
+use crate::progress::PIECE;
 pub use counted::CountedContact;
 pub use timing::Timing;
 
@@ -60,11 +61,13 @@ const PARTS: usize = 16;
 struct Part([AtomicU64; 6]);
 
 impl Counter {
-    /// Adds `count` of an item.
+    /// Adds `count` of an item, and says whether a further [`PIECE`] of them is full.
     #[inline]
-    pub fn add(&self, item: Item, count: usize) {
+    pub fn add(&self, item: Item, count: usize) -> bool {
         let part = rayon::current_thread_index().unwrap_or(0) % PARTS;
-        self.0[part].0[item as usize].fetch_add(count as u64, Ordering::Relaxed);
+        let before = self.0[part].0[item as usize].fetch_add(count as u64, Ordering::Relaxed);
+        let pieces = |count: u64| count / PIECE as u64;
+        pieces(before + count as u64) > pieces(before)
     }
 
     /// The counts so far.

@@ -172,7 +172,7 @@ fn what_is_no_array_is_told_apart() {
 
 /// Heights and radii of a list.
 fn spheres(path: &Path) -> (Vec<f64>, Vec<f64>) {
-    let set = AsperityList::read(path, ListOptions::default()).unwrap().set(1.0).unwrap();
+    let set = AsperityList::read(path, ListOptions::default(), &Silent).unwrap().set(1.0).unwrap();
     (set.heights().to_vec(), set.radii().to_vec())
 }
 
@@ -194,7 +194,7 @@ fn a_list_may_be_an_array_of_two_columns() {
     assert_eq!(spheres(&path), (vec![2e-9], vec![1e-6]));
     let (_folder, path) = file("long.npy", &array("<f8", false, "(4, 1)", &data));
     assert!(matches!(
-        AsperityList::read(&path, ListOptions::default()),
+        AsperityList::read(&path, ListOptions::default(), &Silent),
         Err(ListError::Shape { rows: 4, columns: 1, .. })
     ));
 }
@@ -223,7 +223,7 @@ fn a_long_array_is_read_in_pieces() {
     let mut bad = by_rows.clone();
     (bad[2 * 19_000 + 1], bad[2 * 9_000], bad[2 * 9_000 + 1]) = (0.0, f64::NAN, -1.0);
     let (_folder, path) = file("bad.npy", &array("<f8", false, &shape, &bytes(&bad, false)));
-    let error = AsperityList::read(&path, ListOptions::default()).unwrap_err().to_string();
+    let error = AsperityList::read(&path, ListOptions::default(), &Silent).unwrap_err().to_string();
     assert!(error.contains("row 9001 of 20000, column `height`: found NaN"), "{error}");
 }
 
@@ -235,13 +235,13 @@ fn a_list_of_ellipses_has_two_curvatures_more() {
     for (_folder, path) in
         [file("list.csv", text.as_bytes()), file("list.npy", &array("<f8", false, "(2, 4)", &data))]
     {
-        let set = AsperityList::read(&path, ELLIPSES).unwrap().set(1.0).unwrap();
+        let set = AsperityList::read(&path, ELLIPSES, &Silent).unwrap().set(1.0).unwrap();
         assert_eq!(set.ellipses(), Some(&[Ellipse::new(1e6, 4e6), Ellipse::new(5e5, 5e5)][..]));
         assert_eq!((set.heights(), set.radii()), (&[2e-9, -3e-9][..], &[1e-6, 2e-6][..]));
         // Spheres ignore the curvatures.
         assert_eq!(spheres(&path), (vec![2e-9, -3e-9], vec![1e-6, 2e-6]));
         assert_eq!(
-            AsperityList::read(&path, ListOptions::default()).unwrap().set(1.0).unwrap().ellipses(),
+            AsperityList::read(&path, ListOptions::default(), &Silent).unwrap().set(1.0).unwrap().ellipses(),
             None
         );
     }
@@ -252,7 +252,7 @@ fn a_list_of_ellipses_has_two_curvatures_more() {
 fn curvatures_that_are_missing_or_none_are_refused() {
     let refused = |name: &str, bytes: &[u8]| {
         let (_folder, path) = file(name, bytes);
-        AsperityList::read(&path, ELLIPSES).unwrap_err()
+        AsperityList::read(&path, ELLIPSES, &Silent).unwrap_err()
     };
     for (header, missing) in [
         ("height,radius", ListColumn::Kx),

@@ -1,5 +1,6 @@
 //! Lists of asperities as text: units, separators, decimal commas, headers, and what is refused.
 
+use asperity::progress::Silent;
 use asperity::{AsperityList, Ellipse, ListColumn, ListError, ListOptions};
 
 fn with<T>(bytes: impl AsRef<[u8]>, look: impl FnOnce(&std::path::Path) -> T) -> T {
@@ -12,8 +13,8 @@ fn with<T>(bytes: impl AsRef<[u8]>, look: impl FnOnce(&std::path::Path) -> T) ->
 /// Heights and radii, m.
 fn spheres(bytes: impl AsRef<[u8]>, options: ListOptions) -> (Vec<f64>, Vec<f64>) {
     with(bytes, |path| {
-        let list = AsperityList::read(path, options).unwrap();
-        assert_eq!(AsperityList::check(path, options).unwrap(), list.count());
+        let list = AsperityList::read(path, options, &Silent).unwrap();
+        assert_eq!(AsperityList::check(path, options, &Silent).unwrap(), list.count());
         let set = list.set(1.0).unwrap();
         (set.heights().to_vec(), set.radii().to_vec())
     })
@@ -22,8 +23,8 @@ fn spheres(bytes: impl AsRef<[u8]>, options: ListOptions) -> (Vec<f64>, Vec<f64>
 /// The same error of the check and of the reading.
 fn refused(bytes: impl AsRef<[u8]>, options: ListOptions) -> ListError {
     with(bytes, |path| {
-        let error = AsperityList::read(path, options).unwrap_err();
-        assert_eq!(AsperityList::check(path, options).unwrap_err().to_string(), error.to_string());
+        let error = AsperityList::read(path, options, &Silent).unwrap_err();
+        assert_eq!(AsperityList::check(path, options, &Silent).unwrap_err().to_string(), error.to_string());
         error
     })
 }
@@ -74,7 +75,8 @@ fn curvatures_have_the_reciprocal_unit() {
         ("height [um],radius [um],kx [1/um],ky [mm^-1]\n1,2,0.5,2000\n", None),
         ("height;radius;kx;ky\n1;2;0,5;2\n", Some(1e-6)),
     ] {
-        let set = with(text, |path| AsperityList::read(path, options(unit)).unwrap().set(1.0).unwrap());
+        let set =
+            with(text, |path| AsperityList::read(path, options(unit), &Silent).unwrap().set(1.0).unwrap());
         assert_eq!(set.ellipses(), Some(&[Ellipse::new(5e5, 2e6)][..]), "{text}");
     }
 }

@@ -17,6 +17,7 @@ mod layered_rough;
 mod lists;
 mod measured;
 mod npy;
+mod progress;
 mod reference;
 mod small_maps;
 mod surfaces;

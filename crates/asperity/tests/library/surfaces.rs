@@ -382,7 +382,7 @@ fn the_same_bits_on_any_number_of_threads() {
             five_point(&levelled),
             Autocorrelation::from_map(&levelled, 0.0),
             RadialSpectrum::from_map(map.clone(), 0.0),
-            RadialSpectrum::prescribed(&spectrum, map.pixel(), SIGMA),
+            RadialSpectrum::prescribed(&spectrum, map.pixel(), SIGMA, &Silent),
             map,
             gaussian(&spectrum, 1.0, [3; 32]),
         )

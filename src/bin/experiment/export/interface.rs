@@ -1,6 +1,5 @@
 //! `experiment export interface`: joints for programs for finite elements.
 
-use std::io::Write;
 use std::path::PathBuf;
 
 use asperity_experiment::Experiment;
@@ -48,11 +47,13 @@ impl InterfaceExport {
         let format = named(&Format::ALL, Format::name, &format);
         let model = named(&TableModel::ALL, TableModel::name, &model);
         let units = named(&UnitSystem::ALL, UnitSystem::name, &units);
-        let experiment = Experiment::read(&spec)?;
+        let name = spec.file_stem().unwrap_or_default().to_string_lossy();
+        let experiment =
+            watched(&name, writing.quiet, |progress| Experiment::watched_read(&spec, false, progress))?;
         let writer = writing.begin()?;
         // The name of a single case is checked before the run; those of several cases follow from it.
         writer.check([&format!("{}.{}", experiment.stem(), format.ending())])?;
-        let results = watched(experiment.stem(), &writer.options, |progress| experiment.run(progress))?;
+        let results = watched(experiment.stem(), writer.options.quiet, |progress| experiment.run(progress))?;
         let of = InterfaceOptions { model, beyond };
         let refuse = |message: String| Failure::Input(format!("{}: {message}", spec.display()));
         let found = interface_tables(&*results, of).map_err(refuse)?;

@@ -3,11 +3,10 @@
 mod interface;
 mod surface;
 
-use std::fs::File;
-use std::io::{self, BufWriter, ErrorKind};
+use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
-use asperity::topography::write::whole_file;
+use asperity::topography::write::{Out, whole_file};
 use asperity_contact_framework::disk::check_writable;
 use clap::{Args, Subcommand};
 
@@ -95,15 +94,16 @@ impl Writer {
     }
 
     /// Writes a file whole or not at all.
-    fn write(
-        &self,
-        name: &str,
-        content: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
-    ) -> Result<(), Failure> {
+    fn write(&self, name: &str, content: impl FnOnce(&mut dyn Out) -> io::Result<()>) -> Result<(), Failure> {
         let path = self.options.out.join(name);
         self.check([&name.to_owned()])?;
-        let _whole = interrupt::begin_writing();
-        whole_file(&path, content).map_err(|error| unwritten(&path.display().to_string(), &error))?;
+        let writing = interrupt::begin_writing();
+        let written = whole_file(&path, |out| content(&mut interrupt::GivenUp::new(out)));
+        if written.is_err() && interrupt::has_come() {
+            interrupt::wait_for_the_end(writing);
+        }
+        drop(writing);
+        written.map_err(|error| unwritten(&path.display().to_string(), &error))?;
         say(&self.options, &format!("{} written", path.display()));
         Ok(())
     }

@@ -1,9 +1,10 @@
 //! `experiment export map|asperities|patches`: what the models see of a surface.
 
-use std::io::Write;
 use std::path::PathBuf;
 
+use asperity::progress::Progress;
 use asperity::surface::Step;
+use asperity::topography::Watched;
 use asperity::topography::write::{FORMATS, MapFormat, Note};
 use asperity_experiment::export::{ExportedContacts, ExportedMap, ExportedSurface, SurfaceChoice};
 use asperity_experiment::surface::{ContactOptions, FileOptions};
@@ -30,6 +31,12 @@ struct Chosen {
 impl Chosen {
     fn choice(&self) -> SurfaceChoice {
         SurfaceChoice { surface: self.surface.clone(), realisation: self.realisation }
+    }
+
+    /// What `read` makes of the file, with a display of its progress unless that is not wanted.
+    fn read<T, E>(&self, is_quiet: bool, read: impl FnOnce(&dyn Progress) -> Result<T, E>) -> Result<T, E> {
+        let name = self.file.file_stem().unwrap_or_default().to_string_lossy();
+        watched(&name, is_quiet, read)
     }
 }
 
@@ -58,7 +65,9 @@ impl MapExport {
     pub fn run(self) -> Result<(), Failure> {
         let Self { chosen, arguments, format, step, writing } = self;
         let format = MapFormat::of_ending(&format).unwrap_or(FORMATS[0]);
-        let surface = ExportedSurface::read(&chosen.file, &arguments.into(), &chosen.choice())?;
+        let surface = chosen.read(writing.quiet, |progress| {
+            ExportedSurface::read(&chosen.file, &arguments.into(), &chosen.choice(), progress)
+        })?;
         let writer = writing.begin()?;
         let is_wanted = |found: Step| step.as_ref().is_none_or(|step| step == found.name());
         let names = |name: &str, step: Step| {
@@ -70,7 +79,7 @@ impl MapExport {
         let known: Vec<String> = known.flat_map(|step| names(&surface.name(), step)).collect();
         writer.check(&known)?;
         let mut found = Vec::new();
-        watched(&surface.name(), &writer.options, |progress| {
+        watched(&surface.name(), writer.options.quiet, |progress| {
             surface.each_map(progress, |ExportedMap { name, step, map, notes }| {
                 found.push(step.name());
                 if !is_wanted(*step) {
@@ -78,7 +87,8 @@ impl MapExport {
                 }
                 let all: Vec<String> = names(name, *step).collect();
                 writer.check(&all)?;
-                writer.write(&all[0], |out| format.write(out, *map, notes))?;
+                progress.stage("writing", 1.0);
+                writer.write(&all[0], |out| format.write(out, &Watched { map: *map, progress }, notes))?;
                 let [points, pixel] = [json!(map.points()), json!(map.pixel())];
                 all[1..].iter().try_for_each(|beside| {
                     let facts = [("points", points.clone()), ("pixel_m", pixel.clone())];
@@ -118,17 +128,30 @@ impl AsperitiesExport {
     /// A surface that cannot be made, a file that cannot be written.
     pub fn run(self) -> Result<(), Failure> {
         let Self { chosen, arguments, format, writing } = self;
-        let surface = ExportedSurface::read(&chosen.file, &arguments.into(), &chosen.choice())?;
+        let surface = chosen.read(writing.quiet, |progress| {
+            ExportedSurface::read(&chosen.file, &arguments.into(), &chosen.choice(), progress)
+        })?;
         let writer = writing.begin()?;
         let name = format!("{}-asperities", surface.name());
         let [file, beside] = [&format, "json"].map(|ending| format!("{name}.{ending}"));
         let is_text = format == "csv";
         writer.check([&file].into_iter().chain((!is_text).then_some(&beside)))?;
-        let asperities = watched(&surface.name(), &writer.options, |progress| surface.asperities(progress))?;
+        let name = surface.name();
+        let asperities = watched(&name, writer.options.quiet, |progress| {
+            let asperities = surface.asperities(progress)?;
+            progress.stage("writing", 1.0);
+            writer.write(&file, |out| {
+                if is_text {
+                    asperities.write_csv(out, progress)
+                } else {
+                    asperities.write_npy(out, progress)
+                }
+            })?;
+            Ok::<_, Failure>(asperities)
+        })?;
         if is_text {
-            return writer.write(&file, |out| asperities.write_csv(out));
+            return Ok(());
         }
-        writer.write(&file, |out| asperities.write_npy(out))?;
         let facts = [("columns", json!(asperities.array_columns()))];
         writer.write_notes(&beside, "one row for each asperity", facts, &asperities.notes)
     }
@@ -159,7 +182,9 @@ impl PatchesExport {
     pub fn run(self) -> Result<(), Failure> {
         let Self { chosen, arguments, contact, format, writing } = self;
         let options = FileOptions { contact: ContactOptions::from(contact), ..arguments.into() };
-        let contacts = ExportedContacts::read(&chosen.file, &options, &chosen.choice())?;
+        let contacts = chosen.read(writing.quiet, |progress| {
+            ExportedContacts::read(&chosen.file, &options, &chosen.choice(), progress)
+        })?;
         let writer = writing.begin()?;
         let endings: &[&str] = if format == "gwy" {
             &["-contact.png", "-contact.gwy"]
@@ -170,7 +195,7 @@ impl PatchesExport {
         // Of several contacts the names follow from this one.
         writer.check(&names(&contacts.name()))?;
         let mut written = 0;
-        let left_out = watched(&contacts.name(), &writer.options, |progress| {
+        let left_out = watched(&contacts.name(), writer.options.quiet, |progress| {
             contacts.each(progress, |contact| {
                 written += 1;
                 let all = names(&contact.name);

@@ -7,7 +7,7 @@ use std::time::Instant;
 use asperity::HeightMap;
 use asperity::bem::{Boundary, Contact, ElasticPair, MOST_MISSING, Options, Solver, SolverError, refined};
 use asperity::compare::{BlockShare, Control, ModelKind, ReferenceCurve, ReferencePoint};
-use asperity::progress::Silent;
+use asperity::progress::{Progress, Share};
 use asperity::study::{CaseResults, LawContact};
 use asperity::surface::{Independence, PreparedMap, Surface};
 use asperity::topography::Blocks;
@@ -68,6 +68,7 @@ impl ReferenceRun<'_> {
         context.progress.stage("boundary elements", all.iter().map(Vec::len).sum::<usize>() as f64);
         let boundary = reference.boundary(self.plan);
         let map = self.map(boundary).map_err(|error| self.refuse(context, None, &error))?;
+        context.progress.advance(0.0);
         let (mut views, mut all_covered) = (Vec::new(), Vec::new());
         for (index, (solution, pressures)) in reference.solutions.iter().zip(&all).enumerate() {
             let served: Vec<usize> =
@@ -170,6 +171,8 @@ impl ReferenceRun<'_> {
         };
         let mut solved = Solved { interpolated: missing(&self.prepared.map), ..Solved::default() };
         let mut view: Option<ContactView> = None;
+        let goes_on = &Share { progress: context.progress, units: 0.0 };
+        goes_on.advance(0.0);
         for &pressure in pressures {
             if solution.cap.is_some_and(|cap| pressure >= cap) {
                 solved.unreached.push(pressure);
@@ -179,13 +182,16 @@ impl ReferenceRun<'_> {
             let found = SolvedContact::new(&solver, &spots[0], pressure, error, context.progress)
                 .map_err(|error| refuse(&error))?;
             let at_own =
-                own.as_ref().map(|solver| SolvedContact::new(solver, &spots[1], pressure, error, &Silent));
+                own.as_ref().map(|solver| SolvedContact::new(solver, &spots[1], pressure, error, goes_on));
             let at_own = at_own.transpose();
             let at_own = at_own.map_err(|error| refuse(&error))?;
             let bits = pressure.to_bits();
+            goes_on.advance(0.0);
             solved.points.insert(bits, found.point(pressure, at_own.as_ref(), self.surface));
+            goes_on.advance(0.0);
             let shares = blocks.as_ref().map(|blocks| found.block_shares(blocks));
             solved.blocks.insert(bits, shares.unwrap_or_default());
+            goes_on.advance(0.0);
             let contact = &found.contact;
             if self.is_viewed && self.reference.solutions.len() == 1 {
                 let (cells, shares) = covered(contact.pressures(), contact.points());

@@ -3,6 +3,7 @@
 use std::cell::OnceCell;
 
 use asperity::bem::{Boundary, Conductor, Contact, Current, Solver, SolverError, Tangent};
+use asperity::progress::Progress;
 use asperity::spot::{Conduction, GapMedium, ShearStrength, SpotProperties, SpotQuantity, SpotValues};
 use asperity::topography::Blocks;
 
@@ -63,9 +64,10 @@ impl SpotSolver {
         contact: &Contact,
         tangent: Option<&Tangent>,
         error: f64,
+        progress: &dyn Progress,
     ) -> Result<SolvedSpots, SolverError> {
         let current = |spots: &Option<ConductingSpots>| {
-            spots.as_ref().map_or(Ok(None), |spots| spots.current(solver, contact, tangent, error))
+            spots.as_ref().map_or(Ok(None), |spots| spots.current(solver, contact, tangent, error, progress))
         };
         Ok(SolvedSpots {
             currents: [current(&self.electrical)?, current(&self.thermal)?],
@@ -83,6 +85,7 @@ impl ConductingSpots {
         contact: &Contact,
         tangent: Option<&Tangent>,
         error: f64,
+        progress: &dyn Progress,
     ) -> Result<Option<Current>, SolverError> {
         let is_bare = self.conduction.film() == 0.0 && !self.conduction.is_layered();
         if is_bare
@@ -99,7 +102,7 @@ impl ConductingSpots {
             // Nobody else has set it.
             let _ = self.conductor.set(conductor);
         }
-        Ok(self.conductor.get().and_then(|conductor| conductor.current(contact)))
+        Ok(self.conductor.get().and_then(|conductor| conductor.watched_current(contact, progress)))
     }
 }
 

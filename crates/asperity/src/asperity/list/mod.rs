@@ -14,6 +14,7 @@ use super::{AsperitySet, Ellipse, SetError};
 use crate::legible::legible;
 use crate::memory::zeros;
 use crate::npy::{self, NpyError};
+use crate::progress::{Progress, Silent};
 pub use column::ListColumn;
 use column::per_metre;
 
@@ -189,17 +190,17 @@ impl AsperityList {
     /// of `options`. The separator is the first of semicolon, tab, comma and blank that the header contains; between
     /// others than commas, decimal commas are read too. Lines that begin with `#` are comments, the last of which is the
     /// header if no other line is; further columns are ignored. An `.npy` is read in pieces: memory is used only for the
-    /// columns returned.
+    /// columns returned. One unit of work for `progress`.
     ///
     /// # Errors
     /// See [`ListError`]; an invalid value is reported with its row.
-    pub fn read(path: &Path, options: ListOptions) -> Result<Self, ListError> {
+    pub fn read(path: &Path, options: ListOptions, progress: &dyn Progress) -> Result<Self, ListError> {
         let needed = options.needed();
         let mut found = Columns::default();
         if npy::is_npy(path)? {
-            found = read_npy(path, needed, options)?;
+            found = read_npy(path, needed, options, progress)?;
         } else {
-            text::rows(path, needed, options, |columns, row| {
+            text::rows(path, needed, options, progress, |columns, row| {
                 columns.iter().zip(row).for_each(|(&column, &value)| found[column as usize].push(value));
             })?;
         }
@@ -212,16 +213,16 @@ impl AsperityList {
     }
 
     /// Checks every row of a file without keeping it, and returns their number. Of an `.npy` of more than 1e8 rows only the
-    /// shape is checked: its rows are as they are read.
+    /// shape is checked: its rows are as they are read. One unit of work for `progress`.
     ///
     /// # Errors
     /// Those of [`AsperityList::read`].
-    pub fn check(path: &Path, options: ListOptions) -> Result<usize, ListError> {
+    pub fn check(path: &Path, options: ListOptions, progress: &dyn Progress) -> Result<usize, ListError> {
         let needed = options.needed();
         if npy::is_npy(path)? {
-            check_npy(path, needed, options)
+            check_npy(path, needed, options, progress)
         } else {
-            text::rows(path, needed, options, |_, _| {})
+            text::rows(path, needed, options, progress, |_, _| {})
         }
     }
 
@@ -237,7 +238,7 @@ impl AsperityList {
         if rows.is_empty() {
             return Err(ListError::Empty);
         }
-        let [heights, radii, kx, ky, ..] = rows_of(&array, rows, needed, options)?;
+        let [heights, radii, kx, ky, ..] = rows_of(&array, rows, needed, options, &Silent)?;
         Ok(Self { heights, radii, curvatures: options.as_ellipses.then_some([kx, ky]), places: None })
     }
 
@@ -308,11 +309,16 @@ const ROWS: usize = 8192;
 /// More are checked as they are read: a pass over them takes as long as a sum.
 const MOST_CHECKED: usize = 100_000_000;
 
-fn read_npy(path: &Path, needed: &'static [ListColumn], options: ListOptions) -> Result<Columns, ListError> {
+fn read_npy(
+    path: &Path,
+    needed: &'static [ListColumn],
+    options: ListOptions,
+    progress: &dyn Progress,
+) -> Result<Columns, ListError> {
     let array = npy::OnDisk::in_either_order(path)?;
     let [rows, columns] = array.points();
     check_shape(rows, columns, needed)?;
-    rows_of(&array, 0..rows, needed, options)
+    rows_of(&array, 0..rows, needed, options, progress)
 }
 
 /// The columns of an index range of rows.
@@ -321,20 +327,31 @@ fn rows_of(
     rows: Range<usize>,
     needed: &'static [ListColumn],
     options: ListOptions,
+    progress: &dyn Progress,
 ) -> Result<Columns, ListError> {
     let mut found = Columns::default();
+    let count = rows.len() as f64;
     let mut pieces: Vec<Vec<&mut [f64]>> = (0..rows.len().div_ceil(ROWS)).map(|_| Vec::new()).collect();
     for (column, _) in found.iter_mut().zip(needed) {
         *column = zeros(rows.len());
         pieces.iter_mut().zip(column.chunks_mut(ROWS)).for_each(|(pieces, piece)| pieces.push(piece));
     }
     let bad = pieces.par_iter_mut().enumerate();
-    let bad = bad.find_map_first(|(k, pieces)| piece(array, rows.start + k * ROWS, needed, options, pieces));
+    let bad = bad.find_map_first(|(k, pieces)| {
+        let read = pieces.first().map_or(0, |piece| piece.len());
+        progress.advance(read as f64 / count);
+        piece(array, rows.start + k * ROWS, needed, options, pieces)
+    });
     bad.map_or(Ok(found), Err)
 }
 
 /// The number of rows of an array that are all valid.
-fn check_npy(path: &Path, needed: &'static [ListColumn], options: ListOptions) -> Result<usize, ListError> {
+fn check_npy(
+    path: &Path,
+    needed: &'static [ListColumn],
+    options: ListOptions,
+    progress: &dyn Progress,
+) -> Result<usize, ListError> {
     let array = npy::OnDisk::in_either_order(path)?;
     let [rows, columns] = array.points();
     check_shape(rows, columns, needed)?;
@@ -345,6 +362,7 @@ fn check_npy(path: &Path, needed: &'static [ListColumn], options: ListOptions) -
         let length = ROWS.min(rows - k * ROWS);
         let mut columns = vec![vec![0.0; length]; needed.len()];
         let mut pieces: Vec<&mut [f64]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
+        progress.advance(length as f64 / rows as f64);
         piece(&array, k * ROWS, needed, options, &mut pieces)
     });
     match bad {

@@ -7,9 +7,10 @@ use std::path::Path;
 
 use super::header::{Header, Separator};
 use super::{ListColumn, ListError, ListOptions};
+use crate::progress::{Count, Progress};
 
 /// Reads each row in SI, with the columns of its values (those `needed`, and the places where the file has them), and returns the number of
-/// rows.
+/// rows: one unit of work.
 ///
 /// # Errors
 /// See [`ListError`].
@@ -17,9 +18,12 @@ pub(super) fn rows(
     path: &Path,
     needed: &'static [ListColumn],
     options: ListOptions,
+    progress: &dyn Progress,
     mut keep: impl FnMut(&[ListColumn], &[f64]),
 ) -> Result<usize, ListError> {
-    let mut file = BufReader::with_capacity(1 << 16, File::open(path)?);
+    let file = File::open(path)?;
+    let mut counted = Count::new(progress, 1.0, file.metadata()?.len() as usize);
+    let mut file = BufReader::with_capacity(1 << 16, file);
     let mut bytes = Vec::new();
     let mut header: Option<Header> = None;
     let mut comment: Option<(usize, String)> = None;
@@ -31,6 +35,7 @@ pub(super) fn rows(
         if file.read_until(b'\n', &mut bytes)? == 0 {
             break;
         }
+        counted.add(bytes.len());
         if line == 1 && (bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff")) {
             return Err(ListError::Encoding);
         }
@@ -63,6 +68,7 @@ pub(super) fn rows(
         keep(&header.columns, &values);
         count += 1;
     }
+    counted.end();
     match (header, count) {
         (None, _) => Err(ListError::Column {
             column: ListColumn::Height,

@@ -1,6 +1,7 @@
 //! Growth of the curvature towards short wavelengths: whether the grid resolves the summits.
 
-use crate::topography::{Filter, HeightMap, RoughnessParameters, Rows, Window};
+use crate::progress::Share;
+use crate::topography::{Filter, HeightMap, RoughnessParameters, Rows, Watched, Window};
 
 /// Points along an axis of the part of a map that is examined.
 const WINDOW: usize = 1024;
@@ -22,9 +23,13 @@ impl CurvatureGrowth {
         let window = HeightMap::from_rows(&Window::centre(map, WINDOW));
         let shorter = window.points()[0].min(window.points()[1]);
         let pixel = map.pixel()[0].max(map.pixel()[1]);
+        // A small part of what else is done to the map.
+        let progress = &Share { progress: map.progress(), units: 0.0 };
         let curvature = |pixels: f64| {
-            let filtered = Filter::new(Some(pixels * pixel), None).ok()?.apply(&window).ok()?;
-            let [_, _, m4] = RoughnessParameters::new(&filtered).spectral_moments();
+            let filter = Filter::new(Some(pixels * pixel), None).ok()?;
+            let filtered = filter.apply(&Watched { map: &window, progress }).ok()?;
+            let [_, _, m4] =
+                RoughnessParameters::new(&Watched { map: &filtered, progress }).spectral_moments();
             (m4 > 0.0).then(|| m4.sqrt())
         };
         if shorter < 16 {

@@ -10,7 +10,7 @@ use super::super::{Boundary, CorrelationLengths, HeightMap, Moments, Rows};
 use super::own_heights::OwnHeights;
 use super::{gaussian, roughness_scatter};
 use crate::numeric::parallel::for_each_row;
-use crate::progress::Silent;
+use crate::progress::{Progress, Silent};
 
 /// The smallest number of correlation lengths along each side of a map that a process is fitted to.
 pub const FEWEST_LENGTHS: f64 = 8.0;
@@ -102,8 +102,13 @@ impl FittedProcess {
 
     /// A surface of the process, of the size of the map and with its missing points, not levelled.
     pub fn surface(&self, seed: [u8; 32]) -> HeightMap {
+        self.watched_surface(seed, &Silent)
+    }
+
+    /// [`Self::surface`] with progress: one unit of work.
+    pub fn watched_surface(&self, seed: [u8; 32], progress: &dyn Progress) -> HeightMap {
         let torus = self.spectrum.points();
-        let field = gaussian(&self.spectrum, 1.0, seed);
+        let field = gaussian::watched(&self.spectrum, 1.0, seed, progress);
         let [nx, ny] = self.points;
         let rows = field.chunks(torus[1]).take(nx);
         let mut heights: Vec<f64> = rows.flat_map(|row| &row[..ny]).copied().collect();

@@ -19,7 +19,7 @@ use super::{HeightMap, MapError};
 use crate::distribution::Heights;
 use crate::numeric::parallel::for_each_row;
 use crate::numeric::sum::{CHUNK, sum_of};
-use crate::progress::{Progress, Silent};
+use crate::progress::{Progress, Share, Silent};
 
 /// A random process: a Gaussian surface whose heights are transformed to a distribution.
 #[derive(Debug, Clone, PartialEq)]
@@ -140,7 +140,7 @@ impl Process {
     ) -> Vec<f64> {
         let mut spectrum = self.spectrum.on_grid(points, pixel);
         if self.heights != Heights::GAUSSIAN && self.of == SpectrumOf::Heights {
-            spectrum = spectrum.before(&Distortion::new(&*self.heights));
+            spectrum = spectrum.before(&Distortion::new(&*self.heights), progress);
         }
         field(&spectrum, &self.heights, self.sigma, seed, progress)
     }
@@ -157,8 +157,9 @@ fn field(
     if *heights == Heights::GAUSSIAN {
         return gaussian::watched(spectrum, sigma, seed, progress);
     }
-    let mut field = gaussian::watched(spectrum, 1.0, seed, progress);
-    map_normals(&**heights, &mut field, sigma);
+    let half = &Share { progress, units: 0.5 };
+    let mut field = gaussian::watched(spectrum, 1.0, seed, half);
+    map_normals(&**heights, &mut field, sigma, half);
     centre(&mut field);
     field
 }

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::content::{ChannelName, Measured, Metadata, OtherChannel, transposed};
 use super::error::{ReadError, too_large};
-use super::source::Source;
+use super::source::{OF_BYTES, Source, decode};
 use crate::numeric::is_positive;
 use crate::numeric::stored::NumberType;
 use crate::units::Dimension;
@@ -59,7 +59,10 @@ pub(super) enum Numbers {
     Packed(NumberType, Box<Unpack>),
 }
 
-/// Unpacks the numbers of a channel.
+/// Units of work that the numbers of a channel are before their unit and their order.
+pub(super) const UNPACKED: f64 = 0.6;
+
+/// Unpacks the numbers of a channel: [`UNPACKED`] units of work, those of reading bytes included.
 type Unpack = dyn Fn(&Source) -> Result<Vec<f64>, ReadError>;
 
 /// Numbers in a file.
@@ -195,11 +198,14 @@ impl Channel {
             Numbers::Stored(stored) => {
                 let (line, stride, bytes) = self.lengths(stored).ok_or_else(too_large)?;
                 let bytes = source.bytes(stored.start, bytes)?;
+                let mut counted = source.count(UNPACKED - OF_BYTES, count);
                 let mut values = vec![0.0; count];
+                // Numbers without a gap are one run.
                 let runs = values.chunks_mut((line / stored.kind.bytes()) as usize);
                 for (run, bytes) in runs.zip(bytes.chunks(stride as usize)) {
-                    stored.kind.decode(bytes, stored.big_endian, run);
+                    decode(stored.kind, stored.big_endian, bytes, run, &mut counted);
                 }
+                counted.end();
                 values
             }
         };
@@ -209,23 +215,29 @@ impl Channel {
                 values.len()
             )));
         }
-        for value in &mut values {
-            let is_missing = !value.is_finite() || (self.missing)(*value);
-            *value = if is_missing { f64::NAN } else { *value * self.factor };
-        }
+        source.count(0.5 * (1.0 - UNPACKED), count).pieces(&mut values, |piece| {
+            for value in piece {
+                let is_missing = !value.is_finite() || (self.missing)(*value);
+                *value = if is_missing { f64::NAN } else { *value * self.factor };
+            }
+            Ok::<_, ReadError>(())
+        })?;
+        let sorted = source.count(0.5 * (1.0 - UNPACKED), count);
         Ok(match self.order {
-            Order::Lines => transposed(&values, nx),
+            Order::Lines => transposed(&values, nx, sorted),
             Order::LinesUpwards => {
                 values.reverse();
                 values.chunks_mut(nx).for_each(<[f64]>::reverse);
-                transposed(&values, nx)
+                transposed(&values, nx, sorted)
             }
             Order::ColumnsUpwards => {
                 values.chunks_mut(ny).for_each(<[f64]>::reverse);
+                sorted.end();
                 values
             }
             Order::ColumnsUpwardsFromRight => {
                 values.reverse();
+                sorted.end();
                 values
             }
         })

@@ -4,6 +4,7 @@ use std::fmt;
 
 use super::error::ReadOptionsError;
 use super::npy;
+use crate::progress::Count;
 use crate::topography::Rows;
 
 /// Size, pixel and format of a map, from the header of its file.
@@ -190,8 +191,15 @@ pub struct Measured {
     pub precision: f64,
 }
 
-/// Transposes heights in lines of `points_x` along x, so that the y index runs fastest.
-pub(super) fn transposed(lines: &[f64], points_x: usize) -> Vec<f64> {
+/// Transposes heights in lines of `points_x` along x, so that the y index runs fastest; `count` is of the heights.
+pub(super) fn transposed(lines: &[f64], points_x: usize, mut count: Count) -> Vec<f64> {
+    let mut heights = Vec::with_capacity(lines.len());
     // Lines without points may claim any length.
-    (0..points_x.min(lines.len())).flat_map(|ix| lines.iter().skip(ix).step_by(points_x)).copied().collect()
+    for ix in 0..points_x.min(lines.len()) {
+        let before = heights.len();
+        heights.extend(lines.iter().skip(ix).step_by(points_x));
+        count.add(heights.len() - before);
+    }
+    count.end();
+    heights
 }

@@ -9,12 +9,13 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use hdf5_pure::{AttrValue, DType, Dataset, File, FormatError, ReadSeekSource};
 
-use super::channel::{Channel, Numbers, Quantity};
+use super::channel::{Channel, Numbers, Quantity, UNPACKED};
 use super::error::{ReadError, too_large};
 use super::source::Source;
 use super::{Format, Reader};
 use crate::numeric::is_positive;
 use crate::numeric::stored::NumberType;
+use crate::progress::PIECE;
 
 pub(super) const FORMAT: Format = Format {
     name: "a Zygo DATX file",
@@ -169,7 +170,7 @@ fn channel(
             kind,
             Box::new(move |source| {
                 check_chunks(source, &dataset)?;
-                dataset.read_f64().map_err(damaged)
+                numbers(&dataset, source)
             }),
         ),
     );
@@ -177,6 +178,23 @@ fn channel(
     channel.pixel = pixel(&attributes, measured).filter(|&pixel| is_positive(pixel)).map(|pixel| [pixel; 2]);
     channel.missing = Box::new(move |value| value >= no_data);
     Ok(Channel { factor, quantity, ..channel })
+}
+
+/// The numbers of a dataset, some rows of chunks at a time.
+fn numbers(dataset: &Dataset, source: &Source) -> Result<Vec<f64>, ReadError> {
+    let shape = dataset.shape().map_err(damaged)?;
+    let (lines, samples) = (shape[0], shape[1..].iter().product::<u64>().max(1));
+    let chunk = dataset.chunk_shape().map_err(damaged)?.and_then(|chunk| chunk.first().copied());
+    let rows = (PIECE as u64).div_ceil(samples).next_multiple_of(chunk.unwrap_or(1).max(1));
+    let mut count = source.count(UNPACKED, lines.saturating_mul(samples) as usize);
+    let mut values = Vec::with_capacity(lines.saturating_mul(samples) as usize);
+    for first in (0..lines).step_by(rows as usize) {
+        let some = dataset.read_f64_rows(first, rows).map_err(damaged)?;
+        count.add(some.len());
+        values.extend(some);
+    }
+    count.end();
+    Ok(values)
 }
 
 /// Checks that the file has the bytes of all chunks of a dataset, and that they hold all of it, before memory is taken for them.

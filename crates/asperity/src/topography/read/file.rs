@@ -10,7 +10,7 @@ use super::source::Source;
 use super::{Channel, Channels, Format, Reader, npy};
 use crate::npy::{Header, NpyError, OnDisk};
 use crate::numeric::LARGEST;
-use crate::progress::Progress;
+use crate::progress::{Count, Progress, Share, Silent};
 use crate::topography::{HeightMap, MapError, Rows, Watched, rows};
 
 /// A file of heights and how it is read.
@@ -40,25 +40,33 @@ impl MapFile {
     /// # Errors
     /// As [`metadata`](super::metadata).
     pub fn metadata(&self) -> Result<Metadata, ReadError> {
-        let (source, format) = self.open()?;
+        self.watched_metadata(&Silent)
+    }
+
+    /// [`Self::metadata`] with progress: a unit of work at most, of a text.
+    ///
+    /// # Errors
+    /// As [`metadata`](super::metadata).
+    pub fn watched_metadata(&self, progress: &dyn Progress) -> Result<Metadata, ReadError> {
+        let (source, format) = self.open(progress)?;
         let metadata = match &format.read {
-            Reader::Map { metadata, .. } => metadata(&self.path)?,
+            Reader::Map { metadata, .. } => metadata(&source)?,
             Reader::Channels(channels) => self.choose(channels(&source)?)?.metadata(&source, format.name)?,
         };
         Ok(self.turned(metadata))
     }
 
     /// The map as stored.
-    fn measured(&self) -> Result<Measured, ReadError> {
-        let (source, format) = self.open()?;
+    fn measured(&self, progress: &dyn Progress) -> Result<Measured, ReadError> {
+        let (source, format) = self.open(progress)?;
         match &format.read {
-            Reader::Map { measured, .. } => measured(&self.path),
+            Reader::Map { measured, .. } => measured(&source),
             Reader::Channels(channels) => self.choose(channels(&source)?)?.measured(&source, format.name),
         }
     }
 
-    fn open(&self) -> Result<(Source, &'static Format), ReadError> {
-        let source = Source::open(&self.path)?;
+    fn open<'a>(&self, progress: &'a dyn Progress) -> Result<(Source<'a>, &'static Format), ReadError> {
+        let source = Source::open(&self.path, progress)?;
         let format = Format::detect(&source)?;
         match &format.read {
             Reader::Map { .. } if self.channel.is_some() => {
@@ -90,9 +98,20 @@ impl MapFile {
     /// # Errors
     /// See [`ReadError`].
     pub fn height_map(&self) -> Result<HeightMap, ReadError> {
-        let Measured { metadata, mut heights, scale, offset, mut precision } = self.measured()?;
+        self.watched_height_map(&Silent)
+    }
+
+    /// [`Self::height_map`] with progress: one unit of work.
+    ///
+    /// # Errors
+    /// See [`ReadError`].
+    pub fn watched_height_map(&self, progress: &dyn Progress) -> Result<HeightMap, ReadError> {
+        /// The part of the work that checks of the heights are.
+        const OF_CHECKS: f64 = 0.1;
+        let reading = Share { progress, units: 1.0 - OF_CHECKS };
+        let Measured { metadata, mut heights, scale, offset, mut precision } = self.measured(&reading)?;
         if self.transpose {
-            heights = transposed(&heights, metadata.points[1]);
+            heights = transposed(&heights, metadata.points[1], Count::new(progress, 0.0, heights.len()));
         }
         let metadata = self.turned(metadata);
         let pixel = metadata.pixel(&self.options)?;
@@ -101,8 +120,8 @@ impl MapFile {
             precision = precision.max(f64::EPSILON);
         }
         let marks: Vec<f64> = self.marks().iter().map(|mark| mark * scale).collect();
-        mark_missing(&mut heights, &marks);
-        self.check_heights(&mut heights, unit, scale, metadata.has_unit)?;
+        let count = Count::new(progress, OF_CHECKS, heights.len());
+        self.check_heights(&mut heights, &marks, [unit, scale], metadata.has_unit, count)?;
         Ok(HeightMap::new(metadata.points, pixel, heights, precision)?.with_offset(offset * unit))
     }
 
@@ -111,17 +130,17 @@ impl MapFile {
     /// # Errors
     /// As [`metadata`](Self::metadata).
     pub fn stays_on_disk(&self) -> Result<bool, ReadError> {
-        let (_, format) = self.open()?;
+        let (_, format) = self.open(&Silent)?;
         Ok(format.name == npy::NAME && !self.transpose && !Header::read(&self.path)?.is_fortran())
     }
 
     /// Opens the map for reading by rows. One that [stays on disk](Self::stays_on_disk) may be larger than memory; its
-    /// heights are checked, one unit of work for `progress`.
+    /// heights are checked. Either is one unit of work for `progress`.
     ///
     /// # Errors
     /// As [`height_map`](Self::height_map).
     pub fn rows(&self, progress: &dyn Progress) -> Result<Box<dyn Rows>, ReadError> {
-        let map = self.unchecked_rows()?;
+        let map = self.unchecked_rows(progress)?;
         if self.stays_on_disk()? {
             self.check_rows(&Watched { map: &*map, progress })?;
         }
@@ -129,15 +148,15 @@ impl MapFile {
     }
 
     /// The same without reading the heights of a map that stays on disk: of one that is read in parts, which are checked
-    /// with [`check_rows`](Self::check_rows) each.
+    /// with [`check_rows`](Self::check_rows) each. Another one is a unit of work for `progress`.
     ///
     /// # Errors
     /// As [`height_map`](Self::height_map).
-    pub fn unchecked_rows(&self) -> Result<Box<dyn Rows>, ReadError> {
+    pub fn unchecked_rows(&self, progress: &dyn Progress) -> Result<Box<dyn Rows>, ReadError> {
         if !self.stays_on_disk()? {
-            return Ok(Box::new(self.height_map()?));
+            return Ok(Box::new(self.watched_height_map(progress)?));
         }
-        let metadata = npy::metadata(&self.path)?;
+        let metadata = self.metadata()?;
         let (pixel, unit) = (metadata.pixel(&self.options)?, metadata.units(&self.options)?.z);
         let array = OnDisk::open(&self.path)?;
         Ok(Box::new(MapOnDisk::new(array, pixel, unit, self.marks().to_vec())))
@@ -162,22 +181,28 @@ impl MapFile {
         if tallest > MAX_HEIGHT { Err(ReadError::TooTall { tallest, has_unit: false }) } else { Ok(()) }
     }
 
-    /// Replaces marks of missing points that the format has by NaN, converts heights from the `unit` of their file to metres,
+    /// Replaces `marks` of missing points, and those that the format has, by NaN, converts heights from the `unit` of their file to metres,
     /// and rejects those too large for a rough surface.
     fn check_heights(
         &self,
         heights: &mut [f64],
-        unit: f64,
-        scale: f64,
+        marks: &[f64],
+        [unit, scale]: [f64; 2],
         has_unit: bool,
+        count: Count,
     ) -> Result<(), ReadError> {
         /// A larger height in metres marks a missing point, such as 1e10.
         const MARK: f64 = 1e3;
         let mark = if has_unit { MARK } else { LARGEST };
-        for z in &mut *heights {
-            *z = if z.abs() <= mark { *z * unit } else { f64::NAN };
-        }
-        let all = Extremes::new(&*heights);
+        let mut all = Extremes::NONE;
+        count.pieces(heights, |piece| {
+            mark_missing(piece, marks);
+            for z in &mut *piece {
+                *z = if z.abs() <= mark { *z * unit } else { f64::NAN };
+            }
+            all = all.joined(Extremes::new(&*piece));
+            Ok::<_, ReadError>(())
+        })?;
         self.check_extremes(all, unit * scale)?;
         match all.tallest() {
             Some(tallest) if tallest > MAX_HEIGHT => Err(ReadError::TooTall { tallest, has_unit }),

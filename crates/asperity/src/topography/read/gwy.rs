@@ -8,11 +8,12 @@ use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{BufRead, BufReader, Read};
 
-use super::channel::{Channel, Numbers, Stored, length};
+use super::channel::{Channel, Numbers, Stored, UNPACKED, length};
 use super::error::{ReadError, too_large};
-use super::source::Source;
+use super::source::{OF_BYTES, Source};
 use super::{Format, Reader};
 use crate::numeric::stored::NumberType::F64;
+use crate::progress::PIECE;
 
 pub(super) const FORMAT: Format = Format {
     name: "a Gwyddion file",
@@ -109,12 +110,20 @@ fn masked(data: &Field, mask: &Field) -> Numbers {
         }
         // Both arrays were found to be this long.
         let bytes = points[0] * points[1] * F64.bytes();
-        let mut values = F64.values(&source.bytes(start, bytes)?);
-        for (value, mark) in values.iter_mut().zip(F64.values(&source.bytes(marks, bytes)?)) {
-            if mark > MASKED {
-                *value = f64::NAN;
+        let values = |start: u64| {
+            let work = (UNPACKED - OF_BYTES) / 4.0;
+            Ok::<_, ReadError>(source.values(F64, false, &source.bytes(start, bytes)?, work))
+        };
+        let (mut values, marks) = (values(start)?, values(marks)?);
+        let mut marks = marks.chunks(PIECE);
+        source.count((UNPACKED - OF_BYTES) / 2.0, values.len()).pieces(&mut values, |piece| {
+            for (value, mark) in piece.iter_mut().zip(marks.next().unwrap_or_default()) {
+                if *mark > MASKED {
+                    *value = f64::NAN;
+                }
             }
-        }
+            Ok::<_, ReadError>(())
+        })?;
         Ok(values)
     };
     Numbers::Packed(F64, Box::new(unpacked))

@@ -3,6 +3,7 @@
 
 use super::separation::Separation;
 use super::table::{is_missing, significant_digits};
+use crate::progress::Count;
 
 /// Fewer in a line may be heights by chance.
 const FEWEST: usize = 4;
@@ -19,10 +20,10 @@ pub(super) fn first_name(line: &str) -> Option<&str> {
 }
 
 /// The number of the first line where it names the columns of the lines below it, which hold numbers, and whether the first
-/// column holds numbers or names of lines.
-pub(super) fn names(lines: &[(usize, &str)]) -> Option<(usize, bool)> {
+/// column holds numbers or names of lines; `count` is of their bytes.
+pub(super) fn names(lines: &[(usize, &str)], count: Count) -> Option<(usize, bool)> {
     let [(number, header), below @ ..] = lines else { return None };
-    let separation = Separation::new(below).ok()?;
+    let separation = Separation::new(below, count).ok()?;
     let name = |word: &str| separation.value(word).is_none();
     let header: Vec<&str> = separation.words(header).collect();
     let first: Vec<&str> = separation.words(below.first()?.1).collect();
@@ -174,6 +175,11 @@ fn resembles(heights: &[f64], step: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::progress::Silent;
+
+    fn separation(lines: &[(usize, &str)]) -> Separation {
+        Separation::new(lines, Count::new(&Silent, 1.0, 1)).unwrap()
+    }
 
     #[test]
     fn a_count_begins_at_zero_or_one() {
@@ -190,16 +196,16 @@ mod tests {
         assert!(resembles(&[1.0, 2.0, 3.1, 4.0], 1.0) && !resembles(&[0.3, 0.2, 1.4, 0.1], 1.0));
         assert!(!resembles(&[f64::NAN; 3], 1.0));
         let lines = [(1, "0 1 2 3 4"), (2, "1 2 3 4 5"), (3, "2 3 4 5 6")];
-        assert_eq!(numbers(&lines, &Separation::new(&lines).unwrap()), None);
+        assert_eq!(numbers(&lines, &separation(&lines)), None);
         let lines = [(1, "0 1 2 3 4"), (2, "5 2 9 4 5"), (3, "2 3 4 7 1")];
-        assert_eq!(numbers(&lines, &Separation::new(&lines).unwrap()), Some((1, false)));
+        assert_eq!(numbers(&lines, &separation(&lines)), Some((1, false)));
     }
 
     #[test]
     fn coordinates_are_equally_spaced_to_their_last_digit() {
         let spaced = |words: &str| {
             let words: Vec<&str> = words.split(' ').collect();
-            spacing(&words, &Separation::new(&[(1, "0.5 1")]).unwrap())
+            spacing(&words, &separation(&[(1, "0.5 1")]))
         };
         let close = |words: &str, step: f64| (spaced(words).unwrap() - step).abs() < 2e-3 * step.abs();
         assert!(close("0.00 0.80 1.60 2.40 3.20 4.00 4.80 5.60", 0.8));

@@ -72,8 +72,8 @@ struct Format {
 enum Reader {
     /// One map, or what its user says of it.
     Map {
-        metadata: fn(&Path) -> Result<Metadata, ReadError>,
-        measured: fn(&Path) -> Result<Measured, ReadError>,
+        metadata: fn(&Source) -> Result<Metadata, ReadError>,
+        measured: fn(&Source) -> Result<Measured, ReadError>,
     },
     /// Several channels, of which one is chosen.
     Channels(fn(&Source) -> Result<Vec<Channel>, ReadError>),

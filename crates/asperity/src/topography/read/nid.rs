@@ -67,7 +67,7 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
     let end = bytes.windows(MARK.len()).position(|window| window == MARK);
     let end = end.ok_or_else(|| ReadError::Corrupt("is truncated: no #! ends its text".to_owned()))?;
     bytes.truncate(end);
-    let text = text(bytes);
+    let text = text(bytes, source.count(0.0, end));
     let mut sections: HashMap<&str, Section> = HashMap::new();
     let mut name = "";
     for line in text.lines().map(str::trim) {

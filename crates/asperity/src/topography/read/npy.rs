@@ -1,13 +1,13 @@
 //! NumPy's `.npy` as a height map. The first index is x.
 
-use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::content::{Measured, Metadata};
 use super::error::ReadError;
 use super::marks::mark_missing;
+use super::source::Source;
 use super::{Format, Reader};
-use crate::npy::{Header, MAGIC, Matrix, OnDisk, matrix};
+use crate::npy::{Header, MAGIC, Matrix, OnDisk};
 use crate::topography::{Boundary, Rows};
 
 /// The name of the format.
@@ -21,14 +21,15 @@ pub(super) const FORMAT: Format = Format {
 };
 
 /// Size and format of a map from its header.
-pub(super) fn metadata(path: &Path) -> Result<Metadata, ReadError> {
-    let Header { rows, columns, .. } = Header::read(path)?;
+pub(super) fn metadata(source: &Source) -> Result<Metadata, ReadError> {
+    let Header { rows, columns, .. } = Header::parse(source.reader()?, source.length())?;
     Ok(Metadata::new([rows, columns], NAME))
 }
 
 /// Reads a map, in the unit of the file.
-pub(super) fn measured(path: &Path) -> Result<Measured, ReadError> {
-    let Matrix { rows, columns, values, precision } = matrix(path)?;
+pub(super) fn measured(source: &Source) -> Result<Measured, ReadError> {
+    let Matrix { rows, columns, values, precision } =
+        Matrix::read(source.reader()?, source.length(), source.progress())?;
     let metadata = Metadata::new([rows, columns], NAME);
     Ok(Measured { metadata, heights: values, scale: 1.0, offset: 0.0, precision })
 }

@@ -1,8 +1,8 @@
 //! Park Systems `.tiff`: a picture in colours, and in tags of its own a header and the measured numbers, lines from the bottom.
 
-use super::channel::{Channel, Numbers, Order};
+use super::channel::{Channel, Numbers, Order, UNPACKED};
 use super::error::ReadError;
-use super::source::{Fields, Source};
+use super::source::{Fields, OF_BYTES, Source};
 use super::tags::{Tags, has};
 use super::{Format, Reader};
 use crate::numeric::stored::NumberType::{F32, F64, I16, I32, U16, U32};
@@ -75,7 +75,7 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
     }
     let numbers = move |source: &Source| {
         let bytes = Tags::open(source)?.bytes(0, DATA, length)?.unwrap_or_default();
-        Ok(kind.values(&bytes))
+        Ok(source.values(kind, false, &bytes, UNPACKED - OF_BYTES))
     };
     let name = wide(&header, 4, 32)?;
     let name = if name.is_empty() { "Topography".to_owned() } else { name };

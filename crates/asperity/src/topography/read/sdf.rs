@@ -5,15 +5,14 @@
 //! sums, which only BCR-1.0 defines, are not supported.
 
 use std::borrow::Cow;
-use std::fs::File;
-use std::io::Read;
-use std::path::Path;
 
 use super::content::{Measured, Metadata, transposed};
 use super::error::{ReadError, shortened, too_large};
-use super::{Format, Reader};
+use super::source::{OF_BYTES, Source};
+use super::{Format, Reader, source};
 use crate::numeric::is_positive;
 use crate::numeric::stored::NumberType;
+use crate::progress::Count;
 
 const NAME: &str = "an SDF file";
 
@@ -95,49 +94,49 @@ struct Checked {
 ///
 /// # Errors
 /// See [`ReadError`].
-pub(super) fn metadata(path: &Path) -> Result<Metadata, ReadError> {
-    Ok(open(path)?.0.metadata)
+pub(super) fn metadata(source: &Source) -> Result<Metadata, ReadError> {
+    Ok(open(source)?.0.metadata)
 }
 
 /// Reads a map in metres.
 ///
 /// # Errors
 /// See [`ReadError`].
-pub(super) fn measured(path: &Path) -> Result<Measured, ReadError> {
-    let (checked, body) = open(path)?;
+pub(super) fn measured(source: &Source) -> Result<Measured, ReadError> {
+    /// Units of work of the numbers before their scale and their order.
+    const NUMBERS: f64 = 0.6;
+    let (checked, body) = open(source)?;
     let Checked { metadata, count, z_scale, stored, greatest } = checked;
+    let work = NUMBERS - OF_BYTES;
     let mut values = match body {
-        Body::Text(text) => text_values(&text, count)?,
-        Body::Binary { mut file, begin } => {
-            let mut bytes = Vec::new();
-            std::io::Seek::seek(&mut file, std::io::SeekFrom::Start(begin))?;
-            // `open` has checked the number of bytes.
-            file.take(count * stored.bytes()).read_to_end(&mut bytes)?;
-            stored.values(&bytes)
+        Body::Text(text) => text_values(&text, count, source.count(work, text.len()))?,
+        // `open` has checked the number of bytes.
+        Body::Binary { begin } => {
+            source.values(stored, false, &source.bytes(begin, count * stored.bytes())?, work)
         }
     };
     if values.len() as u64 != count {
         return Err(truncated(count, &format!("{} numbers", values.len())));
     }
-    for value in &mut values {
-        *value = if marks_missing(stored, *value, greatest) { f64::NAN } else { *value * z_scale };
-    }
-    let heights = transposed(&values, metadata.points[0]);
+    let [scaled, sorted] = [0.5, 0.5].map(|share| source.count(share * (1.0 - NUMBERS), values.len()));
+    scaled.pieces(&mut values, |piece| {
+        for value in piece {
+            *value = if marks_missing(stored, *value, greatest) { f64::NAN } else { *value * z_scale };
+        }
+        Ok::<_, ReadError>(())
+    })?;
+    let heights = transposed(&values, metadata.points[0], sorted);
     Ok(Measured { metadata, heights, scale: 1.0, offset: 0.0, precision: stored.scaled_precision() })
 }
 
 /// The data, not yet read.
 enum Body {
     Text(String),
-    Binary { file: File, begin: u64 },
+    Binary { begin: u64 },
 }
 
-fn open(path: &Path) -> Result<(Checked, Body), ReadError> {
-    let mut file = File::open(path)?;
-    let length = file.metadata()?.len();
-    let mut begin = Vec::new();
-    // Counts of four bytes make the header of version 2 four bytes longer.
-    (&mut file).take(HEAD as u64 + 4).read_to_end(&mut begin)?;
+fn open(source: &Source) -> Result<(Checked, Body), ReadError> {
+    let begin = source.begin();
     let (Some(kind), Some(version)) = (begin.first(), begin.get(1..8)) else {
         return Err(ReadError::Mismatch("is not an SDF file: it is too short".to_owned()));
     };
@@ -149,9 +148,10 @@ fn open(path: &Path) -> Result<(Checked, Body), ReadError> {
     }
     let greatest = version == b"BCR-1.0";
     if kind.eq_ignore_ascii_case(&b'a') {
-        let bytes = std::fs::read(path)?;
-        let text = String::from_utf8_lossy(&bytes);
-        let text = without_comments(&text);
+        let bytes = source.all()?;
+        let count = || source.count(0.0, bytes.len());
+        let text = source::lossy(&bytes, count());
+        let text = without_comments(&text, count());
         let mut parts = text.splitn(3, '*');
         let (Some(header), Some(numbers)) = (parts.next(), parts.next()) else {
             return Err(ReadError::Corrupt("is truncated: no * ends its header".to_owned()));
@@ -165,31 +165,32 @@ fn open(path: &Path) -> Result<(Checked, Body), ReadError> {
     }
     let wide = version == b"ISO-2.0";
     let head_length = HEAD as u64 + if wide { 4 } else { 0 };
-    let fields = Fields::of_binary(&begin, wide)
+    let fields = Fields::of_binary(begin, wide)
         .ok_or_else(|| ReadError::Corrupt("is truncated: it ends within its header".to_owned()))?;
     let checked = fields.check(greatest)?;
-    let body = length.saturating_sub(head_length);
+    let body = source.length().saturating_sub(head_length);
     let bytes = checked.count.checked_mul(checked.stored.bytes()).filter(|&bytes| bytes <= body);
     let bytes = bytes.ok_or_else(|| truncated(checked.count, &format!("{body} bytes")))?;
     // Olympus microscopes write eight undocumented bytes before the numbers, two counts of 5 and 1.
-    let extra = if version == b"ISO-1.0" && body == bytes + 8 && is_olympus(&mut file)? { 8 } else { 0 };
-    Ok((checked, Body::Binary { file, begin: head_length + extra }))
+    let extra = if version == b"ISO-1.0" && body == bytes + 8 && is_olympus(begin) { 8 } else { 0 };
+    Ok((checked, Body::Binary { begin: head_length + extra }))
 }
 
-/// Removes the comments of BCR-1.0, which begin with a semicolon.
-fn without_comments(text: &str) -> Cow<'_, str> {
+/// Removes the comments of BCR-1.0, which begin with a semicolon; `count` is of the bytes.
+fn without_comments<'a>(text: &'a str, mut count: Count) -> Cow<'a, str> {
     if !text.contains(';') {
+        count.end();
         return Cow::Borrowed(text);
     }
-    let bare = text.lines().map(|line| line.split(';').next().unwrap_or_default());
+    let bare = text.lines().map(|line| {
+        count.add(line.len() + 1);
+        line.split(';').next().unwrap_or_default()
+    });
     Cow::Owned(bare.flat_map(|line| [line, "\n"]).collect())
 }
 
-fn is_olympus(file: &mut File) -> std::io::Result<bool> {
-    let mut words = [0; 8];
-    std::io::Seek::seek(file, std::io::SeekFrom::Start(HEAD as u64))?;
-    file.read_exact(&mut words)?;
-    Ok(words == [5, 0, 0, 0, 1, 0, 0, 0])
+fn is_olympus(begin: &[u8]) -> bool {
+    begin.get(HEAD..HEAD + 8) == Some(&[5, 0, 0, 0, 1, 0, 0, 0])
 }
 
 fn truncated(count: u64, found: &str) -> ReadError {
@@ -288,9 +289,10 @@ impl Fields {
     }
 }
 
-/// The numbers of a text up to the closing asterisk.
-fn text_values(numbers: &str, count: u64) -> Result<Vec<f64>, ReadError> {
+/// The numbers of a text up to the closing asterisk; `counted` is of its bytes.
+fn text_values(numbers: &str, count: u64, mut counted: Count) -> Result<Vec<f64>, ReadError> {
     let value = |(place, word): (usize, &str)| {
+        counted.add(word.len() + 1);
         if word.eq_ignore_ascii_case("BAD") {
             return Ok(f64::NAN);
         }
@@ -300,6 +302,7 @@ fn text_values(numbers: &str, count: u64) -> Result<Vec<f64>, ReadError> {
         })
     };
     let values: Vec<f64> = (1..).zip(numbers.split_whitespace()).map(value).collect::<Result<_, _>>()?;
+    counted.end();
     if values.len() as u64 > count {
         return Err(ReadError::Corrupt(format!(
             "holds {} numbers; allowed: {count}, as its header says",

@@ -5,6 +5,7 @@
 
 use super::error::ReadError;
 use super::table::is_missing;
+use crate::progress::Count;
 
 /// The separator of numbers.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -22,11 +23,12 @@ pub(super) struct Separation {
 }
 
 impl Separation {
-    /// That of lines, each with its number.
-    pub fn new(lines: &[(usize, &str)]) -> Result<Self, ReadError> {
+    /// That of lines, each with its number; `count` is of their bytes.
+    pub fn new(lines: &[(usize, &str)], mut count: Count) -> Result<Self, ReadError> {
         let (mut semicolon, mut blank_gap, mut tab_gap, mut point) = (false, false, false, false);
         let (mut commas, mut commas_in_digits, mut leading_zero) = (0u64, 0u64, false);
         for (_, line) in lines {
+            count.add(line.len() + 1);
             let line = line.trim();
             point |= line.contains('.');
             semicolon |= line.contains(';');
@@ -55,6 +57,7 @@ impl Separation {
                 (before, gap, tab) = (Some(character), false, false);
             }
         }
+        count.end();
         let other = semicolon || blank_gap || tab_gap;
         let unclear = if commas == 0 {
             None

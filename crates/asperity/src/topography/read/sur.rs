@@ -1,9 +1,9 @@
 //! Digital Surf `.sur` (MountainsMap and the software of many instruments): objects one behind the other, each a header of 512 bytes,
 //! a comment, a private zone, and integers, plain or packed by zlib.
 
-use super::channel::{Channel, Numbers, Stored, length};
+use super::channel::{Channel, Numbers, Stored, UNPACKED, length};
 use super::error::{ReadError, too_large};
-use super::source::{Fields, Source, check_packed, inflated};
+use super::source::{Fields, OF_BYTES, Source, check_packed, inflated};
 use super::{Format, Reader};
 use crate::numeric::stored::NumberType::{self, F32, I16, I32, U16, U32};
 
@@ -110,9 +110,7 @@ impl Object {
                 kind,
                 Box::new(move |source| {
                     let bytes = unpacked(source, start, bytes, big_endian)?;
-                    let mut values = vec![0.0; bytes.len() / kind.bytes() as usize];
-                    kind.decode(&bytes, big_endian, &mut values);
-                    Ok(values)
+                    Ok(source.values(kind, big_endian, &bytes, 0.5 * (UNPACKED - OF_BYTES)))
                 }),
             )
         } else {
@@ -145,17 +143,19 @@ fn unpacked(source: &Source, start: u64, bytes: u64, big_endian: bool) -> Result
     let directory = fields(start + 4, 8 * streams)?;
     let mut start = start + 4 + 8 * streams;
     let mut all = Vec::new();
+    let mut count = source.count(0.5 * (UNPACKED - OF_BYTES), bytes as usize);
     for stream in 0..streams as usize {
         let [unpacked, packed] = [0, 4].map(|at| directory.count(8 * stream + at, U32));
         let (unpacked, packed) = (unpacked?, packed?);
         if unpacked.saturating_add(all.len() as u64) > bytes {
             break;
         }
-        all.extend(inflated(&source.bytes(start, packed)?, unpacked)?);
+        all.extend(inflated(&source.bytes(start, packed)?, unpacked, &mut count)?);
         start += packed;
     }
     if all.len() as u64 != bytes {
         return Err(ReadError::Corrupt(format!("unpacks to {} bytes; allowed: {bytes}", all.len())));
     }
+    count.end();
     Ok(all)
 }

@@ -6,6 +6,7 @@ use super::content::{LeftOut, NamedUnits};
 use super::error::{ReadError, shortened};
 use super::labels::{self, Coordinates};
 use super::separation::Separation;
+use crate::progress::{Count, Progress};
 
 /// Words for a missing point, in any case.
 const MISSING: [&str; 14] =
@@ -27,12 +28,18 @@ pub(super) struct Table {
 
 impl Table {
     /// Parses a text, skipping comments, a first line that names or numbers the columns, and a first column that numbers or
-    /// names the lines.
-    pub fn parse(text: &str) -> Result<Self, ReadError> {
+    /// names the lines: one unit of work.
+    pub fn parse(text: &str, progress: &dyn Progress) -> Result<Self, ReadError> {
+        let count = |work: f64| Count::new(progress, work, text.len());
         let numbered = || (1..).zip(text.lines()).filter(|(_, line)| !is_comment(line));
         // Counted first: a vector that grows takes three times the memory.
-        let mut lines: Vec<(usize, &str)> = Vec::with_capacity(numbered().count());
-        lines.extend(numbered());
+        let mut found = count(0.05);
+        let filled = numbered().inspect(|(_, line)| found.add(line.len() + 1)).count();
+        found.end();
+        let mut lines: Vec<(usize, &str)> = Vec::with_capacity(filled);
+        let mut found = count(0.05);
+        lines.extend(numbered().inspect(|(_, line)| found.add(line.len() + 1)));
+        found.end();
         let named = columns::units(text, lines.first().copied());
         let mut left_out = LeftOut::default();
         if let Some(&(_, line)) = lines.first()
@@ -40,7 +47,7 @@ impl Table {
         {
             left_out.index_column = columns::have_index(line);
             lines.remove(0);
-        } else if let Some((number, has_corner)) = labels::names(&lines) {
+        } else if let Some((number, has_corner)) = labels::names(&lines, count(0.1)) {
             left_out = LeftOut { header: Some(number), index_column: has_corner, ..LeftOut::default() };
             lines.remove(0);
         }
@@ -50,7 +57,8 @@ impl Table {
         {
             return Err(heading(&lines).unwrap_or_else(|| no_number(0, number, 1, word)));
         }
-        let separation = Separation::new(&lines).map_err(|error| heading(&lines).unwrap_or(error))?;
+        let separation =
+            Separation::new(&lines, count(0.1)).map_err(|error| heading(&lines).unwrap_or(error))?;
         if let Some((number, has_corner)) = labels::numbers(&lines, &separation) {
             left_out = LeftOut { header: Some(number), index_column: has_corner, ..LeftOut::default() };
             lines.remove(0);
@@ -66,12 +74,14 @@ impl Table {
         // From here on one line at a time: their index takes as much memory as the numbers.
         let rows = lines.len();
         drop(lines);
-        let above = numbered().count() - rows;
+        let above = filled - rows;
         let lines = || numbered().skip(above);
         let (mut values, mut columns, mut digits) = (Vec::new(), 0, 0);
+        let mut parsed = count(0.7);
         for (row, (number, line)) in lines().enumerate() {
             let begin = values.len();
             for (column, word) in separation.words(line).enumerate() {
+                parsed.add(word.len() + 1);
                 if left_out.index_column && column == 0 {
                     // It may be a name, and is left out with its column.
                     values.push(f64::NAN);
@@ -105,6 +115,7 @@ impl Table {
                 )));
             }
         }
+        parsed.end();
         if rows == 0 {
             return Err(ReadError::Corrupt("holds no number".to_owned()));
         }

@@ -1,13 +1,17 @@
 //! TIFF: pictures and tags of two bytes, in which instruments store their heights or how to scale a picture to heights.
 
 use std::collections::BTreeMap;
+use std::fs::File;
+use std::io::{self, BufReader, Read, Seek, SeekFrom};
 
 use tiff::TiffError;
 use tiff::decoder::{Decoder, DecodingResult, Limits};
 
+use super::channel::UNPACKED;
 use super::error::ReadError;
 use super::source::{Fields, Source, latin1};
 use crate::numeric::stored::NumberType::{self, F32, F64, I8, I16, I32, U8, U16, U32};
+use crate::progress::Count;
 
 /// Bytes of an entry of a directory.
 const ENTRY: u64 = 12;
@@ -115,13 +119,13 @@ impl Directory {
 
 /// A TIFF and the directories of its pictures.
 pub(super) struct Tags<'a> {
-    source: &'a Source,
+    source: &'a Source<'a>,
     directories: Vec<Directory>,
     big_endian: bool,
 }
 
 impl<'a> Tags<'a> {
-    pub(super) fn open(source: &'a Source) -> Result<Self, ReadError> {
+    pub(super) fn open(source: &'a Source<'a>) -> Result<Self, ReadError> {
         let header = header(source)?;
         let mut directories = Vec::new();
         let mut left = source.length();
@@ -201,6 +205,26 @@ impl<'a> Tags<'a> {
     }
 }
 
+/// A file, the bytes of which are counted as a decoder reads them.
+struct Counted<'a> {
+    file: BufReader<File>,
+    count: Count<'a>,
+}
+
+impl Read for Counted<'_> {
+    fn read(&mut self, bytes: &mut [u8]) -> io::Result<usize> {
+        let length = self.file.read(bytes)?;
+        self.count.add(length);
+        Ok(length)
+    }
+}
+
+impl Seek for Counted<'_> {
+    fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
+        self.file.seek(to)
+    }
+}
+
 /// The numbers of a picture of at most `most` bytes, line after line from the first.
 pub(super) fn image(source: &Source, picture: usize, most: u64) -> Result<Vec<f64>, ReadError> {
     let mut limits = Limits::default();
@@ -209,7 +233,8 @@ pub(super) fn image(source: &Source, picture: usize, most: u64) -> Result<Vec<f6
     // A decoder begins with the first picture.
     let tags = Tags::open(source)?;
     tags.check(0).and_then(|()| tags.check(picture))?;
-    let mut decoder = Decoder::new(source.reader()?).map_err(damaged)?.with_limits(limits);
+    let reader = Counted { file: source.reader()?, count: source.count(UNPACKED, source.length() as usize) };
+    let mut decoder = Decoder::new(reader).map_err(damaged)?.with_limits(limits);
     decoder.seek_to_image(picture).map_err(damaged)?;
     macro_rules! numbers {
         ($($variant:ident)*) => {

@@ -1,14 +1,13 @@
 //! Keyence `.vk3`, `.vk4`, `.vk6`, `.vk7`: a table of places, measurement conditions, then pictures of light and height as integers. The
 //! last two hold such a file in a zip archive. Described in <https://www.osti.gov/biblio/1419732>.
 
-use std::io::Read;
 use std::sync::Arc;
 
 use zip::ZipArchive;
 
-use super::channel::{Channel, Numbers, Quantity, Stored};
+use super::channel::{Channel, Numbers, Quantity, Stored, UNPACKED};
 use super::error::{ReadError, too_large};
-use super::source::{Fields, MAX_COMPRESSION, Source};
+use super::source::{Fields, MAX_COMPRESSION, Source, read_counted};
 use super::{Format, Reader};
 use crate::numeric::stored::NumberType::{self, U8, U16, U32};
 
@@ -62,7 +61,8 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
     let numbers = |start: u64, kind: NumberType, count: u64| {
         part(start, count)?;
         let (bytes, start, end) = (Arc::clone(&bytes), start as usize, (start + count) as usize);
-        let unpacked = move |_: &Source| Ok(kind.values(&bytes[start..end]));
+        let unpacked =
+            move |source: &Source| Ok(source.values(kind, false, &bytes[start..end], 0.5 * UNPACKED));
         Ok(Numbers::Packed(kind, Box::new(unpacked)))
     };
     pictures(4, &fields, &numbers)
@@ -75,8 +75,9 @@ fn inner(source: &Source) -> Result<Vec<u8>, ReadError> {
     let mut archive = ZipArchive::new(source.reader()?).map_err(|error| damaged(&error))?;
     let entry = archive.by_name(INNER).map_err(|error| damaged(&error))?;
     let most = source.length().saturating_mul(MAX_COMPRESSION);
-    let mut bytes = Vec::new();
-    entry.take(most + 1).read_to_end(&mut bytes).map_err(|error| damaged(&error))?;
+    let mut count = source.count(0.5 * UNPACKED, usize::try_from(entry.size()).unwrap_or(usize::MAX));
+    let bytes = read_counted(entry, Vec::new(), most + 1, &mut count).map_err(|error| damaged(&error))?;
+    count.end();
     if bytes.len() as u64 > most {
         return Err(damaged(&format!(
             "{INNER} unpacks to more than {MAX_COMPRESSION} times the bytes of the file"

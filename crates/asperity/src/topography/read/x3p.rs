@@ -6,8 +6,7 @@
 //! size that an entry claims, and reads no heights from XML.
 
 use std::fs::File;
-use std::io::{BufReader, ErrorKind, Read};
-use std::path::Path;
+use std::io::{BufReader, ErrorKind};
 
 use md5::{Digest, Md5};
 use roxmltree::{Document, Node, ParsingOptions};
@@ -16,10 +15,11 @@ use zip::result::ZipError;
 
 use super::content::{Measured, Metadata, transposed};
 use super::error::{ReadError, shortened, too_large};
-use super::source::check_packed;
+use super::source::{Source, check_packed, read_counted};
 use super::{Format, Reader};
 use crate::numeric::stored::NumberType;
 use crate::numeric::{LARGEST, is_positive};
+use crate::progress::{Count, PIECE};
 
 /// The first bytes of a zip archive that is not empty.
 const MAGIC: &[u8; 4] = b"PK\x03\x04";
@@ -64,15 +64,15 @@ struct Main {
 }
 
 /// The archive, the folder in it that `main.xml` is in, with a slash behind it: a folder that was packed rather than its content; and the
-/// bytes of the file.
-struct Archive(ZipArchive<BufReader<File>>, String, u64);
+/// file.
+struct Archive<'a>(ZipArchive<BufReader<File>>, String, &'a Source<'a>);
 
 /// The header, its links checked against the sizes of the files in the archive.
 ///
 /// # Errors
 /// See [`ReadError`].
-pub(super) fn metadata(path: &Path) -> Result<Metadata, ReadError> {
-    let mut archive = Archive::open(path)?;
+pub(super) fn metadata(source: &Source) -> Result<Metadata, ReadError> {
+    let mut archive = Archive::open(source)?;
     let main = archive.main()?;
     if let Heights::Linked { heights, valid } = &main.heights {
         archive.sized(&heights.name, main.bytes()?)?;
@@ -87,29 +87,36 @@ pub(super) fn metadata(path: &Path) -> Result<Metadata, ReadError> {
 ///
 /// # Errors
 /// See [`ReadError`].
-pub(super) fn measured(path: &Path) -> Result<Measured, ReadError> {
-    let mut archive = Archive::open(path)?;
+pub(super) fn measured(source: &Source) -> Result<Measured, ReadError> {
+    let mut archive = Archive::open(source)?;
     let main = archive.main()?;
     let bytes = main.bytes()?;
     let Main { metadata, count, stored, increment, offset, heights } = main;
     let mut values = match heights {
         Heights::Listed(values) => values,
         Heights::Linked { heights, valid } => {
-            let mut values = stored.values(&archive.linked(&heights, bytes)?);
+            let linked = archive.linked(&heights, bytes, 0.4)?;
+            let mut values = source.values(stored, false, &linked, 0.1);
+            drop(linked);
             if let Some(valid) = valid {
-                let valid = archive.linked(&valid, count.div_ceil(8))?;
+                let valid = archive.linked(&valid, count.div_ceil(8), 0.0)?;
                 let bits = valid.iter().flat_map(|byte| (0..8).map(move |bit| byte >> bit & 1 == 1));
-                for (value, _) in values.iter_mut().zip(bits).filter(|(_, is_admissible)| !is_admissible) {
-                    *value = f64::NAN;
+                let mut counted = source.count(0.0, values.len());
+                for (value, is_admissible) in values.iter_mut().zip(bits) {
+                    counted.add(1);
+                    if !is_admissible {
+                        *value = f64::NAN;
+                    }
                 }
             }
             values
         }
     };
-    for value in &mut values {
-        *value *= increment;
-    }
-    let heights = transposed(&values, metadata.points[0]);
+    source.count(0.2, values.len()).pieces(&mut values, |piece| {
+        piece.iter_mut().for_each(|value| *value *= increment);
+        Ok::<_, ReadError>(())
+    })?;
+    let heights = transposed(&values, metadata.points[0], source.count(0.3, values.len()));
     Ok(Measured { metadata, heights, scale: 1.0, offset, precision: stored.scaled_precision() })
 }
 
@@ -119,12 +126,10 @@ fn plain(name: &str) -> String {
     name.trim_start_matches("./").trim_start_matches('/').to_owned()
 }
 
-impl Archive {
-    fn open(path: &Path) -> Result<Self, ReadError> {
-        let file = File::open(path)?;
-        let length = file.metadata()?.len();
-        let archive = ZipArchive::new(BufReader::new(file)).map_err(of_zip)?;
-        let mut all = Self(archive, String::new(), length);
+impl<'a> Archive<'a> {
+    fn open(source: &'a Source<'a>) -> Result<Self, ReadError> {
+        let archive = ZipArchive::new(source.reader()?).map_err(of_zip)?;
+        let mut all = Self(archive, String::new(), source);
         if all.find(MAIN).is_none() {
             let mut folders = all.0.file_names().flatten().filter_map(|name| {
                 let name = plain(&name);
@@ -162,7 +167,7 @@ impl Archive {
                 "{kind}: {name} holds {found} bytes; allowed: {bytes}, as {MAIN} says"
             )));
         }
-        check_packed(name, packed.min(self.2), found)?;
+        check_packed(name, packed.min(self.2.length()), found)?;
         Ok(index)
     }
 
@@ -170,11 +175,14 @@ impl Archive {
         self.0.file_names().flatten().take(8).collect::<Vec<_>>().join(", ")
     }
 
-    /// The content of an entry of at most `most` bytes, whatever its declared size.
-    fn content(&mut self, index: usize, most: u64) -> Result<Vec<u8>, ReadError> {
+    /// The content of an entry of at most `most` bytes, whatever its declared size: so much `work`.
+    fn content(&mut self, index: usize, most: u64, work: f64) -> Result<Vec<u8>, ReadError> {
         let entry = self.0.by_index(index).map_err(of_zip)?;
-        let mut content = Vec::with_capacity(entry.size().min(most) as usize + 1);
-        entry.take(most.saturating_add(1)).read_to_end(&mut content).map_err(of_io)?;
+        let size = entry.size().min(most) as usize;
+        let mut count = self.2.count(work, size);
+        let content = read_counted(entry, Vec::with_capacity(size + 1), most.saturating_add(1), &mut count)
+            .map_err(of_io)?;
+        count.end();
         if content.len() as u64 > most {
             return Err(ReadError::Unsupported(format!(
                 "holds {} of more than {most} bytes; allowed: at most {most}, heights in a binary file",
@@ -184,10 +192,10 @@ impl Archive {
         Ok(content)
     }
 
-    /// The content of a link, whose length must be `bytes`, after verification of its check sum.
-    fn linked(&mut self, link: &Link, bytes: u64) -> Result<Vec<u8>, ReadError> {
+    /// The content of a link, whose length must be `bytes`, after verification of its check sum: so much `work`.
+    fn linked(&mut self, link: &Link, bytes: u64, work: f64) -> Result<Vec<u8>, ReadError> {
         let index = self.sized(&link.name, bytes)?;
-        let content = self.content(index, bytes)?;
+        let content = self.content(index, bytes, 0.7 * work)?;
         if content.len() as u64 != bytes {
             return Err(ReadError::Corrupt(format!(
                 "is truncated: {} holds {} bytes; allowed: {bytes}",
@@ -195,7 +203,8 @@ impl Archive {
                 content.len()
             )));
         }
-        check_md5(&link.name, &content, link.md5.as_deref())?;
+        let count = self.2.count(0.3 * work, content.len());
+        check_md5(&link.name, &content, link.md5.as_deref(), count)?;
         Ok(content)
     }
 
@@ -207,11 +216,11 @@ impl Archive {
                 self.names()
             ))
         })?;
-        let content = self.content(index, MAX_XML_BYTES)?;
+        let content = self.content(index, MAX_XML_BYTES, 0.0)?;
         // Its check sum is in a separate file: "1234... *main.xml".
         if let Some(index) = self.find("md5checksum.hex") {
-            let line = String::from_utf8_lossy(&self.content(index, 4096)?).into_owned();
-            check_md5(MAIN, &content, line.split_whitespace().next())?;
+            let line = String::from_utf8_lossy(&self.content(index, 4096, 0.0)?).into_owned();
+            check_md5(MAIN, &content, line.split_whitespace().next(), self.2.count(0.0, content.len()))?;
         }
         let text = String::from_utf8(content)
             .unwrap_or_else(|error| error.into_bytes().iter().map(|&byte| char::from(byte)).collect());
@@ -235,9 +244,18 @@ fn has_many_attributes(xml: &str) -> bool {
         || xml.matches("xmlns").count() > MAX_ATTRIBUTES
 }
 
-fn check_md5(name: &str, content: &[u8], wanted: Option<&str>) -> Result<(), ReadError> {
-    let Some(wanted) = wanted.filter(|wanted| !wanted.is_empty()) else { return Ok(()) };
-    let found: String = Md5::digest(content).iter().map(|byte| format!("{byte:02x}")).collect();
+fn check_md5(name: &str, content: &[u8], wanted: Option<&str>, mut count: Count) -> Result<(), ReadError> {
+    let Some(wanted) = wanted.filter(|wanted| !wanted.is_empty()) else {
+        count.end();
+        return Ok(());
+    };
+    let mut sum = Md5::new();
+    for piece in content.chunks(PIECE) {
+        sum.update(piece);
+        count.add(piece.len());
+    }
+    count.end();
+    let found: String = sum.finalize().iter().map(|byte| format!("{byte:02x}")).collect();
     if found.eq_ignore_ascii_case(wanted) {
         return Ok(());
     }

@@ -5,7 +5,9 @@
 
 use super::content::{Measured, Metadata};
 use super::error::ReadError;
+use crate::numeric::sort::sort;
 use crate::numeric::{LARGEST, is_positive};
+use crate::progress::{Count, Progress, Share};
 
 /// The largest distance of a point from its line of the grid, pixels.
 const TOLERANCE: f64 = 0.2;
@@ -47,10 +49,19 @@ impl Grid {
     }
 }
 
-/// The map of points given as triples in `values`, in the unit of the file; on the grid that the file states, or on the one that is found.
-pub(super) fn measured(values: &[f64], stated: Option<Grid>, precision: f64) -> Result<Measured, ReadError> {
+/// The map of points given as triples in `values`, in the unit of the file; on the grid that the file states, or on the one that is found:
+/// one unit of work.
+pub(super) fn measured(
+    values: &[f64],
+    stated: Option<Grid>,
+    precision: f64,
+    progress: &dyn Progress,
+) -> Result<Measured, ReadError> {
     let (points, _) = values.as_chunks::<3>();
+    let count = |work: f64| Count::new(progress, work, points.len());
+    let mut checked = count(0.1);
     for (row, point) in (1..).zip(points) {
+        checked.add(1);
         if let Some(found) = point[..2].iter().find(|value| value.is_nan() || value.abs() > LARGEST) {
             return Err(ReadError::Corrupt(format!(
                 "point {row} of {}: found the coordinate {found}; allowed: a finite number",
@@ -58,12 +69,14 @@ pub(super) fn measured(values: &[f64], stated: Option<Grid>, precision: f64) -> 
             )));
         }
     }
+    checked.end();
     let is_stated = stated.is_some();
+    let of_axis = &Share { progress, units: 0.3 };
     let [x, y] = match stated {
         Some(Grid { axes }) => axes,
         None => [
-            Axis::find("x", points.iter().map(|point| point[0]).collect())?,
-            Axis::find("y", points.iter().map(|point| point[1]).collect())?,
+            Axis::find("x", points.iter().map(|point| point[0]).collect(), of_axis)?,
+            Axis::find("y", points.iter().map(|point| point[1]).collect(), of_axis)?,
         ],
     };
     let most = points.len().saturating_mul(SPARSEST);
@@ -77,7 +90,9 @@ pub(super) fn measured(values: &[f64], stated: Option<Grid>, precision: f64) -> 
     })?;
     let mut heights = vec![f64::NAN; size];
     let mut seen = vec![false; size];
+    let mut placed = count(if is_stated { 0.9 } else { 0.3 });
     for &[px, py, z] in points {
+        placed.add(1);
         if is_stated && !(x.holds(px) && y.holds(py)) {
             return Err(no_grid(&format!("the point {px} {py} beside the grid that its head states")));
         }
@@ -90,6 +105,7 @@ pub(super) fn measured(values: &[f64], stated: Option<Grid>, precision: f64) -> 
         }
         *height = z;
     }
+    placed.end();
     let metadata = Metadata {
         pixel: Some([x.step, y.step]),
         ..Metadata::new([x.count, y.count], "a text of x, y and z")
@@ -114,9 +130,9 @@ struct Axis {
 
 impl Axis {
     /// Finds the lines that all `positions` lie on. Rounded positions of one line are first clustered by a trial
-    /// distance, which is increased until equidistant lines result.
-    fn find(name: &str, mut positions: Vec<f64>) -> Result<Self, ReadError> {
-        positions.sort_unstable_by(f64::total_cmp);
+    /// distance, which is increased until equidistant lines result. One unit of work.
+    fn find(name: &str, mut positions: Vec<f64>, progress: &dyn Progress) -> Result<Self, ReadError> {
+        sort(&mut positions, progress);
         let (Some(&first), Some(&last)) = (positions.first(), positions.last()) else {
             return Err(no_grid("no point"));
         };

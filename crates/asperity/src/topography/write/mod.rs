@@ -10,7 +10,7 @@
 //! Read back by [`read`](super::read) a map has the same heights, missing points and pixel, to the bit. Heights are those of [`Rows`], in
 //! metres: an [offset](Rows::offset) that is kept apart is lost in all formats but X3P. The first y is the first line of an X3P and a `.gwy`
 //! file, which programs show at the top, as they do with the file of the instrument that it was read from. All writers go through a map row
-//! by row, and take 64 MB at most.
+//! by row, and take 64 MB at most; to write it is a unit of work for whoever watches the map.
 
 mod gwy;
 mod npy;
@@ -79,17 +79,29 @@ pub fn whole_file(path: &Path, write: impl FnOnce(&mut BufWriter<File>) -> io::R
     clear_leftovers(path, &beginning);
     let beside = path.with_file_name(format!("{beginning}{}", std::process::id()));
     let mut out = BufWriter::new(File::create_new(&beside)?);
+    let mut unfinished = Unfinished(Some(&beside));
     // Says that it is no leftover; where files have no locks, two processes that write the same file are in each other's way.
     let _ = out.get_ref().try_lock();
     let written = write(&mut out)
         .and_then(|()| out.flush())
         .and_then(|()| out.get_ref().sync_all())
         .and_then(|()| std::fs::rename(&beside, path));
-    if written.is_err() {
-        // The first error says more than one of the removal.
-        let _ = std::fs::remove_file(&beside);
+    if written.is_ok() {
+        unfinished.0 = None;
     }
     written
+}
+
+/// A file that goes unless it is finished: where it cannot be written, and where nobody wants it any more.
+struct Unfinished<'a>(Option<&'a Path>);
+
+impl Drop for Unfinished<'_> {
+    fn drop(&mut self) {
+        if let Some(path) = self.0 {
+            // Why it is not finished says more than an error of the removal.
+            let _ = std::fs::remove_file(path);
+        }
+    }
 }
 
 /// Removes files beside a path whose names are a beginning and a number, and which nobody writes.
@@ -107,7 +119,7 @@ fn clear_leftovers(path: &Path, beginning: &str) {
     }
 }
 
-/// Calls `take` with the heights of each line along x, from the first y on.
+/// Calls `take` with the heights of each line along x, from the first y on: a unit of work.
 fn each_line(map: &dyn Rows, mut take: impl FnMut(&[f64]) -> io::Result<()>) -> io::Result<()> {
     /// Of the lines that are held at a time.
     const HEIGHTS: usize = (64 << 20) / 8;
@@ -128,7 +140,10 @@ fn each_line(map: &dyn Rows, mut take: impl FnMut(&[f64]) -> io::Result<()>) -> 
                 lines[k * nx + ix] = *z;
             }
         }
-        lines.chunks(nx).take(count).try_for_each(&mut take)?;
+        lines.chunks(nx).take(count).try_for_each(|line| {
+            map.progress().advance((ny as f64).recip());
+            take(line)
+        })?;
     }
     Ok(())
 }

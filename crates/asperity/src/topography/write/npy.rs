@@ -14,6 +14,7 @@ fn write(out: &mut dyn Out, map: &dyn Rows, _: &[Note]) -> io::Result<()> {
     let row = |ix| {
         let mut row = zeros(ny);
         map.read(ix, &mut row);
+        map.progress().advance((nx as f64).recip());
         row
     };
     npy::write(out, [nx, ny], (0..nx).flat_map(row))

@@ -2,6 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity::analytical::mean_deflection;
 use asperity::bem::{Boundary, ElasticPair, Options, Solver, SolverError, refined};
@@ -117,6 +118,39 @@ struct Units(Mutex<f64>);
 impl Progress for Units {
     fn advance(&self, work: f64) {
         *self.0.lock().unwrap() += work;
+    }
+}
+
+/// Signs of progress.
+#[derive(Default)]
+struct Signs(AtomicUsize);
+
+impl Progress for Signs {
+    fn advance(&self, _: f64) {
+        self.0.fetch_add(1, Ordering::Relaxed);
+    }
+}
+
+/// Not less often than for eight rows or columns of a convolution, so that no map is too large.
+#[test]
+fn each_convolution_shows_that_it_goes_on() {
+    const SIDE: usize = 256;
+    let map = rough([SIDE; 2], 0.8, 0.5, 0.08, 5);
+    for boundary in [Boundary::Periodic, Boundary::Mirrored, Boundary::Finite] {
+        let solver = Solver::new(&map, &bare(), &Options { boundary, error: 1e-8, cap: None }).unwrap();
+        let signs = |task: &dyn Fn(&Signs)| {
+            let signs = Signs::default();
+            task(&signs);
+            signs.0.into_inner()
+        };
+        let contact = solver.at_pressure(0.03, &Silent).unwrap();
+        let tangent = solver.tangent(&contact).unwrap();
+        let of_load = signs(&|signs| drop(solver.at_pressure(0.03, signs).unwrap()));
+        let of_tangent = signs(&|signs| drop(solver.watched_tangent(&contact, signs).unwrap()));
+        // Rows there and back, and half as many columns.
+        let each = 5 * SIDE / 16;
+        assert!(of_load >= contact.convolutions * each, "{boundary:?}: {of_load}");
+        assert!(of_tangent >= tangent.steps * each, "{boundary:?}: {of_tangent}");
     }
 }
 
