@@ -238,7 +238,7 @@ mod tests {
             SpecFile::read(&path, &[])
         };
         assert_eq!(spec(500_000).unwrap().title, "long");
-        let error = spec(500_001).unwrap_err().to_string();
+        let error = spec(500_001).err().unwrap().to_string();
         assert!(error.ends_with("long.toml: is longer than a spec is; allowed: at most 500000 bytes, heights and lists in files of their own"), "{error}");
     }
 
@@ -246,11 +246,11 @@ mod tests {
     fn a_message_shows_a_part_of_a_long_line() {
         let source = |text: String| Source::file(Path::new("a.toml"), text);
         for text in [format!("title = \"{}", "x".repeat(100_000)), format!("{} = 1", "x".repeat(100_000))] {
-            let error = SpecFile::parse(source(text), &[]).unwrap_err().to_string();
+            let error = SpecFile::parse(source(text), &[]).err().unwrap().to_string();
             assert!(error.len() < 3000 && error.starts_with("a.toml, line 1"), "{error}");
         }
         let error =
-            SpecFile::parse(source("title = \"a\u{1b}[31m\"".to_owned()), &[]).unwrap_err().to_string();
+            SpecFile::parse(source("title = \"a\u{1b}[31m\"".to_owned()), &[]).err().unwrap().to_string();
         assert!(error.contains("a\\u{1b}[31m") && !error.contains('\u{1b}'), "{error}");
     }
 }

@@ -186,8 +186,14 @@ fn a_parallel_pass_that_is_ended_does_no_more_work() {
     let map =
         HeightMap::new([3000, 40], [1e-6; 2], (0..120_000).map(|k| 1e-9 * f64::from(k % 11)).collect(), 0.0)
             .unwrap();
-    let passes: [fn(&dyn Rows); 2] =
-        [|map| drop(RoughnessParameters::new(map)), |map| drop(HeightMap::from_rows(map))];
+    let passes: [fn(&dyn Rows); 2] = [
+        |map| {
+            RoughnessParameters::new(map);
+        },
+        |map| {
+            HeightMap::from_rows(map);
+        },
+    ];
     for pass in passes {
         let counted = Counted { map: &map, rows: AtomicUsize::new(0) };
         let signs = Signs::ended_at(0);
