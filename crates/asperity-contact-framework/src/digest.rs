@@ -35,7 +35,10 @@ pub fn watched_sha256_of_file(path: &Path, progress: &dyn Progress) -> std::io::
     let mut buffer = vec![0; 1 << 16];
     loop {
         match file.read(&mut buffer)? {
-            0 => return Ok(hash.finalize().into()),
+            0 => {
+                count.end();
+                return Ok(hash.finalize().into());
+            }
             length => {
                 hash.update(&buffer[..length]);
                 count.add(length);
