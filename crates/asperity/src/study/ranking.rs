@@ -61,7 +61,7 @@ pub struct Ranked {
     pub in_sample: LargestErrors,
     /// On asperities that it was not taken from: of a model that [is fitted](StatisticalModel::is_fitted), where there are such.
     pub held_out: Option<LargestErrors>,
-    /// Contacts evaluated per load.
+    /// Contacts evaluated at one separation.
     pub evaluations: f64,
 }
 
@@ -241,19 +241,29 @@ fn in_sample(built: &[BuiltModel], law: &LawContact, case: &CaseResults, progres
         };
         let counter = Counter::default();
         let contact = CountedContact::new(&*law.contact, &counter).watched_by(progress);
-        let responses = responses(&*models.statistical(&contact, &law.spec), &loads);
-        let work = counter.work();
+        let statistical = models.statistical(&contact, &law.spec);
+        let responses = responses(&*statistical, &loads);
         ranking.models.push(Ranked {
             model: model.clone(),
             in_sample: errors(case, &pairs, &responses),
             held_out: None,
-            evaluations: (work.nodes + work.single_contacts) as f64 / loads.len() as f64,
+            evaluations: evaluations(&*statistical, &responses, &counter),
         });
     }
     let sums: Vec<Option<Response>> = pairs.iter().map(|pair| Some(pair.deterministic)).collect();
     ranking.sum_from_reference = ComparedQuantity::ALL
         .map(|quantity| from_reference(quantity, case.reference.as_ref(), &pairs, &sums));
     ranking
+}
+
+/// Contacts that a model whose contacts are counted evaluates at one separation, the mean over those of its responses; 0 without one. A
+/// search for them ends a step sooner or later by rounding, and would make this a number of the machine.
+fn evaluations(model: &dyn Model, responses: &[Option<Response>], counter: &Counter) -> f64 {
+    let separations: Vec<f64> = responses.iter().flatten().map(|one| one.separation_over_sigma).collect();
+    let count = || counter.work().nodes + counter.work().single_contacts;
+    let before = count();
+    model.respond_all(&separations);
+    (count() - before) as f64 / separations.len().max(1) as f64
 }
 
 /// The pairs of a case at which models are compared: at admissible loads three per decade, and those of the reference.

@@ -65,7 +65,7 @@ impl Row for RankingRow<'_> {
             held_out_from_reference["1", label("from reference, held out"), signed, scale(1.0)] = row.reported(row.held_out(Against::Reference)), "Of a fitted model from the references of the other realisations; empty without these: the reference of a map is none of its halves.";
             held_out_from_reference_at_pa["Pa"] = RankingRow::load(row.held_out(Against::Reference)), "The nominal pressure of that difference.";
             accepted["1"] = row.accepted, "The largest difference that is accepted.";
-            contacts_per_load["1"] = row.ranked.evaluations, "Contacts evaluated per load, the search for the separation included: what the model costs.";
+            contacts_per_separation["1"] = row.ranked.evaluations, "Contacts evaluated at one separation, the mean over the loads: what the model costs; 0 where it reaches none of them.";
         });
         columns
     }

@@ -55,7 +55,7 @@ impl Row for StandingRow<'_> {
             against["text"] = row.against.name(), "What the models are compared with: `deterministic` or `reference`.";
             accepted["1"] = row.accepted, "The largest difference that is accepted.";
             within["text"] = row.standing.within.iter().map(|(ranked, _)| ranked.model.name()).collect::<Vec<_>>(), "The models within what is accepted, the simplest first; fitted ones (fitted or own heights, or the radius in contact) on asperities too that they were not taken from.";
-            cheapest_within["text"] = row.standing.cheapest().filter(|_| !row.is_blocked).map(|(ranked, _)| ranked.model.name()), "The one that evaluates the fewest contacts; empty on a blocked map.";
+            cheapest_within["text"] = row.standing.cheapest().filter(|_| !row.is_blocked).map(|(ranked, _)| ranked.model.name()), "The one that evaluates the fewest contacts at a separation, of equal ones the simplest; empty on a blocked map.";
             within_in_sample["text", label("in sample only")] = row.standing.within_in_sample.iter().map(|ranked| ranked.model.name()).collect::<Vec<_>>(), "Fitted models that are within it on the asperities that they were taken from only, which carries no conclusion.";
             fitted_tested_on["text", label("fitted models tested on")] = row.tested_on().map_or("in sample only", HeldOut::name), "What fitted models are held out on: `halves of the surface`, `random halves`, `realisations`; `in sample only` where there is nothing.";
             tested_from_pa["Pa", prefix("M"), label("from"), input] = row.tested_load(0), "The lowest load of that, which is admissible there.";
