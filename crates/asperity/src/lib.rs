@@ -109,9 +109,9 @@ pub mod work;
 
 pub use accumulator::{Accumulator, ContactSums, Total};
 pub use asperity::{
-    Asperities, AsperityList, AsperitySet, AsperitySums, Draw, Ellipse, Ellipses, Ellipticity, ListColumn,
-    ListError, ListOptions, Ordered, Population, RadiiAbove, STREAM, SetError, Statistics, SurfaceHeights,
-    SurfaceHeightsError,
+    Asperities, AsperityList, AsperitySet, AsperitySums, ByHeight, Draw, Ellipse, Ellipses, Ellipticity,
+    ListColumn, ListError, ListOptions, Ordered, Population, RadiiAbove, STREAM, SetError, Statistics,
+    SurfaceHeights, SurfaceHeightsError,
 };
 pub use contact::{ByRegime, Contact, Contacts, Regime};
 pub use contact_law::ContactLaw;

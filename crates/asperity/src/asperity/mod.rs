@@ -1,25 +1,25 @@
 //! Asperities: sets, their statistics, and populations to draw from.
 
 mod arrays;
+mod by_height;
 mod ellipse;
 mod ellipses;
 mod list;
 mod nayak;
 mod ordered;
 mod population;
-mod radii_above;
 mod set;
 mod statistics;
 mod sums;
 
 pub use arrays::Asperities;
+pub use by_height::{ByHeight, RadiiAbove};
 pub use ellipse::Ellipse;
 pub use ellipses::{Ellipses, Ellipticity};
 pub use list::{AsperityList, ListColumn, ListError, ListOptions};
 pub use nayak::{SurfaceHeights, SurfaceHeightsError};
 pub use ordered::Ordered;
 pub use population::{Draw, Population, STREAM};
-pub use radii_above::RadiiAbove;
 pub use set::{AsperitySet, SetError};
 pub use statistics::Statistics;
 pub(crate) use statistics::mean_and_sigma;

@@ -3,8 +3,9 @@
 use pulp::Arch;
 use rayon::prelude::*;
 
-use super::radii_above::OnDemand;
-use super::{Asperities, Ellipse, RadiiAbove};
+use super::by_height::OnDemand;
+use super::{Asperities, ByHeight, Ellipse, RadiiAbove};
+use crate::distribution::{EqualHeights, Heights};
 use crate::numeric::{LARGEST, is_positive};
 
 /// The asperities of a rough surface, as a struct of arrays in the order of their origin.
@@ -14,7 +15,7 @@ pub struct AsperitySet {
     radii: Vec<f64>,
     ellipses: Option<Vec<Ellipse>>,
     nominal_area: f64,
-    radii_above: OnDemand,
+    on_demand: OnDemand,
 }
 
 /// Values that form no valid set.
@@ -134,7 +135,7 @@ impl AsperitySet {
     /// The first invalid value; see [`SetError`].
     pub fn new(heights: Vec<f64>, radii: Vec<f64>, nominal_area: f64) -> Result<Self, SetError> {
         SetError::check(&heights, &radii, nominal_area)?;
-        Ok(Self { heights, radii, ellipses: None, nominal_area, radii_above: OnDemand::default() })
+        Ok(Self { heights, radii, ellipses: None, nominal_area, on_demand: OnDemand::default() })
     }
 
     /// The same asperities with heights relative to an origin (m), which is returned, so that an offset costs no digits:
@@ -149,7 +150,7 @@ impl AsperitySet {
     #[must_use]
     pub fn relative_to(mut self, height: f64) -> Self {
         self.heights.iter_mut().for_each(|z| *z -= height);
-        Self { radii_above: OnDemand::default(), ..self }
+        Self { on_demand: OnDemand::default(), ..self }
     }
 
     /// Heights, m.
@@ -183,9 +184,22 @@ impl AsperitySet {
         Asperities::new(&self.heights, &self.radii, None, self.nominal_area)
     }
 
-    /// The mean radius of the asperities above a height, sorted once.
+    /// The asperities in the order of their heights, sorted once.
+    pub fn by_height(&self) -> &ByHeight {
+        self.on_demand.by_height(&self.heights)
+    }
+
+    /// The mean radius of the asperities above a height.
     pub fn radii_above(&self) -> &RadiiAbove {
-        self.radii_above.of(self.spheres())
+        self.on_demand.radii_above(&self.heights, &self.radii)
+    }
+
+    /// The heights as a smoothed density.
+    ///
+    /// # Errors
+    /// Heights that are all equal.
+    pub fn smoothed_heights(&self) -> Result<Heights, EqualHeights> {
+        self.on_demand.smoothed(&self.heights)
     }
 
     /// Number of asperities.
@@ -200,17 +214,33 @@ impl AsperitySet {
 
     /// The asperities whose index `is_kept`, on a positive nominal area (m^2); `None` if there is none.
     pub(crate) fn filtered(&self, is_kept: impl Fn(usize) -> bool, nominal_area: f64) -> Option<Self> {
-        let kept: Vec<usize> = (0..self.count()).filter(|&index| is_kept(index)).collect();
-        let column = |values: &[f64]| kept.iter().map(|&index| values[index]).collect();
-        let ellipses = self.ellipses().map(|all| kept.iter().map(|&index| all[index]).collect());
+        // Without a branch for each: every value is stored, and overwritten by the next one unless it is kept.
+        let column = |values: &[f64]| {
+            let (mut kept, mut count) = (vec![0.0; values.len()], 0);
+            for (index, &value) in values.iter().enumerate() {
+                kept[count] = value;
+                count += usize::from(is_kept(index));
+            }
+            kept.truncate(count);
+            kept
+        };
         let (heights, radii) = (column(&self.heights), column(&self.radii));
-        let radii_above = OnDemand::default();
-        (!kept.is_empty() && nominal_area > 0.0).then_some(Self {
-            heights,
-            radii,
-            ellipses,
+        let of_kept = |all: &[Ellipse]| (0..all.len()).filter(|&k| is_kept(k)).map(|k| all[k]).collect();
+        let ellipses = self.ellipses().map(of_kept);
+        let is_set = !heights.is_empty() && nominal_area > 0.0;
+        is_set.then(|| Self { heights, radii, ellipses, nominal_area, on_demand: OnDemand::default() })
+    }
+
+    /// The asperities of some indices, on a positive nominal area (m^2); `None` if there is none.
+    pub(crate) fn selected(&self, indices: &[usize], nominal_area: f64) -> Option<Self> {
+        let column = |values: &[f64]| indices.iter().map(|&index| values[index]).collect();
+        let is_set = !indices.is_empty() && nominal_area > 0.0;
+        is_set.then(|| Self {
+            heights: column(&self.heights),
+            radii: column(&self.radii),
+            ellipses: self.ellipses().map(|all| indices.iter().map(|&index| all[index]).collect()),
             nominal_area,
-            radii_above,
+            on_demand: OnDemand::default(),
         })
     }
 

@@ -2,7 +2,7 @@
 
 use super::AsperitySet;
 use crate::numeric::lanes::Real;
-use crate::numeric::sum::{Term, sum_of, sum_over};
+use crate::numeric::sum::{Terms, sums_over};
 
 /// Mean values and central moments of a set, with divisor n.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,87 +28,164 @@ pub struct Statistics {
 impl Statistics {
     /// Statistics of `set`, the same to the bit on any number of threads.
     pub fn new(set: &AsperitySet) -> Self {
-        let (heights, radii) = (set.heights(), set.radii());
-        let count = set.count();
-        let mean_of = |term: &(dyn Fn(usize) -> f64 + Sync)| sum_of(count, term) / count as f64;
-
-        let (height, radius) = (Mean::new(heights), Mean::new(radii));
-        let mean_radius = radius.value();
-        let sigma = height.sigma(heights);
-        let standardised = |power: i32| {
-            (sigma > 0.0).then(|| mean_of(&|i| (height.deviation(heights[i]) / sigma).powi(power)))
-        };
-        let radius_sigma = mean_of(&|i| radius.deviation(radii[i]).powi(2)).sqrt();
-        let covariance = mean_of(&|i| height.deviation(heights[i]) * radius.deviation(radii[i]));
+        let columns = [set.heights(), set.radii()];
+        let count = set.count() as f64;
+        let origins = columns.map(|column| column[0]);
+        let [height, radius, curvature] = sums_over(columns, Relative(origins)).map(|sum| sum / count);
+        let means = Means { origins, relative: [height, radius] };
+        let [sigma, radius_sigma] = sums_over(columns, Squares(means)).map(|sum| (sum / count).sqrt());
+        let [mean_height, mean_radius] = means.values();
+        let units = [sigma, radius_sigma].map(|sd| if sd > 0.0 { sd } else { 1.0 });
+        let [third, fourth, product] =
+            sums_over(columns, Standardised { means, per: units.map(f64::recip) }).map(|sum| sum / count);
+        let has_shape = sigma > 0.0;
         Self {
-            mean_height: height.value(),
+            mean_height,
             sigma,
-            skewness: standardised(3),
-            kurtosis: standardised(4),
+            skewness: has_shape.then_some(third),
+            kurtosis: has_shape.then_some(fourth),
             mean_radius,
-            radius_of_mean_curvature: mean_of(&|i| radii[i].recip()).recip(),
+            radius_of_mean_curvature: curvature.recip(),
             radius_cv: radius_sigma / mean_radius,
-            height_radius_correlation: (sigma > 0.0 && radius_sigma > 0.0)
-                .then(|| covariance / (sigma * radius_sigma)),
+            height_radius_correlation: (has_shape && radius_sigma > 0.0).then_some(product),
+        }
+    }
+
+    /// Statistics of `rest`, which a set of these statistics is without `part`: from the sums over the part, where it leaves digits.
+    pub(crate) fn without(&self, part: &AsperitySet, rest: &AsperitySet) -> Self {
+        /// The least share of the rest, and the least of its variances over those of all.
+        const LEAST: f64 = 0.1;
+        let [all, of_part, count] =
+            [rest.count() + part.count(), part.count(), rest.count()].map(|n| n as f64);
+        let (Some(skewness), Some(kurtosis), Some(correlation)) =
+            (self.skewness, self.kurtosis, self.height_radius_correlation)
+        else {
+            return Self::new(rest);
+        };
+        // Standardised by the mean values and deviations of all.
+        let units = [self.sigma, self.radius_cv * self.mean_radius];
+        let means = Means { origins: [self.mean_height, self.mean_radius], relative: [0.0; 2] };
+        let powers = Powers(Standardised { means, per: units.map(f64::recip) });
+        let of_all =
+            [0.0, 1.0, skewness, kurtosis, 0.0, 1.0, correlation, self.radius_of_mean_curvature.recip()];
+        let sums = sums_over([part.heights(), part.radii()], powers);
+        let mean_of = |k: usize| (all * of_all[k] - sums[k]) / count;
+        let [u, u2, u3, u4, r, r2, ur, curvature] = std::array::from_fn(mean_of);
+        let (variance, radius_variance) = (u2 - u * u, r2 - r * r);
+        if of_part > (1.0 - LEAST) * all || variance.min(radius_variance) < LEAST {
+            return Self::new(rest);
+        }
+        let third = u3 - 3.0 * u * u2 + 2.0 * u.powi(3);
+        let fourth = u4 - 4.0 * u * u3 + 6.0 * u * u * u2 - 3.0 * u.powi(4);
+        let mean_radius = self.mean_radius + units[1] * r;
+        Self {
+            mean_height: self.mean_height + units[0] * u,
+            sigma: units[0] * variance.sqrt(),
+            skewness: Some(third / variance.powf(1.5)),
+            kurtosis: Some(fourth / variance.powi(2)),
+            mean_radius,
+            radius_of_mean_curvature: curvature.recip(),
+            radius_cv: units[1] * radius_variance.sqrt() / mean_radius,
+            height_radius_correlation: Some((ur - u * r) / (variance * radius_variance).sqrt()),
         }
     }
 }
 
 /// Mean height and standard deviation of the heights (m), as in [`Statistics`], of at least one height.
 pub(crate) fn mean_and_sigma(heights: &[f64]) -> (f64, f64) {
-    let mean = Mean::new(heights);
-    (mean.value(), mean.sigma(heights))
+    let (origins, count) = ([heights[0]], heights.len() as f64);
+    let means = Means { origins, relative: sums_over([heights], Relative(origins)).map(|sum| sum / count) };
+    let [variance] = sums_over([heights], Squares(means)).map(|sum| sum / count);
+    let [mean] = means.values();
+    (mean, variance.sqrt())
 }
 
-/// A mean in two parts, so that deviations from it keep their digits under a large offset: the first value, and the mean
-/// relative to it.
-struct Mean {
-    origin: f64,
-    relative: f64,
-}
-
-impl Mean {
-    /// Exact for equal values.
-    fn new(values: &[f64]) -> Self {
-        let origin = values[0];
-        let relative = sum_over(values, Relative(origin)) / values.len() as f64;
-        Self { origin, relative }
-    }
-
-    fn value(&self) -> f64 {
-        self.origin + self.relative
-    }
-
-    /// The standard deviation of the values whose mean this is.
-    fn sigma(&self, values: &[f64]) -> f64 {
-        (sum_over(values, SquaredDeviation(self)) / values.len() as f64).sqrt()
-    }
-
-    fn deviation(&self, value: f64) -> f64 {
-        (value - self.origin) - self.relative
-    }
-}
-
-/// A value relative to another.
+/// Mean values of columns in two parts, so that deviations from them keep their digits under a large offset: the first values, and the
+/// means relative to them. Exact for equal values.
 #[derive(Clone, Copy)]
-struct Relative(f64);
+struct Means<const C: usize> {
+    origins: [f64; C],
+    relative: [f64; C],
+}
 
-impl Term for Relative {
+impl<const C: usize> Means<C> {
+    fn values(&self) -> [f64; C] {
+        std::array::from_fn(|column| self.origins[column] + self.relative[column])
+    }
+
     #[inline(always)]
-    fn of<N: Real>(self, values: N) -> N {
-        values - self.0
+    fn deviations<N: Real>(&self, values: [N; C]) -> [N; C] {
+        std::array::from_fn(|column| (values[column] - self.origins[column]) - self.relative[column])
     }
 }
 
-/// The square of [`Mean::deviation`].
+/// Values relative to others, of heights and radii the curvature, too.
 #[derive(Clone, Copy)]
-struct SquaredDeviation<'a>(&'a Mean);
+struct Relative<const C: usize>([f64; C]);
 
-impl Term for SquaredDeviation<'_> {
+impl Terms<1, 1> for Relative<1> {
     #[inline(always)]
-    fn of<N: Real>(self, values: N) -> N {
-        let deviation = (values - self.0.origin) - self.0.relative;
-        deviation * deviation
+    fn of<N: Real>(self, [height]: [N; 1]) -> [N; 1] {
+        [height - self.0[0]]
+    }
+}
+
+impl Terms<2, 3> for Relative<2> {
+    #[inline(always)]
+    fn of<N: Real>(self, [height, radius]: [N; 2]) -> [N; 3] {
+        [height - self.0[0], radius - self.0[1], radius.splat(1.0) / radius]
+    }
+}
+
+/// Squares of deviations.
+#[derive(Clone, Copy)]
+struct Squares<const C: usize>(Means<C>);
+
+impl<const C: usize> Terms<C, C> for Squares<C> {
+    #[inline(always)]
+    fn of<N: Real>(self, values: [N; C]) -> [N; C] {
+        let deviations = self.0.deviations(values);
+        std::array::from_fn(|column| deviations[column] * deviations[column])
+    }
+}
+
+/// Of deviations over standard deviations the third and fourth power of heights, and the product with radii.
+#[derive(Clone, Copy)]
+struct Standardised {
+    means: Means<2>,
+    /// One over the standard deviations.
+    per: [f64; 2],
+}
+
+impl Standardised {
+    #[inline(always)]
+    fn values<N: Real>(self, values: [N; 2]) -> [N; 2] {
+        let [height, radius] = self.means.deviations(values);
+        [height * self.per[0], radius * self.per[1]]
+    }
+}
+
+impl Terms<2, 3> for Standardised {
+    #[inline(always)]
+    fn of<N: Real>(self, values: [N; 2]) -> [N; 3] {
+        let [height, radius] = self.values(values);
+        let square = height * height;
+        [square * height, square * square, height * radius]
+    }
+}
+
+/// Of deviations over standard deviations the powers of heights up to the fourth, those of radii up to the second, and their product;
+/// and the curvature.
+#[derive(Clone, Copy)]
+struct Powers(Standardised);
+
+impl Terms<2, 8> for Powers {
+    #[inline(always)]
+    fn of<N: Real>(self, values: [N; 2]) -> [N; 8] {
+        let [u, r] = self.0.values(values);
+        let square = u * u;
+        let curvature = values[1].splat(1.0) / values[1];
+        [u, square, square * u, square * square, r, r * r, u * r, curvature]
     }
 }
 
@@ -138,6 +215,36 @@ mod tests {
         let s = statistics(&[0.1; 7], &[0.3; 7]);
         assert_eq!((s.mean_height, s.sigma, s.mean_radius), (0.1, 0.0, 0.3));
         assert_eq!((s.skewness, s.kurtosis, s.height_radius_correlation), (None, None, None));
+    }
+
+    #[test]
+    fn without_a_part_they_are_those_of_the_rest() {
+        let value = |k: usize, m: usize| ((k * m) % 10_007) as f64 / 1e4;
+        let heights: Vec<f64> =
+            (0..5000).map(|k| 1e-7 * (3.0 + value(k, 7919) - value(k, 13).powi(3))).collect();
+        let radii: Vec<f64> = (0..5000).map(|k| 1e-5 * (1.0 + value(k, 31) + 0.3 * value(k, 7919))).collect();
+        let all = AsperitySet::new(heights.clone(), radii, 1.0).unwrap();
+        let statistics = Statistics::new(&all);
+        let lowest = heights.iter().copied().fold(f64::INFINITY, f64::min);
+        let cases: [&dyn Fn(usize) -> bool; 4] =
+            [&|k| k % 16 == 3, &|k| heights[k] > 3.5e-7, &|k| k > 20, &|k| heights[k] > lowest + 1e-9];
+        for (case, is_in_part) in cases.into_iter().enumerate() {
+            let [part, rest] =
+                [true, false].map(|part| all.filtered(|k| is_in_part(k) == part, 1.0).unwrap());
+            let numbers = |s: Statistics| {
+                let Statistics {
+                    mean_height, sigma, mean_radius, radius_of_mean_curvature, radius_cv, ..
+                } = s;
+                let of_heights = [mean_height, sigma, s.skewness.unwrap(), s.kurtosis.unwrap()];
+                let of_radii =
+                    [mean_radius, radius_of_mean_curvature, radius_cv, s.height_radius_correlation.unwrap()];
+                [of_heights, of_radii].concat()
+            };
+            let found = numbers(statistics.without(&part, &rest));
+            for (found, wanted) in found.into_iter().zip(numbers(Statistics::new(&rest))) {
+                assert!((found - wanted).abs() <= 1e-13 * wanted.abs(), "{case}: {found} {wanted}");
+            }
+        }
     }
 
     /// 10 nm at a height of 1 m, against the same stored heights near zero.

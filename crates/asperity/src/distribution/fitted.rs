@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{Heights, HeightsError, Johnson, Smoothed, Weibull};
+use super::{EqualHeights, Heights, HeightsError, Johnson, Smoothed, Weibull};
 
 /// What the statistical model takes the heights of a set for.
 #[derive(Debug, Clone, PartialEq)]
@@ -36,6 +36,15 @@ impl HeightModel {
     /// # Errors
     /// Moments that the family does not have; heights that are all equal.
     pub fn fit(&self, heights: &[f64], moments: Option<[f64; 2]>) -> Result<Heights, HeightsError> {
+        self.fit_by(|| Smoothed::new(heights).map(Heights::new), moments)
+    }
+
+    /// The same with the smoothed heights, which are made where they are needed.
+    pub(crate) fn fit_by(
+        &self,
+        smoothed: impl FnOnce() -> Result<Heights, EqualHeights>,
+        moments: Option<[f64; 2]>,
+    ) -> Result<Heights, HeightsError> {
         let equal = || HeightsError::from("heights that are all equal have no shape");
         match self {
             Self::Given(given) => Ok(given.clone()),
@@ -47,7 +56,7 @@ impl HeightModel {
                 let [skewness, kurtosis] = moments.ok_or_else(equal)?;
                 Ok(Heights::new(Johnson::from_moments(skewness, kurtosis)?))
             }
-            Self::Own => Ok(Heights::new(Smoothed::new(heights)?)),
+            Self::Own => Ok(smoothed()?),
         }
     }
 }

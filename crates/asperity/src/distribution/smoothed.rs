@@ -81,7 +81,15 @@ impl Smoothed {
     /// Heights that are all equal.
     pub fn new(heights: &[f64]) -> Result<Self, EqualHeights> {
         let mut sorted = heights.to_vec();
-        sorted.par_sort_by(f64::total_cmp);
+        sorted.par_sort_unstable_by(f64::total_cmp);
+        Self::of_ascending(&sorted)
+    }
+
+    /// Of heights in ascending order.
+    ///
+    /// # Errors
+    /// Heights that are all equal.
+    pub(crate) fn of_ascending(sorted: &[f64]) -> Result<Self, EqualHeights> {
         let count = sorted.len();
         let origin = sorted.first().copied().ok_or(EqualHeights)?;
         let mean = sorted.iter().map(|z| z - origin).sum::<f64>() / count as f64;

@@ -5,11 +5,16 @@
 use super::interval::Interval;
 
 /// Relative width of the last bracket, a few units of rounding.
-pub(super) const WIDTH: f64 = 4.0 * f64::EPSILON;
+pub(crate) const WIDTH: f64 = 4.0 * f64::EPSILON;
 
 /// Whether a bracket is closed to rounding.
 pub(super) fn closed(low: f64, high: f64) -> bool {
-    high - low <= WIDTH * low.abs().max(high.abs()).max(1.0)
+    is_closed(low, high, WIDTH)
+}
+
+/// Whether a bracket is closed to a relative width.
+fn is_closed(low: f64, high: f64, width: f64) -> bool {
+    high - low <= width * low.abs().max(high.abs()).max(1.0)
 }
 
 /// The largest `x` in [low, high], to rounding, with `value(x) >= level`, for a non-increasing `value`; at a jump, the
@@ -18,6 +23,17 @@ pub(super) fn closed(low: f64, high: f64) -> bool {
 /// Chandrupatla's method (Advances in Engineering Software 28, 145, 1997) on ln(value/level), with bisection where a
 /// value is zero or infinite.
 pub fn last_reaching(value: impl Fn(f64) -> f64, level: f64, low: f64, high: f64) -> Option<f64> {
+    last_reaching_within(value, level, low, high, WIDTH)
+}
+
+/// [`last_reaching`] to a relative width instead of to rounding.
+pub(crate) fn last_reaching_within(
+    value: impl Fn(f64) -> f64,
+    level: f64,
+    low: f64,
+    high: f64,
+    width: f64,
+) -> Option<f64> {
     // What is negative, or no number, does not reach the level.
     let gap = |x: f64| (value(x) / level).max(0.0).ln();
     let near_gap = gap(low);
@@ -28,18 +44,18 @@ pub fn last_reaching(value: impl Fn(f64) -> f64, level: f64, low: f64, high: f64
     if far_gap >= 0.0 {
         return Some(high);
     }
-    Some(crossing(gap, [low, near_gap], [high, far_gap]))
+    Some(crossing(gap, [low, near_gap], [high, far_gap], width))
 }
 
-/// The last point, to rounding, at which `gap` is not negative, between two ends `[x, gap]` with a non-negative and a
-/// negative gap.
-fn crossing(gap: impl Fn(f64) -> f64, low: [f64; 2], high: [f64; 2]) -> f64 {
+/// The last point, to a relative width, at which `gap` is not negative, between two ends `[x, gap]` with a non-negative and
+/// a negative gap.
+fn crossing(gap: impl Fn(f64) -> f64, low: [f64; 2], high: [f64; 2], width: f64) -> f64 {
     let ([mut near, mut near_gap], [mut far, mut far_gap]) = (low, high);
     // `latest` is the end that moved last, `other` the opposite end, `before` the one it replaced.
     let (mut latest, mut latest_gap, mut other, mut other_gap) = (near, near_gap, far, far_gap);
     let mut fraction: f64 = 0.5;
-    while !closed(near, far) {
-        let least = WIDTH * latest.abs().max(other.abs()).max(1.0) / (far - near) * 0.5;
+    while !is_closed(near, far, width) {
+        let least = width * latest.abs().max(other.abs()).max(1.0) / (far - near) * 0.5;
         let x = latest + (other - latest) * fraction.clamp(least, 1.0 - least);
         let x_gap = gap(x);
         let (before, before_gap);
@@ -89,9 +105,9 @@ pub fn sign_changes(
             let end = value(to);
             // Zero counts as positive.
             if start >= 0.0 && end < 0.0 {
-                found.push(crossing(value, [from, start], [to, end]));
+                found.push(crossing(value, [from, start], [to, end], WIDTH));
             } else if start < 0.0 && end >= 0.0 {
-                found.push(-crossing(|x| value(-x), [-to, end], [-from, start]));
+                found.push(-crossing(|x| value(-x), [-to, end], [-from, start], WIDTH));
             }
             continue;
         }

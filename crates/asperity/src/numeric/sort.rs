@@ -1,6 +1,24 @@
 //! Sorting of many numbers.
 
+use rayon::prelude::*;
+
 use crate::progress::{PIECE, Progress};
+
+/// The places of `values` in ascending total order, equal ones in the order of their places, on all threads.
+pub(crate) fn ascending(values: &[f64]) -> Vec<usize> {
+    // Value and place in one integer: compared without a branch, several times as fast as by a look-up of the values.
+    let keyed = |(place, value): (usize, &f64)| (u128::from(ordered_bits(*value)) << 64) | place as u128;
+    let mut keys: Vec<u128> = values.par_iter().enumerate().map(keyed).collect();
+    keys.par_sort_unstable();
+    keys.into_par_iter().map(|key| key as usize).collect()
+}
+
+/// An integer for each number, in the total order of the numbers.
+fn ordered_bits(value: f64) -> u64 {
+    let bits = value.to_bits();
+    let is_negative = bits >> 63 == 1;
+    if is_negative { !bits } else { bits | (1 << 63) }
+}
 
 /// Sorts numbers by their total order, on all threads: one unit of work. The halves are parted first, so that they sort in place and each by
 /// itself.
@@ -25,6 +43,15 @@ fn halves(values: &mut [f64], done: &(dyn Fn(usize) + Sync)) {
 mod tests {
     use super::*;
     use crate::progress::Silent;
+
+    #[test]
+    fn places_are_in_the_order_of_their_values_and_of_themselves() {
+        let mut values: Vec<f64> = (0..3000).map(|k| f64::from((k * 7919) % 1009) - 500.0).collect();
+        values.extend([-0.0, 0.0, f64::INFINITY, f64::NEG_INFINITY, -1e-310, 1e-310]);
+        let mut expected: Vec<usize> = (0..values.len()).collect();
+        expected.sort_by(|&a, &b| values[a].total_cmp(&values[b]));
+        assert_eq!(ascending(&values), expected);
+    }
 
     #[test]
     fn numbers_are_in_their_total_order_with_any_count_of_pieces() {

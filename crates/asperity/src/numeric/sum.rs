@@ -129,54 +129,77 @@ pub fn sum_of(count: usize, term: impl Fn(usize) -> f64 + Sync) -> f64 {
     in_chunks(count, |range| range.map(&term).collect::<Sum>(), |total, part| *total += *part).value()
 }
 
-/// A term of a sum over values, a register at a time. Implementations are `#[inline(always)]`.
-pub(crate) trait Term: Copy + Sync {
-    /// The term of each value.
-    fn of<N: Real>(self, values: N) -> N;
+/// The terms of K sums over the values of C columns, a register at a time. Implementations are `#[inline(always)]`.
+pub(crate) trait Terms<const C: usize, const K: usize>: Copy + Sync {
+    /// The terms of the values in each lane.
+    fn of<N: Real>(self, values: [N; C]) -> [N; K];
 }
 
-/// Parallel compensated sum of a term over `values`, several times as fast as [`sum_of`]: the same in registers of any
-/// width.
-pub(crate) fn sum_over(values: &[f64], term: impl Term) -> f64 {
-    let of_chunk = |range: std::ops::Range<usize>| run(InParts { values: &values[range], term });
-    in_chunks(values.len(), of_chunk, |total, part| *total += *part).value()
+/// Parallel compensated sums of terms over `columns` of equal length, several times as fast as [`sum_of`]: the same in registers of
+/// any width.
+pub(crate) fn sums_over<const C: usize, const K: usize>(
+    columns: [&[f64]; C],
+    terms: impl Terms<C, K>,
+) -> [f64; K] {
+    let of_chunk = |range: std::ops::Range<usize>| {
+        Sums(run((InParts { columns: columns.map(|column| &column[range.clone()]), terms }, [(); K])))
+    };
+    let join = |total: &mut Sums<K>, part: &Sums<K>| {
+        total.0.iter_mut().zip(part.0).for_each(|(total, part)| *total += part);
+    };
+    in_chunks(columns[0].len(), of_chunk, join).0.map(|sum| sum.value())
 }
 
-/// The compensated sum of a chunk in [`PARTS`] parts, whose additions do not wait for each other.
-struct InParts<'a, T> {
-    values: &'a [f64],
-    term: T,
+/// Sums side by side.
+struct Sums<const K: usize>([Sum; K]);
+
+impl<const K: usize> Default for Sums<K> {
+    fn default() -> Self {
+        Self([Sum::default(); K])
+    }
+}
+
+/// The compensated sums of a chunk in [`PARTS`] parts, whose additions do not wait for each other.
+struct InParts<'a, T, const C: usize> {
+    columns: [&'a [f64]; C],
+    terms: T,
 }
 
 /// Four of the widest registers.
 const PARTS: usize = 4 * MOST;
 
-impl<T: Term> Work for InParts<'_, T> {
-    type Output = Sum;
+impl<T: Terms<C, K>, const C: usize, const K: usize> Work for (InParts<'_, T, C>, [(); K]) {
+    type Output = [Sum; K];
 
     #[inline(always)]
-    fn with<N: Real>(self, zero: N) -> Sum {
-        let mut parts = [Sum::new(zero); PARTS];
+    fn with<N: Real>(self, zero: N) -> [Sum; K] {
+        let InParts { columns, terms } = self.0;
+        let mut parts = [[Sum::new(zero); K]; PARTS];
         let registers = PARTS / N::LANES;
-        let (whole, rest) = self.values.as_chunks::<PARTS>();
-        for some in whole {
-            for (k, values) in some.chunks_exact(N::LANES).enumerate() {
-                parts[k] += self.term.of(zero.load(values));
+        let count = columns[0].len();
+        let whole = count - count % PARTS;
+        for start in (0..whole).step_by(PARTS) {
+            for (k, part) in parts[..registers].iter_mut().enumerate() {
+                let at = start + k * N::LANES;
+                let values = columns.map(|column| zero.load(&column[at..]));
+                part.iter_mut().zip(terms.of(values)).for_each(|(sum, term)| *sum += term);
             }
         }
-        let (mut high, mut low) = ([0.0; PARTS], [0.0; PARTS]);
-        for (k, part) in parts[..registers].iter().enumerate() {
-            part.high.store(&mut high[k * N::LANES..]);
-            part.low.store(&mut low[k * N::LANES..]);
-        }
-        let mut total = Sum::default();
-        for (&high, &low) in high.iter().zip(&low) {
-            total += Sum { high, low };
-        }
-        for &value in rest {
-            total += self.term.of(value);
-        }
-        total
+        std::array::from_fn(|term| {
+            let (mut high, mut low) = ([0.0; PARTS], [0.0; PARTS]);
+            for (k, part) in parts[..registers].iter().enumerate() {
+                part[term].high.store(&mut high[k * N::LANES..]);
+                part[term].low.store(&mut low[k * N::LANES..]);
+            }
+            let mut total = Sum::default();
+            for (&high, &low) in high.iter().zip(&low) {
+                total += Sum { high, low };
+            }
+            for at in whole..count {
+                total += terms.of(columns.map(|column| column[at]))[term];
+            }
+            total
+        })
     }
 }
 
@@ -200,9 +223,10 @@ mod tests {
     #[derive(Clone, Copy)]
     struct Square;
 
-    impl Term for Square {
-        fn of<N: Real>(self, values: N) -> N {
-            values * values
+    impl Terms<2, 2> for Square {
+        #[inline(always)]
+        fn of<N: Real>(self, [x, y]: [N; 2]) -> [N; 2] {
+            [x * x, x * y]
         }
     }
 
@@ -210,9 +234,12 @@ mod tests {
     fn parts_give_the_sum() {
         for count in [0, 1, 7, 8, 9, 4096, 4097, 100_003] {
             let values: Vec<f64> = (0..count).map(|i| f64::from(i).sin() * 10f64.powi(i % 17)).collect();
+            let others: Vec<f64> = values.iter().rev().copied().collect();
+            let [square, product] = sums_over([&values, &others], Square);
             let plain = sum_of(values.len(), |i| values[i] * values[i]);
-            let found = sum_over(&values, Square);
-            assert!((found - plain).abs() <= f64::EPSILON * plain, "{count}: {found} {plain}");
+            assert!((square - plain).abs() <= f64::EPSILON * plain, "{count}: {square} {plain}");
+            let plain = sum_of(values.len(), |i| values[i] * others[i]);
+            assert!((product - plain).abs() <= 2.0 * f64::EPSILON * square, "{count}: {product} {plain}");
         }
     }
 

@@ -264,7 +264,10 @@ impl Surface {
     /// measured from the mean of the rest, in its sigma, if they are measured so on the surface.
     pub fn without(&self, division: &Division, group: usize) -> Option<Self> {
         let set = division.without(&self.set, group)?;
-        let statistics = Statistics::new(&set);
+        let statistics = match division.only(&self.set, group) {
+            Some(part) => self.statistics.without(&part, &set),
+            None => self.statistics,
+        };
         let is_own = self.plane == ReferencePlane::from(&self.statistics);
         let mut rest = Self::new(&self.name, set, statistics);
         if !is_own {
@@ -302,7 +305,7 @@ impl Surface {
         let population = self.nominal.clone().unwrap_or(own);
         let Some(heights) = heights else { return Ok(population) };
         let moments = self.statistics.skewness.zip(self.statistics.kurtosis).map(|(s, k)| [s, k]);
-        Ok(Population { heights: heights.fit(self.set.heights(), moments)?, ..population })
+        Ok(Population { heights: heights.fit_by(|| self.set.smoothed_heights(), moments)?, ..population })
     }
 
     /// Mean height of the statistical model's population in the frame of the set's heights, m.

@@ -1,11 +1,10 @@
 //! The states between both models.
 
-use rayon::prelude::*;
-
-use crate::asperity::{Asperities, Draw, Population};
+use crate::asperity::{Asperities, ByHeight, Draw, Population};
 use crate::interface::{AveragedContact, MicroContact, RadiusShare, jumps};
 use crate::model::{Deterministic, Medium, Mixture, Model, ReferencePlane, Statistical, WithMedium};
 use crate::numeric::condensed::{Node, condensed};
+use crate::numeric::sort::ascending;
 use crate::shape::Shape;
 
 /// Up to this many asperities all pairs of heights and radii are summed.
@@ -28,6 +27,8 @@ const CLASS: f64 = 0.05;
 pub struct Inputs<'a> {
     /// The asperities as the law sees them.
     pub asperities: Asperities<'a>,
+    /// The same by height.
+    pub by_height: &'a ByHeight,
     /// What separations of the sum are measured from, in the frame of the heights.
     pub plane: ReferencePlane,
     /// The population of the statistical model.
@@ -113,11 +114,8 @@ impl<'a> Rearranged<'a> {
         let count = asperities.count();
         let width = |width: f64| if count > FEW { width } else { 0.0 };
 
-        let mut order: Vec<usize> = (0..count).collect();
-        let own = asperities.heights();
-        // Ties in file order.
-        order.par_sort_by(|&a, &b| own[a].total_cmp(&own[b]));
-        let sorted: Vec<Node> = order.iter().map(|&k| Node { value: own[k], weight: 1.0 }).collect();
+        let one = |&value: &f64| Node { value, weight: 1.0 };
+        let sorted: Vec<Node> = inputs.by_height.heights().iter().map(one).collect();
         let nodes = nodes_of(&sorted, width(HEIGHT_BIN * inputs.plane.sigma));
         let heights = Sample {
             radii: vec![mean_shape.radius; nodes.len()],
@@ -127,15 +125,13 @@ impl<'a> Rearranged<'a> {
 
         let quantiles = population.heights_of(count, Draw::Quantiles);
         let mut paired = vec![0.0; count];
-        order.iter().zip(quantiles).for_each(|(&k, z)| paired[k] = z);
+        inputs.by_height.places().iter().zip(quantiles).for_each(|(&k, z)| paired[k] = z);
 
-        let share = |(_, shape): (f64, Shape)| Node {
-            value: shape.radius.ln(),
-            weight: shape.spheres / count as f64,
+        let share = |k: usize| {
+            let Shape { radius, spheres } = asperities.shape(k);
+            Node { value: radius.ln(), weight: spheres / count as f64 }
         };
-        let mut radii: Vec<Node> = asperities.each().map(share).collect();
-        // In file order where radii are equal.
-        radii.par_sort_by(|a, b| a.value.total_cmp(&b.value));
+        let radii = ascending(asperities.radii()).into_iter().map(share).collect();
         let is_uniform = asperities.each().all(|(_, shape)| shape == *mean_shape);
         let radius_bin = width(RADIUS_BIN);
         Self { heights, radii, radius_bin, paired, is_uniform, inputs }

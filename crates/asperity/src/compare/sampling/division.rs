@@ -16,6 +16,9 @@ pub const GROUPS: usize = MIN_BLOCKS;
 pub struct Division {
     /// The group of each asperity.
     group: Vec<u16>,
+    /// The asperities group by group, and where each group begins, with their number.
+    members: Vec<usize>,
+    ends: Vec<usize>,
     /// The share of each group in the nominal area.
     shares: Vec<f64>,
 }
@@ -24,7 +27,7 @@ impl Division {
     /// Blocks of a map; `positions` are the points of its asperities, `shares` those of the blocks in its nominal area.
     pub fn of_blocks(blocks: &Blocks, positions: &[usize], shares: Vec<f64>) -> Self {
         debug_assert_eq!(shares.len(), blocks.count());
-        Self { group: positions.iter().map(|&at| blocks.of_point(at) as u16).collect(), shares }
+        Self::new(positions.iter().map(|&at| blocks.of_point(at) as u16).collect(), shares)
     }
 
     /// Random groups of `count` independent asperities, of equal number within one; `None` for fewer than two in each.
@@ -38,11 +41,33 @@ impl Division {
     }
 
     fn random(count: usize, groups: usize, seed: [u8; 32]) -> Option<Self> {
+        if count < 2 * groups {
+            return None;
+        }
         let mut group: Vec<u16> = (0..count).map(|index| (index % groups) as u16).collect();
         group.shuffle(&mut ChaCha8Rng::from_seed(seed));
         let share = |k: usize| (count + groups - 1 - k) / groups;
-        let shares = (0..groups).map(|k| share(k) as f64 / count as f64).collect();
-        (count >= 2 * groups).then_some(Self { group, shares })
+        Some(Self::new(group, (0..groups).map(|k| share(k) as f64 / count as f64).collect()))
+    }
+
+    fn new(group: Vec<u16>, shares: Vec<f64>) -> Self {
+        let mut ends = vec![0; shares.len() + 1];
+        group.iter().for_each(|&group| ends[usize::from(group) + 1] += 1);
+        for k in 1..ends.len() {
+            ends[k] += ends[k - 1];
+        }
+        let (mut next, mut members) = (ends.clone(), vec![0; group.len()]);
+        for (index, &group) in group.iter().enumerate() {
+            let next = &mut next[usize::from(group)];
+            members[*next] = index;
+            *next += 1;
+        }
+        Self { group, members, ends, shares }
+    }
+
+    /// The asperities of a group, ascending.
+    fn members(&self, group: usize) -> &[usize] {
+        &self.members[self.ends[group]..self.ends[group + 1]]
     }
 
     /// The share of each group in the nominal area.
@@ -63,8 +88,7 @@ impl Division {
 
     /// A group of `set` on its area; `None` where it holds no asperity.
     pub fn only(&self, set: &AsperitySet, group: usize) -> Option<AsperitySet> {
-        let is_kept = |index: usize| usize::from(self.group[index]) == group;
-        set.filtered(is_kept, set.nominal_area() * self.shares[group])
+        set.selected(self.members(group), set.nominal_area() * self.shares[group])
     }
 }
 
@@ -115,7 +139,7 @@ mod tests {
         assert_eq!(division.group, [0, 0, 2, 5, 4]);
         let rest = division.without(&set(5), 0).unwrap();
         assert_eq!(rest.heights(), [2.0, 3.0, 4.0]);
-        let all = Division { group: vec![0; 5], shares: vec![1.0] };
+        let all = Division::new(vec![0; 5], vec![1.0]);
         assert_eq!(all.without(&set(5), 0), None);
     }
 }
