@@ -26,7 +26,7 @@ import tempfile
 import numpy as np
 import scipy.fft
 
-ROUNDS = 5
+ROUNDS = 3
 HEAD = """
 seed = 1
 [material.steel]
