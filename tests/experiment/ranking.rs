@@ -44,6 +44,13 @@ fn the_joint_density_is_enough_on_a_gaussian_surface_and_not_on_a_skewed_one() {
     assert!(difference(&rows, "five-point", "area").abs() < 0.1);
     assert!(difference(&rows, "nayak-greenwood", "area").abs() < 0.1);
     assert!(difference(&rows, "gaussian, arithmetic", "area") > 0.2);
+    // The same nodes at a separation, however many steps a search takes with either radius.
+    let contacts = |model: &str| {
+        let row = rows.iter().find(|row| row["model"] == model).unwrap_or_else(|| panic!("{model}"));
+        number(row, "contacts_per_separation")
+    };
+    assert_eq!(contacts("gaussian, arithmetic"), contacts("gaussian, inverse-mean-curvature"));
+    assert!(contacts("gaussian, arithmetic") > 20.0 && contacts("five-point") > 1e4);
     let skewed = run("", &map("heights.johnson = { skewness = -1, kurtosis = 4.5 }")).unwrap();
     let rows = table(&*skewed, "ranking.csv").unwrap();
     assert!(difference(&rows, "five-point", "separation").abs() > 0.3);
