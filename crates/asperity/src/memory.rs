@@ -5,8 +5,8 @@
 const HUGE: usize = 2 << 20;
 
 /// A list of `count` zeros, in huge pages where [`advise`] gets them.
-pub fn zeros(count: usize) -> Vec<f64> {
-    let list = vec![0.0; count];
+pub fn zeros<T: Copy + Default>(count: usize) -> Vec<T> {
+    let list = vec![T::default(); count];
     advise(&list);
     list
 }
@@ -63,7 +63,7 @@ mod tests {
     #[test]
     fn lists_are_what_they_would_be_without_advice() {
         for count in [0, 1, 1000, HUGE_LIST] {
-            assert_eq!(zeros(count), vec![0.0; count]);
+            assert_eq!(zeros::<f64>(count), vec![0.0; count]);
             let mut list = vec![1.0, 2.0];
             reserve(&mut list, count);
             assert!(list == [1.0, 2.0] && list.capacity() >= count.max(2));

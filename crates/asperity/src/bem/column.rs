@@ -2,30 +2,30 @@
 
 use std::sync::Arc;
 
-use asperity_fft::{Complex64, Fft, FftDirection};
+use asperity_fft::{Complex, Fft, FftDirection, Number};
 
 use super::row::{permuted, twiddles};
 
-/// The response of a map to each of its waves, and the transforms along x that lead there and back.
-pub struct Columns {
+/// The response of a map to each of its waves, and the transforms along x that lead there and back, in numbers of a type.
+pub struct Columns<T: Number> {
     /// Points of a column.
     points: usize,
     /// Numbers of its transform: its points, or twice as many where nothing repeats.
     length: usize,
-    twiddles: Option<Vec<Complex64>>,
-    forward: Arc<dyn Fft<f64>>,
-    backward: Arc<dyn Fft<f64>>,
+    twiddles: Option<Vec<Complex<T>>>,
+    forward: Arc<dyn Fft<T>>,
+    backward: Arc<dyn Fft<T>>,
     /// The response to wave (i, j) at j * stride + i: of a mirrored map for all i and j, else for the first half of the
     /// waves along both axes, since it is even in both.
-    response: Vec<f64>,
+    response: Vec<T>,
     stride: usize,
     /// Points along y of the transform.
     width: usize,
 }
 
-impl Columns {
+impl<T: Number> Columns<T> {
     /// Columns of `points` points, transformed as `length` numbers, of a map of `width` numbers along y.
-    pub fn new(points: usize, length: usize, width: usize, is_mirrored: bool, response: Vec<f64>) -> Self {
+    pub fn new(points: usize, length: usize, width: usize, is_mirrored: bool, response: Vec<T>) -> Self {
         Self {
             points,
             length,
@@ -44,9 +44,9 @@ impl Columns {
     }
 
     /// Scratch numbers that a transform needs.
-    pub fn scratch(&self) -> Vec<Complex64> {
+    pub fn scratch(&self) -> Vec<Complex<T>> {
         let need = self.forward.get_inplace_scratch_len().max(self.backward.get_inplace_scratch_len());
-        vec![Complex64::default(); need]
+        vec![Complex::default(); need]
     }
 
     /// The place of point `i` in a column that is transformed.
@@ -55,9 +55,9 @@ impl Columns {
     }
 
     /// Replaces column `j` of waves along y by the response to it, times the numbers of the transform.
-    pub fn respond(&self, j: usize, column: &mut [Complex64], scratch: &mut [Complex64]) {
+    pub fn respond(&self, j: usize, column: &mut [Complex<T>], scratch: &mut [Complex<T>]) {
         // What lies beyond the points carries no pressure.
-        column[self.points..].fill(Complex64::default());
+        column[self.points..].fill(Complex::default());
         self.forward.process_with_scratch(column, scratch);
         match &self.twiddles {
             Some(twiddles) => self.multiply_cosines(j, column, twiddles),
@@ -66,18 +66,19 @@ impl Columns {
         self.backward.process_with_scratch(column, scratch);
     }
 
-    fn response(&self, j: usize) -> &[f64] {
+    fn response(&self, j: usize) -> &[T] {
         &self.response[j * self.stride..][..self.stride]
     }
 
-    fn multiply_waves(&self, j: usize, column: &mut [Complex64]) {
+    fn multiply_waves(&self, j: usize, column: &mut [Complex<T>]) {
         let response = self.response(j);
         let (first, rest) = column.split_at_mut(self.stride);
         if j == 0 {
             // The real part is wave 0 along y, the imaginary part the last one: both real.
             let other = self.response(self.opposite(0));
-            let pair = |z: Complex64, mirror: Complex64, k: usize| {
-                0.5 * (response[k] + other[k]) * z + 0.5 * (response[k] - other[k]) * mirror.conj()
+            let half = T::of(0.5);
+            let pair = |z: Complex<T>, mirror: Complex<T>, k: usize| {
+                z * (half * (response[k] + other[k])) + mirror.conj() * (half * (response[k] - other[k]))
             };
             first[0] = pair(first[0], first[0], 0);
             for (k, b) in rest.iter_mut().rev().enumerate() {
@@ -90,8 +91,8 @@ impl Columns {
             }
             return;
         }
-        first.iter_mut().zip(response).for_each(|(wave, r)| *wave *= *r);
-        rest.iter_mut().rev().zip(&response[1..]).for_each(|(wave, r)| *wave *= *r);
+        first.iter_mut().zip(response).for_each(|(wave, r)| *wave = *wave * *r);
+        rest.iter_mut().rev().zip(&response[1..]).for_each(|(wave, r)| *wave = *wave * *r);
     }
 
     /// The wave along y in the imaginary part of column `j`: of a mirrored map n - j, and of column 0 the last one.
@@ -107,17 +108,18 @@ impl Columns {
 
     /// The cosine transform is linear over complex numbers too: the real part of the column is the cosine j along y, the
     /// imaginary part minus the cosine n - j.
-    fn multiply_cosines(&self, j: usize, column: &mut [Complex64], twiddles: &[Complex64]) {
+    fn multiply_cosines(&self, j: usize, column: &mut [Complex<T>], twiddles: &[Complex<T>]) {
         let (real, imaginary) = (self.response(j), self.response(self.opposite(j)));
-        let product = |k: usize, wave: Complex64| Complex64::new(wave.re * real[k], wave.im * imaginary[k]);
+        let product = |k: usize, wave: Complex<T>| Complex::new(wave.re * real[k], wave.im * imaginary[k]);
         column[0] = product(0, column[0]);
         let n = self.points;
-        let turned = |z: Complex64| Complex64::new(-z.im, z.re);
+        let turned = |z: Complex<T>| Complex::new(-z.im, z.re);
+        let half = T::of(0.5);
         for k in 1..=n / 2 {
             let w = twiddles[k];
             let (a, b) = (column[k] * w, column[n - k] * w.conj());
-            let wave = product(k, 0.5 * (a + b));
-            let other = turned(product(n - k, turned(0.5 * (a - b))));
+            let wave = product(k, (a + b) * half);
+            let other = turned(product(n - k, turned((a - b) * half)));
             column[k] = w.conj() * (wave - other);
             column[n - k] = w * (wave + other);
         }

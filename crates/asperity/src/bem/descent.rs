@@ -3,13 +3,16 @@
 //!
 //! The pressures p minimise p K p/2 - p h subject to 0 <= p <= H and a given sum. Differences from Polonsky and Keer
 //! (1999): the direction is kept when points enter or leave the contact, and made conjugate to the last one; a stencil of
-//! 3 x 3 points approximates the inverse of K; the load is kept by projection, which also serves a cap; and a step after
-//! which no pressure had to be clamped needs one convolution, since the gap then follows from that of the direction.
+//! 3 x 3 points approximates the inverse of K; the load is kept by projection, which also serves a cap; a step after
+//! which no pressure had to be clamped needs one convolution, since the gap then follows from that of the direction; and
+//! gaps follow the changes of the pressures in single precision, from pressures and to those found in double precision.
+
+use std::array;
 
 use rayon::prelude::*;
 
 use super::active::{Points, members};
-use super::convolution::{Buffers, Convolution};
+use super::convolution::Convolution;
 use super::preconditioner::Stencil;
 use super::projection::project;
 use crate::memory::zeros;
@@ -17,6 +20,14 @@ use crate::progress::Progress;
 
 /// Rows of one task.
 pub const ROWS: usize = 8;
+
+/// The part of the last error of gaps in double precision that those in single precision can follow: their rounding is some
+/// 1e-7 of the displacements that changed.
+const SINGLE: f64 = 1e-4;
+
+/// Steps after which they are found in double precision whatever their error: where the displacements are far larger than the
+/// heights, rounding may hold it up.
+const FOLLOWED: usize = 16;
 
 /// A grid of heights with the response to pressures on it.
 pub struct Grid<'a> {
@@ -78,15 +89,17 @@ struct State<'a> {
     target: Target,
     pressures: Vec<f64>,
     gaps: Vec<f64>,
-    direction: Vec<f64>,
+    direction: Vec<f32>,
     /// Displacements under the direction.
-    response: Vec<f64>,
-    buffers: Buffers,
+    response: Vec<f32>,
+    /// Between transforms the preconditioned residual, then the pressures of active points before a step.
+    waves: Vec<f64>,
+    single_waves: Vec<f32>,
     /// Points whose pressure may change.
     active: Points,
     /// The gap at points in contact.
     level: f64,
-    /// Step along the direction.
+    /// Step along the direction that the gaps have not followed yet.
     step: f64,
     /// direction . response of the last step; 0 before the first.
     curvature: f64,
@@ -116,7 +129,8 @@ impl Grid<'_> {
             gaps: zeros(count),
             direction: zeros(count),
             response: zeros(count),
-            buffers: self.convolution.buffers(),
+            waves: self.convolution.waves(),
+            single_waves: self.convolution.single_waves(),
             active: Points::all(self.points),
             level: 0.0,
             step: 0.0,
@@ -124,30 +138,40 @@ impl Grid<'_> {
             convolutions: 0,
         };
         state.keep_load(0.0);
-        let (mut steps, mut is_known) = (0, false);
+        state.find_gaps();
+        // The last error of gaps in double precision, and the step at which they were found.
+        let (mut exact, mut exact_at) = (f64::INFINITY, 0);
+        let (mut steps, mut is_exact, mut followed) = (0, true, f64::INFINITY);
         loop {
-            if !is_known {
-                state.find_gaps();
-            }
-            let contact = state.find_contact(is_known);
-            watch(contact.error);
-            let is_reached = contact.error <= target.error;
-            if is_reached && is_known {
-                // Once more, from the pressures themselves.
+            let contact = state.find_contact();
+            let error = contact.error;
+            watch(error);
+            let is_reached = error <= target.error;
+            // A single point has its pressure.
+            let is_due = error < SINGLE * exact || steps >= exact_at + FOLLOWED || contact.count <= 1.0;
+            if !is_exact && (is_due || is_reached && target.error < SINGLE) {
                 state.keep_load(contact.fixed_load);
-                is_known = false;
+                state.find_gaps();
+                (is_exact, followed) = (true, error);
                 continue;
             }
-            if is_reached || steps >= target.steps || !contact.error.is_finite() {
+            if is_reached || steps >= target.steps || !error.is_finite() {
                 let State { pressures, gaps, level, convolutions, .. } = state;
-                return Descent { pressures, gaps, level, error: contact.error, steps, convolutions };
+                return Descent { pressures, gaps, level, error, steps, convolutions };
+            }
+            if is_exact {
+                (exact, exact_at) = (error, steps);
+                if error > 2.0 * followed {
+                    // What is left is rounding, which the last direction knows nothing of: of few points it would leave none.
+                    state.curvature = 0.0;
+                }
             }
             state.turn(&contact);
-            let was_clamped = state.advance(&contact);
-            if was_clamped {
+            if state.advance(&contact) {
                 state.keep_load(contact.fixed_load);
+                state.follow();
             }
-            is_known = !was_clamped;
+            is_exact = false;
             steps += 1;
         }
     }
@@ -168,52 +192,69 @@ impl State<'_> {
         project(&mut self.pressures, width, &self.active, load - fixed, self.target.cap);
     }
 
-    /// The gaps under the pressures, and the level of the flat: their mean over points that carry pressure below the cap. Where
-    /// there are none, it lies halfway between the highest gap at the cap and the lowest without pressure: no point leaves its
-    /// bounds, or one on each side does and they share the load anew.
+    /// The gaps under the pressures.
     fn find_gaps(&mut self) {
-        let (ny, cap) = (self.width(), self.target.cap);
-        let (pressures, heights) = (&self.pressures, self.grid.heights);
-        let rows = self.grid.convolution.apply(
+        let ny = self.width();
+        let (pressures, heights, active, cap) =
+            (&self.pressures, self.grid.heights, &self.active, self.target.cap);
+        let sums = self.grid.convolution.apply(
             self.grid.progress,
             |i, row| row.copy_from_slice(&pressures[i * ny..][..ny]),
             &mut self.gaps,
-            &mut self.buffers,
+            &mut self.waves,
             |i, gaps| {
-                let (heights, pressures) = (&heights[i * ny..][..ny], &pressures[i * ny..][..ny]);
-                let (mut sums, mut capped, mut open) = ([0.0; 2], f64::NEG_INFINITY, f64::INFINITY);
-                for ((gap, height), &p) in gaps.iter_mut().zip(heights).zip(pressures) {
-                    *gap -= height;
-                    if p >= cap {
-                        capped = capped.max(*gap);
-                    } else if p > 0.0 {
-                        sums[0] += *gap;
-                        sums[1] += 1.0;
-                    } else {
-                        open = open.min(*gap);
-                    }
-                }
-                (Sums(sums), capped, open)
+                gaps.iter_mut().zip(&heights[i * ny..][..ny]).for_each(|(gap, height)| *gap -= height);
+                free(gaps, &pressures[i * ny..][..ny], active.row(i), cap)
             },
         );
+        self.set_level(&sums);
+    }
+
+    /// Changes the gaps with the pressures of active points, which were those in `waves` before.
+    fn follow(&mut self) {
+        let ny = self.width();
+        let (pressures, before, active, cap) = (&self.pressures, &self.waves, &self.active, self.target.cap);
+        let sums = self.grid.convolution.apply_in_single(
+            self.grid.progress,
+            |i, row| {
+                let change = |k: usize| (pressures[k] - before[k]) as f32;
+                members(active.row(i)).for_each(|j| row[j] = change(i * ny + j));
+            },
+            &mut self.gaps,
+            &mut self.single_waves,
+            |i, changes, gaps| {
+                gaps.iter_mut().zip(changes).for_each(|(gap, &change)| *gap += f64::from(change));
+                free(gaps, &pressures[i * ny..][..ny], active.row(i), cap)
+            },
+        );
+        self.set_level(&sums);
+    }
+
+    /// The level of the flat: the mean gap of points that carry pressure below the cap, `sums` being their number and their gaps. Where
+    /// there are none, it lies halfway between the highest gap at the cap and the lowest without pressure: no point leaves its
+    /// bounds, or one on each side does and they share the load anew.
+    fn set_level(&mut self, sums: &[Sums<2>]) {
         self.convolutions += 1;
-        let sums: Vec<Sums<2>> = rows.iter().map(|row| row.0).collect();
-        let [free, free_count] = total(&sums);
-        self.level = if free_count > 0.0 {
-            free / free_count
+        self.step = 0.0;
+        let [count, gaps] = total(sums);
+        self.level = if count > 0.0 {
+            gaps / count
         } else {
-            let capped = rows.iter().fold(f64::NEG_INFINITY, |highest, row| highest.max(row.1));
-            let open = rows.iter().fold(f64::INFINITY, |lowest, row| lowest.min(row.2));
+            let points = || self.gaps.iter().zip(&self.pressures);
+            let capped = points()
+                .filter(|&(_, &p)| p > 0.0)
+                .fold(f64::NEG_INFINITY, |highest, (&gap, _)| highest.max(gap));
+            let open =
+                points().filter(|&(_, &p)| p <= 0.0).fold(f64::INFINITY, |lowest, (&gap, _)| lowest.min(gap));
             0.5 * (capped + open)
         };
-        self.step = 0.0;
     }
 
     /// Moves the gaps along the last step, finds the points that are active and forgets the direction of those that are
     /// not.
-    fn find_contact(&mut self, is_known: bool) -> Contact {
-        let (ny, cap, level) = (self.width(), self.target.cap, self.level);
-        let step = if is_known { self.step } else { 0.0 };
+    fn find_contact(&mut self) -> Contact {
+        let (ny, cap, level, step) = (self.width(), self.target.cap, self.level, self.step);
+        let has_cap = cap.is_finite();
         let rows: Vec<(Sums<6>, f64)> = self
             .gaps
             .par_chunks_mut(ny)
@@ -224,31 +265,38 @@ impl State<'_> {
             .with_min_len(ROWS)
             .map(|((((gaps, response), pressures), direction), words)| {
                 if step != 0.0 {
-                    gaps.iter_mut().zip(response).for_each(|(gap, r)| *gap -= step * r);
+                    gaps.iter_mut().zip(response).for_each(|(gap, &r)| *gap -= step * f64::from(r));
                 }
                 let (mut sums, mut lowest) = ([0.0; 6], f64::INFINITY);
                 let points = gaps.chunks(64).zip(pressures.chunks(64));
                 for ((k, (gaps, pressures)), word) in points.enumerate().zip(words) {
-                    lowest = gaps.iter().fold(lowest, |lowest, &gap| if gap < lowest { gap } else { lowest });
-                    let touches = |(&gap, &p): (&f64, &f64)| (p > 0.0) | (gap < level);
+                    let low = least(gaps);
+                    lowest = lowest.min(low);
                     let mut now = 0;
-                    if gaps.iter().zip(pressures).fold(false, |any, point| any | touches(point)) {
-                        for (bit, (&gap, &p)) in gaps.iter().zip(pressures).enumerate() {
-                            let above = gap - level;
-                            if p <= 0.0 && above >= 0.0 {
-                                continue;
-                            }
-                            // Load, load times gap; the dual gap under a cap.
-                            sums[0] += p;
-                            sums[1] += p * above;
-                            sums[2] += if above > 0.0 { p * above } else { (cap - p) * -above };
-                            if p >= cap && above <= 0.0 {
-                                sums[3] += p;
-                            } else {
-                                now |= 1 << bit;
-                                sums[4] += 1.0;
-                                sums[5] += gap;
-                            }
+                    // Points that carry pressure are active or, where there is a cap, may have stayed there.
+                    let mut touching = *word;
+                    if has_cap {
+                        touching |= bits(pressures, |p| p > 0.0);
+                    }
+                    if low < level {
+                        touching |= bits(gaps, |gap| gap < level);
+                    }
+                    for bit in members(&[touching]) {
+                        let (gap, p) = (gaps[bit], pressures[bit]);
+                        let above = gap - level;
+                        if p <= 0.0 && above >= 0.0 {
+                            continue;
+                        }
+                        // Load, load times gap; the dual gap under a cap.
+                        sums[0] += p;
+                        sums[1] += p * above;
+                        sums[2] += if above > 0.0 { p * above } else { (cap - p) * -above };
+                        if p >= cap && above <= 0.0 {
+                            sums[3] += p;
+                        } else {
+                            now |= 1 << bit;
+                            sums[4] += 1.0;
+                            sums[5] += gap;
                         }
                     }
                     for j in members(&[*word & !now]) {
@@ -275,7 +323,7 @@ impl State<'_> {
         let (grid, gaps, active) = (self.grid, &self.gaps, &self.active);
         let (response, direction) = (&self.response, &self.direction);
         let residual = |k: usize| gaps[k] - mean_gap;
-        let z = &mut self.buffers.columns[..nx * ny];
+        let z = &mut self.waves[..nx * ny];
         let rows: Vec<Sums<4>> = z
             .par_chunks_mut(ny)
             .zip(direction.par_chunks(ny))
@@ -287,9 +335,9 @@ impl State<'_> {
                 grid.stencil.apply_row(grid.points, grid.wraps, active, i, residual, |j, value| {
                     z[j] = value;
                     sums[0] += value;
-                    sums[1] += value * response[j];
-                    sums[2] += response[j];
-                    sums[3] += direction[j];
+                    sums[1] += value * f64::from(response[j]);
+                    sums[2] += f64::from(response[j]);
+                    sums[3] += f64::from(direction[j]);
                 });
                 Sums(sums)
             })
@@ -309,7 +357,8 @@ impl State<'_> {
             .with_min_len(ROWS)
             .for_each(|((direction, z), words)| {
                 for j in members(words) {
-                    direction[j] = z[j] - z_mean + beta * (direction[j] - direction_mean);
+                    let conjugate = beta * (f64::from(direction[j]) - direction_mean);
+                    direction[j] = (z[j] - z_mean + conjugate) as f32;
                 }
             });
     }
@@ -319,18 +368,20 @@ impl State<'_> {
         let (ny, cap) = (self.width(), self.target.cap);
         let &Contact { count, mean_gap, .. } = contact;
         let (gaps, direction, active) = (&self.gaps, &self.direction, &self.active);
-        let rows = self.grid.convolution.apply(
+        let rows = self.grid.convolution.apply_in_single(
             self.grid.progress,
             |i, row| members(active.row(i)).for_each(|j| row[j] = direction[i * ny + j]),
             &mut self.response,
-            &mut self.buffers,
-            |i, response| {
+            &mut self.single_waves,
+            |i, found, response| {
+                response.copy_from_slice(found);
                 let (gaps, direction) = (&gaps[i * ny..][..ny], &direction[i * ny..][..ny]);
                 let mut sums = [0.0; 3];
                 for j in members(active.row(i)) {
-                    sums[0] += (gaps[j] - mean_gap) * direction[j];
-                    sums[1] += response[j] * direction[j];
-                    sums[2] += response[j];
+                    let (response, direction) = (f64::from(response[j]), f64::from(direction[j]));
+                    sums[0] += (gaps[j] - mean_gap) * direction;
+                    sums[1] += response * direction;
+                    sums[2] += response;
                 }
                 Sums(sums)
             },
@@ -344,16 +395,39 @@ impl State<'_> {
         let clamped: Vec<bool> = self
             .pressures
             .par_chunks_mut(ny)
+            .zip(self.waves.par_chunks_mut(ny))
             .zip(direction.par_chunks(ny))
             .zip(active.rows())
             .with_min_len(ROWS)
-            .map(|((pressures, direction), words)| {
+            .map(|(((pressures, before), direction), words)| {
                 members(words).fold(false, |clamped, j| {
-                    pressures[j] -= step * direction[j];
+                    before[j] = pressures[j];
+                    pressures[j] -= step * f64::from(direction[j]);
                     clamped | (pressures[j] < 0.0) | (pressures[j] > cap)
                 })
             })
             .collect();
         clamped.into_iter().any(|clamped| clamped)
     }
+}
+
+/// Number and gaps of the points of a row among `active` that carry pressure below the cap.
+fn free(gaps: &[f64], pressures: &[f64], active: &[u64], cap: f64) -> Sums<2> {
+    Sums(members(active).fold([0.0; 2], |[count, sum], j| {
+        if pressures[j] > 0.0 && pressures[j] < cap { [count + 1.0, sum + gaps[j]] } else { [count, sum] }
+    }))
+}
+
+/// A bit for each of up to 64 values.
+fn bits(values: &[f64], is_set: impl Fn(f64) -> bool) -> u64 {
+    values.iter().enumerate().fold(0, |bits, (k, &value)| bits | u64::from(is_set(value)) << k)
+}
+
+/// The least of some gaps, infinite for none: of eight at once, which a fold of one after the other is not.
+fn least(gaps: &[f64]) -> f64 {
+    let least = |a: f64, b: f64| if b < a { b } else { a };
+    let (eights, rest) = gaps.as_chunks::<8>();
+    let lanes =
+        eights.iter().fold([f64::INFINITY; 8], |lanes, gaps| array::from_fn(|k| least(lanes[k], gaps[k])));
+    lanes.into_iter().chain(rest.iter().copied()).fold(f64::INFINITY, least)
 }

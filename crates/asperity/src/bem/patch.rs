@@ -3,14 +3,18 @@
 //! Of a contact it is the derivative of the pressures by the load at a fixed patch, and its level that of the approach. With
 //! the potential of a current in place of the displacement it is the current density through the patch, with a film on it
 //! K p + film p = level.
+//!
+//! Displacements follow the steps in single precision; the level, whose error is of second order in that of the pressures, is
+//! found from these in double precision.
 
 use rayon::prelude::*;
 
 use super::active::{Points, members};
-use super::convolution::{Buffers, Convolution};
+use super::convolution::Convolution;
 use super::descent::{ROWS, Sums, total};
 use super::preconditioner::Stencil;
 use crate::memory::zeros;
+use crate::numeric::sum::sum_of;
 use crate::progress::Progress;
 
 /// The steps whose gains of energy exceed what all further ones gain: on rough surfaces a hundred times.
@@ -53,9 +57,11 @@ struct State<'a> {
     count: f64,
     pressures: Vec<f64>,
     displacements: Vec<f64>,
-    direction: Vec<f64>,
-    response: Vec<f64>,
-    buffers: Buffers,
+    direction: Vec<f32>,
+    response: Vec<f32>,
+    /// Between transforms the preconditioned residual.
+    waves: Vec<f64>,
+    single_waves: Vec<f32>,
 }
 
 impl PatchGrid<'_> {
@@ -75,9 +81,11 @@ impl PatchGrid<'_> {
             displacements: zeros(all),
             direction: zeros(all),
             response: zeros(all),
-            buffers: self.convolution.buffers(),
+            waves: self.convolution.waves(),
+            single_waves: self.convolution.single_waves(),
         };
-        let mut level = state.start(all as f64 / count as f64) / all as f64;
+        state.change_pressures(|_| all as f64 / count as f64);
+        let mut level = state.find_displacements() / all as f64;
         let (mut gains, mut product) = (Vec::new(), 0.0);
         let gained = |gains: &[f64]| gains.iter().rev().take(LOOK_BACK).sum::<f64>();
         while gains.len() < LOOK_BACK || (gains.len() < steps && gained(&gains) > error * level) {
@@ -87,6 +95,10 @@ impl PatchGrid<'_> {
             level -= gain;
             gains.push(gain);
         }
+        // Directions in single precision do not sum to zero.
+        let mean = sum_of(all, |k| state.pressures[k]) / all as f64;
+        state.change_pressures(|pressure| pressure / mean);
+        let level = state.find_displacements() / all as f64;
         Some(PatchResponse {
             pressures: state.pressures,
             displacements: state.displacements,
@@ -103,21 +115,31 @@ impl State<'_> {
         self.grid.points[1]
     }
 
-    /// Uniform pressures on the patch and their displacements; the sum of the products of both.
-    fn start(&mut self, pressure: f64) -> f64 {
+    /// Replaces each pressure on the patch.
+    fn change_pressures(&mut self, to: impl Fn(f64) -> f64 + Sync) {
         let ny = self.width();
-        let (patch, film) = (self.patch, self.grid.film);
-        self.pressures.par_chunks_mut(ny).zip(patch.rows()).for_each(|(row, words)| {
-            members(words).for_each(|j| row[j] = pressure);
+        self.pressures.par_chunks_mut(ny).zip(self.patch.rows()).for_each(|(row, words)| {
+            members(words).for_each(|j| row[j] = to(row[j]));
         });
+    }
+
+    /// The displacements under the pressures; the sum of the products of both.
+    fn find_displacements(&mut self) -> f64 {
+        let ny = self.width();
+        let (pressures, patch, film) = (&self.pressures, self.patch, self.grid.film);
         let rows = self.grid.convolution.apply(
             self.grid.progress,
-            |i, row| members(patch.row(i)).for_each(|j| row[j] = pressure),
+            |i, row| row.copy_from_slice(&pressures[i * ny..][..ny]),
             &mut self.displacements,
-            &mut self.buffers,
+            &mut self.waves,
             |i, row| {
-                members(patch.row(i)).for_each(|j| row[j] += film * pressure);
-                Sums([members(patch.row(i)).map(|j| pressure * row[j]).sum()])
+                let mut product = 0.0;
+                for j in members(patch.row(i)) {
+                    let pressure = pressures[i * ny + j];
+                    row[j] += film * pressure;
+                    product += pressure * row[j];
+                }
+                Sums([product])
             },
         );
         total(&rows)[0]
@@ -131,7 +153,7 @@ impl State<'_> {
         let sums: Vec<Sums<1>> =
             rows.map(|(row, words)| Sums([members(words).map(|j| row[j]).sum()])).collect();
         let mean = total(&sums)[0] / count;
-        let z = &mut self.buffers.columns[..displacements.len()];
+        let z = &mut self.waves[..displacements.len()];
         let rows: Vec<Sums<2>> = z
             .par_chunks_mut(ny)
             .enumerate()
@@ -154,7 +176,8 @@ impl State<'_> {
         let z = &*z;
         let rows = self.direction.par_chunks_mut(ny).zip(z.par_chunks(ny)).zip(patch.rows());
         rows.with_min_len(ROWS).for_each(|((direction, z), words)| {
-            members(words).for_each(|j| direction[j] = z[j] - z_mean + beta * direction[j]);
+            members(words)
+                .for_each(|j| direction[j] = (z[j] - z_mean + beta * f64::from(direction[j])) as f32);
         });
         product
     }
@@ -163,14 +186,20 @@ impl State<'_> {
     fn advance(&mut self, product: f64) -> f64 {
         let ny = self.width();
         let (direction, patch, film) = (&self.direction, self.patch, self.grid.film);
-        let rows = self.grid.convolution.apply(
+        let rows = self.grid.convolution.apply_in_single(
             self.grid.progress,
             |i, row| members(patch.row(i)).for_each(|j| row[j] = direction[i * ny + j]),
             &mut self.response,
-            &mut self.buffers,
-            |i, row| {
-                members(patch.row(i)).for_each(|j| row[j] += film * direction[i * ny + j]);
-                Sums([members(patch.row(i)).map(|j| direction[i * ny + j] * row[j]).sum()])
+            &mut self.single_waves,
+            |i, found, response| {
+                response.copy_from_slice(found);
+                let mut product = 0.0;
+                for j in members(patch.row(i)) {
+                    let direction = f64::from(direction[i * ny + j]);
+                    response[j] += (film * direction) as f32;
+                    product += direction * f64::from(response[j]);
+                }
+                Sums([product])
             },
         );
         let step = product / total(&rows)[0];
@@ -178,8 +207,8 @@ impl State<'_> {
         let rows = self.pressures.par_chunks_mut(ny).zip(self.displacements.par_chunks_mut(ny)).enumerate();
         rows.with_min_len(ROWS).for_each(|(i, (pressures, displacements))| {
             let at = i * ny;
-            displacements.iter_mut().zip(&response[at..]).for_each(|(u, r)| *u -= step * r);
-            members(patch.row(i)).for_each(|j| pressures[j] -= step * direction[at + j]);
+            displacements.iter_mut().zip(&response[at..]).for_each(|(u, &r)| *u -= step * f64::from(r));
+            members(patch.row(i)).for_each(|j| pressures[j] -= step * f64::from(direction[at + j]));
         });
         step * product
     }

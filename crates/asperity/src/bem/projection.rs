@@ -3,6 +3,9 @@
 use rayon::prelude::*;
 
 use super::active::{Points, members};
+use super::descent::ROWS;
+use crate::memory::zeros;
+use crate::numeric::sum::CHUNK;
 
 /// Relative error of the sum.
 const LOAD_ERROR: f64 = 1e-14;
@@ -17,26 +20,23 @@ const WIDEN: f64 = 8.0;
 /// offset, then clamped. The sum is a piecewise linear, increasing function of the offset, whose root Newton's method
 /// finds within a bracket.
 pub fn project(pressures: &mut [f64], ny: usize, points: &Points, target: f64, cap: f64) {
-    let sums = |pressures: &[f64], offset: f64| -> (f64, usize) {
-        let rows: Vec<(f64, usize)> = pressures
-            .par_chunks(ny)
-            .zip(points.rows())
-            .map(|(row, words)| {
-                let (mut load, mut free) = (0.0, 0);
-                for j in members(words) {
-                    let p = (row[j] + offset).clamp(0.0, cap);
-                    load += p;
-                    free += usize::from(p > 0.0 && p < cap);
-                }
-                (load, free)
+    let active = listed(pressures, ny, points);
+    let sums = |offset: f64| -> (f64, usize) {
+        let pieces: Vec<(f64, usize)> = active
+            .par_chunks(CHUNK)
+            .map(|pressures| {
+                pressures.iter().fold((0.0, 0), |(load, free), p| {
+                    let p = (p + offset).clamp(0.0, cap);
+                    (load + p, free + usize::from(p > 0.0 && p < cap))
+                })
             })
             .collect();
-        rows.iter().fold((0.0, 0), |(load, free), row| (load + row.0, free + row.1))
+        pieces.iter().fold((0.0, 0), |(load, free), piece| (load + piece.0, free + piece.1))
     };
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
     let (mut offset, mut reach) = (0.0, 0.0);
     for _ in 0..STEPS {
-        let (load, free) = sums(pressures, offset);
+        let (load, free) = sums(offset);
         let missing = target - load;
         if missing.abs() <= LOAD_ERROR * target {
             break;
@@ -65,6 +65,25 @@ pub fn project(pressures: &mut [f64], ny: usize, points: &Points, target: f64, c
     pressures.par_chunks_mut(ny).zip(points.rows()).for_each(|(row, words)| {
         members(words).for_each(|j| row[j] = (row[j] + offset).clamp(0.0, cap));
     });
+}
+
+/// The pressures of `points` without those between: a search goes over them several times.
+fn listed(pressures: &[f64], ny: usize, points: &Points) -> Vec<f64> {
+    let rows = || pressures.chunks(ny).enumerate().map(|(i, row)| (row, points.row(i)));
+    let counts = rows().map(|(_, words)| words.iter().map(|word| word.count_ones() as usize).sum());
+    let counts: Vec<usize> = counts.collect();
+    let mut list = zeros(counts.iter().sum());
+    let mut rest = &mut list[..];
+    let mut places = Vec::with_capacity(counts.len());
+    for (row, count) in rows().zip(counts) {
+        let (place, after) = rest.split_at_mut(count);
+        places.push((place, row));
+        rest = after;
+    }
+    places.into_par_iter().with_min_len(ROWS).for_each(|(place, (row, words))| {
+        place.iter_mut().zip(members(words)).for_each(|(to, j)| *to = row[j]);
+    });
+    list
 }
 
 #[cfg(test)]

@@ -25,7 +25,7 @@ pub fn refined(map: &HeightMap, boundary: Boundary, factor: usize) -> HeightMap 
 /// Rows of `count` numbers, each interpolated to `factor` times as many.
 fn finer_rows(rows: &[f64], count: usize, factor: usize, is_mirrored: bool) -> Vec<f64> {
     let length = factor * count;
-    let [coarse, fine] = [count, length].map(|length| RowTransform::new(length, is_mirrored));
+    let [coarse, fine] = [count, length].map(|length| RowTransform::<f64>::new(length, is_mirrored));
     let mut finer = zeros(factor * rows.len());
     finer.par_chunks_mut(length).zip(rows.par_chunks(count)).for_each_init(
         || {
@@ -50,7 +50,7 @@ fn finer_rows(rows: &[f64], count: usize, factor: usize, is_mirrored: bool) -> V
                 // The shortest wave of a periodic row stands for both of its directions.
                 wide[count] = if is_mirrored { packed[1] } else { 0.5 * packed[1] };
             }
-            fine.backward(wide, finer, fine_scratch);
+            fine.backward(wide, 1.0, finer, fine_scratch);
         },
     );
     finer

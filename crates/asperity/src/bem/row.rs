@@ -8,7 +8,7 @@
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2};
 use std::sync::Arc;
 
-use asperity_fft::{Complex64, ComplexToReal, RealToComplex};
+use asperity_fft::{Complex, Complex64, ComplexToReal, Number, RealToComplex};
 
 /// The place of point `i` of a mirrored line of `count` points in the line that is transformed.
 pub fn permuted(i: usize, count: usize) -> usize {
@@ -16,29 +16,30 @@ pub fn permuted(i: usize, count: usize) -> usize {
 }
 
 /// w^k of a mirrored line of `count` points, for the first half of its waves.
-pub fn twiddles(count: usize) -> Vec<Complex64> {
+pub fn twiddles<T: Number>(count: usize) -> Vec<Complex<T>> {
     let angle = |k: usize| -FRAC_PI_2 * k as f64 / count as f64;
-    (0..=count / 2).map(|k| Complex64::from_polar(1.0, angle(k))).collect()
+    let nearest = |w: Complex64| Complex::new(T::of(w.re), T::of(w.im));
+    (0..=count / 2).map(|k| nearest(Complex64::from_polar(1.0, angle(k)))).collect()
 }
 
-/// The transform of a row and its inverse, not normalised. The waves of a row are packed in pairs: Re 0 and, for an even
-/// number of points, Re of the last; then Re k, Im k.
-pub struct RowTransform {
+/// The transform of a row and its inverse in numbers of a type, not normalised. The waves of a row are packed in pairs: Re 0
+/// and, for an even number of points, Re of the last; then Re k, Im k.
+pub struct RowTransform<T: Number = f64> {
     length: usize,
     /// Of a mirrored row.
-    twiddles: Option<Vec<Complex64>>,
-    forward: Arc<dyn RealToComplex<f64>>,
-    backward: Arc<dyn ComplexToReal<f64>>,
+    twiddles: Option<Vec<Complex<T>>>,
+    forward: Arc<dyn RealToComplex<T>>,
+    backward: Arc<dyn ComplexToReal<T>>,
 }
 
 /// Scratch buffers of a thread.
-pub struct RowScratch {
-    line: Vec<f64>,
-    waves: Vec<Complex64>,
-    scratch: Vec<Complex64>,
+pub struct RowScratch<T> {
+    line: Vec<T>,
+    waves: Vec<Complex<T>>,
+    scratch: Vec<Complex<T>>,
 }
 
-impl RowTransform {
+impl<T: Number> RowTransform<T> {
     /// The transform of rows of `length` numbers, periodic or mirrored.
     pub fn new(length: usize, is_mirrored: bool) -> Self {
         Self {
@@ -50,12 +51,12 @@ impl RowTransform {
     }
 
     /// Buffers for any number of transforms, one after the other.
-    pub fn scratch(&self) -> RowScratch {
+    pub fn scratch(&self) -> RowScratch<T> {
         let need = self.forward.get_scratch_len().max(self.backward.get_scratch_len());
         RowScratch {
-            line: vec![0.0; self.length],
+            line: vec![T::default(); self.length],
             waves: self.forward.make_output_vec(),
-            scratch: vec![Complex64::default(); need],
+            scratch: vec![Complex::default(); need],
         }
     }
 
@@ -65,49 +66,54 @@ impl RowTransform {
     }
 
     /// The packed waves of `row`; what is missing at its end is zero.
-    pub fn forward(&self, row: &[f64], packed: &mut [f64], scratch: &mut RowScratch) {
+    pub fn forward(&self, row: &[T], packed: &mut [T], scratch: &mut RowScratch<T>) {
         let RowScratch { line, waves, scratch } = scratch;
+        if row.iter().all(|x| x.is_zero()) {
+            packed.fill(T::default());
+            return;
+        }
         match &self.twiddles {
             None => {
-                line[..row.len()].copy_from_slice(row);
-                line[row.len()..].fill(0.0);
+                let (start, rest) = line.split_at_mut(row.len());
+                start.copy_from_slice(row);
+                rest.fill(T::default());
             }
             Some(_) => row.iter().enumerate().for_each(|(i, &x)| line[permuted(i, row.len())] = x),
         }
         // Cannot fail: the lengths are those of the plan.
         let _ = self.forward.process_with_scratch(line, waves, scratch);
         if let Some(twiddles) = &self.twiddles {
-            waves.iter_mut().zip(twiddles).for_each(|(wave, w)| *wave *= w);
+            waves.iter_mut().zip(twiddles).for_each(|(wave, w)| *wave = *wave * w);
         }
         for (pair, wave) in packed.as_chunks_mut::<2>().0.iter_mut().zip(&*waves) {
             *pair = [wave.re, wave.im];
         }
-        packed[1] = if self.length.is_multiple_of(2) { waves[self.length / 2].re } else { 0.0 };
+        packed[1] = if self.length.is_multiple_of(2) { waves[self.length / 2].re } else { T::default() };
     }
 
-    /// The numbers of `row`, times the length, from its packed waves.
-    pub fn backward(&self, packed: &[f64], row: &mut [f64], scratch: &mut RowScratch) {
+    /// `scale` times the numbers of `row`, times the length, from its packed waves.
+    pub fn backward(&self, packed: &[T], scale: T, row: &mut [T], scratch: &mut RowScratch<T>) {
         let RowScratch { line, waves, scratch } = scratch;
         for (wave, &[re, im]) in waves.iter_mut().zip(packed.as_chunks::<2>().0) {
-            *wave = Complex64::new(re, im);
+            *wave = Complex::new(re, im);
         }
-        waves[0].im = 0.0;
+        waves[0].im = T::default();
         if self.length.is_multiple_of(2) {
-            waves[self.length / 2] = Complex64::new(packed[1], 0.0);
+            waves[self.length / 2] = Complex::new(packed[1], T::default());
         }
         if let Some(twiddles) = &self.twiddles {
-            waves.iter_mut().zip(twiddles).for_each(|(wave, w)| *wave *= w.conj());
+            waves.iter_mut().zip(twiddles).for_each(|(wave, w)| *wave = *wave * w.conj());
             if self.length.is_multiple_of(2) {
                 // X_k - i X_(n-k) of k = n/2, times exp(i pi/4).
-                waves[self.length / 2] = Complex64::new(packed[1] / FRAC_1_SQRT_2, 0.0);
+                waves[self.length / 2] = Complex::new(packed[1] / T::of(FRAC_1_SQRT_2), T::default());
             }
         }
         let _ = self.backward.process_with_scratch(waves, line, scratch);
         match &self.twiddles {
-            None => row.copy_from_slice(&line[..row.len()]),
+            None => row.iter_mut().zip(&*line).for_each(|(x, from)| *x = scale * *from),
             Some(_) => {
                 let count = row.len();
-                row.iter_mut().enumerate().for_each(|(i, x)| *x = line[permuted(i, count)]);
+                row.iter_mut().enumerate().for_each(|(i, x)| *x = scale * line[permuted(i, count)]);
             }
         }
     }
@@ -119,12 +125,12 @@ mod tests {
     use std::f64::consts::PI;
 
     fn there_and_back(count: usize, is_mirrored: bool) -> [Vec<f64>; 3] {
-        let transform = RowTransform::new(count, is_mirrored);
+        let transform = RowTransform::<f64>::new(count, is_mirrored);
         let mut scratch = transform.scratch();
         let row: Vec<f64> = (0..count).map(|i| (i as f64 * 1.7).sin() + 0.1 * i as f64).collect();
         let (mut waves, mut back) = (vec![0.0; 2 * transform.pairs()], vec![0.0; count]);
         transform.forward(&row, &mut waves, &mut scratch);
-        transform.backward(&waves, &mut back, &mut scratch);
+        transform.backward(&waves, 1.0, &mut back, &mut scratch);
         [row, waves, back.into_iter().map(|x| x / count as f64).collect()]
     }
 

@@ -285,18 +285,15 @@ impl<'a> Solver<'a> {
     /// Bytes that a solver for a map of `points` needs beside the map.
     pub fn memory(points: [usize; 2], boundary: Boundary) -> u128 {
         let count = (points[0] * points[1]) as u128;
-        // Pressures, gaps, direction, its response and the transform, beside the pressures of the contact whose tangent is found; of
-        // a finite map, which is transformed as four, the waves by rows and columns.
+        // In eighths of an array: the pressures of a contact, and for its tangent pressures, displacements, direction, its response and
+        // waves; a finite map is transformed as four. Solving takes less. Responses are those of both precisions.
         let (arrays, response): (u128, u128) = match boundary {
-            Boundary::Periodic => (24, 1),
-            Boundary::Mirrored => (24, 4),
-            Boundary::Finite => (36, 4),
+            Boundary::Periodic => (44, 3),
+            Boundary::Mirrored => (44, 12),
+            Boundary::Finite => (56, 12),
         };
-        // Rows of an odd number of points do not hold their own waves.
-        let arrays =
-            if boundary != Boundary::Finite && !points[1].is_multiple_of(2) { arrays + 4 } else { arrays };
-        // Heights and responses of the coarser grids make a third; everything in quarters of an array.
-        8 * count * (arrays + response + (4 + response).div_ceil(3)) / 4 + Points::memory(points)
+        // Heights and responses of the coarser grids make a third.
+        count * (arrays + response + (8 + response).div_ceil(3)) + Points::memory(points)
     }
 }
 

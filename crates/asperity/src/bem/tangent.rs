@@ -22,7 +22,7 @@ pub struct Tangent {
     count: usize,
     /// Estimate from above of the relative error that the iteration leaves.
     pub error: f64,
-    /// Steps of conjugate gradients; there is one more convolution.
+    /// Steps of conjugate gradients; there are two more convolutions.
     pub steps: usize,
 }
 
