@@ -55,13 +55,12 @@ impl Statistics {
     pub(crate) fn without(&self, part: &AsperitySet, rest: &AsperitySet) -> Self {
         /// The least share of the rest, and the least of its variances over those of all.
         const LEAST: f64 = 0.1;
-        let [all, of_part, count] =
-            [rest.count() + part.count(), part.count(), rest.count()].map(|n| n as f64);
-        let (Some(skewness), Some(kurtosis), Some(correlation)) =
-            (self.skewness, self.kurtosis, self.height_radius_correlation)
-        else {
+        let [all, count] = [rest.count() + part.count(), rest.count()].map(|n| n as f64);
+        let known = (self.skewness, self.kurtosis, self.height_radius_correlation);
+        let (Some(skewness), Some(kurtosis), Some(correlation)) = known else { return Self::new(rest) };
+        if count < LEAST * all {
             return Self::new(rest);
-        };
+        }
         // Standardised by the mean values and deviations of all.
         let units = [self.sigma, self.radius_cv * self.mean_radius];
         let means = Means { origins: [self.mean_height, self.mean_radius], relative: [0.0; 2] };
@@ -72,7 +71,7 @@ impl Statistics {
         let mean_of = |k: usize| (all * of_all[k] - sums[k]) / count;
         let [u, u2, u3, u4, r, r2, ur, curvature] = std::array::from_fn(mean_of);
         let (variance, radius_variance) = (u2 - u * u, r2 - r * r);
-        if of_part > (1.0 - LEAST) * all || variance.min(radius_variance) < LEAST {
+        if variance.min(radius_variance) < LEAST {
             return Self::new(rest);
         }
         let third = u3 - 3.0 * u * u2 + 2.0 * u.powi(3);

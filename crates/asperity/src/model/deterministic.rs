@@ -26,6 +26,8 @@ pub struct Deterministic<'a> {
     asperities: Asperities<'a>,
     plane: ReferencePlane,
     medium: Option<Medium>,
+    /// Where searches for pressures begin, d/sigma.
+    near: Vec<f64>,
     /// Determined when a load is first prescribed.
     decreasing: OnceLock<Option<DecreasingLoads>>,
 }
@@ -105,13 +107,19 @@ const TASKS: usize = 32;
 impl<'a> Deterministic<'a> {
     /// The model of `asperities`, with separations measured from and in units of `plane`.
     pub fn new(contact: &'a dyn MicroContact, asperities: Asperities<'a>, plane: ReferencePlane) -> Self {
-        Self { contact, asperities, plane, medium: None, decreasing: OnceLock::new() }
+        Self { contact, asperities, plane, medium: None, near: Vec::new(), decreasing: OnceLock::new() }
     }
 
     /// The same model with a medium in the gap.
     #[must_use]
     pub fn with_medium(self, medium: Option<Medium>) -> Self {
         Self { medium, ..self }
+    }
+
+    /// The same model, whose searches for pressures begin at these separations d/sigma. They find the same, faster where it is near.
+    #[must_use]
+    pub fn searched_near(self, separations: &[f64]) -> Self {
+        Self { near: separations.to_vec(), ..self }
     }
 
     /// The medium in the gap.
@@ -284,7 +292,7 @@ impl Model for Deterministic<'_> {
         let decreasing = self.decreasing_loads();
         let falling_from = decreasing.map_or(LOWEST_SEPARATION, |decreasing| in_sigma(decreasing.from));
         let falling_from = falling_from.clamp(LOWEST_SEPARATION, highest);
-        let mut found = self.last_reaching(pressures, falling_from, highest);
+        let mut found = self.last_reaching(pressures, falling_from, highest, &self.near);
         if let Some(decreasing) = decreasing {
             let value = |h: f64| self.pressure(h);
             let bound = |low, high| self.pressure_over(low, high, decreasing);

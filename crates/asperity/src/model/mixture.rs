@@ -71,7 +71,7 @@ impl Model for Mixture<'_> {
     fn separations_at(&self, pressures: &[f64]) -> Vec<Option<f64>> {
         let highest = self.highest_separation().max(LOWEST_SEPARATION);
         if !self.may_decrease() {
-            return self.last_reaching(pressures, LOWEST_SEPARATION, highest);
+            return self.last_reaching(pressures, LOWEST_SEPARATION, highest, &[]);
         }
         let mut found = vec![None; pressures.len()];
         search_missing(&mut found, pressures, |pressure| self.search(pressure, highest));

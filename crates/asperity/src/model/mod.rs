@@ -71,8 +71,11 @@ pub trait Model: Sync {
     }
 
     /// For each of `pressures` (Pa) the largest separation in [`low`, `high`] with at least that pressure; `None` if it
-    /// is not reached at `low`. The pressure must not increase with the separation in this range.
-    fn last_reaching(&self, pressures: &[f64], low: f64, high: f64) -> Vec<Option<f64>> {
+    /// is not reached at `low`. The pressure must not increase with the separation in this range. The search begins at the separations
+    /// `near`, where there are any.
+    fn last_reaching(&self, pressures: &[f64], low: f64, high: f64, near: &[f64]) -> Vec<Option<f64>> {
+        /// Separations evaluated at a time.
+        const WAVE: usize = 16;
         let sigma = self.plane().sigma;
         let curve = |separations: &[f64]| -> Vec<Point> {
             let point = |response: Response| Point {
@@ -82,7 +85,18 @@ pub trait Model: Sync {
             };
             self.respond_without_spots(separations).into_iter().map(point).collect()
         };
-        last_reaching_all(curve, pressures, &descent(low, high))
+        let mut first: Vec<f64> = near.iter().copied().filter(|h| low < *h && *h < high).collect();
+        first.sort_by(|a, b| b.total_cmp(a));
+        let (grid, lowest) = (descent(low, high), first.last().copied());
+        let waves: Vec<&[f64]> = match lowest {
+            None => grid.chunks(WAVE).collect(),
+            Some(lowest) => {
+                first.insert(0, high);
+                let below = grid.partition_point(|h| *h >= lowest);
+                std::iter::once(&first[..]).chain(grid[below..].chunks(WAVE)).collect()
+            }
+        };
+        last_reaching_all(curve, pressures, &waves)
     }
 }
 

@@ -314,7 +314,7 @@ impl Model for Statistical<'_> {
         let mode = self.reported(self.weight().decreasing_from()).max(LOWEST_SEPARATION);
         let may_decrease = self.may_decrease();
         let low = if may_decrease { mode } else { LOWEST_SEPARATION };
-        let mut found = self.last_reaching(pressures, low, highest);
+        let mut found = self.last_reaching(pressures, low, highest, &[]);
         if may_decrease {
             search_missing(&mut found, pressures, |pressure| self.last_reaching_below(mode, pressure));
         }

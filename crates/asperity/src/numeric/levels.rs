@@ -14,26 +14,23 @@ pub struct Point {
     pub slope: f64,
 }
 
-/// Grid points evaluated at a time.
-const WAVE: usize = 16;
-
 /// For each of `levels` (positive) the largest `x`, to rounding, at which a non-increasing curve is at least the level;
 /// at a jump, the side that reaches the level. `None` for a level that is not reached at the last point of `grid`.
 ///
-/// `grid` descends from the largest `x` searched to the smallest; its points are evaluated in turn until all levels are
-/// bracketed. Each bracket is closed by Newton's method on ln(value/level), with each step extended by its square so
+/// The grid descends from the largest `x` searched to the smallest; one of its `waves` after the other is evaluated, until
+/// all levels are bracketed. Each bracket is closed by Newton's method on ln(value/level), with each step extended by its square so
 /// that it passes the root, and by bisection where that does not halve the bracket.
 pub fn last_reaching_all(
     mut curve: impl FnMut(&[f64]) -> Vec<Point>,
     levels: &[f64],
-    grid: &[f64],
+    waves: &[&[f64]],
 ) -> Vec<Option<f64>> {
     if levels.is_empty() {
         return Vec::new();
     }
     let highest = levels.iter().copied().fold(0.0, f64::max);
     let mut known: Vec<Point> = Vec::new();
-    for wave in grid.chunks(WAVE) {
+    for wave in waves {
         if known.last().is_none_or(|last| last.value < highest) {
             known.extend(curve(wave));
         }
@@ -134,7 +131,7 @@ mod tests {
                 curve(places)
             },
             &levels,
-            &grid(),
+            &[&grid()],
         );
         for ((found, exact), level) in found.into_iter().zip(exact).zip(levels) {
             let found = found.unwrap();
@@ -149,7 +146,7 @@ mod tests {
     fn wrong_slopes_and_jumps_do_not_lead_astray() {
         for slope in [0.0, -1e300, 1.0, f64::NAN, f64::INFINITY] {
             let curve = curve(|x: f64| [if x <= 1.25 { 3.0 - x } else { 0.0 }, slope]);
-            let found = last_reaching_all(curve, &[1.0, 1.75, 2.5, 40.0], &grid());
+            let found = last_reaching_all(curve, &[1.0, 1.75, 2.5, 40.0], &[&grid()]);
             for (found, exact) in found.iter().zip([1.25, 1.25, 0.5]) {
                 let found = found.unwrap();
                 assert!((found - exact).abs() < 1e-14, "{found} for {exact}");
@@ -161,9 +158,9 @@ mod tests {
     #[test]
     fn the_ends_of_the_grid() {
         let curve = curve(|x: f64| [5.0 - x, -1.0]);
-        assert_eq!(last_reaching_all(&curve, &[1.0, 1.5], &[4.0]), [Some(4.0), None]);
-        assert_eq!(last_reaching_all(&curve, &[0.5], &[4.0, 3.0]), [Some(4.0)]);
+        assert_eq!(last_reaching_all(&curve, &[1.0, 1.5], &[&[4.0]]), [Some(4.0), None]);
+        assert_eq!(last_reaching_all(&curve, &[0.5], &[&[4.0], &[3.0]]), [Some(4.0)]);
         let never = |_: &[f64]| panic!("no level, no place");
-        assert_eq!(last_reaching_all(never, &[], &[4.0, 3.0]), []);
+        assert_eq!(last_reaching_all(never, &[], &[&[4.0, 3.0]]), []);
     }
 }

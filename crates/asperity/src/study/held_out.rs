@@ -91,7 +91,8 @@ impl HalfModels<'_> {
         let loads: Vec<f64> = pairs.iter().map(|pair| pair.target).collect();
         let sums = self.sums.each_ref().map(|models| {
             let sum = models.deterministic(&*law.contact, &law.spec);
-            sum.map_or_else(|| vec![None; loads.len()], |sum| responses(&sum, &loads))
+            let near: Vec<f64> = pairs.iter().map(|pair| pair.deterministic.separation_over_sigma).collect();
+            sum.map_or_else(|| vec![None; loads.len()], |sum| responses(&sum.searched_near(&near), &loads))
         });
         let is_admissible = |sum: &Option<Response>| sum.is_some_and(|sum| sum.exceeded().is_none());
         let admissible: Vec<usize> =

@@ -290,6 +290,28 @@ fn a_peak_within_a_step_of_the_search_is_found() {
     assert!((h - at).abs() < 0.05, "{h} for a peak at {at}");
 }
 
+/// Near or far, out of order, or beyond the heights: where a search begins does not matter.
+#[test]
+fn searches_that_begin_elsewhere_find_the_same() {
+    let set = CASE_1.set(5000, Draw::Random([3; 32])).unwrap();
+    let plane = ReferencePlane::from(&Statistics::new(&set));
+    for law in [zmc(Zmc::ONSET), bare_contact("ceb", &[], &steel())] {
+        let sum = || Deterministic::new(&*law, set.spheres(), plane);
+        let pressures: Vec<f64> = (0..40).map(|k| 1e3 * 1.5f64.powi(k)).collect();
+        let known = sum().separations_at(&pressures);
+        assert!(known.iter().flatten().count() > 20);
+        let near: Vec<f64> = known.iter().flatten().map(|h| h + 1e-3).collect();
+        for near in [near, vec![0.0, 2.5, 0.3], vec![100.0, -100.0, f64::NAN], vec![3.0]] {
+            let found = sum().searched_near(&near).separations_at(&pressures);
+            for (a, b) in found.iter().zip(&known) {
+                assert_eq!(a.is_some(), b.is_some());
+                let apart = a.zip(*b).map_or(0.0, |(a, b)| (a - b).abs());
+                assert!(apart < 1e-12, "{a:?} for {b:?} from {near:?}");
+            }
+        }
+    }
+}
+
 /// Rounding of a separation far from zero is no jump.
 #[test]
 fn an_offset_of_the_heights_makes_no_jumps() {

@@ -45,11 +45,13 @@ impl Rearranged<'_> {
         };
         let chosen: Vec<usize> = (0..pairs.len()).filter(|&k| is_carried_by_many(pairs[k])).collect();
         let loads: Vec<f64> = chosen.iter().map(|&k| pairs[k].target).collect();
+        // Those of the sum: most states are not far from it.
+        let near: Vec<f64> = chosen.iter().map(|&k| pairs[k].deterministic.separation_over_sigma).collect();
         let between = if loads.is_empty() {
             Vec::new()
         } else {
             // Both ends are the models of the pair.
-            self.with_models(contact, |models| {
+            self.with_models(contact, &near, |models| {
                 models[1..STATES - 1].iter().map(|model| reached_at(*model, &loads)).collect()
             })
         };
@@ -65,7 +67,7 @@ impl Rearranged<'_> {
                     .map_or(0.0, |sharing| sharing.effective_contacts),
             })
             .collect();
-        let with_other_radius = self.with_other_radius(contact, |models| {
+        let with_other_radius = self.with_other_radius(contact, &near, |models| {
             models.map(|model| if loads.is_empty() { Vec::new() } else { reached_at(model, &loads) })
         });
         for (index, &k) in chosen.iter().enumerate() {
@@ -97,7 +99,7 @@ impl StatesAtLoads {
         if known.is_empty() {
             return found;
         }
-        let responses: Vec<Vec<Response>> = rest.with_models(contact, |models| {
+        let responses: Vec<Vec<Response>> = rest.with_models(contact, &[], |models| {
             let all = models.into_iter().enumerate();
             all.map(|(state, model)| model.respond_all(&separations(&known, state))).collect()
         });
@@ -119,7 +121,7 @@ impl StatesAtLoads {
         if known.is_empty() {
             return Vec::new();
         }
-        all.with_models(contact, |models: [&dyn Model; STATES]| {
+        all.with_models(contact, &[], |models: [&dyn Model; STATES]| {
             let each = models.into_iter().enumerate();
             each.map(|(state, model)| slopes(model, &separations(&known, state))).collect()
         })

@@ -143,14 +143,16 @@ impl<'a> Rearranged<'a> {
         Self { radius_bin: COARSE * self.radius_bin, ..self }
     }
 
-    /// Evaluates something with the model of each state under one law, in the order of [`Arrangement`].
+    /// Evaluates something with the model of each state under one law, in the order of [`Arrangement`]. Searches of the sums begin at the
+    /// separations d/sigma `near`.
     pub(super) fn with_models<T>(
         &self,
         contact: &dyn MicroContact,
+        near: &[f64],
         of: impl FnOnce([&dyn Model; STATES]) -> T,
     ) -> T {
-        let Some(medium) = self.inputs.medium else { return self.with_spots_alone(contact, of) };
-        self.with_spots_alone(contact, |models| {
+        let Some(medium) = self.inputs.medium else { return self.with_spots_alone(contact, near, of) };
+        self.with_spots_alone(contact, near, |models| {
             let models = models.map(|model| WithMedium { model, medium });
             of(models.each_ref().map(|model| model as &dyn Model))
         })
@@ -160,6 +162,7 @@ impl<'a> Rearranged<'a> {
     fn with_spots_alone<T>(
         &self,
         contact: &dyn MicroContact,
+        near: &[f64],
         of: impl FnOnce([&dyn Model; STATES]) -> T,
     ) -> T {
         let Inputs { asperities, plane, population, mean_shape, reporting_plane, .. } = &self.inputs;
@@ -170,18 +173,18 @@ impl<'a> Rearranged<'a> {
         };
         let rearranged = |heights, radii, spheres| Asperities::new(heights, radii, spheres, area);
         let statistical = integral(contact, *mean_shape);
-        let deterministic = Deterministic::new(contact, *asperities, *plane);
-        let own_heights = Deterministic::new(contact, equal.asperities(asperities), *plane);
-        let paired = Deterministic::new(
-            contact,
-            rearranged(&self.paired, asperities.radii(), asperities.spheres()),
-            *reporting_plane,
-        );
+        let sum =
+            |contact, asperities, plane| Deterministic::new(contact, asperities, plane).searched_near(near);
+        let deterministic = sum(contact, *asperities, *plane);
+        let own_heights = sum(contact, equal.asperities(asperities), *plane);
+        let quantiles = rearranged(&self.paired, asperities.radii(), asperities.spheres());
+        let paired = sum(contact, quantiles, *reporting_plane);
         if self.is_uniform {
             return of([&statistical, &own_heights, &statistical, &own_heights, &paired, &deterministic]);
         }
         let averaged = self.averaged(contact);
-        let independent = Deterministic::new(&averaged, self.heights.asperities(area), *plane);
+        let independent =
+            Deterministic::new(&averaged, self.heights.asperities(area), *plane).searched_near(near);
         let both = |own_radii: &dyn Model| {
             of([&statistical, &own_heights, own_radii, &independent, &paired, &deterministic])
         };
@@ -199,6 +202,7 @@ impl<'a> Rearranged<'a> {
     pub(super) fn with_other_radius<T>(
         &self,
         contact: &dyn MicroContact,
+        near: &[f64],
         of: impl FnOnce([&dyn Model; 2]) -> T,
     ) -> Option<T> {
         let Inputs { asperities, plane, population, reporting_plane, other_shape, .. } = &self.inputs;
@@ -206,7 +210,8 @@ impl<'a> Rearranged<'a> {
         let equal = EqualAsperities::new(asperities, shape);
         let statistical =
             Statistical::of_shape(contact, population.clone(), shape).reported_from(*reporting_plane);
-        let own_heights = Deterministic::new(contact, equal.asperities(asperities), *plane);
+        let own_heights =
+            Deterministic::new(contact, equal.asperities(asperities), *plane).searched_near(near);
         let Some(medium) = self.inputs.medium else { return Some(of([&statistical, &own_heights])) };
         let models: [&dyn Model; 2] = [&statistical, &own_heights];
         let models = models.map(|model| WithMedium { model, medium });
@@ -217,7 +222,7 @@ impl<'a> Rearranged<'a> {
     /// d/sigma from the plane of the sum. More than 256 asperities are condensed: the relative error against the sum over
     /// every height with every radius is below 2e-7 (1e-6 for `ceb`, whose load jumps by a half; 1e-4 under a layer where the load jumps).
     pub fn independent_pressure(&self, contact: &dyn MicroContact, separation_over_sigma: f64) -> f64 {
-        self.with_models(contact, |models| {
+        self.with_models(contact, &[], |models| {
             models[Arrangement::Independent as usize].respond(separation_over_sigma).pressure.total()
         })
     }

@@ -145,8 +145,8 @@ fn gaussian_heights_with_own_radii() {
         let inputs = inputs(&set);
         let rearranged = Rearranged::new(inputs.clone());
         for h in [0.0, 2.0, 4.0] {
-            let found =
-                rearranged.with_models(&*contact, |models| models[Arrangement::OwnRadii as usize].respond(h));
+            let found = rearranged
+                .with_models(&*contact, &[], |models| models[Arrangement::OwnRadii as usize].respond(h));
             let of_radius = |&radius: &f64| {
                 let population = Population { radius, ..inputs.population.clone() };
                 Statistical::new(&*contact, population).respond(h)
