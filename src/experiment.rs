@@ -281,7 +281,7 @@ impl Experiment {
     }
 
     /// The same on an [`Self::input`] that was hashed before.
-    pub(crate) fn key_of(&self, input: &str) -> String {
+    pub fn key_of(&self, input: &str) -> String {
         let mut hash = Sha256::new();
         hash.update(SOURCES);
         hash.update(sha256(self.stem.as_bytes()));
@@ -301,7 +301,10 @@ impl Experiment {
     }
 
     /// The same with progress where its files are large.
-    pub(crate) fn watched_input(&self, progress: &dyn Progress) -> Result<String, InputError> {
+    ///
+    /// # Errors
+    /// As [`Self::key`].
+    pub fn watched_input(&self, progress: &dyn Progress) -> Result<String, InputError> {
         self.input_by(|path| watched_sha256_of_file(path, progress))
     }
 
@@ -332,21 +335,21 @@ impl Experiment {
         self.planned.plan.run(&self.context(&self.watched_input(progress)?, progress))
     }
 
-    /// Runs it, where its input stays that of `key`, its [`Self::key`] before. What it has done is kept in the folder `kept`, and what
+    /// Runs it, where its input stays `input`, its [`Self::input`] before. What it has done is kept in the folder `kept`, and what
     /// is kept there is not done again.
     ///
     /// # Errors
     /// As of [`Self::run`]; a folder that cannot be written; an input file that is written or removed meanwhile, even where it has the same content in the end.
     pub fn run_on(
         &self,
-        key: &str,
+        input: &str,
         kept: Option<&Path>,
         progress: &dyn Progress,
     ) -> Result<Box<dyn Outcome>, InputError> {
-        let (before, input) = (self.modified(), self.watched_input(progress)?);
-        let results = self.planned.plan.run(&RunContext { kept, ..self.context(&input, progress) });
+        let before = self.modified();
+        let results = self.planned.plan.run(&RunContext { kept, ..self.context(input, progress) });
         self.check_unchanged(&before)?;
-        if self.watched_key(progress)? != key {
+        if self.watched_input(progress)? != input {
             return Err(InputError::file(&self.source.path, "has an input file that changed; run again"));
         }
         results

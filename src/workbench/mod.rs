@@ -102,12 +102,13 @@ impl Engine for Workbench {
         let input = |error: InputError| Refused::new(error.to_string());
         let failed = |error: &dyn std::fmt::Display| Refused::new(error.to_string());
         let experiment = Experiment::read_confined(path, root).map_err(input)?;
-        let key = experiment.key().map_err(input)?;
+        let content = experiment.watched_input(progress).map_err(input)?;
+        let key = experiment.key_of(&content);
         let mut store = Store::new(out);
         store.recover().map_err(|error| failed(&error))?;
         if !store.is_current(experiment.stem(), &key) {
             store.check(experiment.stem()).map_err(|error| failed(&error))?;
-            let results = experiment.run_on(&key, None, progress).map_err(input)?;
+            let results = experiment.run_on(&content, None, progress).map_err(input)?;
             let report = report_folder(&*results, &key, PRINT).map_err(|error| failed(&error))?;
             store.write(&report).map_err(|error| failed(&error))?;
         }

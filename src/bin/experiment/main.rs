@@ -337,8 +337,8 @@ fn surface(
     let mut store = open_store(options)?;
     store.check(experiment.stem())?;
     check_same_file(&experiment, &options.out.join(experiment.stem()))?;
-    let key = watched(experiment.stem(), options.quiet, |progress| experiment.watched_key(progress))?;
-    let results = run_and_write(&experiment, Place::ALONE, &key, &mut store, options)?;
+    let input = watched(experiment.stem(), options.quiet, |progress| experiment.watched_input(progress))?;
+    let results = run_and_write(&experiment, Place::ALONE, &input, &mut store, options)?;
     say_answer(&experiment, &*results, options);
     if let Some(spec) = save_spec {
         write_new(spec, &saved_spec(&file_options, file, spec, &*results))?;
@@ -380,14 +380,14 @@ fn run_one(
     options: &RunOptions,
 ) -> Result<Done, Failure> {
     let start = Instant::now();
-    let key = watched(experiment.stem(), options.quiet, |progress| experiment.watched_key(progress))?;
+    let input = watched(experiment.stem(), options.quiet, |progress| experiment.watched_input(progress))?;
     let folder = options.out.join(experiment.stem());
-    if !options.force && store.is_current(experiment.stem(), &key) {
+    if !options.force && store.is_current(experiment.stem(), &experiment.key_of(&input)) {
         say(options, &format!("{place}{} is unchanged ({} s)", folder.display(), seconds(start)));
         return Ok(Done::Unchanged);
     }
     store.check(experiment.stem())?;
-    let results = run_and_write(experiment, place, &key, store, options)?;
+    let results = run_and_write(experiment, place, &input, store, options)?;
     if place.is_alone() {
         say_answer(experiment, &*results, options);
     }
@@ -401,11 +401,11 @@ fn say_answer(experiment: &Experiment, results: &dyn Outcome, options: &RunOptio
     }
 }
 
-/// Runs an experiment, which had `key` before, and writes its report.
+/// Runs an experiment, which had this `input` before, and writes its report.
 fn run_and_write(
     experiment: &Experiment,
     place: Place,
-    key: &str,
+    input: &str,
     store: &mut Store,
     options: &RunOptions,
 ) -> Result<Box<dyn Outcome>, Failure> {
@@ -413,8 +413,8 @@ fn run_and_write(
     let name = format!("{place}{}", experiment.stem());
     interrupt::of_parts(experiment.is_sweep());
     let kept = options.out.join(KEPT).join(experiment.stem());
-    let results = watched(&name, options.quiet, |progress| experiment.run_on(key, Some(&kept), progress))?;
-    write_report(experiment, place, &*results, key, store, options, start)?;
+    let results = watched(&name, options.quiet, |progress| experiment.run_on(input, Some(&kept), progress))?;
+    write_report(experiment, place, &*results, &experiment.key_of(input), store, options, start)?;
     Ok(results)
 }
 
