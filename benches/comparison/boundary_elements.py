@@ -4,7 +4,7 @@
     python benches/comparison/boundary_elements.py    # prints tables; --write puts them into docs/performance.md
 
 Frictionless elastic contact of a periodic surface of 1024 x 1024 points, 8 of them per shortest wave, Hurst exponent 0.8,
-E* = 1, r.m.s. gradient 1: one load at 5 % of contact area, and 20 loads from 0.3 % to 12 %. tamaas (PolonskyKeerRey) keeps its
+E* = 1, r.m.s. gradient 1: one load at 5 % of contact area, and, once, 20 loads from 0.3 % to 12 %. tamaas (PolonskyKeerRey) keeps its
 pressures from load to load; this program solves each anew. Both get the same error, and the dual gap of the pressures that they return,
 sum p (g - min g) over sum p std(h), is computed here with one formula; areas that differ by more than 1e-5 end the run.
 The wheel of tamaas on PyPI has one thread; no build with OpenMP is published, so that its wall time on more threads is not known.
@@ -26,6 +26,8 @@ import tamaas
 POINTS, CUT, ERROR, ROUNDS = 1024, 8, 1e-8, 3
 LOAD, CURVE = 0.0203, np.geomspace(0.00111, 0.0516, 20)
 SIZES = (512, 1024, 2048, 4096)
+# Of the time per convolution over that of its bare transforms in double precision.
+MOST = 3
 
 
 def wave_numbers(n):
@@ -75,9 +77,9 @@ def main():
         h = surface(POINTS)
         np.save(path, h)
         this_program("map", path)
-        for name, loads, bounds in (("5 % area", [LOAD], (10, 8)), ("20 loads, 0.3 to 12 % area", CURVE, (10, None))):
+        for name, loads, rounds, bound in (("5 % area", [LOAD], ROUNDS, 30), ("20 loads, 0.3 to 12 % area", CURVE, 1, 20)):
             times = {"own": [], "tamaas": []}
-            for _ in range(ROUNDS):
+            for _ in range(rounds):
                 wall, cpu, *found = this_program("contacts", out, ERROR, *loads)
                 own = np.load(out)
                 times["own"].append((wall, cpu))
@@ -88,7 +90,7 @@ def main():
                 sys.exit(f"{name}: the areas differ by {apart:.1e}; allowed: 1e-5")
             gaps = [dual_gap(h, p) for p in (own, pressures)]
             medians = {who: np.median(all_rounds, axis=0) for who, all_rounds in times.items()}
-            for k, (what, bound) in enumerate(zip(("wall", "CPU"), reversed(bounds))):
+            for k, (what, bound) in enumerate((("wall", None), ("CPU", bound))):
                 mine, theirs = medians["own"][k], medians["tamaas"][k]
                 met = "" if bound is None else "met" if theirs / mine >= bound else "**missed**"
                 limit = "" if bound is None else str(bound)
@@ -102,13 +104,15 @@ def main():
             wall, cpu = (statistics.median(run[k] for run in runs) for k in (0, 1))
             area, steps, convolutions = runs[0][2:]
             bare = statistics.median(this_program("transforms", n)[0] for _ in range(ROUNDS))
+            ratio = wall / convolutions / bare
             growth.append([f"{n} x {n}", f"{100 * area:.1f} %", f"{wall:.2f}", f"{cpu:.2f}", f"{steps:.0f}", f"{convolutions:.0f}",
-                           f"{1e3 * wall / convolutions:.1f}", f"{1e3 * bare:.1f}", f"{wall / convolutions / bare:.1f}"])
+                           f"{1e3 * wall / convolutions:.1f}", f"{1e3 * bare:.1f}", f"{ratio:.1f}", f"{MOST}",
+                           "met" if ratio <= MOST else "**missed**"])
             print("  ".join(growth[-1]), flush=True)
     lines = timing.table(["task", "comparison program", "this program [s]", "comparison [s]", "ratio", "bound", "met"], rows)
     lines += ["", f"Dual gap {ERROR:g}. " + timing.machine(("NumPy", np.__version__), ("tamaas", tamaas.__version__)), ""]
     lines += timing.table(["points", "area", "wall [s]", "CPU [s]", "steps", "convolutions", "wall per convolution [ms]",
-                           "bare transforms [ms]", "ratio"], growth)
+                           "bare transforms [ms]", "ratio", "bound", "met"], growth)
     timing.publish("boundary-elements", lines)
 
 

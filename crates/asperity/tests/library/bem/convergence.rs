@@ -77,3 +77,22 @@ fn all_contacts_at_the_cap() {
         }
     }
 }
+
+/// Full contact under a load ten thousand times what flattens the map: displacements in single precision are then known no better
+/// than to the heights.
+#[test]
+fn displacements_far_larger_than_the_heights() {
+    let body = unit_body();
+    let pair = ElasticPair::new(&body, &body, None);
+    let map = rough([96, 96], 0.8, 0.25, 8.0 / 96.0, 5);
+    let heights = map.heights().iter().map(|z| 1e-4 * z).collect();
+    let map = asperity::HeightMap::new(map.points(), map.pixel(), heights, 0.0).unwrap();
+    for boundary in Boundary::ALL {
+        let solver = Solver::new(&map, &pair, &Options { boundary, error: 1e-8, cap: None }).unwrap();
+        for load in [0.1, 1.0] {
+            let contact = solver.at_pressure(load, &Silent).unwrap();
+            assert_eq!(contact.area_ratio(), 1.0, "{boundary:?} {load}");
+            assert!(contact.error <= 1e-8 && contact.steps < 400, "{boundary:?} {load}: {}", contact.steps);
+        }
+    }
+}
