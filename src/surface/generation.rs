@@ -119,7 +119,7 @@ impl Generation {
     pub fn arrays(&self) -> u128 {
         match &self.way {
             // The surface and its spectrum's table, or the table and the autocorrelation that it comes from; two
-            // processes; two ends of a bracket and a trial.
+            // processes; two fields and a third one where they do not bracket the target.
             Way::SurfaceGenerator(SurfaceGenerator { plateau: None, .. }) => 3,
             Way::SurfaceGenerator(_) => 4,
             Way::Target { .. } => 4,
@@ -178,13 +178,8 @@ impl Generation {
                     found = generator.watched_surface(target, seed, first, progress);
                 }
                 let found = found?;
-                let shape = SpectrumShape::SelfAffine {
-                    hurst: generator.hurst,
-                    roll_off: found.roll_off,
-                    cut_off: found.cut_off,
-                };
                 let process = Process {
-                    spectrum: Spectrum::new(shape, generator.lay)?,
+                    spectrum: found.spectrum,
                     of: SpectrumOf::Gaussian,
                     sigma: found.sigma,
                     heights: generator.heights.clone(),

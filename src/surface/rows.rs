@@ -269,11 +269,20 @@ impl<'a> ProcessRow<'a> {
     /// Name of the spectrum; Hurst exponent, roll-off, cut-off and correlation length.
     fn spectrum(&self) -> (&'static str, [Option<f64>; 4]) {
         match self.process.spectrum.shape() {
-            SpectrumShape::SelfAffine { hurst, roll_off, cut_off } => {
+            SpectrumShape::SelfAffine { hurst, roll_off, cut_off }
+            | SpectrumShape::Between { hurst, roll_offs: [roll_off, _], cut_off, .. } => {
                 ("self-affine", [Some(hurst), Some(roll_off), Some(cut_off), None])
             }
             SpectrumShape::Gaussian(length) => ("gaussian", [None, None, None, Some(length)]),
             SpectrumShape::Exponential(length) => ("exponential", [None, None, None, Some(length)]),
+        }
+    }
+
+    /// A second roll-off and its weight.
+    fn second(&self) -> [Option<f64>; 2] {
+        match self.process.spectrum.shape() {
+            SpectrumShape::Between { roll_offs: [_, second], weight, .. } => [Some(second), Some(weight)],
+            _ => [None; 2],
         }
     }
 
@@ -296,7 +305,9 @@ impl Row for ProcessRow<'_> {
             spectrum["text"] = row.spectrum().0, "Its spectrum: `self-affine`, `gaussian` or `exponential`.";
             spectrum_of["text"] = row.spectrum_of(), "Whose spectrum is prescribed: that of the `heights`, or of the `gaussian` field before its transform.";
             hurst["1", label("Hurst exponent"), input] = row.spectrum().1[0], "Hurst exponent.";
-            roll_off_m["m", label("roll-off")] = row.spectrum().1[1], "Longest wavelength of the self-affine range.";
+            roll_off_m["m", label("roll-off")] = row.spectrum().1[1], "Longest wavelength of the self-affine range; of two, the shorter.";
+            second_roll_off_m["m"] = row.second()[0], "The longer of two whose amplitudes are added, equal along the power law; empty of one.";
+            second_weight["1"] = row.second()[1], "Weight of the amplitudes of the longer one, that of the other being 1 less it; empty of one.";
             cut_off_m["m", label("cut-off")] = row.spectrum().1[2], "Shortest wavelength.";
             correlation_length_m["m"] = row.spectrum().1[3], "Correlation length across the lay.";
             elongation["1"] = row.process.spectrum.lay().elongation, "Lengths along the lay over lengths across it.";
@@ -307,7 +318,7 @@ impl Row for ProcessRow<'_> {
             kurtosis["1"] = row.process.heights.kurtosis(), "Kurtosis of that distribution.";
             plateau_height_m["m", label("mean plane")] = row.height, "Height of its mean plane above that of the coarser process; empty of that.";
             truncated_share["1", label("truncated points"), percent] = row.generation.cut, "Share of the points that the finer process truncates; empty of a single process.";
-            surfaces_tried["count"] = row.generation.target.map(|(_, tried)| tried), "Surfaces tried to meet a target of the summits; empty without one.";
+            surfaces_tried["count"] = row.generation.target.map(|(_, tried)| tried), "Fields generated to meet a target of the summits, of which the surface is a weighted sum of two; empty without one.";
         }
     }
 }

@@ -354,7 +354,7 @@ impl Surface {
         let (Target { radius, sigma, density, .. }, _) = made.target?;
         let process = &made.generator.process;
         let hurst = match process.spectrum.shape() {
-            SpectrumShape::SelfAffine { hurst, .. } => hurst,
+            SpectrumShape::SelfAffine { hurst, .. } | SpectrumShape::Between { hurst, .. } => hurst,
             SpectrumShape::Gaussian(_) | SpectrumShape::Exponential(_) => return None,
         };
         let spectrum = Some((hurst, process.spectrum.lay()));

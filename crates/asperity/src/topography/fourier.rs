@@ -64,9 +64,16 @@ fn waves_along_x(
     for_each_batch(points, &mut |first, batch| {
         transform_columns(batch, &*transform, &|k, column| fill(first + k, column), &|_, _| ());
         progress.advance(COLUMNS * (batch.len() / nx) as f64 / columns(points) as f64);
-        scatter(batch, first, &mut map, points);
+        if !is_empty(batch) {
+            scatter(batch, first, &mut map, points);
+        }
     });
     map
+}
+
+/// Whether there are no waves, as beyond a cut-off.
+fn is_empty(waves: &[Complex<f64>]) -> bool {
+    waves.iter().all(|wave| *wave == Complex::default())
 }
 
 /// Calls `task` with batches of columns of waves and the wave number along y of the first column of each.
@@ -93,7 +100,9 @@ fn transform_columns(
         || vec![Complex::default(); transform.get_inplace_scratch_len()],
         |scratch, (k, column)| {
             before(k, column);
-            transform.process_with_scratch(column, scratch);
+            if !is_empty(column) {
+                transform.process_with_scratch(column, scratch);
+            }
             after(k, column);
         },
     );

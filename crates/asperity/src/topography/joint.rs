@@ -177,7 +177,7 @@ fn scaled_erfc(u: f64) -> f64 {
 }
 
 /// Gauss-Legendre nodes and weights.
-fn nodes(count: usize, from: f64, to: f64) -> Vec<(f64, f64)> {
+pub(super) fn nodes(count: usize, from: f64, to: f64) -> Vec<(f64, f64)> {
     let Some(count) = std::num::NonZeroUsize::new(count) else { return Vec::new() };
     let (half, middle) = (0.5 * (to - from), 0.5 * (from + to));
     let rule = GaussLegendre::new(count);

@@ -49,6 +49,7 @@ use crate::memory::zeros;
 use crate::npy;
 use crate::numeric::is_positive;
 use crate::numeric::parallel::for_each_row;
+use crate::numeric::sum::CHUNK;
 pub use blocks::{BLOCK_LENGTHS, Blocks, MIN_BLOCKS, TooSmall};
 pub use correlation::{Autocorrelation, RadialSpectrum};
 pub use correlation_lengths::CorrelationLengths;
@@ -110,11 +111,13 @@ impl HeightMap {
         if points[0].checked_mul(points[1]) != Some(heights.len()) {
             return Err(MapError::Length { points, found: heights.len() });
         }
-        for z in &mut heights {
-            if z.abs() > crate::numeric::LARGEST {
-                *z = f64::NAN;
+        for_each_row(&mut heights, CHUNK, &|_, heights| {
+            for z in heights {
+                if z.abs() > crate::numeric::LARGEST {
+                    *z = f64::NAN;
+                }
             }
-        }
+        });
         if heights.iter().all(|z| z.is_nan()) {
             return Err(MapError::AllMissing);
         }

@@ -4,11 +4,11 @@ use std::f64::consts::TAU;
 
 use asperity_fft::Complex;
 
-use super::fourier::{analyse, synthesise, weight};
+use super::fourier::{analyse, columns, synthesise, weight};
 use super::height_transform::Distortion;
 use crate::memory::zeros;
 use crate::numeric::is_positive;
-use crate::numeric::parallel::for_each_row;
+use crate::numeric::parallel::{self, for_each_row};
 use crate::numeric::power::Power;
 use crate::progress::{Progress, Share, Silent};
 
@@ -32,6 +32,17 @@ pub enum SpectrumShape {
         hurst: f64,
         /// Longest wavelength of the power law, m.
         roll_off: f64,
+        /// Shortest wavelength, m.
+        cut_off: f64,
+    },
+    /// Weighted sum of the amplitudes of two self-affine spectra that are equal along the power law.
+    Between {
+        /// Hurst exponent, 0 to 1.
+        hurst: f64,
+        /// Longest wavelengths of both power laws, m, the shorter first.
+        roll_offs: [f64; 2],
+        /// Weight of the second, 0 to 1.
+        weight: f64,
         /// Shortest wavelength, m.
         cut_off: f64,
     },
@@ -71,6 +82,17 @@ pub enum SpectrumError {
         roll_off: f64,
         /// The shortest wavelength, m.
         cut_off: f64,
+    },
+    /// Roll-offs in descending order, or a weight outside 0 to 1.
+    #[error(
+        "found roll-offs at {:.3e} m and {:.3e} m and a weight of {weight}; allowed: the shorter first, a weight of 0 to 1",
+        roll_offs[0], roll_offs[1]
+    )]
+    Between {
+        /// Longest wavelengths of both power laws, m.
+        roll_offs: [f64; 2],
+        /// Weight of the second.
+        weight: f64,
     },
     /// A length that is not positive and finite.
     #[error("found a length of {0} m; allowed: positive and finite")]
@@ -118,13 +140,19 @@ impl Spectrum {
     /// # Errors
     /// Parameters outside the ranges of [`SpectrumError`].
     pub fn new(shape: SpectrumShape, lay: Lay) -> Result<Self, SpectrumError> {
+        if let SpectrumShape::SelfAffine { hurst, .. } | SpectrumShape::Between { hurst, .. } = shape
+            && !(0.0..=1.0).contains(&hurst)
+        {
+            return Err(SpectrumError::Hurst(hurst));
+        }
+        if let SpectrumShape::Between { roll_offs, weight, .. } = shape
+            && !(roll_offs[0] <= roll_offs[1] && (0.0..=1.0).contains(&weight))
+        {
+            return Err(SpectrumError::Between { roll_offs, weight });
+        }
         let lengths = match shape {
-            SpectrumShape::SelfAffine { hurst, roll_off, cut_off } => {
-                if !(0.0..=1.0).contains(&hurst) {
-                    return Err(SpectrumError::Hurst(hurst));
-                }
-                [roll_off, cut_off]
-            }
+            SpectrumShape::SelfAffine { roll_off, cut_off, .. }
+            | SpectrumShape::Between { roll_offs: [roll_off, _], cut_off, .. } => [roll_off, cut_off],
             SpectrumShape::Gaussian(length) | SpectrumShape::Exponential(length) => [length; 2],
         };
         if let Some(&length) = lengths.iter().find(|&&length| !is_positive(length)) {
@@ -161,7 +189,8 @@ impl Spectrum {
             let (size, pixel) = (points[axis] as f64 * pixel[axis], pixel[axis]);
             let extent = self.lay.extent(axis);
             match self.shape {
-                SpectrumShape::SelfAffine { roll_off, cut_off, .. } => {
+                SpectrumShape::SelfAffine { roll_off, cut_off, .. }
+                | SpectrumShape::Between { roll_offs: [_, roll_off], cut_off, .. } => {
                     let cut_off = cut_off / self.lay.shortening(axis);
                     if cut_off * ROUNDING < 2.0 * pixel {
                         return Err(SpectrumError::BelowPixel { cut_off, pixel });
@@ -190,7 +219,7 @@ impl Spectrum {
     /// than a thousandth of the mean square gradient; `None` of an exponential autocorrelation, whose waves have no shortest.
     pub fn shortest_wave(&self) -> Option<f64> {
         let across = match self.shape {
-            SpectrumShape::SelfAffine { cut_off, .. } => cut_off,
+            SpectrumShape::SelfAffine { cut_off, .. } | SpectrumShape::Between { cut_off, .. } => cut_off,
             SpectrumShape::Gaussian(length) => length,
             SpectrumShape::Exponential(_) => return None,
         };
@@ -201,7 +230,7 @@ impl Spectrum {
     pub fn autocorrelation(&self, distance: [f64; 2]) -> Option<f64> {
         let r = self.lay.squared(distance, self.lay.elongation.recip()).sqrt();
         match self.shape {
-            SpectrumShape::SelfAffine { .. } => None,
+            SpectrumShape::SelfAffine { .. } | SpectrumShape::Between { .. } => None,
             SpectrumShape::Gaussian(length) => Some((-(r / length).powi(2)).exp()),
             SpectrumShape::Exponential(length) => Some((-r / length).exp()),
         }
@@ -209,15 +238,22 @@ impl Spectrum {
 
     /// The spectrum on a periodic grid of `points` at a distance of `pixel` (m).
     pub fn on_grid(&self, points: [usize; 2], pixel: [f64; 2]) -> GridSpectrum {
+        let power_law = |hurst: f64, roll_off: f64, cut_off: f64, shorter| Kind::PowerLaw {
+            step: [0, 1].map(|axis| TAU / (points[axis] as f64 * pixel[axis])),
+            lay: self.lay,
+            roll_off: (TAU / roll_off).powi(2),
+            // Waves at the limit are included regardless of rounding.
+            cut_off: (TAU / cut_off).powi(2) * (1.0 + 1e-12),
+            power: Power::new(-0.5 * (1.0 + hurst)),
+            shorter,
+        };
         let kind = match self.shape {
-            SpectrumShape::SelfAffine { hurst, roll_off, cut_off } => Kind::PowerLaw {
-                step: [0, 1].map(|axis| TAU / (points[axis] as f64 * pixel[axis])),
-                lay: self.lay,
-                roll_off: (TAU / roll_off).powi(2),
-                // Waves at the limit are included regardless of rounding.
-                cut_off: (TAU / cut_off).powi(2) * (1.0 + 1e-12),
-                power: Power::new(-0.5 * (1.0 + hurst)),
-            },
+            SpectrumShape::SelfAffine { hurst, roll_off, cut_off } => {
+                power_law(hurst, roll_off, cut_off, None)
+            }
+            SpectrumShape::Between { hurst, roll_offs: [shorter, longer], weight, cut_off } => {
+                power_law(hurst, longer, cut_off, Some(((longer / shorter).powi(2), 1.0 - weight)))
+            }
             _ => Kind::Table(self.table(points, pixel)),
         };
         GridSpectrum { points, kind }
@@ -226,7 +262,8 @@ impl Spectrum {
     /// The distance across the lay (m) at which the autocorrelation is below 1e-14.
     fn reach(&self) -> f64 {
         match self.shape {
-            SpectrumShape::SelfAffine { roll_off, .. } => roll_off,
+            SpectrumShape::SelfAffine { roll_off, .. }
+            | SpectrumShape::Between { roll_offs: [_, roll_off], .. } => roll_off,
             SpectrumShape::Gaussian(length) => 5.7 * length,
             SpectrumShape::Exponential(length) => 32.3 * length,
         }
@@ -283,6 +320,11 @@ impl Lay {
         along * along + across * across
     }
 
+    /// The longest wave vector whose squared length is `cut_off` across the lay.
+    fn reach(&self, cut_off: f64) -> f64 {
+        cut_off.sqrt() / self.elongation.min(1.0)
+    }
+
     /// Components of the directions along the lay and across it on an axis.
     fn components(&self, axis: usize) -> [f64; 2] {
         let (sin, cos) = self.angle.sin_cos();
@@ -316,8 +358,16 @@ pub struct GridSpectrum {
 
 #[derive(Debug, Clone)]
 enum Kind {
-    /// Squared wave numbers in rad^2/m^2; `power` gives the amplitude from the squared wave number.
-    PowerLaw { step: [f64; 2], lay: Lay, roll_off: f64, cut_off: f64, power: Power },
+    /// Squared wave numbers in rad^2/m^2; `power` gives the amplitude from the squared wave number over that of the roll-off, as
+    /// that of a shorter roll-off over it is in `shorter`, with the weight of its amplitudes.
+    PowerLaw {
+        step: [f64; 2],
+        lay: Lay,
+        roll_off: f64,
+        cut_off: f64,
+        power: Power,
+        shorter: Option<(f64, f64)>,
+    },
     /// Column by column.
     Table(Vec<f64>),
 }
@@ -374,22 +424,66 @@ impl GridSpectrum {
         }
     }
 
+    /// The sum of the variances of all waves, up to the factor common to all.
+    pub fn variance(&self) -> f64 {
+        let columns = parallel::map(self.columns(), |j| {
+            let mut deviations = vec![0.0; self.points[0]];
+            self.column(j, &mut deviations);
+            let (eights, rest) = deviations.as_chunks::<8>();
+            let mut sums = [0.0; 8];
+            for part in eights.iter().map(|eight| &eight[..]).chain([rest]) {
+                sums.iter_mut().zip(part).for_each(|(sum, deviation)| *sum += deviation * deviation);
+            }
+            weight(self.points, j) * sums.iter().sum::<f64>()
+        });
+        self.mean_variance() + columns.iter().sum::<f64>()
+    }
+
+    /// Wave numbers along y beyond which there are no waves.
+    fn columns(&self) -> usize {
+        let all = columns(self.points);
+        match &self.kind {
+            Kind::PowerLaw { step, lay, cut_off, .. } => {
+                all.min((lay.reach(*cut_off) / step[1]) as usize + 1)
+            }
+            Kind::Table(_) => all,
+        }
+    }
+
     /// Writes the standard deviations of the waves with wave number `j` along y, by their wave number along x
     /// (0, 1, ..., -2, -1); of the mean wave zero.
     pub fn column(&self, j: usize, waves: &mut [f64]) {
         match &self.kind {
-            Kind::PowerLaw { step, lay, roll_off, cut_off, power } => {
+            Kind::PowerLaw { step, lay, roll_off, cut_off, power, shorter } => {
                 let scale = roll_off.recip();
                 let y = step[1] * j as f64;
                 let amplitude = |x: f64| {
                     let q = lay.squared([x, y], lay.elongation);
-                    if q > *cut_off { 0.0 } else { power.of((q * scale).max(1.0)) }
+                    if q > *cut_off {
+                        return 0.0;
+                    }
+                    let amplitude = power.of((q * scale).max(1.0));
+                    match shorter {
+                        None => amplitude,
+                        Some((from, weight)) => {
+                            weight * power.of((q * scale).max(*from)) + (1.0 - weight) * amplitude
+                        }
+                    }
                 };
                 let (count, half) = (waves.len(), waves.len() / 2);
-                for (i, wave) in waves[..=half].iter_mut().enumerate() {
+                if j >= self.columns() {
+                    waves.fill(0.0);
+                    return;
+                }
+                let reach = lay.reach(*cut_off);
+                let last = ((reach / step[0]) as usize + 1).min(half);
+                if let Some(beyond) = waves.get_mut(last + 1..count - last) {
+                    beyond.fill(0.0);
+                }
+                for (i, wave) in waves[..=last].iter_mut().enumerate() {
                     *wave = amplitude(step[0] * i as f64);
                 }
-                for mirror in 1..count - half {
+                for mirror in 1..=last.min(count - half - 1) {
                     waves[count - mirror] =
                         if lay.is_mirrored() { waves[mirror] } else { amplitude(-step[0] * mirror as f64) };
                 }
@@ -406,115 +500,4 @@ impl GridSpectrum {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_shortest_wave_lies_across_a_lay() {
-        let self_affine = SpectrumShape::SelfAffine { hurst: 0.8, roll_off: 40.0, cut_off: 8.0 };
-        for (shape, elongation, shortest) in [
-            (self_affine, 1.0, Some(8.0)),
-            (self_affine, 5.0, Some(8.0)),
-            (self_affine, 0.5, Some(4.0)),
-            (SpectrumShape::Gaussian(3.0), 1.0, Some(3.0)),
-            (SpectrumShape::Exponential(3.0), 1.0, None),
-        ] {
-            let spectrum = Spectrum::new(shape, Lay { elongation, angle: 0.0 }).unwrap();
-            assert_eq!(spectrum.shortest_wave(), shortest, "{shape:?} {elongation}");
-        }
-    }
-
-    /// The autocorrelation that the waves of a spectrum have on the grid, the mean wave among them.
-    fn realised(spectrum: &GridSpectrum, points: [usize; 2]) -> Vec<f64> {
-        let fill = |j: usize, waves: &mut [Complex<f64>]| {
-            let mut deviations = vec![0.0; waves.len()];
-            spectrum.column(j, &mut deviations);
-            if j == 0 {
-                deviations[0] = spectrum.mean_variance().sqrt();
-            }
-            for (wave, deviation) in waves.iter_mut().zip(deviations) {
-                *wave = Complex::new(deviation * deviation, 0.0);
-            }
-        };
-        synthesise(points, fill, |_| ((points[0] * points[1]) as f64).recip(), &Silent)
-    }
-
-    /// Up to the longest correlation length that a map may have, the grid's autocorrelation is the prescribed one,
-    /// wrapped around the map: also its kink, or its curvature, at the origin.
-    #[test]
-    fn autocorrelations_on_a_grid_are_exact() {
-        let (points, pixel) = ([100, 84], [1.0, 1.2]);
-        let turned = Lay { elongation: 2.0, angle: 0.6 };
-        for (shape, lay) in [
-            (SpectrumShape::Exponential(10.0), Lay::default()),
-            (SpectrumShape::Gaussian(10.0), Lay::default()),
-            (SpectrumShape::Exponential(5.0), turned),
-            (SpectrumShape::Gaussian(5.0), turned),
-            (SpectrumShape::Gaussian(1.3), Lay::default()),
-        ] {
-            let spectrum = Spectrum::new(shape, lay).unwrap();
-            spectrum.check(points, pixel).unwrap();
-            let found = realised(&spectrum.on_grid(points, pixel), points);
-            for (i, j) in [(0, 0), (1, 0), (0, 1), (1, 1), (1, 83), (99, 0), (50, 42), (7, 80), (2, 0)] {
-                let mut exact = 0.0;
-                for a in -12..=12 {
-                    for b in -12..=12 {
-                        let x = (f64::from(i) + 100.0 * f64::from(a)) * pixel[0];
-                        let y = (f64::from(j) + 84.0 * f64::from(b)) * pixel[1];
-                        exact += spectrum.autocorrelation([x, y]).unwrap();
-                    }
-                }
-                let gap = found[i as usize * points[1] + j as usize] - exact;
-                assert!(gap.abs() < 2e-12, "{shape:?} {lay:?} {i} {j}: {gap}");
-            }
-        }
-    }
-
-    #[test]
-    fn lengths_are_held_against_the_side_that_they_lie_along() {
-        let lay = |elongation, angle| Lay { elongation, angle };
-        let check = |shape, lay, points| Spectrum::new(shape, lay).unwrap().check(points, [1.0; 2]);
-        let along_x = lay(10.0, 0.0);
-        let along_y = lay(10.0, std::f64::consts::FRAC_PI_2);
-        assert!(check(SpectrumShape::Gaussian(5.0), along_x, [500, 50]).is_ok());
-        assert!(
-            check(SpectrumShape::Exponential(5.1), along_x, [600, 50]).is_err(),
-            "longer than a tenth of y"
-        );
-        assert!(check(SpectrumShape::Gaussian(5.0), along_y, [500, 50]).is_err());
-        assert!(check(SpectrumShape::Gaussian(5.0), along_y, [50, 500]).is_ok());
-        let affine = |roll_off, cut_off| SpectrumShape::SelfAffine { hurst: 0.8, roll_off, cut_off };
-        assert!(check(affine(20.0, 4.0), along_x, [200, 20]).is_ok());
-        assert!(check(affine(20.0, 4.0), lay(10.0, 0.1), [200, 20]).is_err());
-        // Across the lay waves are short, along it long: what counts is the shortest along each axis.
-        assert!(check(affine(20.0, 4.0), lay(0.4, 0.0), [64, 64]).is_err());
-        assert!(check(affine(20.0, 4.0), lay(0.5, 0.0), [64, 64]).is_ok());
-        assert!(Spectrum::new(affine(3.0, 4.0), Lay::default()).is_err());
-        assert!(Spectrum::new(SpectrumShape::Gaussian(f64::NAN), Lay::default()).is_err());
-    }
-
-    /// Persson et al. 2005, with the lay turned to the x axis.
-    #[test]
-    fn self_affine_waves_are_those_of_the_definition() {
-        let (points, pixel) = ([50, 36], [1.0, 1.5]);
-        let (hurst, roll_off, cut_off) = (0.7, 20.0, 6.0);
-        for (elongation, angle) in [(1.0, 0.0), (2.0, 0.0), (2.0, 0.6), (0.5, -0.6)] {
-            let shape = SpectrumShape::SelfAffine { hurst, roll_off, cut_off };
-            let grid = Spectrum::new(shape, Lay { elongation, angle }).unwrap().on_grid(points, pixel);
-            let mut waves = vec![0.0; points[0]];
-            for j in 0..=points[1] / 2 {
-                grid.column(j, &mut waves);
-                for (i, wave) in waves.iter().enumerate().skip(usize::from(j == 0)) {
-                    let i = if 2 * i > points[0] { i as f64 - points[0] as f64 } else { i as f64 };
-                    let [x, y] =
-                        [i / (points[0] as f64 * pixel[0]), j as f64 / (points[1] as f64 * pixel[1])];
-                    let along = elongation * (x * f64::cos(angle) + y * f64::sin(angle));
-                    let q = along.hypot(y * f64::cos(angle) - x * f64::sin(angle));
-                    let density = (q * roll_off).max(1.0).powf(-2.0 * (1.0 + hurst));
-                    let exact = if q * cut_off > 1.0 + 1e-9 { 0.0 } else { density };
-                    assert!((wave * wave - exact).abs() < 1e-12 * density, "{elongation} {angle}: {i} {j}");
-                }
-            }
-        }
-    }
-}
+mod tests;

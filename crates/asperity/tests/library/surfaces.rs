@@ -443,10 +443,8 @@ fn what_meets_a_target_is_made_by_the_recipe_that_is_reported() {
         let [density, _, _, variance] = found(&reached.map, neighbours);
         assert!((density / target.density - 1.0).abs() < 1e-3, "{density}");
         assert!((variance.sqrt() / target.sigma - 1.0).abs() < 1e-3, "{variance}");
-        let shape =
-            SpectrumShape::SelfAffine { hurst: 0.8, roll_off: reached.roll_off, cut_off: reached.cut_off };
-        let spectrum = Spectrum::new(shape, Lay::default()).unwrap();
-        let process = Process { spectrum, of: SpectrumOf::Gaussian, sigma: reached.sigma, heights };
+        let process =
+            Process { spectrum: reached.spectrum, of: SpectrumOf::Gaussian, sigma: reached.sigma, heights };
         let again = surface(points, reached.map.pixel(), process, seed);
         let far = |(a, b): &(&f64, &f64)| (*a - *b).abs() > 1e-9 * reached.sigma;
         assert_eq!(again.heights().iter().zip(reached.map.heights()).filter(far).count(), 0);

@@ -31,7 +31,7 @@ named_enum! {
 }
 
 impl Neighbours {
-    const fn steps(self) -> &'static [[isize; 2]] {
+    pub(super) const fn steps(self) -> &'static [[isize; 2]] {
         match self {
             Self::Four => STEPS.split_at(4).0,
             Self::Eight => &STEPS,
