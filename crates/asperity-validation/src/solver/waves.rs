@@ -28,9 +28,8 @@ const GAP_ALLOWED: f64 = 4.0;
 /// Of the pressures, times the points per half the width of the contact.
 const PRESSURES_ALLOWED: f64 = 0.25;
 
-/// Error of the pressures allowed in full contact, where they are linear in the heights: four times the least dual
-/// gap that can be asked for.
-const FULL_ALLOWED: f64 = 4e-12;
+/// Error of the pressures allowed in full contact, where they are linear in the heights.
+const FULL_ALLOWED: f64 = 1e-12;
 
 /// The closed form at p = `share` p* (Westergaard 1939; Johnson, Greenwood and Higginson 1985).
 struct Wave {
