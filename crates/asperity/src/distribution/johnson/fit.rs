@@ -70,6 +70,11 @@ struct BoundedFit {
 impl BoundedFit {
     /// Moments for 1/delta = `rate` and gamma/delta = `offset`.
     fn moments(&self, rate: f64, offset: f64) -> Moments {
+        self.moments_with(step(rate), rate, offset)
+    }
+
+    /// By the trapezoidal rule of a step.
+    fn moments_with(&self, step: f64, rate: f64, offset: f64) -> Moments {
         let unit = Johnson {
             curve: Curve::Bounded,
             rate,
@@ -78,7 +83,7 @@ impl BoundedFit {
             sd: 1.0,
             requested: [self.skewness, self.kurtosis],
         };
-        Moments::integrate(step(rate), |g| unit.map(g))
+        Moments::integrate(step, |g| unit.map(g))
     }
 
     /// gamma/delta at which the skewness is reached, to a relative width.
@@ -88,13 +93,24 @@ impl BoundedFit {
         if self.skewness == 0.0 {
             return 0.0;
         }
-        let skewness = |x: f64| self.moments(rate, -x).skewness;
+        let step = Self::step_within(width, rate);
+        let skewness = |x: f64| self.moments_with(step, rate, -x).skewness;
         -last_reaching_within(skewness, self.skewness, far, 0.0, width).unwrap_or(far)
     }
 
     /// The kurtosis along the curve of the prescribed skewness.
     fn kurtosis_at(&self, rate: f64, width: f64) -> f64 {
-        if rate == 0.0 { 3.0 } else { self.moments(rate, self.offset(rate, width)).kurtosis }
+        if rate == 0.0 {
+            return 3.0;
+        }
+        self.moments_with(Self::step_within(width, rate), rate, self.offset(rate, width)).kurtosis
+    }
+
+    /// The step for moments that a search to a relative `width` needs: to a coarse one, of an error of 1e-5.
+    fn step_within(width: f64, rate: f64) -> f64 {
+        /// Steps of the exact moments.
+        const COARSE: f64 = 4.0;
+        if width >= 1e-3 { COARSE * step(rate) } else { step(rate) }
     }
 
     /// By Newton's method from a coarse search, some fifty times as fast as [`Self::surely`], the same to rounding; `None` where it

@@ -422,7 +422,7 @@ impl<'a> Search<'a> {
         let last = self.generator.widest().ln();
         let half = HALF * cut_off / ((points[0] * points[1]) as f64).sqrt();
         let half = half.clamp(HALVES[0], HALVES[1]);
-        let start = start.clamp(half.min(last), (last - half).max(0.0));
+        let start = start.max(0.0).min(last);
         let mut bracket =
             self.bracket([field((start - half).max(0.0))?, field((start + half).min(last))?])?;
         for _ in 0..SHIFTS {

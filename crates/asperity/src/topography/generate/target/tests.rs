@@ -148,6 +148,22 @@ fn targets_are_met_from_any_start() {
     }
 }
 
+/// Maps that hold hardly more than four waves, or fewer.
+#[test]
+fn the_smallest_maps_have_an_answer() {
+    for points in [[31, 40], [32, 32], [33, 40], [36, 36], [48, 33]] {
+        let generator = TargetGenerator { points, ..gaussian_heights() };
+        for product in [0.03, 0.05, 0.07] {
+            for first in [None, Some(1.0), Some(3.0)] {
+                let target = Target { radius: product, sigma: 1.0, sigma_of: SigmaOf::Summits, density: 1.0 };
+                let Ok(reached) = generator.surface(&target, SEED, first) else { continue };
+                let [density, radius, _] = of_map(&reached.map, Neighbours::Four, SigmaOf::Summits);
+                assert!((density - 1.0).abs() < 1e-9 && (radius / product - 1.0).abs() < 2e-3, "{points:?}");
+            }
+        }
+    }
+}
+
 /// The same bits on one thread and on three.
 #[test]
 fn the_search_does_not_depend_on_the_number_of_threads() {
