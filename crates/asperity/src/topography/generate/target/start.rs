@@ -14,8 +14,8 @@ use crate::topography::theory::nayak;
 /// Nodes and weights of a standard normal (Gauss-Hermite, exact up to the ninth power).
 const NORMAL: [[f64; 2]; 5] = [
     [0.0, 8.0 / 15.0],
-    [1.355_626_179_974_265_9, 0.222_075_922_005_612_64],
-    [-1.355_626_179_974_265_9, 0.222_075_922_005_612_64],
+    [1.355_626_179_974_266, 0.222_075_922_005_612_64],
+    [-1.355_626_179_974_266, 0.222_075_922_005_612_64],
     [2.856_970_013_872_805_6, 0.011_257_411_327_720_69],
     [-2.856_970_013_872_805_6, 0.011_257_411_327_720_69],
 ];
@@ -71,7 +71,7 @@ impl TargetGenerator {
         /// Sum of the radii of the summits with eight lower neighbours over that of five-point summits.
         const OF_EIGHT: f64 = 0.69;
         /// Drops to the neighbours over their sum along an axis, which are distributed nearly evenly: Gauss-Legendre nodes.
-        const DROPS: [f64; 2] = [0.211_324_865_405_187_12, 0.788_675_134_594_812_9];
+        const DROPS: [f64; 2] = [0.211_324_865_405_187_1, 0.788_675_134_594_812_9];
         let drops = self.expected_drops(log_bandwidth);
         let summits = JointDensity::five_point(&drops, 1.0, [1.0; 2])?;
         let (mut radius, mut mean, mut square) = (0.0, 0.0, 0.0);
