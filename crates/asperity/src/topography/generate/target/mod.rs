@@ -251,13 +251,29 @@ impl TargetGenerator {
             self.field(log_bandwidth, seed, target.sigma_of, progress)
         };
         let search = Search { generator: self, target, progress };
-        let bracket = match search.near(first, field)? {
-            Some(bracket) => bracket,
-            None => search.scan(field)?,
-        };
-        let bracket = search.narrow(bracket, field)?;
-        let weight = bracket.weight(target)?;
-        self.scaled(bracket.mixtures, weight, target, tried, progress)
+        /// Where a jump lies across the target, other fields about it are tried, whose middles are off by these
+        /// differences of the logarithm of the bandwidth.
+        const SHIFTS: [f64; 4] = [0.03, -0.03, 0.06, -0.06];
+        let mut first = first;
+        let mut shifts = SHIFTS.into_iter();
+        loop {
+            let bracket = match search.near(first, field)? {
+                Some(bracket) => bracket,
+                None => search.scan(field)?,
+            };
+            let bracket = search.narrow(bracket, field)?;
+            match (bracket.weight(target), shifts.next()) {
+                (Ok(weight), _) => return self.scaled(bracket.mixtures, weight, target, tried, progress),
+                (Err(jump), Some(shift)) => {
+                    first = Some((bracket.mixtures.log_bandwidth(jump.weight) + shift).exp());
+                }
+                (Err(jump), None) => {
+                    let product = target.product();
+                    let [low, high] = jump.off.map(|off| product * (1.0 + off));
+                    return Err(Unreachable::Jump { product, below: low.min(high), above: low.max(high) });
+                }
+            }
+        }
     }
 
     /// Scales the mixture of a weight to the target.
@@ -325,6 +341,12 @@ struct Bracket<'a> {
     off: [f64; 2],
 }
 
+/// A weight at which the product jumps across the target, and its deviations on both sides.
+struct Jump {
+    weight: f64,
+    off: [f64; 2],
+}
+
 impl Bracket<'_> {
     /// Whether the target lies between the ends.
     fn holds(&self) -> bool {
@@ -337,29 +359,29 @@ impl Bracket<'_> {
     }
 
     /// A weight that meets the target.
-    fn weight(&self, target: &Target) -> Result<f64, Unreachable> {
-        /// Parts in which others are looked for where the first lies in a jump.
+    fn weight(&self, target: &Target) -> Result<f64, Jump> {
+        /// Equal parts of all weights, and halvings of the distance from a jump, in which others are looked for: the radius of
+        /// the summit that appears there falls fast, and with it the product.
         const PARTS: u32 = 32;
-        let first = self.weight_between([0.0, 1.0], self.off, target);
-        if first.is_ok() {
-            return first;
-        }
-        let ends = (0..=PARTS).map(|k| f64::from(k) / f64::from(PARTS));
-        let ends: Vec<[f64; 2]> = ends.map(|weight| [weight, self.off(weight, target)]).collect();
+        const HALVINGS: i32 = 20;
+        let jump = match self.weight_between([0.0, 1.0], self.off, target) {
+            Ok(weight) => return Ok(weight),
+            Err(jump) => jump,
+        };
+        let parts = (0..=PARTS).map(|k| f64::from(k) / f64::from(PARTS));
+        let near = (1..HALVINGS).flat_map(|k| [-1.0, 1.0].map(|side| jump.weight + side * 0.5f64.powi(k)));
+        let mut weights: Vec<f64> = parts.chain(near).filter(|weight| (0.0..=1.0).contains(weight)).collect();
+        weights.sort_by(f64::total_cmp);
+        let ends: Vec<[f64; 2]> = weights.iter().map(|&weight| [weight, self.off(weight, target)]).collect();
         let parts = ends.windows(2).map(|pair| [0, 1].map(|k| [pair[0][k], pair[1][k]]));
         let mut found = parts
             .filter(|[_, off]| (off[0] <= 0.0) != (off[1] <= 0.0))
             .filter_map(|[weights, off]| self.weight_between(weights, off, target).ok());
-        found.next().map_or(first, Ok)
+        found.next().ok_or(jump)
     }
 
     /// A weight between two on both sides of the target, by regula falsi with the Illinois weights (Dowell and Jarratt 1971).
-    fn weight_between(
-        &self,
-        mut weights: [f64; 2],
-        mut off: [f64; 2],
-        target: &Target,
-    ) -> Result<f64, Unreachable> {
+    fn weight_between(&self, mut weights: [f64; 2], mut off: [f64; 2], target: &Target) -> Result<f64, Jump> {
         /// Smallest difference of weights: the product is a step function on the scale of single summits.
         const CLOSEST: f64 = 1e-6;
         // Those of the secant.
@@ -372,9 +394,7 @@ impl Bracket<'_> {
                 return Ok(weights[nearest]);
             }
             if is_closed {
-                let product = target.product();
-                let [low, high] = off.map(|off| product * (1.0 + off));
-                return Err(Unreachable::Jump { product, below: low.min(high), above: low.max(high) });
+                return Err(Jump { weight: weights[nearest], off });
             }
             let secant = (weights[0] * values[1] - weights[1] * values[0]) / (values[1] - values[0]);
             let found = self.off(secant, target);
