@@ -2,6 +2,8 @@
 
 use std::sync::{Arc, OnceLock};
 
+use rayon::prelude::*;
+
 use crate::distribution::{EqualHeights, Heights, Smoothed};
 use crate::numeric::sort::ascending;
 
@@ -16,7 +18,7 @@ impl ByHeight {
     /// Of `heights`, m.
     pub fn new(heights: &[f64]) -> Self {
         let places = ascending(heights);
-        Self { heights: places.iter().map(|&place| heights[place]).collect(), places }
+        Self { heights: places.par_iter().map(|&place| heights[place]).collect(), places }
     }
 
     /// The places in the set, equal heights in the order of the set.
@@ -43,7 +45,7 @@ impl RadiiAbove {
     /// Of asperities of `radii` (m), at least one.
     fn new(by_height: &ByHeight, radii: &[f64]) -> Self {
         let mut sum = 0.0;
-        let mut means: Vec<f64> = by_height.places.iter().map(|&place| radii[place]).collect();
+        let mut means: Vec<f64> = by_height.places.par_iter().map(|&place| radii[place]).collect();
         for (index, mean) in means.iter_mut().rev().enumerate() {
             sum += *mean;
             *mean = sum / (index + 1) as f64;

@@ -6,6 +6,7 @@ use rayon::prelude::*;
 use super::by_height::OnDemand;
 use super::{Asperities, ByHeight, Ellipse, RadiiAbove};
 use crate::distribution::{EqualHeights, Heights};
+use crate::memory::zeros;
 use crate::numeric::{LARGEST, is_positive};
 
 /// The asperities of a rough surface, as a struct of arrays in the order of their origin.
@@ -216,7 +217,7 @@ impl AsperitySet {
     pub(crate) fn filtered(&self, is_kept: impl Fn(usize) -> bool, nominal_area: f64) -> Option<Self> {
         // Without a branch for each: every value is stored, and overwritten by the next one unless it is kept.
         let column = |values: &[f64]| {
-            let (mut kept, mut count) = (vec![0.0; values.len()], 0);
+            let (mut kept, mut count) = (zeros(values.len()), 0);
             for (index, &value) in values.iter().enumerate() {
                 kept[count] = value;
                 count += usize::from(is_kept(index));

@@ -13,6 +13,7 @@ use super::{FOLDINGS, HeightDistribution};
 use crate::literature::{Paper, SILVERMAN_1986};
 use crate::numeric::condensed::{Node, condensed};
 use crate::numeric::parallel;
+use crate::numeric::sum::sum_of;
 
 /// Kernels per width of a kernel that stand for all heights.
 const KERNELS: f64 = 10.0;
@@ -92,22 +93,22 @@ impl Smoothed {
     pub(crate) fn of_ascending(sorted: &[f64]) -> Result<Self, EqualHeights> {
         let count = sorted.len();
         let origin = sorted.first().copied().ok_or(EqualHeights)?;
-        let mean = sorted.iter().map(|z| z - origin).sum::<f64>() / count as f64;
-        let variance = sorted.iter().map(|z| (z - origin - mean).powi(2)).sum::<f64>() / count as f64;
+        let mean = sum_of(count, |k| sorted[k] - origin) / count as f64;
+        let variance = sum_of(count, |k| (sorted[k] - origin - mean).powi(2)) / count as f64;
         let sd = variance.sqrt();
         if sd == 0.0 {
             return Err(EqualHeights);
         }
-        let standardised: Vec<f64> = sorted.iter().map(|z| (z - origin - mean) / sd).collect();
-        let quartile = |share: f64| standardised[((count - 1) as f64 * share).round() as usize];
+        let standardised = |z: f64| (z - origin - mean) / sd;
+        let quartile = |share: f64| standardised(sorted[((count - 1) as f64 * share).round() as usize]);
         let range = (quartile(0.75) - quartile(0.25)) / 1.34;
         // More than half of the heights may be equal.
         let spread = if range > 0.0 { range.min(1.0) } else { 1.0 };
         let bandwidth = 0.9 * spread * (count as f64).powf(-0.2);
         let shrink = (1.0 + bandwidth * bandwidth).sqrt().recip();
         let share = (count as f64).recip();
-        let centres: Vec<Node> =
-            standardised.iter().map(|z| Node { value: z * shrink, weight: share }).collect();
+        let centre = |&z: &f64| Node { value: standardised(z) * shrink, weight: share };
+        let centres: Vec<Node> = sorted.par_iter().map(centre).collect();
         let width = bandwidth * shrink;
         let kernels = condensed(&centres, width / KERNELS);
         let moment = |power: i32| kernels.iter().map(|one| one.weight * one.value.powi(power)).sum::<f64>();

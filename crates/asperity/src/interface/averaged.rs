@@ -105,8 +105,12 @@ impl<'a> AveragedContact<'a> {
         Interval::new(&self.nodes[1])
     }
 
-    fn sums(&self, w: f64) -> Sums {
-        let Some(table) = &self.table else { return self.direct(w) };
+    /// The first K of [`Sums`]: the values of spots are left out where nobody asks for them.
+    fn sums<const K: usize>(&self, w: f64) -> [f64; K] {
+        let Some(table) = &self.table else {
+            let all = self.direct(w);
+            return std::array::from_fn(|q| all[q]);
+        };
         let mut sums = table.at(w);
         let steps = at_steps(&self.steps, w);
         sums[0] += steps[0];
@@ -117,13 +121,13 @@ impl<'a> AveragedContact<'a> {
 
 impl MicroContact for AveragedContact<'_> {
     fn contact(&self, w: f64, shape: Shape) -> Contact {
-        let [load, area, stiffness, ..] = self.sums(w).map(|sum| sum * shape.spheres);
+        let [load, area, stiffness] = self.sums(w).map(|sum| sum * shape.spheres);
         Contact { area, load, stiffness, regime: Regime::Elastic }
     }
 
     fn spot_values(&self, w: f64, shape: Shape) -> Option<SpotValues> {
         self.spot_properties()?;
-        let [_, _, _, spots @ ..] = self.sums(w).map(|sum| sum * shape.spheres);
+        let [_, _, _, spots @ ..]: Sums = self.sums(w).map(|sum| sum * shape.spheres);
         Some(spots)
     }
 
@@ -257,7 +261,8 @@ impl Table {
         Self { start, step, rows: parallel::map(count, row) }
     }
 
-    fn at(&self, w: f64) -> Sums {
+    /// The first K of [`Sums`].
+    fn at<const K: usize>(&self, w: f64) -> [f64; K] {
         let place = (w.ln() - self.start) / self.step;
         // Beyond both ends the ratio to the elastic power is that at the end.
         let place = place.clamp(0.0, (self.rows.len() - 4) as f64);
@@ -299,7 +304,7 @@ impl Table {
     /// rise above their rows.
     fn highest_load(&self, from: f64, to: f64) -> f64 {
         let within = |[w, _]: &[f64; 2]| (from * (-self.step).exp()..=to * self.step.exp()).contains(w);
-        let ends = [from, to].map(|w| self.at(w)[0]);
+        let ends = [from, to].map(|w| self.at::<1>(w)[0]);
         (1.0 + self.step * self.step)
             * self.loads().filter(within).map(|[_, load]| load).fold(ends[0].max(ends[1]), f64::max)
     }

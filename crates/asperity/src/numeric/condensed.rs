@@ -1,5 +1,7 @@
 //! Samples condensed to few weighted nodes: Gauss's rule of two nodes for the values in each of many narrow bins.
 
+use super::parallel;
+
 /// A weighted value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Node {
@@ -12,31 +14,52 @@ pub(crate) struct Node {
 /// nodes differs from that over the values by its fourth derivative times `width`^4/4320 at most, and in a bin where it
 /// is not smooth by its change there times the weight of the bin.
 pub(crate) fn condensed(sorted: &[Node], width: f64) -> Vec<Node> {
-    let mut nodes = Vec::new();
+    /// Bins per task.
+    const BINS: usize = 64;
+    let bins = bins(sorted, width);
+    let of_bin = |bin: &[Node], nodes: &mut Vec<Node>| match bin {
+        [_] | [_, _] => nodes.extend_from_slice(bin),
+        _ => nodes.extend(two_nodes(bin)),
+    };
+    let of_bins = |task: usize| {
+        let mut nodes = Vec::new();
+        bins[task * BINS..bins.len().min((task + 1) * BINS)].iter().for_each(|bin| of_bin(bin, &mut nodes));
+        nodes
+    };
+    parallel::map(bins.len().div_ceil(BINS), of_bins).concat()
+}
+
+/// The values in bins of at most `width`, each from its own first value on.
+fn bins(sorted: &[Node], width: f64) -> Vec<&[Node]> {
+    let mut bins: Vec<&[Node]> = Vec::new();
     let mut rest = sorted;
     while let Some(first) = rest.first() {
-        let count = rest.partition_point(|node| node.value - first.value <= width).max(1);
-        let (bin, after) = rest.split_at(count);
-        rest = after;
-        match bin {
-            [_] | [_, _] => nodes.extend_from_slice(bin),
-            _ => nodes.extend(two_nodes(bin)),
+        let is_inside = |node: &Node| node.value - first.value <= width;
+        // A bin holds about as many as the one before: its end is sought from there.
+        let mut near = bins.last().map_or(1, |bin| bin.len());
+        let mut inside = 0;
+        while near < rest.len() && is_inside(&rest[near]) {
+            inside = near;
+            near *= 2;
         }
+        let within = &rest[inside..near.min(rest.len())];
+        let count = (inside + within.partition_point(is_inside)).max(1);
+        let (bin, after) = rest.split_at(count);
+        bins.push(bin);
+        rest = after;
     }
-    nodes
+    bins
 }
 
 /// The rule of two nodes for the values of a bin; one node where they are equal.
 fn two_nodes(bin: &[Node]) -> impl Iterator<Item = Node> {
     let origin = bin[0].value;
     let weight: f64 = bin.iter().map(|node| node.weight).sum();
-    let mean_of = |of: &dyn Fn(f64) -> f64| {
-        bin.iter().map(|node| node.weight * of(node.value - origin)).sum::<f64>() / weight
-    };
-    let mean = mean_of(&|x| x);
-    let variance = mean_of(&|x| (x - mean).powi(2));
+    let mean = mean_of(bin, |node| node.value - origin, weight);
+    let variance = mean_of(bin, |node| (node.value - origin - mean).powi(2), weight);
     let sd = variance.sqrt();
-    let half_skewness = if sd > 0.0 { 0.5 * mean_of(&|x| ((x - mean) / sd).powi(3)) } else { 0.0 };
+    let cube = |node: &Node| ((node.value - origin - mean) / sd).powi(3);
+    let half_skewness = if sd > 0.0 { 0.5 * mean_of(bin, cube, weight) } else { 0.0 };
     let root = (1.0 + half_skewness * half_skewness).sqrt();
     let node = move |sign: f64| Node {
         value: origin + mean + sd * (half_skewness + sign * root),
@@ -45,6 +68,11 @@ fn two_nodes(bin: &[Node]) -> impl Iterator<Item = Node> {
     let one = (sd == 0.0).then_some(Node { value: origin + mean, weight });
     let two = (sd > 0.0).then(|| [node(-1.0), node(1.0)]);
     one.into_iter().chain(two.into_iter().flatten())
+}
+
+/// The mean of what is asked of each value, weighted; of all together the `weight`.
+fn mean_of(bin: &[Node], of: impl Fn(&Node) -> f64, weight: f64) -> f64 {
+    bin.iter().map(|node| node.weight * of(node)).sum::<f64>() / weight
 }
 
 #[cfg(test)]
@@ -72,6 +100,23 @@ mod tests {
         let of = |x: f64| (3.0 * x).exp();
         assert!((sum(&few, of) / sum(&all, of) - 1.0).abs() < 81.0 * 0.02f64.powi(4) / 4320.0);
         assert!(few.windows(2).all(|pair| pair[0].value <= pair[1].value));
+    }
+
+    /// Bins of any sizes in turn, against the search for each end among all.
+    #[test]
+    fn a_bin_ends_at_its_width() {
+        let value = |k: i32| f64::from(k) * if k % 500 < 250 { 1e-3 } else { 1e-5 } + f64::from(k / 250);
+        let mut all: Vec<Node> = (0..5000).map(|k| Node { value: value(k), weight: 1.0 }).collect();
+        all.sort_by(|a, b| a.value.total_cmp(&b.value));
+        for width in [0.0, 1e-5, 1.5e-3, 0.07, 10.0, 1e9] {
+            let mut rest = &all[..];
+            for bin in bins(&all, width) {
+                let count = rest.iter().take_while(|node| node.value - rest[0].value <= width).count();
+                assert_eq!(bin, &rest[..count]);
+                rest = &rest[count..];
+            }
+            assert!(rest.is_empty());
+        }
     }
 
     #[test]

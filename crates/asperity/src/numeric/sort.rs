@@ -30,7 +30,7 @@ pub(crate) fn sort(values: &mut [f64], progress: &dyn Progress) {
 fn halves(values: &mut [f64], done: &(dyn Fn(usize) + Sync)) {
     if values.len() <= PIECE {
         done(values.len());
-        return values.sort_unstable_by(f64::total_cmp);
+        return values.par_sort_unstable_by(f64::total_cmp);
     }
     let middle = values.len() / 2;
     values.select_nth_unstable_by(middle, f64::total_cmp);

@@ -129,6 +129,38 @@ pub fn sum_of(count: usize, term: impl Fn(usize) -> f64 + Sync) -> f64 {
     in_chunks(count, |range| range.map(&term).collect::<Sum>(), |total, part| *total += *part).value()
 }
 
+/// Sums of K terms over the values of C columns of equal length, where the first term is a number, and how many these are. In parts that
+/// the compiler keeps in registers of the widest `Arch` that it is called in, the same in all.
+#[inline(always)]
+pub(crate) fn sums_of_present<const C: usize, const K: usize>(
+    columns: [&[f64]; C],
+    terms: impl Fn([f64; C]) -> [f64; K],
+) -> ([f64; K], usize) {
+    const PARTS: usize = 8;
+    let (mut sums, mut counts) = ([[0.0; PARTS]; K], [0.0; PARTS]);
+    let count = columns[0].len();
+    let whole = count - count % PARTS;
+    for start in (0..whole).step_by(PARTS) {
+        let values = columns.map(|column| &column[start..start + PARTS]);
+        for part in 0..PARTS {
+            let terms = terms(values.map(|column| column[part]));
+            let is_there = !terms[0].is_nan();
+            for (sum, term) in sums.iter_mut().zip(terms) {
+                sum[part] += if is_there { term } else { 0.0 };
+            }
+            counts[part] += if is_there { 1.0 } else { 0.0 };
+        }
+    }
+    for at in whole..count {
+        let terms = terms(columns.map(|column| column[at]));
+        if !terms[0].is_nan() {
+            sums.iter_mut().zip(terms).for_each(|(sum, term)| sum[at - whole] += term);
+            counts[at - whole] += 1.0;
+        }
+    }
+    (sums.map(|parts| parts.iter().sum()), counts.iter().sum::<f64>() as usize)
+}
+
 /// The terms of K sums over the values of C columns, a register at a time. Implementations are `#[inline(always)]`.
 pub(crate) trait Terms<const C: usize, const K: usize>: Copy + Sync {
     /// The terms of the values in each lane.
@@ -212,6 +244,19 @@ mod tests {
         let terms = [1.0, 1e100, 1.0, -1e100];
         assert_eq!(terms.iter().sum::<f64>(), 0.0);
         assert_eq!(terms.into_iter().collect::<Sum>().value(), 2.0);
+    }
+
+    #[test]
+    fn values_that_are_missing_do_not_count() {
+        let at = |k: usize| if k % 5 == 1 { f64::NAN } else { k as f64 };
+        for count in [0, 1, 7, 8, 9, 1003] {
+            let values: Vec<f64> = (0..count).map(at).collect();
+            let others: Vec<f64> = (0..count).map(|k| if k % 7 == 3 { f64::NAN } else { 1.0 }).collect();
+            let found = sums_of_present([&values, &others], |[a, b]| [a + b, a * a]);
+            let present: Vec<f64> = (0..count).filter(|k| k % 5 != 1 && k % 7 != 3).map(|k| k as f64).collect();
+            let expected = [|x: f64| x + 1.0, |x: f64| x * x].map(|of| present.iter().map(|&x| of(x)).sum::<f64>());
+            assert_eq!(found, (expected, present.len()));
+        }
     }
 
     #[test]

@@ -1,10 +1,12 @@
 //! Levelling: removal of the form of a map by least squares.
 
 use nalgebra::{DMatrix, DVector};
+use pulp::Arch;
 
 use super::HeightMap;
 use super::rows::{Rows, Strip, first_present, rows_from, strips};
 use crate::named_enum;
+use crate::numeric::sum::sums_of_present;
 
 named_enum! {
     /// The form to remove.
@@ -135,24 +137,22 @@ impl Form {
     }
 
     fn normal(&self, strip: &Strip) -> Normal {
-        let mut sums = Normal::default();
+        let (mut sums, arch) = (Normal::default(), Arch::new());
+        let columns = strip.row(0).map_or(0, <[f64]>::len);
+        let along: Vec<f64> = (0..columns).map(|iy| self.coordinate(iy, 1)).collect();
         for k in 0..strip.count {
             let u = self.coordinate(strip.first + k, 0);
             let row = strip.row(k as isize).unwrap_or_default();
             // In a row only v varies: powers of v are summed, those of u are factors.
-            let (mut powers, mut heights) = ([0.0; PRODUCTS], [0.0; DEGREES]);
-            for (iy, z) in row.iter().enumerate().filter(|(_, z)| !z.is_nan()) {
-                let v = self.coordinate(iy, 1);
-                let (z, v2) = (z - self.origin, v * v);
-                let v3 = v2 * v;
-                for (sum, term) in powers.iter_mut().zip([1.0, v, v2, v3, v2 * v2, v2 * v3, v3 * v3]) {
-                    *sum += term;
-                }
-                for (sum, term) in heights.iter_mut().zip([z, z * v, z * v2, z * v3]) {
-                    *sum += term;
-                }
-            }
-            sums.add(u, powers, heights);
+            let (all, _) = arch.dispatch(|| {
+                sums_of_present([row, &along], |[z, v]| {
+                    let (z, v2) = (z - self.origin, v * v);
+                    let v3 = v2 * v;
+                    [z, z * v, z * v2, z * v3, 1.0, v, v2, v3, v2 * v2, v2 * v3, v3 * v3]
+                })
+            });
+            let [z, zv, zvv, zvvv, powers @ ..] = all;
+            sums.add(u, powers, [z, zv, zvv, zvvv]);
         }
         sums
     }
@@ -169,10 +169,13 @@ impl Form {
             along[power_v] += coefficient * u.powi(power_u);
         }
         let [c, cv, cvv, cvvv] = along;
-        for (iy, z) in row.iter_mut().enumerate() {
-            let v = self.coordinate(iy, 1);
-            *z = (*z - self.origin) - (c + v * (cv + v * (cvv + v * cvvv)));
-        }
+        Arch::new().dispatch(|| {
+            for (iy, z) in row.iter_mut().enumerate() {
+                // Registers convert 32 bits at once.
+                let v = f64::from(iy as i32) / self.centre[1] - 1.0;
+                *z = (*z - self.origin) - (c + v * (cv + v * (cvv + v * cvvv)));
+            }
+        });
     }
 }
 

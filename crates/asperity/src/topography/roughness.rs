@@ -1,7 +1,9 @@
 //! Roughness parameters of a map: height parameters, spectral moments, the autocorrelation at neighbours.
 
-use super::rows::{Rows, Strip, count_missing, first_present, strips};
-use crate::numeric::sum::Sum;
+use pulp::Arch;
+
+use super::rows::{Rows, Strip, first_present, strips};
+use crate::numeric::sum::{Sum, sums_of_present};
 
 /// Height parameters of a map (ISO 25178-2), about its mean, with divisor n.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -168,15 +170,17 @@ struct MeanSquare {
 }
 
 impl MeanSquare {
-    fn add(&mut self, differences: impl Iterator<Item = f64>) {
-        let (mut sum, mut count) = (0.0, 0);
-        for difference in differences {
-            let is_there = !difference.is_nan();
-            sum += if is_there { difference * difference } else { 0.0 };
-            count += usize::from(is_there);
-        }
+    /// Adds the squares of differences of the values in columns of equal length.
+    #[inline(always)]
+    fn add<const C: usize>(&mut self, columns: [&[f64]; C], difference: impl Fn([f64; C]) -> f64) {
+        let ([sum], count) = sums_of_present(columns, |values| [difference(values).powi(2)]);
         self.sum += sum;
         self.count += count;
+    }
+
+    /// Adds the square of one difference.
+    fn add_one(&mut self, difference: f64) {
+        self.add([&[difference]], |[difference]| difference);
     }
 
     fn mean(&self) -> f64 {
@@ -193,48 +197,59 @@ struct Sums {
 
 impl Sums {
     fn new(strip: &Strip, [origin, mean]: [f64; 2], points: [usize; 2]) -> Self {
-        let mut sums = Self::default();
+        let (mut sums, arch) = (Self::default(), Arch::new());
         for k in 0..strip.count as isize {
             let Some(row) = strip.row(k) else { continue };
-            let mut powers = [0.0; 4];
-            for z in row.iter().filter(|z| !z.is_nan()) {
-                let z = (z - origin) - mean;
-                let square = z * z;
-                for (sum, term) in powers.iter_mut().zip([z.abs(), square, square * z, square * square]) {
-                    *sum += term;
-                }
-            }
-            for (sum, part) in sums.powers.iter_mut().zip(powers) {
-                *sum += part;
-            }
-            let ny = points[1];
-            let mut add = |lag: Lag, differences: &mut dyn Iterator<Item = f64>| {
-                sums.lags[lag as usize].add(differences);
-            };
-            add(Lag::Y, &mut row.windows(2).map(|z| z[1] - z[0]));
-            add(Lag::BendY, &mut row.windows(3).map(|z| z[2] - 2.0 * z[1] + z[0]));
+            let (next, second) = (strip.row(k + 1), strip.row(k + 2));
+            arch.dispatch(|| sums.add_row(row, next, second, [origin, mean]));
             if strip.is_periodic() {
-                let at = |iy: usize| row[iy % ny];
-                add(Lag::Y, &mut [ny - 1].into_iter().map(|iy| at(iy + 1) - at(iy)));
-                let bend = |iy| at(iy + 2) - 2.0 * at(iy + 1) + at(iy);
-                add(Lag::BendY, &mut [ny - 2, ny - 1].into_iter().map(bend));
+                sums.add_border(row, next, points[1]);
             }
-            let Some(next) = strip.row(k + 1) else { continue };
-            add(Lag::X, &mut next.iter().zip(row).map(|(a, b)| a - b));
-            add(Lag::Rising, &mut next[1..].iter().zip(row).map(|(a, b)| a - b));
-            add(Lag::Falling, &mut next.iter().zip(&row[1..]).map(|(a, b)| a - b));
-            let squares = next.windows(2).zip(row.windows(2));
-            add(Lag::Mixed, &mut squares.map(|(a, b)| (a[1] - b[1]) - (a[0] - b[0])));
-            if strip.is_periodic() {
-                add(Lag::Rising, &mut [next[0] - row[ny - 1]].into_iter());
-                add(Lag::Falling, &mut [next[ny - 1] - row[0]].into_iter());
-                add(Lag::Mixed, &mut [(next[0] - row[0]) - (next[ny - 1] - row[ny - 1])].into_iter());
-            }
-            let Some(second) = strip.row(k + 2) else { continue };
-            let bends = second.iter().zip(next).zip(row).map(|((a, b), c)| a - 2.0 * b + c);
-            add(Lag::BendX, &mut { bends });
         }
         sums
+    }
+
+    /// Adds a row, with its differences from the two that follow.
+    #[inline(always)]
+    fn add_row(&mut self, row: &[f64], next: Option<&[f64]>, second: Option<&[f64]>, [origin, mean]: [f64; 2]) {
+        let (powers, _) = sums_of_present([row], |[z]| {
+            let z = (z - origin) - mean;
+            let square = z * z;
+            [z.abs(), square, square * z, square * square]
+        });
+        for (sum, part) in self.powers.iter_mut().zip(powers) {
+            *sum += part;
+        }
+        let lag = |lag: Lag| lag as usize;
+        let difference = |[a, b]: [f64; 2]| a - b;
+        let bend = |[a, b, c]: [f64; 3]| a - 2.0 * b + c;
+        // Without so many points at the beginning and at the end; nothing of a row that is too short.
+        let [head, tail] = [[0, 1], [1, 0]].map(|ends| inner(row, ends));
+        let [first, middle, last] = [[0, 2], [1, 1], [2, 0]].map(|ends| inner(row, ends));
+        self.lags[lag(Lag::Y)].add([tail, head], difference);
+        self.lags[lag(Lag::BendY)].add([last, middle, first], bend);
+        let Some(next) = next else { return };
+        let [next_head, next_tail] = [[0, 1], [1, 0]].map(|ends| inner(next, ends));
+        self.lags[lag(Lag::X)].add([next, row], difference);
+        self.lags[lag(Lag::Rising)].add([next_tail, head], difference);
+        self.lags[lag(Lag::Falling)].add([next_head, tail], difference);
+        self.lags[lag(Lag::Mixed)]
+            .add([next_tail, tail, next_head, head], |[a1, b1, a0, b0]| (a1 - b1) - (a0 - b0));
+        let Some(second) = second else { return };
+        self.lags[lag(Lag::BendX)].add([second, next, row], bend);
+    }
+
+    /// Adds the differences of a row across the border of a periodic map.
+    fn add_border(&mut self, row: &[f64], next: Option<&[f64]>, ny: usize) {
+        let at = |iy: usize| row[iy % ny];
+        self.lags[Lag::Y as usize].add_one(at(ny) - at(ny - 1));
+        for iy in [ny - 2, ny - 1] {
+            self.lags[Lag::BendY as usize].add_one(at(iy + 2) - 2.0 * at(iy + 1) + at(iy));
+        }
+        let Some(next) = next else { return };
+        self.lags[Lag::Rising as usize].add_one(next[0] - row[ny - 1]);
+        self.lags[Lag::Falling as usize].add_one(next[ny - 1] - row[0]);
+        self.lags[Lag::Mixed as usize].add_one((next[0] - row[0]) - (next[ny - 1] - row[ny - 1]));
     }
 
     fn merge(&mut self, other: &Self) {
@@ -248,11 +263,17 @@ impl Sums {
     }
 }
 
+/// A row without so many points at its beginning and at its end.
+fn inner(row: &[f64], [begin, end]: [usize; 2]) -> &[f64] {
+    row.get(begin..row.len().saturating_sub(end)).unwrap_or_default()
+}
+
 /// For each row the sum of its heights above `origin` and their number.
 fn row_sums(strip: &Strip, origin: f64) -> Vec<(f64, usize)> {
+    let arch = Arch::new();
     let sum = |row: &[f64]| {
-        let heights = row.iter().map(|&z| if z.is_nan() { 0.0 } else { z - origin });
-        (heights.sum(), row.len() - count_missing(row))
+        let ([sum], count) = arch.dispatch(|| sums_of_present([row], |[z]| [z - origin]));
+        (sum, count)
     };
     (0..strip.count as isize).filter_map(|k| strip.row(k).map(sum)).collect()
 }

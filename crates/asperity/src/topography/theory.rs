@@ -112,6 +112,7 @@ impl Model {
         };
         // The angle of u for a direction of t.
         let angle = |[x, y]: [f64; 2]| (y * root - x * slant).atan2(x * rest);
+        let correlation: Vec<AtCorrelation> = AtCorrelation::up_to(self.sums).collect();
         let mut sums = Moments::default();
         // By symmetry half of the plane suffices; it is split where the integrand is not smooth.
         for [from, to] in [
@@ -124,10 +125,17 @@ impl Model {
                 let (sin, cos) = angle.sin_cos();
                 let t = [root * cos, slant * cos + rest * sin];
                 let fall = 1.0 - t[0] * t[0] - t[1] * t[1];
+                let across = across / (PI * determinant.sqrt());
+                let corner = t.map(f64::abs);
                 for (r, along) in QUADRATURE.nodes(0.0, REACH) {
-                    let weight = across * along * r * (-0.5 * fall * r * r).exp() / (PI * determinant.sqrt());
-                    sums.add(weight, &Beyond::new(t.map(|t| r * t.abs()), self.sums));
+                    let weight = across * along * r * (-0.5 * fall * r * r).exp();
+                    let [a, b] = corner.map(|t| r * t);
+                    sums.add(weight, &Beyond::new([a, b], self.sums, normal(-a) * normal(-b)));
                 }
+                // What the correlation adds to the probability falls as a Gaussian along r: its integral has a closed form.
+                let along_r = |q: f64| -(-(0.5 * fall + q) * REACH * REACH).exp_m1() / (fall + 2.0 * q);
+                let added = correlation.iter().map(|at| at.weight * along_r(at.exponent(corner))).sum::<f64>();
+                sums.add(across * added, &Beyond::probability(self.sums));
             }
         }
         sums.over_probability()
@@ -184,8 +192,8 @@ struct Beyond {
 }
 
 impl Beyond {
-    fn new([a, b]: [f64; 2], r: f64) -> Self {
-        let probability = both_above(-a, -b, r);
+    /// Of a `probability`.
+    fn new([a, b]: [f64; 2], r: f64, probability: f64) -> Self {
         let root = (1.0 - r * r).sqrt();
         // Densities along the two edges and at the corner.
         let edges = [density(a) * normal((r * a - b) / root), density(b) * normal((r * b - a) / root)];
@@ -201,16 +209,41 @@ impl Beyond {
             product: r * probability + r * a * edges[0] + r * b * edges[1] + corner,
         }
     }
+
+    /// What one more in the probability makes of the moments.
+    fn probability(r: f64) -> Self {
+        Self { probability: 1.0, first: [0.0; 2], second: [1.0; 2], product: r }
+    }
 }
 
 /// Probability that standard normals of correlation r exceed -t1 and -t2: the product of the single probabilities plus
 /// an integral over the correlation (Plackett 1954), with r = sin(angle).
 pub(super) fn both_above(t1: f64, t2: f64, r: f64) -> f64 {
-    let at = |angle: f64| {
-        let (sin, cos) = angle.sin_cos();
-        (-(t1 * t1 - 2.0 * t1 * t2 * sin + t2 * t2) / (2.0 * cos * cos)).exp()
-    };
-    normal(t1) * normal(t2) + QUADRATURE.integrate(0.0, r.asin(), at) / (2.0 * PI)
+    let at = |at: AtCorrelation| at.weight * (-at.exponent([t1, t2])).exp();
+    normal(t1) * normal(t2) + AtCorrelation::up_to(r).map(at).sum::<f64>()
+}
+
+/// A node of the integral over the correlation.
+struct AtCorrelation {
+    sin: f64,
+    /// 2 cos^2 of the angle.
+    twice_square_cos: f64,
+    weight: f64,
+}
+
+impl AtCorrelation {
+    /// The nodes from no correlation to `r`.
+    fn up_to(r: f64) -> impl Iterator<Item = Self> {
+        QUADRATURE.nodes(0.0, r.asin()).map(|(angle, weight)| {
+            let (sin, cos) = angle.sin_cos();
+            Self { sin, twice_square_cos: 2.0 * cos * cos, weight: weight / (2.0 * PI) }
+        })
+    }
+
+    /// Minus the exponent of the bivariate normal density at a corner.
+    fn exponent(&self, [a, b]: [f64; 2]) -> f64 {
+        (a * a - 2.0 * a * b * self.sin + b * b) / self.twice_square_cos
+    }
 }
 
 /// Quadrature with an error of 1e-11, and of 1e-8 for an elongation of 1000.
@@ -229,10 +262,6 @@ impl Quadrature {
     fn nodes(&self, from: f64, to: f64) -> impl Iterator<Item = (f64, f64)> {
         let (half, middle) = (0.5 * (to - from), 0.5 * (from + to));
         self.0.iter().map(move |(node, weight)| (middle + half * node, half * weight))
-    }
-
-    fn integrate(&self, from: f64, to: f64, of: impl Fn(f64) -> f64) -> f64 {
-        self.nodes(from, to).map(|(x, weight)| weight * of(x)).sum()
     }
 }
 

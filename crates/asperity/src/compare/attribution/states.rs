@@ -1,5 +1,7 @@
 //! The states between both models.
 
+use rayon::prelude::*;
+
 use crate::asperity::{Asperities, ByHeight, Draw, Population};
 use crate::interface::{AveragedContact, MicroContact, RadiusShare, jumps};
 use crate::model::{Deterministic, Medium, Mixture, Model, ReferencePlane, Statistical, WithMedium};
@@ -131,7 +133,7 @@ impl<'a> Rearranged<'a> {
             let Shape { radius, spheres } = asperities.shape(k);
             Node { value: radius.ln(), weight: spheres / count as f64 }
         };
-        let radii = ascending(asperities.radii()).into_iter().map(share).collect();
+        let radii = ascending(asperities.radii()).into_par_iter().map(share).collect();
         let is_uniform = asperities.each().all(|(_, shape)| shape == *mean_shape);
         let radius_bin = width(RADIUS_BIN);
         Self { heights, radii, radius_bin, paired, is_uniform, inputs }

@@ -2,7 +2,7 @@
 
 use super::NORMAL;
 use crate::named_enum;
-use crate::numeric::median;
+use crate::numeric::{median, parallel};
 use crate::topography::rows::rows_from;
 use crate::topography::{Moments, Rows, strips};
 
@@ -57,7 +57,7 @@ impl LineOffsets {
         .concat();
         let line = |j: usize| (j < ny).then(|| sampled.iter().map(|row| row[j]).collect::<Vec<f64>>());
         let of = |j: usize| Steps::of_parts(j.checked_sub(1).and_then(line), line(j), line(j + 1));
-        let along_x: Vec<[Steps; PARTS]> = (0..ny).map(of).collect();
+        let along_x: Vec<[Steps; PARTS]> = parallel::map(ny, of);
         let largest = |lines: &[[Steps; PARTS]]| {
             let part = |part: usize| lines.iter().map(|line| line[part]).collect::<Vec<Steps>>();
             (0..PARTS).map(|index| share(&part(index))).fold(0.0, f64::max)
