@@ -16,8 +16,7 @@ const RATIOS: (f64, f64) = (0.0, 5.0);
 pub fn asperities(surface: &Surface, assumed: Option<&Population>) -> (Figure, f64) {
     let (name, statistics) = (&surface.name, &surface.statistics);
     let points = normalised(surface);
-    let heights: Vec<f64> = points.iter().map(|point| point.0).collect();
-    let (edges, density) = histogram(&heights, HEIGHTS);
+    let (edges, density) = histogram(points.clone().map(|point| point.0), HEIGHTS);
     let mut top = Plot::new(
         format!("{name}: height distribution of the asperities"),
         height_axis(),
@@ -35,27 +34,26 @@ pub fn asperities(surface: &Surface, assumed: Option<&Population>) -> (Figure, f
                 .named(format!("{} heights (statistical model)", population.heights.label())),
         );
     }
-    let is_outside = |point: &&(f64, f64)| {
+    let is_outside = |point: &(f64, f64)| {
         !(HEIGHTS.0..=HEIGHTS.1).contains(&point.0) || !(RATIOS.0..=RATIOS.1).contains(&point.1)
     };
-    let outside = points.iter().filter(is_outside).count() as f64 / points.len() as f64;
+    let outside = points.clone().filter(is_outside).count() as f64 / points.len() as f64;
     if statistics.radius_cv == 0.0 {
         return (top.into(), outside);
     }
-    let ratios: Vec<f64> = points.iter().map(|point| point.1).collect();
     let title = format!("{name}: radius ratio against normalised height");
     let main = radii_against_heights(surface, assumed, &title);
-    let (edges, density) = histogram(&ratios, RATIOS);
+    let (edges, density) = histogram(points.map(|point| point.1), RATIOS);
     let right = Plot::new("", ratio_axis(), Axis::linear("density"))
         .with(Layer::bars(&edges, &density).coloured(Colour::Deterministic).named("asperities"));
     (Figure::joint(format!("{name}: radii against heights of the asperities"), main, top, right), outside)
 }
 
 /// Normalised height and radius ratio of each asperity.
-fn normalised(surface: &Surface) -> Vec<(f64, f64)> {
+fn normalised(surface: &Surface) -> impl ExactSizeIterator<Item = (f64, f64)> + Clone {
     let statistics = &surface.statistics;
     let heights = surface.set.heights().iter().map(|z| (z - statistics.mean_height) / statistics.sigma);
-    heights.zip(surface.set.radii().iter().map(|b| b / statistics.mean_radius)).collect()
+    heights.zip(surface.set.radii().iter().map(|b| b / statistics.mean_radius))
 }
 
 fn height_axis() -> Axis {
@@ -84,17 +82,19 @@ pub fn radii_against_heights(surface: &Surface, assumed: Option<&Population>, ti
 
 /// Counts in equal bins as a probability density of all values; bins as wide as Scott (1979) has
 /// them for a Gaussian of the range's scale, at least 20.
-fn histogram(values: &[f64], (from, to): (f64, f64)) -> (Vec<f64>, Vec<f64>) {
-    let width = 3.49 / (values.len() as f64).cbrt();
+fn histogram(values: impl ExactSizeIterator<Item = f64>, (from, to): (f64, f64)) -> (Vec<f64>, Vec<f64>) {
+    let count = values.len() as f64;
+    let width = 3.49 / count.cbrt();
     let bins = (((to - from) / width).round() as usize).clamp(20, 100);
     let step = (to - from) / bins as f64;
     let edges = (0..=bins).map(|k| from + step * k as f64).collect();
-    let mut density = vec![0.0; bins];
-    for value in values.iter().filter(|value| (from..to).contains(value)) {
+    let mut counts = vec![0_u64; bins];
+    for value in values.filter(|value| (from..to).contains(value)) {
         let bin = ((value - from) / step) as usize;
-        density[bin.min(bins - 1)] += 1.0 / (values.len() as f64 * step);
+        counts[bin.min(bins - 1)] += 1;
     }
-    (edges, density)
+    let unit = count * step;
+    (edges, counts.into_iter().map(|count| count as f64 / unit).collect())
 }
 
 /// A length unit suited to numbers up to `largest` (m), and its name.
@@ -224,7 +224,7 @@ mod tests {
     #[test]
     fn a_histogram_has_the_area_of_the_values_that_it_shows() {
         let values: Vec<f64> = (0..1000).map(|k| 0.012 * f64::from(k) - 6.0).collect();
-        let (edges, density) = histogram(&values, HEIGHTS);
+        let (edges, density) = histogram(values.iter().copied(), HEIGHTS);
         let area: f64 =
             edges.windows(2).zip(&density).map(|(edge, density)| (edge[1] - edge[0]) * density).sum();
         let inside = values.iter().filter(|value| (HEIGHTS.0..HEIGHTS.1).contains(value)).count();

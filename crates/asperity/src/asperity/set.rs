@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use super::by_height::OnDemand;
 use super::{Asperities, ByHeight, Ellipse, RadiiAbove};
 use crate::distribution::{EqualHeights, Heights};
-use crate::memory::zeros;
+use crate::memory::reserve;
 use crate::numeric::{LARGEST, is_positive};
 
 /// The asperities of a rough surface, as a struct of arrays in the order of their origin.
@@ -129,6 +129,19 @@ pub(super) fn far_origin(heights: &[f64]) -> Option<f64> {
     (!is_near).then_some(low)
 }
 
+/// All values but those of ascending places: between them they are copied together.
+fn excluding<T: Copy>(values: &[T], places: &[usize]) -> Vec<T> {
+    let mut kept = Vec::new();
+    reserve(&mut kept, values.len() - places.len());
+    let mut start = 0;
+    for &place in places {
+        kept.extend_from_slice(&values[start..place]);
+        start = place + 1;
+    }
+    kept.extend_from_slice(&values[start..]);
+    kept
+}
+
 impl AsperitySet {
     /// Asperities of the given heights and radii (m) on a nominal area (m^2).
     ///
@@ -213,23 +226,16 @@ impl AsperitySet {
         self.nominal_area
     }
 
-    /// The asperities whose index `is_kept`, on a positive nominal area (m^2); `None` if there is none.
-    pub(crate) fn filtered(&self, is_kept: impl Fn(usize) -> bool, nominal_area: f64) -> Option<Self> {
-        // Without a branch for each: every value is stored, and overwritten by the next one unless it is kept.
-        let column = |values: &[f64]| {
-            let (mut kept, mut count) = (zeros(values.len()), 0);
-            for (index, &value) in values.iter().enumerate() {
-                kept[count] = value;
-                count += usize::from(is_kept(index));
-            }
-            kept.truncate(count);
-            kept
-        };
-        let (heights, radii) = (column(&self.heights), column(&self.radii));
-        let of_kept = |all: &[Ellipse]| (0..all.len()).filter(|&k| is_kept(k)).map(|k| all[k]).collect();
-        let ellipses = self.ellipses().map(of_kept);
-        let is_set = !heights.is_empty() && nominal_area > 0.0;
-        is_set.then(|| Self { heights, radii, ellipses, nominal_area, on_demand: OnDemand::default() })
+    /// All asperities but those of `indices`, ascending, on a positive nominal area (m^2); `None` if there is none.
+    pub(crate) fn excluding(&self, indices: &[usize], nominal_area: f64) -> Option<Self> {
+        let is_set = indices.len() < self.count() && nominal_area > 0.0;
+        is_set.then(|| Self {
+            heights: excluding(&self.heights, indices),
+            radii: excluding(&self.radii, indices),
+            ellipses: self.ellipses().map(|all| excluding(all, indices)),
+            nominal_area,
+            on_demand: OnDemand::default(),
+        })
     }
 
     /// The asperities of some indices, on a positive nominal area (m^2); `None` if there is none.

@@ -228,8 +228,9 @@ mod tests {
         let cases: [&dyn Fn(usize) -> bool; 4] =
             [&|k| k % 16 == 3, &|k| heights[k] > 3.5e-7, &|k| k > 20, &|k| heights[k] > lowest + 1e-9];
         for (case, is_in_part) in cases.into_iter().enumerate() {
-            let [part, rest] =
-                [true, false].map(|part| all.filtered(|k| is_in_part(k) == part, 1.0).unwrap());
+            let indices: Vec<usize> = (0..5000).filter(|&k| is_in_part(k)).collect();
+            let part = all.selected(&indices, 1.0).unwrap();
+            let rest = all.excluding(&indices, 1.0).unwrap();
             let numbers = |s: Statistics| {
                 let Statistics {
                     mean_height, sigma, mean_radius, radius_of_mean_curvature, radius_cv, ..

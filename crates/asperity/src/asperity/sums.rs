@@ -110,7 +110,7 @@ mod tests {
         let set = set();
         let mut sums = AsperitySums::about(set.heights()[0], set.radii()[0]);
         for k in 0..3 {
-            let part = set.filtered(|index| index % 3 == k, 2.0 / 3.0).unwrap();
+            let part = set.selected(&(k..set.count()).step_by(3).collect::<Vec<_>>(), 2.0 / 3.0).unwrap();
             let mut of_part = AsperitySums::about(set.heights()[0], set.radii()[0]);
             of_part.add(&part);
             sums.merge(&of_part);

@@ -127,7 +127,8 @@ impl Search {
         let cubic = || {
             let t = near / width;
             let s = 1.0 - t;
-            low * s * s * (1.0 + 2.0 * t) + high * t * t * (1.0 + 2.0 * s) - width * t * s * (per_near * s - per_far * t)
+            low * s * s * (1.0 + 2.0 * t) + high * t * t * (1.0 + 2.0 * s)
+                - width * t * s * (per_near * s - per_far * t)
         };
         let newton = -near * per_near;
         let inside = |x: &f64| (low..=high).contains(x);

@@ -129,38 +129,6 @@ pub fn sum_of(count: usize, term: impl Fn(usize) -> f64 + Sync) -> f64 {
     in_chunks(count, |range| range.map(&term).collect::<Sum>(), |total, part| *total += *part).value()
 }
 
-/// Sums of K terms over the values of C columns of equal length, where the first term is a number, and how many these are. In parts that
-/// the compiler keeps in registers of the widest `Arch` that it is called in, the same in all.
-#[inline(always)]
-pub(crate) fn sums_of_present<const C: usize, const K: usize>(
-    columns: [&[f64]; C],
-    terms: impl Fn([f64; C]) -> [f64; K],
-) -> ([f64; K], usize) {
-    const PARTS: usize = 8;
-    let (mut sums, mut counts) = ([[0.0; PARTS]; K], [0.0; PARTS]);
-    let count = columns[0].len();
-    let whole = count - count % PARTS;
-    for start in (0..whole).step_by(PARTS) {
-        let values = columns.map(|column| &column[start..start + PARTS]);
-        for part in 0..PARTS {
-            let terms = terms(values.map(|column| column[part]));
-            let is_there = !terms[0].is_nan();
-            for (sum, term) in sums.iter_mut().zip(terms) {
-                sum[part] += if is_there { term } else { 0.0 };
-            }
-            counts[part] += if is_there { 1.0 } else { 0.0 };
-        }
-    }
-    for at in whole..count {
-        let terms = terms(columns.map(|column| column[at]));
-        if !terms[0].is_nan() {
-            sums.iter_mut().zip(terms).for_each(|(sum, term)| sum[at - whole] += term);
-            counts[at - whole] += 1.0;
-        }
-    }
-    (sums.map(|parts| parts.iter().sum()), counts.iter().sum::<f64>() as usize)
-}
-
 /// The terms of K sums over the values of C columns, a register at a time. Implementations are `#[inline(always)]`.
 pub(crate) trait Terms<const C: usize, const K: usize>: Copy + Sync {
     /// The terms of the values in each lane.
@@ -180,6 +148,63 @@ pub(crate) fn sums_over<const C: usize, const K: usize>(
         total.0.iter_mut().zip(part.0).for_each(|(total, part)| *total += part);
     };
     in_chunks(columns[0].len(), of_chunk, join).0.map(|sum| sum.value())
+}
+
+/// Sums of terms over `columns` of equal length, where the first term is a number, and how many these are: plain sums in [`MOST`] parts, the
+/// same in registers of any width.
+pub(crate) fn sums_of_present<const C: usize, const K: usize>(
+    columns: [&[f64]; C],
+    terms: impl Terms<C, K>,
+) -> ([f64; K], usize) {
+    run((Present { columns, terms }, [(); K]))
+}
+
+struct Present<'a, T, const C: usize> {
+    columns: [&'a [f64]; C],
+    terms: T,
+}
+
+impl<T: Terms<C, K>, const C: usize, const K: usize> Work for (Present<'_, T, C>, [(); K]) {
+    type Output = ([f64; K], usize);
+
+    #[inline(always)]
+    fn with<N: Real>(self, zero: N) -> ([f64; K], usize) {
+        let Present { columns, terms } = self.0;
+        let (one, registers) = (zero.splat(1.0), MOST / N::LANES);
+        let (mut sums, mut counts) = ([[zero; K]; MOST], [zero; MOST]);
+        let count = columns[0].len();
+        let whole = count - count % MOST;
+        for start in (0..whole).step_by(MOST) {
+            for (k, (sums, count)) in sums.iter_mut().zip(&mut counts).enumerate().take(registers) {
+                let mut values = [zero; C];
+                for (value, column) in values.iter_mut().zip(columns) {
+                    *value = zero.load(&column[start + k * N::LANES..]);
+                }
+                let terms = terms.of(values);
+                let is_there = terms[0].le(terms[0]);
+                for (sum, term) in sums.iter_mut().zip(terms) {
+                    *sum = *sum + N::select(is_there, term, zero);
+                }
+                *count = *count + N::select(is_there, one, zero);
+            }
+        }
+        let mut parts = [[0.0; MOST]; K];
+        let mut present = [0.0; MOST];
+        for k in 0..registers {
+            for (part, sum) in parts.iter_mut().zip(sums[k]) {
+                sum.store(&mut part[k * N::LANES..]);
+            }
+            counts[k].store(&mut present[k * N::LANES..]);
+        }
+        for at in whole..count {
+            let terms = terms.of(columns.map(|column| column[at]));
+            if !terms[0].is_nan() {
+                parts.iter_mut().zip(terms).for_each(|(part, term)| part[at - whole] += term);
+                present[at - whole] += 1.0;
+            }
+        }
+        (parts.map(|parts| parts.iter().sum()), present.iter().sum::<f64>() as usize)
+    }
 }
 
 /// Sums side by side.
@@ -246,15 +271,27 @@ mod tests {
         assert_eq!(terms.into_iter().collect::<Sum>().value(), 2.0);
     }
 
+    #[derive(Clone, Copy)]
+    struct SumAndSquare;
+
+    impl Terms<2, 2> for SumAndSquare {
+        #[inline(always)]
+        fn of<N: Real>(self, [a, b]: [N; 2]) -> [N; 2] {
+            [a + b, a * a]
+        }
+    }
+
     #[test]
     fn values_that_are_missing_do_not_count() {
         let at = |k: usize| if k % 5 == 1 { f64::NAN } else { k as f64 };
         for count in [0, 1, 7, 8, 9, 1003] {
             let values: Vec<f64> = (0..count).map(at).collect();
             let others: Vec<f64> = (0..count).map(|k| if k % 7 == 3 { f64::NAN } else { 1.0 }).collect();
-            let found = sums_of_present([&values, &others], |[a, b]| [a + b, a * a]);
-            let present: Vec<f64> = (0..count).filter(|k| k % 5 != 1 && k % 7 != 3).map(|k| k as f64).collect();
-            let expected = [|x: f64| x + 1.0, |x: f64| x * x].map(|of| present.iter().map(|&x| of(x)).sum::<f64>());
+            let found = sums_of_present([&values, &others], SumAndSquare);
+            let present: Vec<f64> =
+                (0..count).filter(|k| k % 5 != 1 && k % 7 != 3).map(|k| k as f64).collect();
+            let expected =
+                [|x: f64| x + 1.0, |x: f64| x * x].map(|of| present.iter().map(|&x| of(x)).sum::<f64>());
             assert_eq!(found, (expected, present.len()));
         }
     }

@@ -1,12 +1,13 @@
 //! Levelling: removal of the form of a map by least squares.
 
 use nalgebra::{DMatrix, DVector};
-use pulp::Arch;
+use pulp::{Arch, Simd, WithSimd};
 
 use super::HeightMap;
 use super::rows::{Rows, Strip, first_present, rows_from, strips};
 use crate::named_enum;
-use crate::numeric::sum::sums_of_present;
+use crate::numeric::lanes::Real;
+use crate::numeric::sum::{Terms, sums_of_present};
 
 named_enum! {
     /// The form to remove.
@@ -137,20 +138,14 @@ impl Form {
     }
 
     fn normal(&self, strip: &Strip) -> Normal {
-        let (mut sums, arch) = (Normal::default(), Arch::new());
+        let mut sums = Normal::default();
         let columns = strip.row(0).map_or(0, <[f64]>::len);
         let along: Vec<f64> = (0..columns).map(|iy| self.coordinate(iy, 1)).collect();
         for k in 0..strip.count {
             let u = self.coordinate(strip.first + k, 0);
             let row = strip.row(k as isize).unwrap_or_default();
             // In a row only v varies: powers of v are summed, those of u are factors.
-            let (all, _) = arch.dispatch(|| {
-                sums_of_present([row, &along], |[z, v]| {
-                    let (z, v2) = (z - self.origin, v * v);
-                    let v3 = v2 * v;
-                    [z, z * v, z * v2, z * v3, 1.0, v, v2, v3, v2 * v2, v2 * v3, v3 * v3]
-                })
-            });
+            let (all, _) = sums_of_present([row, &along], HeightsAndPowers { origin: self.origin });
             let [z, zv, zvv, zvvv, powers @ ..] = all;
             sums.add(u, powers, [z, zv, zvv, zvvv]);
         }
@@ -168,14 +163,46 @@ impl Form {
         for ((power_u, power_v), coefficient) in POWERS.into_iter().zip(self.coefficients) {
             along[power_v] += coefficient * u.powi(power_u);
         }
-        let [c, cv, cvv, cvvv] = along;
-        Arch::new().dispatch(|| {
-            for (iy, z) in row.iter_mut().enumerate() {
-                // Registers convert 32 bits at once.
-                let v = f64::from(iy as i32) / self.centre[1] - 1.0;
-                *z = (*z - self.origin) - (c + v * (cv + v * (cvv + v * cvvv)));
-            }
-        });
+        Arch::new().dispatch(Subtract { row, origin: self.origin, centre: self.centre[1], along });
+    }
+}
+
+/// A height above an origin times the powers of v, and these powers.
+#[derive(Clone, Copy)]
+struct HeightsAndPowers {
+    origin: f64,
+}
+
+impl Terms<2, { DEGREES + PRODUCTS }> for HeightsAndPowers {
+    #[inline(always)]
+    fn of<N: Real>(self, [z, v]: [N; 2]) -> [N; DEGREES + PRODUCTS] {
+        let (z, v2) = (z - self.origin, v * v);
+        let v3 = v2 * v;
+        [z, z * v, z * v2, z * v3, z.splat(1.0), v, v2, v3, v2 * v2, v2 * v3, v3 * v3]
+    }
+}
+
+/// Subtracts an origin and a polynomial of v from a row. Written to be vectorised by the compiler.
+struct Subtract<'a> {
+    row: &'a mut [f64],
+    origin: f64,
+    /// The point at which v is zero.
+    centre: f64,
+    /// Of the powers of v.
+    along: [f64; DEGREES],
+}
+
+impl WithSimd for Subtract<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        let Self { row, origin, centre, along: [c, cv, cvv, cvvv] } = self;
+        for (iy, z) in row.iter_mut().enumerate() {
+            // Registers convert 32 bits at once.
+            let v = f64::from(iy as i32) / centre - 1.0;
+            *z = (*z - origin) - (c + v * (cv + v * (cvv + v * cvvv)));
+        }
     }
 }
 

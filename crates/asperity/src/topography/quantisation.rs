@@ -1,8 +1,6 @@
 //! Detection of height steps of the instrument. On a quantised map levelling turns steps into summits, whose radii are
 //! artefacts.
 
-use pulp::Arch;
-
 use super::rows::{Rows, strips};
 use super::summits::Summits;
 use crate::numeric::parallel;
@@ -190,28 +188,18 @@ fn lattice(levels: &[f64], points: usize, goes_on: &dyn Fn()) -> Option<f64> {
     (spread <= ON_LATTICE).then_some(step)
 }
 
-/// `of` the gaps between neighbouring levels, joined from `none`: in chunks on all threads, in registers.
-fn over_gaps(levels: &[f64], none: f64, of: impl Fn(f64) -> f64 + Sync, join: impl Fn(f64, f64) -> f64 + Sync) -> f64 {
-    /// Written to be vectorised by the compiler, which keeps the order of a single sum.
-    const LANES: usize = 8;
+/// `of` the gaps between neighbouring levels, joined from `none`, in chunks on all threads.
+fn over_gaps(
+    levels: &[f64],
+    none: f64,
+    of: impl Fn(f64) -> f64 + Sync,
+    join: impl Fn(f64, f64) -> f64 + Sync,
+) -> f64 {
     const CHUNK: usize = 1 << 14;
-    let arch = Arch::new();
     let gaps = levels.len() - 1;
     let part = |k: usize| {
-        let (from, to) = (k * CHUNK, gaps.min((k + 1) * CHUNK));
-        let (low, high) = (&levels[from..to], &levels[from + 1..to + 1]);
-        arch.dispatch(|| {
-            let mut lanes = [none; LANES];
-            let (low, low_rest) = low.as_chunks::<LANES>();
-            let (high, high_rest) = high.as_chunks::<LANES>();
-            for (low, high) in low.iter().zip(high) {
-                for k in 0..LANES {
-                    lanes[k] = join(lanes[k], of(high[k] - low[k]));
-                }
-            }
-            let rest = low_rest.iter().zip(high_rest).map(|(low, high)| of(high - low));
-            lanes.into_iter().chain(rest).fold(none, &join)
-        })
+        let levels = &levels[k * CHUNK..=gaps.min((k + 1) * CHUNK)];
+        levels.windows(2).map(|pair| of(pair[1] - pair[0])).fold(none, &join)
     };
     parallel::map(gaps.div_ceil(CHUNK), part).into_iter().fold(none, &join)
 }

@@ -1,9 +1,8 @@
 //! Roughness parameters of a map: height parameters, spectral moments, the autocorrelation at neighbours.
 
-use pulp::Arch;
-
 use super::rows::{Rows, Strip, first_present, strips};
-use crate::numeric::sum::{Sum, sums_of_present};
+use crate::numeric::lanes::Real;
+use crate::numeric::sum::{Sum, Terms, sums_of_present};
 
 /// Height parameters of a map (ISO 25178-2), about its mean, with divisor n.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -170,17 +169,16 @@ struct MeanSquare {
 }
 
 impl MeanSquare {
-    /// Adds the squares of differences of the values in columns of equal length.
-    #[inline(always)]
-    fn add<const C: usize>(&mut self, columns: [&[f64]; C], difference: impl Fn([f64; C]) -> f64) {
-        let ([sum], count) = sums_of_present(columns, |values| [difference(values).powi(2)]);
+    /// Adds the squares of differences between columns of equal length.
+    fn add<const C: usize>(&mut self, columns: [&[f64]; C], squares: impl Terms<C, 1>) {
+        let ([sum], count) = sums_of_present(columns, squares);
         self.sum += sum;
         self.count += count;
     }
 
     /// Adds the square of one difference.
     fn add_one(&mut self, difference: f64) {
-        self.add([&[difference]], |[difference]| difference);
+        self.add([&[difference], &[0.0]], First);
     }
 
     fn mean(&self) -> f64 {
@@ -197,11 +195,11 @@ struct Sums {
 
 impl Sums {
     fn new(strip: &Strip, [origin, mean]: [f64; 2], points: [usize; 2]) -> Self {
-        let (mut sums, arch) = (Self::default(), Arch::new());
+        let mut sums = Self::default();
         for k in 0..strip.count as isize {
             let Some(row) = strip.row(k) else { continue };
             let (next, second) = (strip.row(k + 1), strip.row(k + 2));
-            arch.dispatch(|| sums.add_row(row, next, second, [origin, mean]));
+            sums.add_row(row, next, second, Powers { origin, mean });
             if strip.is_periodic() {
                 sums.add_border(row, next, points[1]);
             }
@@ -210,33 +208,25 @@ impl Sums {
     }
 
     /// Adds a row, with its differences from the two that follow.
-    #[inline(always)]
-    fn add_row(&mut self, row: &[f64], next: Option<&[f64]>, second: Option<&[f64]>, [origin, mean]: [f64; 2]) {
-        let (powers, _) = sums_of_present([row], |[z]| {
-            let z = (z - origin) - mean;
-            let square = z * z;
-            [z.abs(), square, square * z, square * square]
-        });
+    fn add_row(&mut self, row: &[f64], next: Option<&[f64]>, second: Option<&[f64]>, powers: Powers) {
+        let (powers, _) = sums_of_present([row], powers);
         for (sum, part) in self.powers.iter_mut().zip(powers) {
             *sum += part;
         }
         let lag = |lag: Lag| lag as usize;
-        let difference = |[a, b]: [f64; 2]| a - b;
-        let bend = |[a, b, c]: [f64; 3]| a - 2.0 * b + c;
         // Without so many points at the beginning and at the end; nothing of a row that is too short.
         let [head, tail] = [[0, 1], [1, 0]].map(|ends| inner(row, ends));
         let [first, middle, last] = [[0, 2], [1, 1], [2, 0]].map(|ends| inner(row, ends));
-        self.lags[lag(Lag::Y)].add([tail, head], difference);
-        self.lags[lag(Lag::BendY)].add([last, middle, first], bend);
+        self.lags[lag(Lag::Y)].add([tail, head], First);
+        self.lags[lag(Lag::BendY)].add([last, middle, first], Second);
         let Some(next) = next else { return };
         let [next_head, next_tail] = [[0, 1], [1, 0]].map(|ends| inner(next, ends));
-        self.lags[lag(Lag::X)].add([next, row], difference);
-        self.lags[lag(Lag::Rising)].add([next_tail, head], difference);
-        self.lags[lag(Lag::Falling)].add([next_head, tail], difference);
-        self.lags[lag(Lag::Mixed)]
-            .add([next_tail, tail, next_head, head], |[a1, b1, a0, b0]| (a1 - b1) - (a0 - b0));
+        self.lags[lag(Lag::X)].add([next, row], First);
+        self.lags[lag(Lag::Rising)].add([next_tail, head], First);
+        self.lags[lag(Lag::Falling)].add([next_head, tail], First);
+        self.lags[lag(Lag::Mixed)].add([next_tail, tail, next_head, head], Mixed);
         let Some(second) = second else { return };
-        self.lags[lag(Lag::BendX)].add([second, next, row], bend);
+        self.lags[lag(Lag::BendX)].add([second, next, row], Second);
     }
 
     /// Adds the differences of a row across the border of a periodic map.
@@ -263,6 +253,70 @@ impl Sums {
     }
 }
 
+/// A height above an origin.
+#[derive(Clone, Copy)]
+struct Above(f64);
+
+impl Terms<1, 1> for Above {
+    #[inline(always)]
+    fn of<N: Real>(self, [z]: [N; 1]) -> [N; 1] {
+        [z - self.0]
+    }
+}
+
+/// Absolute value, second, third, fourth power about the mean, which is relative to an origin.
+#[derive(Clone, Copy)]
+struct Powers {
+    origin: f64,
+    mean: f64,
+}
+
+impl Terms<1, 4> for Powers {
+    #[inline(always)]
+    fn of<N: Real>(self, [z]: [N; 1]) -> [N; 4] {
+        let z = (z - self.origin) - self.mean;
+        let square = z * z;
+        let size = N::select(z.lt(z.splat(0.0)), -z, z);
+        [size, square, square * z, square * square]
+    }
+}
+
+/// The square of a first difference.
+#[derive(Clone, Copy)]
+struct First;
+
+impl Terms<2, 1> for First {
+    #[inline(always)]
+    fn of<N: Real>(self, [a, b]: [N; 2]) -> [N; 1] {
+        let difference = a - b;
+        [difference * difference]
+    }
+}
+
+/// The square of a second difference.
+#[derive(Clone, Copy)]
+struct Second;
+
+impl Terms<3, 1> for Second {
+    #[inline(always)]
+    fn of<N: Real>(self, [a, b, c]: [N; 3]) -> [N; 1] {
+        let difference = a - b * 2.0 + c;
+        [difference * difference]
+    }
+}
+
+/// The square of a mixed difference.
+#[derive(Clone, Copy)]
+struct Mixed;
+
+impl Terms<4, 1> for Mixed {
+    #[inline(always)]
+    fn of<N: Real>(self, [a, b, c, d]: [N; 4]) -> [N; 1] {
+        let difference = (a - b) - (c - d);
+        [difference * difference]
+    }
+}
+
 /// A row without so many points at its beginning and at its end.
 fn inner(row: &[f64], [begin, end]: [usize; 2]) -> &[f64] {
     row.get(begin..row.len().saturating_sub(end)).unwrap_or_default()
@@ -270,9 +324,8 @@ fn inner(row: &[f64], [begin, end]: [usize; 2]) -> &[f64] {
 
 /// For each row the sum of its heights above `origin` and their number.
 fn row_sums(strip: &Strip, origin: f64) -> Vec<(f64, usize)> {
-    let arch = Arch::new();
     let sum = |row: &[f64]| {
-        let ([sum], count) = arch.dispatch(|| sums_of_present([row], |[z]| [z - origin]));
+        let ([sum], count) = sums_of_present([row], Above(origin));
         (sum, count)
     };
     (0..strip.count as isize).filter_map(|k| strip.row(k).map(sum)).collect()

@@ -1,5 +1,6 @@
 //! Heights row by row, for maps larger than memory.
 
+use std::cell::Cell;
 use std::ops::Range;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -185,12 +186,11 @@ pub fn strips<T: Send + Sync>(rows: &dyn Rows, halo: usize, part: impl Fn(Strip)
 }
 
 fn for_each_strip(rows: &dyn Rows, halo: usize, indices: Range<usize>, task: &(dyn Fn(usize, Strip) + Sync)) {
-    let strip_of = |buffer: &mut Vec<f64>, index| {
+    indices.into_par_iter().for_each(|index| {
         let nx = rows.points()[0];
         rows.progress().advance(STRIP.min(nx - index * STRIP) as f64 / nx as f64);
-        task(index, strip(rows, halo, index * STRIP, STRIP, buffer));
-    };
-    indices.into_par_iter().for_each_init(Vec::new, strip_of);
+        with_buffer(|buffer| task(index, strip(rows, halo, index * STRIP, STRIP, buffer)));
+    });
 }
 
 /// [`strips`] for large results: `part` adds to an empty result; `take` receives each result in the order of the
@@ -233,14 +233,25 @@ pub fn fill_strips(
     values: &mut [f64],
     task: &(dyn Fn(Strip, &mut [f64]) + Sync),
 ) {
-    values.par_chunks_mut(size * rows.points()[1]).enumerate().for_each_init(
-        Vec::new,
-        |buffer, (index, values)| {
-            let part = values.len() as f64 / (rows.points()[0] * rows.points()[1]) as f64;
-            rows.progress().advance(part);
-            task(strip(rows, halo, index * size, size, buffer), values);
-        },
-    );
+    values.par_chunks_mut(size * rows.points()[1]).enumerate().for_each(|(index, values)| {
+        let part = values.len() as f64 / (rows.points()[0] * rows.points()[1]) as f64;
+        rows.progress().advance(part);
+        with_buffer(|buffer| task(strip(rows, halo, index * size, size, buffer), values));
+    });
+}
+
+/// Calls `task` with a buffer of this thread, which keeps its memory: a new one for each pass over a map costs as much as reading it.
+fn with_buffer(task: impl FnOnce(&mut Vec<f64>)) {
+    /// Values of the largest buffer that is kept.
+    const MOST_KEPT: usize = 1 << 20;
+    thread_local! {
+        static BUFFER: Cell<Vec<f64>> = const { Cell::new(Vec::new()) };
+    }
+    let mut buffer = BUFFER.take();
+    task(&mut buffer);
+    if buffer.capacity() <= MOST_KEPT {
+        BUFFER.set(buffer);
+    }
 }
 
 /// Number of strips of a map.

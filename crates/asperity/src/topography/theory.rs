@@ -134,7 +134,8 @@ impl Model {
                 }
                 // What the correlation adds to the probability falls as a Gaussian along r: its integral has a closed form.
                 let along_r = |q: f64| -(-(0.5 * fall + q) * REACH * REACH).exp_m1() / (fall + 2.0 * q);
-                let added = correlation.iter().map(|at| at.weight * along_r(at.exponent(corner))).sum::<f64>();
+                let added =
+                    correlation.iter().map(|at| at.weight * along_r(at.exponent(corner))).sum::<f64>();
                 sums.add(across * added, &Beyond::probability(self.sums));
             }
         }

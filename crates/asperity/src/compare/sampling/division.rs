@@ -14,8 +14,6 @@ pub const GROUPS: usize = MIN_BLOCKS;
 /// A division of a set of asperities and of its nominal area into groups.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Division {
-    /// The group of each asperity.
-    group: Vec<u16>,
     /// The asperities group by group, and where each group begins, with their number.
     members: Vec<usize>,
     ends: Vec<usize>,
@@ -50,6 +48,7 @@ impl Division {
         Some(Self::new(group, (0..groups).map(|k| share(k) as f64 / count as f64).collect()))
     }
 
+    /// From the group of each asperity.
     fn new(group: Vec<u16>, shares: Vec<f64>) -> Self {
         let mut ends = vec![0; shares.len() + 1];
         group.iter().for_each(|&group| ends[usize::from(group) + 1] += 1);
@@ -62,7 +61,7 @@ impl Division {
             members[*next] = index;
             *next += 1;
         }
-        Self { group, members, ends, shares }
+        Self { members, ends, shares }
     }
 
     /// The asperities of a group, ascending.
@@ -82,8 +81,7 @@ impl Division {
 
     /// `set` without a group and its area; `None` where nothing is left.
     pub fn without(&self, set: &AsperitySet, group: usize) -> Option<AsperitySet> {
-        let is_kept = |index: usize| usize::from(self.group[index]) != group;
-        set.filtered(is_kept, set.nominal_area() * (1.0 - self.shares[group]))
+        set.excluding(self.members(group), set.nominal_area() * (1.0 - self.shares[group]))
     }
 
     /// A group of `set` on its area; `None` where it holds no asperity.
@@ -136,7 +134,8 @@ mod tests {
         let blocks = Blocks { points: [4, 6], counts: [2, 3] };
         let positions = [0, 7, 5, 23, 15];
         let division = Division::of_blocks(&blocks, &positions, vec![1.0 / 6.0; 6]);
-        assert_eq!(division.group, [0, 0, 2, 5, 4]);
+        let members: Vec<&[usize]> = (0..6).map(|group| division.members(group)).collect();
+        assert_eq!(members, [&[0, 1][..], &[], &[2], &[], &[4], &[3]]);
         let rest = division.without(&set(5), 0).unwrap();
         assert_eq!(rest.heights(), [2.0, 3.0, 4.0]);
         let all = Division::new(vec![0; 5], vec![1.0]);
