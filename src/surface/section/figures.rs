@@ -16,7 +16,14 @@ const RATIOS: (f64, f64) = (0.0, 5.0);
 pub fn asperities(surface: &Surface, assumed: Option<&Population>) -> (Figure, f64) {
     let (name, statistics) = (&surface.name, &surface.statistics);
     let points = normalised(surface);
-    let (edges, density) = histogram(points.clone().map(|point| point.0), HEIGHTS);
+    let is_outside = |point: &(f64, f64)| {
+        !(HEIGHTS.0..=HEIGHTS.1).contains(&point.0) || !(RATIOS.0..=RATIOS.1).contains(&point.1)
+    };
+    let count = points.len() as f64;
+    let ((edges, density), outside) = rayon::join(
+        || histogram(points.clone().map(|point| point.0), HEIGHTS),
+        || points.clone().filter(is_outside).count() as f64 / count,
+    );
     let mut top = Plot::new(
         format!("{name}: height distribution of the asperities"),
         height_axis(),
@@ -34,16 +41,14 @@ pub fn asperities(surface: &Surface, assumed: Option<&Population>) -> (Figure, f
                 .named(format!("{} heights (statistical model)", population.heights.label())),
         );
     }
-    let is_outside = |point: &(f64, f64)| {
-        !(HEIGHTS.0..=HEIGHTS.1).contains(&point.0) || !(RATIOS.0..=RATIOS.1).contains(&point.1)
-    };
-    let outside = points.clone().filter(is_outside).count() as f64 / points.len() as f64;
     if statistics.radius_cv == 0.0 {
         return (top.into(), outside);
     }
     let title = format!("{name}: radius ratio against normalised height");
-    let main = radii_against_heights(surface, assumed, &title);
-    let (edges, density) = histogram(points.map(|point| point.1), RATIOS);
+    let (main, (edges, density)) = rayon::join(
+        || radii_against_heights(surface, assumed, &title),
+        || histogram(points.clone().map(|point| point.1), RATIOS),
+    );
     let right = Plot::new("", ratio_axis(), Axis::linear("density"))
         .with(Layer::bars(&edges, &density).coloured(Colour::Deterministic).named("asperities"));
     (Figure::joint(format!("{name}: radii against heights of the asperities"), main, top, right), outside)

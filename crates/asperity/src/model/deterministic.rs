@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 use super::block::{Block, Levels};
 use super::load_control::{LOWEST_SEPARATION, search_missing};
 use super::sparse::SparseSubset;
-use super::{Medium, Model, ReferencePlane, Response};
+use super::{Medium, Model, ReferencePlane, Response, responses_at, separations_of};
 use crate::accumulator::{Accumulator, Total};
 use crate::asperity::{Asperities, Ordered};
 use crate::interface::{LoadBounds, MicroContact, Shapes};
@@ -208,6 +208,16 @@ impl<'a> Deterministic<'a> {
         self.plane.mean + h * self.plane.sigma
     }
 
+    /// The inverse of [`Self::absolute`].
+    fn in_sigma(&self, separation: f64) -> f64 {
+        (separation - self.plane.mean) / self.plane.sigma
+    }
+
+    /// The separation d/sigma of the highest asperity, within the range that is searched.
+    fn highest_separation(&self) -> f64 {
+        self.in_sigma(self.asperities.highest()).max(LOWEST_SEPARATION)
+    }
+
     fn pressure(&self, h: f64) -> f64 {
         self.respond_without_spots(&[h])[0].pressure.total()
     }
@@ -287,12 +297,11 @@ impl Model for Deterministic<'_> {
     }
 
     fn separations_at(&self, pressures: &[f64]) -> Vec<Option<f64>> {
-        let in_sigma = |separation: f64| (separation - self.plane.mean) / self.plane.sigma;
-        let highest = in_sigma(self.asperities.highest()).max(LOWEST_SEPARATION);
         let decreasing = self.decreasing_loads();
-        let falling_from = decreasing.map_or(LOWEST_SEPARATION, |decreasing| in_sigma(decreasing.from));
+        let highest = self.highest_separation();
+        let falling_from = decreasing.map_or(LOWEST_SEPARATION, |decreasing| self.in_sigma(decreasing.from));
         let falling_from = falling_from.clamp(LOWEST_SEPARATION, highest);
-        let mut found = self.last_reaching(pressures, falling_from, highest, &self.near);
+        let mut found = separations_of(self.last_reaching(pressures, falling_from, highest, &self.near));
         if let Some(decreasing) = decreasing {
             let value = |h: f64| self.pressure(h);
             let bound = |low, high| self.pressure_over(low, high, decreasing);
@@ -301,5 +310,13 @@ impl Model for Deterministic<'_> {
             });
         }
         found
+    }
+
+    /// Those that the search has evaluated, where no load decreases and no spots are asked for.
+    fn responses_at(&self, pressures: &[f64]) -> Vec<Option<Response>> {
+        if self.contact.spot_properties().is_some() || self.decreasing_loads().is_some() {
+            return responses_at(self, pressures);
+        }
+        self.last_reaching(pressures, LOWEST_SEPARATION, self.highest_separation(), &self.near)
     }
 }

@@ -49,15 +49,12 @@ pub fn reached_at(model: &dyn Model, pressures: &[f64]) -> Vec<Option<Reached>> 
     if pressures.is_empty() {
         return Vec::new();
     }
-    let found = model.separations_at(pressures);
-    let reached: Vec<f64> = found.iter().copied().flatten().collect();
-    let mut responses = model.respond_all(&reached).into_iter();
-    let answer = |(found, wanted): (&Option<f64>, &f64)| {
-        let response = found.and_then(|_| responses.next())?;
+    let answer = |(response, wanted): (Option<Response>, &f64)| {
+        let response = response?;
         let excess = response.pressure.total() - wanted;
         Some(Reached { response, in_jump: excess > rounding(model, &response) })
     };
-    found.iter().zip(pressures).map(answer).collect()
+    model.responses_at(pressures).into_iter().zip(pressures).map(answer).collect()
 }
 
 /// The error of a pressure (Pa) due to rounding of the separation in the frame of the heights.

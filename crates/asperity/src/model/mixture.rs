@@ -1,7 +1,7 @@
 //! A statistical model of several classes of asperities: the weighted sum of their integrals.
 
 use super::load_control::{LOWEST_SEPARATION, search_missing};
-use super::{Model, ReferencePlane, Response, Statistical, descent};
+use super::{Model, ReferencePlane, Response, Statistical, descent, separations_of};
 use crate::contact::ByRegime;
 use crate::numeric::parallel;
 use crate::numeric::root::last_reaching;
@@ -71,7 +71,7 @@ impl Model for Mixture<'_> {
     fn separations_at(&self, pressures: &[f64]) -> Vec<Option<f64>> {
         let highest = self.highest_separation().max(LOWEST_SEPARATION);
         if !self.may_decrease() {
-            return self.last_reaching(pressures, LOWEST_SEPARATION, highest, &[]);
+            return separations_of(self.last_reaching(pressures, LOWEST_SEPARATION, highest, &[]));
         }
         let mut found = vec![None; pressures.len()];
         search_missing(&mut found, pressures, |pressure| self.search(pressure, highest));

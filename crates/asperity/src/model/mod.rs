@@ -60,6 +60,11 @@ pub trait Model: Sync {
     /// with at least that pressure; `None` if there is none.
     fn separations_at(&self, pressures: &[f64]) -> Vec<Option<f64>>;
 
+    /// The responses at [`Self::separations_at`].
+    fn responses_at(&self, pressures: &[f64]) -> Vec<Option<Response>> {
+        responses_at(self, pressures)
+    }
+
     /// The response at the separation `h` = d/sigma.
     fn respond(&self, h: f64) -> Response {
         self.respond_all(&[h])[0]
@@ -70,20 +75,24 @@ pub trait Model: Sync {
         self.separations_at(&[pressure])[0]
     }
 
-    /// For each of `pressures` (Pa) the largest separation in [`low`, `high`] with at least that pressure; `None` if it
-    /// is not reached at `low`. The pressure must not increase with the separation in this range. The search begins at the separations
-    /// `near`, where there are any.
-    fn last_reaching(&self, pressures: &[f64], low: f64, high: f64, near: &[f64]) -> Vec<Option<f64>> {
+    /// For each of `pressures` (Pa) the response, without spots, at the largest separation in [`low`, `high`] with at least that pressure;
+    /// `None` if it is not reached at `low`. The pressure must not increase with the separation in this range. The search begins at the
+    /// separations `near`, where there are any.
+    fn last_reaching(&self, pressures: &[f64], low: f64, high: f64, near: &[f64]) -> Vec<Option<Response>> {
         /// Separations evaluated at a time.
         const WAVE: usize = 16;
         let sigma = self.plane().sigma;
+        let mut evaluated: Vec<Response> = Vec::new();
         let curve = |separations: &[f64]| -> Vec<Point> {
-            let point = |response: Response| Point {
+            let responses = self.respond_without_spots(separations);
+            let point = |response: &Response| Point {
                 x: response.separation_over_sigma,
                 value: response.pressure.total(),
                 slope: -response.stiffness * sigma,
             };
-            self.respond_without_spots(separations).into_iter().map(point).collect()
+            let points = responses.iter().map(point).collect();
+            evaluated.extend(responses);
+            points
         };
         let mut first: Vec<f64> = near.iter().copied().filter(|h| low < *h && *h < high).collect();
         first.sort_by(|a, b| b.total_cmp(a));
@@ -96,8 +105,23 @@ pub trait Model: Sync {
                 std::iter::once(&first[..]).chain(grid[below..].chunks(WAVE)).collect()
             }
         };
-        last_reaching_all(curve, pressures, &waves)
+        let found = last_reaching_all(curve, pressures, &waves);
+        let response = |h: f64| evaluated.iter().rev().find(|response| response.separation_over_sigma == h);
+        found.into_iter().map(|h| response(h?).copied()).collect()
     }
+}
+
+/// The responses of a model at its separations of `pressures`, each evaluated once more.
+fn responses_at<M: Model + ?Sized>(model: &M, pressures: &[f64]) -> Vec<Option<Response>> {
+    let found = model.separations_at(pressures);
+    let reached: Vec<f64> = found.iter().copied().flatten().collect();
+    let mut responses = model.respond_all(&reached).into_iter();
+    found.into_iter().map(|h| h.and_then(|_| responses.next())).collect()
+}
+
+/// The separations d/sigma of responses.
+fn separations_of(responses: Vec<Option<Response>>) -> Vec<Option<f64>> {
+    responses.into_iter().map(|response| response.map(|response| response.separation_over_sigma)).collect()
 }
 
 /// Separations from `high` down to `low`, in steps of a quarter of sigma where contacts begin and of one far out.

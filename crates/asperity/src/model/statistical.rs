@@ -2,7 +2,7 @@
 
 use super::load_control::{LOWEST_SEPARATION, search_missing};
 use super::weight::{GaussianSurvival, Weight};
-use super::{Model, ReferencePlane, Response};
+use super::{Model, ReferencePlane, Response, separations_of};
 use crate::accumulator::{Accumulator, Total};
 use crate::asperity::{Population, Statistics};
 use crate::interface::{MicroContact, jumps};
@@ -314,7 +314,7 @@ impl Model for Statistical<'_> {
         let mode = self.reported(self.weight().decreasing_from()).max(LOWEST_SEPARATION);
         let may_decrease = self.may_decrease();
         let low = if may_decrease { mode } else { LOWEST_SEPARATION };
-        let mut found = self.last_reaching(pressures, low, highest, &[]);
+        let mut found = separations_of(self.last_reaching(pressures, low, highest, &[]));
         if may_decrease {
             search_missing(&mut found, pressures, |pressure| self.last_reaching_below(mode, pressure));
         }

@@ -20,6 +20,11 @@ fn ordered_bits(value: f64) -> u64 {
     if is_negative { !bits } else { bits | (1 << 63) }
 }
 
+/// The inverse of [`ordered_bits`].
+fn unordered_bits(bits: u64) -> u64 {
+    if bits >> 63 == 1 { bits & !(1 << 63) } else { !bits }
+}
+
 /// Sorts numbers by their total order, on all threads: one unit of work. The halves are parted first, so that they sort in place and each by
 /// itself.
 pub(crate) fn sort(values: &mut [f64], progress: &dyn Progress) {
@@ -30,7 +35,10 @@ pub(crate) fn sort(values: &mut [f64], progress: &dyn Progress) {
 fn halves(values: &mut [f64], done: &(dyn Fn(usize) + Sync)) {
     if values.len() <= PIECE {
         done(values.len());
-        return values.par_sort_unstable_by(f64::total_cmp);
+        // As integers they are compared without a branch.
+        values.iter_mut().for_each(|value| *value = f64::from_bits(ordered_bits(*value)));
+        values.par_sort_unstable_by_key(|value| value.to_bits());
+        return values.iter_mut().for_each(|value| *value = f64::from_bits(unordered_bits(value.to_bits())));
     }
     let middle = values.len() / 2;
     values.select_nth_unstable_by(middle, f64::total_cmp);

@@ -8,7 +8,7 @@ use super::setup::Setup;
 use super::statistical::StatisticalModel;
 use crate::Response;
 use crate::compare::{ByQuantity, Division, Pair};
-use crate::numeric::stream_seed;
+use crate::numeric::{parallel, stream_seed};
 use crate::surface::Surface;
 
 /// Asperities that fitted models are tested on.
@@ -58,8 +58,9 @@ impl Halves {
                 (Division::random_halves(surface.set.count(), seed)?, HeldOut::RandomHalves)
             }
         };
-        let surfaces = [surface.without(&division, 1)?, surface.without(&division, 0)?];
-        Some(Self { tested_on, surfaces })
+        let surfaces = parallel::map(2, |half| surface.without(&division, 1 - half));
+        let surfaces: Vec<Surface> = surfaces.into_iter().collect::<Option<_>>()?;
+        Some(Self { tested_on, surfaces: surfaces.try_into().ok()? })
     }
 
     /// The sums over both halves, and the fitted ones of `models` of each.

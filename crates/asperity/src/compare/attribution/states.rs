@@ -6,7 +6,8 @@ use crate::asperity::{Asperities, ByHeight, Draw, Population};
 use crate::interface::{AveragedContact, MicroContact, RadiusShare, jumps};
 use crate::model::{Deterministic, Medium, Mixture, Model, ReferencePlane, Statistical, WithMedium};
 use crate::numeric::condensed::{Node, condensed};
-use crate::numeric::sort::ascending;
+use crate::numeric::sort::{ascending, sort};
+use crate::progress::Silent;
 use crate::shape::Shape;
 
 /// Up to this many asperities all pairs of heights and radii are summed.
@@ -129,11 +130,16 @@ impl<'a> Rearranged<'a> {
         let mut paired = vec![0.0; count];
         inputs.by_height.places().iter().zip(quantiles).for_each(|(&k, z)| paired[k] = z);
 
-        let share = |k: usize| {
-            let Shape { radius, spheres } = asperities.shape(k);
-            Node { value: radius.ln(), weight: spheres / count as f64 }
+        let node = |radius: f64, spheres: f64| Node { value: radius.ln(), weight: spheres / count as f64 };
+        let radii = if asperities.spheres().is_none() {
+            let mut radii = asperities.radii().to_vec();
+            sort(&mut radii, &Silent);
+            radii.into_par_iter().map(|radius| node(radius, 1.0)).collect()
+        } else {
+            let places = ascending(asperities.radii());
+            let of_place = |k: usize| asperities.shape(k);
+            places.into_par_iter().map(of_place).map(|shape| node(shape.radius, shape.spheres)).collect()
         };
-        let radii = ascending(asperities.radii()).into_par_iter().map(share).collect();
         let is_uniform = asperities.each().all(|(_, shape)| shape == *mean_shape);
         let radius_bin = width(RADIUS_BIN);
         Self { heights, radii, radius_bin, paired, is_uniform, inputs }
