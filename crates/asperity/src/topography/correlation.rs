@@ -175,11 +175,7 @@ impl Autocorrelation {
     pub fn watched(map: &HeightMap, mean: f64, progress: &dyn Progress) -> Option<Self> {
         let points = map.points();
         let boundary = map.boundary();
-        let padded = match boundary {
-            Boundary::Periodic => points,
-            // Zero padding: lags up to half of the map do not wrap around.
-            Boundary::Open => points.map(|count| with_small_factors(count + count / 2 + 1)),
-        };
+        let padded = points.map(|count| padded(count, boundary));
         let products = pairs(map.embedded(padded, |z| z - mean), padded, progress);
         let has_holes = map.heights().iter().any(|z| z.is_nan());
         let counts = has_holes.then(|| pairs(map.embedded(padded, |_| 1.0), padded, progress));
@@ -217,6 +213,94 @@ impl Autocorrelation {
             aspect: longest.map(|longest| shortest / longest),
         })
     }
+}
+
+/// Points of a transform of `count` points, of which lags up to half do not wrap around.
+fn padded(count: usize, boundary: Boundary) -> usize {
+    match boundary {
+        Boundary::Periodic => count,
+        Boundary::Open => with_small_factors(count + count / 2 + 1),
+    }
+}
+
+/// The autocorrelation of a function `of` the heights along x and along y alone, at lags (m) up to half of the map, over the present
+/// points: two units of work. `None` where the function is constant.
+pub(super) fn along_axes(
+    map: &HeightMap,
+    of: &(dyn Fn(f64) -> f64 + Sync),
+    progress: &dyn Progress,
+) -> Option<[Vec<(f64, f64)>; 2]> {
+    let has_holes = map.heights().iter().any(|z| z.is_nan());
+    let along = |axis: usize| {
+        let count = map.points()[axis];
+        let part = if has_holes { 0.5 } else { 1.0 };
+        let products = pairs_along(map, axis, of, part, progress);
+        let counts = has_holes.then(|| pairs_along(map, axis, &|_| 1.0, part, progress));
+        let lines = map.points()[1 - axis];
+        let mean = |lag: usize| {
+            let wraps = map.boundary() == Boundary::Periodic;
+            let all = (lines * if wraps { count } else { count - lag }) as f64;
+            products[lag] / counts.as_ref().map_or(all, |counts| counts[lag].round()).max(1.0)
+        };
+        let variance = mean(0);
+        let is_known = variance > 0.0;
+        let at = |lag: usize| (lag as f64 * map.pixel()[axis], mean(lag) / variance);
+        is_known.then(|| (0..=count / 2).map(at).collect())
+    };
+    Some([along(0)?, along(1)?])
+}
+
+/// Sums over all pairs of points on lines along an axis of the products of a function of their heights, by lag; `part` of a unit of work.
+fn pairs_along(
+    map: &HeightMap,
+    axis: usize,
+    of: &(dyn Fn(f64) -> f64 + Sync),
+    part: f64,
+    progress: &dyn Progress,
+) -> Vec<f64> {
+    /// Lines transformed together: columns are read in whole cache lines.
+    const LINES: usize = 64;
+    let [nx, ny] = map.points();
+    let (count, lines) = if axis == 0 { (nx, ny) } else { (ny, nx) };
+    let length = padded(count, map.boundary());
+    let transform = asperity_fft::real_to_complex(length);
+    let power_of = |task: usize| {
+        let some = task * LINES..lines.min((task + 1) * LINES);
+        let mut values = vec![0.0; some.len() * count];
+        let value = |z: f64| if z.is_nan() { 0.0 } else { of(z) };
+        if axis == 0 {
+            for (i, row) in map.heights().chunks(ny).enumerate() {
+                for (k, &z) in row[some.clone()].iter().enumerate() {
+                    values[k * nx + i] = value(z);
+                }
+            }
+        } else {
+            let rows = &map.heights()[some.start * ny..some.end * ny];
+            values.iter_mut().zip(rows).for_each(|(of, &z)| *of = value(z));
+        }
+        let mut power = vec![0.0; length / 2 + 1];
+        let (mut line, mut waves) = (transform.make_input_vec(), transform.make_output_vec());
+        let mut scratch = transform.make_scratch_vec();
+        for values in values.chunks(count) {
+            line[..count].copy_from_slice(values);
+            line[count..].fill(0.0);
+            // Cannot fail: the lengths are those of the plan.
+            let _ = transform.process_with_scratch(&mut line, &mut waves, &mut scratch);
+            power.iter_mut().zip(&waves).for_each(|(sum, wave)| *sum += wave.norm_sqr());
+        }
+        progress.advance(part * some.len() as f64 / lines as f64);
+        power
+    };
+    let mut power = vec![0.0; length / 2 + 1];
+    for some in parallel::map(lines.div_ceil(LINES), power_of) {
+        power.iter_mut().zip(some).for_each(|(sum, part)| *sum += part);
+    }
+    let mut waves: Vec<Complex<f64>> = power.into_iter().map(|power| Complex::new(power, 0.0)).collect();
+    let back = asperity_fft::complex_to_real(length);
+    let mut products = back.make_output_vec();
+    let _ = back.process(&mut waves, &mut products);
+    products.iter_mut().for_each(|product| *product /= length as f64);
+    products
 }
 
 /// The autocorrelation has decayed at this value (ISO 25178-2).
@@ -424,5 +508,27 @@ mod tests {
         assert_eq!(of(&|_| 2.0).quartiles_of(&of(&|k| 2.0 * k as f64)), [2.0, 6.0]);
         let negligible = of(&|k| if k < 4 { 1.0 } else { 1e-4 });
         assert_eq!(negligible.quartiles_of(&of(&|k| if k < 4 { 3.0 } else { 9.0 })), [3.0, 3.0]);
+    }
+
+    /// Against the autocorrelation in all directions.
+    #[test]
+    fn along_the_axes_alone_it_is_the_same() {
+        let shape = SpectrumShape::SelfAffine { hurst: 0.8, roll_off: 16.0, cut_off: 3.0 };
+        let periodic = surface(shape, Lay::default(), 7).0;
+        let open = HeightMap::new(POINTS, PIXEL, periodic.heights().to_vec(), 0.0).unwrap();
+        let holed = |k: usize, z: f64| if k % 41 == 7 || k > 40_000 { f64::NAN } else { z };
+        let heights = open.heights().iter().enumerate().map(|(k, &z)| holed(k, z)).collect();
+        for map in [&periodic, &open, &HeightMap::new(POINTS, PIXEL, heights, 0.0).unwrap()] {
+            let wanted = Autocorrelation::from_map(map, 0.1).unwrap();
+            let found = along_axes(map, &|z| z - 0.1, &Silent).unwrap();
+            for (found, wanted) in found.iter().zip([&wanted.along_x, &wanted.along_y]) {
+                assert_eq!(found.len(), wanted.len());
+                for (found, wanted) in found.iter().zip(wanted) {
+                    assert!(found.0 == wanted.0 && (found.1 - wanted.1).abs() < 1e-13, "{found:?} {wanted:?}");
+                }
+            }
+        }
+        let flat = HeightMap::new([8, 8], [1.0; 2], vec![1.0; 64], 0.0).unwrap();
+        assert_eq!(along_axes(&flat, &|z| z - 1.0, &Silent), None);
     }
 }

@@ -1,5 +1,6 @@
 //! Correlation lengths of a map: of its heights, and of the amplitude of its roughness where that varies from place to place.
 
+use super::correlation::along_axes;
 use super::{Autocorrelation, HeightMap};
 use crate::progress::{Progress, Silent};
 
@@ -30,7 +31,7 @@ impl CorrelationLengths {
         Self::watched(map, mean, &Silent)
     }
 
-    /// [`Self::from_map`] with progress: four units of work, eight on a map with missing points.
+    /// [`Self::from_map`] with progress: four units of work, six on a map with missing points.
     pub fn watched(map: &HeightMap, mean: f64, progress: &dyn Progress) -> Option<(Self, Autocorrelation)> {
         let heights = Autocorrelation::watched(map, mean, progress)?;
         let lengths = Self::from_autocorrelation(&heights);
@@ -57,10 +58,10 @@ impl CorrelationLengths {
 
     /// The lags at which what `magnitudes` correlate beyond the square of the correlation of `heights` has decayed to 0.2 of what it
     /// is at twice to four times the correlation length; `None` where that is little.
-    fn patches(&self, heights: &Autocorrelation, magnitudes: &Autocorrelation) -> Option<[f64; 2]> {
+    fn patches(&self, heights: &Autocorrelation, [x, y]: &[Vec<(f64, f64)>; 2]) -> Option<[f64; 2]> {
         let axes = [
-            Excess::new(&heights.along_x, &magnitudes.along_x, self.lengths[0]),
-            Excess::new(&heights.along_y, &magnitudes.along_y, self.lengths[1]),
+            Excess::new(&heights.along_x, x, self.lengths[0]),
+            Excess::new(&heights.along_y, y, self.lengths[1]),
         ];
         // An axis along which the heights correlate over half of the map tells nothing.
         let onsets: Vec<f64> = axes.iter().flatten().map(|axis| axis.onset).collect();
@@ -69,12 +70,11 @@ impl CorrelationLengths {
     }
 }
 
-/// The autocorrelation of the magnitudes of the heights of a map about their `mean` (m).
-fn magnitudes(map: &HeightMap, mean: f64, progress: &dyn Progress) -> Option<Autocorrelation> {
-    let of = HeightMap::like(map, map.heights().iter().map(|z| (z - mean).abs()).collect());
-    let present = || of.heights().iter().filter(|z| !z.is_nan());
-    let average = present().sum::<f64>() / present().count() as f64;
-    Autocorrelation::watched(&of, average, progress)
+/// The autocorrelation along both axes of the magnitudes of the heights of a map about their `mean` (m).
+fn magnitudes(map: &HeightMap, mean: f64, progress: &dyn Progress) -> Option<[Vec<(f64, f64)>; 2]> {
+    let present = || map.heights().iter().filter(|z| !z.is_nan());
+    let average = present().map(|z| (z - mean).abs()).sum::<f64>() / present().count() as f64;
+    along_axes(map, &|z| (z - mean).abs() - average, progress)
 }
 
 /// What the magnitudes of the heights correlate beyond the square of the correlation of the heights, along an axis.

@@ -210,6 +210,10 @@ fn waves_along_y(map: &mut [f64], ny: usize, progress: &dyn Progress) {
         || (along_y.make_output_vec(), along_y.make_scratch_vec()),
         |(half, scratch), row| {
             progress.advance(part);
+            // Rows of padding have no waves.
+            if row.iter().all(|z| *z == 0.0) {
+                return;
+            }
             // Cannot fail: the lengths are those of the plan.
             let _ = along_y.process_with_scratch(row, half, scratch);
             for (j, wave) in half.iter().enumerate() {

@@ -65,32 +65,44 @@ impl Quantisation {
         // Rounding error of a stored height, with a margin for an offset subtracted before.
         let rounding = 4.0 * map.precision() * largest;
         goes_on();
-        let levels: Vec<f64> = distinct(&heights, rounding).collect();
+        let levels = usize::from(points > 0)
+            + over_pairs(&heights, 0, |low, high| usize::from(high > low), |a, b| a + b);
+        let shared = shared(&heights, map.points());
         goes_on();
-        let step = lattice(&levels, points, &goes_on);
+        heights.dedup_by(|height, first| is_near(*height, *first, rounding));
+        goes_on();
+        let step = lattice(&heights, points, &goes_on);
 
-        let of_summits = &Share { progress, units: 0.0 };
         let mut curvatures = summits.curvatures.clone();
-        sort(&mut curvatures, of_summits);
+        sort(&mut curvatures, &Share { progress, units: 0.0 });
         let [dx, dy] = map.pixel();
         let noise = match step {
             // On a lattice curvatures are multiples of half a step over a squared pixel; a filter leaves no lattice.
             Some(step) if !is_filtered => 0.01 * step / (dx * dx).max(dy * dy),
             _ => 2.0 * rounding * (1.0 / (dx * dx) + 1.0 / (dy * dy)),
         };
+        goes_on();
+        curvatures.dedup_by(|curvature, first| is_near(*curvature, *first, noise));
         let mut drops = summits.drops.clone();
-        sort(&mut drops, of_summits);
-        let levels = distinct(&heights, 0.0).count();
+        let middle = drops.len() / 2;
+        let median_drop =
+            drops.get(middle).is_some().then(|| *drops.select_nth_unstable_by(middle, f64::total_cmp).1);
         goes_on();
         Self {
             step,
             levels,
-            distinct_curvatures: distinct(&curvatures, noise).count(),
+            distinct_curvatures: curvatures.len(),
             summits: summits.curvatures.len(),
-            median_drop: drops.get(drops.len() / 2).copied().unwrap_or_default(),
-            shared: shared(&heights, map.points()),
+            median_drop: median_drop.unwrap_or_default(),
+            shared,
         }
     }
+}
+
+/// Whether a value belongs to the cluster of a `first` one below it: a cluster ends `tolerance` above its first value, so that clusters
+/// do not chain.
+fn is_near(value: f64, first: f64, tolerance: f64) -> bool {
+    value <= first + tolerance
 }
 
 /// The height that stands out by the number of points that have it exactly: the highest one if it does, else the lowest one, else that
@@ -106,9 +118,16 @@ fn shared(heights: &[f64], [nx, ny]: [usize; 2]) -> Option<SharedHeight> {
     let count = heights.len();
     let least = FEWEST.max((SHARED * count as f64).ceil() as usize);
     let mut found: Option<(HeightPlace, usize, usize)> = None;
+    // A height of so many points is that of one of the places at this distance.
     let mut start = 0;
-    for level in heights.chunk_by(|a, b| a == b) {
-        let end = start + level.len();
+    for at in (0..count).step_by(least).map(|place| heights[place]) {
+        let before = start + heights[start..].partition_point(|z| *z < at);
+        let end = before + heights[before..].partition_point(|z| *z <= at);
+        if end == start {
+            continue;
+        }
+        start = before;
+        let level = &heights[start..end];
         let place = match (start, end == count) {
             (0, true) => return None,
             (_, true) => HeightPlace::Highest,
@@ -145,23 +164,19 @@ const ENOUGH: usize = 1 << 24;
 fn sample(map: &dyn Rows) -> Vec<f64> {
     let [nx, ny] = map.points();
     let stride = (nx * ny).div_ceil(ENOUGH);
-    let present = |row: &[f64]| row.iter().copied().filter(|z| !z.is_nan()).collect::<Vec<f64>>();
     let parts = strips(map, 0, |strip| {
         let sampled = (0..strip.count).filter(|k| (strip.first + k).is_multiple_of(stride));
-        sampled.filter_map(|k| strip.row(k as isize).map(present)).flatten().collect::<Vec<f64>>()
+        let mut present = Vec::with_capacity(sampled.clone().count() * ny);
+        for row in sampled.filter_map(|k| strip.row(k as isize)) {
+            if row.iter().any(|z| z.is_nan()) {
+                present.extend(row.iter().copied().filter(|z| !z.is_nan()));
+            } else {
+                present.extend_from_slice(row);
+            }
+        }
+        present
     });
     parts.concat()
-}
-
-/// The first value of each cluster of sorted values. A cluster ends `tolerance` above its first value, so that clusters
-/// do not chain.
-fn distinct(sorted: &[f64], tolerance: f64) -> impl Iterator<Item = f64> {
-    let mut end = f64::NEG_INFINITY;
-    sorted.iter().copied().filter(move |&value| {
-        let is_first = value > end;
-        end = if is_first { value + tolerance } else { end };
-        is_first
-    })
 }
 
 /// The step of the lattice of all levels; `None` if they form none.
@@ -176,32 +191,51 @@ fn lattice(levels: &[f64], points: usize, goes_on: &dyn Fn()) -> Option<f64> {
         return None;
     }
     let range = levels[gaps] - levels[0];
-    let mut step = over_gaps(levels, f64::INFINITY, |gap| gap, |a, b| if b < a { b } else { a });
+    let mut step =
+        over_pairs(levels, f64::INFINITY, |low, high| high - low, |a, b| if b < a { b } else { a });
     // The smallest gap is a noisy first guess; the whole range over the number of steps is not.
     for _ in 0..3 {
         goes_on();
-        step = range / over_gaps(levels, 0.0, |gap| (gap / step).round_ties_even(), |a, b| a + b);
+        step = range / over_pairs(levels, 0.0, |low, high| rounded((high - low) / step), |a, b| a + b);
     }
     goes_on();
-    let residual = |gap: f64| (gap / step - (gap / step).round_ties_even()).powi(2);
-    let spread = (over_gaps(levels, 0.0, residual, |a, b| a + b) / gaps as f64).sqrt();
+    let residual = |low: f64, high: f64| ((high - low) / step - rounded((high - low) / step)).powi(2);
+    let spread = (over_pairs(levels, 0.0, residual, |a, b| a + b) / gaps as f64).sqrt();
     (spread <= ON_LATTICE).then_some(step)
 }
 
-/// `of` the gaps between neighbouring levels, joined from `none`, in chunks on all threads.
-fn over_gaps(
-    levels: &[f64],
-    none: f64,
-    of: impl Fn(f64) -> f64 + Sync,
-    join: impl Fn(f64, f64) -> f64 + Sync,
-) -> f64 {
+/// The integer next to a number that is not negative.
+fn rounded(value: f64) -> f64 {
+    /// Beyond half of it all numbers are integers; added to smaller ones it leaves no digits after the point.
+    const LARGE: f64 = (1_u64 << 53) as f64;
+    if value < 0.5 * LARGE { (value + 0.5 * LARGE) - 0.5 * LARGE } else { value }
+}
+
+/// `of` all pairs of neighbours, joined from `none`, in chunks on all threads.
+fn over_pairs<T: Copy + Send + Sync>(
+    values: &[f64],
+    none: T,
+    of: impl Fn(f64, f64) -> T + Sync,
+    join: impl Fn(T, T) -> T + Sync,
+) -> T {
     const CHUNK: usize = 1 << 14;
-    let gaps = levels.len() - 1;
+    /// Written to be vectorised by the compiler, which keeps the order of a single sum.
+    const LANES: usize = 8;
+    let pairs = values.len().saturating_sub(1);
     let part = |k: usize| {
-        let levels = &levels[k * CHUNK..=gaps.min((k + 1) * CHUNK)];
-        levels.windows(2).map(|pair| of(pair[1] - pair[0])).fold(none, &join)
+        let (from, to) = (k * CHUNK, pairs.min((k + 1) * CHUNK));
+        let (low, low_rest) = values[from..to].as_chunks::<LANES>();
+        let (high, high_rest) = values[from + 1..=to].as_chunks::<LANES>();
+        let mut lanes = [none; LANES];
+        for (low, high) in low.iter().zip(high) {
+            for k in 0..LANES {
+                lanes[k] = join(lanes[k], of(low[k], high[k]));
+            }
+        }
+        let rest = low_rest.iter().zip(high_rest).map(|(&low, &high)| of(low, high));
+        lanes.into_iter().chain(rest).fold(none, &join)
     };
-    parallel::map(gaps.div_ceil(CHUNK), part).into_iter().fold(none, &join)
+    parallel::map(pairs.div_ceil(CHUNK), part).into_iter().fold(none, &join)
 }
 
 #[cfg(test)]
