@@ -124,11 +124,12 @@ fn separations_of(responses: Vec<Option<Response>>) -> Vec<Option<f64>> {
     responses.into_iter().map(|response| response.map(|response| response.separation_over_sigma)).collect()
 }
 
-/// Separations from `high` down to `low`, in steps of a quarter of sigma where contacts begin and of one far out.
+/// Separations from `high` down to `low`, in steps of a quarter of sigma where contacts begin and of more far out.
 fn descent(low: f64, high: f64) -> Vec<f64> {
-    /// The separation (in sigma) above which steps are 1 sigma.
-    const FAR: f64 = 6.0;
-    /// The separation beyond which densities are negligible: one last step.
+    /// Separations (in sigma) and the steps above them.
+    const FAR: [(f64, f64); 2] = [(12.0, 4.0), (6.0, 2.0)];
+    const NEAR: f64 = 0.25;
+    /// The separation beyond which densities are negligible: one step.
     const END: f64 = 48.0;
     let mut grid = vec![high];
     let mut next = if high > END { END } else { high.ceil() - 1.0 };
@@ -136,7 +137,7 @@ fn descent(low: f64, high: f64) -> Vec<f64> {
         if next < high {
             grid.push(next);
         }
-        next -= if next > FAR { 1.0 } else { 0.25 };
+        next -= FAR.into_iter().find(|(from, _)| next > *from).map_or(NEAR, |(_, step)| step);
     }
     if low < high {
         grid.push(low);

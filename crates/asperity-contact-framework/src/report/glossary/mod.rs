@@ -109,6 +109,10 @@ impl Explainer {
     }
 
     fn mark_text(&mut self, text: &str, marked: &mut String) {
+        // Most cells of tables hold a number.
+        if !text.bytes().any(|byte| byte.is_ascii_alphabetic()) {
+            return marked.push_str(text);
+        }
         let mut rest = text;
         let mut small = text.to_ascii_lowercase();
         loop {
