@@ -20,6 +20,7 @@ pub use list::{AsperityList, ListColumn, ListError, ListOptions};
 pub use nayak::{SurfaceHeights, SurfaceHeightsError};
 pub use ordered::Ordered;
 pub use population::{Draw, Population, STREAM};
+pub(crate) use set::Places;
 pub use set::{AsperitySet, SetError};
 pub use statistics::Statistics;
 pub(crate) use statistics::mean_and_sigma;

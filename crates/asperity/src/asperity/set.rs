@@ -1,5 +1,8 @@
 //! The asperities of a rough surface.
 
+use std::ops::Range;
+use std::sync::{Arc, OnceLock};
+
 use pulp::Arch;
 use rayon::prelude::*;
 
@@ -10,13 +13,57 @@ use crate::memory::reserve;
 use crate::numeric::{LARGEST, is_positive};
 
 /// The asperities of a rough surface, as a struct of arrays in the order of their origin.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct AsperitySet {
+    source: Source,
+    nominal_area: f64,
+    on_demand: OnDemand,
+}
+
+/// Where the columns of a set are from.
+#[derive(Debug, Clone)]
+enum Source {
+    /// They are there.
+    Own(Arc<Columns>),
+    /// All but some of another set, copied when they are first looked at: often the number of asperities is enough.
+    Rest { all: Arc<Columns>, left_out: Places, columns: Arc<OnceLock<Columns>> },
+}
+
+/// Ascending places in a set: a part of a list.
+#[derive(Debug, Clone)]
+pub(crate) struct Places {
+    pub(crate) list: Arc<[usize]>,
+    pub(crate) part: Range<usize>,
+}
+
+impl Places {
+    pub(crate) fn as_slice(&self) -> &[usize] {
+        &self.list[self.part.clone()]
+    }
+}
+
+#[derive(Debug, Clone, PartialEq)]
+struct Columns {
     heights: Vec<f64>,
     radii: Vec<f64>,
     ellipses: Option<Vec<Ellipse>>,
-    nominal_area: f64,
-    on_demand: OnDemand,
+}
+
+impl Columns {
+    /// Those of all asperities but some at ascending places.
+    fn excluding(&self, places: &[usize]) -> Self {
+        Self {
+            heights: excluding(&self.heights, places),
+            radii: excluding(&self.radii, places),
+            ellipses: self.ellipses.as_ref().map(|all| excluding(all, places)),
+        }
+    }
+}
+
+impl PartialEq for AsperitySet {
+    fn eq(&self, other: &Self) -> bool {
+        self.nominal_area == other.nominal_area && self.columns() == other.columns()
+    }
 }
 
 /// Values that form no valid set.
@@ -149,32 +196,54 @@ impl AsperitySet {
     /// The first invalid value; see [`SetError`].
     pub fn new(heights: Vec<f64>, radii: Vec<f64>, nominal_area: f64) -> Result<Self, SetError> {
         SetError::check(&heights, &radii, nominal_area)?;
-        Ok(Self { heights, radii, ellipses: None, nominal_area, on_demand: OnDemand::default() })
+        Ok(Self::of_columns(Columns { heights, radii, ellipses: None }, nominal_area))
+    }
+
+    fn of_columns(columns: Columns, nominal_area: f64) -> Self {
+        Self { source: Source::Own(Arc::new(columns)), nominal_area, on_demand: OnDemand::default() }
+    }
+
+    fn columns(&self) -> &Columns {
+        match &self.source {
+            Source::Own(columns) => columns,
+            Source::Rest { all, left_out, columns } => {
+                columns.get_or_init(|| all.excluding(left_out.as_slice()))
+            }
+        }
+    }
+
+    fn into_columns(self) -> Columns {
+        match self.source {
+            Source::Own(columns) => Arc::unwrap_or_clone(columns),
+            Source::Rest { .. } => self.columns().clone(),
+        }
     }
 
     /// The same asperities with heights relative to an origin (m), which is returned, so that an offset costs no digits:
     /// one of the heights if all are further from zero than 16 times their range, else zero. The differences are exact.
     #[must_use]
     pub fn near_zero(self) -> (Self, f64) {
-        let Some(origin) = far_origin(&self.heights) else { return (self, 0.0) };
+        let Some(origin) = far_origin(self.heights()) else { return (self, 0.0) };
         (self.relative_to(origin), origin)
     }
 
     /// The same asperities with heights relative to a height, m.
     #[must_use]
-    pub fn relative_to(mut self, height: f64) -> Self {
-        self.heights.iter_mut().for_each(|z| *z -= height);
-        Self { on_demand: OnDemand::default(), ..self }
+    pub fn relative_to(self, height: f64) -> Self {
+        let nominal_area = self.nominal_area;
+        let mut columns = self.into_columns();
+        columns.heights.iter_mut().for_each(|z| *z -= height);
+        Self::of_columns(columns, nominal_area)
     }
 
     /// Heights, m.
     pub fn heights(&self) -> &[f64] {
-        &self.heights
+        &self.columns().heights
     }
 
     /// Radii, m.
     pub fn radii(&self) -> &[f64] {
-        &self.radii
+        &self.columns().radii
     }
 
     /// The same set with an ellipse for each asperity, used instead of its sphere by laws for ellipses.
@@ -185,27 +254,30 @@ impl AsperitySet {
         if ellipses.len() != self.count() {
             return Err(SetError::Ellipses { heights: self.count(), ellipses: ellipses.len() });
         }
-        Ok(Self { ellipses: Some(ellipses), ..self })
+        let nominal_area = self.nominal_area;
+        Ok(Self::of_columns(Columns { ellipses: Some(ellipses), ..self.into_columns() }, nominal_area))
     }
 
     /// The ellipses, where they are known.
     pub fn ellipses(&self) -> Option<&[Ellipse]> {
-        self.ellipses.as_deref()
+        let (Source::Own(all) | Source::Rest { all, .. }) = &self.source;
+        all.ellipses.as_ref()?;
+        self.columns().ellipses.as_deref()
     }
 
     /// The asperities as spheres.
     pub fn spheres(&self) -> Asperities<'_> {
-        Asperities::new(&self.heights, &self.radii, None, self.nominal_area)
+        Asperities::new(self.heights(), self.radii(), None, self.nominal_area)
     }
 
     /// The asperities in the order of their heights, sorted once.
     pub fn by_height(&self) -> &ByHeight {
-        self.on_demand.by_height(&self.heights)
+        self.on_demand.by_height(self.heights())
     }
 
     /// The mean radius of the asperities above a height.
     pub fn radii_above(&self) -> &RadiiAbove {
-        self.on_demand.radii_above(&self.heights, &self.radii)
+        self.on_demand.radii_above(self.heights(), self.radii())
     }
 
     /// The heights as a smoothed density.
@@ -213,12 +285,15 @@ impl AsperitySet {
     /// # Errors
     /// Heights that are all equal.
     pub fn smoothed_heights(&self) -> Result<Heights, EqualHeights> {
-        self.on_demand.smoothed(&self.heights)
+        self.on_demand.smoothed(self.heights())
     }
 
     /// Number of asperities.
     pub fn count(&self) -> usize {
-        self.heights.len()
+        match &self.source {
+            Source::Own(columns) => columns.heights.len(),
+            Source::Rest { all, left_out, .. } => all.heights.len() - left_out.part.len(),
+        }
     }
 
     /// Nominal area, m^2.
@@ -226,29 +301,27 @@ impl AsperitySet {
         self.nominal_area
     }
 
-    /// All asperities but those of `indices`, ascending, on a positive nominal area (m^2); `None` if there is none.
-    pub(crate) fn excluding(&self, indices: &[usize], nominal_area: f64) -> Option<Self> {
-        let is_set = indices.len() < self.count() && nominal_area > 0.0;
-        is_set.then(|| Self {
-            heights: excluding(&self.heights, indices),
-            radii: excluding(&self.radii, indices),
-            ellipses: self.ellipses().map(|all| excluding(all, indices)),
-            nominal_area,
-            on_demand: OnDemand::default(),
-        })
+    /// All asperities but those at some places, on a positive nominal area (m^2); `None` if there is none.
+    pub(crate) fn excluding(&self, left_out: Places, nominal_area: f64) -> Option<Self> {
+        let all = match &self.source {
+            Source::Own(columns) => columns.clone(),
+            Source::Rest { .. } => Arc::new(self.columns().clone()),
+        };
+        let is_set = left_out.part.len() < self.count() && nominal_area > 0.0;
+        let source = Source::Rest { all, left_out, columns: Arc::default() };
+        is_set.then(|| Self { source, nominal_area, on_demand: OnDemand::default() })
     }
 
-    /// The asperities of some indices, on a positive nominal area (m^2); `None` if there is none.
-    pub(crate) fn selected(&self, indices: &[usize], nominal_area: f64) -> Option<Self> {
-        let column = |values: &[f64]| indices.iter().map(|&index| values[index]).collect();
-        let is_set = !indices.is_empty() && nominal_area > 0.0;
-        is_set.then(|| Self {
-            heights: column(&self.heights),
-            radii: column(&self.radii),
-            ellipses: self.ellipses().map(|all| indices.iter().map(|&index| all[index]).collect()),
-            nominal_area,
-            on_demand: OnDemand::default(),
-        })
+    /// The asperities at some places, on a positive nominal area (m^2); `None` if there is none.
+    pub(crate) fn selected(&self, places: &[usize], nominal_area: f64) -> Option<Self> {
+        let column = |values: &[f64]| places.iter().map(|&place| values[place]).collect();
+        let columns = || Columns {
+            heights: column(self.heights()),
+            radii: column(self.radii()),
+            ellipses: self.ellipses().map(|all| places.iter().map(|&place| all[place]).collect()),
+        };
+        let is_set = !places.is_empty() && nominal_area > 0.0;
+        is_set.then(|| Self::of_columns(columns(), nominal_area))
     }
 
     /// Asperities per nominal area, 1/m^2.

@@ -191,6 +191,7 @@ impl Terms<2, 8> for Powers {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::asperity::Places;
 
     fn statistics(heights: &[f64], radii: &[f64]) -> Statistics {
         Statistics::new(&AsperitySet::new(heights.to_vec(), radii.to_vec(), 1.0).unwrap())
@@ -230,7 +231,8 @@ mod tests {
         for (case, is_in_part) in cases.into_iter().enumerate() {
             let indices: Vec<usize> = (0..5000).filter(|&k| is_in_part(k)).collect();
             let part = all.selected(&indices, 1.0).unwrap();
-            let rest = all.excluding(&indices, 1.0).unwrap();
+            let left_out = Places { part: 0..indices.len(), list: indices.into() };
+            let rest = all.excluding(left_out, 1.0).unwrap();
             let numbers = |s: Statistics| {
                 let Statistics {
                     mean_height, sigma, mean_radius, radius_of_mean_curvature, radius_cv, ..

@@ -58,7 +58,13 @@ impl Halves {
                 (Division::random_halves(surface.set.count(), seed)?, HeldOut::RandomHalves)
             }
         };
-        let surfaces = parallel::map(2, |half| surface.without(&division, 1 - half));
+        let half = |half: usize| {
+            let surface = surface.without(&division, 1 - half)?;
+            // Copied here, both at once.
+            surface.set.heights();
+            Some(surface)
+        };
+        let surfaces = parallel::map(2, half);
         let surfaces: Vec<Surface> = surfaces.into_iter().collect::<Option<_>>()?;
         Some(Self { tested_on, surfaces: surfaces.try_into().ok()? })
     }

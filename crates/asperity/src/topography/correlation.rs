@@ -524,7 +524,10 @@ mod tests {
             for (found, wanted) in found.iter().zip([&wanted.along_x, &wanted.along_y]) {
                 assert_eq!(found.len(), wanted.len());
                 for (found, wanted) in found.iter().zip(wanted) {
-                    assert!(found.0 == wanted.0 && (found.1 - wanted.1).abs() < 1e-13, "{found:?} {wanted:?}");
+                    assert!(
+                        found.0 == wanted.0 && (found.1 - wanted.1).abs() < 1e-13,
+                        "{found:?} {wanted:?}"
+                    );
                 }
             }
         }

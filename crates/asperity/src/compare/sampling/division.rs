@@ -1,10 +1,12 @@
 //! Groups of asperities that are left out in turn.
 
+use std::sync::Arc;
+
 use rand::SeedableRng;
 use rand::seq::SliceRandom;
 use rand_chacha::ChaCha8Rng;
 
-use crate::asperity::AsperitySet;
+use crate::asperity::{AsperitySet, Places};
 use crate::numeric::parallel;
 use crate::topography::{Blocks, MIN_BLOCKS};
 
@@ -15,7 +17,7 @@ pub const GROUPS: usize = MIN_BLOCKS;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Division {
     /// The asperities group by group, and where each group begins, with their number.
-    members: Vec<usize>,
+    members: Arc<[usize]>,
     ends: Vec<usize>,
     /// The share of each group in the nominal area.
     shares: Vec<f64>,
@@ -61,12 +63,12 @@ impl Division {
             members[*next] = index;
             *next += 1;
         }
-        Self { members, ends, shares }
+        Self { members: members.into(), ends, shares }
     }
 
-    /// The asperities of a group, ascending.
-    fn members(&self, group: usize) -> &[usize] {
-        &self.members[self.ends[group]..self.ends[group + 1]]
+    /// The asperities of a group.
+    fn members(&self, group: usize) -> Places {
+        Places { list: self.members.clone(), part: self.ends[group]..self.ends[group + 1] }
     }
 
     /// The share of each group in the nominal area.
@@ -86,7 +88,7 @@ impl Division {
 
     /// A group of `set` on its area; `None` where it holds no asperity.
     pub fn only(&self, set: &AsperitySet, group: usize) -> Option<AsperitySet> {
-        set.selected(self.members(group), set.nominal_area() * self.shares[group])
+        set.selected(self.members(group).as_slice(), set.nominal_area() * self.shares[group])
     }
 }
 
@@ -107,8 +109,9 @@ mod tests {
         let mut kept = vec![0; count];
         for (group, share) in division.shares().iter().enumerate() {
             let rest = division.without(&set, group).unwrap();
-            rest.heights().iter().for_each(|&z| kept[z as usize] += 1);
             assert_eq!(rest.count(), count - (share * 100.0).round() as usize);
+            rest.heights().iter().for_each(|&z| kept[z as usize] += 1);
+            assert_eq!((rest.heights().len(), rest.radii().len()), (rest.count(), rest.count()));
             assert!((rest.nominal_area() - 2.0 * (1.0 - share)).abs() < 1e-15);
             let part = division.only(&set, group).unwrap();
             assert_eq!(part.count() + rest.count(), count);
@@ -134,7 +137,8 @@ mod tests {
         let blocks = Blocks { points: [4, 6], counts: [2, 3] };
         let positions = [0, 7, 5, 23, 15];
         let division = Division::of_blocks(&blocks, &positions, vec![1.0 / 6.0; 6]);
-        let members: Vec<&[usize]> = (0..6).map(|group| division.members(group)).collect();
+        let members: Vec<Vec<usize>> =
+            (0..6).map(|group| division.members(group).as_slice().to_vec()).collect();
         assert_eq!(members, [&[0, 1][..], &[], &[2], &[], &[4], &[3]]);
         let rest = division.without(&set(5), 0).unwrap();
         assert_eq!(rest.heights(), [2.0, 3.0, 4.0]);
