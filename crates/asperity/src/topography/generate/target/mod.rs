@@ -244,6 +244,7 @@ impl TargetGenerator {
         first: Option<f64>,
         progress: &dyn Progress,
     ) -> Result<Reached, Unreachable> {
+        self.check()?;
         let mut tried = 0;
         let field = &mut |log_bandwidth: f64| {
             tried += 1;
