@@ -3,11 +3,12 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use asperity::npy::NpyError;
 use asperity::progress::Progress;
 use asperity::topography::Rows;
 use asperity::topography::read::{MapFile, ReadError};
 use asperity::work::{Counter, Item};
-use asperity::{AsperityList, ListError, ListOptions};
+use asperity::{AsperityList, HeightMap, ListError, ListOptions};
 
 /// What a surface is found in.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,6 +26,13 @@ impl Reading {
     pub fn map(file: &MapFile) -> Self {
         Self::Map(MapFile { path: whole(&file.path), ..file.clone() })
     }
+}
+
+/// Whether a map of so many points along x and y is copied into memory even where it could be read row by row: each treatment reads it
+/// several times.
+pub fn is_copied([nx, ny]: [usize; 2]) -> bool {
+    const MOST: usize = 1 << 21;
+    nx * ny <= MOST
 }
 
 /// A path that is the same for all ways to a file.
@@ -67,9 +75,14 @@ impl<'a> Files<'a> {
     pub fn map(&mut self, file: &MapFile, progress: &dyn Progress) -> Result<Arc<dyn Rows>, ReadError> {
         let reading = Reading::map(file);
         let is_needed_again = self.take(&reading);
-        let read = || {
+        let read = || -> Result<Arc<dyn Rows>, ReadError> {
             self.counter.add(Item::Files, 1);
-            file.rows(progress).map(Arc::from)
+            let map = file.rows(progress)?;
+            if !is_copied(map.points()) || map.block(0..1).is_some() {
+                return Ok(Arc::from(map));
+            }
+            let copy = HeightMap::from_rows(&*map);
+            if map.is_whole() { Ok(Arc::new(copy)) } else { Err(ReadError::from(NpyError::Shortened)) }
         };
         once(&mut self.maps, reading, is_needed_again, read)
     }
