@@ -9,6 +9,7 @@ BEFORE may name another build of the program: each task is then run by both in t
   causes and report; the time beyond that of reading the file.
 - *a map*: `[compare]` of a measured map from an `.npy` at 11 pressures, with everything that a report holds.
 - the same list with `independent = true`, which adds the intervals of differences and of causes.
+- *intervals and causes* of 10^5 of these asperities under 50 nm of lead and of a ceramic; the bound is three times the time on the bare flat.
 - *check*: the slowest `experiment check` of the specs in experiments/.
 - *cold sums*: the time of the sums within a fresh process over that of the library which has run them before, for the same list and separations.
 """
@@ -40,6 +41,10 @@ law = "zmc"
 """
 LIST = '[surface.list.asperities]\nfile = "list.npy"\nnominal-area = "16.7 mm^2"\n'
 FILE = '[surface.map.file]\npath = "map.npy"\npixel = "0.5 um"\n'
+COATINGS = {
+    "lead": '[material.lead]\nyoung = "18 GPa"\npoisson = 0.35\nhardness = "0.17 GPa"\n',
+    "ceramic": '[material.ceramic]\nyoung = "400 GPa"\npoisson = 0.25\nhardness = "21 GPa"\n',
+}
 SEPARATIONS = "separation = { from = 4, to = 0, points = 50 }\n"
 
 
@@ -103,6 +108,14 @@ def main():
         add("a list of 10^6 asperities, beyond reading", beyond_reading(spec("list", f'{SEPARATIONS}pressure = "1 MPa"\n{LIST}')), 0.060)
         path = spec("independent", f'{SEPARATIONS}pressure = "1 MPa"\n{LIST}independent = true\n')
         add("the same with intervals", beyond_reading(path))
+
+        np.save(folder / "few.npy", np.column_stack([heights, radii])[: 10**5])
+        few = LIST.replace("list.npy", "few.npy").replace("16.7", "1.67") + "independent = true\n"
+        intervals = lambda spec: medians(lambda program: run(program, spec, folder)[1]["sampling_s"])
+        bare = intervals(spec("bare", f"{SEPARATIONS}{few}"))
+        for name, coating in COATINGS.items():
+            path = spec(name, f'layer = {{ material = "{name}", thickness = "50 nm" }}\n{SEPARATIONS}{coating}{few}')
+            add(f"intervals and causes under 50 nm of {name}", intervals(path), 3 * bare[0])
 
         for points, bound in ((1024, 0.25), (4096, 2.5)):
             np.save(folder / "map.npy", surface(points))

@@ -4,6 +4,7 @@ use asperity::surface::{AnalysisDepth, MOST_ANALYSED_POINTS};
 use asperity::topography::Filter;
 use asperity_contact_framework::{Memory, set_memory};
 
+use super::files::is_copied;
 use super::filters;
 use super::plan::{MapPlan, Origin, SurfacePlan};
 
@@ -14,7 +15,9 @@ impl SurfacePlan {
         const BYTES_PER_ROW: u128 = 32;
         match &self.origin {
             Origin::List { .. } => self.most_asperities() * BYTES_PER_ROW,
-            Origin::Map(MapPlan { points, is_on_disk: false, .. }) => area(*points) * BYTES_PER_POINT,
+            &Origin::Map(MapPlan { points, is_on_disk, .. }) if !is_on_disk || is_copied(points) => {
+                area(points) * BYTES_PER_POINT
+            }
             _ => 0,
         }
     }
@@ -67,8 +70,8 @@ impl SurfacePlan {
                     depth == AnalysisDepth::Everything && area(points) <= MOST_ANALYSED_POINTS as u128;
                 let analysis = if is_analysed { area(points) * BYTES_PER_ANALYSED_POINT } else { 0 };
                 // The map as read stays until its last treatment.
-                let raw = if is_on_disk { 0 } else { area(points) };
-                let reading = raw * BYTES_PER_READ_POINT;
+                let raw = if is_on_disk && !is_copied(points) { 0 } else { area(points) };
+                let reading = if is_on_disk { 0 } else { area(points) * BYTES_PER_READ_POINT };
                 let eroding =
                     if preparation.tip.is_some() { area(points) * BYTES_PER_ERODED_POINT } else { 0 };
                 reading.max(raw * BYTES_PER_HEIGHT + own.max(treated) + analysis + eroding) + summits

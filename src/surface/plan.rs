@@ -7,7 +7,7 @@ use std::path::PathBuf;
 
 use crate::plausibility;
 use crate::surface::composite;
-use crate::surface::files::{Reading, is_copied};
+use crate::surface::files::Reading;
 use crate::surface::filters;
 use crate::surface::generation::Generation;
 use crate::surface::pair::{self, PairPlan};
@@ -295,10 +295,7 @@ impl SurfacePlan {
         // What is in memory takes no more of it.
         let is_on_disk = match in_memory {
             Some(_) => true,
-            None => {
-                let stays = file.stays_on_disk().map_err(|error| refuse(&spec_message(&error)))?;
-                stays && !is_copied(points)
-            }
+            None => file.stays_on_disk().map_err(|error| refuse(&spec_message(&error)))?,
         };
         let mut caveats = reading::caveats(&metadata, pixel, &file);
         caveats.extend(filter.and_then(|filter| filters::short_caveat(filter, pixel)));
