@@ -12,8 +12,9 @@ use statrs::distribution::ContinuousCDF;
 use super::{FOLDINGS, HeightDistribution};
 use crate::literature::{Paper, SILVERMAN_1986};
 use crate::numeric::condensed::{Node, condensed};
+use crate::numeric::lanes::Real;
 use crate::numeric::parallel;
-use crate::numeric::sum::sum_of;
+use crate::numeric::sum::{Terms, sum_of, sums_of_present};
 
 /// Kernels per width of a kernel that stand for all heights.
 const KERNELS: f64 = 10.0;
@@ -37,8 +38,9 @@ const HIGHEST: f64 = 38.0;
 /// 1986, Eq. 3.31), drawn together so that mean and variance stay those of the heights (section 6.4.1).
 #[derive(Clone)]
 pub struct Smoothed {
-    /// Centres with their shares, ascending.
+    /// Centres with their shares, ascending; and both as columns.
     kernels: Vec<Node>,
+    columns: [Vec<f64>; 2],
     /// Standard deviation of each.
     width: f64,
     count: usize,
@@ -126,6 +128,10 @@ impl Smoothed {
             table: LogDensity { start: 0.0, step: 1.0, values: Vec::new(), highest: Vec::new() },
             shares_below,
             normals: OnceLock::new(),
+            columns: [
+                kernels.iter().map(|one| one.value).collect(),
+                kernels.iter().map(|one| one.weight).collect(),
+            ],
             kernels,
         };
         smoothed.table = LogDensity::new(&smoothed);
@@ -139,15 +145,10 @@ impl Smoothed {
     /// ln(density) at `z` and its slope, from the kernels.
     fn by_kernels(&self, z: f64) -> [f64; 2] {
         let (nearest, near) = self.near(z);
-        let (mut sum, mut slope) = (0.0, 0.0);
-        for one in &self.kernels[near] {
-            let u = (z - one.value) / self.width;
-            let part = one.weight * (-0.5 * (u - nearest) * (u + nearest)).exp();
-            sum += part;
-            slope -= part * u;
-        }
+        let columns = self.columns.each_ref().map(|column| &column[near.clone()]);
+        let ([sum, slope], _) = sums_of_present(columns, Kernels { z, width: self.width, nearest });
         let unit = (2.0 * PI).sqrt() * self.width;
-        [(sum / unit).ln() - 0.5 * nearest * nearest, slope / (sum * self.width)]
+        [(sum / unit).ln() - 0.5 * nearest * nearest, -slope / (sum * self.width)]
     }
 
     fn log_density(&self, z: f64) -> f64 {
@@ -210,6 +211,23 @@ impl Smoothed {
             }
         }
         normals
+    }
+}
+
+/// Densities of kernels at `z` relative to that of the nearest, whose distance is in widths, and their slopes.
+#[derive(Clone, Copy)]
+struct Kernels {
+    z: f64,
+    width: f64,
+    nearest: f64,
+}
+
+impl Terms<2, 2> for Kernels {
+    #[inline(always)]
+    fn of<N: Real>(self, [value, weight]: [N; 2]) -> [N; 2] {
+        let u = -(value - self.z) / self.width;
+        let part = weight * ((u - self.nearest) * (u + self.nearest) * -0.5).exp();
+        [part, part * u]
     }
 }
 

@@ -6,11 +6,18 @@ use crate::progress::{PIECE, Progress};
 
 /// The places of `values` in ascending total order, equal ones in the order of their places, on all threads.
 pub(crate) fn ascending(values: &[f64]) -> Vec<usize> {
-    // Value and place in one integer: compared without a branch, several times as fast as by a look-up of the values.
-    let keyed = |(place, value): (usize, &f64)| (u128::from(ordered_bits(*value)) << 64) | place as u128;
-    let mut keys: Vec<u128> = values.par_iter().enumerate().map(keyed).collect();
+    // The first bits of a value and its place in one integer: compared without a branch, several times as fast as by a look-up.
+    let bits = usize::BITS - values.len().leading_zeros();
+    let of_place = (1_u64 << bits) - 1;
+    let keyed = |(place, value): (usize, &f64)| (ordered_bits(*value) & !of_place) | place as u64;
+    let mut keys: Vec<u64> = values.par_iter().enumerate().map(keyed).collect();
     keys.par_sort_unstable();
-    keys.into_par_iter().map(|key| key as usize).collect()
+    // Values that agree in these bits are next to each other.
+    let place = |key: u64| (key & of_place) as usize;
+    for alike in keys.chunk_by_mut(|a, b| a & !of_place == b & !of_place).filter(|alike| alike.len() > 1) {
+        alike.sort_unstable_by_key(|&key| (ordered_bits(values[place(key)]), key));
+    }
+    keys.into_par_iter().map(place).collect()
 }
 
 /// An integer for each number, in the total order of the numbers.
@@ -59,6 +66,13 @@ mod tests {
         let mut expected: Vec<usize> = (0..values.len()).collect();
         expected.sort_by(|&a, &b| values[a].total_cmp(&values[b]));
         assert_eq!(ascending(&values), expected);
+        // They differ in their last bits only, or not at all.
+        let near: Vec<f64> =
+            (0..5000_u64).map(|k| f64::from_bits(1.0_f64.to_bits() + (k * 7919) % 97)).collect();
+        let mut expected: Vec<usize> = (0..near.len()).collect();
+        expected.sort_by(|&a, &b| near[a].total_cmp(&near[b]));
+        assert_eq!(ascending(&near), expected);
+        assert_eq!((ascending(&[]), ascending(&[2.0])), (vec![], vec![0]));
     }
 
     #[test]

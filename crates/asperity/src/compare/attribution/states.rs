@@ -56,8 +56,9 @@ pub struct Rearranged<'a> {
     radii: Vec<Node>,
     /// Width of the bins of ln(radius).
     radius_bin: f64,
-    /// Quantiles of the density of the statistical model in the order of the own heights, relative to its mean.
-    paired: Vec<f64>,
+    /// Quantiles of the density of the statistical model relative to its mean, with the radii in the order of the own heights: ascending
+    /// heights are summed faster.
+    paired: ByRank,
     /// Whether every asperity has the mean shape.
     is_uniform: bool,
 }
@@ -76,6 +77,25 @@ impl Sample {
     }
 }
 
+/// Ascending heights with the shapes of a set in the order of its own heights.
+#[derive(Debug)]
+struct ByRank {
+    heights: Vec<f64>,
+    radii: Vec<f64>,
+    spheres: Option<Vec<f64>>,
+}
+
+impl ByRank {
+    fn new(heights: Vec<f64>, by_height: &ByHeight, set: &Asperities) -> Self {
+        let column = |values: &[f64]| by_height.places().par_iter().map(|&place| values[place]).collect();
+        Self { heights, radii: column(set.radii()), spheres: set.spheres().map(column) }
+    }
+
+    fn asperities(&self, nominal_area: f64) -> Asperities<'_> {
+        Asperities::new(&self.heights, &self.radii, self.spheres.as_deref(), nominal_area)
+    }
+}
+
 /// One shape for each asperity of a set.
 struct EqualAsperities {
     radii: Vec<f64>,
@@ -91,8 +111,8 @@ impl EqualAsperities {
     }
 
     /// With the heights of the set.
-    fn asperities<'a>(&'a self, set: &'a Asperities) -> Asperities<'a> {
-        Asperities::new(set.heights(), &self.radii, self.spheres.as_deref(), set.nominal_area())
+    fn asperities<'a>(&'a self, by_height: &'a ByHeight, nominal_area: f64) -> Asperities<'a> {
+        Asperities::new(by_height.heights(), &self.radii, self.spheres.as_deref(), nominal_area)
     }
 }
 
@@ -127,8 +147,7 @@ impl<'a> Rearranged<'a> {
         };
 
         let quantiles = population.heights_of(count, Draw::Quantiles);
-        let mut paired = vec![0.0; count];
-        inputs.by_height.places().iter().zip(quantiles).for_each(|(&k, z)| paired[k] = z);
+        let paired = ByRank::new(quantiles, inputs.by_height, asperities);
 
         let node = |radius: f64, spheres: f64| Node { value: radius.ln(), weight: spheres / count as f64 };
         let radii = if asperities.spheres().is_none() {
@@ -173,23 +192,23 @@ impl<'a> Rearranged<'a> {
         near: &[f64],
         of: impl FnOnce([&dyn Model; STATES]) -> T,
     ) -> T {
-        let Inputs { asperities, plane, population, mean_shape, reporting_plane, .. } = &self.inputs;
+        let Inputs { asperities, by_height, plane, population, mean_shape, reporting_plane, .. } =
+            &self.inputs;
         let area = asperities.nominal_area();
-        let equal = EqualAsperities::new(asperities, *mean_shape);
         let integral = |contact, shape| {
             Statistical::of_shape(contact, population.clone(), shape).reported_from(*reporting_plane)
         };
-        let rearranged = |heights, radii, spheres| Asperities::new(heights, radii, spheres, area);
         let statistical = integral(contact, *mean_shape);
         let sum =
             |contact, asperities, plane| Deterministic::new(contact, asperities, plane).searched_near(near);
         let deterministic = sum(contact, *asperities, *plane);
-        let own_heights = sum(contact, equal.asperities(asperities), *plane);
-        let quantiles = rearranged(&self.paired, asperities.radii(), asperities.spheres());
-        let paired = sum(contact, quantiles, *reporting_plane);
+        let paired = sum(contact, self.paired.asperities(area), *reporting_plane);
         if self.is_uniform {
-            return of([&statistical, &own_heights, &statistical, &own_heights, &paired, &deterministic]);
+            let sum: &dyn Model = &deterministic;
+            return of([&statistical, sum, &statistical, sum, &paired, sum]);
         }
+        let equal = EqualAsperities::new(asperities, *mean_shape);
+        let own_heights = sum(contact, equal.asperities(by_height, area), *plane);
         let averaged = self.averaged(contact);
         let independent =
             Deterministic::new(&averaged, self.heights.asperities(area), *plane).searched_near(near);
@@ -213,13 +232,14 @@ impl<'a> Rearranged<'a> {
         near: &[f64],
         of: impl FnOnce([&dyn Model; 2]) -> T,
     ) -> Option<T> {
-        let Inputs { asperities, plane, population, reporting_plane, other_shape, .. } = &self.inputs;
+        let Inputs { asperities, by_height, plane, population, reporting_plane, other_shape, .. } =
+            &self.inputs;
         let shape = (*other_shape)?;
         let equal = EqualAsperities::new(asperities, shape);
         let statistical =
             Statistical::of_shape(contact, population.clone(), shape).reported_from(*reporting_plane);
-        let own_heights =
-            Deterministic::new(contact, equal.asperities(asperities), *plane).searched_near(near);
+        let own = equal.asperities(by_height, asperities.nominal_area());
+        let own_heights = Deterministic::new(contact, own, *plane).searched_near(near);
         let Some(medium) = self.inputs.medium else { return Some(of([&statistical, &own_heights])) };
         let models: [&dyn Model; 2] = [&statistical, &own_heights];
         let models = models.map(|model| WithMedium { model, medium });
