@@ -7,7 +7,7 @@ use rand_distr::{Distribution, Exp1};
 use statrs::distribution::{ContinuousCDF, Exp};
 
 use super::hazard::{PANELS, log_hazard};
-use super::{Entry, Exponent, FOLDINGS, FOLDINGS_PER_PANEL, HeightDistribution, Heights};
+use super::{Entry, Exponent, FOLDINGS, FOLDINGS_PER_PANEL, HeightDistribution, Heights, whole_panels};
 use crate::literature::{GREENWOOD_WILLIAMSON_1966, Paper};
 use crate::numeric::lanes::Real;
 
@@ -102,7 +102,7 @@ impl HeightDistribution for Exponential {
 
     fn panels(&self, h: f64, from: f64, to: f64) -> usize {
         let foldings = (self.exponent(h, to) - self.exponent(h, from)).abs();
-        (foldings / FOLDINGS_PER_PANEL).ceil().max(1.0) as usize
+        whole_panels(foldings / FOLDINGS_PER_PANEL)
     }
 
     fn relative_density(&self, h: f64, x: f64) -> f64 {

@@ -5,7 +5,10 @@ use std::fmt;
 
 use libm::erfc;
 
-use super::{Entry, Exponent, FOLDINGS, FOLDINGS_PER_BELL, FOLDINGS_PER_PANEL, HeightDistribution, Heights};
+use super::{
+    Entry, Exponent, FOLDINGS, FOLDINGS_PER_BELL, FOLDINGS_PER_PANEL, HeightDistribution, Heights,
+    whole_panels,
+};
 use crate::literature::{GREENWOOD_WILLIAMSON_1966, Paper, ZHAO_MAIETTA_CHANG_2000};
 use crate::numeric::lanes::Real;
 
@@ -119,7 +122,7 @@ impl HeightDistribution for Gaussian {
     }
 
     fn panels(&self, h: f64, from: f64, to: f64) -> usize {
-        self.fractional_panels(h, from, to).ceil().max(1.0) as usize
+        whole_panels(self.fractional_panels(h, from, to))
     }
 
     fn relative_density(&self, h: f64, x: f64) -> f64 {

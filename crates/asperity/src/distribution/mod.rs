@@ -44,6 +44,12 @@ const FOLDINGS_PER_PANEL: f64 = 20.0;
 /// The same where the segment of the panel contains the maximum of the density.
 const FOLDINGS_PER_BELL: f64 = 8.0;
 
+/// The panels for a number of them that is not rounded. A window holds [`FOLDINGS`] exactly, of which rounding must not make one panel more.
+fn whole_panels(count: f64) -> usize {
+    const ROUNDING: f64 = 1e-9;
+    (count - ROUNDING).ceil().max(1.0) as usize
+}
+
 /// A distribution of heights of zero mean and unit standard deviation.
 ///
 /// The integral over the heights z = h + x above a separation h runs over a variable v, in which the density is

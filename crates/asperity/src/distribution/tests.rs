@@ -127,3 +127,13 @@ fn examples_of_the_registry_have_its_name_and_parameters() {
         assert!(!heights.papers().is_empty() && !heights.label().is_empty());
     }
 }
+
+/// Without a breakpoint the window of Gaussian heights holds twice the foldings of a panel, to rounding.
+#[test]
+fn rounding_adds_no_panel() {
+    for k in 0..5000 {
+        let h = 1e-3 * f64::from(k);
+        let [from, to] = Gaussian.window(h);
+        assert_eq!(Gaussian.panels(h, from, to), 2, "{h}");
+    }
+}

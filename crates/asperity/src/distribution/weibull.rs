@@ -5,7 +5,7 @@ use std::fmt;
 use statrs::function::gamma::gamma;
 
 use super::hazard::{PANELS, log_hazard};
-use super::{Entry, FOLDINGS, FOLDINGS_PER_PANEL, HeightDistribution, Heights};
+use super::{Entry, FOLDINGS, FOLDINGS_PER_PANEL, HeightDistribution, Heights, whole_panels};
 use crate::literature::{Paper, WEIBULL_1951};
 
 pub(super) const ENTRY: Entry = Entry {
@@ -195,7 +195,7 @@ impl HeightDistribution for Weibull {
     }
 
     fn panels(&self, _h: f64, from: f64, to: f64) -> usize {
-        ((to - from) / FOLDINGS_PER_PANEL).ceil().max(1.0) as usize
+        whole_panels((to - from) / FOLDINGS_PER_PANEL)
     }
 
     /// x is singular at v = -u, u being that of the separation.

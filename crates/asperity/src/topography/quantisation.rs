@@ -204,11 +204,12 @@ fn lattice(levels: &[f64], points: usize, goes_on: &dyn Fn()) -> Option<f64> {
     (spread <= ON_LATTICE).then_some(step)
 }
 
-/// The integer next to a number that is not negative.
+/// The integer next to a number that is not negative; halves go up.
 fn rounded(value: f64) -> f64 {
-    /// Beyond half of it all numbers are integers; added to smaller ones it leaves no digits after the point.
-    const LARGE: f64 = (1_u64 << 53) as f64;
-    if value < 0.5 * LARGE { (value + 0.5 * LARGE) - 0.5 * LARGE } else { value }
+    /// All larger numbers are integers; added to smaller ones it leaves no digits after the point.
+    const LARGE: f64 = (1_u64 << 52) as f64;
+    let even = if value < LARGE { (value + LARGE) - LARGE } else { value };
+    if value - even >= 0.5 { even + 1.0 } else { even }
 }
 
 /// `of` all pairs of neighbours, joined from `none`, in chunks on all threads.
@@ -274,6 +275,26 @@ mod tests {
                 assert!((found.step.unwrap() / (step * 1e-7) - 1.0).abs() < 1e-4, "{found:?}");
                 assert_eq!(found.distinct_curvatures < 100, step == 0.8);
             }
+        }
+    }
+
+    #[test]
+    fn halves_are_rounded_up() {
+        let largest = (1_u64 << 53) as f64;
+        for value in [
+            0.0,
+            0.49,
+            0.5,
+            1.5,
+            2.5,
+            2.4999,
+            3.7,
+            1e9 + 0.5,
+            0.25 * largest + 0.5,
+            largest - 1.0,
+            3.0 * largest,
+        ] {
+            assert_eq!(rounded(value), value.round(), "{value}");
         }
     }
 

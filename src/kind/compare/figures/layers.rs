@@ -29,7 +29,8 @@ pub fn panels_by_load(series: &Series) -> [Plot; 2] {
             let lines = |value: fn(&Response) -> f64| {
                 let shown = |p: &&CurvePoint| (p.response.pressure.total() / modulus, value(&p.response));
                 let is_admissible = |p: &&&CurvePoint| {
-                    let load = p.response.pressure.total();
+                    // The load that was found is above the prescribed one by rounding.
+                    let load = p.prescribed_pressure.unwrap_or(p.response.pressure.total());
                     valid.stretches.iter().any(|[from, to]| (*from..=*to).contains(&load))
                 };
                 let all = Layer::line(points.iter().map(shown).collect::<Vec<_>>()).coloured(colour).thin();
