@@ -192,7 +192,7 @@ def longest(program, name):
 
 def main():
     inputs()
-    programs = [os.environ["BEFORE"]] * ("BEFORE" in os.environ) + [built()]
+    programs = ([os.environ["BEFORE"]] if "BEFORE" in os.environ else []) + [built()]
     names = [name for name in SPECS if name in sys.argv] or SPECS
     rows = []
     for name in names:

@@ -23,17 +23,21 @@ pub fn sampling(
     if !setup.has_both_models() {
         return Vec::new();
     }
+    // Its counts are of no use; it shows that the sums go on.
+    let counter = Counter::default();
     let steps: Vec<OneStep> = setup
         .laws
         .iter()
         .zip(cases)
         .filter_map(|(law, case)| {
+            let contact = &CountedContact::new(&*law.contact, &counter).watched_by(setup.progress);
             let pairs: Vec<Pair> = case.comparison.pairs_at_load().copied().collect();
-            let statistical = models.statistical(&*law.contact, &law.spec);
-            let deterministic = models.deterministic(&*law.contact, &law.spec)?;
+            let statistical = models.statistical(contact, &law.spec);
+            let deterministic = models.deterministic(contact, &law.spec)?;
             Some(OneStep::new(pairs, &*statistical, &deterministic, surface.set.nominal_area()))
         })
         .collect();
+    setup.progress.advance(0.0);
     let seed = stream_seed(setup.seed, &format!("groups of {}", surface.name));
     let draws = Division::independent(surface.set.count(), seed);
     let left_out = |division: &Division| left_out(setup, (surface, models), division, &steps);
