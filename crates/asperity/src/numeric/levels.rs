@@ -74,7 +74,7 @@ impl Search {
 
     /// Relative excess of a value by its own rounding, and that of one whose place is rounded too.
     const OF_VALUE: f64 = 4.0 * f64::EPSILON;
-    const OF_PLACE: f64 = 32.0 * f64::EPSILON;
+    const OF_PLACE: f64 = 16.0 * f64::EPSILON;
 
     /// The widths of a last bracket within which a value nearly at the level decides, where the curve is flat.
     const FLAT: f64 = 1e3;
@@ -188,10 +188,10 @@ mod tests {
             assert!((found - exact).abs() < 4e-15 * exact.abs().max(1.0), "{found} for {exact}");
             assert!(value(found) >= level);
         }
-        assert!(rounds <= 4, "{rounds} rounds");
+        assert!(rounds <= 6, "{rounds} rounds");
     }
 
-    /// For any reported slope, within the rounding of a value.
+    /// For any reported slope.
     #[test]
     fn wrong_slopes_and_jumps_do_not_lead_astray() {
         for slope in [0.0, -1e300, 1.0, f64::NAN, f64::INFINITY] {
@@ -199,7 +199,7 @@ mod tests {
             let found = last_reaching_all(curve, &[1.0, 1.75, 2.5, 40.0], &[&grid()]);
             for (found, exact) in found.iter().zip([1.25, 1.25, 0.5]) {
                 let found = found.unwrap();
-                assert!((found - exact).abs() < 2e-14, "{found} for {exact}");
+                assert!((found - exact).abs() < 1e-14, "{found} for {exact}");
             }
             assert_eq!(found[3], None);
         }
