@@ -1,5 +1,7 @@
 //! Memory for large arrays.
 
+use rayon::prelude::*;
+
 /// Bytes of a huge page on common processors.
 #[cfg(target_os = "linux")]
 const HUGE: usize = 2 << 20;
@@ -11,10 +13,26 @@ pub fn zeros<T: Copy + Default>(count: usize) -> Vec<T> {
     list
 }
 
+/// A list of `count` equal values, in huge pages where [`advise`] gets them.
+pub fn filled<T: Clone>(count: usize, value: T) -> Vec<T> {
+    let mut list = Vec::new();
+    reserve(&mut list, count);
+    list.resize(count, value);
+    list
+}
+
 /// Reserves a total capacity of `count` values, in huge pages where [`advise`] gets them.
 pub fn reserve<T>(list: &mut Vec<T>, count: usize) {
     list.reserve_exact(count.saturating_sub(list.len()));
     advise(list);
+}
+
+/// The values of an iterator in their order, on all threads, in huge pages where [`advise`] gets them.
+pub fn collected<T: Send>(values: impl IndexedParallelIterator<Item = T>) -> Vec<T> {
+    let mut list = Vec::new();
+    reserve(&mut list, values.len());
+    values.collect_into_vec(&mut list);
+    list
 }
 
 /// Requests huge pages from Linux, which reduces the page faults of the first access and of column-wise access. Does
@@ -64,9 +82,11 @@ mod tests {
     fn lists_are_what_they_would_be_without_advice() {
         for count in [0, 1, 1000, HUGE_LIST] {
             assert_eq!(zeros::<f64>(count), vec![0.0; count]);
+            assert_eq!(filled(count, 2.5), vec![2.5; count]);
             let mut list = vec![1.0, 2.0];
             reserve(&mut list, count);
             assert!(list == [1.0, 2.0] && list.capacity() >= count.max(2));
+            assert!(collected((0..count).into_par_iter()).into_iter().eq(0..count));
         }
     }
 

@@ -4,6 +4,7 @@ use asperity::compare::{
     Accepted, CONTACTS_PER_GROUP, CaseSampling, ComparedQuantity, Difference, Division, Estimate, GROUPS,
     LeftOut, OneStep, Pair, Repeats, Support, Verdict, jackknife_error, jackknife_quantile, pairs_at,
 };
+use asperity::progress::Silent;
 use asperity::topography::{Blocks, CorrelationLengths};
 use asperity::{
     AsperitySet, Deterministic, HeightMap, Heights, MicroContact, Model, Population, ReferencePlane,
@@ -201,7 +202,7 @@ impl WindowTask<'_> {
         let results = self.results(&set);
         let step = self.one_step(&set, &results);
         let groups = blocks.as_ref().map(|blocks| self.groups(&set, &of_blocks(blocks), &step));
-        let draws = seed.and_then(|seed| Division::independent(set.count(), seed));
+        let draws = seed.and_then(|seed| Division::independent(set.count(), seed, &Silent));
         let independent = draws.map(|draws| self.groups(&set, &draws, &step));
         let side = window.pixel()[0] * window.points()[0] as f64;
         let (admissible, estimates) = self.estimates(&results, groups, independent, set.nominal_area());

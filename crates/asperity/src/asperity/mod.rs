@@ -1,7 +1,7 @@
 //! Asperities: sets, their statistics, and populations to draw from.
 
 mod arrays;
-mod by_height;
+mod ascending;
 mod ellipse;
 mod ellipses;
 mod list;
@@ -13,7 +13,7 @@ mod statistics;
 mod sums;
 
 pub use arrays::Asperities;
-pub use by_height::{ByHeight, RadiiAbove};
+pub use ascending::{Ascending, RadiiAbove};
 pub use ellipse::Ellipse;
 pub use ellipses::{Ellipses, Ellipticity};
 pub use list::{AsperityList, ListColumn, ListError, ListOptions};

@@ -7,6 +7,7 @@ use rand_chacha::ChaCha8Rng;
 
 use super::{AsperitySet, SetError};
 use crate::distribution::Heights;
+use crate::memory::zeros;
 use crate::numeric::parallel::for_each_row;
 
 /// Heights per ChaCha stream, the smallest part of a set. All published random results depend on it.
@@ -64,7 +65,7 @@ impl Population {
 
     /// `length` of the `count` heights, from a stream on.
     fn heights_from(&self, stream: usize, length: usize, count: usize, draw: Draw) -> Vec<f64> {
-        let mut heights = vec![0.0; length];
+        let mut heights = zeros(length);
         for_each_row(&mut heights, STREAM, &|k, chunk| match draw {
             Draw::Random(seed) => self.draw(seed, stream + k, chunk),
             Draw::Quantiles => {

@@ -6,10 +6,10 @@ use std::sync::{Arc, OnceLock};
 use pulp::Arch;
 use rayon::prelude::*;
 
-use super::by_height::OnDemand;
-use super::{Asperities, ByHeight, Ellipse, RadiiAbove};
+use super::ascending::{OnDemand, Whole};
+use super::{Ascending, Asperities, Ellipse, RadiiAbove};
 use crate::distribution::{EqualHeights, Heights};
-use crate::memory::reserve;
+use crate::memory::{collected, reserve};
 use crate::numeric::{LARGEST, is_positive};
 
 /// The asperities of a rough surface, as a struct of arrays in the order of their origin.
@@ -26,7 +26,7 @@ enum Source {
     /// They are there.
     Own(Arc<Columns>),
     /// All but some of another set, copied when they are first looked at: often the number of asperities is enough.
-    Rest { all: Arc<Columns>, left_out: Places, columns: Arc<OnceLock<Columns>> },
+    Rest { all: Arc<Columns>, of_all: OnDemand, left_out: Places, columns: Arc<OnceLock<Columns>> },
 }
 
 /// Ascending places in a set: a part of a list.
@@ -206,7 +206,7 @@ impl AsperitySet {
     fn columns(&self) -> &Columns {
         match &self.source {
             Source::Own(columns) => columns,
-            Source::Rest { all, left_out, columns } => {
+            Source::Rest { all, left_out, columns, .. } => {
                 columns.get_or_init(|| all.excluding(left_out.as_slice()))
             }
         }
@@ -270,14 +270,29 @@ impl AsperitySet {
         Asperities::new(self.heights(), self.radii(), None, self.nominal_area)
     }
 
-    /// The asperities in the order of their heights, sorted once.
-    pub fn by_height(&self) -> &ByHeight {
-        self.on_demand.by_height(self.heights())
+    /// The asperities in the order of their heights (m), sorted once.
+    pub fn by_height(&self) -> &Ascending {
+        self.on_demand.by_height(self.heights(), self.whole())
+    }
+
+    /// The asperities in the order of their radii (m), sorted once.
+    pub fn by_radius(&self) -> &Ascending {
+        self.on_demand.by_radius(self.radii(), self.whole())
+    }
+
+    /// The set that this one is the rest of.
+    fn whole(&self) -> Option<Whole<'_>> {
+        match &self.source {
+            Source::Own(_) => None,
+            Source::Rest { of_all, left_out, .. } => {
+                Some(Whole { found: of_all, left_out: left_out.as_slice() })
+            }
+        }
     }
 
     /// The mean radius of the asperities above a height.
     pub fn radii_above(&self) -> &RadiiAbove {
-        self.on_demand.radii_above(self.heights(), self.radii())
+        self.on_demand.radii_above(self.by_height(), self.radii())
     }
 
     /// The heights as a smoothed density.
@@ -285,7 +300,7 @@ impl AsperitySet {
     /// # Errors
     /// Heights that are all equal.
     pub fn smoothed_heights(&self) -> Result<Heights, EqualHeights> {
-        self.on_demand.smoothed(self.heights())
+        self.on_demand.smoothed(self.by_height())
     }
 
     /// Number of asperities.
@@ -308,13 +323,13 @@ impl AsperitySet {
             Source::Rest { .. } => Arc::new(self.columns().clone()),
         };
         let is_set = left_out.part.len() < self.count() && nominal_area > 0.0;
-        let source = Source::Rest { all, left_out, columns: Arc::default() };
+        let source = Source::Rest { all, of_all: self.on_demand.clone(), left_out, columns: Arc::default() };
         is_set.then(|| Self { source, nominal_area, on_demand: OnDemand::default() })
     }
 
     /// The asperities at some places, on a positive nominal area (m^2); `None` if there is none.
     pub(crate) fn selected(&self, places: &[usize], nominal_area: f64) -> Option<Self> {
-        let column = |values: &[f64]| places.iter().map(|&place| values[place]).collect();
+        let column = |values: &[f64]| collected(places.par_iter().map(|&place| values[place]));
         let columns = || Columns {
             heights: column(self.heights()),
             radii: column(self.radii()),

@@ -109,10 +109,9 @@ impl Smoothed {
         let bandwidth = 0.9 * spread * (count as f64).powf(-0.2);
         let shrink = (1.0 + bandwidth * bandwidth).sqrt().recip();
         let share = (count as f64).recip();
-        let centre = |&z: &f64| Node { value: standardised(z) * shrink, weight: share };
-        let centres: Vec<Node> = sorted.par_iter().map(centre).collect();
+        let centre = |k: usize| Node { value: standardised(sorted[k]) * shrink, weight: share };
         let width = bandwidth * shrink;
-        let kernels = condensed(&centres, width / KERNELS);
+        let kernels = condensed(count, centre, width / KERNELS);
         let moment = |power: i32| kernels.iter().map(|one| one.weight * one.value.powi(power)).sum::<f64>();
         let square = width * width;
         let kurtosis = moment(4) + 6.0 * square * moment(2) + 3.0 * square * square;

@@ -1,5 +1,7 @@
 //! Samples condensed to few weighted nodes: Gauss's rule of two nodes for the values in each of many narrow bins.
 
+use std::ops::Range;
+
 use super::parallel;
 
 /// A weighted value.
@@ -9,57 +11,68 @@ pub(crate) struct Node {
     pub weight: f64,
 }
 
-/// Few nodes in place of the `sorted` values, with the sums of weight, weight times value, and its second and third
-/// powers in every bin of at most `width`. Up to two values of a bin stay as they are. The sum of a function over the
-/// nodes differs from that over the values by its fourth derivative times `width`^4/4320 at most, and in a bin where it
-/// is not smooth by its change there times the weight of the bin.
-pub(crate) fn condensed(sorted: &[Node], width: f64) -> Vec<Node> {
+/// Few nodes in place of `count` values, of which `node` gives each in ascending order, with the sums of weight, weight times
+/// value, and its second and third powers in every bin of at most `width`. Up to two values of a bin stay as they are. The sum of a
+/// function over the nodes differs from that over the values by its fourth derivative times `width`^4/4320 at most, and in a bin
+/// where it is not smooth by its change there times the weight of the bin.
+pub(crate) fn condensed(count: usize, node: impl Fn(usize) -> Node + Sync, width: f64) -> Vec<Node> {
     /// Bins per task.
     const BINS: usize = 64;
-    let bins = bins(sorted, width);
-    let of_bin = |bin: &[Node], nodes: &mut Vec<Node>| match bin {
-        [_] | [_, _] => nodes.extend_from_slice(bin),
-        _ => nodes.extend(two_nodes(bin)),
-    };
+    let bins = bins(count, |k| node(k).value, width);
     let of_bins = |task: usize| {
         let mut nodes = Vec::new();
-        bins[task * BINS..bins.len().min((task + 1) * BINS)].iter().for_each(|bin| of_bin(bin, &mut nodes));
+        for bin in &bins[task * BINS..bins.len().min((task + 1) * BINS)] {
+            if bin.len() <= 2 {
+                nodes.extend(bin.clone().map(&node));
+            } else {
+                nodes.extend(two_nodes(bin, &node));
+            }
+        }
         nodes
     };
     parallel::map(bins.len().div_ceil(BINS), of_bins).concat()
 }
 
-/// The values in bins of at most `width`, each from its own first value on.
-fn bins(sorted: &[Node], width: f64) -> Vec<&[Node]> {
-    let mut bins: Vec<&[Node]> = Vec::new();
-    let mut rest = sorted;
-    while let Some(first) = rest.first() {
-        let is_inside = |node: &Node| node.value - first.value <= width;
+/// The places of `count` ascending values in bins of at most `width`, each from its own first value on.
+fn bins(count: usize, value: impl Fn(usize) -> f64, width: f64) -> Vec<Range<usize>> {
+    let mut bins: Vec<Range<usize>> = Vec::new();
+    let mut first = 0;
+    while first < count {
+        let origin = value(first);
+        let is_inside = |place: usize| value(place) - origin <= width;
         // A bin holds about as many as the one before: its end is sought from there.
-        let mut near = bins.last().map_or(1, |bin| bin.len());
-        let mut inside = 0;
-        while near < rest.len() && is_inside(&rest[near]) {
-            inside = near;
+        let mut near = bins.last().map_or(1, Range::len);
+        let mut inside = first;
+        while first + near < count && is_inside(first + near) {
+            inside = first + near;
             near *= 2;
         }
-        let within = &rest[inside..near.min(rest.len())];
-        let count = (inside + within.partition_point(is_inside)).max(1);
-        let (bin, after) = rest.split_at(count);
-        bins.push(bin);
-        rest = after;
+        // The last place that is known to be inside, and the first that is known not to be.
+        let mut outside = count.min(first + near);
+        while outside - inside > 1 {
+            let middle = inside.midpoint(outside);
+            if is_inside(middle) {
+                inside = middle;
+            } else {
+                outside = middle;
+            }
+        }
+        bins.push(first..outside);
+        first = outside;
     }
     bins
 }
 
 /// The rule of two nodes for the values of a bin; one node where they are equal.
-fn two_nodes(bin: &[Node]) -> impl Iterator<Item = Node> {
-    let origin = bin[0].value;
-    let weight: f64 = bin.iter().map(|node| node.weight).sum();
-    let mean = mean_of(bin, |node| node.value - origin, weight);
-    let variance = mean_of(bin, |node| (node.value - origin - mean).powi(2), weight);
+fn two_nodes(bin: &Range<usize>, node: &impl Fn(usize) -> Node) -> impl Iterator<Item = Node> {
+    let each = || bin.clone().map(node);
+    let origin = node(bin.start).value;
+    let weight: f64 = each().map(|node| node.weight).sum();
+    let mean = mean_of(each(), |value| value - origin, weight);
+    let variance = mean_of(each(), |value| (value - origin - mean).powi(2), weight);
     let sd = variance.sqrt();
-    let cube = |node: &Node| ((node.value - origin - mean) / sd).powi(3);
-    let half_skewness = if sd > 0.0 { 0.5 * mean_of(bin, cube, weight) } else { 0.0 };
+    let cube = |value: f64| ((value - origin - mean) / sd).powi(3);
+    let half_skewness = if sd > 0.0 { 0.5 * mean_of(each(), cube, weight) } else { 0.0 };
     let root = (1.0 + half_skewness * half_skewness).sqrt();
     let node = move |sign: f64| Node {
         value: origin + mean + sd * (half_skewness + sign * root),
@@ -70,14 +83,18 @@ fn two_nodes(bin: &[Node]) -> impl Iterator<Item = Node> {
     one.into_iter().chain(two.into_iter().flatten())
 }
 
-/// The mean of what is asked of each value, weighted; of all together the `weight`.
-fn mean_of(bin: &[Node], of: impl Fn(&Node) -> f64, weight: f64) -> f64 {
-    bin.iter().map(|node| node.weight * of(node)).sum::<f64>() / weight
+/// The mean of a function of values, weighted; of all together the `weight`.
+fn mean_of(nodes: impl Iterator<Item = Node>, of: impl Fn(f64) -> f64, weight: f64) -> f64 {
+    nodes.map(|node| node.weight * of(node.value)).sum::<f64>() / weight
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn of(all: &[Node], width: f64) -> Vec<Node> {
+        condensed(all.len(), |k| all[k], width)
+    }
 
     fn sample(count: usize) -> Vec<Node> {
         let mut nodes: Vec<Node> = (0..count)
@@ -90,7 +107,7 @@ mod tests {
     #[test]
     fn moments_are_kept_and_smooth_functions_summed() {
         let all = sample(5000);
-        let few = condensed(&all, 0.02);
+        let few = of(&all, 0.02);
         assert!(few.len() <= 102, "{}", few.len());
         let sum =
             |nodes: &[Node], of: fn(f64) -> f64| nodes.iter().map(|n| n.weight * of(n.value)).sum::<f64>();
@@ -110,9 +127,9 @@ mod tests {
         all.sort_by(|a, b| a.value.total_cmp(&b.value));
         for width in [0.0, 1e-5, 1.5e-3, 0.07, 10.0, 1e9] {
             let mut rest = &all[..];
-            for bin in bins(&all, width) {
+            for bin in bins(all.len(), |k| all[k].value, width) {
                 let count = rest.iter().take_while(|node| node.value - rest[0].value <= width).count();
-                assert_eq!(bin, &rest[..count]);
+                assert_eq!(all[bin], rest[..count]);
                 rest = &rest[count..];
             }
             assert!(rest.is_empty());
@@ -122,9 +139,9 @@ mod tests {
     #[test]
     fn few_values_stay_as_they_are() {
         let all = sample(20);
-        assert_eq!(condensed(&all, 1e-4), all);
+        assert_eq!(of(&all, 1e-4), all);
         let equal = vec![Node { value: 0.3, weight: 2.0 }; 9];
-        assert_eq!(condensed(&equal, 0.1), [Node { value: 0.3, weight: 18.0 }]);
-        assert_eq!(condensed(&[], 0.1), []);
+        assert_eq!(of(&equal, 0.1), [Node { value: 0.3, weight: 18.0 }]);
+        assert_eq!(of(&[], 0.1), []);
     }
 }

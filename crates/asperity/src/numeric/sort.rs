@@ -2,6 +2,7 @@
 
 use rayon::prelude::*;
 
+use crate::memory::collected;
 use crate::progress::{PIECE, Progress};
 
 /// The places of `values` in ascending total order, equal ones in the order of their places, on all threads.
@@ -10,14 +11,15 @@ pub(crate) fn ascending(values: &[f64]) -> Vec<usize> {
     let bits = usize::BITS - values.len().leading_zeros();
     let of_place = (1_u64 << bits) - 1;
     let keyed = |(place, value): (usize, &f64)| (ordered_bits(*value) & !of_place) | place as u64;
-    let mut keys: Vec<u64> = values.par_iter().enumerate().map(keyed).collect();
+    let mut keys = collected(values.par_iter().enumerate().map(keyed));
     keys.par_sort_unstable();
     // Values that agree in these bits are next to each other.
     let place = |key: u64| (key & of_place) as usize;
     for alike in keys.chunk_by_mut(|a, b| a & !of_place == b & !of_place).filter(|alike| alike.len() > 1) {
         alike.sort_unstable_by_key(|&key| (ordered_bits(values[place(key)]), key));
     }
-    keys.into_par_iter().map(place).collect()
+    // In their memory, which two threads would be no faster to get anew.
+    keys.into_iter().map(place).collect()
 }
 
 /// An integer for each number, in the total order of the numbers.

@@ -81,7 +81,7 @@ fn left_out(
     }
     let seed = stream_seed(setup.seed, &format!("groups of {}", surface.name));
     let drawn = match &surface.independence {
-        Independence::Asperities => Division::independent(surface.set.count(), seed),
+        Independence::Asperities => Division::independent(surface.set.count(), seed, setup.progress),
         _ => None,
     };
     let division = match &surface.independence {

@@ -55,13 +55,13 @@ impl Halves {
             Some(halves) => (halves.clone(), HeldOut::MapHalves),
             None => {
                 let seed = stream_seed(setup.seed, &format!("halves of {}", surface.name));
-                (Division::random_halves(surface.set.count(), seed)?, HeldOut::RandomHalves)
+                (Division::random_halves(surface.set.count(), seed, setup.progress)?, HeldOut::RandomHalves)
             }
         };
         let half = |half: usize| {
             let surface = surface.without(&division, 1 - half)?;
-            // Copied here, both at once.
-            surface.set.heights();
+            // Copied and ordered here, both at once.
+            surface.set.by_height();
             Some(surface)
         };
         let surfaces = parallel::map(2, half);

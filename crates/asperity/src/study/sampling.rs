@@ -25,21 +25,19 @@ pub fn sampling(
     }
     // Its counts are of no use; it shows that the sums go on.
     let counter = Counter::default();
-    let steps: Vec<OneStep> = setup
-        .laws
-        .iter()
-        .zip(cases)
-        .filter_map(|(law, case)| {
-            let contact = &CountedContact::new(&*law.contact, &counter).watched_by(setup.progress);
-            let pairs: Vec<Pair> = case.comparison.pairs_at_load().copied().collect();
-            let statistical = models.statistical(contact, &law.spec);
-            let deterministic = models.deterministic(contact, &law.spec)?;
-            Some(OneStep::new(pairs, &*statistical, &deterministic, surface.set.nominal_area()))
-        })
-        .collect();
-    setup.progress.advance(0.0);
+    let step = |(law, case): (&LawContact, &CaseResults)| {
+        let contact = &CountedContact::new(&*law.contact, &counter).watched_by(setup.progress);
+        let pairs: Vec<Pair> = case.comparison.pairs_at_load().copied().collect();
+        let statistical = models.statistical(contact, &law.spec);
+        let deterministic = models.deterministic(contact, &law.spec)?;
+        Some(OneStep::new(pairs, &*statistical, &deterministic, surface.set.nominal_area()))
+    };
     let seed = stream_seed(setup.seed, &format!("groups of {}", surface.name));
-    let draws = Division::independent(surface.set.count(), seed);
+    // Random numbers are drawn one after the other, on one thread.
+    let (draws, steps) = rayon::join(
+        || Division::independent(surface.set.count(), seed, setup.progress),
+        || setup.laws.iter().zip(cases).filter_map(step).collect::<Vec<_>>(),
+    );
     let left_out = |division: &Division| left_out(setup, (surface, models), division, &steps);
     let independent = draws.as_ref().map(left_out);
     let (groups, area_needed) = match &surface.independence {

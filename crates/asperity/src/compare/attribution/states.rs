@@ -2,12 +2,12 @@
 
 use rayon::prelude::*;
 
-use crate::asperity::{Asperities, ByHeight, Draw, Population};
+use crate::asperity::{Ascending, Asperities, Draw, Population};
 use crate::interface::{AveragedContact, MicroContact, RadiusShare, jumps};
+use crate::memory::{collected, filled};
 use crate::model::{Deterministic, Medium, Mixture, Model, ReferencePlane, Statistical, WithMedium};
 use crate::numeric::condensed::{Node, condensed};
-use crate::numeric::sort::{ascending, sort};
-use crate::progress::Silent;
+use crate::numeric::sort::ascending;
 use crate::shape::Shape;
 
 /// Up to this many asperities all pairs of heights and radii are summed.
@@ -31,7 +31,9 @@ pub struct Inputs<'a> {
     /// The asperities as the law sees them.
     pub asperities: Asperities<'a>,
     /// The same by height.
-    pub by_height: &'a ByHeight,
+    pub by_height: &'a Ascending,
+    /// The same by radius; `None` for ellipses.
+    pub by_radius: Option<&'a Ascending>,
     /// What separations of the sum are measured from, in the frame of the heights.
     pub plane: ReferencePlane,
     /// The population of the statistical model.
@@ -52,8 +54,10 @@ pub struct Rearranged<'a> {
     inputs: Inputs<'a>,
     /// Condensed heights with their weights.
     heights: Sample,
-    /// ln(radius) of all, ascending, weighted by number of spheres over number of asperities.
-    radii: Vec<Node>,
+    /// ln(radius) of all, ascending.
+    log_radii: Vec<f64>,
+    /// Number of spheres of each; `None` where it is one.
+    spheres: Option<Vec<f64>>,
     /// Width of the bins of ln(radius).
     radius_bin: f64,
     /// Quantiles of the density of the statistical model relative to its mean, with the radii in the order of the own heights: ascending
@@ -86,8 +90,8 @@ struct ByRank {
 }
 
 impl ByRank {
-    fn new(heights: Vec<f64>, by_height: &ByHeight, set: &Asperities) -> Self {
-        let column = |values: &[f64]| by_height.places().par_iter().map(|&place| values[place]).collect();
+    fn new(heights: Vec<f64>, by_height: &Ascending, set: &Asperities) -> Self {
+        let column = |values: &[f64]| collected(by_height.places().par_iter().map(|&place| values[place]));
         Self { heights, radii: column(set.radii()), spheres: set.spheres().map(column) }
     }
 
@@ -105,14 +109,14 @@ struct EqualAsperities {
 impl EqualAsperities {
     fn new(asperities: &Asperities, shape: Shape) -> Self {
         Self {
-            radii: vec![shape.radius; asperities.count()],
-            spheres: asperities.spheres().map(|all| vec![shape.spheres; all.len()]),
+            radii: filled(asperities.count(), shape.radius),
+            spheres: asperities.spheres().map(|all| filled(all.len(), shape.spheres)),
         }
     }
 
     /// With the heights of the set.
-    fn asperities<'a>(&'a self, by_height: &'a ByHeight, nominal_area: f64) -> Asperities<'a> {
-        Asperities::new(by_height.heights(), &self.radii, self.spheres.as_deref(), nominal_area)
+    fn asperities<'a>(&'a self, by_height: &'a Ascending, nominal_area: f64) -> Asperities<'a> {
+        Asperities::new(by_height.values(), &self.radii, self.spheres.as_deref(), nominal_area)
     }
 }
 
@@ -137,9 +141,9 @@ impl<'a> Rearranged<'a> {
         let count = asperities.count();
         let width = |width: f64| if count > FEW { width } else { 0.0 };
 
-        let one = |&value: &f64| Node { value, weight: 1.0 };
-        let sorted: Vec<Node> = inputs.by_height.heights().iter().map(one).collect();
-        let nodes = nodes_of(&sorted, width(HEIGHT_BIN * inputs.plane.sigma));
+        let sorted = inputs.by_height.values();
+        let one = |k: usize| Node { value: sorted[k], weight: 1.0 };
+        let nodes = nodes_of(count, one, width(HEIGHT_BIN * inputs.plane.sigma));
         let heights = Sample {
             radii: vec![mean_shape.radius; nodes.len()],
             weights: nodes.iter().map(|node| node.weight).collect(),
@@ -149,19 +153,17 @@ impl<'a> Rearranged<'a> {
         let quantiles = population.heights_of(count, Draw::Quantiles);
         let paired = ByRank::new(quantiles, inputs.by_height, asperities);
 
-        let node = |radius: f64, spheres: f64| Node { value: radius.ln(), weight: spheres / count as f64 };
-        let radii = if asperities.spheres().is_none() {
-            let mut radii = asperities.radii().to_vec();
-            sort(&mut radii, &Silent);
-            radii.into_par_iter().map(|radius| node(radius, 1.0)).collect()
+        let (log_radii, spheres) = if let Some(by_radius) = inputs.by_radius {
+            (collected(by_radius.values().par_iter().map(|radius| radius.ln())), None)
         } else {
             let places = ascending(asperities.radii());
-            let of_place = |k: usize| asperities.shape(k);
-            places.into_par_iter().map(of_place).map(|shape| node(shape.radius, shape.spheres)).collect()
+            let column =
+                |of: fn(Shape) -> f64| collected(places.par_iter().map(|&k| of(asperities.shape(k))));
+            (column(|shape| shape.radius.ln()), Some(column(|shape| shape.spheres)))
         };
         let is_uniform = asperities.each().all(|(_, shape)| shape == *mean_shape);
         let radius_bin = width(RADIUS_BIN);
-        Self { heights, radii, radius_bin, paired, is_uniform, inputs }
+        Self { heights, log_radii, spheres, radius_bin, paired, is_uniform, inputs }
     }
 
     /// The same with fewer nodes: accurate enough for the change that a group left out makes.
@@ -275,22 +277,33 @@ impl<'a> Rearranged<'a> {
     /// The contact averaged over all radii.
     fn averaged<'b>(&self, contact: &'b dyn MicroContact) -> AveragedContact<'b> {
         let bin = if contact.is_layered() { COARSE * self.radius_bin } else { self.radius_bin };
-        let radius = |node: &Node| RadiusShare { radius: node.value.exp(), share: node.weight };
-        let nodes = nodes_of(&self.radii, bin).iter().map(radius).collect();
+        let radius = |node: Node| RadiusShare { radius: node.value.exp(), share: node.weight };
+        let nodes = self.radii_in_bins(bin).into_iter().map(radius).collect();
         if bin == 0.0 {
             return AveragedContact::exact(contact, nodes);
         }
-        AveragedContact::tabulated(contact, nodes, self.radii.iter().map(radius), 2.0 * bin, self.deepest())
+        let all = (0..self.log_radii.len()).map(|k| radius(self.log_radius(k)));
+        AveragedContact::tabulated(contact, nodes, all, 2.0 * bin, self.deepest())
+    }
+
+    /// One of the radii, ascending, weighted by number of spheres over number of asperities.
+    fn log_radius(&self, k: usize) -> Node {
+        let spheres = self.spheres.as_ref().map_or(1.0, |spheres| spheres[k]);
+        Node { value: self.log_radii[k], weight: spheres / self.log_radii.len() as f64 }
+    }
+
+    fn radii_in_bins(&self, width: f64) -> Vec<Node> {
+        nodes_of(self.log_radii.len(), |k| self.log_radius(k), width)
     }
 
     /// Classes of radii with their weights.
     fn classes(&self) -> impl Iterator<Item = (f64, Shape)> {
         let width = if self.radius_bin > 0.0 { CLASS } else { 0.0 };
-        nodes_of(&self.radii, width).into_iter().map(|node| (node.weight, Shape::sphere(node.value.exp())))
+        self.radii_in_bins(width).into_iter().map(|node| (node.weight, Shape::sphere(node.value.exp())))
     }
 }
 
-/// Condensed values; all of them for a width of zero.
-fn nodes_of(sorted: &[Node], width: f64) -> Vec<Node> {
-    if width > 0.0 { condensed(sorted, width) } else { sorted.to_vec() }
+/// Ascending values condensed; all of them for a width of zero.
+fn nodes_of(count: usize, node: impl Fn(usize) -> Node + Sync, width: f64) -> Vec<Node> {
+    if width > 0.0 { condensed(count, node, width) } else { (0..count).map(node).collect() }
 }

@@ -14,6 +14,7 @@ use crate::layer::ModulusModel;
 use crate::material::Material;
 use crate::model::{Deterministic, Model, ReferencePlane, Response, Statistical};
 use crate::numeric::Sum;
+use crate::progress::Silent;
 use crate::shape::Shape;
 use crate::spot::{Conduction, Shear, ShearStrength, SpotProperties};
 
@@ -40,6 +41,7 @@ fn inputs(set: &AsperitySet) -> Inputs<'_> {
     Inputs {
         asperities: set.spheres(),
         by_height: set.by_height(),
+        by_radius: Some(set.by_radius()),
         plane,
         population: Population {
             radius: statistics.mean_radius,
@@ -222,7 +224,7 @@ fn equal_radii() {
 fn shuffled_radii_have_no_correlation() {
     let contact = interface("zmc");
     let own = set(5000, -0.4, 0.6);
-    let division = Division::independent(own.count(), [5; 32]).unwrap();
+    let division = Division::independent(own.count(), [5; 32], &Silent).unwrap();
     let correlation = |set: &AsperitySet| {
         let all = Rearranged::new(inputs(set));
         let states = all.at_loads(&*contact, &pairs(&*contact, set, &[2e7]));

@@ -1,13 +1,16 @@
 //! Groups of asperities that are left out in turn.
 
+use std::convert::Infallible;
 use std::sync::Arc;
 
-use rand::SeedableRng;
 use rand::seq::SliceRandom;
+use rand::{SeedableRng, TryRng};
 use rand_chacha::ChaCha8Rng;
 
 use crate::asperity::{AsperitySet, Places};
+use crate::memory::zeros;
 use crate::numeric::parallel;
+use crate::progress::{Count, Progress};
 use crate::topography::{Blocks, MIN_BLOCKS};
 
 /// Number of groups of independent draws; as many as blocks of a map, at least.
@@ -30,22 +33,27 @@ impl Division {
         Self::new(positions.iter().map(|&at| blocks.of_point(at) as u16).collect(), shares)
     }
 
-    /// Random groups of `count` independent asperities, of equal number within one; `None` for fewer than two in each.
-    pub fn independent(count: usize, seed: [u8; 32]) -> Option<Self> {
-        Self::random(count, GROUPS, seed)
+    /// Random groups of `count` independent asperities, of equal number within one; `None` for fewer than two in each. To `progress` it
+    /// shows that it goes on.
+    pub fn independent(count: usize, seed: [u8; 32], progress: &dyn Progress) -> Option<Self> {
+        Self::random(count, GROUPS, seed, progress)
     }
 
-    /// Both halves of `count` independent asperities at random; `None` for fewer than two in each.
-    pub fn random_halves(count: usize, seed: [u8; 32]) -> Option<Self> {
-        Self::random(count, 2, seed)
+    /// Both halves of `count` independent asperities at random; `None` for fewer than two in each. To `progress` it shows that it goes on.
+    pub fn random_halves(count: usize, seed: [u8; 32], progress: &dyn Progress) -> Option<Self> {
+        Self::random(count, 2, seed, progress)
     }
 
-    fn random(count: usize, groups: usize, seed: [u8; 32]) -> Option<Self> {
+    fn random(count: usize, groups: usize, seed: [u8; 32], progress: &dyn Progress) -> Option<Self> {
         if count < 2 * groups {
             return None;
         }
         let mut group: Vec<u16> = (0..count).map(|index| (index % groups) as u16).collect();
-        group.shuffle(&mut ChaCha8Rng::from_seed(seed));
+        group.shuffle(&mut Watched {
+            numbers: ChaCha8Rng::from_seed(seed),
+            drawn: Count::new(progress, 0.0, count),
+        });
+        progress.advance(0.0);
         let share = |k: usize| (count + groups - 1 - k) / groups;
         Some(Self::new(group, (0..groups).map(|k| share(k) as f64 / count as f64).collect()))
     }
@@ -57,7 +65,7 @@ impl Division {
         for k in 1..ends.len() {
             ends[k] += ends[k - 1];
         }
-        let (mut next, mut members) = (ends.clone(), vec![0; group.len()]);
+        let (mut next, mut members) = (ends.clone(), zeros(group.len()));
         for (index, &group) in group.iter().enumerate() {
             let next = &mut next[usize::from(group)];
             members[*next] = index;
@@ -92,9 +100,35 @@ impl Division {
     }
 }
 
+/// Random numbers that are counted as they are drawn.
+struct Watched<'a> {
+    numbers: ChaCha8Rng,
+    drawn: Count<'a>,
+}
+
+impl TryRng for Watched<'_> {
+    type Error = Infallible;
+
+    fn try_next_u32(&mut self) -> Result<u32, Infallible> {
+        self.drawn.add(1);
+        self.numbers.try_next_u32()
+    }
+
+    fn try_next_u64(&mut self) -> Result<u64, Infallible> {
+        self.drawn.add(1);
+        self.numbers.try_next_u64()
+    }
+
+    fn try_fill_bytes(&mut self, bytes: &mut [u8]) -> Result<(), Infallible> {
+        self.drawn.add(bytes.len() / size_of::<u32>());
+        self.numbers.try_fill_bytes(bytes)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::progress::Silent;
 
     fn set(count: usize) -> AsperitySet {
         let heights = (0..count).map(|k| k as f64).collect();
@@ -104,7 +138,7 @@ mod tests {
     #[test]
     fn each_asperity_is_left_out_once() {
         let (count, set) = (100, set(100));
-        let division = Division::independent(count, [1; 32]).unwrap();
+        let division = Division::independent(count, [1; 32], &Silent).unwrap();
         assert!((division.shares().iter().sum::<f64>() - 1.0).abs() < 1e-15);
         let mut kept = vec![0; count];
         for (group, share) in division.shares().iter().enumerate() {
@@ -118,18 +152,18 @@ mod tests {
             assert!((part.nominal_area() + rest.nominal_area() - 2.0).abs() < 1e-15);
         }
         assert_eq!(kept, [GROUPS - 1; 100]);
-        assert_ne!(division, Division::independent(count, [2; 32]).unwrap());
-        assert_eq!(Division::independent(31, [1; 32]), None);
+        assert_ne!(division, Division::independent(count, [2; 32], &Silent).unwrap());
+        assert_eq!(Division::independent(31, [1; 32], &Silent), None);
     }
 
     #[test]
     fn random_halves_are_equal_and_disjoint() {
-        let division = Division::random_halves(101, [1; 32]).unwrap();
+        let division = Division::random_halves(101, [1; 32], &Silent).unwrap();
         let parts = [0, 1].map(|half| division.only(&set(101), half).unwrap());
         assert_eq!(parts.each_ref().map(AsperitySet::count), [51, 50]);
         assert_eq!(parts[0].heights(), division.without(&set(101), 1).unwrap().heights());
         assert!(parts[0].heights().iter().all(|z| !parts[1].heights().contains(z)));
-        assert_eq!(Division::random_halves(3, [1; 32]), None);
+        assert_eq!(Division::random_halves(3, [1; 32], &Silent), None);
     }
 
     #[test]

@@ -150,6 +150,7 @@ mod tests {
     use crate::law::{Hertz, Law, Zmc};
     use crate::material::Material;
     use crate::model::Statistical;
+    use crate::progress::Silent;
     use crate::spot::{Conduction, Shear, ShearStrength, SpotProperties};
 
     fn models<'a>(
@@ -182,7 +183,7 @@ mod tests {
         let loads = [2e6, 1e7, 5e7];
         let pairs: Vec<Pair> = pairs_at(&statistical, &deterministic, &loads).into_iter().flatten().collect();
         let one_step = OneStep::new(pairs.clone(), &statistical, &deterministic, set.nominal_area());
-        let division = Division::independent(set.count(), [1; 32]).unwrap();
+        let division = Division::independent(set.count(), [1; 32], &Silent).unwrap();
         let shares = division.shares();
         let compared: Vec<(usize, ComparedQuantity)> = (0..3)
             .flat_map(|k| ComparedQuantity::ALL.map(|quantity| (k, quantity)))
