@@ -6,7 +6,6 @@ use std::ops::Range;
 use std::sync::OnceLock;
 
 use libm::erfc;
-use rayon::prelude::*;
 use statrs::distribution::ContinuousCDF;
 
 use super::{FOLDINGS, HeightDistribution};
@@ -14,7 +13,9 @@ use crate::literature::{Paper, SILVERMAN_1986};
 use crate::numeric::condensed::{Node, condensed};
 use crate::numeric::lanes::Real;
 use crate::numeric::parallel;
+use crate::numeric::sort::sort;
 use crate::numeric::sum::{Terms, sum_of, sums_of_present};
+use crate::progress::Silent;
 
 /// Kernels per width of a kernel that stand for all heights.
 const KERNELS: f64 = 10.0;
@@ -84,7 +85,7 @@ impl Smoothed {
     /// Heights that are all equal.
     pub fn new(heights: &[f64]) -> Result<Self, EqualHeights> {
         let mut sorted = heights.to_vec();
-        sorted.par_sort_unstable_by(f64::total_cmp);
+        sort(&mut sorted, &Silent);
         Self::of_ascending(&sorted)
     }
 

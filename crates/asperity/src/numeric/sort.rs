@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use crate::memory::collected;
-use crate::progress::{PIECE, Progress};
+use crate::progress::{PIECE, Progress, Silent};
 
 /// The places of `values` in ascending total order, equal ones in the order of their places, on all threads.
 pub(crate) fn ascending(values: &[f64]) -> Vec<usize> {
@@ -12,7 +12,7 @@ pub(crate) fn ascending(values: &[f64]) -> Vec<usize> {
     let of_place = (1_u64 << bits) - 1;
     let keyed = |(place, value): (usize, &f64)| (ordered_bits(*value) & !of_place) | place as u64;
     let mut keys = collected(values.par_iter().enumerate().map(keyed));
-    keys.par_sort_unstable();
+    in_parts(&mut keys, |&key| key, &Silent);
     // Values that agree in these bits are next to each other.
     let place = |key: u64| (key & of_place) as usize;
     for alike in keys.chunk_by_mut(|a, b| a & !of_place == b & !of_place).filter(|alike| alike.len() > 1) {
@@ -34,26 +34,40 @@ fn unordered_bits(bits: u64) -> u64 {
     if bits >> 63 == 1 { bits & !(1 << 63) } else { !bits }
 }
 
-/// Sorts numbers by their total order, on all threads: one unit of work. The halves are parted first, so that they sort in place and each by
-/// itself.
+/// Sorts numbers by their total order, on all threads: one unit of work.
 pub(crate) fn sort(values: &mut [f64], progress: &dyn Progress) {
-    let whole = values.len().max(1) as f64;
-    halves(values, &|count| progress.advance(count as f64 / whole));
+    // As integers they are compared without a branch.
+    values.par_iter_mut().for_each(|value| *value = f64::from_bits(ordered_bits(*value)));
+    in_parts(values, |value| value.to_bits(), progress);
+    values.par_iter_mut().for_each(|value| *value = f64::from_bits(unordered_bits(value.to_bits())));
 }
 
-fn halves(values: &mut [f64], done: &(dyn Fn(usize) + Sync)) {
-    if values.len() <= PIECE {
+/// Sorts by a key, on all threads: one unit of work. The halves are parted first, so that they are sorted in place and each by
+/// itself, by the sort of the standard library, which takes half the time of rayon's.
+fn in_parts<T: Send>(values: &mut [T], key: impl Fn(&T) -> u64 + Sync, progress: &dyn Progress) {
+    /// Parts of up to 16 million values.
+    const PARTS: usize = 16;
+    const LEAST: usize = 1 << 13;
+    let count = values.len();
+    let done = |some: usize| progress.advance(some as f64 / count.max(1) as f64);
+    halves(values, &key, (count / PARTS).clamp(LEAST, PIECE), &done);
+}
+
+fn halves<T: Send>(
+    values: &mut [T],
+    key: &(impl Fn(&T) -> u64 + Sync),
+    part: usize,
+    done: &(dyn Fn(usize) + Sync),
+) {
+    if values.len() <= part {
         done(values.len());
-        // As integers they are compared without a branch.
-        values.iter_mut().for_each(|value| *value = f64::from_bits(ordered_bits(*value)));
-        values.par_sort_unstable_by_key(|value| value.to_bits());
-        return values.iter_mut().for_each(|value| *value = f64::from_bits(unordered_bits(value.to_bits())));
+        return values.sort_unstable_by_key(key);
     }
     let middle = values.len() / 2;
-    values.select_nth_unstable_by(middle, f64::total_cmp);
+    values.select_nth_unstable_by_key(middle, key);
     done(0);
     let (low, high) = values.split_at_mut(middle);
-    rayon::join(|| halves(low, done), || halves(high, done));
+    rayon::join(|| halves(low, key, part, done), || halves(high, key, part, done));
 }
 
 #[cfg(test)]

@@ -1,10 +1,11 @@
 //! The height distribution of a map, as a transform of a Gaussian field.
 
-use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, Normal};
 
 use super::super::HeightMap;
 use crate::distribution::normal_nodes;
+use crate::numeric::sort::sort;
+use crate::progress::Silent;
 
 /// The map from a standard normal g to a height of zero mean and unit standard deviation, from the heights of a map: a cubic through their
 /// quantiles at equal steps of g; beyond those that hardly an independent height exceeds, slopes grow or shrink as they do there.
@@ -28,7 +29,7 @@ impl OwnHeights {
         /// Independent heights beyond the outermost nodes.
         const BEYOND: f64 = 0.5;
         let mut sorted: Vec<f64> = map.heights().iter().copied().filter(|z| !z.is_nan()).collect();
-        sorted.par_sort_unstable_by(f64::total_cmp);
+        sort(&mut sorted, &Silent);
         if sorted.first() == sorted.last() {
             return None;
         }
