@@ -13,10 +13,9 @@ pub(super) fn encode(
     opacities: &[u8],
 ) -> Option<String> {
     // Neighbours are alike in a smooth field, and in a rough one their differences are noise.
-    let files = [Filter::NoFilter, Filter::Adaptive]
-        .into_iter()
-        .filter_map(|filter| file(indices, [width, height], palette, opacities, filter));
-    let smallest = files.min_by_key(Vec::len)?;
+    let with = |filter| file(indices, [width, height], palette, opacities, filter);
+    let files: [_; 2] = rayon::join(|| with(Filter::NoFilter), || with(Filter::Adaptive)).into();
+    let smallest = files.into_iter().flatten().min_by_key(Vec::len)?;
     Some(format!("data:image/png;base64,{}", STANDARD.encode(smallest)))
 }
 

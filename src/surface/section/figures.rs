@@ -111,8 +111,13 @@ pub fn unit(largest: f64) -> (f64, &'static str) {
 /// The limit of the colour scale (m): the 99.5 % quantile, so that a few pits do not dominate it.
 fn colour_limit(map: &HeightMap) -> f64 {
     let mut sizes: Vec<f64> = map.heights().iter().filter(|z| !z.is_nan()).map(|z| z.abs()).collect();
-    sizes.sort_unstable_by(f64::total_cmp);
-    sizes.get(sizes.len() * 199 / 200).copied().unwrap_or(0.0)
+    let place = sizes.len() * 199 / 200;
+    nth(&mut sizes, place).unwrap_or(0.0)
+}
+
+/// The value at a place in ascending order, which is not made for the others; `None` beyond the last.
+pub fn nth(values: &mut [f64], place: usize) -> Option<f64> {
+    (place < values.len()).then(|| *values.select_nth_unstable_by(place, f64::total_cmp).1)
 }
 
 /// The heights as an image, with a circle around each of the places `marked` (m).

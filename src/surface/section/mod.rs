@@ -10,7 +10,7 @@ use asperity_contact_framework::report::format::{count, percent};
 use asperity_contact_framework::report::page::Page;
 use asperity_contact_framework::report::table::Tables;
 use asperity_contact_framework::report::view::View;
-pub use figures::{radii_against_heights, unit as length_unit};
+pub use figures::{nth, radii_against_heights, unit as length_unit};
 
 /// Adds views and figures of a surface to a page, those that most readers want first; `assumed` is the population of the statistical
 /// model.

@@ -5,7 +5,7 @@ use asperity_contact_framework::report::page::Page;
 use asperity_plot::{Axis, Colour, ColourMap, Figure, Frames, Layer, Patches, Plot, Raster};
 
 use crate::kind::compare::contact_map::{ContactMap, MapPatches};
-use crate::surface::section::length_unit;
+use crate::surface::section::{length_unit, nth};
 
 /// Radius of the smallest circle over the side of the map: smaller ones would not be seen.
 const LEAST: f64 = 0.003;
@@ -36,11 +36,10 @@ fn figure(name: &str, map: &ContactMap) -> Figure {
         .flat_map(|iy| (0..nx).map(move |ix| ix * ny + iy))
         .map(|at| map.heights.heights()[at])
         .collect();
-    let mut sorted: Vec<f64> = heights.iter().copied().filter(|z| !z.is_nan()).collect();
-    sorted.sort_unstable_by(f64::total_cmp);
+    let mut present: Vec<f64> = heights.iter().copied().filter(|z| !z.is_nan()).collect();
     // A few pits and peaks do not take all greys.
-    let quantile = |share: f64| sorted.get((share * (sorted.len() - 1) as f64) as usize).copied();
-    let [low, high] = [0.005, 0.995].map(|share| quantile(share).unwrap_or(0.0));
+    let last = present.len().saturating_sub(1) as f64;
+    let [low, high] = [0.005, 0.995].map(|share| nth(&mut present, (share * last) as usize).unwrap_or(0.0));
     let (height, height_unit) = length_unit(low.abs().max(high.abs()));
     let relief = Raster {
         x: ends[0],

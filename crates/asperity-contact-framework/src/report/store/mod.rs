@@ -19,6 +19,7 @@ mod swap;
 
 use crate::disk::{advice, check_writable};
 use manifest::{Kept, MANIFEST, Manifest};
+use rayon::prelude::*;
 use serde::Deserialize;
 use std::fs::{self, File, TryLockError};
 use std::io::{self, Write};
@@ -276,9 +277,9 @@ impl Store {
 /// Writes the files of a report and its manifest into a new folder, down to the disk.
 fn write_all(path: &Path, folder: &Folder, kept: &Kept) -> Result<(), StoreError> {
     fs::create_dir(path).or_else(|e| failed("create folder", path, e))?;
-    for (name, content) in folder.files.iter().chain(&kept.earlier).chain(&kept.edited) {
-        write_file(&path.join(name), content)?;
-    }
+    // Each is waited for until it is on the disk.
+    let files: Vec<_> = folder.files.iter().chain(&kept.earlier).chain(&kept.edited).collect();
+    files.par_iter().try_for_each(|(name, content)| write_file(&path.join(name), content))?;
     write_file(&path.join(MANIFEST), Manifest::new(&folder.key, &folder.files).text().as_bytes())?;
     sync_folder(path)
 }
