@@ -15,6 +15,8 @@ const LEAST: f64 = 0.02;
 /// Weights of a point's neighbours along x, along y and at the corners, relative to its own.
 #[derive(Debug, Clone, Copy)]
 pub struct Stencil {
+    /// The weight in the middle, Pa/m: the pressure of a point over its displacement.
+    pub centre: f64,
     /// Along x.
     pub x: f64,
     /// Along y.
@@ -41,7 +43,8 @@ impl Stencil {
         let [x, y, corner] = [sums[1], sums[2], sums[3]].map(|sum| sum / sums[0]);
         let neighbours = -(2.0 * (x + y) + 4.0 * corner);
         let scale = if neighbours > 1.0 - LEAST { (1.0 - LEAST) / neighbours } else { 1.0 };
-        Self { x: scale * x, y: scale * y, corner: scale * corner }
+        let centre = sums[0] / (SAMPLES * SAMPLES) as f64;
+        Self { centre, x: scale * x, y: scale * y, corner: scale * corner }
     }
 
     /// The inverse applied to a field on a grid that is zero outside `active`: `each` sees every point of row `i` in it, with the

@@ -156,8 +156,18 @@ impl<'a> Solver<'a> {
     /// # Errors
     /// A pressure that is not positive, not below the cap, or lost in rounding; no convergence.
     pub fn at_pressure(&self, pressure: f64, progress: &dyn Progress) -> Result<Contact, SolverError> {
+        // On a thread of the pool: each parallel pass would wake one and wait for it otherwise.
+        rayon::join(|| self.solved(pressure, progress), || ()).0
+    }
+
+    fn solved(&self, pressure: f64, progress: &dyn Progress) -> Result<Contact, SolverError> {
         if !is_positive(pressure) || pressure >= self.cap {
             return Err(SolverError::Pressure { pressure, cap: self.cap });
+        }
+        // All of the load on one point would move that by less than rounding of the heights.
+        let Level { heights, moments: [_, deviation], stencil, .. } = &self.levels[0];
+        if pressure * heights.len() as f64 <= f64::EPSILON * deviation * stencil.centre {
+            return Err(SolverError::TooLight(pressure));
         }
         let coarsest = self.levels.last().map_or([0, 0], |level| level.points);
         let mut start = vec![pressure; coarsest[0] * coarsest[1]];
