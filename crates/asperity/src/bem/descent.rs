@@ -149,7 +149,7 @@ impl Grid<'_> {
             grid: self,
             target,
             pressures: start,
-            gaps: zeros(count),
+            gaps: self.heights.par_iter().map(|height| -height).collect(),
             direction: zeros(count),
             response: zeros(count),
             waves: self.convolution.waves(),
@@ -162,15 +162,19 @@ impl Grid<'_> {
             convolutions: 0,
         };
         state.keep_load(0.0);
-        state.find_gaps();
-        // The last error of gaps in double precision, and the step at which they were found.
-        let (mut exact, mut exact_at) = (f64::INFINITY, 0);
-        let (mut steps, mut is_exact, mut followed) = (0, true, f64::INFINITY);
+        // From none.
+        state.follow();
+        // The last error of gaps in double precision, or the first one, and the step at which they were found.
+        let (mut exact, mut exact_at) = (f64::NAN, 0);
+        let (mut steps, mut is_exact, mut followed) = (0, false, f64::INFINITY);
         let mut more = if target.error < NEAR_ROUNDING { MORE } else { 0 };
         loop {
             let contact = state.find_contact();
             let error = contact.error;
             watch(error);
+            if exact.is_nan() {
+                exact = error;
+            }
             let is_within = error <= target.error;
             let is_reached = is_within && (more == 0 || error <= 0.1 * target.error);
             // A single point has its pressure.
@@ -361,17 +365,20 @@ impl State<'_> {
             .zip(response.par_chunks(ny))
             .enumerate()
             .with_min_len(ROWS)
-            .map(|(i, ((z, direction), response))| {
-                let mut sums = [0.0; 4];
-                grid.stencil.apply_row(grid.points, grid.wraps, active, i, residual, |j, value| {
-                    z[j] = value;
-                    sums[0] += value;
-                    sums[1] += value * f64::from(response[j]);
-                    sums[2] += f64::from(response[j]);
-                    sums[3] += f64::from(direction[j]);
-                });
-                Sums(sums)
-            })
+            .map_init(
+                || Stencil::rows(ny),
+                |rows, (i, ((z, direction), response))| {
+                    let mut sums = [0.0; 4];
+                    grid.stencil.apply_row(rows, grid.points, grid.wraps, active, i, residual, |j, value| {
+                        z[j] = value;
+                        sums[0] += value;
+                        sums[1] += value * f64::from(response[j]);
+                        sums[2] += f64::from(response[j]);
+                        sums[3] += f64::from(direction[j]);
+                    });
+                    Sums(sums)
+                },
+            )
             .collect();
         let [z_sum, z_response, response_sum, direction_sum] = total(&rows);
         let (z_mean, direction_mean) = (z_sum / count, direction_sum / count);

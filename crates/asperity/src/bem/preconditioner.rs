@@ -47,10 +47,16 @@ impl Stencil {
         Self { centre, x: scale * x, y: scale * y, corner: scale * corner }
     }
 
+    /// The rows that [`Self::apply_row`] needs of a grid with `ny` points a row, for any number of calls.
+    pub fn rows(ny: usize) -> [Vec<f64>; 2] {
+        [vec![0.0; ny + 2], vec![0.0; ny + 2]]
+    }
+
     /// The inverse applied to a field on a grid that is zero outside `active`: `each` sees every point of row `i` in it, with the
     /// value there. `field` gives the field at the points in `active`.
     pub fn apply_row(
         &self,
+        rows: &mut [Vec<f64>; 2],
         [nx, ny]: [usize; 2],
         wraps: bool,
         active: &Points,
@@ -61,18 +67,24 @@ impl Stencil {
         let edge = |beyond: usize, opposite: usize| if wraps { opposite } else { beyond };
         let up = if i == 0 { edge(0, nx - 1) } else { i - 1 };
         let down = if i + 1 == nx { edge(i, 0) } else { i + 1 };
-        let [above, here, below] = [up, i, down].map(|i| active.row(i));
-        let at = |words: &[u64], i: usize, j: usize| {
-            if words[j / 64] >> (j % 64) & 1 == 1 { field(i * ny + j) } else { 0.0 }
-        };
-        for j in members(here) {
-            let left = if j == 0 { edge(0, ny - 1) } else { j - 1 };
-            let right = if j + 1 == ny { edge(j, 0) } else { j + 1 };
-            let beside = at(here, i, left) + at(here, i, right);
-            let over = at(above, up, j) + at(below, down, j);
-            let corners =
-                at(above, up, left) + at(above, up, right) + at(below, down, left) + at(below, down, right);
-            each(j, at(here, i, j) + self.x * over + self.y * beside + self.corner * corners);
+        if members(active.row(i)).next().is_none() {
+            return;
         }
+        // The field of the row, and that of both beside it; a point more on each side.
+        let [here, over] = rows;
+        members(active.row(i)).for_each(|j| here[j + 1] = field(i * ny + j));
+        for beside in [up, down] {
+            members(active.row(beside)).for_each(|j| over[j + 1] += field(beside * ny + j));
+        }
+        for row in [&mut *here, &mut *over] {
+            (row[0], row[ny + 1]) = if wraps { (row[ny], row[1]) } else { (row[1], row[ny]) };
+        }
+        for j in members(active.row(i)) {
+            let beside = here[j] + here[j + 2];
+            let corners = over[j] + over[j + 2];
+            each(j, here[j + 1] + self.x * over[j + 1] + self.y * beside + self.corner * corners);
+        }
+        here.fill(0.0);
+        over.fill(0.0);
     }
 }
