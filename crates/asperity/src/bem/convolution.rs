@@ -1,6 +1,8 @@
 //! Displacements of a map from its pressures: a convolution by real transforms, with the caller's work in its passes over
 //! the rows.
 
+use std::array;
+
 use rayon::prelude::*;
 
 use super::Boundary;
@@ -191,22 +193,25 @@ impl<T: Number> Transforms<T> {
             |(batch, scratch), (block, tiles)| {
                 progress.advance(0.0);
                 let first = block * BLOCK;
-                let count = BLOCK.min(pairs - first);
-                for (k, column) in batch.chunks_mut(length + PADDING).take(count).enumerate() {
-                    for (b, tile) in tiles.iter().enumerate() {
-                        let waves = tile.as_chunks::<2>().0.iter().skip(k).step_by(BLOCK);
-                        for (i, &[re, im]) in waves.enumerate() {
-                            column[self.columns.place(b * BLOCK + i)] = Complex::new(re, im);
+                let mut columns = batch.chunks_mut(length + PADDING);
+                let mut columns: [_; BLOCK] = array::from_fn(|_| columns.next().unwrap_or_default());
+                let place = |tile: usize, line: usize| self.columns.place(tile * BLOCK + line);
+                for (b, tile) in tiles.iter().enumerate() {
+                    for (i, line) in tile.as_chunks::<TILE>().0.iter().enumerate() {
+                        let place = place(b, i);
+                        for (column, &[re, im]) in columns.iter_mut().zip(line.as_chunks::<2>().0) {
+                            column[place] = Complex::new(re, im);
                         }
                     }
+                }
+                for (k, column) in columns.iter_mut().take(pairs - first).enumerate() {
                     self.columns.respond(first + k, &mut column[..length], scratch);
                 }
-                for (k, column) in batch.chunks(length + PADDING).take(count).enumerate() {
-                    for (b, tile) in tiles.iter_mut().enumerate() {
-                        let waves = tile.as_chunks_mut::<2>().0.iter_mut().skip(k).step_by(BLOCK);
-                        for (i, to) in waves.enumerate() {
-                            let from = column[self.columns.place(b * BLOCK + i)];
-                            *to = [from.re, from.im];
+                for (b, tile) in tiles.iter_mut().enumerate() {
+                    for (i, line) in tile.as_chunks_mut::<TILE>().0.iter_mut().enumerate() {
+                        let place = place(b, i);
+                        for (column, to) in columns.iter().zip(line.as_chunks_mut::<2>().0) {
+                            *to = [column[place].re, column[place].im];
                         }
                     }
                 }
