@@ -46,6 +46,9 @@ const NEARLY: f64 = 0.9;
 /// projection may turn away from the residual where many points enter or leave.
 const WORTH: f64 = 0.1;
 
+/// The first reach over the pressure of a point per displacement.
+const FIRST_REACH: f64 = 0.25;
+
 /// A grid of heights with the response to pressures on it.
 pub struct Grid<'a> {
     pub points: [usize; 2],
@@ -72,6 +75,8 @@ pub struct Target {
     pub error: f64,
     /// Steps after which it is given up.
     pub steps: usize,
+    /// Whether the start is that of a coarser grid: the points that carry pressure are nearly those of the contact then.
+    pub is_near: bool,
 }
 
 /// Where a descent ended.
@@ -158,7 +163,7 @@ impl Grid<'_> {
             level: 0.0,
             step: 0.0,
             curvature: 0.0,
-            reach: 0.0,
+            reach: if target.is_near { FIRST_REACH * self.stencil.centre } else { 0.0 },
             convolutions: 0,
         };
         state.keep_load(0.0);

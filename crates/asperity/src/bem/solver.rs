@@ -174,7 +174,13 @@ impl<'a> Solver<'a> {
         for (depth, level) in self.levels.iter().enumerate().rev() {
             let is_finest = depth == 0;
             let error = if is_finest { self.error } else { self.error.max(COARSE_ERROR) };
-            let target = Target { pressure, cap: self.cap, error, steps: STEPS };
+            let target = Target {
+                pressure,
+                cap: self.cap,
+                error,
+                steps: STEPS,
+                is_near: depth + 1 < self.levels.len(),
+            };
             let of_level = if is_finest { 1.0 - COARSE_PROGRESS } else { 0.0 };
             let descent = level.descend(start, target, self.boundary, of_level, progress);
             if is_finest {
