@@ -9,7 +9,8 @@
 //! A step needs one convolution, that of its direction, from which the gap follows. Pressures clamped after a step would need
 //! another; so the last step length is tried along the conjugate direction first, and where pressures leave their bounds there,
 //! the direction leads to the projection of that end instead. Between both all pressures are admissible, and the step ends there
-//! at the latest. The first step is not bounded but corrected, and so is one after a direction that led hardly down.
+//! at the latest. The first step of the coarsest grid, and of all below a cap, is not bounded but corrected; so is one after a
+//! direction that led hardly down.
 
 use std::array;
 
@@ -46,7 +47,8 @@ const NEARLY: f64 = 0.9;
 /// projection may turn away from the residual where many points enter or leave.
 const WORTH: f64 = 0.1;
 
-/// The first reach over the pressure of a point per displacement.
+/// The reach of the first direction from a coarser grid, over the pressure of a point per displacement. Not below a cap, where
+/// all points are active first.
 const FIRST_REACH: f64 = 0.25;
 
 /// A grid of heights with the response to pressures on it.
@@ -163,7 +165,7 @@ impl Grid<'_> {
             level: 0.0,
             step: 0.0,
             curvature: 0.0,
-            reach: if target.is_near { FIRST_REACH * self.stencil.centre } else { 0.0 },
+            reach: if target.is_near && !has_cap { FIRST_REACH * self.stencil.centre } else { 0.0 },
             convolutions: 0,
         };
         state.keep_load(0.0);
