@@ -376,13 +376,20 @@ impl State<'_> {
                 || Stencil::rows(ny),
                 |rows, (i, ((z, direction), response))| {
                     let mut sums = [0.0; 4];
-                    grid.stencil.apply_row(rows, grid.points, grid.wraps, active, i, residual, |j, value| {
-                        z[j] = value;
-                        sums[0] += value;
-                        sums[1] += value * f64::from(response[j]);
-                        sums[2] += f64::from(response[j]);
-                        sums[3] += f64::from(direction[j]);
-                    });
+                    grid.stencil.apply_row(
+                        rows,
+                        (grid.points, grid.wraps),
+                        active,
+                        i,
+                        residual,
+                        |j, value| {
+                            z[j] = value;
+                            sums[0] += value;
+                            sums[1] += value * f64::from(response[j]);
+                            sums[2] += f64::from(response[j]);
+                            sums[3] += f64::from(direction[j]);
+                        },
+                    );
                     Sums(sums)
                 },
             )

@@ -168,11 +168,18 @@ impl State<'_> {
                 |rows, (i, z)| {
                     let mut sums = [0.0; 2];
                     let residual = |k: usize| displacements[k] - mean;
-                    grid.stencil.apply_row(rows, grid.points, grid.wraps, patch, i, residual, |j, value| {
-                        z[j] = value;
-                        sums[0] += value;
-                        sums[1] += value * residual(i * ny + j);
-                    });
+                    grid.stencil.apply_row(
+                        rows,
+                        (grid.points, grid.wraps),
+                        patch,
+                        i,
+                        residual,
+                        |j, value| {
+                            z[j] = value;
+                            sums[0] += value;
+                            sums[1] += value * residual(i * ny + j);
+                        },
+                    );
                     Sums(sums)
                 },
             )

@@ -52,13 +52,12 @@ impl Stencil {
         [vec![0.0; ny + 2], vec![0.0; ny + 2]]
     }
 
-    /// The inverse applied to a field on a grid that is zero outside `active`: `each` sees every point of row `i` in it, with the
-    /// value there. `field` gives the field at the points in `active`.
+    /// The inverse applied to a field that is zero outside `active`, on a grid of so many points that wraps or not: `each` sees
+    /// every point of row `i` in it, with the value there. `field` gives the field at the points in `active`.
     pub fn apply_row(
         &self,
         rows: &mut [Vec<f64>; 2],
-        [nx, ny]: [usize; 2],
-        wraps: bool,
+        ([nx, ny], wraps): ([usize; 2], bool),
         active: &Points,
         i: usize,
         field: impl Fn(usize) -> f64,
