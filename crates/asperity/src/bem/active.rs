@@ -17,17 +17,6 @@ impl Points {
         Self { stride, words: vec![0; nx * stride] }
     }
 
-    /// All points of a map.
-    pub fn all(points: [usize; 2]) -> Self {
-        let mut all = Self::none(points);
-        let (stride, ny) = (all.stride, points[1]);
-        for (k, word) in all.words.iter_mut().enumerate() {
-            let rest = ny - 64 * (k % stride);
-            *word = if rest < 64 { (1 << rest) - 1 } else { u64::MAX };
-        }
-        all
-    }
-
     /// The points of a map, by their index, that `is_member` holds for.
     pub fn selected([nx, ny]: [usize; 2], is_member: impl Fn(usize) -> bool + Sync) -> Self {
         let mut points = Self::none([nx, ny]);

@@ -1,6 +1,8 @@
 //! Displacements of a map from its pressures: a convolution by real transforms, with the caller's work in its passes over
 //! the rows.
 
+use std::array;
+
 use rayon::prelude::*;
 
 use super::Boundary;
@@ -14,6 +16,9 @@ use asperity_fft::{Complex, Number};
 
 /// Rows or columns transposed together: eight complex numbers are two cache lines.
 const BLOCK: usize = 8;
+
+/// Numbers of a row of a tile.
+const TILE: usize = 2 * BLOCK;
 
 /// Numbers between the columns of a batch beyond their length: columns of a power of two would share the places of the
 /// cache.
@@ -36,7 +41,7 @@ struct Transforms<T: Number> {
     points: [usize; 2],
     rows: RowTransform<T>,
     columns: Columns<T>,
-    /// Numbers of a row of waves.
+    /// Numbers of a row of waves: whole tiles.
     stride: usize,
 }
 
@@ -108,7 +113,7 @@ impl Convolution {
 impl<T: Number> Transforms<T> {
     fn new(points: [usize; 2], [length, width]: [usize; 2], is_mirrored: bool, response: Vec<T>) -> Self {
         let rows = RowTransform::new(width, is_mirrored);
-        let stride = 2 * rows.pairs();
+        let stride = (2 * rows.pairs()).next_multiple_of(TILE);
         Self { points, rows, columns: Columns::new(points[0], length, width, is_mirrored, response), stride }
     }
 
@@ -124,9 +129,9 @@ impl<T: Number> Transforms<T> {
                     row.fill(T::default());
                     fill(block * BLOCK + k, row);
                     self.rows.forward(row, packed, scratch);
-                    for (tile, waves) in tiles.chunks_mut(2 * BLOCK * count).zip(packed.chunks(2 * BLOCK)) {
-                        tile[k * waves.len()..][..waves.len()].copy_from_slice(waves);
-                    }
+                    // Of a known length, which a copy needs no call for.
+                    let lines = tiles.as_chunks_mut::<TILE>().0.iter_mut().skip(k).step_by(count);
+                    lines.zip(packed.as_chunks::<TILE>().0).for_each(|(line, waves)| *line = *waves);
                 }
             },
         );
@@ -154,10 +159,13 @@ impl<T: Number> Transforms<T> {
                     let count = tiles.len() / stride;
                     let rows = out.chunks_mut(ny).enumerate();
                     rows.map(|(k, out)| {
-                        for (tile, waves) in tiles.chunks(2 * BLOCK * count).zip(packed.chunks_mut(2 * BLOCK))
-                        {
-                            waves.copy_from_slice(&tile[k * waves.len()..][..waves.len()]);
-                        }
+                        let lines = tiles.as_chunks::<TILE>().0.iter().skip(k).step_by(count);
+                        packed
+                            .as_chunks_mut::<TILE>()
+                            .0
+                            .iter_mut()
+                            .zip(lines)
+                            .for_each(|(waves, line)| *waves = *line);
                         self.rows.backward(packed, scale, row, scratch);
                         each(block * BLOCK + k, row, out)
                     })
@@ -172,11 +180,12 @@ impl<T: Number> Transforms<T> {
     fn multiply(&self, waves: &mut [T], progress: &dyn Progress) {
         let Self { points: [nx, _], stride, .. } = *self;
         let length = self.columns.length();
+        let pairs = self.rows.pairs();
         // The tiles of each block of columns.
         let mut columns: Vec<Vec<&mut [T]>> = Vec::new();
-        columns.resize_with(stride.div_ceil(2 * BLOCK), || Vec::with_capacity(nx.div_ceil(BLOCK)));
+        columns.resize_with(stride / TILE, || Vec::with_capacity(nx.div_ceil(BLOCK)));
         for tiles in waves.chunks_mut(BLOCK * stride) {
-            let side = 2 * BLOCK * (tiles.len() / stride);
+            let side = TILE * (tiles.len() / stride);
             columns.iter_mut().zip(tiles.chunks_mut(side)).for_each(|(column, tile)| column.push(tile));
         }
         columns.par_iter_mut().enumerate().for_each_init(
@@ -184,22 +193,25 @@ impl<T: Number> Transforms<T> {
             |(batch, scratch), (block, tiles)| {
                 progress.advance(0.0);
                 let first = block * BLOCK;
-                let count = BLOCK.min(stride / 2 - first);
-                for (k, column) in batch.chunks_mut(length + PADDING).take(count).enumerate() {
-                    for (b, tile) in tiles.iter().enumerate() {
-                        let waves = tile.as_chunks::<2>().0.iter().skip(k).step_by(count);
-                        for (i, &[re, im]) in waves.enumerate() {
-                            column[self.columns.place(b * BLOCK + i)] = Complex::new(re, im);
+                let mut columns = batch.chunks_mut(length + PADDING);
+                let mut columns: [_; BLOCK] = array::from_fn(|_| columns.next().unwrap_or_default());
+                let place = |tile: usize, line: usize| self.columns.place(tile * BLOCK + line);
+                for (b, tile) in tiles.iter().enumerate() {
+                    for (i, line) in tile.as_chunks::<TILE>().0.iter().enumerate() {
+                        let place = place(b, i);
+                        for (column, &[re, im]) in columns.iter_mut().zip(line.as_chunks::<2>().0) {
+                            column[place] = Complex::new(re, im);
                         }
                     }
+                }
+                for (k, column) in columns.iter_mut().take(pairs - first).enumerate() {
                     self.columns.respond(first + k, &mut column[..length], scratch);
                 }
-                for (k, column) in batch.chunks(length + PADDING).take(count).enumerate() {
-                    for (b, tile) in tiles.iter_mut().enumerate() {
-                        let waves = tile.as_chunks_mut::<2>().0.iter_mut().skip(k).step_by(count);
-                        for (i, to) in waves.enumerate() {
-                            let from = column[self.columns.place(b * BLOCK + i)];
-                            *to = [from.re, from.im];
+                for (b, tile) in tiles.iter_mut().enumerate() {
+                    for (i, line) in tile.as_chunks_mut::<TILE>().0.iter_mut().enumerate() {
+                        let place = place(b, i);
+                        for (column, to) in columns.iter().zip(line.as_chunks_mut::<2>().0) {
+                            *to = [column[place].re, column[place].im];
                         }
                     }
                 }

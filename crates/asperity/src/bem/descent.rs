@@ -3,9 +3,14 @@
 //!
 //! The pressures p minimise p K p/2 - p h subject to 0 <= p <= H and a given sum. Differences from Polonsky and Keer
 //! (1999): the direction is kept when points enter or leave the contact, and made conjugate to the last one; a stencil of
-//! 3 x 3 points approximates the inverse of K; the load is kept by projection, which also serves a cap; a step after
-//! which no pressure had to be clamped needs one convolution, since the gap then follows from that of the direction; and
-//! gaps follow the changes of the pressures in single precision, from pressures and to those found in double precision.
+//! 3 x 3 points approximates the inverse of K; the load is kept by projection, which also serves a cap; and gaps follow
+//! the changes of the pressures in single precision, from pressures and to those found in double precision.
+//!
+//! A step needs one convolution, that of its direction, from which the gap follows. Pressures clamped after a step would need
+//! another; so the last step length is tried along the conjugate direction first, and where pressures leave their bounds there,
+//! the direction leads to the projection of that end instead. Between both all pressures are admissible, and the step ends there
+//! at the latest. The first step of the coarsest grid, and of all below a cap, is not bounded but corrected; so is one after a
+//! direction that led hardly down.
 
 use std::array;
 
@@ -34,6 +39,18 @@ const FOLLOWED: usize = 16;
 const NEAR_ROUNDING: f64 = 1e-11;
 const MORE: usize = 4;
 
+/// The part of the way to projected pressures from which on a step goes all of it: points that are to leave the contact would
+/// keep a small pressure else, and hold up the next steps.
+const NEARLY: f64 = 0.9;
+
+/// The part of its reach that a direction to projected pressures leads down at least, or the next one is not bounded: the
+/// projection may turn away from the residual where many points enter or leave.
+const WORTH: f64 = 0.1;
+
+/// The reach of the first direction from a coarser grid, over the pressure of a point per displacement. Not below a cap, where
+/// all points are active first.
+const FIRST_REACH: f64 = 0.25;
+
 /// A grid of heights with the response to pressures on it.
 pub struct Grid<'a> {
     pub points: [usize; 2],
@@ -60,6 +77,8 @@ pub struct Target {
     pub error: f64,
     /// Steps after which it is given up.
     pub steps: usize,
+    /// Whether the start is that of a coarser grid: the points that carry pressure are nearly those of the contact then.
+    pub is_near: bool,
 }
 
 /// Where a descent ended.
@@ -97,7 +116,8 @@ struct State<'a> {
     direction: Vec<f32>,
     /// Displacements under the direction.
     response: Vec<f32>,
-    /// Between transforms the preconditioned residual, then the pressures of active points before a step.
+    /// Between transforms the preconditioned residual, then the pressures of active points at the reach of the direction: without
+    /// one those before the step.
     waves: Vec<f64>,
     single_waves: Vec<f32>,
     /// Points whose pressure may change.
@@ -108,6 +128,8 @@ struct State<'a> {
     step: f64,
     /// direction . response of the last step; 0 before the first.
     curvature: f64,
+    /// The step length that pressures are bounded for: that to the minimum along the last direction; 0 where it is of no use.
+    reach: f64,
     convolutions: usize,
 }
 
@@ -127,31 +149,39 @@ impl Grid<'_> {
     /// Gives up after the steps of `target`: the error then exceeds that asked for.
     pub fn descend(&self, start: Vec<f64>, target: Target, watch: &dyn Fn(f64)) -> Descent {
         let count = self.points[0] * self.points[1];
+        // All others are without pressure, of which rounding of the load would give them some. Below a cap these may not carry it.
+        let has_cap = target.cap.is_finite();
+        let active = Points::selected(self.points, |k| has_cap || start[k] > 0.0);
         let mut state = State {
             grid: self,
             target,
             pressures: start,
-            gaps: zeros(count),
+            gaps: self.heights.par_iter().map(|height| -height).collect(),
             direction: zeros(count),
             response: zeros(count),
             waves: self.convolution.waves(),
             single_waves: self.convolution.single_waves(),
-            active: Points::all(self.points),
+            active,
             level: 0.0,
             step: 0.0,
             curvature: 0.0,
+            reach: if target.is_near && !has_cap { FIRST_REACH * self.stencil.centre } else { 0.0 },
             convolutions: 0,
         };
         state.keep_load(0.0);
-        state.find_gaps();
-        // The last error of gaps in double precision, and the step at which they were found.
-        let (mut exact, mut exact_at) = (f64::INFINITY, 0);
-        let (mut steps, mut is_exact, mut followed) = (0, true, f64::INFINITY);
+        // From none.
+        state.follow();
+        // The last error of gaps in double precision, or the first one, and the step at which they were found.
+        let (mut exact, mut exact_at) = (f64::NAN, 0);
+        let (mut steps, mut is_exact, mut followed) = (0, false, f64::INFINITY);
         let mut more = if target.error < NEAR_ROUNDING { MORE } else { 0 };
         loop {
             let contact = state.find_contact();
             let error = contact.error;
             watch(error);
+            if exact.is_nan() {
+                exact = error;
+            }
             let is_within = error <= target.error;
             let is_reached = is_within && (more == 0 || error <= 0.1 * target.error);
             // A single point has its pressure.
@@ -173,8 +203,11 @@ impl Grid<'_> {
                     state.curvature = 0.0;
                 }
             }
-            state.turn(&contact);
-            if state.advance(&contact) {
+            let is_bounded = state.turn(&contact);
+            if is_bounded {
+                state.bound(contact.fixed_load);
+            }
+            if state.advance(&contact, is_bounded) {
                 state.keep_load(contact.fixed_load);
                 state.follow();
             }
@@ -323,9 +356,10 @@ impl State<'_> {
         Contact { error: dual_gap / (load * self.grid.deviation), count, mean_gap: gaps / count, fixed_load }
     }
 
-    /// The next direction: the preconditioned residual, made conjugate to the last direction.
-    fn turn(&mut self, contact: &Contact) {
-        let ny = self.width();
+    /// The next direction: the preconditioned residual, made conjugate to the last direction. Whether a pressure leaves its bounds
+    /// within its reach.
+    fn turn(&mut self, contact: &Contact) -> bool {
+        let (ny, cap, reach) = (self.width(), self.target.cap, self.reach);
         let nx = self.grid.points[0];
         let &Contact { count, mean_gap, .. } = contact;
         let (grid, gaps, active) = (self.grid, &self.gaps, &self.active);
@@ -338,17 +372,27 @@ impl State<'_> {
             .zip(response.par_chunks(ny))
             .enumerate()
             .with_min_len(ROWS)
-            .map(|(i, ((z, direction), response))| {
-                let mut sums = [0.0; 4];
-                grid.stencil.apply_row(grid.points, grid.wraps, active, i, residual, |j, value| {
-                    z[j] = value;
-                    sums[0] += value;
-                    sums[1] += value * f64::from(response[j]);
-                    sums[2] += f64::from(response[j]);
-                    sums[3] += f64::from(direction[j]);
-                });
-                Sums(sums)
-            })
+            .map_init(
+                || Stencil::rows(ny),
+                |rows, (i, ((z, direction), response))| {
+                    let mut sums = [0.0; 4];
+                    grid.stencil.apply_row(
+                        rows,
+                        (grid.points, grid.wraps),
+                        active,
+                        i,
+                        residual,
+                        |j, value| {
+                            z[j] = value;
+                            sums[0] += value;
+                            sums[1] += value * f64::from(response[j]);
+                            sums[2] += f64::from(response[j]);
+                            sums[3] += f64::from(direction[j]);
+                        },
+                    );
+                    Sums(sums)
+                },
+            )
             .collect();
         let [z_sum, z_response, response_sum, direction_sum] = total(&rows);
         let (z_mean, direction_mean) = (z_sum / count, direction_sum / count);
@@ -357,23 +401,46 @@ impl State<'_> {
         } else {
             0.0
         };
-        let z = &*z;
-        self.direction
+        let is_out: Vec<bool> = self
+            .direction
             .par_chunks_mut(ny)
-            .zip(z.par_chunks(ny))
+            .zip(z.par_chunks_mut(ny))
+            .zip(self.pressures.par_chunks(ny))
             .zip(active.rows())
             .with_min_len(ROWS)
-            .for_each(|((direction, z), words)| {
-                for j in members(words) {
+            .map(|(((direction, z), pressures), words)| {
+                members(words).fold(false, |is_out, j| {
                     let conjugate = beta * (f64::from(direction[j]) - direction_mean);
                     direction[j] = (z[j] - z_mean + conjugate) as f32;
-                }
+                    z[j] = pressures[j] - reach * f64::from(direction[j]);
+                    is_out | (z[j] < 0.0) | (z[j] > cap)
+                })
+            })
+            .collect();
+        is_out.into_iter().any(|is_out| is_out)
+    }
+
+    /// Turns the direction to the projection of the pressures at its reach. `fixed` is the load of fixed points.
+    fn bound(&mut self, fixed: f64) {
+        let (ny, cap, reach) = (self.width(), self.target.cap, self.reach);
+        let load = self.load() - fixed;
+        let ends = &mut self.waves[..self.pressures.len()];
+        project(ends, ny, &self.active, load, cap);
+        self.direction
+            .par_chunks_mut(ny)
+            .zip(ends.par_chunks(ny))
+            .zip(self.pressures.par_chunks(ny))
+            .zip(self.active.rows())
+            .with_min_len(ROWS)
+            .for_each(|(((direction, ends), pressures), words)| {
+                members(words).for_each(|j| direction[j] = ((pressures[j] - ends[j]) / reach) as f32);
             });
     }
 
-    /// Goes to the minimum along the direction; whether a pressure left its bounds there.
-    fn advance(&mut self, contact: &Contact) -> bool {
-        let (ny, cap) = (self.width(), self.target.cap);
+    /// Goes to the minimum along the direction, or to its reach if pressures leave their bounds beyond. Whether they left them
+    /// without a reach.
+    fn advance(&mut self, contact: &Contact, is_bounded: bool) -> bool {
+        let ny = self.width();
         let &Contact { count, mean_gap, .. } = contact;
         let (gaps, direction, active) = (&self.gaps, &self.direction, &self.active);
         let rows = self.grid.convolution.apply_in_single(
@@ -397,25 +464,46 @@ impl State<'_> {
         self.convolutions += 1;
         let [slope, curvature, response] = total(&rows);
         self.curvature = curvature;
-        self.step = slope / curvature;
+        let (step, reach) = (slope / curvature, self.reach);
+        let (leads_down, is_worth) = (step > 0.0, step > WORTH * reach);
+        // That of pressures at their bounds may be any.
+        self.reach = if is_worth { step.min(self.grid.stencil.centre) } else { 0.0 };
+        if reach > 0.0 && !leads_down {
+            (self.curvature, self.step) = (0.0, 0.0);
+            return false;
+        }
+        let is_beyond = is_bounded && step > NEARLY * reach || self.change_pressures(step);
+        let stops = is_beyond && reach > 0.0;
+        if stops {
+            let (pressures, ends) = (self.pressures.par_chunks_mut(ny), self.waves.par_chunks(ny));
+            pressures
+                .zip(ends)
+                .zip(self.active.rows())
+                .with_min_len(ROWS)
+                .for_each(|((pressures, ends), words)| members(words).for_each(|j| pressures[j] = ends[j]));
+        }
+        self.step = if stops { reach } else { step };
         self.level = mean_gap - self.step * response / count;
-        let step = self.step;
-        let clamped: Vec<bool> = self
+        is_beyond && !stops
+    }
+
+    /// Changes the pressures by a step along the direction; whether one leaves its bounds.
+    fn change_pressures(&mut self, step: f64) -> bool {
+        let (ny, cap) = (self.width(), self.target.cap);
+        let is_out: Vec<bool> = self
             .pressures
             .par_chunks_mut(ny)
-            .zip(self.waves.par_chunks_mut(ny))
-            .zip(direction.par_chunks(ny))
-            .zip(active.rows())
+            .zip(self.direction.par_chunks(ny))
+            .zip(self.active.rows())
             .with_min_len(ROWS)
-            .map(|(((pressures, before), direction), words)| {
-                members(words).fold(false, |clamped, j| {
-                    before[j] = pressures[j];
+            .map(|((pressures, direction), words)| {
+                members(words).fold(false, |is_out, j| {
                     pressures[j] -= step * f64::from(direction[j]);
-                    clamped | (pressures[j] < 0.0) | (pressures[j] > cap)
+                    is_out | (pressures[j] < 0.0) | (pressures[j] > cap)
                 })
             })
             .collect();
-        clamped.into_iter().any(|clamped| clamped)
+        is_out.into_iter().any(|is_out| is_out)
     }
 }
 

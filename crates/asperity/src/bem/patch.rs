@@ -68,6 +68,11 @@ impl PatchGrid<'_> {
     /// Minimises p K p over the pressures on `patch` with a mean of 1 over the grid, from uniform ones, until the last steps gained
     /// less than the part `error`, or after `steps`. `None` for a patch without points.
     pub fn respond(&self, patch: &Points, error: f64, steps: usize) -> Option<PatchResponse> {
+        // On a thread of the pool, as a load is solved.
+        rayon::join(|| self.responded(patch, error, steps), || ()).0
+    }
+
+    fn responded(&self, patch: &Points, error: f64, steps: usize) -> Option<PatchResponse> {
         let all = self.points[0] * self.points[1];
         let count = (0..self.points[0]).map(|i| members(patch.row(i)).count()).sum::<usize>();
         if count == 0 {
@@ -158,16 +163,26 @@ impl State<'_> {
             .par_chunks_mut(ny)
             .enumerate()
             .with_min_len(ROWS)
-            .map(|(i, z)| {
-                let mut sums = [0.0; 2];
-                let residual = |k: usize| displacements[k] - mean;
-                grid.stencil.apply_row(grid.points, grid.wraps, patch, i, residual, |j, value| {
-                    z[j] = value;
-                    sums[0] += value;
-                    sums[1] += value * residual(i * ny + j);
-                });
-                Sums(sums)
-            })
+            .map_init(
+                || Stencil::rows(ny),
+                |rows, (i, z)| {
+                    let mut sums = [0.0; 2];
+                    let residual = |k: usize| displacements[k] - mean;
+                    grid.stencil.apply_row(
+                        rows,
+                        (grid.points, grid.wraps),
+                        patch,
+                        i,
+                        residual,
+                        |j, value| {
+                            z[j] = value;
+                            sums[0] += value;
+                            sums[1] += value * residual(i * ny + j);
+                        },
+                    );
+                    Sums(sums)
+                },
+            )
             .collect();
         // The residual has no mean, so that the mean of z does not count in their product.
         let [z_sum, product] = total(&rows);

@@ -15,6 +15,8 @@ const LEAST: f64 = 0.02;
 /// Weights of a point's neighbours along x, along y and at the corners, relative to its own.
 #[derive(Debug, Clone, Copy)]
 pub struct Stencil {
+    /// The weight in the middle, Pa/m: the pressure of a point over its displacement.
+    pub centre: f64,
     /// Along x.
     pub x: f64,
     /// Along y.
@@ -41,15 +43,21 @@ impl Stencil {
         let [x, y, corner] = [sums[1], sums[2], sums[3]].map(|sum| sum / sums[0]);
         let neighbours = -(2.0 * (x + y) + 4.0 * corner);
         let scale = if neighbours > 1.0 - LEAST { (1.0 - LEAST) / neighbours } else { 1.0 };
-        Self { x: scale * x, y: scale * y, corner: scale * corner }
+        let centre = sums[0] / (SAMPLES * SAMPLES) as f64;
+        Self { centre, x: scale * x, y: scale * y, corner: scale * corner }
     }
 
-    /// The inverse applied to a field on a grid that is zero outside `active`: `each` sees every point of row `i` in it, with the
-    /// value there. `field` gives the field at the points in `active`.
+    /// The rows that [`Self::apply_row`] needs of a grid with `ny` points a row, for any number of calls.
+    pub fn rows(ny: usize) -> [Vec<f64>; 2] {
+        [vec![0.0; ny + 2], vec![0.0; ny + 2]]
+    }
+
+    /// The inverse applied to a field that is zero outside `active`, on a grid of so many points that wraps or not: `each` sees
+    /// every point of row `i` in it, with the value there. `field` gives the field at the points in `active`.
     pub fn apply_row(
         &self,
-        [nx, ny]: [usize; 2],
-        wraps: bool,
+        rows: &mut [Vec<f64>; 2],
+        ([nx, ny], wraps): ([usize; 2], bool),
         active: &Points,
         i: usize,
         field: impl Fn(usize) -> f64,
@@ -58,18 +66,24 @@ impl Stencil {
         let edge = |beyond: usize, opposite: usize| if wraps { opposite } else { beyond };
         let up = if i == 0 { edge(0, nx - 1) } else { i - 1 };
         let down = if i + 1 == nx { edge(i, 0) } else { i + 1 };
-        let [above, here, below] = [up, i, down].map(|i| active.row(i));
-        let at = |words: &[u64], i: usize, j: usize| {
-            if words[j / 64] >> (j % 64) & 1 == 1 { field(i * ny + j) } else { 0.0 }
-        };
-        for j in members(here) {
-            let left = if j == 0 { edge(0, ny - 1) } else { j - 1 };
-            let right = if j + 1 == ny { edge(j, 0) } else { j + 1 };
-            let beside = at(here, i, left) + at(here, i, right);
-            let over = at(above, up, j) + at(below, down, j);
-            let corners =
-                at(above, up, left) + at(above, up, right) + at(below, down, left) + at(below, down, right);
-            each(j, at(here, i, j) + self.x * over + self.y * beside + self.corner * corners);
+        if members(active.row(i)).next().is_none() {
+            return;
         }
+        // The field of the row, and that of both beside it; a point more on each side.
+        let [here, over] = rows;
+        members(active.row(i)).for_each(|j| here[j + 1] = field(i * ny + j));
+        for beside in [up, down] {
+            members(active.row(beside)).for_each(|j| over[j + 1] += field(beside * ny + j));
+        }
+        for row in [&mut *here, &mut *over] {
+            (row[0], row[ny + 1]) = if wraps { (row[ny], row[1]) } else { (row[1], row[ny]) };
+        }
+        for j in members(active.row(i)) {
+            let beside = here[j] + here[j + 2];
+            let corners = over[j] + over[j + 2];
+            each(j, here[j + 1] + self.x * over[j + 1] + self.y * beside + self.corner * corners);
+        }
+        here.fill(0.0);
+        over.fill(0.0);
     }
 }

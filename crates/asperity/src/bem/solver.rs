@@ -156,15 +156,31 @@ impl<'a> Solver<'a> {
     /// # Errors
     /// A pressure that is not positive, not below the cap, or lost in rounding; no convergence.
     pub fn at_pressure(&self, pressure: f64, progress: &dyn Progress) -> Result<Contact, SolverError> {
+        // On a thread of the pool: each parallel pass would wake one and wait for it otherwise.
+        rayon::join(|| self.solved(pressure, progress), || ()).0
+    }
+
+    fn solved(&self, pressure: f64, progress: &dyn Progress) -> Result<Contact, SolverError> {
         if !is_positive(pressure) || pressure >= self.cap {
             return Err(SolverError::Pressure { pressure, cap: self.cap });
+        }
+        // All of the load on one point would move that by less than rounding of the heights.
+        let Level { heights, moments: [_, deviation], stencil, .. } = &self.levels[0];
+        if pressure * heights.len() as f64 <= f64::EPSILON * deviation * stencil.centre {
+            return Err(SolverError::TooLight(pressure));
         }
         let coarsest = self.levels.last().map_or([0, 0], |level| level.points);
         let mut start = vec![pressure; coarsest[0] * coarsest[1]];
         for (depth, level) in self.levels.iter().enumerate().rev() {
             let is_finest = depth == 0;
             let error = if is_finest { self.error } else { self.error.max(COARSE_ERROR) };
-            let target = Target { pressure, cap: self.cap, error, steps: STEPS };
+            let target = Target {
+                pressure,
+                cap: self.cap,
+                error,
+                steps: STEPS,
+                is_near: depth + 1 < self.levels.len(),
+            };
             let of_level = if is_finest { 1.0 - COARSE_PROGRESS } else { 0.0 };
             let descent = level.descend(start, target, self.boundary, of_level, progress);
             if is_finest {
