@@ -12,7 +12,7 @@
 //! at the latest. The first step of the coarsest grid, and of all below a cap, is not bounded but corrected; so is one after a
 //! direction that led hardly down.
 
-use std::array;
+use std::{array, mem};
 
 use rayon::prelude::*;
 
@@ -187,7 +187,7 @@ impl Grid<'_> {
             // A single point has its pressure.
             let is_due = error < SINGLE * exact || steps >= exact_at + FOLLOWED || contact.count <= 1.0;
             if !is_exact && (is_due || is_reached && target.error < SINGLE) {
-                state.keep_load(contact.fixed_load);
+                state.restore_load(contact.fixed_load);
                 state.find_gaps();
                 (is_exact, followed) = (true, error);
                 continue;
@@ -231,6 +231,14 @@ impl State<'_> {
     fn keep_load(&mut self, fixed: f64) {
         let (width, load) = (self.width(), self.load());
         project(&mut self.pressures, width, &self.active, load - fixed, self.target.cap);
+    }
+
+    /// The same for a load that rounding has changed: points without pressure stay so, or they would count as contacts.
+    fn restore_load(&mut self, fixed: f64) {
+        let carrying = self.active.that(self.width(), |k| self.pressures[k] > 0.0);
+        let active = mem::replace(&mut self.active, carrying);
+        self.keep_load(fixed);
+        self.active = active;
     }
 
     /// The gaps under the pressures.

@@ -71,6 +71,24 @@ fn full_contact_of_waves_with_and_without_a_layer() {
     }
 }
 
+/// Crests that lie next to the flat but do not touch it: rounding of the load presses none of them.
+#[test]
+fn light_loads_rest_on_the_highest_crest() {
+    let count = 128;
+    let height = |k: usize| 0.02 * (TAU * 3.0 * (k / count) as f64 / count as f64).cos();
+    let heights = (0..count * count).map(height).collect();
+    let map = HeightMap::new([count; 2], [(count as f64).recip(); 2], heights, 0.0).unwrap();
+    for error in [1e-8, 1e-12] {
+        let solver = Solver::new(&map, &bare(), &elastic(Boundary::Periodic, error)).unwrap();
+        for load in [1.3e-8, 1.3e-7, 1.3e-6] {
+            let contact = solver.at_pressure(load, &Silent).unwrap();
+            assert_eq!(contact.raw_area_ratio(), (count as f64).recip(), "{load} to {error}");
+        }
+        // Those of all three waves, of which a point of the grid lies on one only.
+        assert_eq!(solver.at_pressure(1.3e-5, &Silent).unwrap().raw_area_ratio(), 3.0 / count as f64);
+    }
+}
+
 /// A layer of nothing, of everything, and of the substrate's own material.
 #[test]
 fn compliance_of_layers() {
