@@ -47,6 +47,9 @@ const NEARLY: f64 = 0.9;
 /// projection may turn away from the residual where many points enter or leave.
 const WORTH: f64 = 0.1;
 
+/// The part of the mean pressure of active points up to which a pressure is small.
+const SMALL: f64 = 0.1;
+
 /// The reach of the first direction from a coarser grid, over the pressure of a point per displacement. Not below a cap, where
 /// all points are active first.
 const FIRST_REACH: f64 = 0.25;
@@ -187,7 +190,7 @@ impl Grid<'_> {
             // A single point has its pressure.
             let is_due = error < SINGLE * exact || steps >= exact_at + FOLLOWED || contact.count <= 1.0;
             if !is_exact && (is_due || is_reached && target.error < SINGLE) {
-                state.restore_load(contact.fixed_load);
+                state.settle(&contact);
                 state.find_gaps();
                 (is_exact, followed) = (true, error);
                 continue;
@@ -233,9 +236,23 @@ impl State<'_> {
         project(&mut self.pressures, width, &self.active, load - fixed, self.target.cap);
     }
 
-    /// The same for a load that rounding has changed: points without pressure stay so, or they would count as contacts.
-    fn restore_load(&mut self, fixed: f64) {
-        let carrying = self.active.that(self.width(), |k| self.pressures[k] > 0.0);
+    /// Takes the small pressures of points that would be open without them, of which a step that ended before its reach has left a
+    /// part, and restores the load, which rounding has changed too: points without pressure stay so, or they would count as contacts.
+    fn settle(&mut self, contact: &Contact) {
+        let &Contact { count, fixed_load: fixed, .. } = contact;
+        let (ny, level, centre) = (self.width(), self.level, self.grid.stencil.centre);
+        let (pressures, gaps) = (&self.pressures, &self.gaps);
+        let small = SMALL * (self.load() - fixed) / count;
+        let least = |gap: f64| (centre * (gap - level)).clamp(0.0, small.max(0.0));
+        let carrying = self.active.that(ny, |k| pressures[k] > least(gaps[k]));
+        let (rows, active) = (self.pressures.par_chunks_mut(ny), self.active.rows());
+        rows.zip(active).zip(carrying.rows()).with_min_len(ROWS).for_each(
+            |((pressures, active), carrying)| {
+                for (k, (active, carrying)) in active.iter().zip(carrying).enumerate() {
+                    members(&[active & !carrying]).for_each(|bit| pressures[64 * k + bit] = 0.0);
+                }
+            },
+        );
         let active = mem::replace(&mut self.active, carrying);
         self.keep_load(fixed);
         self.active = active;
