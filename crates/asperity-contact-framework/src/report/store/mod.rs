@@ -277,16 +277,32 @@ impl Store {
 /// Writes the files of a report and its manifest into a new folder, down to the disk.
 fn write_all(path: &Path, folder: &Folder, kept: &Kept) -> Result<(), StoreError> {
     fs::create_dir(path).or_else(|e| failed("create folder", path, e))?;
-    // Each is waited for until it is on the disk.
     let files: Vec<_> = folder.files.iter().chain(&kept.earlier).chain(&kept.edited).collect();
-    files.par_iter().try_for_each(|(name, content)| write_file(&path.join(name), content))?;
+    for (name, content) in &files {
+        write_content(&path.join(name), content)?;
+    }
+    // Each takes a disk some time, in which the others get there too.
+    files.par_iter().try_for_each(|(name, _)| sync_file(&path.join(name)))?;
     write_file(&path.join(MANIFEST), Manifest::new(&folder.key, &folder.files).text().as_bytes())?;
     sync_folder(path)
 }
 
+/// Writes a file down to the disk.
 fn write_file(path: &Path, content: &[u8]) -> Result<(), StoreError> {
+    write_content(path, content)?;
+    sync_file(path)
+}
+
+fn write_content(path: &Path, content: &[u8]) -> Result<(), StoreError> {
     let mut file = File::create(path).or_else(|e| failed("create", path, e))?;
-    file.write_all(content).and_then(|()| file.sync_all()).or_else(|e| failed("write", path, e))
+    file.write_all(content).or_else(|e| failed("write", path, e))
+}
+
+/// Brings a file down to the disk.
+fn sync_file(path: &Path) -> Result<(), StoreError> {
+    // Some systems flush only what is open for writing.
+    let file = File::options().write(true).open(path);
+    file.and_then(|file| file.sync_all()).or_else(|e| failed("write", path, e))
 }
 
 /// Whether an open file is still the one at a path.
