@@ -335,24 +335,27 @@ impl Experiment {
         self.planned.plan.run(&self.context(&self.watched_input(progress)?, progress))
     }
 
-    /// Runs it, where its input stays `input`, its [`Self::input`] before. What it has done is kept in the folder `kept`, and what
-    /// is kept there is not done again.
+    /// Runs it, where its input stays `input`, its [`Self::input`] before, and makes something of the results while the input is
+    /// compared again. What it has done is kept in the folder `kept`, and what is kept there is not done again.
     ///
     /// # Errors
     /// As of [`Self::run`]; a folder that cannot be written; an input file that is written or removed meanwhile, even where it has the same content in the end.
-    pub fn run_on(
+    pub fn run_on<T: Send>(
         &self,
         input: &str,
         kept: Option<&Path>,
         progress: &dyn Progress,
-    ) -> Result<Box<dyn Outcome>, InputError> {
+        make: impl FnOnce(&dyn Outcome) -> T + Send,
+    ) -> Result<(T, Box<dyn Outcome>), InputError> {
         let before = self.modified();
         let results = self.planned.plan.run(&RunContext { kept, ..self.context(input, progress) });
         self.check_unchanged(&before)?;
-        if self.watched_input(progress)? != input {
+        let made = || results.map(|results| (make(&*results), results));
+        let (now, made) = rayon::join(|| self.watched_input(progress), made);
+        if now? != input {
             return Err(InputError::file(&self.source.path, "has an input file that changed; run again"));
         }
-        results
+        made
     }
 
     /// Refuses input files that have been written or removed since they were `before`.

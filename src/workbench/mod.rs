@@ -17,10 +17,10 @@ mod vocabulary;
 use std::path::Path;
 use std::sync::Arc;
 
-use asperity_contact_framework::folder as report_folder;
 use asperity_contact_framework::input::{InputError, Source};
 use asperity_contact_framework::progress::Progress;
 use asperity_contact_framework::report::store::Store;
+use asperity_contact_framework::{Outcome, folder as report_folder};
 use asperity_workbench::engine::Heights;
 use asperity_workbench::{Engine, Example, Prepared, Refused, SpecText};
 use serde_json::Value;
@@ -108,9 +108,9 @@ impl Engine for Workbench {
         store.recover().map_err(|error| failed(&error))?;
         if !store.is_current(experiment.stem(), &key) {
             store.check(experiment.stem()).map_err(|error| failed(&error))?;
-            let results = experiment.run_on(&content, None, progress).map_err(input)?;
-            let report = report_folder(&*results, &key, PRINT).map_err(|error| failed(&error))?;
-            store.write(&report).map_err(|error| failed(&error))?;
+            let report = |results: &dyn Outcome| report_folder(results, &key, PRINT);
+            let (report, _) = experiment.run_on(&content, None, progress, report).map_err(input)?;
+            store.write(&report.map_err(|error| failed(&error))?).map_err(|error| failed(&error))?;
         }
         write_index(&mut store, out).map_err(|error| failed(&error))?;
         Ok(experiment.stem().to_owned())

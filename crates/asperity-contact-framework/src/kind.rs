@@ -253,7 +253,7 @@ impl Planned {
 
 /// Results of a run: metadata, warnings, tables, and the outline of a page. A program that knows the kind can cast it to the
 /// kind's own type through [`Any`].
-pub trait Outcome: Any + Sync {
+pub trait Outcome: Any + Send + Sync {
     /// What every experiment has.
     fn metadata(&self) -> &Metadata;
 

@@ -16,7 +16,7 @@ use std::time::Instant;
 use asperity_contact_framework::divided::Part;
 use asperity_contact_framework::input::InputError;
 use asperity_contact_framework::progress::{Progress, Silent};
-use asperity_contact_framework::report::store::{Store, StoreError};
+use asperity_contact_framework::report::store::{Folder, Store, StoreError};
 use asperity_contact_framework::report::{Index, MARK, verify};
 use asperity_contact_framework::{Outcome, ReportError, folder as report_folder};
 use asperity_experiment::keys::{all_keys, explain, spec_schema};
@@ -277,7 +277,8 @@ fn merge(files: &[PathBuf], folder: &Path, options: &RunOptions) -> Result<(), F
         store.check(experiment.stem())?;
         let merged =
             watched(experiment.stem(), options.quiet, |progress| experiment.merge(folder, progress))?;
-        write_report(&experiment, Place::ALONE, &*merged.outcome, &merged.key, &mut store, options, start)?;
+        let report = report_folder(&*merged.outcome, &merged.key, PRINT)?;
+        write_report(&experiment, Place::ALONE, &*merged.outcome, &report, &mut store, options, start)?;
     }
     update_index(&mut store, options)
 }
@@ -301,7 +302,10 @@ fn watched<T, E>(
 fn set_threads(options: &RunOptions) -> Result<(), Failure> {
     // Without a number as many as there are cores.
     let threads = options.threads.map_or(0, usize::from);
-    rayon::ThreadPoolBuilder::new().num_threads(threads).build_global().map_err(|error| {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+    // This thread is one of them: it need not wake another and wait for it. On Windows its stack is too small for that.
+    let pool = if cfg!(windows) { pool } else { pool.use_current_thread() };
+    pool.build_global().map_err(|error| {
         Failure::Run(format!(
             "cannot start the threads of a run: {error}; allowed: fewer of them (`--threads 1`), or higher limits of memory and \
              processes (`ulimit -v`, `ulimit -u`)"
@@ -413,25 +417,27 @@ fn run_and_write(
     let name = format!("{place}{}", experiment.stem());
     interrupt::of_parts(experiment.is_sweep());
     let kept = options.out.join(KEPT).join(experiment.stem());
-    let results = watched(&name, options.quiet, |progress| experiment.run_on(input, Some(&kept), progress))?;
-    write_report(experiment, place, &*results, &experiment.key_of(input), store, options, start)?;
+    let key = experiment.key_of(input);
+    let report = |results: &dyn Outcome| report_folder(results, &key, PRINT);
+    let run = |progress: &dyn Progress| experiment.run_on(input, Some(&kept), progress, report);
+    let (report, results) = watched(&name, options.quiet, run)?;
+    write_report(experiment, place, &*results, &report?, store, options, start)?;
     Ok(results)
 }
 
-/// Writes the report on results that `key` identifies.
+/// Writes the report on results.
 fn write_report(
     experiment: &Experiment,
     place: Place,
     results: &dyn Outcome,
-    key: &str,
+    report: &Folder,
     store: &mut Store,
     options: &RunOptions,
     start: Instant,
 ) -> Result<(), Failure> {
     let folder = options.out.join(experiment.stem());
-    let report = report_folder(results, key, PRINT)?;
     let writing = interrupt::begin_writing();
-    let edited = store.write(&report)?;
+    let edited = store.write(report)?;
     interrupt::count_written();
     drop(writing);
     for kept in edited {

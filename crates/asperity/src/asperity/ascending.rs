@@ -62,31 +62,31 @@ impl Ascending {
 }
 
 /// The mean radius of the asperities above each height of a set.
-#[derive(Debug)]
-pub struct RadiiAbove {
+#[derive(Debug, Clone, Copy)]
+pub struct RadiiAbove<'a> {
     /// Heights, ascending, m.
-    heights: Vec<f64>,
+    heights: &'a [f64],
     /// The mean radius of the asperities from each on, m.
-    means: Vec<f64>,
+    means: &'a [f64],
 }
 
-impl RadiiAbove {
-    /// Of asperities of `radii` (m), at least one.
-    fn new(by_height: &Ascending, radii: &[f64]) -> Self {
-        let mut sum = 0.0;
-        let mut means = collected(by_height.places.par_iter().map(|&place| radii[place]));
-        for (index, mean) in means.iter_mut().rev().enumerate() {
-            sum += *mean;
-            *mean = sum / (index + 1) as f64;
-        }
-        Self { heights: by_height.values.clone(), means }
-    }
-
+impl RadiiAbove<'_> {
     /// That of the asperities above `height` (m, in the frame of the heights), m; above all of them the radius of the highest one.
     pub fn mean(&self, height: f64) -> f64 {
         let below = self.heights.partition_point(|z| *z <= height);
         self.means[below.min(self.means.len() - 1)]
     }
+}
+
+/// The mean of `radii` from each asperity on in the order of height.
+fn means_above(by_height: &Ascending, radii: &[f64]) -> Vec<f64> {
+    let mut sum = 0.0;
+    let mut means = collected(by_height.places.par_iter().map(|&place| radii[place]));
+    for (index, mean) in means.iter_mut().rev().enumerate() {
+        sum += *mean;
+        *mean = sum / (index + 1) as f64;
+    }
+    means
 }
 
 /// What follows from a set, found when it is first asked for. Two sets are compared without it.
@@ -97,7 +97,7 @@ pub(super) struct OnDemand(Arc<Found>);
 struct Found {
     by_height: OnceLock<Ascending>,
     by_radius: OnceLock<Ascending>,
-    radii_above: OnceLock<RadiiAbove>,
+    means_above: OnceLock<Vec<f64>>,
     smoothed: OnceLock<Result<Heights, EqualHeights>>,
 }
 
@@ -113,8 +113,9 @@ impl OnDemand {
     }
 
     /// The mean radius above a height of asperities of `radii`.
-    pub(super) fn radii_above(&self, by_height: &Ascending, radii: &[f64]) -> &RadiiAbove {
-        self.0.radii_above.get_or_init(|| RadiiAbove::new(by_height, radii))
+    pub(super) fn radii_above<'a>(&'a self, by_height: &'a Ascending, radii: &[f64]) -> RadiiAbove<'a> {
+        let means = self.0.means_above.get_or_init(|| means_above(by_height, radii));
+        RadiiAbove { heights: &by_height.values, means }
     }
 
     /// The heights of a set as a smoothed density.
@@ -171,13 +172,15 @@ mod tests {
         let (heights, radii) = ([3.0, 1.0, 2.0, 2.0], [4.0, 1.0, 2.0, 6.0]);
         let by_height = Ascending::new(&heights);
         assert_eq!((by_height.places(), by_height.values()), (&[1, 2, 3, 0][..], &[1.0, 2.0, 2.0, 3.0][..]));
-        let above = RadiiAbove::new(&by_height, &radii);
+        let means = means_above(&by_height, &radii);
+        let above = RadiiAbove { heights: by_height.values(), means: &means };
         for (height, mean) in
             [(0.0, 3.25), (1.0, 4.0), (1.5, 4.0), (2.0, 4.0), (2.5, 4.0), (3.0, 4.0), (9.0, 4.0)]
         {
             assert_eq!(above.mean(height), mean, "{height}");
         }
-        let above = RadiiAbove::new(&by_height, &[5.0, 1.0, 2.0, 6.0]);
+        let means = means_above(&by_height, &[5.0, 1.0, 2.0, 6.0]);
+        let above = RadiiAbove { heights: by_height.values(), means: &means };
         assert_eq!([above.mean(1.0), above.mean(2.0)], [13.0 / 3.0, 5.0]);
     }
 }

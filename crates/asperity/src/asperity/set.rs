@@ -32,7 +32,7 @@ enum Source {
 /// Ascending places in a set: a part of a list.
 #[derive(Debug, Clone)]
 pub(crate) struct Places {
-    pub(crate) list: Arc<[usize]>,
+    pub(crate) list: Arc<Vec<usize>>,
     pub(crate) part: Range<usize>,
 }
 
@@ -176,16 +176,24 @@ pub(super) fn far_origin(heights: &[f64]) -> Option<f64> {
     (!is_near).then_some(low)
 }
 
-/// All values but those of ascending places: between them they are copied together.
+/// All values but those of ascending places.
 fn excluding<T: Copy>(values: &[T], places: &[usize]) -> Vec<T> {
+    let rest = values.len() - places.len();
     let mut kept = Vec::new();
-    reserve(&mut kept, values.len() - places.len());
-    let mut start = 0;
-    for &place in places {
-        kept.extend_from_slice(&values[start..place]);
-        start = place + 1;
+    reserve(&mut kept, values.len().min(rest + 1));
+    kept.extend_from_slice(&values[..values.len().min(rest + 1)]);
+    if places.is_empty() {
+        return kept;
     }
-    kept.extend_from_slice(&values[start..]);
+    // Each is written, and the next one over it unless it stays: no branch to be guessed.
+    let (mut next, mut left_out) = (0, 0);
+    for (place, &value) in values.iter().enumerate() {
+        let stays = places.get(left_out) != Some(&place);
+        kept[next] = value;
+        next += usize::from(stays);
+        left_out += usize::from(!stays);
+    }
+    kept.truncate(rest);
     kept
 }
 
@@ -291,7 +299,7 @@ impl AsperitySet {
     }
 
     /// The mean radius of the asperities above a height.
-    pub fn radii_above(&self) -> &RadiiAbove {
+    pub fn radii_above(&self) -> RadiiAbove<'_> {
         self.on_demand.radii_above(self.by_height(), self.radii())
     }
 

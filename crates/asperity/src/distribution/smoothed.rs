@@ -109,10 +109,11 @@ impl Smoothed {
         let spread = if range > 0.0 { range.min(1.0) } else { 1.0 };
         let bandwidth = 0.9 * spread * (count as f64).powf(-0.2);
         let shrink = (1.0 + bandwidth * bandwidth).sqrt().recip();
-        let share = (count as f64).recip();
-        let centre = |k: usize| Node { value: standardised(sorted[k]) * shrink, weight: share };
         let width = bandwidth * shrink;
-        let kernels = condensed(count, centre, width / KERNELS);
+        let mut kernels = condensed(sorted, None, bandwidth * sd / KERNELS);
+        for one in &mut kernels {
+            *one = Node { value: standardised(one.value) * shrink, weight: one.weight / count as f64 };
+        }
         let moment = |power: i32| kernels.iter().map(|one| one.weight * one.value.powi(power)).sum::<f64>();
         let square = width * width;
         let kurtosis = moment(4) + 6.0 * square * moment(2) + 3.0 * square * square;

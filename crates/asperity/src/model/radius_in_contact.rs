@@ -22,7 +22,7 @@ pub struct RadiusInContact<'a> {
     plane: ReferencePlane,
     /// The same in the frame of the set's heights, m.
     origin: f64,
-    radii: &'a RadiiAbove,
+    radii: RadiiAbove<'a>,
 }
 
 impl<'a> RadiusInContact<'a> {
@@ -30,7 +30,7 @@ impl<'a> RadiusInContact<'a> {
     /// the population's mean height and at the height `origin` (m) in the frame of the set.
     pub fn new(
         contact: &'a dyn MicroContact,
-        radii: &'a RadiiAbove,
+        radii: RadiiAbove<'a>,
         population: Population,
         mean_shape: Shape,
         plane: ReferencePlane,

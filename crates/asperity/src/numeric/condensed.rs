@@ -2,7 +2,9 @@
 
 use std::ops::Range;
 
+use super::lanes::Real;
 use super::parallel;
+use super::sum::{Terms, sums_of_present};
 
 /// A weighted value.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -11,21 +13,22 @@ pub(crate) struct Node {
     pub weight: f64,
 }
 
-/// Few nodes in place of `count` values, of which `node` gives each in ascending order, with the sums of weight, weight times
-/// value, and its second and third powers in every bin of at most `width`. Up to two values of a bin stay as they are. The sum of a
+/// Few nodes in place of ascending `values` of `weights`, or of the weight 1, with the sums of weight, weight times value, and its
+/// second and third powers in every bin of at most `width`. Up to two values of a bin stay as they are. The sum of a
 /// function over the nodes differs from that over the values by its fourth derivative times `width`^4/4320 at most, and in a bin
 /// where it is not smooth by its change there times the weight of the bin.
-pub(crate) fn condensed(count: usize, node: impl Fn(usize) -> Node + Sync, width: f64) -> Vec<Node> {
+pub(crate) fn condensed(values: &[f64], weights: Option<&[f64]>, width: f64) -> Vec<Node> {
     /// Bins per task.
     const BINS: usize = 64;
-    let bins = bins(count, |k| node(k).value, width);
+    let bins = bins(values, width);
     let of_bins = |task: usize| {
         let mut nodes = Vec::new();
         for bin in &bins[task * BINS..bins.len().min((task + 1) * BINS)] {
             if bin.len() <= 2 {
-                nodes.extend(bin.clone().map(&node));
+                let weight = |place: usize| weights.map_or(1.0, |weights| weights[place]);
+                nodes.extend(bin.clone().map(|place| Node { value: values[place], weight: weight(place) }));
             } else {
-                nodes.extend(two_nodes(bin, &node));
+                nodes.extend(two_nodes(&values[bin.clone()], weights.map(|weights| &weights[bin.clone()])));
             }
         }
         nodes
@@ -33,13 +36,14 @@ pub(crate) fn condensed(count: usize, node: impl Fn(usize) -> Node + Sync, width
     parallel::map(bins.len().div_ceil(BINS), of_bins).concat()
 }
 
-/// The places of `count` ascending values in bins of at most `width`, each from its own first value on.
-fn bins(count: usize, value: impl Fn(usize) -> f64, width: f64) -> Vec<Range<usize>> {
+/// The places of ascending values in bins of at most `width`, each from its own first value on.
+fn bins(values: &[f64], width: f64) -> Vec<Range<usize>> {
+    let count = values.len();
     let mut bins: Vec<Range<usize>> = Vec::new();
     let mut first = 0;
     while first < count {
-        let origin = value(first);
-        let is_inside = |place: usize| value(place) - origin <= width;
+        let origin = values[first];
+        let is_inside = |place: usize| values[place] - origin <= width;
         // A bin holds about as many as the one before: its end is sought from there.
         let mut near = bins.last().map_or(1, Range::len);
         let mut inside = first;
@@ -64,15 +68,16 @@ fn bins(count: usize, value: impl Fn(usize) -> f64, width: f64) -> Vec<Range<usi
 }
 
 /// The rule of two nodes for the values of a bin; one node where they are equal.
-fn two_nodes(bin: &Range<usize>, node: &impl Fn(usize) -> Node) -> impl Iterator<Item = Node> {
-    let each = || bin.clone().map(node);
-    let origin = node(bin.start).value;
-    let weight: f64 = each().map(|node| node.weight).sum();
-    let mean = mean_of(each(), |value| value - origin, weight);
-    let variance = mean_of(each(), |value| (value - origin - mean).powi(2), weight);
+fn two_nodes(values: &[f64], weights: Option<&[f64]>) -> impl Iterator<Item = Node> {
+    let middle = values[values.len() / 2];
+    let mut moments = Moments::about(middle, values, weights);
+    if moments.mean * moments.mean > moments.variance {
+        // Far from the mean the central moments are differences of larger ones.
+        moments = Moments::about(middle + moments.mean, values, weights);
+    }
+    let Moments { origin, weight, mean, variance, third } = moments;
     let sd = variance.sqrt();
-    let cube = |value: f64| ((value - origin - mean) / sd).powi(3);
-    let half_skewness = if sd > 0.0 { 0.5 * mean_of(each(), cube, weight) } else { 0.0 };
+    let half_skewness = if sd > 0.0 { 0.5 * third / (variance * sd) } else { 0.0 };
     let root = (1.0 + half_skewness * half_skewness).sqrt();
     let node = move |sign: f64| Node {
         value: origin + mean + sd * (half_skewness + sign * root),
@@ -83,9 +88,56 @@ fn two_nodes(bin: &Range<usize>, node: &impl Fn(usize) -> Node) -> impl Iterator
     one.into_iter().chain(two.into_iter().flatten())
 }
 
-/// The mean of a function of values, weighted; of all together the `weight`.
-fn mean_of(nodes: impl Iterator<Item = Node>, of: impl Fn(f64) -> f64, weight: f64) -> f64 {
-    nodes.map(|node| node.weight * of(node.value)).sum::<f64>() / weight
+/// Moments of weighted values: the mean relative to an origin, and the second and third central ones.
+struct Moments {
+    origin: f64,
+    weight: f64,
+    mean: f64,
+    variance: f64,
+    third: f64,
+}
+
+impl Moments {
+    /// In one pass with the powers of the distances from `origin`.
+    fn about(origin: f64, values: &[f64], weights: Option<&[f64]>) -> Self {
+        let (weight, [first, second, third]) = match weights {
+            Some(weights) => {
+                let ([weight, rest @ ..], _) = sums_of_present([values, weights], Powers { origin });
+                (weight, rest)
+            }
+            None => {
+                let (powers, count) = sums_of_present([values], Powers { origin });
+                (count as f64, powers)
+            }
+        };
+        let [mean, second, third] = [first, second, third].map(|sum| sum / weight);
+        let variance = (second - mean * mean).max(0.0);
+        let third = third - mean * (3.0 * variance + mean * mean);
+        Self { origin, weight, mean, variance, third }
+    }
+}
+
+/// The first three powers of the distance of values from an origin; of weighted ones the weight and these times the weight.
+#[derive(Clone, Copy)]
+struct Powers {
+    origin: f64,
+}
+
+impl Terms<1, 3> for Powers {
+    #[inline(always)]
+    fn of<N: Real>(self, [value]: [N; 1]) -> [N; 3] {
+        let from_origin = value - self.origin;
+        let square = from_origin * from_origin;
+        [from_origin, square, square * from_origin]
+    }
+}
+
+impl Terms<2, 4> for Powers {
+    #[inline(always)]
+    fn of<N: Real>(self, [value, weight]: [N; 2]) -> [N; 4] {
+        let [first, second, third] = self.of([value]);
+        [weight, weight * first, weight * second, weight * third]
+    }
 }
 
 #[cfg(test)]
@@ -93,7 +145,9 @@ mod tests {
     use super::*;
 
     fn of(all: &[Node], width: f64) -> Vec<Node> {
-        condensed(all.len(), |k| all[k], width)
+        let values: Vec<f64> = all.iter().map(|node| node.value).collect();
+        let weights: Vec<f64> = all.iter().map(|node| node.weight).collect();
+        condensed(&values, Some(&weights), width)
     }
 
     fn sample(count: usize) -> Vec<Node> {
@@ -127,7 +181,8 @@ mod tests {
         all.sort_by(|a, b| a.value.total_cmp(&b.value));
         for width in [0.0, 1e-5, 1.5e-3, 0.07, 10.0, 1e9] {
             let mut rest = &all[..];
-            for bin in bins(all.len(), |k| all[k].value, width) {
+            let values: Vec<f64> = all.iter().map(|node| node.value).collect();
+            for bin in bins(&values, width) {
                 let count = rest.iter().take_while(|node| node.value - rest[0].value <= width).count();
                 assert_eq!(all[bin], rest[..count]);
                 rest = &rest[count..];

@@ -194,16 +194,17 @@ pub fn rank(setup: Setup, surface: &Surface, cases: &[CaseStudy]) -> Vec<Ranking
     setup.progress.stage("other statistical models", (all.len() + cases.len()) as f64);
     // Shifts of a pair are no other surfaces.
     let is_one = surface.realisations == 1 || surface.repeats == Repeats::Shifts;
-    let halves = if is_one { Halves::new(setup, surface) } else { None };
-    setup.progress.advance(0.0);
-    let halves = halves.as_ref().and_then(|halves| halves.models(setup, &all));
-    let models = |model: &StatisticalModel| SurfaceModels::new(surface, model, setup.law_specs, false);
-    let build = |model: StatisticalModel| {
-        let built = (models(&model), model);
+    let build = |model: &StatisticalModel| {
+        let built = SurfaceModels::new(surface, model, setup.law_specs, false);
         setup.progress.advance(1.0);
-        built
+        (built, model.clone())
     };
-    let built: Vec<_> = all.into_iter().map(build).collect();
+    // Random halves are drawn on one thread.
+    let (halves, built) = rayon::join(
+        || if is_one { Halves::new(setup, surface) } else { None },
+        || all.iter().map(build).collect::<Vec<_>>(),
+    );
+    let halves = halves.as_ref().and_then(|halves| halves.models(setup, &all));
     let of_case = |(law, case): (&LawContact, &CaseStudy)| {
         let mut ranking = in_sample(&built, law, case.first(), setup.progress);
         if let [_, others @ ..] = &case.realisations[..]

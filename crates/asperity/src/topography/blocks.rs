@@ -62,13 +62,16 @@ impl Blocks {
 
     /// The share of each block in the points of `map` that are present.
     pub fn shares(&self, map: &dyn Rows) -> Vec<f64> {
+        let ([_, ny], [_, by]) = (self.points, self.counts);
+        // The places along y at which a block begins, and the end.
+        let begins: Vec<usize> = (0..=by).map(|block| (block * ny).div_ceil(by)).collect();
         let count = |strip: Strip| {
             let mut present = vec![0usize; self.count()];
             for row in 0..strip.count {
-                let first = (strip.first + row) * self.points[1];
-                let heights = strip.row(row as isize).unwrap_or_default();
-                for (k, _) in heights.iter().enumerate().filter(|(_, z)| !z.is_nan()) {
-                    present[self.of_point(first + k)] += 1;
+                let first = self.of_point((strip.first + row) * ny);
+                let Some(heights) = strip.row(row as isize) else { continue };
+                for (present, ends) in present[first..].iter_mut().zip(begins.windows(2)) {
+                    *present += heights[ends[0]..ends[1]].iter().filter(|z| !z.is_nan()).count();
                 }
             }
             present

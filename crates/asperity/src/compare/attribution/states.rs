@@ -13,8 +13,11 @@ use crate::shape::Shape;
 /// Up to this many asperities all pairs of heights and radii are summed.
 const FEW: usize = 256;
 
-/// Width of the bins of heights, in sigma.
+/// Width of the bins of heights, in sigma, where a sphere stands for radii that scatter.
 const HEIGHT_BIN: f64 = 2e-3;
+
+/// The same where all asperities have one shape, whose law changes at one indentation for all: fewer heights are in such a bin.
+const FINE_HEIGHT_BIN: f64 = 4e-4;
 
 /// Width of the bins of ln(radius); also the half of the step of the averaged contact in ln w.
 const RADIUS_BIN: f64 = 5e-3;
@@ -52,8 +55,9 @@ pub struct Inputs<'a> {
 #[derive(Debug)]
 pub struct Rearranged<'a> {
     inputs: Inputs<'a>,
-    /// Condensed heights with their weights.
+    /// Condensed heights with their weights, and the same in finer bins.
     heights: Sample,
+    fine_heights: Sample,
     /// ln(radius) of all, ascending.
     log_radii: Vec<f64>,
     /// Number of spheres of each; `None` where it is one.
@@ -67,17 +71,45 @@ pub struct Rearranged<'a> {
     is_uniform: bool,
 }
 
-/// Nodes of a sample as a set of asperities.
+/// Nodes of a sample.
 #[derive(Debug, Default)]
 struct Sample {
-    heights: Vec<f64>,
-    radii: Vec<f64>,
+    values: Vec<f64>,
     weights: Vec<f64>,
 }
 
 impl Sample {
-    fn asperities(&self, nominal_area: f64) -> Asperities<'_> {
-        Asperities::new(&self.heights, &self.radii, Some(&self.weights), nominal_area)
+    /// Ascending values of `weights` condensed in bins of a `width`; all of them for a width of zero.
+    fn condensed(values: &[f64], weights: Option<&[f64]>, width: f64) -> Self {
+        if width == 0.0 {
+            let weights = weights.map_or_else(|| vec![1.0; values.len()], <[f64]>::to_vec);
+            return Self { values: values.to_vec(), weights };
+        }
+        let nodes = condensed(values, weights, width);
+        let column = |of: fn(&Node) -> f64| nodes.iter().map(of).collect();
+        Self { values: column(|node| node.value), weights: column(|node| node.weight) }
+    }
+
+    /// As heights of asperities of one shape.
+    fn asperities(&self, shape: Shape) -> EqualAsperities<'_> {
+        EqualAsperities {
+            heights: &self.values,
+            radii: vec![shape.radius; self.values.len()],
+            spheres: Some(self.weights.iter().map(|weight| weight * shape.spheres).collect()),
+        }
+    }
+}
+
+/// Heights as asperities of one shape.
+struct EqualAsperities<'a> {
+    heights: &'a [f64],
+    radii: Vec<f64>,
+    spheres: Option<Vec<f64>>,
+}
+
+impl EqualAsperities<'_> {
+    fn on(&self, nominal_area: f64) -> Asperities<'_> {
+        Asperities::new(self.heights, &self.radii, self.spheres.as_deref(), nominal_area)
     }
 }
 
@@ -97,26 +129,6 @@ impl ByRank {
 
     fn asperities(&self, nominal_area: f64) -> Asperities<'_> {
         Asperities::new(&self.heights, &self.radii, self.spheres.as_deref(), nominal_area)
-    }
-}
-
-/// One shape for each asperity of a set.
-struct EqualAsperities {
-    radii: Vec<f64>,
-    spheres: Option<Vec<f64>>,
-}
-
-impl EqualAsperities {
-    fn new(asperities: &Asperities, shape: Shape) -> Self {
-        Self {
-            radii: filled(asperities.count(), shape.radius),
-            spheres: asperities.spheres().map(|all| filled(all.len(), shape.spheres)),
-        }
-    }
-
-    /// With the heights of the set.
-    fn asperities<'a>(&'a self, by_height: &'a Ascending, nominal_area: f64) -> Asperities<'a> {
-        Asperities::new(by_height.values(), &self.radii, self.spheres.as_deref(), nominal_area)
     }
 }
 
@@ -141,14 +153,8 @@ impl<'a> Rearranged<'a> {
         let count = asperities.count();
         let width = |width: f64| if count > FEW { width } else { 0.0 };
 
-        let sorted = inputs.by_height.values();
-        let one = |k: usize| Node { value: sorted[k], weight: 1.0 };
-        let nodes = nodes_of(count, one, width(HEIGHT_BIN * inputs.plane.sigma));
-        let heights = Sample {
-            radii: vec![mean_shape.radius; nodes.len()],
-            weights: nodes.iter().map(|node| node.weight).collect(),
-            heights: nodes.iter().map(|node| node.value).collect(),
-        };
+        let [heights, fine_heights] = [HEIGHT_BIN, FINE_HEIGHT_BIN]
+            .map(|bin| Sample::condensed(inputs.by_height.values(), None, width(bin * inputs.plane.sigma)));
 
         let quantiles = population.heights_of(count, Draw::Quantiles);
         let paired = ByRank::new(quantiles, inputs.by_height, asperities);
@@ -163,7 +169,7 @@ impl<'a> Rearranged<'a> {
         };
         let is_uniform = asperities.each().all(|(_, shape)| shape == *mean_shape);
         let radius_bin = width(RADIUS_BIN);
-        Self { heights, log_radii, spheres, radius_bin, paired, is_uniform, inputs }
+        Self { heights, fine_heights, log_radii, spheres, radius_bin, paired, is_uniform, inputs }
     }
 
     /// The same with fewer nodes: accurate enough for the change that a group left out makes.
@@ -194,8 +200,7 @@ impl<'a> Rearranged<'a> {
         near: &[f64],
         of: impl FnOnce([&dyn Model; STATES]) -> T,
     ) -> T {
-        let Inputs { asperities, by_height, plane, population, mean_shape, reporting_plane, .. } =
-            &self.inputs;
+        let Inputs { asperities, plane, population, mean_shape, reporting_plane, .. } = &self.inputs;
         let area = asperities.nominal_area();
         let integral = |contact, shape| {
             Statistical::of_shape(contact, population.clone(), shape).reported_from(*reporting_plane)
@@ -209,11 +214,12 @@ impl<'a> Rearranged<'a> {
             let sum: &dyn Model = &deterministic;
             return of([&statistical, sum, &statistical, sum, &paired, sum]);
         }
-        let equal = EqualAsperities::new(asperities, *mean_shape);
-        let own_heights = sum(contact, equal.asperities(by_height, area), *plane);
+        let equal = self.equal_asperities(contact, *mean_shape);
+        let own_heights = sum(contact, equal.on(area), *plane);
         let averaged = self.averaged(contact);
-        let independent =
-            Deterministic::new(&averaged, self.heights.asperities(area), *plane).searched_near(near);
+        // The contact is that of any radius.
+        let any = self.heights.asperities(Shape::sphere(mean_shape.radius));
+        let independent = Deterministic::new(&averaged, any.on(area), *plane).searched_near(near);
         let both = |own_radii: &dyn Model| {
             of([&statistical, &own_heights, own_radii, &independent, &paired, &deterministic])
         };
@@ -234,14 +240,13 @@ impl<'a> Rearranged<'a> {
         near: &[f64],
         of: impl FnOnce([&dyn Model; 2]) -> T,
     ) -> Option<T> {
-        let Inputs { asperities, by_height, plane, population, reporting_plane, other_shape, .. } =
-            &self.inputs;
+        let Inputs { asperities, plane, population, reporting_plane, other_shape, .. } = &self.inputs;
         let shape = (*other_shape)?;
-        let equal = EqualAsperities::new(asperities, shape);
+        let equal = self.equal_asperities(contact, shape);
         let statistical =
             Statistical::of_shape(contact, population.clone(), shape).reported_from(*reporting_plane);
-        let own = equal.asperities(by_height, asperities.nominal_area());
-        let own_heights = Deterministic::new(contact, own, *plane).searched_near(near);
+        let own_heights =
+            Deterministic::new(contact, equal.on(asperities.nominal_area()), *plane).searched_near(near);
         let Some(medium) = self.inputs.medium else { return Some(of([&statistical, &own_heights])) };
         let models: [&dyn Model; 2] = [&statistical, &own_heights];
         let models = models.map(|model| WithMedium { model, medium });
@@ -255,6 +260,16 @@ impl<'a> Rearranged<'a> {
         self.with_models(contact, &[], |models| {
             models[Arrangement::Independent as usize].respond(separation_over_sigma).pressure.total()
         })
+    }
+
+    /// The own heights as asperities of one shape. Under a layer all of them: its contacts are not proportional to the number of spheres.
+    fn equal_asperities(&self, contact: &dyn MicroContact, shape: Shape) -> EqualAsperities<'_> {
+        if !contact.is_layered() {
+            return self.fine_heights.asperities(shape);
+        }
+        let heights = self.inputs.by_height.values();
+        let spheres = (shape.spheres != 1.0).then(|| filled(heights.len(), shape.spheres));
+        EqualAsperities { heights, radii: filled(heights.len(), shape.radius), spheres }
     }
 
     /// The largest indentation (m) of a state: from the highest asperity, and from where a density is negligible.
@@ -277,33 +292,28 @@ impl<'a> Rearranged<'a> {
     /// The contact averaged over all radii.
     fn averaged<'b>(&self, contact: &'b dyn MicroContact) -> AveragedContact<'b> {
         let bin = if contact.is_layered() { COARSE * self.radius_bin } else { self.radius_bin };
-        let radius = |node: Node| RadiusShare { radius: node.value.exp(), share: node.weight };
-        let nodes = self.radii_in_bins(bin).into_iter().map(radius).collect();
+        let nodes = self.radii_in_bins(bin).collect();
         if bin == 0.0 {
             return AveragedContact::exact(contact, nodes);
         }
-        let all = (0..self.log_radii.len()).map(|k| radius(self.log_radius(k)));
+        let share =
+            |k: usize| self.spheres.as_ref().map_or(1.0, |spheres| spheres[k]) / self.log_radii.len() as f64;
+        let all = self.log_radii.iter().enumerate();
+        let all = all.map(|(k, log_radius)| RadiusShare { radius: log_radius.exp(), share: share(k) });
         AveragedContact::tabulated(contact, nodes, all, 2.0 * bin, self.deepest())
     }
 
-    /// One of the radii, ascending, weighted by number of spheres over number of asperities.
-    fn log_radius(&self, k: usize) -> Node {
-        let spheres = self.spheres.as_ref().map_or(1.0, |spheres| spheres[k]);
-        Node { value: self.log_radii[k], weight: spheres / self.log_radii.len() as f64 }
-    }
-
-    fn radii_in_bins(&self, width: f64) -> Vec<Node> {
-        nodes_of(self.log_radii.len(), |k| self.log_radius(k), width)
+    /// The radii in bins of a width in their logarithm, by number of spheres over number of asperities.
+    fn radii_in_bins(&self, width: f64) -> impl Iterator<Item = RadiusShare> {
+        let count = self.log_radii.len() as f64;
+        let Sample { values, weights } = Sample::condensed(&self.log_radii, self.spheres.as_deref(), width);
+        let all = values.into_iter().zip(weights);
+        all.map(move |(log_radius, weight)| RadiusShare { radius: log_radius.exp(), share: weight / count })
     }
 
     /// Classes of radii with their weights.
     fn classes(&self) -> impl Iterator<Item = (f64, Shape)> {
         let width = if self.radius_bin > 0.0 { CLASS } else { 0.0 };
-        self.radii_in_bins(width).into_iter().map(|node| (node.weight, Shape::sphere(node.value.exp())))
+        self.radii_in_bins(width).map(|one| (one.share, Shape::sphere(one.radius)))
     }
-}
-
-/// Ascending values condensed; all of them for a width of zero.
-fn nodes_of(count: usize, node: impl Fn(usize) -> Node + Sync, width: f64) -> Vec<Node> {
-    if width > 0.0 { condensed(count, node, width) } else { (0..count).map(node).collect() }
 }

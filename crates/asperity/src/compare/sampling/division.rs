@@ -10,7 +10,7 @@ use rand_chacha::ChaCha8Rng;
 use crate::asperity::{AsperitySet, Places};
 use crate::memory::zeros;
 use crate::numeric::parallel;
-use crate::progress::{Count, Progress};
+use crate::progress::{Count, PIECE, Progress, Silent};
 use crate::topography::{Blocks, MIN_BLOCKS};
 
 /// Number of groups of independent draws; as many as blocks of a map, at least.
@@ -20,7 +20,7 @@ pub const GROUPS: usize = MIN_BLOCKS;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Division {
     /// The asperities group by group, and where each group begins, with their number.
-    members: Arc<[usize]>,
+    members: Arc<Vec<usize>>,
     ends: Vec<usize>,
     /// The share of each group in the nominal area.
     shares: Vec<f64>,
@@ -30,7 +30,8 @@ impl Division {
     /// Blocks of a map; `positions` are the points of its asperities, `shares` those of the blocks in its nominal area.
     pub fn of_blocks(blocks: &Blocks, positions: &[usize], shares: Vec<f64>) -> Self {
         debug_assert_eq!(shares.len(), blocks.count());
-        Self::new(positions.iter().map(|&at| blocks.of_point(at) as u16).collect(), shares)
+        let group = positions.iter().map(|&at| blocks.of_point(at) as u16).collect();
+        Self::new(group, shares, &Silent)
     }
 
     /// Random groups of `count` independent asperities, of equal number within one; `None` for fewer than two in each. To `progress` it
@@ -53,23 +54,28 @@ impl Division {
             numbers: ChaCha8Rng::from_seed(seed),
             drawn: Count::new(progress, 0.0, count),
         });
-        progress.advance(0.0);
         let share = |k: usize| (count + groups - 1 - k) / groups;
-        Some(Self::new(group, (0..groups).map(|k| share(k) as f64 / count as f64).collect()))
+        Some(Self::new(group, (0..groups).map(|k| share(k) as f64 / count as f64).collect(), progress))
     }
 
     /// From the group of each asperity.
-    fn new(group: Vec<u16>, shares: Vec<f64>) -> Self {
+    fn new(group: Vec<u16>, shares: Vec<f64>, progress: &dyn Progress) -> Self {
         let mut ends = vec![0; shares.len() + 1];
-        group.iter().for_each(|&group| ends[usize::from(group) + 1] += 1);
+        for groups in group.chunks(PIECE) {
+            groups.iter().for_each(|&group| ends[usize::from(group) + 1] += 1);
+            progress.advance(0.0);
+        }
         for k in 1..ends.len() {
             ends[k] += ends[k - 1];
         }
         let (mut next, mut members) = (ends.clone(), zeros(group.len()));
-        for (index, &group) in group.iter().enumerate() {
-            let next = &mut next[usize::from(group)];
-            members[*next] = index;
-            *next += 1;
+        for (piece, groups) in group.chunks(PIECE).enumerate() {
+            for (index, &group) in groups.iter().enumerate() {
+                let next = &mut next[usize::from(group)];
+                members[*next] = piece * PIECE + index;
+                *next += 1;
+            }
+            progress.advance(0.0);
         }
         Self { members: members.into(), ends, shares }
     }
@@ -128,7 +134,6 @@ impl TryRng for Watched<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::progress::Silent;
 
     fn set(count: usize) -> AsperitySet {
         let heights = (0..count).map(|k| k as f64).collect();
@@ -176,7 +181,7 @@ mod tests {
         assert_eq!(members, [&[0, 1][..], &[], &[2], &[], &[4], &[3]]);
         let rest = division.without(&set(5), 0).unwrap();
         assert_eq!(rest.heights(), [2.0, 3.0, 4.0]);
-        let all = Division::new(vec![0; 5], vec![1.0]);
+        let all = Division::new(vec![0; 5], vec![1.0], &Silent);
         assert_eq!(all.without(&set(5), 0), None);
     }
 }
