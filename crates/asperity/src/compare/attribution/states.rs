@@ -16,8 +16,9 @@ const FEW: usize = 256;
 /// Width of the bins of heights, in sigma, where a sphere stands for radii that scatter.
 const HEIGHT_BIN: f64 = 2e-3;
 
-/// The same where all asperities have one shape, whose law changes at one indentation for all: fewer heights are in such a bin.
-const FINE_HEIGHT_BIN: f64 = 4e-4;
+/// The same where all asperities have one shape, so that their law changes at one indentation: loads and areas are within 1e-9, a
+/// stiffness within 5e-5.
+const FINE_HEIGHT_BIN: f64 = 1e-4;
 
 /// Width of the bins of ln(radius); also the half of the step of the averaged contact in ln w.
 const RADIUS_BIN: f64 = 5e-3;

@@ -6,7 +6,7 @@ use rand_distr::{Distribution, StandardNormal};
 use super::states::Arrangement;
 use super::{Attribution, Cause, GroupsLeftOut, Inputs, Order, Rearranged};
 use crate::asperity::{AsperitySet, Draw, Population, Statistics};
-use crate::compare::{ComparedQuantity, Division, Pair, pairs_at};
+use crate::compare::{ByQuantity, ComparedQuantity, Division, Pair, pairs_at};
 use crate::contact_law::named;
 use crate::distribution::Heights;
 use crate::interface::{Flat, MicroContact, WithSpots};
@@ -124,6 +124,48 @@ fn independent_heights_and_radii_are_those_of_all_pairs() {
         assert!(error_of_product(&*contact, 200) < 1e-14, "{law}");
         let error = error_of_product(&*contact, 3000);
         assert!(error < most, "{law}: {error:e}");
+    }
+}
+
+/// The largest relative errors of the load and of what the causes divide, of own heights with one shape.
+fn errors_of_own_heights(contact: &dyn MicroContact, count: usize) -> ByQuantity<f64> {
+    let set = set(count, -0.4, 0.6);
+    let inputs = inputs(&set);
+    let radii = vec![inputs.mean_shape.radius; count];
+    let equal = AsperitySet::new(set.heights().to_vec(), radii, set.nominal_area()).unwrap();
+    let all = Deterministic::new(contact, equal.spheres(), inputs.plane);
+    let separations = [-1.0, 0.5, 1.5, 2.5, 3.5];
+    let found = Rearranged::new(inputs.clone()).with_models(contact, &[], |models| {
+        models[Arrangement::OwnHeights as usize].respond_all(&separations)
+    });
+    let exact = all.respond_all(&separations);
+    ComparedQuantity::ALL.map(|quantity| {
+        // The separation is found from the load.
+        let of = |response: &Response| match quantity {
+            ComparedQuantity::Separation => Some(response.pressure.total()),
+            _ => quantity.value(response),
+        };
+        let errors = found.iter().zip(&exact).filter_map(|(a, b)| Some((of(a)? / of(b)? - 1.0).abs()));
+        errors.fold(0.0, f64::max)
+    })
+}
+
+#[test]
+fn own_heights_of_one_shape_are_those_of_all_asperities() {
+    for (law, most) in [
+        ("hertz", 1e-9),
+        ("zmc", 1e-9),
+        ("jackson-green", 1e-9),
+        ("fully-plastic", 1e-9),
+        // Area or load jumps.
+        ("kogut-etsion", 1e-6),
+        ("ceb", 1e-5),
+    ] {
+        let contact = interface(law);
+        assert!(errors_of_own_heights(&*contact, 200).iter().all(|error| *error < 1e-15), "{law}");
+        let errors = errors_of_own_heights(&*contact, 400_000);
+        let [load, area, rest @ ..] = errors;
+        assert!(load < most && area < most && rest.iter().all(|error| *error < 5e-5), "{law}: {errors:?}");
     }
 }
 
