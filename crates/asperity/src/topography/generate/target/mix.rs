@@ -13,8 +13,9 @@ use pulp::{Arch, Simd, WithSimd};
 
 use super::{SIGNS, SigmaOf, TargetGenerator, mean_and_sq, sums};
 use crate::distribution::Heights;
+use crate::numeric::lanes::Real;
 use crate::numeric::parallel::{Results, for_each_row, map};
-use crate::numeric::sum::CHUNK;
+use crate::numeric::sum::{CHUNK, Terms, sums_of_present};
 use crate::progress::Progress;
 use crate::topography::spectrum::SpectrumError;
 use crate::topography::summits::Neighbours;
@@ -29,8 +30,8 @@ const POINTS: usize = 32;
 pub(super) struct Field {
     pub log_bandwidth: f64,
     pub heights: Vec<f64>,
-    /// Standard deviation of its points after the transform of heights; 1 unless the target is that of the surface.
-    pub sq: f64,
+    /// Standard deviation of its points after a transform of heights, where the target is that of the surface.
+    pub transformed_sq: Option<f64>,
 }
 
 /// A point that is a summit of some mixtures.
@@ -69,7 +70,12 @@ pub(super) struct Mixtures<'a> {
     /// Standard deviations of the fields of equal amplitudes along the power law, and their covariance.
     deviations: [f64; 2],
     covariance: f64,
+    /// Mean squares and mean product of the points of both fields, whose means are zero.
+    squares: Squares,
 }
+
+/// Mean squares of both fields, and between them the mean of their product.
+type Squares = [f64; 3];
 
 impl<'a> Mixtures<'a> {
     pub fn new(
@@ -93,11 +99,17 @@ impl<'a> Mixtures<'a> {
             neighbours: generator.neighbours,
         };
         let arch = Arch::new();
-        let points = map(nx.div_ceil(ROWS), |k| {
+        let parts = map(nx.div_ceil(ROWS), |k| {
             progress.advance(0.0);
             search.rows(arch, k * ROWS..nx.min((k + 1) * ROWS))
         });
-        Ok(Self { generator, sigma_of, ends, points, deviations, covariance: 2.0 * both - 0.5 * (a + b) })
+        let mut squares = Squares::default();
+        for (part, _) in &parts {
+            squares.iter_mut().zip(part).for_each(|(all, part)| *all += part / (nx * ny) as f64);
+        }
+        let points = parts.into_iter().map(|(_, points)| points).collect();
+        let covariance = 2.0 * both - 0.5 * (a + b);
+        Ok(Self { generator, sigma_of, ends, points, deviations, covariance, squares })
     }
 
     /// The logarithm of the bandwidth at a weight: the weighted mean of both.
@@ -150,30 +162,59 @@ impl<'a> Mixtures<'a> {
             mean_radius,
             sigma: match self.sigma_of {
                 SigmaOf::Summits => (square - mean * mean).max(0.0).sqrt(),
-                SigmaOf::Surface => (1.0 - t) * self.ends[0].sq + t * self.ends[1].sq,
+                SigmaOf::Surface => {
+                    let [a, b] = [0, 1].map(|end| {
+                        self.ends[end].transformed_sq.unwrap_or_else(|| self.squares[2 * end].sqrt())
+                    });
+                    (1.0 - t) * a + t * b
+                }
             },
         }
     }
 
-    /// The heights of the map at a weight, and their mean and standard deviation.
-    pub fn into_heights(self, t: f64, progress: &dyn Progress) -> (Vec<f64>, [f64; 2]) {
+    /// The heights of the map at a weight about their mean, times a `scale` that may depend on their standard deviation; and this scale.
+    pub fn into_heights(
+        self,
+        t: f64,
+        scale: impl Fn(f64) -> f64,
+        progress: &dyn Progress,
+    ) -> (Vec<f64>, f64) {
         let factors = self.factors(t);
-        let [Field { mut heights, .. }, Field { heights: other, .. }] = self.ends;
-        let found = Results::new(heights.len().div_ceil(CHUNK));
-        for_each_row(&mut heights, CHUNK, &|k, heights| {
+        let Self {
+            generator, ends: [Field { mut heights, .. }, Field { heights: other, .. }], squares, ..
+        } = self;
+        let goes_on = |k: usize| {
             if k.is_multiple_of(SIGNS) {
                 progress.advance(0.0);
             }
+        };
+        let mix = |k: usize, heights: &mut [f64], factors: [f64; 2]| {
             for (z, &other) in heights.iter_mut().zip(&other[k * CHUNK..]) {
                 *z = mixed(factors, [*z, other]);
             }
-            if self.generator.heights != Heights::GAUSSIAN {
-                self.generator.heights.map_normals(heights, 1.0);
-            }
+        };
+        if generator.heights == Heights::GAUSSIAN {
+            let ([a, b], [aa, ab, bb]) = (factors, squares);
+            let scale = scale((a * a * aa + 2.0 * a * b * ab + b * b * bb).sqrt());
+            for_each_row(&mut heights, CHUNK, &|k, heights| {
+                goes_on(k);
+                mix(k, heights, factors.map(|factor| scale * factor));
+            });
+            return (heights, scale);
+        }
+        let found = Results::new(heights.len().div_ceil(CHUNK));
+        for_each_row(&mut heights, CHUNK, &|k, heights| {
+            goes_on(k);
+            mix(k, heights, factors);
+            generator.heights.map_normals(heights, 1.0);
             found.set(k, sums(heights));
         });
-        let moments = mean_and_sq(&found.into_vec(), heights.len());
-        (heights, moments)
+        let [mean, sq] = mean_and_sq(&found.into_vec(), heights.len());
+        let scale = scale(sq);
+        for_each_row(&mut heights, CHUNK, &|_, heights| {
+            heights.iter_mut().for_each(|z| *z = scale * (*z - mean));
+        });
+        (heights, scale)
     }
 }
 
@@ -191,21 +232,25 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    fn rows(&self, arch: Arch, rows: Range<usize>) -> Vec<Point> {
+    /// The points of some rows, and sums over all points of the rows.
+    fn rows(&self, arch: Arch, rows: Range<usize>) -> (Squares, Vec<Point>) {
         let [nx, ny] = self.points;
+        let mut squares = Squares::default();
         let mut found = Vec::with_capacity(rows.len() * ny / POINTS);
         let mut flags = vec![false; ny];
         for i in rows {
             let windows = self.fields.map(|field| {
                 [(i + nx - 1) % nx, i, (i + 1) % nx].map(|row| &field[row * ny..(row + 1) * ny])
             });
+            let (sums, _) = sums_of_present(windows.map(|[_, row, _]| row), Products);
+            squares.iter_mut().zip(sums).for_each(|(all, sum)| *all += sum);
             arch.dispatch(Mark { windows, flags: &mut flags });
             for (block, eight) in flags.chunks(8).enumerate().filter(|(_, eight)| eight.contains(&true)) {
                 let places = (8 * block..).zip(eight).filter(|&(_, &flag)| flag);
                 found.extend(places.filter_map(|(place, _)| self.point(windows, place)));
             }
         }
-        found
+        (squares, found)
     }
 
     /// The point of the middle row, if it is a summit at some weight.
@@ -231,6 +276,17 @@ impl Search<'_> {
         let mut heights = [here; 5];
         heights[1..].iter_mut().zip(Neighbours::Four.steps()).for_each(|(pair, &step)| *pair = at(step));
         (from < to).then_some(Point { from, to, heights })
+    }
+}
+
+/// The terms of [`Squares`].
+#[derive(Clone, Copy)]
+struct Products;
+
+impl Terms<2, 3> for Products {
+    #[inline(always)]
+    fn of<N: Real>(self, [a, b]: [N; 2]) -> [N; 3] {
+        [a * a, a * b, b * b]
     }
 }
 

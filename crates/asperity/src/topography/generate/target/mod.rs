@@ -16,7 +16,7 @@ use mix::{Field, Mixtures};
 
 use super::gaussian;
 use crate::distribution::Heights;
-use crate::numeric::parallel::{for_each_row, map};
+use crate::numeric::parallel::map;
 use crate::numeric::sum::CHUNK;
 use crate::progress::{Progress, Silent};
 use crate::topography::spectrum::{Lay, Spectrum, SpectrumError, SpectrumShape};
@@ -197,25 +197,18 @@ impl TargetGenerator {
         let spectrum = self.spectrum(log_bandwidth.exp())?;
         spectrum.check(self.points, [1.0; 2])?;
         let heights = gaussian::watched(&spectrum.on_grid(self.points, [1.0; 2]), 1.0, seed, progress);
-        let sq = match sigma_of {
-            SigmaOf::Summits => 1.0,
-            SigmaOf::Surface => {
-                let chunks = map(heights.len().div_ceil(CHUNK), |k| {
-                    if k.is_multiple_of(SIGNS) {
-                        progress.advance(0.0);
-                    }
-                    let chunk = &heights[k * CHUNK..heights.len().min((k + 1) * CHUNK)];
-                    if self.heights == Heights::GAUSSIAN {
-                        return sums(chunk);
-                    }
-                    let mut chunk = chunk.to_vec();
-                    self.heights.map_normals(&mut chunk, 1.0);
-                    sums(&chunk)
-                });
-                mean_and_sq(&chunks, heights.len())[1]
-            }
-        };
-        Ok(Field { log_bandwidth, heights, sq })
+        let transformed_sq = (sigma_of == SigmaOf::Surface && self.heights != Heights::GAUSSIAN).then(|| {
+            let chunks = map(heights.len().div_ceil(CHUNK), |k| {
+                if k.is_multiple_of(SIGNS) {
+                    progress.advance(0.0);
+                }
+                let mut chunk = heights[k * CHUNK..heights.len().min((k + 1) * CHUNK)].to_vec();
+                self.heights.map_normals(&mut chunk, 1.0);
+                sums(&chunk)
+            });
+            mean_and_sq(&chunks, heights.len())[1]
+        });
+        Ok(Field { log_bandwidth, heights, transformed_sq })
     }
 
     /// The surface of a seed that meets the target. All fields have the same random numbers, so that the product is a
@@ -289,16 +282,12 @@ impl TargetGenerator {
         let summits = mixtures.summits(weight);
         let bandwidth = mixtures.log_bandwidth(weight).exp();
         let bandwidths = mixtures.ends.each_ref().map(|end| end.log_bandwidth.exp());
-        let (mut heights, [mean, sq]) = mixtures.into_heights(weight, progress);
-        let sigma = match target.sigma_of {
-            SigmaOf::Summits => summits.sigma,
-            SigmaOf::Surface => sq,
-        };
         let pixel = (summits.density / target.density).sqrt();
-        let scale = target.sigma / sigma;
-        for_each_row(&mut heights, CHUNK, &|_, heights| {
-            heights.iter_mut().for_each(|z| *z = scale * (*z - mean));
-        });
+        let scale = |sq: f64| match target.sigma_of {
+            SigmaOf::Summits => target.sigma / summits.sigma,
+            SigmaOf::Surface => target.sigma / sq,
+        };
+        let (heights, scale) = mixtures.into_heights(weight, scale, progress);
         Ok(Reached {
             map: HeightMap::new(self.points, [pixel; 2], heights, f64::EPSILON)?.periodic(),
             spectrum: self.between(bandwidths, weight, pixel)?,

@@ -74,7 +74,7 @@ fn summits_of_a_weight_are_those_of_its_map() {
             let mixtures = Mixtures::new(&generator, sigma_of, ends, &Silent).unwrap();
             let found = mixtures.summits(t);
             let log = mixtures.log_bandwidth(t);
-            let (heights, _) = mixtures.into_heights(t, &Silent);
+            let (heights, _) = mixtures.into_heights(t, |_| 1.0, &Silent);
             let map = HeightMap::new(generator.points, [1.0; 2], heights, 0.0).unwrap().periodic();
             let [density, radius, sigma] = of_map(&map, generator.neighbours, sigma_of);
             assert_eq!(found.density, density, "{bandwidth} {sigma_of:?} {t}");
