@@ -169,24 +169,21 @@ impl<'a> Solver<'a> {
         if pressure * heights.len() as f64 <= f64::EPSILON * deviation * stencil.centre {
             return Err(SolverError::TooLight(pressure));
         }
-        let coarsest = self.levels.last().map_or([0, 0], |level| level.points);
-        let mut start = vec![pressure; coarsest[0] * coarsest[1]];
+        let mut coarser: Option<Vec<f64>> = None;
         for (depth, level) in self.levels.iter().enumerate().rev() {
             let is_finest = depth == 0;
             let error = if is_finest { self.error } else { self.error.max(COARSE_ERROR) };
-            let target = Target {
-                pressure,
-                cap: self.cap,
-                error,
-                steps: STEPS,
-                is_near: depth + 1 < self.levels.len(),
-            };
+            let target = Target { pressure, cap: self.cap, error, steps: STEPS, is_near: coarser.is_some() };
             let of_level = if is_finest { 1.0 - COARSE_PROGRESS } else { 0.0 };
+            let start = |i: usize, row: &mut [f64]| match &coarser {
+                Some(pressures) => finer(pressures, level.points, self.boundary.wraps(), i, row),
+                None => row.fill(pressure),
+            };
             let descent = level.descend(start, target, self.boundary, of_level, progress);
             if is_finest {
                 return self.contact(pressure, descent);
             }
-            start = finer(&descent.pressures, self.levels[depth - 1].points, self.boundary.wraps());
+            coarser = Some(descent.pressures);
             progress.advance(COARSE_PROGRESS / (self.levels.len() - 1) as f64);
         }
         Err(SolverError::Flat)
@@ -317,7 +314,7 @@ impl Level<'_> {
     /// The pressures of this grid, from `start`. `share` is the progress of a whole descent.
     fn descend(
         &self,
-        start: Vec<f64>,
+        start: impl Fn(usize, &mut [f64]) + Sync,
         target: Target,
         boundary: Boundary,
         share: f64,
