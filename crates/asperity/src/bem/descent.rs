@@ -12,7 +12,7 @@
 //! at the latest. The first step of the coarsest grid, and of all below a cap, is not bounded but corrected; so is one after a
 //! direction that led hardly down.
 
-use std::array;
+use std::{array, mem};
 
 use rayon::prelude::*;
 
@@ -20,7 +20,7 @@ use super::active::{Points, members};
 use super::convolution::Convolution;
 use super::preconditioner::Stencil;
 use super::projection::project;
-use crate::memory::{collected, zeros};
+use crate::memory::zeros;
 use crate::progress::Progress;
 
 /// Rows of one task.
@@ -140,6 +140,7 @@ struct State<'a> {
     gaps: Vec<f64>,
     /// Displacements under the direction.
     response: Vec<f32>,
+    /// Those of double precision, once they are needed: on coarser grids they seldom are.
     waves: Vec<f64>,
     single_waves: Vec<f32>,
     /// The gap at points in contact.
@@ -200,9 +201,9 @@ impl Grid<'_> {
             active,
             ends,
             fixed: Points::none(self.points),
-            gaps: collected(self.heights.par_iter().map(|height| -height)),
+            gaps: zeros(nx * ny),
             response: zeros(nx * ny),
-            waves: self.convolution.waves(),
+            waves: Vec::new(),
             single_waves: self.convolution.single_waves(),
             level: 0.0,
             step: 0.0,
@@ -276,8 +277,8 @@ impl State<'_> {
 
     fn end(mut self, error: f64, steps: usize) -> Descent {
         let ny = self.width();
-        let mut pressures = std::mem::take(&mut self.waves);
-        pressures.truncate(self.gaps.len());
+        let mut pressures = mem::take(&mut self.waves);
+        pressures.resize(self.gaps.len(), 0.0);
         pressures.par_chunks_mut(ny).enumerate().with_min_len(ROWS).for_each(|(i, row)| {
             row.fill(0.0);
             self.fill(i, row);
@@ -312,7 +313,10 @@ impl State<'_> {
     /// The gaps under the pressures.
     fn find_gaps(&mut self) {
         let ny = self.width();
-        let (mut gaps, mut waves) = (std::mem::take(&mut self.gaps), std::mem::take(&mut self.waves));
+        let (mut gaps, mut waves) = (mem::take(&mut self.gaps), mem::take(&mut self.waves));
+        if waves.is_empty() {
+            waves = self.grid.convolution.waves();
+        }
         let sums = self.grid.convolution.apply(
             self.grid.progress,
             |i, row| self.fill(i, row),
@@ -327,10 +331,12 @@ impl State<'_> {
         self.set_level(&sums);
     }
 
-    /// Changes the gaps with the pressures of active points, which were their ends before.
+    /// Changes the gaps with the pressures of active points, which were their ends before: at first none, with gaps of minus the
+    /// heights.
     fn follow(&mut self) {
-        let mut gaps = std::mem::take(&mut self.gaps);
-        let mut waves = std::mem::take(&mut self.single_waves);
+        let ny = self.width();
+        let mut gaps = mem::take(&mut self.gaps);
+        let mut waves = mem::take(&mut self.single_waves);
         let sums = self.grid.convolution.apply_in_single(
             self.grid.progress,
             |i, row| {
@@ -340,6 +346,11 @@ impl State<'_> {
             &mut gaps,
             &mut waves,
             |i, changes, gaps| {
+                if self.convolutions == 0 {
+                    gaps.iter_mut()
+                        .zip(&self.grid.heights[i * ny..])
+                        .for_each(|(gap, height)| *gap = -height);
+                }
                 gaps.iter_mut().zip(changes).for_each(|(gap, &change)| *gap += f64::from(change));
                 self.free(i, gaps)
             },
@@ -396,7 +407,7 @@ impl State<'_> {
                 if step != 0.0 {
                     gaps.iter_mut().zip(response).for_each(|(gap, &r)| *gap -= step * f64::from(r));
                 }
-                std::mem::swap(before, active);
+                mem::swap(before, active);
                 active.clear();
                 let mut before = before.iter().peekable();
                 let (mut sums, mut lowest) = ([0.0; 6], f64::INFINITY);

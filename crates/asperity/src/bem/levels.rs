@@ -1,9 +1,17 @@
 //! Coarser grids, on which a solution begins.
 
+use rayon::prelude::*;
+
+use crate::memory::zeros;
+
 /// Every second point along both axes.
 pub fn coarser(heights: &[f64], [nx, ny]: [usize; 2]) -> Vec<f64> {
-    let row = |i: usize| heights[i * ny..][..ny].iter().step_by(2).copied();
-    (0..nx).step_by(2).flat_map(row).collect()
+    let [mx, my] = coarser_points([nx, ny]);
+    let mut coarse = zeros(mx * my);
+    coarse.par_chunks_mut(my).zip(heights.par_chunks(2 * ny)).for_each(|(coarse, rows)| {
+        coarse.iter_mut().zip(rows.iter().step_by(2)).for_each(|(to, z)| *to = *z);
+    });
+    coarse
 }
 
 /// Points of the coarser grid.

@@ -1,5 +1,6 @@
 //! An approximate inverse of the displacements: the part of 1/compliance that acts between neighbours.
 
+use std::array;
 use std::f64::consts::PI;
 
 use super::compliance::SurfaceResponse;
@@ -29,12 +30,12 @@ impl Stencil {
     /// field at its point.
     pub fn new(pixel: [f64; 2], pair: &impl SurfaceResponse, film: f64) -> Self {
         let angle = |k: usize| PI * (k as f64 + 0.5) / SAMPLES as f64;
+        let angles: [[f64; 2]; SAMPLES] = array::from_fn(|k| [angle(k), angle(k).cos()]);
         let mut sums = [0.0; 4];
-        for i in 0..SAMPLES {
-            for j in 0..SAMPLES {
-                let (x, y) = (angle(i), angle(j));
+        for [x, cos_x] in angles {
+            for [y, cos_y] in angles {
                 let inverse = (pair.to_wave((x / pixel[0]).hypot(y / pixel[1])) + film).recip();
-                for (sum, factor) in sums.iter_mut().zip([1.0, x.cos(), y.cos(), x.cos() * y.cos()]) {
+                for (sum, factor) in sums.iter_mut().zip([1.0, cos_x, cos_y, cos_x * cos_y]) {
                     *sum += inverse * factor;
                 }
             }

@@ -3,6 +3,8 @@
 use std::borrow::Cow;
 use std::cell::Cell;
 
+use rayon::prelude::*;
+
 use super::active::Points;
 use super::compliance::ElasticPair;
 use super::contact::Contact;
@@ -16,7 +18,8 @@ use super::tangent::Tangent;
 use super::{Boundary, Options, SolverError};
 use crate::literature::{self, Paper};
 use crate::numeric::is_positive;
-use crate::numeric::sum::sum_of;
+use crate::numeric::lanes::Real;
+use crate::numeric::sum::{Terms, sums_over};
 use crate::progress::{Progress, Silent};
 use crate::topography::HeightMap;
 
@@ -83,7 +86,7 @@ impl<'a> Level<'a> {
         Self {
             points,
             moments: moments(&heights),
-            highest: heights.iter().fold(f64::NEG_INFINITY, |highest, &z| highest.max(z)),
+            highest: heights.par_iter().copied().reduce(|| f64::NEG_INFINITY, f64::max),
             heights,
             convolution: Convolution::new(points, pixel, pair, boundary),
             stencil: Stencil::new(pixel, pair, 0.0),
@@ -94,8 +97,39 @@ impl<'a> Level<'a> {
 /// Mean and standard deviation.
 fn moments(heights: &[f64]) -> [f64; 2] {
     let count = heights.len() as f64;
-    let mean = heights.iter().sum::<f64>() / count;
-    [mean, (heights.iter().map(|z| (z - mean) * (z - mean)).sum::<f64>() / count).sqrt()]
+    let sums = |mean: f64| sums_over([heights], Powers { mean }).map(|sum| sum / count);
+    let [mean, _] = sums(0.0);
+    [mean, sums(mean)[1].sqrt()]
+}
+
+/// Heights above a mean, and their squares.
+#[derive(Clone, Copy)]
+struct Powers {
+    mean: f64,
+}
+
+impl Terms<1, 2> for Powers {
+    #[inline(always)]
+    fn of<N: Real>(self, [height]: [N; 1]) -> [N; 2] {
+        let above = height - self.mean;
+        [above, above * above]
+    }
+}
+
+/// Pressures, and the gaps of points without.
+#[derive(Clone, Copy)]
+struct LoadAndGap {
+    level: f64,
+}
+
+impl Terms<2, 2> for LoadAndGap {
+    #[inline(always)]
+    fn of<N: Real>(self, [pressure, gap]: [N; 2]) -> [N; 2] {
+        let zero = pressure.splat(0.0);
+        let above = gap - self.level;
+        let is_open = pressure.le(zero) & zero.lt(above);
+        [pressure, N::select(is_open, above, zero)]
+    }
 }
 
 impl<'a> Solver<'a> {
@@ -197,12 +231,11 @@ impl<'a> Solver<'a> {
         if error > self.error {
             return Err(SolverError::NotConverged { pressure, error, steps, wanted: self.error });
         }
-        let load = sum_of(pressures.len(), |k| pressures[k]) / pressures.len() as f64;
+        let count = pressures.len() as f64;
+        let [load, mean_gap] = sums_over([&pressures, &gaps], LoadAndGap { level }).map(|sum| sum / count);
         if (load / pressure - 1.0).abs() > LOAD_ERROR {
             return Err(SolverError::TooLight(pressure));
         }
-        let open = |k: usize| if pressures[k] > 0.0 { 0.0 } else { (gaps[k] - level).max(0.0) };
-        let mean_gap = sum_of(gaps.len(), open) / gaps.len() as f64;
         Ok(Contact {
             points: self.levels[0].points,
             pixel: self.pixel,
@@ -298,12 +331,12 @@ impl<'a> Solver<'a> {
     /// Bytes that a solver for a map of `points` needs beside the map.
     pub fn memory(points: [usize; 2], boundary: Boundary) -> u128 {
         let count = (points[0] * points[1]) as u128;
-        // In eighths of an array: the pressures of a contact, and for its tangent pressures, displacements, direction, its response and
-        // waves; a finite map is transformed as four. Solving takes less. Responses are those of both precisions.
+        // Bytes of a point in full contact: gaps, a response, waves in both precisions, which become the pressures, and what is kept of an
+        // active point. A finite map is transformed as four. A tangent takes less. Responses are those of both precisions.
         let (arrays, response): (u128, u128) = match boundary {
-            Boundary::Periodic => (44, 3),
-            Boundary::Mirrored => (44, 12),
-            Boundary::Finite => (56, 12),
+            Boundary::Periodic => (72, 3),
+            Boundary::Mirrored => (72, 12),
+            Boundary::Finite => (84, 12),
         };
         // Heights and responses of the coarser grids make a third.
         count * (arrays + response + (8 + response).div_ceil(3)) + Points::memory(points)
