@@ -332,11 +332,12 @@ impl<'a> Solver<'a> {
     pub fn memory(points: [usize; 2], boundary: Boundary) -> u128 {
         let count = (points[0] * points[1]) as u128;
         // Bytes of a point in full contact: gaps, a response, waves in both precisions, which become the pressures, and what is kept of an
-        // active point. A finite map is transformed as four. A tangent takes less. Responses are those of both precisions.
+        // active point and while its pressure is projected. A finite map is transformed as four. A tangent takes less. Responses are
+        // those of both precisions.
         let (arrays, response): (u128, u128) = match boundary {
-            Boundary::Periodic => (72, 3),
-            Boundary::Mirrored => (72, 12),
-            Boundary::Finite => (84, 12),
+            Boundary::Periodic => (80, 3),
+            Boundary::Mirrored => (80, 12),
+            Boundary::Finite => (92, 12),
         };
         // Heights and responses of the coarser grids make a third.
         count * (arrays + response + (8 + response).div_ceil(3)) + Points::memory(points)
