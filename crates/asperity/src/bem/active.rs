@@ -28,20 +28,6 @@ impl Points {
         points
     }
 
-    /// Those of them, by their index on a map with `ny` points a row, that `is_member` holds for.
-    #[must_use]
-    pub fn that(&self, ny: usize, is_member: impl Fn(usize) -> bool + Sync) -> Self {
-        let mut points = self.clone();
-        points.rows_mut().enumerate().for_each(|(i, words)| {
-            for (k, word) in words.iter_mut().enumerate() {
-                for bit in members(&[*word]).filter(|bit| !is_member(i * ny + 64 * k + bit)) {
-                    *word &= !(1 << bit);
-                }
-            }
-        });
-        points
-    }
-
     /// Bytes for a map.
     pub fn memory([nx, ny]: [usize; 2]) -> u128 {
         (nx * ny.div_ceil(64) * size_of::<u64>()) as u128

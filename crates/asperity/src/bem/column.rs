@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use asperity_fft::{Complex, Fft, FftDirection, Number};
 
-use super::row::{permuted, twiddles};
+use super::row::{permuted, point_at, twiddles};
 
 /// The response of a map to each of its waves, and the transforms along x that lead there and back, in numbers of a type.
 pub struct Columns<T: Number> {
@@ -52,6 +52,11 @@ impl<T: Number> Columns<T> {
     /// The place of point `i` in a column that is transformed.
     pub fn place(&self, i: usize) -> usize {
         if self.twiddles.is_some() { permuted(i, self.points) } else { i }
+    }
+
+    /// The point at a place.
+    pub fn point_at(&self, place: usize) -> usize {
+        if self.twiddles.is_some() { point_at(place, self.points) } else { place }
     }
 
     /// Replaces column `j` of waves along y by the response to it, times the numbers of the transform.

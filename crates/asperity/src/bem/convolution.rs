@@ -10,7 +10,7 @@ use super::column::Columns;
 use super::compliance::SurfaceResponse;
 use super::influence;
 use super::row::RowTransform;
-use crate::memory::zeros;
+use crate::memory::{collected, zeros};
 use crate::progress::Progress;
 use asperity_fft::{Complex, Number};
 
@@ -36,7 +36,7 @@ pub struct Convolution {
 /// Pressures to displacements in numbers of a type.
 ///
 /// Waves along y are kept in pairs of numbers, in tiles of eight rows and eight columns: both passes read and write pieces of
-/// a kilobyte, and columns are transformed in their place.
+/// a kilobyte, and columns are transformed in their place. Rows are in the order of the transform along x.
 struct Transforms<T: Number> {
     points: [usize; 2],
     rows: RowTransform<T>,
@@ -55,9 +55,9 @@ impl Convolution {
             Boundary::Finite => influence::response(points, pixel, pair),
             _ => waves(points, pixel, pair, is_mirrored),
         };
-        let largest = response.iter().fold(0.0, |largest: f64, r| largest.max(r.abs()));
+        let largest = response.par_iter().map(|r| r.abs()).reduce(|| 0.0, f64::max);
         let unit = if largest > 0.0 { largest } else { 1.0 };
-        let in_units = response.iter().map(|r| f32::of(r / unit)).collect();
+        let in_units = collected(response.par_iter().map(|r| f32::of(r / unit)));
         Self {
             points,
             single: Transforms::new(points, lengths, is_mirrored, in_units),
@@ -127,7 +127,7 @@ impl<T: Number> Transforms<T> {
                 let count = tiles.len() / stride;
                 for k in 0..count {
                     row.fill(T::default());
-                    fill(block * BLOCK + k, row);
+                    fill(self.columns.point_at(block * BLOCK + k), row);
                     self.rows.forward(row, packed, scratch);
                     // Of a known length, which a copy needs no call for.
                     let lines = tiles.as_chunks_mut::<TILE>().0.iter_mut().skip(k).step_by(count);
@@ -147,19 +147,22 @@ impl<T: Number> Transforms<T> {
         each: impl Fn(usize, &[T], &mut [O]) -> A + Sync,
         progress: &dyn Progress,
     ) -> Vec<A> {
-        let Self { points: [_, ny], stride, .. } = *self;
+        let Self { points: [nx, ny], stride, .. } = *self;
         let mut answers: Vec<Vec<A>> = Vec::new();
         out.par_chunks_mut(BLOCK * ny)
-            .zip(waves.par_chunks(BLOCK * stride))
             .enumerate()
             .map_init(
                 || (vec![T::default(); ny], vec![T::default(); stride], self.rows.scratch()),
-                |(row, packed, scratch), (block, (out, tiles))| {
+                |(row, packed, scratch), (block, out)| {
                     progress.advance(0.0);
-                    let count = tiles.len() / stride;
                     let rows = out.chunks_mut(ny).enumerate();
                     rows.map(|(k, out)| {
-                        let lines = tiles.as_chunks::<TILE>().0.iter().skip(k).step_by(count);
+                        let i = block * BLOCK + k;
+                        let place = self.columns.place(i);
+                        let first = place / BLOCK * BLOCK;
+                        let count = BLOCK.min(nx - first);
+                        let tiles = waves[first * stride..][..count * stride].as_chunks::<TILE>().0;
+                        let lines = tiles.iter().skip(place - first).step_by(count);
                         packed
                             .as_chunks_mut::<TILE>()
                             .0
@@ -167,7 +170,7 @@ impl<T: Number> Transforms<T> {
                             .zip(lines)
                             .for_each(|(waves, line)| *waves = *line);
                         self.rows.backward(packed, scale, row, scratch);
-                        each(block * BLOCK + k, row, out)
+                        each(i, row, out)
                     })
                     .collect()
                 },
@@ -195,24 +198,26 @@ impl<T: Number> Transforms<T> {
                 let first = block * BLOCK;
                 let mut columns = batch.chunks_mut(length + PADDING);
                 let mut columns: [_; BLOCK] = array::from_fn(|_| columns.next().unwrap_or_default());
-                let place = |tile: usize, line: usize| self.columns.place(tile * BLOCK + line);
+                // A piece of one column after the other: stores to all of them in turn would each check their place.
                 for (b, tile) in tiles.iter().enumerate() {
-                    for (i, line) in tile.as_chunks::<TILE>().0.iter().enumerate() {
-                        let place = place(b, i);
-                        for (column, &[re, im]) in columns.iter_mut().zip(line.as_chunks::<2>().0) {
-                            column[place] = Complex::new(re, im);
-                        }
+                    let lines = tile.as_chunks::<TILE>().0;
+                    for (k, column) in columns.iter_mut().enumerate() {
+                        let piece = column[b * BLOCK..][..lines.len()].iter_mut();
+                        piece
+                            .zip(lines)
+                            .for_each(|(to, line)| *to = Complex::new(line[2 * k], line[2 * k + 1]));
                     }
                 }
                 for (k, column) in columns.iter_mut().take(pairs - first).enumerate() {
                     self.columns.respond(first + k, &mut column[..length], scratch);
                 }
                 for (b, tile) in tiles.iter_mut().enumerate() {
-                    for (i, line) in tile.as_chunks_mut::<TILE>().0.iter_mut().enumerate() {
-                        let place = place(b, i);
-                        for (column, to) in columns.iter().zip(line.as_chunks_mut::<2>().0) {
-                            *to = [column[place].re, column[place].im];
-                        }
+                    let lines = tile.as_chunks_mut::<TILE>().0;
+                    for (k, column) in columns.iter().enumerate() {
+                        let piece = column[b * BLOCK..][..lines.len()].iter();
+                        piece.zip(&mut *lines).for_each(|(wave, line)| {
+                            (line[2 * k], line[2 * k + 1]) = (wave.re, wave.im);
+                        });
                     }
                 }
             },

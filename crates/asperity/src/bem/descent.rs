@@ -110,21 +110,39 @@ pub fn total<const N: usize>(rows: &[Sums<N>]) -> [f64; N] {
     })
 }
 
+/// A point whose pressure may change: those of a row stand side by side, since they are few among all.
+struct Active {
+    /// Its place in the row.
+    column: u32,
+    direction: f32,
+    /// Displacement under the direction.
+    response: f32,
+    pressure: f64,
+    gap: f64,
+}
+
+impl Active {
+    fn column(&self) -> usize {
+        self.column as usize
+    }
+}
+
 /// The state of a descent.
 struct State<'a> {
     grid: &'a Grid<'a>,
     target: Target,
-    pressures: Vec<f64>,
+    /// The active points of each row, in order. All others are at their bounds.
+    active: Vec<Vec<Active>>,
+    /// The preconditioned residual of each, then its pressure at the reach of the direction: without one that before the step.
+    ends: Vec<Vec<f64>>,
+    /// Points that stay at the cap.
+    fixed: Points,
     gaps: Vec<f64>,
-    direction: Vec<f32>,
     /// Displacements under the direction.
     response: Vec<f32>,
-    /// Between transforms the preconditioned residual, then the pressures of active points at the reach of the direction: without
-    /// one those before the step.
+    /// Those of double precision, once they are needed: on coarser grids they seldom are.
     waves: Vec<f64>,
     single_waves: Vec<f32>,
-    /// Points whose pressure may change.
-    active: Points,
     /// The gap at points in contact.
     level: f64,
     /// Step along the direction that the gaps have not followed yet.
@@ -148,23 +166,45 @@ struct Contact {
 }
 
 impl Grid<'_> {
-    /// Minimises from the pressures `start`, which need not have the load of `target`. `watch` sees the error of each step.
-    /// Gives up after the steps of `target`: the error then exceeds that asked for.
-    pub fn descend(&self, start: Vec<f64>, target: Target, watch: &dyn Fn(f64)) -> Descent {
-        let count = self.points[0] * self.points[1];
+    /// Minimises from the pressures that `start` writes to row i, which need not have the load of `target`. `watch` sees the error
+    /// of each step. Gives up after the steps of `target`: the error then exceeds that asked for.
+    pub fn descend(
+        &self,
+        start: impl Fn(usize, &mut [f64]) + Sync,
+        target: Target,
+        watch: &dyn Fn(f64),
+    ) -> Descent {
+        let [nx, ny] = self.points;
         // All others are without pressure, of which rounding of the load would give them some. Below a cap these may not carry it.
         let has_cap = target.cap.is_finite();
-        let active = Points::selected(self.points, |k| has_cap || start[k] > 0.0);
+        let rows = (0..nx).into_par_iter().with_min_len(ROWS).map_init(
+            || vec![0.0; ny],
+            |row, i| {
+                start(i, row);
+                let active = row.iter().enumerate().filter(|&(_, &pressure)| has_cap || pressure > 0.0);
+                let point = |(j, &pressure): (usize, &f64)| Active {
+                    column: j as u32,
+                    direction: 0.0,
+                    response: 0.0,
+                    pressure,
+                    gap: 0.0,
+                };
+                let active: Vec<Active> = active.map(point).collect();
+                let none = vec![0.0; active.len()];
+                (active, none)
+            },
+        );
+        let (active, ends) = rows.unzip();
         let mut state = State {
             grid: self,
             target,
-            pressures: start,
-            gaps: self.heights.par_iter().map(|height| -height).collect(),
-            direction: zeros(count),
-            response: zeros(count),
-            waves: self.convolution.waves(),
-            single_waves: self.convolution.single_waves(),
             active,
+            ends,
+            fixed: Points::none(self.points),
+            gaps: zeros(nx * ny),
+            response: zeros(nx * ny),
+            waves: Vec::new(),
+            single_waves: self.convolution.single_waves(),
             level: 0.0,
             step: 0.0,
             curvature: 0.0,
@@ -196,8 +236,7 @@ impl Grid<'_> {
                 continue;
             }
             if is_reached || steps >= target.steps || !error.is_finite() {
-                let State { pressures, gaps, level, convolutions, .. } = state;
-                return Descent { pressures, gaps, level, error, steps, convolutions };
+                return state.end(error, steps);
             }
             if is_exact {
                 (exact, exact_at) = (error, steps);
@@ -230,70 +269,101 @@ impl State<'_> {
         self.target.pressure * (self.grid.points[0] * self.grid.points[1]) as f64
     }
 
+    /// The pressures of row `i`, given as zeros.
+    fn fill(&self, i: usize, row: &mut [f64]) {
+        members(self.fixed.row(i)).for_each(|j| row[j] = self.target.cap);
+        self.active[i].iter().for_each(|point| row[point.column()] = point.pressure);
+    }
+
+    fn end(mut self, error: f64, steps: usize) -> Descent {
+        let ny = self.width();
+        let mut pressures = mem::take(&mut self.waves);
+        pressures.resize(self.gaps.len(), 0.0);
+        pressures.par_chunks_mut(ny).enumerate().with_min_len(ROWS).for_each(|(i, row)| {
+            row.fill(0.0);
+            self.fill(i, row);
+        });
+        let Self { gaps, level, convolutions, .. } = self;
+        Descent { pressures, gaps, level, error, steps, convolutions }
+    }
+
     /// Projects the active pressures so that they carry the load, less what fixed points do.
     fn keep_load(&mut self, fixed: f64) {
-        let (width, load) = (self.width(), self.load());
-        project(&mut self.pressures, width, &self.active, load - fixed, self.target.cap);
+        let rows = self.active.par_iter().with_min_len(ROWS);
+        let mut kept: Vec<Vec<f64>> =
+            rows.map(|row| row.iter().map(|point| point.pressure).collect()).collect();
+        project(&mut kept, self.load() - fixed, self.target.cap);
+        self.active.par_iter_mut().zip(kept).with_min_len(ROWS).for_each(|(row, kept)| {
+            row.iter_mut().zip(kept).for_each(|(point, kept)| point.pressure = kept);
+        });
     }
 
     /// Takes the small pressures of points that would be open without them, of which a step that ended before its reach has left a
     /// part, and restores the load, which rounding has changed too: points without pressure stay so, or they would count as contacts.
     fn settle(&mut self, contact: &Contact) {
         let &Contact { count, fixed_load: fixed, .. } = contact;
-        let (ny, level, centre) = (self.width(), self.level, self.grid.stencil.centre);
-        let (pressures, gaps) = (&self.pressures, &self.gaps);
-        let small = SMALL * (self.load() - fixed) / count;
-        let least = |gap: f64| (centre * (gap - level)).clamp(0.0, small.max(0.0));
-        let carrying = self.active.that(ny, |k| pressures[k] > least(gaps[k]));
-        let (rows, active) = (self.pressures.par_chunks_mut(ny), self.active.rows());
-        rows.zip(active).zip(carrying.rows()).with_min_len(ROWS).for_each(
-            |((pressures, active), carrying)| {
-                for (k, (active, carrying)) in active.iter().zip(carrying).enumerate() {
-                    members(&[active & !carrying]).for_each(|bit| pressures[64 * k + bit] = 0.0);
-                }
-            },
-        );
-        let active = mem::replace(&mut self.active, carrying);
+        let (level, centre) = (self.level, self.grid.stencil.centre);
+        let small = (SMALL * (self.load() - fixed) / count).max(0.0);
+        self.active.par_iter_mut().with_min_len(ROWS).for_each(|row| {
+            row.retain(|point| point.pressure > (centre * (point.gap - level)).clamp(0.0, small));
+        });
         self.keep_load(fixed);
-        self.active = active;
     }
 
     /// The gaps under the pressures.
     fn find_gaps(&mut self) {
         let ny = self.width();
-        let (pressures, heights, active, cap) =
-            (&self.pressures, self.grid.heights, &self.active, self.target.cap);
+        let (mut gaps, mut waves) = (mem::take(&mut self.gaps), mem::take(&mut self.waves));
+        if waves.is_empty() {
+            waves = self.grid.convolution.waves();
+        }
         let sums = self.grid.convolution.apply(
             self.grid.progress,
-            |i, row| row.copy_from_slice(&pressures[i * ny..][..ny]),
-            &mut self.gaps,
-            &mut self.waves,
+            |i, row| self.fill(i, row),
+            &mut gaps,
+            &mut waves,
             |i, gaps| {
-                gaps.iter_mut().zip(&heights[i * ny..][..ny]).for_each(|(gap, height)| *gap -= height);
-                free(gaps, &pressures[i * ny..][..ny], active.row(i), cap)
+                gaps.iter_mut().zip(&self.grid.heights[i * ny..]).for_each(|(gap, height)| *gap -= height);
+                self.free(i, gaps)
             },
         );
+        (self.gaps, self.waves) = (gaps, waves);
         self.set_level(&sums);
     }
 
-    /// Changes the gaps with the pressures of active points, which were those in `waves` before.
+    /// Changes the gaps with the pressures of active points, which were their ends before: at first none, with gaps of minus the
+    /// heights.
     fn follow(&mut self) {
         let ny = self.width();
-        let (pressures, before, active, cap) = (&self.pressures, &self.waves, &self.active, self.target.cap);
+        let mut gaps = mem::take(&mut self.gaps);
+        let mut waves = mem::take(&mut self.single_waves);
         let sums = self.grid.convolution.apply_in_single(
             self.grid.progress,
             |i, row| {
-                let change = |k: usize| (pressures[k] - before[k]) as f32;
-                members(active.row(i)).for_each(|j| row[j] = change(i * ny + j));
+                let points = self.active[i].iter().zip(&self.ends[i]);
+                points.for_each(|(point, end)| row[point.column()] = (point.pressure - end) as f32);
             },
-            &mut self.gaps,
-            &mut self.single_waves,
+            &mut gaps,
+            &mut waves,
             |i, changes, gaps| {
+                if self.convolutions == 0 {
+                    gaps.iter_mut()
+                        .zip(&self.grid.heights[i * ny..])
+                        .for_each(|(gap, height)| *gap = -height);
+                }
                 gaps.iter_mut().zip(changes).for_each(|(gap, &change)| *gap += f64::from(change));
-                free(gaps, &pressures[i * ny..][..ny], active.row(i), cap)
+                self.free(i, gaps)
             },
         );
+        (self.gaps, self.single_waves) = (gaps, waves);
         self.set_level(&sums);
+    }
+
+    /// Number and gaps of the points of row `i` that carry pressure below the cap.
+    fn free(&self, i: usize, gaps: &[f64]) -> Sums<2> {
+        let is_free = |point: &&Active| point.pressure > 0.0 && point.pressure < self.target.cap;
+        let points = self.active[i].iter().filter(is_free);
+        Sums(points.fold([0.0; 2], |[count, sum], point| [count + 1.0, sum + gaps[point.column()]]))
     }
 
     /// The level of the flat: the mean gap of points that carry pressure below the cap, `sums` being their number and their gaps. Where
@@ -306,50 +376,63 @@ impl State<'_> {
         self.level = if count > 0.0 {
             gaps / count
         } else {
-            let points = || self.gaps.iter().zip(&self.pressures);
-            let capped = points()
-                .filter(|&(_, &p)| p > 0.0)
-                .fold(f64::NEG_INFINITY, |highest, (&gap, _)| highest.max(gap));
-            let open =
-                points().filter(|&(_, &p)| p <= 0.0).fold(f64::INFINITY, |lowest, (&gap, _)| lowest.min(gap));
+            let (mut capped, mut open) = (f64::NEG_INFINITY, f64::INFINITY);
+            let mut pressures = vec![0.0; self.width()];
+            for (i, gaps) in self.gaps.chunks(self.width()).enumerate() {
+                pressures.fill(0.0);
+                self.fill(i, &mut pressures);
+                for (&gap, &pressure) in gaps.iter().zip(&pressures) {
+                    if pressure > 0.0 {
+                        capped = capped.max(gap);
+                    } else {
+                        open = open.min(gap);
+                    }
+                }
+            }
             0.5 * (capped + open)
         };
     }
 
-    /// Moves the gaps along the last step, finds the points that are active and forgets the direction of those that are
-    /// not.
+    /// Moves the gaps along the last step and finds the points that are active.
     fn find_contact(&mut self) -> Contact {
         let (ny, cap, level, step) = (self.width(), self.target.cap, self.level, self.step);
-        let has_cap = cap.is_finite();
         let rows: Vec<(Sums<6>, f64)> = self
             .gaps
             .par_chunks_mut(ny)
             .zip(self.response.par_chunks(ny))
-            .zip(self.pressures.par_chunks(ny))
-            .zip(self.direction.par_chunks_mut(ny))
-            .zip(self.active.rows_mut())
+            .zip(&mut self.active)
+            .zip(self.fixed.rows_mut())
             .with_min_len(ROWS)
-            .map(|((((gaps, response), pressures), direction), words)| {
+            .map_init(Vec::new, |before, (((gaps, response), active), fixed)| {
                 if step != 0.0 {
                     gaps.iter_mut().zip(response).for_each(|(gap, &r)| *gap -= step * f64::from(r));
                 }
+                mem::swap(before, active);
+                active.clear();
+                let mut before = before.iter().peekable();
                 let (mut sums, mut lowest) = ([0.0; 6], f64::INFINITY);
-                let points = gaps.chunks(64).zip(pressures.chunks(64));
-                for ((k, (gaps, pressures)), word) in points.enumerate().zip(words) {
+                for ((k, gaps), fixed) in gaps.chunks(64).enumerate().zip(fixed) {
                     let low = least(gaps);
                     lowest = lowest.min(low);
-                    let mut now = 0;
-                    // Points that carry pressure are active or, where there is a cap, may have stayed there.
-                    let mut touching = *word;
-                    if has_cap {
-                        touching |= bits(pressures, |p| p > 0.0);
-                    }
+                    // Points that stay at the cap or touch, and those that were active.
+                    let mut touching = *fixed;
                     if low < level {
                         touching |= bits(gaps, |gap| gap < level);
                     }
+                    let is_here = |point: &Active| point.column() / 64 == k;
+                    before
+                        .clone()
+                        .take_while(|point| is_here(point))
+                        .for_each(|point| touching |= 1 << (point.column() % 64));
                     for bit in members(&[touching]) {
-                        let (gap, p) = (gaps[bit], pressures[bit]);
+                        let (gap, column) = (gaps[bit], (64 * k + bit) as u32);
                         let above = gap - level;
+                        let (p, direction) = match before.next_if(|point| point.column == column) {
+                            Some(point) => (point.pressure, point.direction),
+                            None if *fixed >> bit & 1 == 1 => (cap, 0.0),
+                            None => (0.0, 0.0),
+                        };
+                        *fixed &= !(1 << bit);
                         if p <= 0.0 && above >= 0.0 {
                             continue;
                         }
@@ -359,16 +442,14 @@ impl State<'_> {
                         sums[2] += if above > 0.0 { p * above } else { (cap - p) * -above };
                         if p >= cap && above <= 0.0 {
                             sums[3] += p;
+                            *fixed |= 1 << bit;
                         } else {
-                            now |= 1 << bit;
                             sums[4] += 1.0;
                             sums[5] += gap;
+                            let response = response[64 * k + bit];
+                            active.push(Active { column, direction, response, pressure: p, gap });
                         }
                     }
-                    for j in members(&[*word & !now]) {
-                        direction[64 * k + j] = 0.0;
-                    }
-                    *word = now;
                 }
                 (Sums(sums), lowest)
             })
@@ -385,40 +466,22 @@ impl State<'_> {
     /// within its reach.
     fn turn(&mut self, contact: &Contact) -> bool {
         let (ny, cap, reach) = (self.width(), self.target.cap, self.reach);
-        let nx = self.grid.points[0];
         let &Contact { count, mean_gap, .. } = contact;
-        let (grid, gaps, active) = (self.grid, &self.gaps, &self.active);
-        let (response, direction) = (&self.response, &self.direction);
-        let residual = |k: usize| gaps[k] - mean_gap;
-        let z = &mut self.waves[..nx * ny];
-        let rows: Vec<Sums<4>> = z
-            .par_chunks_mut(ny)
-            .zip(direction.par_chunks(ny))
-            .zip(response.par_chunks(ny))
-            .enumerate()
-            .with_min_len(ROWS)
-            .map_init(
-                || Stencil::rows(ny),
-                |rows, (i, ((z, direction), response))| {
-                    let mut sums = [0.0; 4];
-                    grid.stencil.apply_row(
-                        rows,
-                        (grid.points, grid.wraps),
-                        active,
-                        i,
-                        residual,
-                        |j, value| {
-                            z[j] = value;
-                            sums[0] += value;
-                            sums[1] += value * f64::from(response[j]);
-                            sums[2] += f64::from(response[j]);
-                            sums[3] += f64::from(direction[j]);
-                        },
-                    );
-                    Sums(sums)
-                },
-            )
-            .collect();
+        let (grid, active) = (self.grid, &self.active);
+        let residuals = |i: usize| active[i].iter().map(move |point| (point.column(), point.gap - mean_gap));
+        let rows = self.ends.par_iter_mut().enumerate().with_min_len(ROWS).map_init(
+            || Stencil::rows(ny),
+            |rows, (i, z)| {
+                z.clear();
+                grid.stencil
+                    .apply_row(rows, (grid.points, grid.wraps), i, residuals, |_, value| z.push(value));
+                Sums(z.iter().zip(&active[i]).fold([0.0; 4], |[a, b, c, d], (&z, point)| {
+                    let (response, direction) = (f64::from(point.response), f64::from(point.direction));
+                    [a + z, b + z * response, c + response, d + direction]
+                }))
+            },
+        );
+        let rows: Vec<Sums<4>> = rows.collect();
         let [z_sum, z_response, response_sum, direction_sum] = total(&rows);
         let (z_mean, direction_mean) = (z_sum / count, direction_sum / count);
         let beta = if self.curvature > 0.0 {
@@ -426,64 +489,54 @@ impl State<'_> {
         } else {
             0.0
         };
-        let is_out: Vec<bool> = self
-            .direction
-            .par_chunks_mut(ny)
-            .zip(z.par_chunks_mut(ny))
-            .zip(self.pressures.par_chunks(ny))
-            .zip(active.rows())
-            .with_min_len(ROWS)
-            .map(|(((direction, z), pressures), words)| {
-                members(words).fold(false, |is_out, j| {
-                    let conjugate = beta * (f64::from(direction[j]) - direction_mean);
-                    direction[j] = (z[j] - z_mean + conjugate) as f32;
-                    z[j] = pressures[j] - reach * f64::from(direction[j]);
-                    is_out | (z[j] < 0.0) | (z[j] > cap)
-                })
-            })
-            .collect();
-        is_out.into_iter().any(|is_out| is_out)
+        self.any(|point, z| {
+            let conjugate = beta * (f64::from(point.direction) - direction_mean);
+            point.direction = (*z - z_mean + conjugate) as f32;
+            *z = point.pressure - reach * f64::from(point.direction);
+            (*z < 0.0) | (*z > cap)
+        })
+    }
+
+    /// Whether `change` says so of any active point and its end.
+    fn any(&mut self, change: impl Fn(&mut Active, &mut f64) -> bool + Sync) -> bool {
+        let rows = self.active.par_iter_mut().zip(&mut self.ends).with_min_len(ROWS);
+        let of_row = |(row, ends): (&mut Vec<Active>, &mut Vec<f64>)| {
+            row.iter_mut().zip(ends).fold(false, |any, (point, end)| any | change(point, end))
+        };
+        rows.map(of_row).reduce(|| false, |a, b| a | b)
     }
 
     /// Turns the direction to the projection of the pressures at its reach. `fixed` is the load of fixed points.
     fn bound(&mut self, fixed: f64) {
-        let (ny, cap, reach) = (self.width(), self.target.cap, self.reach);
-        let load = self.load() - fixed;
-        let ends = &mut self.waves[..self.pressures.len()];
-        project(ends, ny, &self.active, load, cap);
-        self.direction
-            .par_chunks_mut(ny)
-            .zip(ends.par_chunks(ny))
-            .zip(self.pressures.par_chunks(ny))
-            .zip(self.active.rows())
-            .with_min_len(ROWS)
-            .for_each(|(((direction, ends), pressures), words)| {
-                members(words).for_each(|j| direction[j] = ((pressures[j] - ends[j]) / reach) as f32);
-            });
+        let (load, reach) = (self.load() - fixed, self.reach);
+        project(&mut self.ends, load, self.target.cap);
+        self.any(|point, end| {
+            point.direction = ((point.pressure - *end) / reach) as f32;
+            false
+        });
     }
 
     /// Goes to the minimum along the direction, or to its reach if pressures leave their bounds beyond. Whether they left them
     /// without a reach.
     fn advance(&mut self, contact: &Contact, is_bounded: bool) -> bool {
-        let ny = self.width();
         let &Contact { count, mean_gap, .. } = contact;
-        let (gaps, direction, active) = (&self.gaps, &self.direction, &self.active);
+        let (active, cap) = (&self.active, self.target.cap);
         let rows = self.grid.convolution.apply_in_single(
             self.grid.progress,
-            |i, row| members(active.row(i)).for_each(|j| row[j] = direction[i * ny + j]),
+            |i, row| active[i].iter().for_each(|point| row[point.column()] = point.direction),
             &mut self.response,
             &mut self.single_waves,
             |i, found, response| {
                 response.copy_from_slice(found);
-                let (gaps, direction) = (&gaps[i * ny..][..ny], &direction[i * ny..][..ny]);
-                let mut sums = [0.0; 3];
-                for j in members(active.row(i)) {
-                    let (response, direction) = (f64::from(response[j]), f64::from(direction[j]));
-                    sums[0] += (gaps[j] - mean_gap) * direction;
-                    sums[1] += response * direction;
-                    sums[2] += response;
-                }
-                Sums(sums)
+                Sums(active[i].iter().fold([0.0; 3], |[slope, curvature, sum], point| {
+                    let response = f64::from(found[point.column()]);
+                    let direction = f64::from(point.direction);
+                    [
+                        slope + (point.gap - mean_gap) * direction,
+                        curvature + response * direction,
+                        sum + response,
+                    ]
+                }))
             },
         );
         self.convolutions += 1;
@@ -497,46 +550,22 @@ impl State<'_> {
             (self.curvature, self.step) = (0.0, 0.0);
             return false;
         }
-        let is_beyond = is_bounded && step > NEARLY * reach || self.change_pressures(step);
+        let is_beyond = is_bounded && step > NEARLY * reach
+            || self.any(|point, _| {
+                point.pressure -= step * f64::from(point.direction);
+                (point.pressure < 0.0) | (point.pressure > cap)
+            });
         let stops = is_beyond && reach > 0.0;
         if stops {
-            let (pressures, ends) = (self.pressures.par_chunks_mut(ny), self.waves.par_chunks(ny));
-            pressures
-                .zip(ends)
-                .zip(self.active.rows())
-                .with_min_len(ROWS)
-                .for_each(|((pressures, ends), words)| members(words).for_each(|j| pressures[j] = ends[j]));
+            self.any(|point, end| {
+                point.pressure = *end;
+                false
+            });
         }
         self.step = if stops { reach } else { step };
         self.level = mean_gap - self.step * response / count;
         is_beyond && !stops
     }
-
-    /// Changes the pressures by a step along the direction; whether one leaves its bounds.
-    fn change_pressures(&mut self, step: f64) -> bool {
-        let (ny, cap) = (self.width(), self.target.cap);
-        let is_out: Vec<bool> = self
-            .pressures
-            .par_chunks_mut(ny)
-            .zip(self.direction.par_chunks(ny))
-            .zip(self.active.rows())
-            .with_min_len(ROWS)
-            .map(|((pressures, direction), words)| {
-                members(words).fold(false, |is_out, j| {
-                    pressures[j] -= step * f64::from(direction[j]);
-                    is_out | (pressures[j] < 0.0) | (pressures[j] > cap)
-                })
-            })
-            .collect();
-        is_out.into_iter().any(|is_out| is_out)
-    }
-}
-
-/// Number and gaps of the points of a row among `active` that carry pressure below the cap.
-fn free(gaps: &[f64], pressures: &[f64], active: &[u64], cap: f64) -> Sums<2> {
-    Sums(members(active).fold([0.0; 2], |[count, sum], j| {
-        if pressures[j] > 0.0 && pressures[j] < cap { [count + 1.0, sum + gaps[j]] } else { [count, sum] }
-    }))
 }
 
 /// A bit for each of up to 64 values.

@@ -2,10 +2,16 @@
 
 use rayon::prelude::*;
 
+use crate::memory::zeros;
+
 /// Every second point along both axes.
 pub fn coarser(heights: &[f64], [nx, ny]: [usize; 2]) -> Vec<f64> {
-    let row = |i: usize| heights[i * ny..][..ny].iter().step_by(2).copied();
-    (0..nx).step_by(2).flat_map(row).collect()
+    let [mx, my] = coarser_points([nx, ny]);
+    let mut coarse = zeros(mx * my);
+    coarse.par_chunks_mut(my).zip(heights.par_chunks(2 * ny)).for_each(|(coarse, rows)| {
+        coarse.iter_mut().zip(rows.iter().step_by(2)).for_each(|(to, z)| *to = *z);
+    });
+    coarse
 }
 
 /// Points of the coarser grid.
@@ -13,8 +19,8 @@ pub fn coarser_points(points: [usize; 2]) -> [usize; 2] {
     points.map(|count| count.div_ceil(2))
 }
 
-/// The pressures of a coarser grid on one of `points`, linear between its points.
-pub fn finer(pressures: &[f64], points: [usize; 2], wraps: bool) -> Vec<f64> {
+/// The pressures of a coarser grid in row `i` of one of `points`, linear between its points.
+pub fn finer(pressures: &[f64], points: [usize; 2], wraps: bool, i: usize, row: &mut [f64]) {
     let [nx, ny] = points;
     let [mx, my] = coarser_points(points);
     // Between which two points of the coarser grid a point lies.
@@ -28,13 +34,10 @@ pub fn finer(pressures: &[f64], points: [usize; 2], wraps: bool) -> Vec<f64> {
         };
         [k / 2, if k.is_multiple_of(2) { k / 2 } else { next }]
     };
-    let mut fine = vec![0.0; nx * ny];
-    fine.par_chunks_mut(ny).enumerate().for_each(|(i, row)| {
-        let [above, below] = between(i, mx).map(|i| &pressures[i * my..][..my]);
-        for (j, p) in row.iter_mut().enumerate() {
-            let [left, right] = between(j, my);
-            *p = 0.25 * (above[left] + above[right] + below[left] + below[right]);
-        }
-    });
-    fine
+    debug_assert!(i < nx && row.len() == ny);
+    let [above, below] = between(i, mx).map(|i| &pressures[i * my..][..my]);
+    for (j, p) in row.iter_mut().enumerate() {
+        let [left, right] = between(j, my);
+        *p = 0.25 * (above[left] + above[right] + below[left] + below[right]);
+    }
 }

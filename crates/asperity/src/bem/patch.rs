@@ -167,19 +167,13 @@ impl State<'_> {
                 || Stencil::rows(ny),
                 |rows, (i, z)| {
                     let mut sums = [0.0; 2];
-                    let residual = |k: usize| displacements[k] - mean;
-                    grid.stencil.apply_row(
-                        rows,
-                        (grid.points, grid.wraps),
-                        patch,
-                        i,
-                        residual,
-                        |j, value| {
-                            z[j] = value;
-                            sums[0] += value;
-                            sums[1] += value * residual(i * ny + j);
-                        },
-                    );
+                    let residual = |i: usize, j: usize| displacements[i * ny + j] - mean;
+                    let residuals = |i: usize| members(patch.row(i)).map(move |j| (j, residual(i, j)));
+                    grid.stencil.apply_row(rows, (grid.points, grid.wraps), i, residuals, |j, value| {
+                        z[j] = value;
+                        sums[0] += value;
+                        sums[1] += value * residual(i, j);
+                    });
                     Sums(sums)
                 },
             )

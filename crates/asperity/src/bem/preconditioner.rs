@@ -1,8 +1,8 @@
 //! An approximate inverse of the displacements: the part of 1/compliance that acts between neighbours.
 
+use std::array;
 use std::f64::consts::PI;
 
-use super::active::{Points, members};
 use super::compliance::SurfaceResponse;
 
 /// Wave numbers along each axis at which the compliance is sampled.
@@ -30,12 +30,12 @@ impl Stencil {
     /// field at its point.
     pub fn new(pixel: [f64; 2], pair: &impl SurfaceResponse, film: f64) -> Self {
         let angle = |k: usize| PI * (k as f64 + 0.5) / SAMPLES as f64;
+        let angles: [[f64; 2]; SAMPLES] = array::from_fn(|k| [angle(k), angle(k).cos()]);
         let mut sums = [0.0; 4];
-        for i in 0..SAMPLES {
-            for j in 0..SAMPLES {
-                let (x, y) = (angle(i), angle(j));
+        for [x, cos_x] in angles {
+            for [y, cos_y] in angles {
                 let inverse = (pair.to_wave((x / pixel[0]).hypot(y / pixel[1])) + film).recip();
-                for (sum, factor) in sums.iter_mut().zip([1.0, x.cos(), y.cos(), x.cos() * y.cos()]) {
+                for (sum, factor) in sums.iter_mut().zip([1.0, cos_x, cos_y, cos_x * cos_y]) {
                     *sum += inverse * factor;
                 }
             }
@@ -52,38 +52,39 @@ impl Stencil {
         [vec![0.0; ny + 2], vec![0.0; ny + 2]]
     }
 
-    /// The inverse applied to a field that is zero outside `active`, on a grid of so many points that wraps or not: `each` sees
-    /// every point of row `i` in it, with the value there. `field` gives the field at the points in `active`.
-    pub fn apply_row(
+    /// The inverse applied to a field on a grid of so many points that wraps or not: `each` sees every point of row `i` that has a
+    /// value, with that of the inverse. `field` gives the points of a row that have one, and it; it is zero at all others.
+    pub fn apply_row<Field: Iterator<Item = (usize, f64)>>(
         &self,
         rows: &mut [Vec<f64>; 2],
         ([nx, ny], wraps): ([usize; 2], bool),
-        active: &Points,
         i: usize,
-        field: impl Fn(usize) -> f64,
+        field: impl Fn(usize) -> Field,
         mut each: impl FnMut(usize, f64),
     ) {
         let edge = |beyond: usize, opposite: usize| if wraps { opposite } else { beyond };
         let up = if i == 0 { edge(0, nx - 1) } else { i - 1 };
         let down = if i + 1 == nx { edge(i, 0) } else { i + 1 };
-        if members(active.row(i)).next().is_none() {
+        if field(i).next().is_none() {
             return;
         }
         // The field of the row, and that of both beside it; a point more on each side.
         let [here, over] = rows;
-        members(active.row(i)).for_each(|j| here[j + 1] = field(i * ny + j));
+        field(i).for_each(|(j, value)| here[j + 1] = value);
         for beside in [up, down] {
-            members(active.row(beside)).for_each(|j| over[j + 1] += field(beside * ny + j));
+            field(beside).for_each(|(j, value)| over[j + 1] += value);
         }
         for row in [&mut *here, &mut *over] {
             (row[0], row[ny + 1]) = if wraps { (row[ny], row[1]) } else { (row[1], row[ny]) };
         }
-        for j in members(active.row(i)) {
+        for (j, value) in field(i) {
             let beside = here[j] + here[j + 2];
             let corners = over[j] + over[j + 2];
-            each(j, here[j + 1] + self.x * over[j + 1] + self.y * beside + self.corner * corners);
+            each(j, value + self.x * over[j + 1] + self.y * beside + self.corner * corners);
         }
-        here.fill(0.0);
-        over.fill(0.0);
+        field(i).for_each(|(j, _)| here[j + 1] = 0.0);
+        for beside in [up, down] {
+            field(beside).for_each(|(j, _)| over[j + 1] = 0.0);
+        }
     }
 }

@@ -2,10 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::active::{Points, members};
 use super::descent::ROWS;
-use crate::memory::zeros;
-use crate::numeric::sum::CHUNK;
 
 /// Relative error of the sum.
 const LOAD_ERROR: f64 = 1e-14;
@@ -16,22 +13,19 @@ const STEPS: usize = 100;
 /// How much longer each step is than the last until the offset is bracketed, where no point is free.
 const WIDEN: f64 = 8.0;
 
-/// Replaces the pressures of `points` by the nearest ones between 0 and `cap` that sum to `target`: all are moved by one
+/// Replaces pressures, by rows, by the nearest ones between 0 and `cap` that sum to `target`: all are moved by one
 /// offset, then clamped. The sum is a piecewise linear, increasing function of the offset, whose root Newton's method
 /// finds within a bracket.
-pub fn project(pressures: &mut [f64], ny: usize, points: &Points, target: f64, cap: f64) {
-    let active = listed(pressures, ny, points);
+pub fn project(rows: &mut [Vec<f64>], target: f64, cap: f64) {
     let sums = |offset: f64| -> (f64, usize) {
-        let pieces: Vec<(f64, usize)> = active
-            .par_chunks(CHUNK)
-            .map(|pressures| {
-                pressures.iter().fold((0.0, 0), |(load, free), p| {
-                    let p = (p + offset).clamp(0.0, cap);
-                    (load + p, free + usize::from(p > 0.0 && p < cap))
-                })
+        let of_row = |row: &Vec<f64>| {
+            row.iter().fold((0.0, 0), |(load, free), p| {
+                let p = (p + offset).clamp(0.0, cap);
+                (load + p, free + usize::from(p > 0.0 && p < cap))
             })
-            .collect();
-        pieces.iter().fold((0.0, 0), |(load, free), piece| (load + piece.0, free + piece.1))
+        };
+        let rows: Vec<(f64, usize)> = rows.par_iter().with_min_len(ROWS).map(of_row).collect();
+        rows.iter().fold((0.0, 0), |(load, free), row| (load + row.0, free + row.1))
     };
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
     let (mut offset, mut reach) = (0.0, 0.0);
@@ -62,28 +56,9 @@ pub fn project(pressures: &mut [f64], ny: usize, points: &Points, target: f64, c
         }
         offset = next;
     }
-    pressures.par_chunks_mut(ny).zip(points.rows()).for_each(|(row, words)| {
-        members(words).for_each(|j| row[j] = (row[j] + offset).clamp(0.0, cap));
+    rows.par_iter_mut().with_min_len(ROWS).for_each(|row| {
+        row.iter_mut().for_each(|p| *p = (*p + offset).clamp(0.0, cap));
     });
-}
-
-/// The pressures of `points` without those between: a search goes over them several times.
-fn listed(pressures: &[f64], ny: usize, points: &Points) -> Vec<f64> {
-    let rows = || pressures.chunks(ny).enumerate().map(|(i, row)| (row, points.row(i)));
-    let counts = rows().map(|(_, words)| words.iter().map(|word| word.count_ones() as usize).sum());
-    let counts: Vec<usize> = counts.collect();
-    let mut list = zeros(counts.iter().sum());
-    let mut rest = &mut list[..];
-    let mut places = Vec::with_capacity(counts.len());
-    for (row, count) in rows().zip(counts) {
-        let (place, after) = rest.split_at_mut(count);
-        places.push((place, row));
-        rest = after;
-    }
-    places.into_par_iter().with_min_len(ROWS).for_each(|(place, (row, words))| {
-        place.iter_mut().zip(members(words)).for_each(|(to, j)| *to = row[j]);
-    });
-    list
 }
 
 #[cfg(test)]
@@ -95,8 +70,10 @@ mod tests {
     fn the_load_is_kept_where_hardly_a_point_is_free() {
         for (spread, rounding) in [(1.0, 1e-9), (1e3, 1e-6)] {
             for (target, cap) in [(0.037, 1e-3), (0.0375, 1e-3), (1e-4, 1e-3), (50.0, f64::INFINITY)] {
-                let mut pressures: Vec<f64> = (0..100).map(|k| spread * f64::from(k - 150)).collect();
-                project(&mut pressures, 10, &Points::selected([10, 10], |_| true), target, cap);
+                let row = |i: i32| (0..10).map(|j| spread * f64::from(10 * i + j - 150)).collect();
+                let mut rows: Vec<Vec<f64>> = (0..10).map(row).collect();
+                project(&mut rows, target, cap);
+                let pressures = rows.concat();
                 let load: f64 = pressures.iter().sum();
                 assert!((load / target - 1.0).abs() < rounding, "{spread} {target} {cap}: {load}");
                 assert!(pressures.is_sorted() && pressures.iter().all(|p| (0.0..=cap).contains(p)));

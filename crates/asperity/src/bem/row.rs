@@ -15,6 +15,11 @@ pub fn permuted(i: usize, count: usize) -> usize {
     if i.is_multiple_of(2) { i / 2 } else { count - 1 - i / 2 }
 }
 
+/// The point at a place of that line: the inverse of [`permuted`].
+pub fn point_at(place: usize, count: usize) -> usize {
+    if 2 * place < count { 2 * place } else { 2 * (count - place) - 1 }
+}
+
 /// w^k of a mirrored line of `count` points, for the first half of its waves.
 pub fn twiddles<T: Number>(count: usize) -> Vec<Complex<T>> {
     let angle = |k: usize| -FRAC_PI_2 * k as f64 / count as f64;

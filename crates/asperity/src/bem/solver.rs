@@ -3,6 +3,8 @@
 use std::borrow::Cow;
 use std::cell::Cell;
 
+use rayon::prelude::*;
+
 use super::active::Points;
 use super::compliance::ElasticPair;
 use super::contact::Contact;
@@ -16,7 +18,8 @@ use super::tangent::Tangent;
 use super::{Boundary, Options, SolverError};
 use crate::literature::{self, Paper};
 use crate::numeric::is_positive;
-use crate::numeric::sum::sum_of;
+use crate::numeric::lanes::Real;
+use crate::numeric::sum::{Terms, sums_over};
 use crate::progress::{Progress, Silent};
 use crate::topography::HeightMap;
 
@@ -83,7 +86,7 @@ impl<'a> Level<'a> {
         Self {
             points,
             moments: moments(&heights),
-            highest: heights.iter().fold(f64::NEG_INFINITY, |highest, &z| highest.max(z)),
+            highest: heights.par_iter().copied().reduce(|| f64::NEG_INFINITY, f64::max),
             heights,
             convolution: Convolution::new(points, pixel, pair, boundary),
             stencil: Stencil::new(pixel, pair, 0.0),
@@ -94,8 +97,39 @@ impl<'a> Level<'a> {
 /// Mean and standard deviation.
 fn moments(heights: &[f64]) -> [f64; 2] {
     let count = heights.len() as f64;
-    let mean = heights.iter().sum::<f64>() / count;
-    [mean, (heights.iter().map(|z| (z - mean) * (z - mean)).sum::<f64>() / count).sqrt()]
+    let sums = |mean: f64| sums_over([heights], Powers { mean }).map(|sum| sum / count);
+    let [mean, _] = sums(0.0);
+    [mean, sums(mean)[1].sqrt()]
+}
+
+/// Heights above a mean, and their squares.
+#[derive(Clone, Copy)]
+struct Powers {
+    mean: f64,
+}
+
+impl Terms<1, 2> for Powers {
+    #[inline(always)]
+    fn of<N: Real>(self, [height]: [N; 1]) -> [N; 2] {
+        let above = height - self.mean;
+        [above, above * above]
+    }
+}
+
+/// Pressures, and the gaps of points without.
+#[derive(Clone, Copy)]
+struct LoadAndGap {
+    level: f64,
+}
+
+impl Terms<2, 2> for LoadAndGap {
+    #[inline(always)]
+    fn of<N: Real>(self, [pressure, gap]: [N; 2]) -> [N; 2] {
+        let zero = pressure.splat(0.0);
+        let above = gap - self.level;
+        let is_open = pressure.le(zero) & zero.lt(above);
+        [pressure, N::select(is_open, above, zero)]
+    }
 }
 
 impl<'a> Solver<'a> {
@@ -169,24 +203,21 @@ impl<'a> Solver<'a> {
         if pressure * heights.len() as f64 <= f64::EPSILON * deviation * stencil.centre {
             return Err(SolverError::TooLight(pressure));
         }
-        let coarsest = self.levels.last().map_or([0, 0], |level| level.points);
-        let mut start = vec![pressure; coarsest[0] * coarsest[1]];
+        let mut coarser: Option<Vec<f64>> = None;
         for (depth, level) in self.levels.iter().enumerate().rev() {
             let is_finest = depth == 0;
             let error = if is_finest { self.error } else { self.error.max(COARSE_ERROR) };
-            let target = Target {
-                pressure,
-                cap: self.cap,
-                error,
-                steps: STEPS,
-                is_near: depth + 1 < self.levels.len(),
-            };
+            let target = Target { pressure, cap: self.cap, error, steps: STEPS, is_near: coarser.is_some() };
             let of_level = if is_finest { 1.0 - COARSE_PROGRESS } else { 0.0 };
+            let start = |i: usize, row: &mut [f64]| match &coarser {
+                Some(pressures) => finer(pressures, level.points, self.boundary.wraps(), i, row),
+                None => row.fill(pressure),
+            };
             let descent = level.descend(start, target, self.boundary, of_level, progress);
             if is_finest {
                 return self.contact(pressure, descent);
             }
-            start = finer(&descent.pressures, self.levels[depth - 1].points, self.boundary.wraps());
+            coarser = Some(descent.pressures);
             progress.advance(COARSE_PROGRESS / (self.levels.len() - 1) as f64);
         }
         Err(SolverError::Flat)
@@ -200,12 +231,11 @@ impl<'a> Solver<'a> {
         if error > self.error {
             return Err(SolverError::NotConverged { pressure, error, steps, wanted: self.error });
         }
-        let load = sum_of(pressures.len(), |k| pressures[k]) / pressures.len() as f64;
+        let count = pressures.len() as f64;
+        let [load, mean_gap] = sums_over([&pressures, &gaps], LoadAndGap { level }).map(|sum| sum / count);
         if (load / pressure - 1.0).abs() > LOAD_ERROR {
             return Err(SolverError::TooLight(pressure));
         }
-        let open = |k: usize| if pressures[k] > 0.0 { 0.0 } else { (gaps[k] - level).max(0.0) };
-        let mean_gap = sum_of(gaps.len(), open) / gaps.len() as f64;
         Ok(Contact {
             points: self.levels[0].points,
             pixel: self.pixel,
@@ -301,12 +331,13 @@ impl<'a> Solver<'a> {
     /// Bytes that a solver for a map of `points` needs beside the map.
     pub fn memory(points: [usize; 2], boundary: Boundary) -> u128 {
         let count = (points[0] * points[1]) as u128;
-        // In eighths of an array: the pressures of a contact, and for its tangent pressures, displacements, direction, its response and
-        // waves; a finite map is transformed as four. Solving takes less. Responses are those of both precisions.
+        // Bytes of a point in full contact: gaps, a response, waves in both precisions, which become the pressures, and what is kept of an
+        // active point and while its pressure is projected. A finite map is transformed as four. A tangent takes less. Responses are
+        // those of both precisions.
         let (arrays, response): (u128, u128) = match boundary {
-            Boundary::Periodic => (44, 3),
-            Boundary::Mirrored => (44, 12),
-            Boundary::Finite => (56, 12),
+            Boundary::Periodic => (80, 3),
+            Boundary::Mirrored => (80, 12),
+            Boundary::Finite => (92, 12),
         };
         // Heights and responses of the coarser grids make a third.
         count * (arrays + response + (8 + response).div_ceil(3)) + Points::memory(points)
@@ -317,7 +348,7 @@ impl Level<'_> {
     /// The pressures of this grid, from `start`. `share` is the progress of a whole descent.
     fn descend(
         &self,
-        start: Vec<f64>,
+        start: impl Fn(usize, &mut [f64]) + Sync,
         target: Target,
         boundary: Boundary,
         share: f64,
