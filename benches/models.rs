@@ -6,7 +6,7 @@ use asperity::{Deterministic, Draw, Model, ReferencePlane, Shape, Statistical, Z
 use asperity_benches::{CASES, bare, flats, laws};
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 
-/// The integral at one separation under a layer, and its breakpoints, which a model finds once.
+/// The integral at one separation under a layer, its breakpoints, and the model, which finds them once and evaluates contacts between them.
 fn coated(c: &mut Criterion) {
     let mut group = c.benchmark_group("coated");
     for (case, population) in CASES {
@@ -17,6 +17,9 @@ fn coated(c: &mut Criterion) {
                     b.iter(|| model.respond(black_box(h)));
                 });
             }
+            group.bench_function(BenchmarkId::new(format!("model, {case}"), flat), |b| {
+                b.iter(|| Statistical::new(black_box(&*contact), population.clone()));
+            });
             group.bench_function(BenchmarkId::new(format!("breakpoints, {case}"), flat), |b| {
                 b.iter(|| contact.breakpoints(black_box(Shape::sphere(population.radius))));
             });

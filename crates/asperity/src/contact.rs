@@ -79,6 +79,52 @@ impl From<Contacts<f64>> for Contact {
     }
 }
 
+/// Many contacts: areas, loads, stiffnesses, and the place of each regime in [`Regime::ALL`].
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct ContactColumns([Vec<f64>; 4]);
+
+impl ContactColumns {
+    /// Appends one contact per lane.
+    #[inline(always)]
+    pub(crate) fn extend<N: Real>(&mut self, contacts: &Contacts<N>) {
+        let Contacts { area, load, stiffness, elastic, plastic } = *contacts;
+        let [first, second, third] = Regime::ALL.map(|regime| regime as usize as f64);
+        let unless_plastic = N::select(elastic, area.splat(first), area.splat(second));
+        let regime = N::select(plastic, area.splat(third), unless_plastic);
+        for (column, lanes) in self.0.iter_mut().zip([area, load, stiffness, regime]) {
+            let start = column.len();
+            column.resize(start + N::LANES, 0.0);
+            lanes.store(&mut column[start..]);
+        }
+    }
+
+    /// The contacts from `start` on, one per lane of the type of `zero`.
+    #[inline(always)]
+    pub(crate) fn load<N: Real>(&self, start: usize, zero: N) -> Contacts<N> {
+        let [area, load, stiffness, regime] = &self.0;
+        let regime = zero.load(&regime[start..]);
+        let between = zero.splat(Regime::ElasticPlastic as usize as f64);
+        Contacts {
+            area: zero.load(&area[start..]),
+            load: zero.load(&load[start..]),
+            stiffness: zero.load(&stiffness[start..]),
+            elastic: regime.lt(between),
+            plastic: between.lt(regime),
+        }
+    }
+}
+
+impl FromIterator<Contact> for ContactColumns {
+    fn from_iter<I: IntoIterator<Item = Contact>>(contacts: I) -> Self {
+        let mut columns = Self::default();
+        for Contact { area, load, stiffness, regime } in contacts {
+            let (elastic, plastic) = (regime == Regime::Elastic, regime == Regime::Plastic);
+            columns.extend(&Contacts { area, load, stiffness, elastic, plastic });
+        }
+        columns
+    }
+}
+
 /// A quantity by regime, in the order of [`Regime::ALL`].
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ByRegime(pub [f64; 3]);

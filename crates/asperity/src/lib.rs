@@ -113,7 +113,7 @@ pub use asperity::{
     ListColumn, ListError, ListOptions, Ordered, Population, RadiiAbove, STREAM, SetError, Statistics,
     SurfaceHeights, SurfaceHeightsError,
 };
-pub use contact::{ByRegime, Contact, Contacts, Regime};
+pub use contact::{ByRegime, Contact, ContactColumns, Contacts, Regime};
 pub use contact_law::ContactLaw;
 pub use distribution::{HeightDistribution, Heights};
 pub use interface::{

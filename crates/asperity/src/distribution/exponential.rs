@@ -105,6 +105,10 @@ impl HeightDistribution for Exponential {
         whole_panels(foldings / FOLDINGS_PER_PANEL)
     }
 
+    fn variable_is_indentation(&self) -> bool {
+        true
+    }
+
     fn relative_density(&self, h: f64, x: f64) -> f64 {
         (-self.exponent(h, x)).exp()
     }

@@ -125,6 +125,10 @@ impl HeightDistribution for Gaussian {
         whole_panels(self.fractional_panels(h, from, to))
     }
 
+    fn variable_is_indentation(&self) -> bool {
+        true
+    }
+
     fn relative_density(&self, h: f64, x: f64) -> f64 {
         (-self.exponent(h, x)).exp()
     }

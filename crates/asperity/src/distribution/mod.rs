@@ -130,6 +130,11 @@ pub trait HeightDistribution: fmt::Debug + fmt::Display + Send + Sync {
         x
     }
 
+    /// Whether v is x at every separation, so that panels may stay the same; `false` by default.
+    fn variable_is_indentation(&self) -> bool {
+        false
+    }
+
     /// The density in x at the height h + x, relative to [`scale`](Self::scale), for x within the window.
     fn relative_density(&self, h: f64, x: f64) -> f64;
 

@@ -360,6 +360,10 @@ impl HeightDistribution for Smoothed {
         ((to - from) / (WIDTHS_PER_PANEL * self.width)).ceil().max(1.0) as usize
     }
 
+    fn variable_is_indentation(&self) -> bool {
+        true
+    }
+
     fn relative_density(&self, h: f64, x: f64) -> f64 {
         (self.log_density(h + x) - self.log_highest(h)).exp()
     }

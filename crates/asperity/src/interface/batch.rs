@@ -2,7 +2,7 @@
 
 use crate::accumulator::{Accumulator, ContactSums, PLAIN_TERMS, small_strain_area};
 use crate::asperity::Asperities;
-use crate::contact::Contacts;
+use crate::contact::{ContactColumns, Contacts};
 use crate::numeric::lanes::{MOST, Real, Work, run};
 use crate::numeric::sum::Sum;
 use crate::shape::Shape;
@@ -41,6 +41,21 @@ pub(super) fn accumulate_weighted<A: LaneContacts>(
     accumulator: &mut Accumulator,
 ) {
     run(AccumulateWeighted { contact, indentations, weights, shape, accumulator });
+}
+
+/// Implements [`super::MicroContact::contacts`].
+pub(super) fn contacts<A: LaneContacts>(contact: A, indentations: &[f64], shape: Shape) -> ContactColumns {
+    run(EachContact { contact, indentations, shape })
+}
+
+/// Adds the contacts of `columns` from `start` on, times `weights`, whose number must be a multiple of [`MOST`].
+pub(crate) fn accumulate_columns(
+    columns: &ContactColumns,
+    start: usize,
+    weights: &[f64],
+    accumulator: &mut Accumulator,
+) {
+    run(AccumulateColumns { columns, start, weights, accumulator });
 }
 
 struct Accumulate<'a, A> {
@@ -183,6 +198,60 @@ impl<A: LaneContacts> Work for AccumulateWeighted<'_, A> {
             let contacts = contact.contacts(w, radius, spheres, &contact.local(w, radius, spheres));
             let mut plain = ContactSums::new(zero);
             lanes.accumulate_weighted(&mut plain, &contacts, N::select(rest, last(weights, zero), zero));
+            lanes.merge_weighted(&plain);
+        }
+        accumulator.merge(&lanes);
+    }
+}
+
+struct EachContact<'a, A> {
+    contact: A,
+    indentations: &'a [f64],
+    shape: Shape,
+}
+
+impl<A: LaneContacts> Work for EachContact<'_, A> {
+    type Output = ContactColumns;
+
+    #[inline(always)]
+    fn with<N: Real>(self, zero: N) -> ContactColumns {
+        let Self { contact, indentations, shape: Shape { radius, spheres } } = self;
+        let (radii, counts) = (zero.splat(radius), zero.splat(spheres));
+        let mut columns = ContactColumns::default();
+        let registers = indentations.chunks_exact(N::LANES);
+        let rest = registers.remainder();
+        for w in registers {
+            let w = zero.load(w);
+            columns.extend(&contact.contacts(w, radii, counts, &contact.local(w, radii, counts)));
+        }
+        for &w in rest {
+            columns.extend(&contact.contacts(w, radius, spheres, &contact.local(w, radius, spheres)));
+        }
+        columns
+    }
+}
+
+struct AccumulateColumns<'a> {
+    columns: &'a ContactColumns,
+    start: usize,
+    weights: &'a [f64],
+    accumulator: &'a mut Accumulator,
+}
+
+impl Work for AccumulateColumns<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with<N: Real>(self, zero: N) {
+        let Self { columns, start, weights, accumulator } = self;
+        let mut lanes = ContactSums::new(Sum::new(zero));
+        for first in (0..weights.len()).step_by(PLAIN_TERMS * N::LANES) {
+            let mut plain = ContactSums::new(zero);
+            let end = weights.len().min(first + PLAIN_TERMS * N::LANES);
+            for k in (first..end).step_by(N::LANES) {
+                let contacts = columns.load(start + k, zero);
+                lanes.accumulate_weighted(&mut plain, &contacts, zero.load(&weights[k..]));
+            }
             lanes.merge_weighted(&plain);
         }
         accumulator.merge(&lanes);

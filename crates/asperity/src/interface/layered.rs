@@ -1,10 +1,10 @@
 //! A rough body on a flat with a layer of finite thickness.
 
-use super::batch::{LaneContacts, accumulate, accumulate_weighted};
+use super::batch::{LaneContacts, accumulate, accumulate_weighted, contacts};
 use super::{JUMP, LoadBounds, MicroContact, Reference, Shapes};
 use crate::accumulator::Accumulator;
 use crate::asperity::Asperities;
-use crate::contact::{Contact, Contacts, Regime};
+use crate::contact::{Contact, ContactColumns, Contacts, Regime};
 use crate::law::{Inapplicable, Pair, Pairs, ScalableLaw, YieldLimits};
 use crate::layer::{Bounds, LayeredFlat};
 use crate::literature::Paper;
@@ -327,6 +327,10 @@ impl<L: ScalableLaw> MicroContact for LayeredInterface<L> {
     fn contact(&self, w: f64, shape: Shape) -> Contact {
         let Shape { radius, spheres } = shape;
         self.contacts_of(w, radius, &self.effective(w, radius, spheres)).times(spheres).into()
+    }
+
+    fn contacts(&self, indentations: &[f64], shape: Shape) -> ContactColumns {
+        contacts(self, indentations, shape)
     }
 
     fn accumulate_weighted(

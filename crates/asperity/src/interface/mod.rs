@@ -9,13 +9,14 @@ mod with_spots;
 
 pub(crate) use averaged::{AveragedContact, RadiusShare};
 pub use bare::Interface;
+pub(crate) use batch::accumulate_columns;
 pub use flat::Flat;
 pub use layered::LayeredInterface;
 pub use with_spots::WithSpots;
 
 use crate::accumulator::Accumulator;
 use crate::asperity::Asperities;
-use crate::contact::Contact;
+use crate::contact::{Contact, ContactColumns};
 use crate::law::Inapplicable;
 use crate::layer::LayerError;
 use crate::literature::Paper;
@@ -163,6 +164,11 @@ pub trait MicroContact: Send + Sync {
     /// What is asked of the spots; `None` where nothing is.
     fn spot_properties(&self) -> Option<&SpotProperties> {
         None
+    }
+
+    /// The contacts of an asperity at many indentations (m).
+    fn contacts(&self, indentations: &[f64], shape: Shape) -> ContactColumns {
+        indentations.iter().map(|&w| self.contact(w, shape)).collect()
     }
 
     /// Adds the contact at `indentations[i]` (m) of an asperity of one shape, times `weights[i]`, to the accumulator.

@@ -3,7 +3,7 @@
 use super::{LoadBounds, MicroContact, Shapes};
 use crate::accumulator::Accumulator;
 use crate::asperity::Asperities;
-use crate::contact::Contact;
+use crate::contact::{Contact, ContactColumns};
 use crate::literature::Paper;
 use crate::numeric::interval::Interval;
 use crate::shape::Shape;
@@ -38,6 +38,10 @@ impl MicroContact for WithSpots {
 
     fn spot_properties(&self) -> Option<&SpotProperties> {
         Some(&self.properties)
+    }
+
+    fn contacts(&self, indentations: &[f64], shape: Shape) -> ContactColumns {
+        self.contact.contacts(indentations, shape)
     }
 
     fn accumulate_weighted(

@@ -3,6 +3,7 @@
 mod block;
 mod curve;
 mod deterministic;
+mod fixed_panels;
 mod greenwood_tripp;
 mod joint;
 mod load_control;

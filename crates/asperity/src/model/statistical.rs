@@ -1,22 +1,17 @@
 //! The statistical model: a height density and one mean radius (Zhao, Maietta and Chang 2000).
 
+use super::fixed_panels::{FixedPanels, NEGLIGIBLE, spans};
 use super::load_control::{LOWEST_SEPARATION, search_missing};
 use super::weight::{GaussianSurvival, Weight};
 use super::{Model, ReferencePlane, Response, separations_of};
 use crate::accumulator::{Accumulator, Total};
 use crate::asperity::{Population, Statistics};
-use crate::interface::{MicroContact, jumps};
+use crate::interface::{MicroContact, accumulate_columns, jumps};
 use crate::numeric::lanes::{Real, Work, run};
 use crate::numeric::parallel;
 use crate::numeric::quadrature::{NODES, Piece, Variable, pieces};
 use crate::numeric::root::last_reaching;
 use crate::shape::Shape;
-
-/// Breakpoints below this fraction of the window are omitted.
-const NEGLIGIBLE: f64 = 1e-40;
-
-/// The largest ratio of a panel's ends at which it resolves a logarithm in w to full accuracy.
-const RATIO_PER_PANEL: f64 = 56.0;
 
 /// The mean radius used by the statistical model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
@@ -70,7 +65,8 @@ impl MeanRadius {
 /// ```
 ///
 /// by Gauss-Legendre panels in w between the breakpoints of the micro-contact, with the density relative to its value
-/// at d, so that the far tail keeps full relative accuracy.
+/// at d, so that the far tail keeps full relative accuracy. Under a layer, contacts on the panels between breakpoints, which are the
+/// same at all separations, are evaluated once.
 #[derive(Clone)]
 pub struct Statistical<'a> {
     contact: &'a dyn MicroContact,
@@ -80,6 +76,7 @@ pub struct Statistical<'a> {
     plane: ReferencePlane,
     /// Breakpoints of the micro-contact, in units of sigma.
     breakpoints: Vec<f64>,
+    fixed: FixedPanels,
     /// Breakpoints at which the load jumps, and the jump (N).
     jumps: Vec<(f64, f64)>,
     /// Whether the survival function of Gaussian heights takes the place of the density.
@@ -101,7 +98,13 @@ impl<'a> Statistical<'a> {
         let jump = |&x: &f64| (x, jumps(contact, shape, x * sigma)[0]);
         let jumps = breakpoints.iter().map(jump).filter(|(_, load)| *load != 0.0).collect();
         let plane = ReferencePlane { mean: 0.0, sigma };
-        Self { contact, population, shape, plane, breakpoints, jumps, weighs_by_survival: false }
+        let fixed = if contact.is_layered() && population.heights.variable_is_indentation() {
+            let [_, end] = population.heights.window(0.0);
+            FixedPanels::new(contact, shape, sigma, &breakpoints, end)
+        } else {
+            FixedPanels::default()
+        };
+        Self { contact, population, shape, plane, breakpoints, fixed, jumps, weighs_by_survival: false }
     }
 
     /// The same model with the survival function of Gaussian heights in the place of their density: int A(w) Q((d + w)/sigma) dw/sigma.
@@ -159,7 +162,9 @@ impl<'a> Statistical<'a> {
         let breakpoints = merged(of_contact.skip_while(|&v| v <= nearest), heights.breakpoints(h));
         let ends = breakpoints.chain([end]);
         let mut samples = Samples::default();
-        let mut from = start;
+        let fixed = self.fixed.resolved(heights, h);
+        self.accumulate_fixed(h, fixed, &mut samples, &mut accumulator);
+        let mut from = start.max(self.fixed.end(fixed));
         for (segment, to) in ends.enumerate() {
             let to = to.min(end);
             if to <= from {
@@ -184,6 +189,25 @@ impl<'a> Statistical<'a> {
             }
         }
         accumulator.total()
+    }
+
+    /// Adds the contacts on the first `count` of the panels that are the same at all separations.
+    fn accumulate_fixed(&self, h: f64, count: usize, samples: &mut Samples, accumulator: &mut Accumulator) {
+        for first in (0..count * NODES).step_by(Samples::MOST) {
+            let nodes = first..(count * NODES).min(first + Samples::MOST);
+            let points = &mut samples.points[..nodes.len()];
+            let weights = &mut samples.weights[..nodes.len()];
+            points.copy_from_slice(&self.fixed.points[nodes.clone()]);
+            weights.copy_from_slice(&self.fixed.weights[nodes]);
+            self.weight().apply(h, points, weights);
+            accumulate_columns(&self.fixed.contacts, first, weights, accumulator);
+            if accumulator.wants_spots() {
+                for (&x, &weight) in points.iter().zip(&*weights) {
+                    let values = self.contact.spot_values(x * self.population.sigma, self.shape);
+                    accumulator.add_spot(values.unwrap_or_default(), weight);
+                }
+            }
+        }
     }
 
     /// Adds the contacts at the nodes of `samples`, with the density above the separation `h` in units of its scale.
@@ -273,18 +297,6 @@ fn merged(a: impl Iterator<Item = f64>, b: Vec<f64>) -> impl Iterator<Item = f64
     })
 }
 
-/// Divides [from, to] into pieces, of a bounded ratio of their ends if the integrand contains a logarithm of w.
-fn spans(from: f64, to: f64, logarithmic: bool) -> impl Iterator<Item = [f64; 2]> {
-    let ratio = to / from;
-    let count = if logarithmic { (ratio.ln() / RATIO_PER_PANEL.ln()).ceil().max(1.0) as i32 } else { 1 };
-    let end = move |k: i32| match k {
-        0 => from,
-        k if k == count => to,
-        k => from * ratio.powf(f64::from(k) / f64::from(count)),
-    };
-    (0..count).map(move |k| [end(k), end(k + 1)])
-}
-
 impl Model for Statistical<'_> {
     fn plane(&self) -> ReferencePlane {
         self.plane
@@ -355,5 +367,69 @@ impl Statistical<'_> {
             }
         }
         Some(rising)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::distribution::{Heights, Smoothed};
+    use crate::interface::{Flat, WithSpots};
+    use crate::law::{KogutEtsion, ScalableLaw, Zmc};
+    use crate::layer::ModulusModel;
+    use crate::material::Material;
+    use crate::spot::{Conduction, SpotProperties};
+
+    fn material(young: f64, hardness: f64) -> Material {
+        Material::new(young, 0.3, Some(hardness), None).unwrap()
+    }
+
+    /// Spots under a soft layer or a hard one.
+    fn coated(law: impl ScalableLaw, layer: &Material, thickness: f64) -> WithSpots {
+        let steel = material(210e9, 7.6e9);
+        let flat = Flat::with_layer(layer, &steel, thickness, ModulusModel::Gao).unwrap();
+        let electrical = Some(Conduction::new([1.7e-8, 1.43e-7]).unwrap());
+        let properties = SpotProperties { electrical, ..SpotProperties::default() };
+        WithSpots::new(flat.under(law, &steel).unwrap(), properties)
+    }
+
+    /// Area, load, stiffness and conductance, by regime.
+    fn values(response: &Response) -> [f64; 8] {
+        let Response { area_ratio, pressure, stiffness, spots, .. } = response;
+        let ([a, b, c], [d, e, f]) = (area_ratio.0, pressure.0);
+        [a, b, c, d, e, f, *stiffness, spots[0]]
+    }
+
+    /// The contacts that are evaluated once are those of every separation.
+    #[test]
+    fn fixed_panels_change_nothing() {
+        let mut fewest = usize::MAX;
+        let mut see = |contact: &WithSpots, heights: &Heights, by_survival: bool| {
+            let population =
+                Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: heights.clone() };
+            let model = Statistical::new(contact, population);
+            let model = if by_survival { model.weighed_by_survival() } else { model };
+            let without = Statistical { fixed: FixedPanels::default(), ..model.clone() };
+            for h in [-12.0, -3.0, -0.5, 0.0, 0.3, 2.0, 5.0, 20.0, 38.0] {
+                let [found, exact] = [&model, &without].map(|model| values(&model.respond(h)));
+                for (found, exact) in found.into_iter().zip(exact) {
+                    assert!((found - exact).abs() <= 1e-14 * exact.abs(), "{found:e} for {exact:e} at {h}");
+                }
+            }
+            fewest = fewest.min(model.fixed.resolved(model.weight(), 2.0));
+        };
+        let smoothed = Smoothed::new(&[-2.0, -0.3, 0.1, 1.0, 1.2]).unwrap();
+        let (lead, ceramic) = (material(18e9, 0.17e9), material(400e9, 21e9));
+        for thickness in [1e-9, 1e-8, 1e-7, 1e-6] {
+            for layer in [&lead, &ceramic] {
+                let contact = coated(Zmc::default(), layer, thickness);
+                see(&contact, &Heights::GAUSSIAN, false);
+                see(&contact, &Heights::GAUSSIAN, true);
+                see(&contact, &Heights::EXPONENTIAL, false);
+                see(&contact, &Heights::new(smoothed.clone()), false);
+                see(&coated(KogutEtsion, layer, thickness), &Heights::GAUSSIAN, false);
+            }
+        }
+        assert!(fewest > 0);
     }
 }

@@ -16,6 +16,7 @@ pub(super) trait Weight: Sync {
     fn panels(&self, h: f64, from: f64, to: f64) -> usize;
     fn breakpoints(&self, h: f64) -> Vec<f64>;
     fn variable(&self, h: f64, x: f64) -> f64;
+    fn variable_is_indentation(&self) -> bool;
     fn relative_density(&self, h: f64, x: f64) -> f64;
     fn apply(&self, h: f64, nodes: &mut [f64], weights: &mut [f64]);
 }
@@ -47,6 +48,10 @@ impl Weight for Heights {
 
     fn variable(&self, h: f64, x: f64) -> f64 {
         (**self).variable(h, x)
+    }
+
+    fn variable_is_indentation(&self) -> bool {
+        (**self).variable_is_indentation()
     }
 
     fn relative_density(&self, h: f64, x: f64) -> f64 {
@@ -102,6 +107,10 @@ impl Weight for GaussianSurvival {
 
     fn variable(&self, _h: f64, x: f64) -> f64 {
         x
+    }
+
+    fn variable_is_indentation(&self) -> bool {
+        true
     }
 
     fn relative_density(&self, h: f64, x: f64) -> f64 {

@@ -3,7 +3,7 @@
 use super::{Counter, Item};
 use crate::accumulator::Accumulator;
 use crate::asperity::Asperities;
-use crate::contact::Contact;
+use crate::contact::{Contact, ContactColumns};
 use crate::interface::{LoadBounds, MicroContact, Shapes};
 use crate::literature::Paper;
 use crate::numeric::interval::Interval;
@@ -58,6 +58,11 @@ impl MicroContact for CountedContact<'_> {
     fn load_over(&self, from: f64, to: f64, shape: Shape) -> LoadBounds {
         self.count(Item::SingleContacts, 1);
         self.contact.load_over(from, to, shape)
+    }
+
+    fn contacts(&self, indentations: &[f64], shape: Shape) -> ContactColumns {
+        self.count(Item::Nodes, indentations.len());
+        self.contact.contacts(indentations, shape)
     }
 
     fn accumulate_weighted(
