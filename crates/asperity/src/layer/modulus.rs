@@ -1,7 +1,7 @@
 //! The effective modulus and Poisson's ratio of a layered flat (Pasaribu and Schipper 2005, Eqs. 14, 15, 17-19).
 
 use std::ops::Range;
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use super::weights::{LOG_PEAK, POLE_PEAK, SWELL_PEAK, Weights};
 use crate::material::Material;
@@ -58,11 +58,20 @@ struct Sides {
     substrate: Side,
 }
 
+/// That of the last pair of materials: flats that differ in thickness or hardness follow each other, and a table takes most of the time of one.
+static LAST: Mutex<Option<EffectiveModulus>> = Mutex::new(None);
+
 impl EffectiveModulus {
     pub(super) fn new(model: ModulusModel, layer: &Material, substrate: &Material) -> Self {
         let sides = Sides::new(model, layer, substrate);
+        let mut last = LAST.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(known) = last.as_ref().filter(|known| known.sides == sides) {
+            return known.clone();
+        }
         let table = Table::new(OCTAVES, |inverse| sides.at(inverse).0);
-        Self { sides, table: Arc::new(table), poisson: Arc::default() }
+        let new = Self { sides, table: Arc::new(table), poisson: Arc::default() };
+        *last = Some(new.clone());
+        new
     }
 
     pub(super) fn model(&self) -> ModulusModel {
