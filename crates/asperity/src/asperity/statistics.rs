@@ -56,24 +56,28 @@ impl Statistics {
         /// The least share of the rest, and the least of its variances over those of all.
         const LEAST: f64 = 0.1;
         let [all, count] = [rest.count() + part.count(), rest.count()].map(|n| n as f64);
-        let known = (self.skewness, self.kurtosis, self.height_radius_correlation);
+        let has_equal_radii = self.radius_cv == 0.0;
+        let correlation = self.height_radius_correlation.or(has_equal_radii.then_some(0.0));
+        let known = (self.skewness, self.kurtosis, correlation);
         let (Some(skewness), Some(kurtosis), Some(correlation)) = known else { return Self::new(rest) };
         if count < LEAST * all {
             return Self::new(rest);
         }
         // Standardised by the mean values and deviations of all.
-        let units = [self.sigma, self.radius_cv * self.mean_radius];
+        let units = [self.sigma, if has_equal_radii { 1.0 } else { self.radius_cv } * self.mean_radius];
         let means = Means { origins: [self.mean_height, self.mean_radius], relative: [0.0; 2] };
         let powers = Powers(Standardised { means, per: units.map(f64::recip) });
+        let of_radii = if has_equal_radii { 0.0 } else { 1.0 };
         let of_all =
-            [0.0, 1.0, skewness, kurtosis, 0.0, 1.0, correlation, self.radius_of_mean_curvature.recip()];
+            [0.0, 1.0, skewness, kurtosis, 0.0, of_radii, correlation, self.radius_of_mean_curvature.recip()];
         let sums = sums_over([part.heights(), part.radii()], powers);
         let mean_of = |k: usize| (all * of_all[k] - sums[k]) / count;
         let [u, u2, u3, u4, r, r2, ur, curvature] = std::array::from_fn(mean_of);
         let (variance, radius_variance) = (u2 - u * u, r2 - r * r);
-        if variance.min(radius_variance) < LEAST {
+        if variance < LEAST || (radius_variance < LEAST && !has_equal_radii) {
             return Self::new(rest);
         }
+        let correlation = (ur - u * r) / (variance * radius_variance).sqrt();
         let third = u3 - 3.0 * u * u2 + 2.0 * u.powi(3);
         let fourth = u4 - 4.0 * u * u3 + 6.0 * u * u * u2 - 3.0 * u.powi(4);
         let mean_radius = self.mean_radius + units[1] * r;
@@ -84,8 +88,8 @@ impl Statistics {
             kurtosis: Some(fourth / variance.powi(2)),
             mean_radius,
             radius_of_mean_curvature: curvature.recip(),
-            radius_cv: units[1] * radius_variance.sqrt() / mean_radius,
-            height_radius_correlation: Some((ur - u * r) / (variance * radius_variance).sqrt()),
+            radius_cv: if has_equal_radii { 0.0 } else { units[1] * radius_variance.sqrt() / mean_radius },
+            height_radius_correlation: Some(correlation).filter(|_| !has_equal_radii),
         }
     }
 }
@@ -192,6 +196,7 @@ impl Terms<2, 8> for Powers {
 mod tests {
     use super::*;
     use crate::asperity::Places;
+    use std::sync::Arc;
 
     fn statistics(heights: &[f64], radii: &[f64]) -> Statistics {
         Statistics::new(&AsperitySet::new(heights.to_vec(), radii.to_vec(), 1.0).unwrap())
@@ -247,6 +252,32 @@ mod tests {
                 assert!((found - wanted).abs() <= 1e-13 * wanted.abs(), "{case}: {found} {wanted}");
             }
         }
+    }
+
+    #[test]
+    fn equal_radii_stay_so_without_a_part() {
+        let heights: Vec<f64> = (0..5000).map(|k| 1e-7 * f64::from((k * 7919) % 10_007) / 1e4).collect();
+        let all = AsperitySet::new(heights, vec![1.7e-5; 5000], 1.0).unwrap();
+        let left_out = Places { part: 0..500, list: Arc::new((0..5000).step_by(10).collect()) };
+        let part = all.selected(left_out.as_slice(), 1.0).unwrap();
+        let rest = all.excluding(left_out, 1.0).unwrap();
+        let found = Statistics::new(&all).without(&part, &rest);
+        let wanted = Statistics::new(&rest);
+        assert_eq!((found.radius_cv, found.height_radius_correlation), (0.0, None));
+        let numbers = |s: &Statistics| {
+            [
+                s.mean_height,
+                s.sigma,
+                s.skewness.unwrap(),
+                s.kurtosis.unwrap(),
+                s.mean_radius,
+                s.radius_of_mean_curvature,
+            ]
+        };
+        for (found, wanted) in numbers(&found).into_iter().zip(numbers(&wanted)) {
+            assert!((found - wanted).abs() <= 1e-13 * wanted.abs(), "{found} {wanted}");
+        }
+        assert_eq!((wanted.radius_cv, wanted.height_radius_correlation), (0.0, None));
     }
 
     /// 10 nm at a height of 1 m, against the same stored heights near zero.
