@@ -256,7 +256,8 @@ mod tests {
 
     #[test]
     fn equal_radii_stay_so_without_a_part() {
-        let heights: Vec<f64> = (0..5000).map(|k| 1e-7 * f64::from((k * 7919) % 10_007) / 1e4).collect();
+        let value = |k: i32| f64::from((k * 7919) % 10_007) / 1e4;
+        let heights: Vec<f64> = (0..5000).map(|k| 1e-7 * (3.0 - value(k).powi(3))).collect();
         let all = AsperitySet::new(heights, vec![1.7e-5; 5000], 1.0).unwrap();
         let left_out = Places { part: 0..500, list: Arc::new((0..5000).step_by(10).collect()) };
         let part = all.selected(left_out.as_slice(), 1.0).unwrap();
