@@ -11,7 +11,8 @@ use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
 use asperity::topography::summits::{Detail, Neighbours, find, five_point};
 use asperity::topography::theory::Expected;
 use asperity::topography::{
-    Autocorrelation, Drops, Level, Levelled, Moments, RadialSpectrum, RoughnessParameters, Rows, read, theory,
+    Autocorrelation, Blocks, Drops, Level, Levelled, Moments, RadialSpectrum, RoughnessParameters, Rows,
+    read, theory,
 };
 use asperity::{AsperitySet, HeightMap, Heights, Statistics};
 use std::f64::consts::PI;
@@ -448,5 +449,22 @@ fn what_meets_a_target_is_made_by_the_recipe_that_is_reported() {
         let again = surface(points, reached.map.pixel(), process, seed);
         let far = |(a, b): &(&f64, &f64)| (*a - *b).abs() > 1e-9 * reached.sigma;
         assert_eq!(again.heights().iter().zip(reached.map.heights()).filter(far).count(), 0);
+    }
+}
+
+/// Shares of blocks whose sides do not divide those of the map, against the block of each point.
+#[test]
+fn shares_of_blocks_are_those_of_their_points() {
+    for (points, counts) in [([7, 11], [3, 4]), ([5, 9], [5, 9]), ([16, 13], [1, 6]), ([13, 16], [6, 1])] {
+        let height = |k: usize| if k % 5 == 2 { f64::NAN } else { k as f64 };
+        let heights: Vec<f64> = (0..points[0] * points[1]).map(height).collect();
+        let blocks = Blocks { points, counts };
+        let mut present = vec![0.0; blocks.count()];
+        let there = || heights.iter().enumerate().filter(|(_, z)| !z.is_nan());
+        there().for_each(|(k, _)| present[blocks.of_point(k)] += 1.0);
+        let all = there().count() as f64;
+        let expected: Vec<f64> = present.iter().map(|count| count / all).collect();
+        let map = HeightMap::new(points, [1.0; 2], heights.clone(), 0.0).unwrap();
+        assert_eq!(blocks.shares(&map), expected, "{points:?} {counts:?}");
     }
 }
