@@ -285,21 +285,20 @@ fn a_killed_sweep_continues_and_ends_with_the_same_bytes() {
     assert!(whole.iter().any(|(name, _)| name == "crossings.csv"));
     let kept = folder.join("out/.kept/a");
     let count = || fs::read_dir(&kept).map_or(0, Iterator::count);
-    let mut last = 0;
-    for delay in [150, 300, 300, 400] {
+    for pieces in [1, 5, 12, 20] {
         let mut child =
             command(folder, &["run", "a.toml", "--out", "out", "--quiet", "--threads", "2"]).spawn().unwrap();
-        sleep(Duration::from_millis(delay));
+        while count() < pieces && child.try_wait().unwrap().is_none() {
+            sleep(Duration::from_millis(1));
+        }
         child.kill().unwrap();
         child.wait().unwrap();
-        assert!(count() >= last, "what is kept grows");
-        last = count();
+        assert!(count() >= pieces, "what is kept grows");
+        assert!(!folder.join("out/a").exists(), "killed before its end");
     }
     // A piece that is no whole one is done again.
-    let first = fs::read_dir(&kept).ok().and_then(|mut files| files.next()).map(|file| file.unwrap().path());
-    if let Some(first) = first {
-        fs::write(first, "{\"csv\":").unwrap();
-    }
+    let first = fs::read_dir(&kept).unwrap().next().unwrap().unwrap().path();
+    fs::write(first, "{\"csv\":").unwrap();
     succeeds(folder, &["run", "a.toml", "--out", "out", "--quiet", "--threads", "3"]);
     assert!(report(folder, "out") == whole);
     // Another value runs that value alone: what is kept stays as it is.
