@@ -3,10 +3,11 @@
 use std::any::Any;
 use std::fmt;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 use std::time::SystemTime;
 
 use asperity::Material;
+use asperity::progress::Share;
 use asperity::surface::{AnalysisDepth, Surface};
 use asperity::work::Counter;
 use asperity_contact_framework::digest::{hexadecimal, sha256, watched_sha256_of_file};
@@ -332,25 +333,33 @@ impl Experiment {
     /// # Errors
     /// What only a run can find: a map without a summit, a pressure that is not reached.
     pub fn run(&self, progress: &dyn Progress) -> Result<Box<dyn Outcome>, InputError> {
-        self.planned.plan.run(&self.context(&self.watched_input(progress)?, progress))
+        let input = self.watched_input(progress)?;
+        self.planned.plan.run(&self.context(&|| input.clone(), progress))
     }
 
-    /// Runs it, where its input stays `input`, its [`Self::input`] before, and makes something of the results while the input is
-    /// compared again. What it has done is kept in the folder `kept`, and what is kept there is not done again.
+    /// Runs it, where its [`Self::input`] stays the same, and makes something of the results and of its key while the input is
+    /// compared again. An input that is not `known` is found during the run. What it has done is kept in the folder `kept`, and what
+    /// is kept there is not done again.
     ///
     /// # Errors
     /// As of [`Self::run`]; a folder that cannot be written; an input file that is written or removed meanwhile, even where it has the same content in the end.
     pub fn run_on<T: Send>(
         &self,
-        input: &str,
+        known: Option<String>,
         kept: Option<&Path>,
         progress: &dyn Progress,
-        make: impl FnOnce(&dyn Outcome) -> T + Send,
+        make: impl FnOnce(&dyn Outcome, &str) -> T + Send,
     ) -> Result<(T, Box<dyn Outcome>), InputError> {
         let before = self.modified();
-        let results = self.planned.plan.run(&RunContext { kept, ..self.context(input, progress) });
+        let input = known.map_or_else(OnceLock::new, |known| Ok(known).into());
+        let found = || input.get_or_init(|| self.watched_input(&Share { progress, units: 0.0 }));
+        let input_sha256 = || found().clone().unwrap_or_default();
+        let run = || self.planned.plan.run(&RunContext { kept, ..self.context(&input_sha256, progress) });
+        let (results, input) = rayon::join(run, || found().clone());
         self.check_unchanged(&before)?;
-        let made = || results.map(|results| (make(&*results), results));
+        let input = input?;
+        let key = self.key_of(&input);
+        let made = || results.map(|results| (make(&*results, &key), results));
         let (now, made) = rayon::join(|| self.watched_input(progress), made);
         if now? != input {
             return Err(InputError::file(&self.source.path, "has an input file that changed; run again"));
@@ -393,7 +402,7 @@ impl Experiment {
     /// What a run would refuse.
     pub fn check(&self) -> Result<(), InputError> {
         // Nothing is written, so that its input needs no name.
-        self.planned.plan.check(&self.context("", &Silent))
+        self.planned.plan.check(&self.context(&String::new, &Silent))
     }
 
     /// Its division into tiles.
@@ -410,7 +419,11 @@ impl Experiment {
         })
     }
 
-    pub(crate) fn context<'a>(&'a self, input_sha256: &'a str, progress: &'a dyn Progress) -> RunContext<'a> {
+    pub(crate) fn context<'a>(
+        &'a self,
+        input_sha256: &'a (dyn Fn() -> String + Sync),
+        progress: &'a dyn Progress,
+    ) -> RunContext<'a> {
         let Self { source, stem, title, kind, notes, figure, seed, materials, origins, .. } = self;
         RunContext {
             title,

@@ -108,8 +108,8 @@ impl Engine for Workbench {
         store.recover().map_err(|error| failed(&error))?;
         if !store.is_current(experiment.stem(), &key) {
             store.check(experiment.stem()).map_err(|error| failed(&error))?;
-            let report = |results: &dyn Outcome| report_folder(results, &key, PRINT);
-            let (report, _) = experiment.run_on(&content, None, progress, report).map_err(input)?;
+            let report = |results: &dyn Outcome, key: &str| report_folder(results, key, PRINT);
+            let (report, _) = experiment.run_on(Some(content), None, progress, report).map_err(input)?;
             store.write(&report.map_err(|error| failed(&error))?).map_err(|error| failed(&error))?;
         }
         write_index(&mut store, out).map_err(|error| failed(&error))?;

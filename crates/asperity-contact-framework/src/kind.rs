@@ -295,8 +295,8 @@ pub struct RunContext<'a> {
     pub kind: &'static str,
     /// Name of the report's folder.
     pub stem: &'a str,
-    /// SHA-256 of the spec, of how it is run, and of its input files, hexadecimal.
-    pub input_sha256: &'a str,
+    /// Gives the SHA-256 of the spec, of how it is run, and of its input files, hexadecimal; it may wait until these are read.
+    pub input_sha256: &'a (dyn Fn() -> String + Sync),
     /// The author's notes.
     pub notes: &'a str,
     /// The size of its figures in print; `None` of figures for the page only.
@@ -336,7 +336,7 @@ impl RunContext<'_> {
             again: self.again(),
             notes: self.notes.to_owned(),
             spec_sha256: hexadecimal(&sha256(self.source.text.as_bytes())),
-            input_sha256: self.input_sha256.to_owned(),
+            input_sha256: (self.input_sha256)(),
             seed: self.seed,
             figure: self.figure,
             has_parquet: self.has_parquet,

@@ -341,8 +341,7 @@ fn surface(
     let mut store = open_store(options)?;
     store.check(experiment.stem())?;
     check_same_file(&experiment, &options.out.join(experiment.stem()))?;
-    let input = watched(experiment.stem(), options.quiet, |progress| experiment.watched_input(progress))?;
-    let results = run_and_write(&experiment, Place::ALONE, &input, &mut store, options)?;
+    let results = run_and_write(&experiment, Place::ALONE, None, &mut store, options)?;
     say_answer(&experiment, &*results, options);
     if let Some(spec) = save_spec {
         write_new(spec, &saved_spec(&file_options, file, spec, &*results))?;
@@ -384,14 +383,19 @@ fn run_one(
     options: &RunOptions,
 ) -> Result<Done, Failure> {
     let start = Instant::now();
-    let input = watched(experiment.stem(), options.quiet, |progress| experiment.watched_input(progress))?;
-    let folder = options.out.join(experiment.stem());
-    if !options.force && store.is_current(experiment.stem(), &experiment.key_of(&input)) {
-        say(options, &format!("{place}{} is unchanged ({} s)", folder.display(), seconds(start)));
-        return Ok(Done::Unchanged);
+    // Of a report that is not there the run finds the input itself.
+    let mut known = None;
+    if !options.force && store.has(experiment.stem()) {
+        let input = watched(experiment.stem(), options.quiet, |progress| experiment.watched_input(progress))?;
+        if store.is_current(experiment.stem(), &experiment.key_of(&input)) {
+            let folder = options.out.join(experiment.stem());
+            say(options, &format!("{place}{} is unchanged ({} s)", folder.display(), seconds(start)));
+            return Ok(Done::Unchanged);
+        }
+        known = Some(input);
     }
     store.check(experiment.stem())?;
-    let results = run_and_write(experiment, place, &input, store, options)?;
+    let results = run_and_write(experiment, place, known, store, options)?;
     if place.is_alone() {
         say_answer(experiment, &*results, options);
     }
@@ -405,11 +409,11 @@ fn say_answer(experiment: &Experiment, results: &dyn Outcome, options: &RunOptio
     }
 }
 
-/// Runs an experiment, which had this `input` before, and writes its report.
+/// Runs an experiment, whose input may be `known`, and writes its report.
 fn run_and_write(
     experiment: &Experiment,
     place: Place,
-    input: &str,
+    known: Option<String>,
     store: &mut Store,
     options: &RunOptions,
 ) -> Result<Box<dyn Outcome>, Failure> {
@@ -417,9 +421,8 @@ fn run_and_write(
     let name = format!("{place}{}", experiment.stem());
     interrupt::of_parts(experiment.is_sweep());
     let kept = options.out.join(KEPT).join(experiment.stem());
-    let key = experiment.key_of(input);
-    let report = |results: &dyn Outcome| report_folder(results, &key, PRINT);
-    let run = |progress: &dyn Progress| experiment.run_on(input, Some(&kept), progress, report);
+    let report = |results: &dyn Outcome, key: &str| report_folder(results, key, PRINT);
+    let run = |progress: &dyn Progress| experiment.run_on(known, Some(&kept), progress, report);
     let (report, results) = watched(&name, options.quiet, run)?;
     write_report(experiment, place, &*results, &report?, store, options, start)?;
     Ok(results)

@@ -67,9 +67,8 @@ impl Statistics {
         let units = [self.sigma, if has_equal_radii { 1.0 } else { self.radius_cv } * self.mean_radius];
         let means = Means { origins: [self.mean_height, self.mean_radius], relative: [0.0; 2] };
         let powers = Powers(Standardised { means, per: units.map(f64::recip) });
-        let of_radii = if has_equal_radii { 0.0 } else { 1.0 };
         let of_all =
-            [0.0, 1.0, skewness, kurtosis, 0.0, of_radii, correlation, self.radius_of_mean_curvature.recip()];
+            [0.0, 1.0, skewness, kurtosis, 0.0, 1.0, correlation, self.radius_of_mean_curvature.recip()];
         let sums = sums_over([part.heights(), part.radii()], powers);
         let mean_of = |k: usize| (all * of_all[k] - sums[k]) / count;
         let [u, u2, u3, u4, r, r2, ur, curvature] = std::array::from_fn(mean_of);

@@ -135,24 +135,12 @@ impl MicroContact for AveragedContact<'_> {
         self.contact.spot_properties()
     }
 
-    /// Contacts in parallel, since a sample of heights is one block of a sum; added in their order.
     fn accumulate(&self, asperities: Asperities<'_>, separation: f64, accumulator: &mut Accumulator) {
-        /// Contacts per task.
-        const TASK: usize = 1024;
-        let (count, wants_spots) = (asperities.count(), accumulator.wants_spots());
-        let of_task = |task: usize| {
-            let some = asperities.part(task * TASK..count.min((task + 1) * TASK));
-            let at = |(z, shape)| {
-                let w = z - separation;
-                let spots = if wants_spots { self.spot_values(w, shape) } else { None };
-                (self.contact(w, shape), spots)
-            };
-            some.each().map(at).collect::<Vec<_>>()
-        };
-        let contacts = parallel::map(count.div_ceil(TASK), of_task);
-        for ((_, shape), (contact, spots)) in asperities.each().zip(contacts.into_iter().flatten()) {
-            accumulator.add(&contact, shape);
-            if let Some(values) = spots {
+        let wants_spots = accumulator.wants_spots();
+        for (z, shape) in asperities.each() {
+            let w = z - separation;
+            accumulator.add(&self.contact(w, shape), shape);
+            if let Some(values) = wants_spots.then(|| self.spot_values(w, shape)).flatten() {
                 accumulator.add_spot(values, 1.0);
             }
         }

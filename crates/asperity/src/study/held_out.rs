@@ -79,7 +79,8 @@ impl Halves {
                 setup.progress.advance(0.0);
                 models
             };
-            Some([on_half(first)?, on_half(second)?])
+            let (first, second) = rayon::join(|| on_half(first), || on_half(second));
+            Some([first?, second?])
         };
         let fitted = models.iter().filter(|model| model.is_fitted());
         Some(HalfModels {
@@ -119,9 +120,13 @@ impl HalfModels<'_> {
         };
         ranking.tested_on = Some(self.tested_on);
         ranking.tested_loads = loads.first().zip(loads.last()).map(|(&low, &high)| [low, high]);
+        let held_out = |(_, [a, b]): &(StatisticalModel, [SurfaceModels; 2])| {
+            errors(a, &pairs[1]).larger(&errors(b, &pairs[0]))
+        };
+        let fitted = parallel::map(self.fitted.len(), |k| held_out(&self.fitted[k]));
         for ranked in &mut ranking.models {
-            let models = self.fitted.iter().find(|(model, _)| *model == ranked.model);
-            ranked.held_out = models.map(|(_, [a, b])| errors(a, &pairs[1]).larger(&errors(b, &pairs[0])));
+            let place = self.fitted.iter().position(|(model, _)| *model == ranked.model);
+            ranked.held_out = place.map(|place| fitted[place]);
         }
     }
 }

@@ -8,6 +8,7 @@ use crate::compare::{
     Accepted, ByQuantity, ComparedQuantity, Pair, ReferenceCurve, ReferencePoint, Repeats, of_each_decade,
 };
 use crate::distribution::HeightsError;
+use crate::numeric::parallel;
 use crate::progress::Progress;
 use crate::work::{CountedContact, Counter};
 use crate::{INTERACTION, Model, Response, reached_at};
@@ -231,25 +232,25 @@ fn in_sample(built: &[BuiltModel], law: &LawContact, case: &CaseResults, progres
     if loads.is_empty() {
         return ranking;
     }
-    for (models, model) in built {
+    let ranked = |(models, model): &BuiltModel| {
         progress.advance(0.0);
-        let models = match models {
-            Ok(models) => models,
-            Err(error) => {
-                ranking.inapplicable.push((model.clone(), error.to_string()));
-                continue;
-            }
-        };
+        let models = models.as_ref().map_err(|error| (model.clone(), error.to_string()))?;
         let counter = Counter::default();
         let contact = CountedContact::new(&*law.contact, &counter).watched_by(progress);
         let statistical = models.statistical(&contact, &law.spec);
         let responses = responses(&*statistical, &loads);
-        ranking.models.push(Ranked {
+        Ok(Ranked {
             model: model.clone(),
             in_sample: errors(case, &pairs, &responses),
             held_out: None,
             evaluations: evaluations(&*statistical, &responses, &counter),
-        });
+        })
+    };
+    for one in parallel::map(built.len(), |k| ranked(&built[k])) {
+        match one {
+            Ok(ranked) => ranking.models.push(ranked),
+            Err(inapplicable) => ranking.inapplicable.push(inapplicable),
+        }
     }
     let sums: Vec<Option<Response>> = pairs.iter().map(|pair| Some(pair.deterministic)).collect();
     ranking.sum_from_reference = ComparedQuantity::ALL

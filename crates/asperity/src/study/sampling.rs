@@ -78,7 +78,7 @@ fn left_out(
     let without = |group: usize| {
         let goes_on = || setup.progress.advance(0.0);
         goes_on();
-        let rest = surface.without(division, group);
+        let [rest, part] = surface.divided(division, group);
         goes_on();
         let of_rest =
             rest.as_ref().and_then(|rest| Some((rest, models.of_part(rest, setup.law_specs, false).ok()?)));
@@ -86,8 +86,6 @@ fn left_out(
             let none = |step: &OneStep| vec![None; step.deterministic_separations().len()];
             return (None, steps.iter().map(none).collect());
         };
-        goes_on();
-        let part = surface.only(division, group);
         goes_on();
         // The sum over a group needs no statistical model.
         let of_part = part.as_ref().and_then(|part| {

@@ -263,10 +263,30 @@ impl Surface {
     /// The same surface without one group of its asperities and their area; `None` where none is left. Separations are
     /// measured from the mean of the rest, in its sigma, if they are measured so on the surface.
     pub fn without(&self, division: &Division, group: usize) -> Option<Self> {
+        // Of half of them and more the rest is summed sooner than the group.
+        let is_most = 2 * division.count_of(group) >= self.set.count();
+        let part = if is_most { None } else { division.only(&self.set, group) };
+        self.rest(division, group, part.as_ref())
+    }
+
+    /// [`Self::without`] a group, and the group on its area in the plane of all; `None` for each that has no asperities.
+    pub fn divided(&self, division: &Division, group: usize) -> [Option<Self>; 2] {
+        let part = division.only(&self.set, group);
+        let rest = self.rest(division, group, part.as_ref());
+        let of_part = |set| {
+            let statistics = Statistics::new(&set);
+            Self { plane: self.plane, ..Self::new(&self.name, set, statistics) }
+        };
+        [rest, part.map(of_part)]
+    }
+
+    /// [`Self::without`] a group, from the asperities of the group where they are known.
+    fn rest(&self, division: &Division, group: usize, part: Option<&AsperitySet>) -> Option<Self> {
         let set = division.without(&self.set, group)?;
-        let statistics = match division.only(&self.set, group) {
-            Some(part) => self.statistics.without(&part, &set),
-            None => self.statistics,
+        let statistics = match part {
+            Some(part) => self.statistics.without(part, &set),
+            None if set.count() == self.set.count() => self.statistics,
+            None => Statistics::new(&set),
         };
         let is_own = self.plane == ReferencePlane::from(&self.statistics);
         let mut rest = Self::new(&self.name, set, statistics);
@@ -277,13 +297,6 @@ impl Surface {
             rest.ellipticity = self.ellipticity;
         }
         Some(Self { origin: self.origin, mean_plane: self.mean_plane, nominal: self.nominal.clone(), ..rest })
-    }
-
-    /// One group of its asperities on their area, in the plane of all; `None` where it has none.
-    pub fn only(&self, division: &Division, group: usize) -> Option<Self> {
-        let set = division.only(&self.set, group)?;
-        let statistics = Statistics::new(&set);
-        Some(Self { plane: self.plane, ..Self::new(&self.name, set, statistics) })
     }
 
     /// Inputs of the statistical model: the nominal numbers of a population, the statistics of

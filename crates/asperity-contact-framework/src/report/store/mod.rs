@@ -123,6 +123,11 @@ impl Store {
         Self { directory: directory.into(), lock: None }
     }
 
+    /// Whether there is a report of this name.
+    pub fn has(&self, stem: &str) -> bool {
+        is_plain(stem) && Manifest::read(&self.directory.join(stem)).is_some()
+    }
+
     /// Whether a report of this key is there with every file as it was written. A missing or altered
     /// file, or a manifest that says nothing of the kind, is a no; so is a report that a killed run
     /// had moved aside, until [`Store::recover`] brings it back.

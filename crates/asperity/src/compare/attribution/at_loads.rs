@@ -7,6 +7,7 @@ use crate::compare::sampling::{jackknife_error, jackknife_quantile, moved, slope
 use crate::compare::{Pair, Pairing};
 use crate::interface::MicroContact;
 use crate::model::{Limit, Model, Response, reached_at};
+use crate::numeric::parallel;
 
 /// Every state at some loads under one law.
 #[derive(Debug, Clone)]
@@ -47,14 +48,23 @@ impl Rearranged<'_> {
         let loads: Vec<f64> = chosen.iter().map(|&k| pairs[k].target).collect();
         // Those of the sum: most states are not far from it.
         let near: Vec<f64> = chosen.iter().map(|&k| pairs[k].deterministic.separation_over_sigma).collect();
-        let between = if loads.is_empty() {
-            Vec::new()
-        } else {
-            // Both ends are the models of the pair.
-            self.with_models(contact, &near, |models| {
-                models[1..STATES - 1].iter().map(|model| reached_at(*model, &loads)).collect()
-            })
-        };
+        // Both ends are the models of the pair. Side by side: one state of few nodes does not keep all threads busy.
+        let (between, with_other_radius) = rayon::join(
+            || {
+                if loads.is_empty() {
+                    return Vec::new();
+                }
+                self.with_models(contact, &near, |models| {
+                    let between = &models[1..STATES - 1];
+                    parallel::map(between.len(), |k| reached_at(between[k], &loads))
+                })
+            },
+            || {
+                self.with_other_radius(contact, &near, |models| {
+                    parallel::map(models.len(), |k| reached_at(models[k], &loads))
+                })
+            },
+        );
         let mut at: Vec<AtLoad> = pairs
             .iter()
             .map(|pair| AtLoad {
@@ -67,13 +77,10 @@ impl Rearranged<'_> {
                     .map_or(0.0, |sharing| sharing.effective_contacts),
             })
             .collect();
-        let with_other_radius = self.with_other_radius(contact, &near, |models| {
-            models.map(|model| if loads.is_empty() { Vec::new() } else { reached_at(model, &loads) })
-        });
         for (index, &k) in chosen.iter().enumerate() {
-            at[k].with_other_radius = with_other_radius.as_ref().and_then(|[statistical, own_heights]| {
-                Some([statistical[index]?.response, own_heights[index]?.response])
-            });
+            at[k].with_other_radius = with_other_radius
+                .as_ref()
+                .and_then(|models| Some([models[0][index]?.response, models[1][index]?.response]));
             let inner: Option<Vec<Response>> =
                 between.iter().map(|all| all[index].map(|reached| reached.response)).collect();
             let Some(&[own_heights, own_radii, independent, paired]) = inner.as_deref() else { continue };

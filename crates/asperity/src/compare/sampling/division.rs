@@ -85,6 +85,11 @@ impl Division {
         Places { list: self.members.clone(), part: self.ends[group]..self.ends[group + 1] }
     }
 
+    /// Number of asperities in a group.
+    pub fn count_of(&self, group: usize) -> usize {
+        self.ends[group + 1] - self.ends[group]
+    }
+
     /// The share of each group in the nominal area.
     pub fn shares(&self) -> &[f64] {
         &self.shares
