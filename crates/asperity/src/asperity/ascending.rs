@@ -96,20 +96,18 @@ pub(super) struct OnDemand(Arc<Found>);
 #[derive(Debug, Default)]
 struct Found {
     by_height: OnceLock<Ascending>,
-    by_radius: OnceLock<Ascending>,
     means_above: OnceLock<Vec<f64>>,
     smoothed: OnceLock<Result<Heights, EqualHeights>>,
 }
 
 impl OnDemand {
-    /// The order of `heights`.
+    /// The order of `heights`: from that of the whole set where it is known.
     pub(super) fn by_height(&self, heights: &[f64], whole: Option<Whole>) -> &Ascending {
-        order(&self.0.by_height, heights, whole.map(|whole| (&whole.found.0.by_height, whole.left_out)))
-    }
-
-    /// The order of `radii`.
-    pub(super) fn by_radius(&self, radii: &[f64], whole: Option<Whole>) -> &Ascending {
-        order(&self.0.by_radius, radii, whole.map(|whole| (&whole.found.0.by_radius, whole.left_out)))
+        self.0.by_height.get_or_init(|| {
+            // That of the whole set is not waited for, since who sorts may be waiting for this thread.
+            let known = whole.and_then(|whole| Some(whole.found.0.by_height.get()?.without(whole.left_out)));
+            known.unwrap_or_else(|| Ascending::new(heights))
+        })
     }
 
     /// The mean radius above a height of asperities of `radii`.
@@ -130,18 +128,6 @@ impl OnDemand {
 pub(super) struct Whole<'a> {
     pub found: &'a OnDemand,
     pub left_out: &'a [usize],
-}
-
-/// The order of `values`: from that of the whole set where it is known. It is not waited for, since who sorts may be waiting for this thread.
-fn order<'a>(
-    found: &'a OnceLock<Ascending>,
-    values: &[f64],
-    whole: Option<(&OnceLock<Ascending>, &[usize])>,
-) -> &'a Ascending {
-    found.get_or_init(|| {
-        let known = whole.and_then(|(whole, left_out)| Some(whole.get()?.without(left_out)));
-        known.unwrap_or_else(|| Ascending::new(values))
-    })
 }
 
 impl PartialEq for OnDemand {

@@ -283,11 +283,6 @@ impl AsperitySet {
         self.on_demand.by_height(self.heights(), self.whole())
     }
 
-    /// The asperities in the order of their radii (m), sorted once.
-    pub fn by_radius(&self) -> &Ascending {
-        self.on_demand.by_radius(self.radii(), self.whole())
-    }
-
     /// The set that this one is the rest of.
     fn whole(&self) -> Option<Whole<'_>> {
         match &self.source {

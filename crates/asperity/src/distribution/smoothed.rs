@@ -110,7 +110,7 @@ impl Smoothed {
         let bandwidth = 0.9 * spread * (count as f64).powf(-0.2);
         let shrink = (1.0 + bandwidth * bandwidth).sqrt().recip();
         let width = bandwidth * shrink;
-        let mut kernels = condensed(sorted, None, bandwidth * sd / KERNELS);
+        let mut kernels = condensed(sorted, bandwidth * sd / KERNELS);
         for one in &mut kernels {
             *one = Node { value: standardised(one.value) * shrink, weight: one.weight / count as f64 };
         }

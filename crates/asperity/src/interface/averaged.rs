@@ -57,17 +57,17 @@ impl<'a> AveragedContact<'a> {
         Self { contact, nodes, spheres, steps: Vec::new(), table: None }
     }
 
-    /// The mean over `nodes`, tabulated in steps of `step` in ln w up to the indentation `deepest` (m). The steps of a law
+    /// The mean over ascending `nodes`, tabulated in steps of `step` in ln w up to the indentation `deepest` (m). The steps of a law
     /// that jumps are those of `all` radii, ascending, for which the nodes stand.
     pub(crate) fn tabulated(
         contact: &'a dyn MicroContact,
         nodes: Vec<RadiusShare>,
-        all: impl Iterator<Item = RadiusShare>,
+        all: impl FnOnce() -> Vec<RadiusShare>,
         step: f64,
         deepest: f64,
     ) -> Self {
         // Without their own steps the nodes have a smooth mean.
-        let own_steps = Step::all(contact, nodes.iter().copied());
+        let own_steps = Step::all(contact, || nodes.clone());
         let direct = Self::exact(contact, nodes);
         let table = Table::new(deepest, step, |w| {
             let mut sums = direct.direct(w);
@@ -216,24 +216,23 @@ struct Step {
 impl Step {
     /// The steps of a homogeneous flat under a law whose load jumps up; empty for other laws, and under a layer, whose
     /// thickness is a scale.
-    fn all(contact: &dyn MicroContact, radii: impl Iterator<Item = RadiusShare>) -> Vec<Self> {
-        let mut radii = radii.peekable();
-        let Some(&RadiusShare { radius: first, .. }) = radii.peek() else { return Vec::new() };
+    fn all(contact: &dyn MicroContact, radii: impl FnOnce() -> Vec<RadiusShare>) -> Vec<Self> {
         if contact.is_layered() {
             return Vec::new();
         }
-        let sphere = Shape::sphere(first);
-        let jumps =
-            contact.regime_changes(sphere).into_iter().map(|w| (w / first, jumps(contact, sphere, w)));
+        // Any radius serves.
+        const UNIT: f64 = 1e-6;
+        let sphere = Shape::sphere(UNIT);
+        let jumps = contact.regime_changes(sphere).into_iter().map(|w| (w / UNIT, jumps(contact, sphere, w)));
         let jumps: Vec<(f64, [f64; 2])> = jumps.filter(|(_, jump)| *jump != [0.0; 2]).collect();
         if jumps.is_empty() || jumps.iter().any(|(_, [load, _])| *load < 0.0) {
             return Vec::new();
         }
-        let radii: Vec<RadiusShare> = radii.collect();
+        let radii = radii();
         let step = |(ratio, jump): (f64, [f64; 2])| {
             let mut sum = [0.0; 2];
             let sums = radii.iter().map(|one| {
-                let square = one.share * (one.radius / first).powi(2);
+                let square = one.share * (one.radius / UNIT).powi(2);
                 sum = [sum[0] + square * jump[0], sum[1] + square * jump[1]];
                 sum
             });

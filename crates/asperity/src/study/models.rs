@@ -152,7 +152,6 @@ impl<'a> SurfaceModels<'a> {
         Some(Inputs {
             asperities: self.asperities(law)?,
             by_height: self.surface.set.by_height(),
-            by_radius: (!law.is_elliptic()).then(|| self.surface.set.by_radius()),
             plane: self.surface.plane,
             population: self.population.clone(),
             mean_shape: self.mean_shape(law),

@@ -6,7 +6,7 @@ use crate::asperity::{Ascending, Asperities, Draw, Population};
 use crate::interface::{AveragedContact, MicroContact, RadiusShare, jumps};
 use crate::memory::{collected, filled};
 use crate::model::{Deterministic, Medium, Mixture, Model, ReferencePlane, Statistical, WithMedium};
-use crate::numeric::condensed::{Node, condensed};
+use crate::numeric::condensed::{Node, condensed, condensed_logarithms};
 use crate::numeric::sort::ascending;
 use crate::shape::Shape;
 
@@ -36,8 +36,6 @@ pub struct Inputs<'a> {
     pub asperities: Asperities<'a>,
     /// The same by height.
     pub by_height: &'a Ascending,
-    /// The same by radius; `None` for ellipses.
-    pub by_radius: Option<&'a Ascending>,
     /// What separations of the sum are measured from, in the frame of the heights.
     pub plane: ReferencePlane,
     /// The population of the statistical model.
@@ -59,10 +57,6 @@ pub struct Rearranged<'a> {
     /// Condensed heights with their weights, and the same in finer bins.
     heights: Sample,
     fine_heights: Sample,
-    /// ln(radius) of all, ascending.
-    log_radii: Vec<f64>,
-    /// Number of spheres of each; `None` where it is one.
-    spheres: Option<Vec<f64>>,
     /// Width of the bins of ln(radius).
     radius_bin: f64,
     /// Quantiles of the density of the statistical model relative to its mean, with the radii in the order of the own heights: ascending
@@ -80,13 +74,12 @@ struct Sample {
 }
 
 impl Sample {
-    /// Ascending values of `weights` condensed in bins of a `width`; all of them for a width of zero.
-    fn condensed(values: &[f64], weights: Option<&[f64]>, width: f64) -> Self {
+    /// Ascending values condensed in bins of a `width`; all of them for a width of zero.
+    fn condensed(values: &[f64], width: f64) -> Self {
         if width == 0.0 {
-            let weights = weights.map_or_else(|| vec![1.0; values.len()], <[f64]>::to_vec);
-            return Self { values: values.to_vec(), weights };
+            return Self { values: values.to_vec(), weights: vec![1.0; values.len()] };
         }
-        let nodes = condensed(values, weights, width);
+        let nodes = condensed(values, width);
         let column = |of: fn(&Node) -> f64| nodes.iter().map(of).collect();
         Self { values: column(|node| node.value), weights: column(|node| node.weight) }
     }
@@ -155,22 +148,14 @@ impl<'a> Rearranged<'a> {
         let width = |width: f64| if count > FEW { width } else { 0.0 };
 
         let [heights, fine_heights] = [HEIGHT_BIN, FINE_HEIGHT_BIN]
-            .map(|bin| Sample::condensed(inputs.by_height.values(), None, width(bin * inputs.plane.sigma)));
+            .map(|bin| Sample::condensed(inputs.by_height.values(), width(bin * inputs.plane.sigma)));
 
         let quantiles = population.heights_of(count, Draw::Quantiles);
         let paired = ByRank::new(quantiles, inputs.by_height, asperities);
 
-        let (log_radii, spheres) = if let Some(by_radius) = inputs.by_radius {
-            (collected(by_radius.values().par_iter().map(|radius| radius.ln())), None)
-        } else {
-            let places = ascending(asperities.radii());
-            let column =
-                |of: fn(Shape) -> f64| collected(places.par_iter().map(|&k| of(asperities.shape(k))));
-            (column(|shape| shape.radius.ln()), Some(column(|shape| shape.spheres)))
-        };
         let is_uniform = asperities.each().all(|(_, shape)| shape == *mean_shape);
         let radius_bin = width(RADIUS_BIN);
-        Self { heights, fine_heights, log_radii, spheres, radius_bin, paired, is_uniform, inputs }
+        Self { heights, fine_heights, radius_bin, paired, is_uniform, inputs }
     }
 
     /// The same with fewer nodes: accurate enough for the change that a group left out makes.
@@ -293,28 +278,37 @@ impl<'a> Rearranged<'a> {
     /// The contact averaged over all radii.
     fn averaged<'b>(&self, contact: &'b dyn MicroContact) -> AveragedContact<'b> {
         let bin = if contact.is_layered() { COARSE * self.radius_bin } else { self.radius_bin };
-        let nodes = self.radii_in_bins(bin).collect();
+        let nodes = self.radii_in_bins(bin);
         if bin == 0.0 {
             return AveragedContact::exact(contact, nodes);
         }
-        let share =
-            |k: usize| self.spheres.as_ref().map_or(1.0, |spheres| spheres[k]) / self.log_radii.len() as f64;
-        let all = self.log_radii.iter().enumerate();
-        let all = all.map(|(k, log_radius)| RadiusShare { radius: log_radius.exp(), share: share(k) });
+        let all = || ascending(self.inputs.asperities.radii()).into_iter().map(|k| self.share(k)).collect();
         AveragedContact::tabulated(contact, nodes, all, 2.0 * bin, self.deepest())
     }
 
-    /// The radii in bins of a width in their logarithm, by number of spheres over number of asperities.
-    fn radii_in_bins(&self, width: f64) -> impl Iterator<Item = RadiusShare> {
-        let count = self.log_radii.len() as f64;
-        let Sample { values, weights } = Sample::condensed(&self.log_radii, self.spheres.as_deref(), width);
-        let all = values.into_iter().zip(weights);
-        all.map(move |(log_radius, weight)| RadiusShare { radius: log_radius.exp(), share: weight / count })
+    /// The radius of an asperity with its share.
+    fn share(&self, place: usize) -> RadiusShare {
+        let asperities = &self.inputs.asperities;
+        let Shape { radius, spheres } = asperities.shape(place);
+        RadiusShare { radius, share: spheres / asperities.count() as f64 }
+    }
+
+    /// The radii in bins of a width in their logarithm, ascending, by number of spheres over number of asperities; all of them for a
+    /// width of zero.
+    fn radii_in_bins(&self, width: f64) -> Vec<RadiusShare> {
+        let asperities = &self.inputs.asperities;
+        let count = asperities.count();
+        if width == 0.0 {
+            return (0..count).map(|k| self.share(k)).collect();
+        }
+        let nodes = condensed_logarithms(asperities.radii(), asperities.spheres(), width);
+        let of = |node: Node| RadiusShare { radius: node.value.exp(), share: node.weight / count as f64 };
+        nodes.into_iter().map(of).collect()
     }
 
     /// Classes of radii with their weights.
     fn classes(&self) -> impl Iterator<Item = (f64, Shape)> {
         let width = if self.radius_bin > 0.0 { CLASS } else { 0.0 };
-        self.radii_in_bins(width).map(|one| (one.share, Shape::sphere(one.radius)))
+        self.radii_in_bins(width).into_iter().map(|one| (one.share, Shape::sphere(one.radius)))
     }
 }

@@ -41,7 +41,6 @@ fn inputs(set: &AsperitySet) -> Inputs<'_> {
     Inputs {
         asperities: set.spheres(),
         by_height: set.by_height(),
-        by_radius: Some(set.by_radius()),
         plane,
         population: Population {
             radius: statistics.mean_radius,
