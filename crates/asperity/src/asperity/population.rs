@@ -69,10 +69,12 @@ impl Population {
         for_each_row(&mut heights, STREAM, &|k, chunk| match draw {
             Draw::Random(seed) => self.draw(seed, stream + k, chunk),
             Draw::Quantiles => {
-                for (i, z) in chunk.iter_mut().enumerate() {
-                    let p = (((stream + k) * STREAM + i) as f64 + 0.5) / count as f64;
-                    *z = self.sigma * self.heights.quantile(p);
-                }
+                let first = (stream + k) * STREAM;
+                chunk
+                    .iter_mut()
+                    .enumerate()
+                    .for_each(|(i, p)| *p = ((first + i) as f64 + 0.5) / count as f64);
+                self.heights.map_probabilities(chunk, self.sigma);
             }
         });
         heights

@@ -12,6 +12,7 @@ mod gaussian;
 mod hazard;
 pub mod johnson;
 mod moments;
+mod normal_quantiles;
 mod smoothed;
 pub mod weibull;
 
@@ -32,6 +33,7 @@ pub use gaussian::{Gaussian, gaussian_moment};
 pub use johnson::Johnson;
 pub use moments::Moments;
 pub(crate) use moments::normal_nodes;
+use normal_quantiles::normal_quantiles;
 pub use smoothed::{EqualHeights, Smoothed};
 pub use weibull::Weibull;
 
@@ -96,6 +98,12 @@ pub trait HeightDistribution: fmt::Debug + fmt::Display + Send + Sync {
     /// Replaces each standard normal value g of `field` by `scale` T(g).
     fn map_normals(&self, field: &mut [f64], scale: f64) {
         field.iter_mut().for_each(|z| *z = scale * self.height_at_normal(*z));
+    }
+
+    /// Replaces each probability of `field` by `scale` times its [`quantile`](Self::quantile).
+    fn map_probabilities(&self, field: &mut [f64], scale: f64) {
+        normal_quantiles(field);
+        self.map_normals(field, scale);
     }
 
     /// Fills `heights` with independent draws.
