@@ -10,6 +10,7 @@ use super::ascending::{OnDemand, Whole};
 use super::{Ascending, Asperities, Ellipse, RadiiAbove};
 use crate::distribution::{EqualHeights, Heights};
 use crate::memory::{collected, reserve};
+use crate::numeric::interval::Interval;
 use crate::numeric::{LARGEST, is_positive};
 
 /// The asperities of a rough surface, as a struct of arrays in the order of their origin.
@@ -149,29 +150,7 @@ fn first_without(values: &[f64], is_admissible: impl Fn(f64) -> bool + Sync) -> 
 pub(super) fn far_origin(heights: &[f64]) -> Option<f64> {
     /// Four bits lost: what is nearer keeps its frame.
     const FAR: f64 = 16.0;
-    /// Written to be vectorised by the compiler, which it does for comparisons, not for `f64::min`.
-    const LANES: usize = 16;
-    let join =
-        |a: (f64, f64), b: (f64, f64)| (if b.0 < a.0 { b.0 } else { a.0 }, if b.1 > a.1 { b.1 } else { a.1 });
-    let none = || (f64::INFINITY, f64::NEG_INFINITY);
-    let arch = Arch::new();
-    let of_block = |block: &[f64]| {
-        let (whole, rest) = block.as_chunks::<LANES>();
-        let mut lanes = [none(); LANES];
-        arch.dispatch(|| {
-            let (mut low, mut high) = ([f64::INFINITY; LANES], [f64::NEG_INFINITY; LANES]);
-            for some in whole {
-                for k in 0..LANES {
-                    (low[k], high[k]) = join((low[k], high[k]), (some[k], some[k]));
-                }
-            }
-            for k in 0..LANES {
-                lanes[k] = (low[k], high[k]);
-            }
-        });
-        rest.iter().map(|&z| (z, z)).chain(lanes).fold(none(), join)
-    };
-    let (low, high) = heights.par_chunks(BLOCK).map(of_block).reduce(none, join);
+    let Interval { low, high } = Interval::new(heights);
     let is_near = low * high <= 0.0 || low.abs().min(high.abs()) <= FAR * (high - low);
     (!is_near).then_some(low)
 }

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::interval::Interval;
 use super::lanes::{Real, Work, run};
 use super::parallel;
 use super::sum::{Terms, sums_of_present};
@@ -85,18 +86,10 @@ pub(crate) fn condensed_logarithms(values: &[f64], weights: Option<&[f64]>, widt
     let count = values.len();
     let tasks = count.div_ceil(TASK);
     let of_task = |task: usize| &values[task * TASK..count.min((task + 1) * TASK)];
-    let least = |a: f64, b: f64| if b < a { b } else { a };
-    let most = |a: f64, b: f64| if b > a { b } else { a };
-    let range = |task: usize| {
-        let of = |[low, high]: [f64; 2], &value: &f64| [least(low, value), most(high, value)];
-        of_task(task).iter().fold([f64::INFINITY, 0.0], of)
-    };
-    let ranges = parallel::map(tasks, range);
-    let [low, high] =
-        ranges.into_iter().fold([f64::INFINITY, 0.0], |a, b| [least(a[0], b[0]), most(a[1], b[1])]);
     if count == 0 {
         return Vec::new();
     }
+    let Interval { low, high } = Interval::new(values);
     let origin = low.ln();
     let bins = ((high.ln() - origin) / width) as usize + 1;
     let center = |bin: usize| origin + (bin as f64 + 0.5) * width;

@@ -2,6 +2,10 @@
 
 use std::ops::{Add, Mul, Neg, Sub};
 
+use pulp::Arch;
+
+use super::parallel;
+
 /// The closed interval from `low` to `high`. Results of arithmetic contain all results of their operands, up to
 /// rounding of the ends.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -18,9 +22,39 @@ impl Interval {
         Self { low: a.min(b), high: a.max(b) }
     }
 
-    /// The smallest interval that contains all `values`, of which there must be at least one.
+    /// The smallest interval that contains all `values`, of which there must be at least one; many on all threads.
     pub fn new(values: &[f64]) -> Self {
-        values.iter().map(|&x| Self::point(x)).reduce(Self::hull).unwrap_or_default()
+        /// Values per task.
+        const TASK: usize = 1 << 15;
+        if values.len() < 2 * TASK {
+            return Self::of_some(values);
+        }
+        let tasks: Vec<&[f64]> = values.chunks(TASK).collect();
+        let parts = parallel::map(tasks.len(), |k| Self::of_some(tasks[k]));
+        parts.into_iter().reduce(Self::hull).unwrap_or_default()
+    }
+
+    fn of_some(values: &[f64]) -> Self {
+        /// Written to be vectorised by the compiler, which it does for comparisons, not for `f64::min`.
+        const LANES: usize = 16;
+        let (whole, rest) = values.as_chunks::<LANES>();
+        let mut parts = rest.iter().map(|&x| Self::point(x)).reduce(Self::hull);
+        if let Some(&first) = whole.first() {
+            let (mut low, mut high) = (first, first);
+            let ends = (&mut low, &mut high);
+            Arch::new().dispatch(move || {
+                let (low, high) = ends;
+                for some in whole {
+                    for k in 0..LANES {
+                        low[k] = if some[k] < low[k] { some[k] } else { low[k] };
+                        high[k] = if some[k] > high[k] { some[k] } else { high[k] };
+                    }
+                }
+            });
+            let lanes = low.into_iter().zip(high).map(|(low, high)| Self { low, high });
+            parts = lanes.chain(parts).reduce(Self::hull);
+        }
+        parts.unwrap_or_default()
     }
 
     /// The union of intervals sorted by their lower ends, with overlapping or touching ones merged.

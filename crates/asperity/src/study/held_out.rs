@@ -60,8 +60,8 @@ impl Halves {
         };
         let half = |half: usize| {
             let surface = surface.without(&division, 1 - half)?;
-            // Copied and ordered here, both at once.
-            surface.set.by_height();
+            // Copied and ordered here, both at once: a model would let the others wait for it.
+            surface.set.radii_above();
             Some(surface)
         };
         let surfaces = parallel::map(2, half);

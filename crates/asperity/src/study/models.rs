@@ -7,6 +7,7 @@ use std::sync::Arc;
 use crate::compare::Inputs;
 use crate::distribution::HeightsError;
 use crate::model::{Medium, WithMedium};
+use crate::numeric::interval::Interval;
 use crate::topography::joint::JointDensity;
 use crate::{
     Asperities, ContactLaw, Deterministic, Ellipse, Ellipses, MeanRadius, MicroContact, Model, Population,
@@ -78,17 +79,15 @@ impl<'a> SurfaceModels<'a> {
     /// The sharpest and the bluntest asperity under a law.
     pub fn extreme_shapes(&self, law: &ContactLaw) -> [Shape; 2] {
         let set = &self.surface.set;
-        let by_radius = |a: &Shape, b: &Shape| a.radius.total_cmp(&b.radius);
-        let extremes = |shapes: &mut dyn Iterator<Item = Shape>| {
-            let first = self.mean_shape(law);
-            shapes.fold([first; 2], |[low, high], shape| {
-                [std::cmp::min_by(low, shape, by_radius), std::cmp::max_by(high, shape, by_radius)]
-            })
+        let mean = self.mean_shape(law);
+        let Some(ellipses) = set.ellipses().filter(|_| law.is_elliptic()) else {
+            let Interval { low, high } = Interval::new(set.radii());
+            return [low.min(mean.radius), high.max(mean.radius)].map(Shape::sphere);
         };
-        match set.ellipses().filter(|_| law.is_elliptic()) {
-            Some(ellipses) => extremes(&mut ellipses.iter().map(Ellipse::shape)),
-            None => extremes(&mut set.radii().iter().copied().map(Shape::sphere)),
-        }
+        let by_radius = |a: &Shape, b: &Shape| a.radius.total_cmp(&b.radius);
+        ellipses.iter().map(Ellipse::shape).fold([mean; 2], |[low, high], shape| {
+            [std::cmp::min_by(low, shape, by_radius), std::cmp::max_by(high, shape, by_radius)]
+        })
     }
 
     /// What conducts in the gap, where the contact is asked for it and the mean plane of the surface is known.

@@ -8,6 +8,7 @@ use crate::compare::{
     Models, NotReached, compare,
 };
 use crate::distribution::HeightsError;
+use crate::numeric::interval::Interval;
 use crate::progress::Silent;
 use crate::sphere::{Curve, boundaries};
 use crate::work::Timing;
@@ -215,11 +216,7 @@ pub fn decreases(
 ) -> Vec<DecreaseResults> {
     /// Smallest indentation examined over the largest.
     const SHALLOWEST: f64 = 1e-4;
-    let extremes = |values: &[f64]| {
-        let ends = (f64::INFINITY, f64::NEG_INFINITY);
-        values.iter().fold(ends, |(low, high), &value| (low.min(value), high.max(value)))
-    };
-    let highest = extremes(surface.set.heights()).1 - surface.plane.mean;
+    let highest = Interval::new(surface.set.heights()).high - surface.plane.mean;
     let mut all = Vec::new();
     let cases: Vec<_> = laws.iter().zip(&realisation.cases).collect();
     // Laws of the same kind of asperities, for any layer.
