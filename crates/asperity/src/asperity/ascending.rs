@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 use rayon::prelude::*;
 
 use crate::distribution::{EqualHeights, Heights, Smoothed};
-use crate::memory::{collected, zeros};
+use crate::memory::{collected, reserve, zeros};
 use crate::numeric::sort::ascending;
 
 /// The asperities of a set in ascending order of a column, such as their heights.
@@ -32,32 +32,73 @@ impl Ascending {
         &self.values
     }
 
-    /// That of the set without the asperities at some ascending places: nothing is sorted.
+    /// That of the set without the asperities at some places: nothing is sorted.
     fn without(&self, left_out: &[usize]) -> Self {
-        const BITS: usize = u64::BITS as usize;
-        // Of each word of places a bit for those that stay, and their number before it: both fit into a cache, which a new place for
-        // each asperity would not.
-        let mut staying = vec![(u64::MAX, 0); self.places.len().div_ceil(BITS)];
-        left_out.iter().for_each(|&place| staying[place / BITS].0 &= !(1 << (place % BITS)));
-        let mut count = 0;
-        for (bits, before) in &mut staying {
-            *before = count;
-            count += bits.count_ones() as usize;
-        }
+        let staying = Staying::new(self.places.len(), left_out);
+        let rest = staying.count;
         // Each is written, and the next one over it unless it stays.
-        let rest = self.places.len() - left_out.len();
         let (mut places, mut values) = (zeros(rest + 1), zeros(rest + 1));
         let mut next = 0;
         for (&place, &value) in self.places.iter().zip(&self.values) {
-            let (bits, before) = staying[place / BITS];
-            let bit = 1 << (place % BITS);
-            places[next] = before + (bits & (bit - 1)).count_ones() as usize;
+            let (stays, before) = staying.at(place);
+            places[next] = before;
             values[next] = value;
-            next += usize::from(bits & bit != 0);
+            next += usize::from(stays);
         }
         places.truncate(rest);
         values.truncate(rest);
         Self { places, values }
+    }
+}
+
+/// Which asperities of a set stay, where some are left out: of each word of places a bit for those that stay, and their number before
+/// it. Both fit into a cache, which a new place for each asperity would not.
+pub(super) struct Staying {
+    words: Vec<(u64, usize)>,
+    /// Number of asperities that stay.
+    count: usize,
+}
+
+impl Staying {
+    const BITS: usize = u64::BITS as usize;
+
+    /// Of `all` asperities those that are not at the places `left_out`.
+    pub fn new(all: usize, left_out: &[usize]) -> Self {
+        let mut words = vec![(u64::MAX, 0); all.div_ceil(Self::BITS)];
+        left_out.iter().for_each(|&place| words[place / Self::BITS].0 &= !(1 << (place % Self::BITS)));
+        let mut count = 0;
+        for (bits, before) in &mut words {
+            *before = count;
+            count += bits.count_ones() as usize;
+        }
+        Self { words, count: all - left_out.len() }
+    }
+
+    /// Whether an asperity stays, and how many before it.
+    #[inline]
+    fn at(&self, place: usize) -> (bool, usize) {
+        let (bits, before) = self.words[place / Self::BITS];
+        let bit = 1 << (place % Self::BITS);
+        (bits & bit != 0, before + (bits & (bit - 1)).count_ones() as usize)
+    }
+
+    /// The values of those that stay.
+    pub fn of<T: Copy>(&self, values: &[T]) -> Vec<T> {
+        let first = &values[..values.len().min(self.count + 1)];
+        let mut kept = Vec::new();
+        reserve(&mut kept, first.len());
+        kept.extend_from_slice(first);
+        // Each is written, and the next one over it unless it stays: no branch to be guessed.
+        let mut next = 0;
+        for (&(mut bits, _), values) in self.words.iter().zip(values.chunks(Self::BITS)) {
+            for &value in values {
+                kept[next] = value;
+                next += (bits & 1) as usize;
+                bits >>= 1;
+            }
+        }
+        kept.truncate(self.count);
+        kept
     }
 }
 
@@ -123,7 +164,7 @@ impl OnDemand {
     }
 }
 
-/// What was found of a set, and the ascending places of its asperities that are left out.
+/// What was found of a set, and the places of its asperities that are left out.
 #[derive(Clone, Copy)]
 pub(super) struct Whole<'a> {
     pub found: &'a OnDemand,

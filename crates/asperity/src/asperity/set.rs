@@ -6,10 +6,10 @@ use std::sync::{Arc, OnceLock};
 use pulp::Arch;
 use rayon::prelude::*;
 
-use super::ascending::{OnDemand, Whole};
+use super::ascending::{OnDemand, Staying, Whole};
 use super::{Ascending, Asperities, Ellipse, RadiiAbove};
 use crate::distribution::{EqualHeights, Heights};
-use crate::memory::{collected, reserve};
+use crate::memory::collected;
 use crate::numeric::interval::Interval;
 use crate::numeric::{LARGEST, is_positive};
 
@@ -30,7 +30,7 @@ enum Source {
     Rest { all: Arc<Columns>, of_all: OnDemand, left_out: Places, columns: Arc<OnceLock<Columns>> },
 }
 
-/// Ascending places in a set: a part of a list.
+/// Different places in a set: a part of a list.
 #[derive(Debug, Clone)]
 pub(crate) struct Places {
     pub(crate) list: Arc<Vec<usize>>,
@@ -51,12 +51,13 @@ struct Columns {
 }
 
 impl Columns {
-    /// Those of all asperities but some at ascending places.
+    /// Those of all asperities but some at different places.
     fn excluding(&self, places: &[usize]) -> Self {
+        let staying = Staying::new(self.heights.len(), places);
         Self {
-            heights: excluding(&self.heights, places),
-            radii: excluding(&self.radii, places),
-            ellipses: self.ellipses.as_ref().map(|all| excluding(all, places)),
+            heights: staying.of(&self.heights),
+            radii: staying.of(&self.radii),
+            ellipses: self.ellipses.as_ref().map(|all| staying.of(all)),
         }
     }
 }
@@ -153,27 +154,6 @@ pub(super) fn far_origin(heights: &[f64]) -> Option<f64> {
     let Interval { low, high } = Interval::new(heights);
     let is_near = low * high <= 0.0 || low.abs().min(high.abs()) <= FAR * (high - low);
     (!is_near).then_some(low)
-}
-
-/// All values but those of ascending places.
-fn excluding<T: Copy>(values: &[T], places: &[usize]) -> Vec<T> {
-    let rest = values.len() - places.len();
-    let mut kept = Vec::new();
-    reserve(&mut kept, values.len().min(rest + 1));
-    kept.extend_from_slice(&values[..values.len().min(rest + 1)]);
-    if places.is_empty() {
-        return kept;
-    }
-    // Each is written, and the next one over it unless it stays: no branch to be guessed.
-    let (mut next, mut left_out) = (0, 0);
-    for (place, &value) in values.iter().enumerate() {
-        let stays = places.get(left_out) != Some(&place);
-        kept[next] = value;
-        next += usize::from(stays);
-        left_out += usize::from(!stays);
-    }
-    kept.truncate(rest);
-    kept
 }
 
 impl AsperitySet {
