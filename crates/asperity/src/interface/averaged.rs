@@ -1,11 +1,13 @@
 //! The mean contact over a distribution of radii that are independent of the heights.
 
-use super::{LoadBounds, MicroContact, Shapes, jumps};
+use super::batch::{self, LaneContacts};
+use super::{LoadBounds, MicroContact, Shapes, accumulate_each, accumulate_weighted_each, jumps};
 use crate::accumulator::Accumulator;
 use crate::asperity::Asperities;
-use crate::contact::{Contact, Regime};
+use crate::contact::{Contact, ContactColumns, Contacts, Regime};
 use crate::literature::Paper;
 use crate::numeric::interval::Interval;
+use crate::numeric::lanes::{MOST, Real};
 use crate::numeric::parallel;
 use crate::shape::Shape;
 use crate::spot::{SpotProperties, SpotValues};
@@ -105,6 +107,11 @@ impl<'a> AveragedContact<'a> {
         Interval::new(&self.nodes[1])
     }
 
+    /// The table where it is all: without steps.
+    fn smooth(&self) -> Option<&Table> {
+        self.table.as_ref().filter(|_| self.steps.is_empty())
+    }
+
     /// The first K of [`Sums`]: the values of spots are left out where nobody asks for them.
     fn sums<const K: usize>(&self, w: f64) -> [f64; K] {
         let Some(table) = &self.table else {
@@ -135,14 +142,30 @@ impl MicroContact for AveragedContact<'_> {
         self.contact.spot_properties()
     }
 
+    fn contacts(&self, indentations: &[f64], shape: Shape) -> ContactColumns {
+        match self.smooth() {
+            Some(table) => batch::contacts(table, indentations, shape),
+            None => indentations.iter().map(|&w| self.contact(w, shape)).collect(),
+        }
+    }
+
+    fn accumulate_weighted(
+        &self,
+        indentations: &[f64],
+        weights: &[f64],
+        shape: Shape,
+        accumulator: &mut Accumulator,
+    ) {
+        match self.smooth().filter(|_| !accumulator.wants_spots()) {
+            Some(table) => batch::accumulate_weighted(table, indentations, weights, shape, accumulator),
+            None => accumulate_weighted_each(self, indentations, weights, shape, accumulator),
+        }
+    }
+
     fn accumulate(&self, asperities: Asperities<'_>, separation: f64, accumulator: &mut Accumulator) {
-        let wants_spots = accumulator.wants_spots();
-        for (z, shape) in asperities.each() {
-            let w = z - separation;
-            accumulator.add(&self.contact(w, shape), shape);
-            if let Some(values) = wants_spots.then(|| self.spot_values(w, shape)).flatten() {
-                accumulator.add_spot(values, 1.0);
-            }
+        match self.smooth().filter(|_| !accumulator.wants_spots()) {
+            Some(table) => batch::accumulate(table, asperities, separation, accumulator),
+            None => accumulate_each(self, asperities, separation, accumulator),
         }
     }
 
@@ -255,6 +278,70 @@ struct Table {
     step: f64,
     /// Divided by the elastic powers of w.
     rows: Vec<Sums>,
+    /// Between the second and third of each four rows the cubics through these.
+    cells: Vec<Cell>,
+}
+
+/// The coefficients of the cubic of each of [`Sums`] in the part of the step, the lowest power first.
+type Cell = [[f64; 4]; 7];
+
+/// The cubics through four rows.
+fn cell(rows: &[Sums]) -> Cell {
+    std::array::from_fn(|q| {
+        let [before, low, high, after] = std::array::from_fn(|k| rows[k][q]);
+        [
+            low,
+            high - before / 3.0 - low / 2.0 - after / 6.0,
+            (before + high) / 2.0 - low,
+            (after - before) / 6.0 + (low - high) / 2.0,
+        ]
+    })
+}
+
+/// In registers.
+impl LaneContacts for &Table {
+    type Local<N: Real> = ();
+
+    #[inline(always)]
+    fn local<N: Real>(&self, _: N, _: N, _: N) {}
+
+    #[inline(always)]
+    fn contacts<N: Real>(&self, w: N, _: N, spheres: N, (): &()) -> Contacts<N> {
+        let place = (w.ln() - self.start) / self.step;
+        let last = w.splat(self.last());
+        let zero = w.splat(0.0);
+        let place = N::select(place.lt(zero), zero, place).min(last);
+        let mut places = [0.0; MOST];
+        place.store(&mut places);
+        let mut cells = [&self.cells[0]; MOST];
+        let mut starts = [0.0; MOST];
+        for lane in 0..N::LANES {
+            let cell = places[lane] as usize;
+            cells[lane] = &self.cells[cell];
+            starts[lane] = cell as f64;
+        }
+        let t = place - zero.load(&starts);
+        let root = w.sqrt();
+        let all = w.all_true();
+        Contacts {
+            load: spheres * (w * root) * cubic(t, cells, 0),
+            area: spheres * w * cubic(t, cells, 1),
+            stiffness: spheres * root * cubic(t, cells, 2),
+            elastic: all,
+            plastic: !all,
+        }
+    }
+}
+
+/// The cubic of one of [`Sums`] in the cell of each lane.
+#[inline(always)]
+fn cubic<N: Real>(t: N, cells: [&Cell; MOST], q: usize) -> N {
+    let mut rows = [&cells[0][q]; MOST];
+    for (row, cell) in rows.iter_mut().zip(cells) {
+        *row = &cell[q];
+    }
+    let [c0, c1, c2, c3] = t.columns(rows);
+    c3.mul_add(t, c2).mul_add(t, c1).mul_add(t, c0)
 }
 
 impl Table {
@@ -268,26 +355,27 @@ impl Table {
             let sums = sums(w);
             std::array::from_fn(|q| sums[q] / w.powf(POWERS[q]))
         };
-        Self { start, step, rows: parallel::map(count, row) }
+        let rows: Vec<Sums> = parallel::map(count, row);
+        let cells = rows.windows(4).map(cell).collect();
+        Self { start, step, rows, cells }
+    }
+
+    /// The last place: beyond both ends the ratio to the elastic power is that at the end.
+    fn last(&self) -> f64 {
+        (self.cells.len() - 1) as f64
     }
 
     /// The first K of [`Sums`].
     fn at<const K: usize>(&self, w: f64) -> [f64; K] {
-        let place = (w.ln() - self.start) / self.step;
-        // Beyond both ends the ratio to the elastic power is that at the end.
-        let place = place.clamp(0.0, (self.rows.len() - 4) as f64);
-        let cell = place as usize;
-        let t = place - cell as f64;
-        let weights = [
-            -t * (t - 1.0) * (t - 2.0) / 6.0,
-            (t + 1.0) * (t - 1.0) * (t - 2.0) / 2.0,
-            -(t + 1.0) * t * (t - 2.0) / 2.0,
-            (t + 1.0) * t * (t - 1.0) / 6.0,
-        ];
-        let rows = &self.rows[cell..cell + 4];
+        let place = ((w.ln() - self.start) / self.step).clamp(0.0, self.last());
+        let cell = &self.cells[place as usize];
+        let t = place.fract();
         let root = w.sqrt();
         let powers = [w * root, w, root, root, root, w, root];
-        std::array::from_fn(|q| powers[q] * (0..4).map(|k| weights[k] * rows[k][q]).sum::<f64>())
+        std::array::from_fn(|q| {
+            let [c0, c1, c2, c3] = cell[q];
+            powers[q] * (((c3 * t + c2) * t + c1) * t + c0)
+        })
     }
 
     /// Indentation and load of each row.
@@ -317,5 +405,48 @@ impl Table {
         let ends = [from, to].map(|w| self.at::<1>(w)[0]);
         (1.0 + self.step * self.step)
             * self.loads().filter(within).map(|[_, load]| load).fold(ends[0].max(ends[1]), f64::max)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::interface::Interface;
+    use crate::law::Zmc;
+    use crate::material::Material;
+
+    /// In registers and contact by contact, also at indentations below and above the table.
+    #[test]
+    fn contacts_in_registers_are_those_one_by_one() {
+        let steel = Material::new(210e9, 0.3, Some(7.6e9), None).unwrap();
+        let contact = Interface::bare(Zmc::default(), &steel, &steel).unwrap();
+        let radii = (0..40).map(|k| RadiusShare { radius: 1e-5 * (1.0 + 0.05 * f64::from(k)), share: 0.025 });
+        let nodes: Vec<RadiusShare> = radii.collect();
+        let averaged = AveragedContact::tabulated(&contact, nodes, || unreachable!("no jumps"), 0.01, 4e-7);
+        assert!(averaged.smooth().is_some());
+        let heights: Vec<f64> = (1..1003).map(|k| 1e-13 * f64::from(k).powf(2.3)).collect();
+        let (radii, spheres) = (vec![1.5e-5; heights.len()], vec![0.7; heights.len()]);
+        let close = |a: f64, b: f64| assert!((a - b).abs() <= 1e-13 * b.abs(), "{a} {b}");
+        let compare = |a: &Accumulator, b: &Accumulator| {
+            let (a, b) = (a.total(), b.total());
+            close(a.load().total(), b.load().total());
+            close(a.area().total(), b.area().total());
+            close(a.stiffness(), b.stiffness());
+            close(a.contacts(), b.contacts());
+            close(a.load_squared(), b.load_squared());
+        };
+        let empty = || [Accumulator::empty(false), Accumulator::empty(false)];
+        for spheres in [None, Some(&spheres[..])] {
+            let asperities = Asperities::new(&heights, &radii, spheres, 1.0);
+            let [mut lanes, mut each] = empty();
+            averaged.accumulate(asperities, 0.0, &mut lanes);
+            accumulate_each(&averaged, asperities, 0.0, &mut each);
+            compare(&lanes, &each);
+        }
+        let shape = Shape { radius: 1.5e-5, spheres: 2.0 };
+        let [mut lanes, mut each] = empty();
+        averaged.accumulate_weighted(&heights, &spheres, shape, &mut lanes);
+        accumulate_weighted_each(&averaged, &heights, &spheres, shape, &mut each);
+        compare(&lanes, &each);
     }
 }

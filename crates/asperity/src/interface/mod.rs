@@ -179,27 +179,48 @@ pub trait MicroContact: Send + Sync {
         shape: Shape,
         accumulator: &mut Accumulator,
     ) {
-        for (&w, &weight) in indentations.iter().zip(weights) {
-            accumulator.accumulate_weighted(&self.contact(w, shape), weight);
-            if accumulator.wants_spots()
-                && let Some(values) = self.spot_values(w, shape)
-            {
-                accumulator.add_spot(values, weight);
-            }
-        }
+        accumulate_weighted_each(self, indentations, weights, shape, accumulator);
     }
 
     /// Adds the contacts of asperities at `separation` (m, in the frame of their heights) to the accumulator. All
     /// heights must be above it.
     fn accumulate(&self, asperities: Asperities<'_>, separation: f64, accumulator: &mut Accumulator) {
-        for (z, shape) in asperities.each() {
-            let w = z - separation;
-            accumulator.add(&self.contact(w, shape), shape);
-            if accumulator.wants_spots()
-                && let Some(values) = self.spot_values(w, shape)
-            {
-                accumulator.add_spot(values, 1.0);
-            }
+        accumulate_each(self, asperities, separation, accumulator);
+    }
+}
+
+/// [`MicroContact::accumulate_weighted`], contact by contact.
+fn accumulate_weighted_each(
+    contact: &(impl MicroContact + ?Sized),
+    indentations: &[f64],
+    weights: &[f64],
+    shape: Shape,
+    accumulator: &mut Accumulator,
+) {
+    for (&w, &weight) in indentations.iter().zip(weights) {
+        accumulator.accumulate_weighted(&contact.contact(w, shape), weight);
+        if accumulator.wants_spots()
+            && let Some(values) = contact.spot_values(w, shape)
+        {
+            accumulator.add_spot(values, weight);
+        }
+    }
+}
+
+/// [`MicroContact::accumulate`], contact by contact.
+fn accumulate_each(
+    contact: &(impl MicroContact + ?Sized),
+    asperities: Asperities<'_>,
+    separation: f64,
+    accumulator: &mut Accumulator,
+) {
+    for (z, shape) in asperities.each() {
+        let w = z - separation;
+        accumulator.add(&contact.contact(w, shape), shape);
+        if accumulator.wants_spots()
+            && let Some(values) = contact.spot_values(w, shape)
+        {
+            accumulator.add_spot(values, 1.0);
         }
     }
 }
