@@ -19,7 +19,7 @@ use asperity_contact_framework::progress::{Progress, Silent};
 use asperity_contact_framework::report::format::listed;
 use asperity_contact_framework::report::store::{Store, StoreError, is_plain, plain};
 use asperity_contact_framework::report::{Index, MARK};
-use asperity_contact_framework::{AnyKind, Group, Kind, Outcome, Planned, Print, RunContext};
+use asperity_contact_framework::{AnyKind, Group, InputSha256, Kind, Outcome, Planned, Print, RunContext};
 use asperity_plot::Size;
 use indexmap::IndexMap;
 use sha2::{Digest, Sha256};
@@ -334,7 +334,7 @@ impl Experiment {
     /// What only a run can find: a map without a summit, a pressure that is not reached.
     pub fn run(&self, progress: &dyn Progress) -> Result<Box<dyn Outcome>, InputError> {
         let input = self.watched_input(progress)?;
-        self.planned.plan.run(&self.context(&|| input.clone(), progress))
+        self.planned.plan.run(&self.context(&|| Ok(input.clone()), progress))
     }
 
     /// Runs it, where its [`Self::input`] stays the same, and makes something of the results and of its key while the input is
@@ -342,7 +342,8 @@ impl Experiment {
     /// is kept there is not done again.
     ///
     /// # Errors
-    /// As of [`Self::run`]; a folder that cannot be written; an input file that is written or removed meanwhile, even where it has the same content in the end.
+    /// As of [`Self::run`]; a folder that cannot be written; an input file that is written or removed meanwhile, even where it has the same content in the end: by its size and
+    /// time of change from before the run on, by its content from when that is hashed, at the beginning of the run unless it is known.
     pub fn run_on<T: Send>(
         &self,
         known: Option<String>,
@@ -353,7 +354,7 @@ impl Experiment {
         let before = self.modified();
         let input = known.map_or_else(OnceLock::new, |known| Ok(known).into());
         let found = || input.get_or_init(|| self.watched_input(&Share { progress, units: 0.0 }));
-        let input_sha256 = || found().clone().unwrap_or_default();
+        let input_sha256 = || found().clone();
         let run = || self.planned.plan.run(&RunContext { kept, ..self.context(&input_sha256, progress) });
         let (results, input) = rayon::join(run, || found().clone());
         self.check_unchanged(&before)?;
@@ -402,7 +403,7 @@ impl Experiment {
     /// What a run would refuse.
     pub fn check(&self) -> Result<(), InputError> {
         // Nothing is written, so that its input needs no name.
-        self.planned.plan.check(&self.context(&String::new, &Silent))
+        self.planned.plan.check(&self.context(&|| Ok(String::new()), &Silent))
     }
 
     /// Its division into tiles.
@@ -421,7 +422,7 @@ impl Experiment {
 
     pub(crate) fn context<'a>(
         &'a self,
-        input_sha256: &'a (dyn Fn() -> String + Sync),
+        input_sha256: &'a InputSha256<'a>,
         progress: &'a dyn Progress,
     ) -> RunContext<'a> {
         let Self { source, stem, title, kind, notes, figure, seed, materials, origins, .. } = self;

@@ -63,8 +63,11 @@ impl Experiment {
         let mut earlier: Vec<Vec<TileResult>> = Vec::new();
         for pass in 0..divided.passes() {
             if !parts.is_written(part, pass)? {
-                let results =
-                    divided.pass(&self.context(&|| input.clone(), progress), part.tiles(tiles), &earlier)?;
+                let results = divided.pass(
+                    &self.context(&|| Ok(input.clone()), progress),
+                    part.tiles(tiles),
+                    &earlier,
+                )?;
                 self.check_unchanged(&before)?;
                 done.written.push(parts.write(part, pass, results)?);
             }
@@ -93,7 +96,7 @@ impl Experiment {
             return Err(InputError::file(self.path(), message));
         }
         let input = self.watched_input(progress)?;
-        let found = divided.pass(&self.context(&|| input.clone(), progress), tile..tile + 1, &[])?;
+        let found = divided.pass(&self.context(&|| Ok(input.clone()), progress), tile..tile + 1, &[])?;
         serde_json::to_string(&found).map_err(|error| InputError::file(self.path(), error))
     }
 
@@ -126,7 +129,7 @@ impl Experiment {
             return Err(refuse(&format!("found {} tiles; allowed: all {}", tiles.len(), divided.tiles())));
         }
         let input = self.watched_input(progress)?;
-        divided.merge(&self.context(&|| input.clone(), progress), &[tiles])
+        divided.merge(&self.context(&|| Ok(input.clone()), progress), &[tiles])
     }
 
     fn in_one_pass(&self) -> Result<&dyn AnyDivided, InputError> {
@@ -149,6 +152,6 @@ impl Experiment {
         let key = self.key_of(&input);
         let parts = Parts::new(folder, self.stem(), &key, divided.tiles());
         let passes: Result<Vec<_>, _> = (0..divided.passes()).map(|pass| parts.read(pass)).collect();
-        Ok(Merged { outcome: divided.merge(&self.context(&|| input.clone(), progress), &passes?)?, key })
+        Ok(Merged { outcome: divided.merge(&self.context(&|| Ok(input.clone()), progress), &passes?)?, key })
     }
 }

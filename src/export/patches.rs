@@ -128,7 +128,7 @@ impl ExportedContacts {
     ) -> Result<Vec<String>, E> {
         let Some(reference) = self.plan.reference.as_deref() else { return Ok(Vec::new()) };
         let input = self.experiment.watched_input(progress)?;
-        let input = || input.clone();
+        let input = || Ok(input.clone());
         let context = self.experiment.context(&input, progress);
         let plan = self.surface();
         let counter = Counter::default();

@@ -146,7 +146,7 @@ impl<'a> Run<'a> {
 
     fn run(&self, case: &VariedCase, input: &str, extent: Extent) -> Found {
         let progress = OfVariation(self.context.progress);
-        let input = || input.to_owned();
+        let input = || Ok(input.to_owned());
         let context = case.experiment.context(&input, &progress);
         let outcome: Result<Box<dyn Outcome>, InputError> = match &case.comparison {
             None => case.experiment.run(&progress),

@@ -287,6 +287,9 @@ pub trait Outcome: Any + Send + Sync {
     }
 }
 
+/// See [`RunContext::input_sha256`].
+pub type InputSha256<'a> = dyn Fn() -> Result<String, InputError> + Sync + 'a;
+
 /// What a run needs besides its plan.
 pub struct RunContext<'a> {
     /// Title of the report.
@@ -295,8 +298,8 @@ pub struct RunContext<'a> {
     pub kind: &'static str,
     /// Name of the report's folder.
     pub stem: &'a str,
-    /// Gives the SHA-256 of the spec, of how it is run, and of its input files, hexadecimal; it may wait until these are read.
-    pub input_sha256: &'a (dyn Fn() -> String + Sync),
+    /// Gives the SHA-256 of the spec, of how it is run, and of its input files, hexadecimal, or why these cannot be read; it may wait until they are.
+    pub input_sha256: &'a InputSha256<'a>,
     /// The author's notes.
     pub notes: &'a str,
     /// The size of its figures in print; `None` of figures for the page only.
@@ -336,7 +339,7 @@ impl RunContext<'_> {
             again: self.again(),
             notes: self.notes.to_owned(),
             spec_sha256: hexadecimal(&sha256(self.source.text.as_bytes())),
-            input_sha256: (self.input_sha256)(),
+            input_sha256: (self.input_sha256)().unwrap_or_default(),
             seed: self.seed,
             figure: self.figure,
             has_parquet: self.has_parquet,

@@ -25,6 +25,7 @@ mod summary;
 pub use folder::{Print, PrintError, ReportError, folder};
 pub use group::Group;
 pub use kind::{
-    AnyKind, AnyPlan, Kind, Memory, Outcome, Plan, Planned, Reads, RunContext, fields, set_memory,
+    AnyKind, AnyPlan, InputSha256, Kind, Memory, Outcome, Plan, Planned, Reads, RunContext, fields,
+    set_memory,
 };
 pub use summary::summary_json;

@@ -216,7 +216,7 @@ impl<'a> Run<'a> {
         let mut factory = factory.keeping_map(compare.reference.is_some() || has_picture);
         let mut surface = factory.make(1, compare.depth(), &mut self.files, &mut self.timing)?;
         // Until the input is read, which leaves a thread less, so that the times of the models are theirs.
-        (context.input_sha256)();
+        (context.input_sha256)()?;
         let models = self.models(&surface)?;
         let mut first = self.both_models(&surface, &models)?;
         let start = Instant::now();

@@ -6,6 +6,7 @@ use rayon::prelude::*;
 
 use crate::distribution::{EqualHeights, Heights, Smoothed};
 use crate::memory::{collected, reserve, zeros};
+use crate::numeric::parallel::once;
 use crate::numeric::sort::ascending;
 
 /// The asperities of a set in ascending order of a column, such as their heights.
@@ -137,6 +138,7 @@ pub(super) struct OnDemand(Arc<Found>);
 #[derive(Debug, Default)]
 struct Found {
     by_height: OnceLock<Ascending>,
+    by_radius: OnceLock<Ascending>,
     means_above: OnceLock<Vec<f64>>,
     smoothed: OnceLock<Result<Heights, EqualHeights>>,
 }
@@ -144,24 +146,37 @@ struct Found {
 impl OnDemand {
     /// The order of `heights`: from that of the whole set where it is known.
     pub(super) fn by_height(&self, heights: &[f64], whole: Option<Whole>) -> &Ascending {
-        self.0.by_height.get_or_init(|| {
-            // That of the whole set is not waited for, since who sorts may be waiting for this thread.
-            let known = whole.and_then(|whole| Some(whole.found.0.by_height.get()?.without(whole.left_out)));
-            known.unwrap_or_else(|| Ascending::new(heights))
-        })
+        order(&self.0.by_height, heights, whole.map(|whole| (&whole.found.0.by_height, whole.left_out)))
+    }
+
+    /// The order of `radii`, in the same way.
+    pub(super) fn by_radius(&self, radii: &[f64], whole: Option<Whole>) -> &Ascending {
+        order(&self.0.by_radius, radii, whole.map(|whole| (&whole.found.0.by_radius, whole.left_out)))
     }
 
     /// The mean radius above a height of asperities of `radii`.
     pub(super) fn radii_above<'a>(&'a self, by_height: &'a Ascending, radii: &[f64]) -> RadiiAbove<'a> {
-        let means = self.0.means_above.get_or_init(|| means_above(by_height, radii));
+        let means = once(&self.0.means_above, || means_above(by_height, radii));
         RadiiAbove { heights: &by_height.values, means }
     }
 
     /// The heights of a set as a smoothed density.
     pub(super) fn smoothed(&self, by_height: &Ascending) -> Result<Heights, EqualHeights> {
         let smoothed = || Smoothed::of_ascending(by_height.values()).map(Heights::new);
-        self.0.smoothed.get_or_init(smoothed).clone()
+        once(&self.0.smoothed, smoothed).clone()
     }
+}
+
+/// The order of `values`: from that of the whole set where it is known.
+fn order<'a>(
+    found: &'a OnceLock<Ascending>,
+    values: &[f64],
+    whole: Option<(&OnceLock<Ascending>, &[usize])>,
+) -> &'a Ascending {
+    once(found, || {
+        let known = whole.and_then(|(whole, left_out)| Some(whole.get()?.without(left_out)));
+        known.unwrap_or_else(|| Ascending::new(values))
+    })
 }
 
 /// What was found of a set, and the places of its asperities that are left out.

@@ -11,6 +11,7 @@ use super::{Ascending, Asperities, Ellipse, RadiiAbove};
 use crate::distribution::{EqualHeights, Heights};
 use crate::memory::collected;
 use crate::numeric::interval::Interval;
+use crate::numeric::parallel::once;
 use crate::numeric::{LARGEST, is_positive};
 
 /// The asperities of a rough surface, as a struct of arrays in the order of their origin.
@@ -174,7 +175,7 @@ impl AsperitySet {
         match &self.source {
             Source::Own(columns) => columns,
             Source::Rest { all, left_out, columns, .. } => {
-                columns.get_or_init(|| all.excluding(left_out.as_slice()))
+                once(columns, || all.excluding(left_out.as_slice()))
             }
         }
     }
@@ -240,6 +241,11 @@ impl AsperitySet {
     /// The asperities in the order of their heights (m), sorted once.
     pub fn by_height(&self) -> &Ascending {
         self.on_demand.by_height(self.heights(), self.whole())
+    }
+
+    /// The asperities in the order of their radii (m), sorted once.
+    pub fn by_radius(&self) -> &Ascending {
+        self.on_demand.by_radius(self.radii(), self.whole())
     }
 
     /// The set that this one is the rest of.

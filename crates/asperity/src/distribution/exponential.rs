@@ -72,10 +72,6 @@ impl HeightDistribution for Exponential {
         }
     }
 
-    fn map_probabilities(&self, field: &mut [f64], scale: f64) {
-        field.iter_mut().for_each(|z| *z = scale * self.quantile(*z));
-    }
-
     fn height_at_normal(&self, g: f64) -> f64 {
         log_hazard(&PANELS, g).exp() - 1.0
     }

@@ -5,6 +5,7 @@ use std::fmt;
 
 use libm::erfc;
 
+use super::normal_quantiles::normal_quantiles;
 use super::{
     Entry, Exponent, FOLDINGS, FOLDINGS_PER_BELL, FOLDINGS_PER_PANEL, HeightDistribution, Heights,
     whole_panels,
@@ -87,6 +88,11 @@ impl HeightDistribution for Gaussian {
 
     fn survival(&self, z: f64) -> f64 {
         0.5 * erfc(z / SQRT_2)
+    }
+
+    fn map_probabilities(&self, field: &mut [f64], scale: f64) {
+        normal_quantiles(field);
+        self.map_normals(field, scale);
     }
 
     fn height_at_normal(&self, g: f64) -> f64 {

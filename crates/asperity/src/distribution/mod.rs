@@ -33,7 +33,6 @@ pub use gaussian::{Gaussian, gaussian_moment};
 pub use johnson::Johnson;
 pub use moments::Moments;
 pub(crate) use moments::normal_nodes;
-use normal_quantiles::normal_quantiles;
 pub use smoothed::{EqualHeights, Smoothed};
 pub use weibull::Weibull;
 
@@ -102,8 +101,7 @@ pub trait HeightDistribution: fmt::Debug + fmt::Display + Send + Sync {
 
     /// Replaces each probability of `field` by `scale` times its [`quantile`](Self::quantile).
     fn map_probabilities(&self, field: &mut [f64], scale: f64) {
-        normal_quantiles(field);
-        self.map_normals(field, scale);
+        field.iter_mut().for_each(|z| *z = scale * self.quantile(*z));
     }
 
     /// Fills `heights` with independent draws.

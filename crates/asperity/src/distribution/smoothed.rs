@@ -8,6 +8,7 @@ use std::sync::OnceLock;
 use libm::erfc;
 use statrs::distribution::ContinuousCDF;
 
+use super::normal_quantiles::normal_quantiles;
 use super::{FOLDINGS, HeightDistribution};
 use crate::literature::{Paper, SILVERMAN_1986};
 use crate::numeric::condensed::{Node, condensed};
@@ -322,6 +323,11 @@ impl HeightDistribution for Smoothed {
     }
 
     /// From a table, within 1e-7; beyond it along the tail of the outermost kernel.
+    fn map_probabilities(&self, field: &mut [f64], scale: f64) {
+        normal_quantiles(field);
+        self.map_normals(field, scale);
+    }
+
     fn height_at_normal(&self, g: f64) -> f64 {
         let normals = self.normals.get_or_init(|| self.tabulated_normals());
         let next = normals.partition_point(|one| one.g < g);

@@ -70,6 +70,22 @@ fn as_many_heights_lie_above_a_quantile_as_it_says() {
 }
 
 #[test]
+fn many_quantiles_are_those_one_by_one() {
+    for heights in all() {
+        let probabilities: Vec<f64> = (0..1003).map(|k| (f64::from(k) + 0.5) / 1003.0).collect();
+        let mut field = probabilities.clone();
+        heights.map_probabilities(&mut field, 3.0);
+        for (found, p) in field.into_iter().zip(probabilities) {
+            let wanted = 3.0 * heights.quantile(p);
+            assert!(
+                (found - wanted).abs() <= 1e-13 * wanted.abs().max(1.0),
+                "{heights:?} {p}: {found} {wanted}"
+            );
+        }
+    }
+}
+
+#[test]
 fn the_density_is_the_slope_of_the_survival_function() {
     for heights in all() {
         for end in heights.support() {

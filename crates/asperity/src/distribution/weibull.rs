@@ -168,10 +168,6 @@ impl HeightDistribution for Weibull {
         self.height((-(-p).ln_1p()).powf(self.power))
     }
 
-    fn map_probabilities(&self, field: &mut [f64], scale: f64) {
-        field.iter_mut().for_each(|z| *z = scale * self.quantile(*z));
-    }
-
     fn height_at_normal(&self, g: f64) -> f64 {
         self.height((self.power * log_hazard(&PANELS, g)).exp())
     }

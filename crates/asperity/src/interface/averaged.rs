@@ -1,7 +1,7 @@
 //! The mean contact over a distribution of radii that are independent of the heights.
 
 use super::batch::{self, LaneContacts};
-use super::{LoadBounds, MicroContact, Shapes, accumulate_each, accumulate_weighted_each, jumps};
+use super::{LoadBounds, MicroContact, Shapes, accumulate_weighted_each, jumps};
 use crate::accumulator::Accumulator;
 use crate::asperity::Asperities;
 use crate::contact::{Contact, ContactColumns, Contacts, Regime};
@@ -162,10 +162,30 @@ impl MicroContact for AveragedContact<'_> {
         }
     }
 
+    /// One by one they are evaluated in parallel, since a sample of heights is one block of a sum, and added in their order.
     fn accumulate(&self, asperities: Asperities<'_>, separation: f64, accumulator: &mut Accumulator) {
-        match self.smooth().filter(|_| !accumulator.wants_spots()) {
-            Some(table) => batch::accumulate(table, asperities, separation, accumulator),
-            None => accumulate_each(self, asperities, separation, accumulator),
+        /// Contacts per task.
+        const TASK: usize = 1024;
+        let wants_spots = accumulator.wants_spots();
+        if let Some(table) = self.smooth().filter(|_| !wants_spots) {
+            return batch::accumulate(table, asperities, separation, accumulator);
+        }
+        let count = asperities.count();
+        let of_task = |task: usize| {
+            let some = asperities.part(task * TASK..count.min((task + 1) * TASK));
+            let at = |(z, shape)| {
+                let w = z - separation;
+                let spots = if wants_spots { self.spot_values(w, shape) } else { None };
+                (self.contact(w, shape), spots)
+            };
+            some.each().map(at).collect::<Vec<_>>()
+        };
+        let contacts = parallel::map(count.div_ceil(TASK), of_task);
+        for ((_, shape), (contact, spots)) in asperities.each().zip(contacts.into_iter().flatten()) {
+            accumulator.add(&contact, shape);
+            if let Some(values) = spots {
+                accumulator.add_spot(values, 1.0);
+            }
         }
     }
 
@@ -440,7 +460,9 @@ mod tests {
             let asperities = Asperities::new(&heights, &radii, spheres, 1.0);
             let [mut lanes, mut each] = empty();
             averaged.accumulate(asperities, 0.0, &mut lanes);
-            accumulate_each(&averaged, asperities, 0.0, &mut each);
+            for (z, shape) in asperities.each() {
+                each.add(&averaged.contact(z, shape), shape);
+            }
             compare(&lanes, &each);
         }
         let shape = Shape { radius: 1.5e-5, spheres: 2.0 };

@@ -185,7 +185,15 @@ pub trait MicroContact: Send + Sync {
     /// Adds the contacts of asperities at `separation` (m, in the frame of their heights) to the accumulator. All
     /// heights must be above it.
     fn accumulate(&self, asperities: Asperities<'_>, separation: f64, accumulator: &mut Accumulator) {
-        accumulate_each(self, asperities, separation, accumulator);
+        for (z, shape) in asperities.each() {
+            let w = z - separation;
+            accumulator.add(&self.contact(w, shape), shape);
+            if accumulator.wants_spots()
+                && let Some(values) = self.spot_values(w, shape)
+            {
+                accumulator.add_spot(values, 1.0);
+            }
+        }
     }
 }
 
@@ -203,24 +211,6 @@ fn accumulate_weighted_each(
             && let Some(values) = contact.spot_values(w, shape)
         {
             accumulator.add_spot(values, weight);
-        }
-    }
-}
-
-/// [`MicroContact::accumulate`], contact by contact.
-fn accumulate_each(
-    contact: &(impl MicroContact + ?Sized),
-    asperities: Asperities<'_>,
-    separation: f64,
-    accumulator: &mut Accumulator,
-) {
-    for (z, shape) in asperities.each() {
-        let w = z - separation;
-        accumulator.add(&contact.contact(w, shape), shape);
-        if accumulator.wants_spots()
-            && let Some(values) = contact.spot_values(w, shape)
-        {
-            accumulator.add_spot(values, 1.0);
         }
     }
 }

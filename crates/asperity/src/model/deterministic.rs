@@ -12,7 +12,7 @@ use crate::asperity::{Asperities, Ordered};
 use crate::interface::{LoadBounds, MicroContact, Shapes};
 use crate::numeric::Sum;
 use crate::numeric::interval::Interval;
-use crate::numeric::parallel;
+use crate::numeric::parallel::{self, once};
 use crate::numeric::root::last_reaching_bounded;
 use crate::numeric::sum::in_chunks;
 
@@ -200,7 +200,7 @@ impl<'a> Deterministic<'a> {
     }
 
     fn decreasing_loads(&self) -> Option<&DecreasingLoads> {
-        self.decreasing.get_or_init(|| DecreasingLoads::new(self.contact, self.asperities)).as_ref()
+        once(&self.decreasing, || DecreasingLoads::new(self.contact, self.asperities)).as_ref()
     }
 
     /// A separation in the frame of the heights, m.

@@ -163,6 +163,21 @@ impl Mul<f64> for Interval {
 mod tests {
     use super::*;
 
+    /// The lowest and the highest number at each place that is treated differently: within and behind whole registers and tasks.
+    #[test]
+    fn the_smallest_interval_of_many_numbers() {
+        for count in [1_usize, 15, 16, 17, 1003, 65_535, 65_536, 100_003] {
+            for (lowest, highest) in [(0, count - 1), (count - 1, 0), (count / 2, count / 3)] {
+                let mut values: Vec<f64> = (0..count).map(|k| ((k * 7919) % 1009) as f64).collect();
+                values[lowest] = -5.0;
+                values[highest] = 2000.0;
+                let low = if lowest == highest { 2000.0 } else { -5.0 };
+                assert_eq!(Interval::new(&values), Interval { low, high: 2000.0 }, "{count}");
+            }
+        }
+        assert_eq!(Interval::new(&[]), Interval::default());
+    }
+
     #[test]
     fn holds_what_its_numbers_give() {
         let (a, b) = (Interval { low: -2.0, high: 3.0 }, Interval { low: -5.0, high: 1.0 });

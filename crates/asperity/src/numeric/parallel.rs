@@ -34,6 +34,16 @@ pub(crate) fn map<T: Send + Sync>(count: usize, task: impl Fn(usize) -> T + Sync
     results.into_vec()
 }
 
+/// The value of a lock, made outside of it: a thread that waits for tasks of `make` may run another one that asks for the lock, and would
+/// wait for itself inside. Threads that ask at the same time each make it.
+pub(crate) fn once<T>(lock: &OnceLock<T>, make: impl FnOnce() -> T) -> &T {
+    if let Some(known) = lock.get() {
+        return known;
+    }
+    let made = make();
+    lock.get_or_init(|| made)
+}
+
 fn for_each(count: usize, task: &(dyn Fn(usize) + Sync)) {
     (0..count).into_par_iter().for_each(task);
 }

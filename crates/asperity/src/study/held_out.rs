@@ -60,7 +60,7 @@ impl Halves {
         };
         let half = |half: usize| {
             let surface = surface.without(&division, 1 - half)?;
-            // Copied and ordered here, both at once: a model would let the others wait for it.
+            // Copied and ordered here, both at once: models side by side would each find it.
             surface.set.radii_above();
             Some(surface)
         };

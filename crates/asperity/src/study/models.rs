@@ -150,7 +150,7 @@ impl<'a> SurfaceModels<'a> {
         let other_radius = self.statistical.mean_radius.other().radius(&self.surface.statistics);
         Some(Inputs {
             asperities: self.asperities(law)?,
-            by_height: self.surface.set.by_height(),
+            set: &self.surface.set,
             plane: self.surface.plane,
             population: self.population.clone(),
             mean_shape: self.mean_shape(law),

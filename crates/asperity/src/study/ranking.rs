@@ -11,7 +11,7 @@ use crate::distribution::HeightsError;
 use crate::numeric::parallel;
 use crate::progress::Progress;
 use crate::work::{CountedContact, Counter};
-use crate::{INTERACTION, MeanRadius, Model, Response, reached_at};
+use crate::{INTERACTION, Model, Response, reached_at};
 
 use super::models::SurfaceModels;
 use super::results::CaseResults;
@@ -206,10 +206,8 @@ pub fn rank(setup: Setup, surface: &Surface, cases: &[CaseStudy]) -> Vec<Ranking
         || all.iter().map(build).collect::<Vec<_>>(),
     );
     let halves = halves.as_ref().and_then(|halves| halves.models(setup, &all));
-    // On all threads: models side by side would wait for the one that asks first.
-    if all.iter().any(|model| model.mean_radius == MeanRadius::InContact) {
-        surface.set.radii_above();
-    }
+    // On all threads: models side by side would each find them.
+    surface.set.radii_above();
     let of_case = |(law, case): (&LawContact, &CaseStudy)| {
         let mut ranking = in_sample(&built, law, case.first(), setup.progress);
         if let [_, others @ ..] = &case.realisations[..]

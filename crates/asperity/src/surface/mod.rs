@@ -394,3 +394,38 @@ impl Surface {
         papers
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::progress::Silent;
+
+    /// Groups of a sixteenth, halves, and the statistics of what is left from its own asperities.
+    #[test]
+    fn a_group_and_the_rest_make_up_the_surface() {
+        let value = |k: u32, m: u32| f64::from((k * m) % 10_007) / 1e4;
+        let heights: Vec<f64> = (0..4001).map(|k| 1e-7 * (value(k, 7919) - value(k, 13))).collect();
+        let radii: Vec<f64> = (0..4001).map(|k| 1e-5 * (1.0 + value(k, 31))).collect();
+        let set = AsperitySet::new(heights, radii, 1.0).unwrap();
+        let statistics = Statistics::new(&set);
+        let surface = Surface::new("a", set, statistics);
+        let divisions =
+            [Division::independent(4001, [1; 32], &Silent), Division::random_halves(4001, [2; 32], &Silent)];
+        for division in divisions.map(Option::unwrap) {
+            for group in 0..division.shares().len() {
+                let [rest, part] = surface.divided(&division, group).map(Option::unwrap);
+                assert_eq!(rest.set.count() + part.set.count(), 4001);
+                assert_eq!(part.statistics, Statistics::new(&part.set));
+                assert_eq!(part.plane, surface.plane);
+                let without = surface.without(&division, group).unwrap();
+                assert_eq!(without.set, rest.set);
+                let wanted = Statistics::new(&rest.set);
+                for found in [rest, without] {
+                    assert_eq!(found.plane, ReferencePlane::from(&found.statistics));
+                    assert!((found.statistics.sigma / wanted.sigma - 1.0).abs() < 1e-13);
+                    assert!((found.statistics.mean_radius / wanted.mean_radius - 1.0).abs() < 1e-13);
+                }
+            }
+        }
+    }
+}

@@ -56,6 +56,8 @@ impl Rearranged<'_> {
                 }
                 self.with_models(contact, &near, |models| {
                     let between = &models[1..STATES - 1];
+                    // The same sum may stand for two states, and would find this for each.
+                    between.iter().for_each(|model| _ = model.may_decrease());
                     parallel::map(between.len(), |k| reached_at(between[k], &loads))
                 })
             },

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use crate::asperity::{Ascending, Asperities, Draw, Population};
+use crate::asperity::{Ascending, Asperities, AsperitySet, Draw, Population};
 use crate::interface::{AveragedContact, MicroContact, RadiusShare, jumps};
 use crate::memory::{collected, filled};
 use crate::model::{Deterministic, Medium, Mixture, Model, ReferencePlane, Statistical, WithMedium};
@@ -34,8 +34,8 @@ const CLASS: f64 = 0.05;
 pub struct Inputs<'a> {
     /// The asperities as the law sees them.
     pub asperities: Asperities<'a>,
-    /// The same by height.
-    pub by_height: &'a Ascending,
+    /// The set that they are of.
+    pub set: &'a AsperitySet,
     /// What separations of the sum are measured from, in the frame of the heights.
     pub plane: ReferencePlane,
     /// The population of the statistical model.
@@ -148,10 +148,10 @@ impl<'a> Rearranged<'a> {
         let width = |width: f64| if count > FEW { width } else { 0.0 };
 
         let [heights, fine_heights] = [HEIGHT_BIN, FINE_HEIGHT_BIN]
-            .map(|bin| Sample::condensed(inputs.by_height.values(), width(bin * inputs.plane.sigma)));
+            .map(|bin| Sample::condensed(inputs.set.by_height().values(), width(bin * inputs.plane.sigma)));
 
         let quantiles = population.heights_of(count, Draw::Quantiles);
-        let paired = ByRank::new(quantiles, inputs.by_height, asperities);
+        let paired = ByRank::new(quantiles, inputs.set.by_height(), asperities);
 
         let is_uniform = asperities.each().all(|(_, shape)| shape == *mean_shape);
         let radius_bin = width(RADIUS_BIN);
@@ -253,7 +253,7 @@ impl<'a> Rearranged<'a> {
         if !contact.is_layered() {
             return self.fine_heights.asperities(shape);
         }
-        let heights = self.inputs.by_height.values();
+        let heights = self.inputs.set.by_height().values();
         let spheres = (shape.spheres != 1.0).then(|| filled(heights.len(), shape.spheres));
         EqualAsperities { heights, radii: filled(heights.len(), shape.radius), spheres }
     }
@@ -282,7 +282,14 @@ impl<'a> Rearranged<'a> {
         if bin == 0.0 {
             return AveragedContact::exact(contact, nodes);
         }
-        let all = || ascending(self.inputs.asperities.radii()).into_iter().map(|k| self.share(k)).collect();
+        let all = || {
+            let Inputs { asperities, set, .. } = &self.inputs;
+            if asperities.spheres().is_some() {
+                return ascending(asperities.radii()).into_iter().map(|k| self.share(k)).collect();
+            }
+            let share = 1.0 / asperities.count() as f64;
+            set.by_radius().values().iter().map(|&radius| RadiusShare { radius, share }).collect()
+        };
         AveragedContact::tabulated(contact, nodes, all, 2.0 * bin, self.deepest())
     }
 
@@ -293,8 +300,8 @@ impl<'a> Rearranged<'a> {
         RadiusShare { radius, share: spheres / asperities.count() as f64 }
     }
 
-    /// The radii in bins of a width in their logarithm, ascending, by number of spheres over number of asperities; all of them for a
-    /// width of zero.
+    /// The radii in bins of a width in their logarithm, ascending, by number of spheres over number of asperities; for a width of zero
+    /// all of them, as they are in the set.
     fn radii_in_bins(&self, width: f64) -> Vec<RadiusShare> {
         let asperities = &self.inputs.asperities;
         let count = asperities.count();

@@ -40,7 +40,7 @@ fn inputs(set: &AsperitySet) -> Inputs<'_> {
     let plane = ReferencePlane::from(&statistics);
     Inputs {
         asperities: set.spheres(),
-        by_height: set.by_height(),
+        set,
         plane,
         population: Population {
             radius: statistics.mean_radius,

@@ -20,6 +20,7 @@ use std::fmt;
 
 use libm::erfc;
 
+use super::normal_quantiles::normal_quantiles;
 use super::{Entry, Gaussian, HeightDistribution, Heights, Moments};
 use crate::literature::{JOHNSON_1949, Paper};
 use fit::{fit_bounded, fit_unbounded, logistic, lognormal_excess, rate_of, step, unbounded_moments};
@@ -325,6 +326,11 @@ impl HeightDistribution for Johnson {
 
     fn survival(&self, z: f64) -> f64 {
         0.5 * erfc(self.normal_at_height(z) * FRAC_1_SQRT_2)
+    }
+
+    fn map_probabilities(&self, field: &mut [f64], scale: f64) {
+        normal_quantiles(field);
+        self.map_normals(field, scale);
     }
 
     fn height_at_normal(&self, g: f64) -> f64 {
