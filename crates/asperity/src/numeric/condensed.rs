@@ -14,9 +14,9 @@ pub(crate) struct Node {
     pub weight: f64,
 }
 
-/// Few nodes in place of ascending `values`, with their number and the sums of their first three powers in every bin of at most `width`. Up to two values of a bin stay as they are. The sum of a
-/// function over the nodes differs from that over the values by its fourth derivative times `width`^4/4320 at most, and in a bin
-/// where it is not smooth by its change there times the weight of the bin.
+/// Few nodes in place of ascending `values`, with their number and the sums of their first three powers in every bin of at most
+/// `width`. Up to two values of a bin stay as they are. The sum of a function over the nodes differs from that over the values by its
+/// fourth derivative times `width`^4/4320 at most, and in a bin where it is not smooth by its change there times the weight of the bin.
 pub(crate) fn condensed(values: &[f64], width: f64) -> Vec<Node> {
     /// Bins per task.
     const BINS: usize = 64;
