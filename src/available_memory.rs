@@ -2,6 +2,9 @@
 
 use std::fs;
 
+use asperity_contact_framework::Planned;
+use asperity_contact_framework::input::{InputError, Source};
+
 /// Bytes; 0 where they are not known.
 pub fn available_memory() -> u128 {
     let mut system = sysinfo::System::new();
@@ -14,6 +17,30 @@ pub fn available_memory() -> u128 {
         .and_then(|(limits, status)| left_of_address_space(&limits, &status));
     let all = [Some(system.available_memory()), container, process];
     all.into_iter().flatten().min().map_or(0, u128::from)
+}
+
+/// Refuses what memory cannot hold, before anything is allocated.
+///
+/// # Errors
+/// What it needs, what is available, and what needs less.
+pub fn check(planned: &Planned, source: &Source) -> Result<(), InputError> {
+    let available = available_memory();
+    let needed = planned.plan.memory();
+    // Without a known limit nothing is refused.
+    if available == 0 || needed.bytes <= available {
+        return Ok(());
+    }
+    let smaller = if planned.variant.is_empty() { "" } else { "the same without --huge, " };
+    let message = format!(
+        "this needs about {:.1} GB of memory; available: {:.1} GB. Allowed: {smaller}fewer asperities, a smaller map, where it compares models \
+         on a measured map, robustness = false, or [tiled], which sums a surface of any size at given separations",
+        needed.bytes as f64 / 1e9,
+        available as f64 / 1e9
+    );
+    Err(match needed.key {
+        Some(key) => source.error_at(key, message),
+        None => InputError::file(&source.path, message),
+    })
 }
 
 /// What is left of the address space that `ulimit -v` allows, by the texts of `/proc/self/limits` and `/proc/self/status`;

@@ -191,7 +191,7 @@ impl Experiment {
         let materials = spec.materials().map(|(name, body)| (name.get_ref().clone(), *body)).collect();
         let origins = spec.origins();
         let SpecFile { source, title, notes, figure, has_parquet, is_long, seed, .. } = spec;
-        check_memory(&planned, &source)?;
+        available_memory::check(&planned, &source)?;
         Ok(Self {
             source,
             stem,
@@ -342,8 +342,9 @@ impl Experiment {
     /// is kept there is not done again.
     ///
     /// # Errors
-    /// As of [`Self::run`]; a folder that cannot be written; an input file that is written or removed meanwhile, even where it has the same content in the end: by its size and
-    /// time of change from before the run on, by its content from when that is hashed, at the beginning of the run unless it is known.
+    /// As of [`Self::run`]; a folder that cannot be written; an input file that is written or removed meanwhile, even where it has the
+    /// same content in the end: by its size and time of change from before the run on, by its content from when that is hashed, at
+    /// the beginning of the run unless it is known.
     pub fn run_on<T: Send>(
         &self,
         known: Option<String>,
@@ -539,27 +540,6 @@ fn kind(spec: &SpecFile) -> Result<&'static dyn AnyKind, InputError> {
         return Err(spec.source.error_at(name.span(), message));
     }
     Ok(*kind)
-}
-
-/// Refuses what memory cannot hold, before anything is allocated.
-fn check_memory(planned: &Planned, source: &Source) -> Result<(), InputError> {
-    let available = available_memory::available_memory();
-    let needed = planned.plan.memory();
-    // Without a known limit nothing is refused.
-    if available == 0 || needed.bytes <= available {
-        return Ok(());
-    }
-    let smaller = if planned.variant.is_empty() { "" } else { "the same without --huge, " };
-    let message = format!(
-        "this needs about {:.1} GB of memory; available: {:.1} GB. Allowed: {smaller}fewer asperities, a smaller map, where it compares models \
-         on a measured map, robustness = false, or [tiled], which sums a surface of any size at given separations",
-        needed.bytes as f64 / 1e9,
-        available as f64 / 1e9
-    );
-    Err(match needed.key {
-        Some(key) => source.error_at(key, message),
-        None => InputError::file(&source.path, message),
-    })
 }
 
 /// What the name of a report does not have, because a file name does not have it on every system.
