@@ -56,7 +56,7 @@ impl SurfacePlan {
         const BYTES_COMPARED: u128 = 160;
         let summits = self.likely_asperities() * BYTES_PER_SUMMIT;
         match &self.origin {
-            &Origin::Map(MapPlan { points, pixel, is_on_disk, preparation, fit, .. }) => {
+            &Origin::Map(MapPlan { points, read, pixel, is_on_disk, preparation, fit, .. }) => {
                 let filtering = |filter: Filter| filter.memory(points, pixel);
                 let own = match fit {
                     None => preparation.filter.map_or(0, filtering),
@@ -71,7 +71,7 @@ impl SurfacePlan {
                 let analysis = if is_analysed { area(points) * BYTES_PER_ANALYSED_POINT } else { 0 };
                 // The map as read stays until its last treatment.
                 let raw = if is_on_disk && !is_copied(points) { 0 } else { area(points) };
-                let reading = if is_on_disk { 0 } else { area(points) * BYTES_PER_READ_POINT };
+                let reading = if is_on_disk { 0 } else { read as u128 * BYTES_PER_READ_POINT };
                 let eroding =
                     if preparation.tip.is_some() { area(points) * BYTES_PER_ERODED_POINT } else { 0 };
                 reading.max(raw * BYTES_PER_HEIGHT + own.max(treated) + analysis + eroding) + summits

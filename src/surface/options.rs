@@ -19,6 +19,8 @@ pub struct FileOptions {
     pub channel: Option<String>,
     /// Whether x and y of the file are exchanged.
     pub transpose: bool,
+    /// The part that is used along x and y: from and to with a comma between them.
+    pub crop: [Option<String>; 2],
     /// Form that is removed.
     pub level: Option<String>,
     /// S nesting index.
@@ -65,8 +67,7 @@ impl FileOptions {
         lines.push(of_file(format!("[surface.{}.file]", quoted(&name))));
         lines.push(of_file(format!("path = {}", quoted(&file))));
         if let Some(pixel) = &self.pixel {
-            let sizes: Vec<String> = sizes(pixel).iter().map(|size| written(size)).collect();
-            let line = match &sizes[..] {
+            let line = match &written_sizes(pixel)[..] {
                 [one] => format!("pixel = {one}"),
                 several => format!("pixel = [{}]", several.join(", ")),
             };
@@ -77,6 +78,16 @@ impl FileOptions {
         lines.extend(missing.map(|marks| (format!("missing = {}", numbers(marks)), typed("missing", marks))));
         let channel = self.channel.as_ref();
         lines.extend(channel.map(|name| (format!("channel = {}", quoted(name)), typed("channel", name))));
+        let axes = || ["x", "y"].into_iter().zip(&self.crop);
+        let given = || axes().filter_map(|(axis, ends)| Some((axis, ends.as_ref()?)));
+        if given().next().is_some() {
+            let keys: Vec<String> = given()
+                .map(|(axis, ends)| format!("{axis} = [{}]", written_sizes(ends).join(", ")))
+                .collect();
+            let options: Vec<String> =
+                given().map(|(axis, ends)| typed(&format!("crop-{axis}"), ends)).collect();
+            lines.push((format!("crop = {{ {} }}", keys.join(", ")), options.join(" ")));
+        }
         if self.transpose {
             lines.push(("transpose = true".to_owned(), "--transpose".to_owned()));
         }
@@ -157,6 +168,11 @@ fn numbers(text: &str) -> String {
         Some(several) => format!("{several:?}"),
         None => quoted(text),
     }
+}
+
+/// The sizes between commas, as values of a spec.
+fn written_sizes(text: &str) -> Vec<String> {
+    sizes(text).iter().map(|size| written(size)).collect()
 }
 
 /// The sizes between commas. A comma right between two digits of which the first belongs to a number without a point is

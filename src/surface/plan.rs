@@ -69,6 +69,8 @@ pub(super) struct MapPlan {
     /// What a reader should know of how it is read.
     pub(super) caveats: Vec<String>,
     pub(super) points: [usize; 2],
+    /// Points that are read of its file, of which these may be a part.
+    pub(super) read: usize,
     /// Their distances, m.
     pub(super) pixel: [f64; 2],
     /// Whether its file holds pixel and unit.
@@ -230,11 +232,14 @@ impl SurfacePlan {
         };
         let missing = raw.missing.as_ref().map(|missing| missing.get_ref().0.clone());
         let channel = raw.channel.as_ref().map(|channel| channel.get_ref().clone());
-        let is_as_stored = missing.is_none() && channel.is_none() && !raw.transpose;
-        let file = MapFile { path: path.clone(), options, missing, transpose: raw.transpose, channel };
+        let crop = raw.crop.as_ref().map(|crop| crop.get_ref().part()).unwrap_or_default();
+        let is_as_stored = missing.is_none() && channel.is_none() && !raw.transpose && crop.is_whole();
+        let file = MapFile { path: path.clone(), options, missing, transpose: raw.transpose, crop, channel };
         let metadata = match in_memory {
             Some(_) if !is_as_stored => {
-                return Err(refuse(&"is a map in memory; allowed: leave missing, channel and transpose out"));
+                return Err(refuse(
+                    &"is a map in memory; allowed: leave missing, channel, transpose and crop out",
+                ));
             }
             Some(map) => Metadata::in_memory(&**map),
             None => {
@@ -244,6 +249,7 @@ impl SurfacePlan {
                         ReadError::Channel { .. } | ReadError::NoChannels { .. } => {
                             raw.channel.as_ref().map(Spanned::span)
                         }
+                        ReadError::Crop { .. } => raw.crop.as_ref().map(Spanned::span),
                         _ => None,
                     };
                     let message = format!("{} {}", path.display(), spec_message(&error));
@@ -281,7 +287,8 @@ impl SurfacePlan {
                 Some(made)
             }
         };
-        let is_periodic = raw.periodic || in_memory.is_some_and(|map| map.boundary() == Boundary::Periodic);
+        let continues = raw.periodic || in_memory.is_some_and(|map| map.boundary() == Boundary::Periodic);
+        let is_periodic = continues && crop.is_whole();
         let preparation = Preparation {
             removes_spikes: raw.outliers == Some(Outliers::Remove),
             removes_suspects: false,
@@ -311,6 +318,7 @@ impl SurfacePlan {
             file,
             caveats,
             points,
+            read: metadata.read,
             pixel,
             is_held,
             is_on_disk,
@@ -471,7 +479,7 @@ impl SurfacePlan {
             Origin::Generated(generation) => generation.describe(),
             Origin::Map(map) => {
                 let fit = if map.fit.is_some() { ", prepared as its checks ask for" } else { "" };
-                format!("height map {}{fit}", map.file.path.display())
+                format!("height map {}{}{fit}", map.file.path.display(), reading::part(&map.file.crop))
             }
             Origin::Pair(pair) => return format!("{}, {} of them", pair.describe(), self.realisations),
         };

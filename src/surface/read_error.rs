@@ -4,6 +4,7 @@ use std::path::Path;
 
 use asperity::ListError;
 use asperity::topography::read::{ReadError, ReadOptionsError};
+use asperity_contact_framework::report::format::input_quantity;
 
 /// What is wrong with a file, and the keys that correct it.
 pub fn spec_message(error: &ReadError) -> String {
@@ -20,6 +21,15 @@ pub fn spec_message(error: &ReadError) -> String {
             "{error}. Delete these lines or put # before each (three columns are x, y and the height, in this order); a pixel and a unit that they state go to pixel = \"0.8 um\" and \
              unit = \"um\" next to path (--pixel and --unit on the command line)"
         ),
+        ReadError::Crop { axis, ends, side, pixel } => {
+            let [from, to] = ends.map(|length| input_quantity(length, "m"));
+            format!(
+                "is {} long along {axis}, with points every {}: `crop` from {from} to {to} is not within it or leaves fewer than three points; \
+                 allowed: from 0 m to its length",
+                input_quantity(*side, "m"),
+                input_quantity(*pixel, "m")
+            )
+        }
         ReadError::Channel { .. } => format!("{error} (--channel on the command line)"),
         _ => error.to_string(),
     }

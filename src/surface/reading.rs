@@ -1,11 +1,14 @@
 //! How a file of heights was read, where a reader should know: what was left out, and which axis is x.
 
-use asperity::topography::read::{ChannelName, LeftOut, MapFile, Metadata};
+use asperity::topography::read::{ChannelName, Crop, LeftOut, MapFile, Metadata};
 use asperity_contact_framework::report::format::{count, input_number, input_quantity};
 
 /// Caveats of a file that was read as `metadata` with this pixel, m.
 pub fn caveats(metadata: &Metadata, pixel: [f64; 2], file: &MapFile) -> Vec<String> {
     let mut caveats: Vec<String> = left_out(metadata.left_out).into_iter().collect();
+    if !file.crop.is_whole() {
+        caveats.push(format!("only a part of its file is used{}.", part(&file.crop)));
+    }
     if let (Some(channel), None) = (&metadata.channel, &file.channel) {
         caveats.extend(others(channel));
     }
@@ -13,6 +16,15 @@ pub fn caveats(metadata: &Metadata, pixel: [f64; 2], file: &MapFile) -> Vec<Stri
         caveats.push(axes(metadata, pixel, file.transpose));
     }
     caveats
+}
+
+/// The part of a map that is used, after a comma; nothing of a whole map.
+pub fn part(crop: &Crop) -> String {
+    let along = |(axis, ends): (&str, Option<[f64; 2]>)| {
+        let [from, to] = ends?.map(|length| input_quantity(length, "m"));
+        Some(format!(", {axis} from {from} to {to}"))
+    };
+    [("x", crop.x), ("y", crop.y)].into_iter().filter_map(along).collect()
 }
 
 /// The channel that was read, where others hold lengths, too.

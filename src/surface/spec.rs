@@ -12,12 +12,15 @@ use crate::surface::pixel_spec::PixelSpec;
 use asperity::Heights;
 use asperity::topography::Level;
 use asperity::topography::fitness::Lines;
+use asperity::topography::read::Crop;
 use asperity::topography::summits::Neighbours;
 use asperity::units::Dimension;
 use asperity_contact_framework::input::Spanned;
 use asperity_contact_framework::input::Whole;
 use asperity_contact_framework::input::bare::{NominalAreaRange, SigmaRange};
-use asperity_contact_framework::input::quantity::{Area, ArealNumberDensity, Length, Pure, Quantity};
+use asperity_contact_framework::input::quantity::{
+    Area, ArealNumberDensity, Length, NotNegative, Pure, Quantity,
+};
 use asperity_contact_framework::input::schema;
 use asperity_contact_framework::input::{heights, named, named_or_none};
 use asperity_contact_framework::written_schema;
@@ -197,6 +200,9 @@ pub struct FileSpec {
     /// The channel of a file that holds several, by its name there.
     #[schemars(extend("x-default" = "that of the heights", "examples" = ["Height Sensor"]))]
     pub channel: Option<Spanned<String>>,
+    /// The part of the map that is used, from and to along x, y or both, by lengths from its first point; all else sees this part only. A part of a periodic map is not periodic.
+    #[schemars(extend("x-default" = "the whole map", "examples" = [{ "x": ["10 um", "200 um"], "y": ["0 um", "50 um"] }]))]
+    pub crop: Option<Spanned<CropSpec>>,
     /// Whether x and y of the file are exchanged; `pixel` is then that of the exchanged map.
     #[serde(default)]
     #[schemars(extend("default" = false, "examples" = [true]))]
@@ -266,6 +272,27 @@ impl TryFrom<String> for UnitSpec {
         unit.ok_or_else(|| {
             format!("found the unit \"{word}\"; allowed: {}", Dimension::Length.documented().join(", "))
         })
+    }
+}
+
+/// `crop = { x, y }`: from and to along each axis, either or both.
+#[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, expecting = "a table { x, y } of lengths from and to")]
+pub struct CropSpec {
+    /// From and to along x.
+    #[schemars(extend("x-default" = "the whole axis", "examples" = [["10 um", "200 um"]]))]
+    pub x: Option<[Quantity<Length, NotNegative>; 2]>,
+    /// From and to along y.
+    #[schemars(extend("x-default" = "the whole axis", "examples" = [["0 um", "50 um"]]))]
+    pub y: Option<[Quantity<Length, NotNegative>; 2]>,
+}
+
+impl CropSpec {
+    /// The part, m.
+    pub fn part(self) -> Crop {
+        let ends =
+            |ends: Option<[Quantity<Length, NotNegative>; 2]>| ends.map(|ends| ends.map(|end| end.value()));
+        Crop { x: ends(self.x), y: ends(self.y) }
     }
 }
 

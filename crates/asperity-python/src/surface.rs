@@ -4,7 +4,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use asperity::HeightMap;
-use asperity::topography::read::{LengthUnits, MapFile, ReadError, ReadOptions};
+use asperity::topography::read::{Crop, LengthUnits, MapFile, ReadError, ReadOptions};
 use asperity::topography::write::{FORMATS, MapFormat, Note};
 use asperity::topography::{Boundary, Rows, Watched};
 use asperity::units::Dimension;
@@ -101,7 +101,14 @@ impl Map {
         transpose: bool,
     ) -> PyResult<(Self, Vec<String>)> {
         let unit = unit.map(|[xy, z]| LengthUnits { xy, z });
-        let file = MapFile { path, options: ReadOptions { pixel, unit }, missing, transpose, channel };
+        let file = MapFile {
+            path,
+            options: ReadOptions { pixel, unit },
+            missing,
+            transpose,
+            crop: Crop::default(),
+            channel,
+        };
         let shown = file.path.display().to_string();
         let rows = move |watch: &Watch| -> Result<_, ReadError> {
             let (metadata, rows) = (file.watched_metadata(watch)?, file.rows(watch)?);

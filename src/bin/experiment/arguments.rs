@@ -26,6 +26,9 @@ pub struct Cli {
     pub extent: Extent,
     #[command(flatten)]
     pub options: RunOptions,
+    /// Number of threads; default: all cores. Results do not depend on it
+    #[arg(long, global = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
 }
 
 /// What to do.
@@ -180,6 +183,12 @@ pub struct MapArguments {
     /// Channel of a file that holds several, by its name there; default: that of the heights
     #[arg(long, allow_hyphen_values = true)]
     channel: Option<String>,
+    /// Part of the map to use along x, from and to, from its first point: "10 um, 200 um"
+    #[arg(long, allow_hyphen_values = true, value_name = "FROM, TO")]
+    crop_x: Option<String>,
+    /// The same along y
+    #[arg(long, allow_hyphen_values = true, value_name = "FROM, TO")]
+    crop_y: Option<String>,
     /// Exchange x and y of the file; the pixel is then that of the exchanged map
     #[arg(long)]
     transpose: bool,
@@ -274,6 +283,7 @@ impl From<MapArguments> for FileOptions {
             missing: arguments.missing,
             channel: arguments.channel,
             transpose: arguments.transpose,
+            crop: [arguments.crop_x, arguments.crop_y],
             fit: arguments.fit,
             outliers: arguments.outliers,
             align_lines: arguments.align_lines,
@@ -327,9 +337,6 @@ pub struct RunOptions {
     /// Run unchanged specs too
     #[arg(long)]
     pub force: bool,
-    /// Number of threads; default: all cores. Results do not depend on it
-    #[arg(long, value_parser = clap::value_parser!(u16).range(1..=1024))]
-    pub threads: Option<u16>,
     /// Print errors only
     #[arg(long)]
     pub quiet: bool,

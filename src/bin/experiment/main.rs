@@ -83,8 +83,27 @@ fn main() -> ExitCode {
     }
     let cli = Cli::parse();
     interrupt::handle();
-    let outcome = match cli.command {
-        None => set_threads(&cli.options).and_then(|()| specs_in(Path::new(SPECS))).and_then(|files| {
+    // A server has threads of its own for requests, and its first only waits for them.
+    #[cfg(feature = "serve")]
+    let waits = matches!(cli.command, Some(Command::Serve { .. }));
+    #[cfg(not(feature = "serve"))]
+    let waits = false;
+    let outcome = set_threads(cli.threads, !waits).and_then(|()| perform(cli));
+    let lost = |error| {
+        Failure::Run(format!(
+            "cannot write to the standard output: {error}; free some space or send it elsewhere"
+        ))
+    };
+    match outcome.and_then(|()| output::lost().map_or(Ok(()), |error| Err(lost(error)))) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.report(),
+    }
+}
+
+/// Does what the command line says, on threads that are started.
+fn perform(cli: Cli) -> Result<(), Failure> {
+    match cli.command {
+        None => specs_in(Path::new(SPECS)).and_then(|files| {
             let experiments = read_all(&files, &cli.extent, cli.options.quiet)?;
             let is_run = |experiment: &Experiment| cli.full || !experiment.is_long();
             run(experiments.into_iter().filter(is_run).collect(), &cli.options)
@@ -92,9 +111,9 @@ fn main() -> ExitCode {
         Some(Command::Run { files, extent, options, part: Some(part), parts }) => {
             run_parts(&files, &extent, &options, part, &parts)
         }
-        Some(Command::Run { files, extent, options, .. }) => set_threads(&options)
-            .and_then(|()| read_all(&files, &extent, options.quiet))
-            .and_then(|experiments| run(experiments, &options)),
+        Some(Command::Run { files, extent, options, .. }) => {
+            read_all(&files, &extent, options.quiet).and_then(|experiments| run(experiments, &options))
+        }
         Some(Command::Merge { files, parts, options }) => merge(&files, &parts, &options),
         Some(Command::List { out }) => list(&out),
         Some(Command::Check { files, extent }) => check(&files, &extent),
@@ -127,15 +146,6 @@ fn main() -> ExitCode {
         Some(Command::Man { out }) => manual(out.as_deref()),
         Some(Command::Materials { name }) => materials(name.as_deref()),
         Some(Command::Verify { fresh, out }) => verify(&fresh, &out),
-    };
-    let lost = |error| {
-        Failure::Run(format!(
-            "cannot write to the standard output: {error}; free some space or send it elsewhere"
-        ))
-    };
-    match outcome.and_then(|()| output::lost().map_or(Ok(()), |error| Err(lost(error)))) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => failure.report(),
     }
 }
 
@@ -237,7 +247,6 @@ fn run_parts(
     part: Part,
     folder: &Path,
 ) -> Result<(), Failure> {
-    set_threads(options)?;
     interrupt::of_parts(true);
     for experiment in read_all(files, extent, options.quiet)? {
         let start = Instant::now();
@@ -270,7 +279,6 @@ fn run_parts(
 
 /// Merges the parts of each spec and writes its report.
 fn merge(files: &[PathBuf], folder: &Path, options: &RunOptions) -> Result<(), Failure> {
-    set_threads(options)?;
     let mut store = open_store(options)?;
     for experiment in read_all(files, &Extent { huge: false }, options.quiet)? {
         let start = Instant::now();
@@ -298,13 +306,12 @@ fn watched<T, E>(
     done
 }
 
-/// Starts the threads, before specs are read: a plan looks through lists with them.
-fn set_threads(options: &RunOptions) -> Result<(), Failure> {
+/// Starts the threads, before anything is read: readers work with them. Where it `works`, this thread is one of them.
+fn set_threads(threads: Option<u16>, works: bool) -> Result<(), Failure> {
     // Without a number as many as there are cores.
-    let threads = options.threads.map_or(0, usize::from);
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
-    // This thread is one of them: it need not wake another and wait for it. On Windows its stack is too small for that.
-    let pool = if cfg!(windows) { pool } else { pool.use_current_thread() };
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.map_or(0, usize::from));
+    // It need not wake another and wait for it. On Windows its stack is too small for that.
+    let pool = if works && !cfg!(windows) { pool.use_current_thread() } else { pool };
     pool.build_global().map_err(|error| {
         Failure::Run(format!(
             "cannot start the threads of a run: {error}; allowed: fewer of them (`--threads 1`), or higher limits of memory and \
@@ -331,7 +338,6 @@ fn surface(
     save_spec: Option<&Path>,
     options: &RunOptions,
 ) -> Result<(), Failure> {
-    set_threads(options)?;
     let shown = file.file_stem().unwrap_or_default().to_string_lossy();
     let experiment =
         watched(&shown, options.quiet, |progress| Experiment::describe(file, &file_options, name, progress))?;

@@ -10,7 +10,7 @@ use asperity::topography::write::{Out, whole_file};
 use asperity_contact_framework::disk::check_writable;
 use clap::{Args, Subcommand};
 
-use super::{Failure, RunOptions, interrupt, say, set_threads, unwritten, watched};
+use super::{Failure, RunOptions, interrupt, say, unwritten, watched};
 use interface::InterfaceExport;
 use surface::{AsperitiesExport, MapExport, PatchesExport};
 
@@ -36,9 +36,6 @@ struct Writing {
     /// Replace files of the same name
     #[arg(long)]
     force: bool,
-    /// Number of threads; default: all cores. Results do not depend on it
-    #[arg(long, value_parser = clap::value_parser!(u16).range(1..=1024))]
-    threads: Option<u16>,
     /// Print errors only
     #[arg(long)]
     quiet: bool,
@@ -67,9 +64,8 @@ struct Writer {
 impl Writing {
     /// A writer into the folder, which is made and checked.
     fn begin(self) -> Result<Writer, Failure> {
-        let Self { out, force, threads, quiet } = self;
-        let options = RunOptions { out, force, threads, quiet };
-        set_threads(&options)?;
+        let Self { out, force, quiet } = self;
+        let options = RunOptions { out, force, quiet };
         let place = format!("--out {}", options.out.display());
         std::fs::create_dir_all(&options.out).and_then(|()| check_writable(&options.out)).map_err(
             |error| match error.kind() {

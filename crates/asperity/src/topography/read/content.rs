@@ -12,6 +12,8 @@ use crate::topography::Rows;
 pub struct Metadata {
     /// Points along x and y.
     pub points: [usize; 2],
+    /// Points that are read of the file, of which `points` may be a part.
+    pub read: usize,
     /// Distance of neighbouring points along x and y, if the format stores it; in metres if it also stores the unit,
     /// otherwise in the unit of the file.
     pub pixel: Option<[f64; 2]>,
@@ -112,7 +114,8 @@ impl Metadata {
     /// Of a format that stores heights only, in any unit.
     pub(super) fn new(points: [usize; 2], format: &'static str) -> Self {
         let (named, left_out) = (NamedUnits::None, LeftOut::default());
-        Self { points, pixel: None, has_unit: false, named, left_out, channel: None, format }
+        let read = points[0].saturating_mul(points[1]);
+        Self { points, read, pixel: None, has_unit: false, named, left_out, channel: None, format }
     }
 
     /// Of a map in memory.

@@ -82,6 +82,22 @@ pub enum ReadError {
         /// The highest of the other heights.
         high: f64,
     },
+    /// A part that is not within the map.
+    #[error(
+        "is {side:e} m long along {axis}, and the part from {:e} to {:e} m is not within it or holds fewer than three points, \
+         {pixel:e} m apart",
+        ends[0], ends[1]
+    )]
+    Crop {
+        /// x or y.
+        axis: &'static str,
+        /// Ends of the part, m.
+        ends: [f64; 2],
+        /// Length of the map, m.
+        side: f64,
+        /// Distance of its points, m.
+        pixel: f64,
+    },
     /// The options contradict the file.
     #[error(transparent)]
     Options(#[from] ReadOptionsError),

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::content::{Measured, Metadata, ReadOptions, transposed};
+use super::crop::{Crop, part};
 use super::error::{MAX_HEIGHT, ReadError};
 use super::marks::{Extremes, mark_missing};
 use super::npy::MapOnDisk;
@@ -11,7 +12,7 @@ use super::{Channel, Channels, Format, Reader, npy};
 use crate::npy::{Header, NpyError, OnDisk};
 use crate::numeric::LARGEST;
 use crate::progress::{Count, Progress, Share, Silent};
-use crate::topography::{HeightMap, MapError, Rows, Watched, rows};
+use crate::topography::{HeightMap, MapError, Rows, Watched, Window, rows};
 
 /// A file of heights and how it is read.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,6 +26,8 @@ pub struct MapFile {
     pub missing: Option<Vec<f64>>,
     /// Whether x and y are exchanged: a pixel of the options is that of the map with x and y exchanged.
     pub transpose: bool,
+    /// The part that is used of the map, with x and y exchanged where they are.
+    pub crop: Crop,
     /// The channel of a file that holds several, as the file names it; that of the heights if not given.
     pub channel: Option<String>,
 }
@@ -32,7 +35,14 @@ pub struct MapFile {
 impl MapFile {
     /// A file that is read as it is.
     pub fn new(path: &Path, options: ReadOptions) -> Self {
-        Self { path: path.to_owned(), options, missing: None, transpose: false, channel: None }
+        Self {
+            path: path.to_owned(),
+            options,
+            missing: None,
+            transpose: false,
+            crop: Crop::default(),
+            channel: None,
+        }
     }
 
     /// Size, pixel and format of the map, see [`metadata`](super::metadata).
@@ -53,7 +63,12 @@ impl MapFile {
             Reader::Map { metadata, .. } => metadata(&source)?,
             Reader::Channels(channels) => self.choose(channels(&source)?)?.metadata(&source, format.name)?,
         };
-        Ok(self.turned(metadata))
+        let whole = self.turned(metadata);
+        // Without a pixel, which is then asked for, there is no part.
+        let (false, Ok(pixel)) = (self.crop.is_whole(), whole.pixel(&self.options)) else { return Ok(whole) };
+        let points = self.crop.ranges(whole.points, pixel)?.map(|range| range.len());
+        let read = if self.is_array_of_rows()? { points[0] * points[1] } else { whole.read };
+        Ok(Metadata { points, read, ..whole })
     }
 
     /// The map as stored.
@@ -115,6 +130,11 @@ impl MapFile {
         }
         let metadata = self.turned(metadata);
         let pixel = metadata.pixel(&self.options)?;
+        let ranges = self.crop.ranges(metadata.points, pixel)?;
+        let points = [0, 1].map(|axis| ranges[axis].len());
+        if points != metadata.points {
+            heights = part(&heights, metadata.points[1], &ranges);
+        }
         let unit = metadata.units(&self.options)?.z;
         if unit != 1.0 {
             precision = precision.max(f64::EPSILON);
@@ -122,14 +142,19 @@ impl MapFile {
         let marks: Vec<f64> = self.marks().iter().map(|mark| mark * scale).collect();
         let count = Count::new(progress, OF_CHECKS, heights.len());
         self.check_heights(&mut heights, &marks, [unit, scale], metadata.has_unit, count)?;
-        Ok(HeightMap::new(metadata.points, pixel, heights, precision)?.with_offset(offset * unit))
+        Ok(HeightMap::new(points, pixel, heights, precision)?.with_offset(offset * unit))
     }
 
-    /// Whether [`rows`](Self::rows) leaves the map on disk: a `.npy` in C order that is not transposed.
+    /// Whether [`rows`](Self::rows) leaves the map on disk: a `.npy` in C order that is neither transposed nor cut.
     ///
     /// # Errors
     /// As [`metadata`](Self::metadata).
     pub fn stays_on_disk(&self) -> Result<bool, ReadError> {
+        Ok(self.crop.is_whole() && self.is_array_of_rows()?)
+    }
+
+    /// Whether rows of the map are rows of its file: of a `.npy` in C order that is not transposed.
+    fn is_array_of_rows(&self) -> Result<bool, ReadError> {
         let (_, format) = self.open(&Silent)?;
         Ok(format.name == npy::NAME && !self.transpose && !Header::read(&self.path)?.is_fortran())
     }
@@ -141,7 +166,7 @@ impl MapFile {
     /// As [`height_map`](Self::height_map).
     pub fn rows(&self, progress: &dyn Progress) -> Result<Box<dyn Rows>, ReadError> {
         let map = self.unchecked_rows(progress)?;
-        if self.stays_on_disk()? {
+        if self.is_array_of_rows()? {
             self.check_rows(&Watched { map: &*map, progress })?;
         }
         Ok(map)
@@ -153,13 +178,19 @@ impl MapFile {
     /// # Errors
     /// As [`height_map`](Self::height_map).
     pub fn unchecked_rows(&self, progress: &dyn Progress) -> Result<Box<dyn Rows>, ReadError> {
-        if !self.stays_on_disk()? {
+        if !self.is_array_of_rows()? {
             return Ok(Box::new(self.watched_height_map(progress)?));
         }
         let metadata = self.metadata()?;
         let (pixel, unit) = (metadata.pixel(&self.options)?, metadata.units(&self.options)?.z);
-        let array = OnDisk::open(&self.path)?;
-        Ok(Box::new(MapOnDisk::new(array, pixel, unit, self.marks().to_vec())))
+        let map = MapOnDisk::new(OnDisk::open(&self.path)?, pixel, unit, self.marks().to_vec());
+        if self.crop.is_whole() {
+            return Ok(Box::new(map));
+        }
+        let [xs, ys] = self.crop.ranges(map.points(), pixel)?;
+        let window = Window { map: &map, first: [xs.start, ys.start], points: [xs.len(), ys.len()] };
+        let part = HeightMap::from_rows(&window);
+        if map.is_whole() { Ok(Box::new(part)) } else { Err(NpyError::Shortened.into()) }
     }
 
     /// Checks size, units and heights of the map, or of a part of it, that was read row by row.

@@ -18,6 +18,7 @@ mod bcr;
 mod channel;
 mod columns;
 mod content;
+mod crop;
 mod datx;
 mod error;
 mod file;
@@ -52,6 +53,7 @@ use channel::{Channel, Channels};
 pub use content::{
     ChannelName, LeftOut, LengthUnits, Measured, Metadata, NamedUnits, OtherChannel, ReadOptions,
 };
+pub use crop::Crop;
 pub use error::{ReadError, ReadOptionsError};
 pub use file::MapFile;
 pub(super) use gwy::PIXEL as PIXEL_OF_GWY;
