@@ -154,9 +154,8 @@ impl Experiment {
         if is_spec && *options != FileOptions::default() {
             return Err(InputError::file(
                 path,
-                "is a spec, which defines its surfaces completely; --pixel, --unit, --missing, --transpose, --fit, --outliers, --align-lines, --tip, --level, --s, --l, \
-                 --neighbours, --material, --rough, --flat, --layer, --thickness, --load, --area and --pressure are allowed only with a \
-                 measured file",
+                "is a spec, which defines its surfaces completely; allowed: --name, --out, --force, --threads and --quiet; other options only \
+                 with a measured file",
             ));
         }
         let (spec, stem) = if is_spec {
@@ -215,14 +214,9 @@ impl Experiment {
         self.described.clone()
     }
 
-    /// A text for its user: of a file that the command line describes, with the options of the command line instead of keys of a spec.
+    /// A text for its user, with the keys that it advises in the form of where it is read.
     pub fn for_its_user(&self, text: &str) -> String {
-        let is_spec = |path: &PathBuf| path.extension().is_some_and(|ending| ending == "toml");
-        if self.described.as_ref().is_some_and(|path| !is_spec(path)) {
-            crate::surface::with_options(text)
-        } else {
-            text.to_owned()
-        }
+        self.source.front_end().text(text)
     }
 
     /// Whether it runs only where it is named or long runs are asked for.

@@ -107,7 +107,7 @@ impl ContactOptions {
             }
         }
         let line = |(name, option): (&str, &str)| {
-            (format!("material.{} = {{ from = {} }}", quoted(name), quoted(name)), typed(option, name))
+            (format!("material.{}.from = {}", quoted(name), quoted(name)), typed(option, name))
         };
         named.into_iter().map(line).collect()
     }
@@ -184,8 +184,8 @@ mod tests {
         assert_eq!(
             text(options.materials()),
             [
-                "material.\"steel-100Cr6\" = { from = \"steel-100Cr6\" }",
-                "material.\"bronze-CuSn8\" = { from = \"bronze-CuSn8\" }"
+                "material.\"steel-100Cr6\".from = \"steel-100Cr6\"",
+                "material.\"bronze-CuSn8\".from = \"bronze-CuSn8\""
             ]
         );
         assert_eq!(

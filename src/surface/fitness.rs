@@ -85,7 +85,7 @@ pub fn in_short(surface: &Surface) -> Vec<String> {
         count => format!(" (the first of {count} faults)"),
     };
     let with = |others: &str, remedy: &str| format!("{unfit}: {fault}{others}{remedy}.");
-    let fit = if is_remedied { "; try `--fit` (`fit = \"auto\"`)" } else { "" };
+    let fit = if is_remedied { "; try `fit = \"auto\"`" } else { "" };
     vec![
         with(&others, &format!("; {remedy}{fit}")),
         with(&others, &format!("; {remedy}")),
@@ -133,7 +133,7 @@ pub fn remedy_left(finding: &Finding, map: &MapFacts, fit: Option<&Fit>) -> Stri
         Measure::LengthOverSide => larger_map(finding, map),
         Measure::StepOverDrop => "a measurement with finer height steps".to_owned(),
         Measure::NoiseGrowth | Measure::GrowthRise => "a measurement with less noise".to_owned(),
-        _ => "a part of the map without it, or another measurement".to_owned(),
+        _ => "a part of the map without it (`crop`), or another measurement".to_owned(),
     };
     format!("{instead}: `fit` refused `{}`, because {why}", written(refused))
 }
@@ -322,12 +322,12 @@ pub fn remedy(finding: &Finding, map: &MapFacts) -> String {
     match finding.measure {
         Measure::SharedHeight => shared_height_remedy(map),
         Measure::Spikes if map.spikes.as_ref().is_some_and(|spikes| spikes.removed > 0) => {
-            "a part of the map without them, or a new measurement: with those that are removed already, they are more than single \
+            "a part of the map without them (`crop`), or a new measurement: with those that are removed already, they are more than single \
              wrong points"
                 .to_owned()
         }
         Measure::Spikes if has_too_many_spikes(finding, map) => format!(
-            "a part of the map without them, or another measurement: more than {} of the points stand out, as steep walls and noise do",
+            "a part of the map without them (`crop`), or another measurement: more than {} of the points stand out, as steep walls and noise do",
             percent(MOST_SPIKE_POINTS)
         ),
         Measure::Spikes => key(),
@@ -336,7 +336,7 @@ pub fn remedy(finding: &Finding, map: &MapFacts) -> String {
         Measure::SlopeCorrelation => "a map turned so that the lay is along x or y".to_owned(),
         Measure::AspectRatio => "`law = \"elliptic-zmc\"` or `\"elliptic-hertz\"` describes ridges".to_owned(),
         Measure::LineOffsets if map.aligned.is_some() => {
-            "a new measurement, or a part without such lines: aligning whole lines leaves offsets of parts".to_owned()
+            "a new measurement, or a part without such lines (`crop`): aligning whole lines leaves offsets of parts".to_owned()
         }
         Measure::LineOffsets if !map.offsets.unwrap_or_default().can_be_aligned() => format!(
             "remove the form first, or measure again; do not align the lines, which would take out {} of the variance: they look like grooves \

@@ -37,6 +37,8 @@ pub struct FileOptions {
     pub align_lines: Option<String>,
     /// Radius of the stylus or tip.
     pub tip: Option<String>,
+    /// Other keys of the spec, each as PATH=VALUE: `compare.law=hertz`.
+    pub set: Vec<String>,
     /// Bodies, layer and load.
     pub contact: ContactOptions,
 }
@@ -47,7 +49,26 @@ impl FileOptions {
     /// # Errors
     /// The first of them, as it was typed.
     pub fn check(&self) -> Result<(), InputError> {
-        self.contact.check()
+        let is_path = |path: &str| path.starts_with("compare.") || path.starts_with("material.");
+        match self.set.iter().find(|set| !set.split_once('=').is_some_and(|(path, _)| is_path(path))) {
+            Some(set) => Err(InputError::file(
+                Path::new(&typed("set", set)),
+                "found no key of [compare] or [material]; allowed: PATH=VALUE, such as compare.law=hertz or 'material.PTFE.hardness=\"50 MPa\"'",
+            )),
+            None => self.contact.check(),
+        }
+    }
+
+    /// The keys of a table that are set, as lines of a spec.
+    fn set_in<'a>(&'a self, table: &'a str) -> impl Iterator<Item = (String, String)> + 'a {
+        self.set.iter().filter_map(move |set| {
+            let (key, value) = set.strip_prefix(table)?.split_once('=')?;
+            let value = value.trim();
+            // A bare word is a text.
+            let is_value = format!("v = {value}").parse::<toml::Table>().is_ok();
+            let value = if is_value { value.to_owned() } else { quoted(value) };
+            Some((format!("{} = {value}", key.trim()), typed("set", set)))
+        })
     }
 
     /// The spec that describes the file at `path`; its errors cite these options as they were typed.
@@ -59,11 +80,19 @@ impl FileOptions {
         let of_file = |line: String| (line, file.clone());
         let mut lines = vec![of_file(format!("title = {}", quoted(&format!("The surface {stem}"))))];
         lines.extend(self.contact.materials());
+        lines.extend(self.set_in("material.").map(|(line, option)| (format!("material.{line}"), option)));
         lines.push(of_file("[compare]".to_owned()));
-        lines.extend(self.contact.bodies());
-        lines.push(of_file("law = \"zmc\"".to_owned()));
-        lines.extend(self.contact.loads());
-        lines.push(of_file("separation = { from = 4, to = 0, points = 41 }".to_owned()));
+        let set: Vec<(String, String)> = self.set_in("compare.").collect();
+        let mut compare = self.contact.bodies();
+        compare.push(of_file("law = \"zmc\"".to_owned()));
+        compare.extend(self.contact.loads());
+        compare.push(of_file("separation = { from = 4, to = 0, points = 41 }".to_owned()));
+        let is_set = |line: &str| {
+            let key = |line: &str| line.split([' ', '.']).next().map(str::to_owned);
+            set.iter().any(|(other, _)| key(other) == key(line))
+        };
+        compare.retain(|(line, _)| !is_set(line));
+        lines.extend(compare.into_iter().chain(set.iter().cloned()));
         lines.push(of_file(format!("[surface.{}.file]", quoted(&name))));
         lines.push(of_file(format!("path = {}", quoted(&file))));
         if let Some(pixel) = &self.pixel {
@@ -195,75 +224,9 @@ fn is_whole(text: &str) -> bool {
     !text.is_empty() && text.chars().all(|c| c.is_ascii_digit())
 }
 
-/// A text with options of the command line instead of the keys of a spec that stand for them.
-pub fn with_options(text: &str) -> String {
-    let text = text
-        .replace("`transpose = true` next to `path`", "`transpose`")
-        .replace("`\"reference\"` among the `models`", "`reference`");
-    let parts = text.split('`').enumerate();
-    let parts: Vec<String> = parts
-        .map(|(k, part)| if k % 2 == 1 { option(part) } else { None }.unwrap_or_else(|| part.to_owned()))
-        .collect();
-    parts.join("`")
-}
-
-/// The option for a key of a spec, alone or with its value; `None` where there is none.
-fn option(code: &str) -> Option<String> {
-    const KEYS: [&str; 9] =
-        ["outliers", "align-lines", "level", "neighbours", "missing", "pixel", "unit", "tip", "channel"];
-    let (key, value) = code.split_once(" = ").map_or((code, None), |(key, value)| (key, Some(value)));
-    let bare = |value: &str| {
-        let word = value.trim_matches('"');
-        if word.contains(|c: char| c.is_whitespace() || c == ',') {
-            value.to_owned()
-        } else {
-            word.to_owned()
-        }
-    };
-    match (key, value) {
-        ("fit" | "transpose" | "reference", None) => Some(format!("--{key}")),
-        ("filter", Some(table)) => {
-            let indices = table.strip_prefix("{ ")?.strip_suffix(" }")?.split(", ");
-            let options: Option<Vec<String>> = indices
-                .map(|index| index.split_once(" = ").map(|(key, value)| format!("--{key} {value}")))
-                .collect();
-            options.map(|options| options.join(" "))
-        }
-        (key, None) if KEYS.contains(&key) => Some(format!("--{key}")),
-        (key, Some(value)) if KEYS.contains(&key) => Some(format!("--{key} {}", bare(value))),
-        _ => None,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn keys_of_a_spec_become_options() {
-        for (text, found) in [
-            ("Remedy: `outliers = \"remove\"`.", "Remedy: `--outliers remove`."),
-            (
-                "`filter = { s = \"3 µm\", l = \"80 µm\" }`, `law = \"zmc\"`",
-                "`--s \"3 µm\" --l \"80 µm\"`, `law = \"zmc\"`",
-            ),
-            (
-                "`transpose = true` next to `path` means; without `transpose`",
-                "`--transpose` means; without `--transpose`",
-            ),
-            ("boundary elements (`\"reference\"` among the `models`)", "boundary elements (`--reference`)"),
-            (
-                "let `--fit` (`fit = \"auto\"` in a spec); `fit` refused `level = \"cubic\"`",
-                "let `--fit` (`fit = \"auto\"` in a spec); `--fit` refused `--level cubic`",
-            ),
-            (
-                "`missing = 0`, `pixel = \"0.8 um\"` or `unit`; pixel",
-                "`--missing 0`, `--pixel \"0.8 um\"` or `--unit`; pixel",
-            ),
-        ] {
-            assert_eq!(with_options(text), found);
-        }
-    }
 
     #[test]
     fn units_and_marks_are_values_of_a_spec() {

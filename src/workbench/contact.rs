@@ -65,7 +65,7 @@ impl Prepared for Contact {
         let Some(compare) = &self.compare else {
             let outcome = self.experiment.run(progress).map_err(|error| refused(&error, &self.spec))?;
             let tables = Tables::new(outcome.tables());
-            return Ok(view::page(&outcome.page(&tables), outcome.warnings()));
+            return Ok(view::page(outcome.page(&tables), outcome.warnings()));
         };
         let extent = match stage {
             Stage::Models => Extent::Models,

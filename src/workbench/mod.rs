@@ -19,6 +19,7 @@ use std::sync::Arc;
 
 use asperity_contact_framework::input::{InputError, Source};
 use asperity_contact_framework::progress::Progress;
+use asperity_contact_framework::remedy::FrontEnd;
 use asperity_contact_framework::report::store::Store;
 use asperity_contact_framework::{Outcome, folder as report_folder};
 use asperity_workbench::engine::Heights;
@@ -38,7 +39,7 @@ pub struct Workbench {
 
 /// A text of the page as the source of a spec, whose files lie in the folder of the workbench.
 fn source(spec: &SpecText) -> Source {
-    Source::in_memory(&spec.folder, spec.text.clone()).confined_to(&spec.root)
+    Source::in_memory(&spec.folder, spec.text.clone()).confined_to(&spec.root).read_in(FrontEnd::Workbench)
 }
 
 /// An error at its key, without the name of the file that the page is; other files are named from the folder of the workbench.

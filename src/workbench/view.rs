@@ -5,6 +5,7 @@ use asperity::compare::ModelKind;
 use asperity::law::Body;
 use asperity::surface::Surface;
 use asperity_contact_framework::Outcome;
+use asperity_contact_framework::remedy::FrontEnd;
 use asperity_contact_framework::report::page::{Page, Pieces};
 use asperity_contact_framework::report::table::{Table, Tables};
 use asperity_workbench::engine::Heights;
@@ -26,8 +27,8 @@ pub const MOST_CARDS: usize = 3;
 const WITHOUT_INTERVAL: [&str; 4] = ["result", "conductance", "friction", "difference"];
 
 /// The page of an experiment, all of it.
-pub fn page(page: &Page, warnings: Vec<String>) -> Value {
-    json!({ "cases": [], "page": page.pieces(true), "warnings": warnings })
+pub fn page(page: Page, warnings: Vec<String>) -> Value {
+    json!({ "cases": [], "page": page.read_in(FrontEnd::Workbench).pieces(true), "warnings": told(&warnings) })
 }
 
 /// A comparison: each of few cases with its card, or the page of many; of an `extent` with intervals the folded sections, too.
@@ -54,21 +55,26 @@ pub fn comparison(results: &CompareResults, extent: Extent) -> Value {
                 "name": case.name(results),
                 "coated": coated.filter(|_| case.first().thickness != Some(0.0)),
                 "thickness_m": case.first().thickness.map(|thickness| if thickness.is_finite() { json!(thickness) } else { json!("inf") }),
-                "pieces": page.pieces(false),
+                "pieces": page.read_in(FrontEnd::Workbench).pieces(false),
                 "curves": curves(case),
             })
         })
         .collect();
     let page = (has_intervals || !is_few).then(|| {
         let tables = Tables::new(results.tables());
-        let Pieces { card, mut figures, lead, sections, title } = results.page(&tables).pieces(has_intervals);
+        let Pieces { card, mut figures, lead, sections, title } = results.page(&tables).read_in(FrontEnd::Workbench).pieces(has_intervals);
         // Those of the cases are there already.
         if is_few && results.surfaces.len() == 1 && all.len() == 1 {
             figures.clear();
         }
         json!(Pieces { card, figures, lead, sections, title })
     });
-    json!({ "cases": cases, "page": page, "warnings": results.warnings() })
+    json!({ "cases": cases, "page": page, "warnings": told(&results.warnings()) })
+}
+
+/// Warnings that name the controls of the page.
+fn told(warnings: &[String]) -> Vec<String> {
+    warnings.iter().map(|warning| FrontEnd::Workbench.text(warning)).collect()
 }
 
 /// Each model of a case by load: pressure (Pa), area ratio, d/sigma, contacts per area (1/m²), mean pressure in the contacts (Pa).
@@ -120,11 +126,11 @@ pub fn surface(surface: &Surface) -> Value {
     json!({
         "name": surface.name,
         "asperities": surface.set.count(),
-        "page": page.pieces(true),
+        "page": page.read_in(FrontEnd::Workbench).pieces(true),
         "fitness": fitness,
         "found": found,
         "map": map,
-        "warnings": surface.warnings,
+        "warnings": told(&surface.warnings),
     })
 }
 

@@ -19,6 +19,7 @@ mod kind;
 pub mod metadata;
 pub mod parts;
 pub mod progress;
+pub mod remedy;
 pub mod report;
 mod summary;
 

@@ -216,6 +216,9 @@ pub struct MapArguments {
     /// Number of neighbours that a summit must exceed: four, eight
     #[arg(long, allow_hyphen_values = true, value_name = "four|eight")]
     neighbours: Option<String>,
+    /// Another key of the spec: compare.law=hertz, 'material.PTFE.hardness="50 MPa"'; may be given several times
+    #[arg(long, allow_hyphen_values = true, value_name = "KEY=VALUE")]
+    set: Vec<String>,
 }
 
 /// Bodies, layer and load on a measured file, as in a spec.
@@ -292,6 +295,7 @@ impl From<MapArguments> for FileOptions {
             s: arguments.s,
             l: arguments.l,
             neighbours: arguments.neighbours,
+            set: arguments.set,
             contact: ContactOptions::default(),
         }
     }

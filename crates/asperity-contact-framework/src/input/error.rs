@@ -9,6 +9,7 @@ use indexmap::IndexMap;
 use toml::de::{DeTable, DeValue};
 
 use super::in_memory::InMemory;
+use crate::remedy::FrontEnd;
 
 /// Input that the program does not run on, and why.
 #[derive(Debug, Clone, PartialEq)]
@@ -85,6 +86,8 @@ pub struct Source {
     in_memory: IndexMap<PathBuf, InMemory>,
     /// The folder that its files must lie in.
     confined: Option<PathBuf>,
+    /// Where its errors are read.
+    front_end: FrontEnd,
 }
 
 impl Source {
@@ -97,6 +100,7 @@ impl Source {
             arguments: Vec::new(),
             in_memory: IndexMap::new(),
             confined: None,
+            front_end: FrontEnd::Spec,
         }
     }
 
@@ -104,7 +108,19 @@ impl Source {
     /// argument it stands for, which an error cites as it was typed.
     pub fn command_line(lines: Vec<(String, String)>) -> Self {
         let (lines, arguments): (Vec<_>, Vec<_>) = lines.into_iter().unzip();
-        Self { arguments, ..Self::file(Path::new("(command line)"), lines.join("\n") + "\n") }
+        let source = Self::file(Path::new("(command line)"), lines.join("\n") + "\n");
+        Self { arguments, front_end: FrontEnd::Terminal, ..source }
+    }
+
+    /// The same, whose messages are read in another front end.
+    #[must_use]
+    pub fn read_in(self, front_end: FrontEnd) -> Self {
+        Self { front_end, ..self }
+    }
+
+    /// Where messages about it are read.
+    pub fn front_end(&self) -> FrontEnd {
+        self.front_end
     }
 
     /// A spec that a program holds, without a file; its paths are relative to `folder`.
@@ -163,7 +179,8 @@ impl Source {
                 text: self.text.lines().nth(line - 1).unwrap_or_default().trim_end().to_owned(),
             },
         };
-        InputError { file: self.path.clone(), place, message: message.to_string() }
+        let message = self.front_end.text(&message.to_string());
+        InputError { file: self.path.clone(), place, message }
     }
 
     /// Position and text of the value at a path of keys.

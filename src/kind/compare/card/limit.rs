@@ -65,7 +65,8 @@ impl Card<'_> {
             }
             _ if is_steep(at) || self.leaves_yielding_out() => None,
             Some(_) => Some("boundary elements"),
-            None => Some("boundary elements (`\"reference\"` among the `models`)"),
+            None if self.surface.map.is_none() => None,
+            None => Some("boundary elements (`models = [\"statistical\", \"deterministic\", \"reference\"]`)"),
         };
         let mut ways: Vec<String> = first.into_iter().map(str::to_owned).collect();
         let admissible = self.verdicts().admissible.stretches.iter();

@@ -9,6 +9,7 @@ mod markdown;
 
 use super::answer::{Answer, CardLine};
 use super::view::{View, ViewText};
+use crate::remedy::FrontEnd;
 use asperity_plot::{Figure, Size};
 use rayon::prelude::*;
 use serde::Serialize;
@@ -316,6 +317,13 @@ impl Page {
         figures.first().map(|(file, ..)| *file)
     }
 
+    /// The page with the keys that its texts advise in the form of a front end.
+    #[must_use]
+    pub fn read_in(mut self, front_end: FrontEnd) -> Self {
+        read_in(&mut self.blocks, front_end);
+        self
+    }
+
     /// The page in pieces: all of it, or what stands before its first folded section.
     pub fn pieces(&self, has_sections: bool) -> Pieces {
         html::pieces(&self.title, &self.blocks, has_sections)
@@ -336,6 +344,19 @@ impl Page {
     fn markdown_block(&mut self, text: String) -> &mut Self {
         self.blocks.push(Block::Markdown(text));
         self
+    }
+}
+
+fn read_in(blocks: &mut [Block], front_end: FrontEnd) {
+    for block in blocks {
+        match block {
+            Block::Card(lines) => {
+                lines.iter_mut().flat_map(|line| &mut line.texts).for_each(|text| *text = front_end.text(text));
+            }
+            Block::Lead(text) | Block::Markdown(text) => *text = front_end.text(text),
+            Block::Details { blocks, .. } => read_in(blocks, front_end),
+            Block::Title(_) | Block::Heading { .. } | Block::Table { .. } | Block::Figure { .. } => {}
+        }
     }
 }
 
