@@ -164,7 +164,7 @@ impl Experiment {
             options.check()?;
             (
                 SpecFile::parse(options.source(path), &tables())?,
-                format!("surface-{}", plain(&file_stem(path)?)),
+                file_stem(path).map(|_| surface_report(path))?,
             )
         };
         let stem = match name {
@@ -561,6 +561,11 @@ fn file_stem(path: &Path) -> Result<String, InputError> {
             "has no name that its report can take; allowed: a file name such as my-surface.toml",
         )
     })
+}
+
+/// The name of the report on a measured file, unless it is given.
+pub fn surface_report(path: &Path) -> String {
+    format!("surface-{}", plain(&crate::surface::file_name(path)))
 }
 
 /// What it will do and need, for a person.

@@ -26,5 +26,7 @@ pub mod terminal;
 #[cfg(feature = "serve")]
 pub mod workbench;
 
-pub use experiment::{Experiment, LIBRARY, PRINT, TEMPLATE, make_surface, saved_spec, write_index};
+pub use experiment::{
+    Experiment, LIBRARY, PRINT, TEMPLATE, make_surface, saved_spec, surface_report, write_index,
+};
 pub use parts::{Merged, PartError, PartRun};

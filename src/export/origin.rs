@@ -1,9 +1,11 @@
 //! Where an export comes from: the surface that is chosen of a spec or a file, and what is said of it.
 
+use std::ffi::OsStr;
 use std::path::Path;
 
 use asperity::surface::{Preparation, Step};
 use asperity::topography::Level;
+use asperity::topography::read::endings;
 use asperity::topography::write::Note;
 use asperity_contact_framework::digest::{hexadecimal, sha256, sha256_of_file};
 use asperity_contact_framework::input::InputError;
@@ -71,6 +73,18 @@ pub(super) fn chosen(
     }
 }
 
+/// Whether the folder of a map holds another of the same name but for its ending.
+fn has_namesake(path: &Path) -> bool {
+    let of_map = |ending: &OsStr| endings().any(|known| ending.eq_ignore_ascii_case(known));
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let mut others = folder.read_dir().into_iter().flatten().flatten().map(|entry| entry.path());
+    others.any(|other| {
+        other.file_stem() == path.file_stem()
+            && other.extension() != path.extension()
+            && other.extension().is_some_and(of_map)
+    })
+}
+
 /// How the names of files begin: the name of the spec or the file at `path`, of the surface where it `is_one_of_several`, and of several
 /// realisations the number.
 pub(super) fn file_name(
@@ -79,7 +93,10 @@ pub(super) fn file_name(
     is_one_of_several: bool,
     realisation: usize,
 ) -> String {
-    let mut name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let mut name = crate::surface::file_name(path);
+    if let Some(ending) = path.extension().filter(|_| !is_spec(path) && has_namesake(path)) {
+        name += &format!("-{}", ending.to_string_lossy());
+    }
     if is_one_of_several {
         name += &format!("-{}", plan.name);
     }

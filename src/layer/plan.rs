@@ -5,11 +5,12 @@ use std::fmt;
 use crate::layer::spec::LayerSpec;
 use asperity::law::Body;
 use asperity::layer::Coating;
-use asperity::{Material, ModulusModel};
+use asperity::{LayerError, Material, ModulusModel};
 use asperity_contact_framework::input::InputError;
 use asperity_contact_framework::input::{Source, Spanned};
 
 use asperity_contact_framework::input::SpecFile;
+use asperity_contact_framework::report::format::input_quantity;
 
 /// A layer of one thickness or several.
 #[derive(Debug, Clone)]
@@ -85,12 +86,41 @@ impl fmt::Display for LayerPlan {
     }
 }
 
+/// What a layer called `name` of this material lacks, or its substrate.
+fn one_hardness(name: &str, material: &Material) -> String {
+    /// Of the yield strength (Tabor 1951).
+    const HARDNESS: f64 = 3.0;
+    /// Of a soft polymer, Pa.
+    const EXAMPLE: f64 = 5e7;
+    if material.hardness().is_some() {
+        return "; the substrate has none: give it a `hardness`".to_owned();
+    }
+    let (hardness, why) = match material.yield_strength() {
+        Some(strength) => (HARDNESS * strength, " (three times its yield strength, Tabor 1951)"),
+        None => (EXAMPLE, ""),
+    };
+    format!(
+        "; \"{name}\" has none: state it, such as `material.{}.hardness = \"{}\"`{why}",
+        if name.chars().all(|c| c.is_ascii_alphanumeric() || "-_".contains(c)) {
+            name.to_owned()
+        } else {
+            format!("{name:?}")
+        },
+        input_quantity(hardness, "Pa")
+    )
+}
+
 /// Resolves a layer on `substrate`.
 pub fn layer(file: &SpecFile, spec: &LayerSpec, substrate: &Material) -> Result<LayerPlan, InputError> {
     let name = spec.material.get_ref().clone();
     let material = file.body(&name, spec.material.span())?;
-    let coating = Coating::new(material, *substrate, spec.rule)
-        .map_err(|error| file.source.error_at(spec.material.span(), format!("found \"{name}\": {error}")))?;
+    let coating = Coating::new(material, *substrate, spec.rule).map_err(|error| {
+        let remedy = match error {
+            LayerError::OneHardness => one_hardness(&name, &material),
+            LayerError::Thickness(_) => String::new(),
+        };
+        file.source.error_at(spec.material.span(), format!("found \"{name}\": {error}{remedy}"))
+    })?;
     let thicknesses = spec.thickness.values.clone();
     Ok(LayerPlan { name, rule: spec.rule, thicknesses, on: spec.body(), coating })
 }

@@ -39,7 +39,7 @@ pub use fit::{by_hand, keys};
 pub use generate_spec::TargetSpec;
 pub use generation::{Generation, Way};
 pub use memory::memory;
-pub use options::FileOptions;
+pub use options::{FileOptions, file_name};
 pub use plan::{SurfacePlan, beside, curvature_ratio, describe, inputs, surfaces};
 pub use spec::SurfaceSpec;
 pub use store::{StoredSurface, SurfaceStore};

@@ -155,6 +155,16 @@ impl FileOptions {
     }
 }
 
+/// The name that results on a file take of it: without its ending, unless that is a number, as instruments count files.
+pub fn file_name(path: &Path) -> String {
+    let is_number = |ending: &&std::ffi::OsStr| ending.as_encoded_bytes().iter().all(u8::is_ascii_digit);
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    match path.extension().filter(is_number) {
+        Some(number) => format!("{stem}-{}", number.to_string_lossy()),
+        None => stem,
+    }
+}
+
 /// A line of the command line: an option and its value.
 pub(super) fn typed(option: &str, value: &str) -> String {
     format!("--{option} \"{value}\"")

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use asperity::topography::read::format_names;
 use asperity::units::Dimension;
 use asperity_contact_framework::divided::Part;
 use asperity_experiment::kind::REPORTED;
@@ -82,8 +83,9 @@ pub enum Command {
     },
     /// Check a measured map, compare both models on it and analyse its surface; or analyse all surfaces of a spec
     Surface {
-        /// A height map (.npy, text, XYZ, X3P, SDF), or a spec
-        file: PathBuf,
+        /// Height maps, or a spec
+        #[arg(required = true, long_help = formats())]
+        files: Vec<PathBuf>,
         #[command(flatten)]
         arguments: Box<FileArguments>,
         /// Name of the report folder; default: from the name of the file
@@ -253,6 +255,14 @@ pub struct ContactArguments {
     pressure: Option<String>,
 }
 
+/// What is read of measured files.
+fn formats() -> String {
+    format!(
+        "Height maps, each with a report of its own, or a spec. Read are {}; what a file holds is found by its content",
+        format_names()
+    )
+}
+
 /// What is wrong with the options of a file that are not what they seem: another option where a value should be, since values may begin with a
 /// hyphen, as -9999 does; a load after `--force`, which has no value.
 pub fn misread(words: &[String]) -> Option<String> {
@@ -341,7 +351,10 @@ pub struct RunOptions {
     /// Run unchanged specs too
     #[arg(long)]
     pub force: bool,
-    /// Print errors only
+    /// Print the answer and errors only
     #[arg(long)]
     pub quiet: bool,
+    /// Print errors only
+    #[arg(long)]
+    pub silent: bool,
 }

@@ -8,6 +8,7 @@ mod output;
 mod serve;
 mod several;
 mod single_file;
+mod surfaces;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -22,15 +23,15 @@ use asperity_contact_framework::{Outcome, ReportError, folder as report_folder};
 use asperity_experiment::keys::{all_keys, explain, spec_schema};
 use asperity_experiment::kind::{REPORTED, columns};
 use asperity_experiment::materials::{all_materials, one_material};
-use asperity_experiment::surface::{FileOptions, described_file};
 use asperity_experiment::terminal::Monitor;
-use asperity_experiment::{Experiment, PRINT, PartError, TEMPLATE, saved_spec, write_index};
+use asperity_experiment::{Experiment, PRINT, PartError, TEMPLATE, write_index};
 use clap::{CommandFactory, Parser};
 
 use arguments::{Cli, Command, Extent, RunOptions};
 use output::{print, print_error, print_text, say};
 use several::{Counts, Done, Place, listed, quick_first};
-use single_file::{check_save_spec, unwritten, write_new};
+use single_file::{unwritten, write_new};
+use surfaces::Answered;
 
 /// Folder of the specs.
 const SPECS: &str = "experiments";
@@ -118,8 +119,8 @@ fn perform(cli: Cli) -> Result<(), Failure> {
         Some(Command::List { out }) => list(&out),
         Some(Command::Check { files, extent }) => check(&files, &extent),
         Some(Command::New { name }) => new(&name),
-        Some(Command::Surface { file, arguments, name, save_spec, options }) => {
-            surface(&file, (*arguments).into(), name.as_deref(), save_spec.as_deref(), &options)
+        Some(Command::Surface { files, arguments, name, save_spec, options }) => {
+            surfaces::describe(&files, (*arguments).into(), name.as_deref(), save_spec.as_deref(), &options)
         }
         #[cfg(feature = "serve")]
         Some(Command::Serve { folder, port, no_open }) => serve::serve(&folder, port, no_open),
@@ -150,6 +151,13 @@ fn perform(cli: Cli) -> Result<(), Failure> {
 }
 
 impl Failure {
+    /// What it says.
+    fn message(&self) -> &str {
+        match self {
+            Self::Input(message) | Self::Run(message) => message,
+        }
+    }
+
     /// Prints the error and returns its exit code.
     fn report(self) -> ExitCode {
         match self {
@@ -330,55 +338,10 @@ fn open_store(options: &RunOptions) -> Result<Store, Failure> {
     Ok(store)
 }
 
-/// Describes surfaces: a table in the terminal, pages in the folder of reports.
-fn surface(
-    file: &Path,
-    file_options: FileOptions,
-    name: Option<&str>,
-    save_spec: Option<&Path>,
-    options: &RunOptions,
-) -> Result<(), Failure> {
-    let shown = file.file_stem().unwrap_or_default().to_string_lossy();
-    let experiment =
-        watched(&shown, options.quiet, |progress| Experiment::describe(file, &file_options, name, progress))?;
-    if let Some(spec) = save_spec {
-        check_save_spec(file, spec)?;
-    }
-    let mut store = open_store(options)?;
-    store.check(experiment.stem())?;
-    check_same_file(&experiment, &options.out.join(experiment.stem()))?;
-    let results = run_and_write(&experiment, Place::ALONE, None, &mut store, options)?;
-    say_answer(&experiment, &*results, options);
-    if let Some(spec) = save_spec {
-        write_new(spec, &saved_spec(&file_options, file, spec, &*results))?;
-        say(
-            options,
-            &format!("\n{} written; run it with `experiment run {}`", spec.display(), spec.display()),
-        );
-    }
-    update_index(&mut store, options)
-}
-
 /// Writes the index of all reports, where it has changed.
 fn update_index(store: &mut Store, options: &RunOptions) -> Result<(), Failure> {
     let _whole = interrupt::begin_writing();
     Ok(write_index(store, &options.out)?)
-}
-
-/// The report on a file must not replace that on another file of the same name.
-fn check_same_file(experiment: &Experiment, folder: &Path) -> Result<(), Failure> {
-    let (Some(now), Some(before)) = (experiment.described_file(), described_file(folder)) else {
-        return Ok(());
-    };
-    let whole = |path: &Path| std::fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-    if whole(&now) == whole(&before) {
-        return Ok(());
-    }
-    Err(Failure::Input(format!(
-        "{} holds the report on another file, {}; allowed: --name NAME for a separate report",
-        folder.display(),
-        before.display()
-    )))
 }
 
 /// Runs an experiment and writes its report, unless it is up to date.
@@ -408,10 +371,15 @@ fn run_one(
     Ok(Done::Written)
 }
 
-/// Prints what a run has to say in the terminal.
+/// Prints what a run has to say in the terminal, or only the answer.
 fn say_answer(experiment: &Experiment, results: &dyn Outcome, options: &RunOptions) {
-    if let Some(text) = results.terminal() {
-        say(options, &experiment.for_its_user(&text));
+    let text = if options.quiet {
+        Answered::of(&options.out.join(experiment.stem())).map(|answered| answered.answer.to_string())
+    } else {
+        results.terminal()
+    };
+    if let Some(text) = text.filter(|_| !options.silent) {
+        print_text(&experiment.for_its_user(&text));
     }
 }
 

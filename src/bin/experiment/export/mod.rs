@@ -65,7 +65,7 @@ impl Writing {
     /// A writer into the folder, which is made and checked.
     fn begin(self) -> Result<Writer, Failure> {
         let Self { out, force, quiet } = self;
-        let options = RunOptions { out, force, quiet };
+        let options = RunOptions { out, force, quiet, silent: quiet };
         let place = format!("--out {}", options.out.display());
         std::fs::create_dir_all(&options.out).and_then(|()| check_writable(&options.out)).map_err(
             |error| match error.kind() {

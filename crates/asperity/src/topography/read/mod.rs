@@ -146,6 +146,11 @@ pub fn endings() -> impl Iterator<Item = &'static str> {
     FORMATS.iter().flat_map(|format| format.endings).copied()
 }
 
+/// The formats of maps that are read, for a person.
+pub fn format_names() -> String {
+    Format::names()
+}
+
 /// Reads a map of heights in metres, relative to the offset of its file ([`Rows::offset`]), with the pixel and unit of
 /// `options` if the format does not store them; [`MapFile`] says more of a file.
 ///
