@@ -1,5 +1,6 @@
 //! Warnings about inputs that are allowed but hardly meant: mostly a unit that is missing or wrong. They refuse nothing.
 
+use asperity::surface::Surface;
 use asperity::{Material, Response, reduced_modulus};
 use asperity_contact_framework::report::format::{number, quantity};
 
@@ -85,14 +86,33 @@ fn hard(rough: (&str, &Material), flat: (&str, &Material)) -> Option<String> {
     })
 }
 
+/// R.m.s. slopes below those of polished optics.
+const FLAT: f64 = 1e-4;
+
+/// A surface that was made: of a map by its own slope, unless its file states its units.
+pub fn of_made(Surface { name, statistics, set, map, .. }: &Surface) -> Vec<String> {
+    let is_flat = match map {
+        Some(map) => map.is_held != [true; 2] && map.roughness.rms_slope() < FLAT,
+        None => is_flat(statistics.mean_radius, statistics.sigma),
+    };
+    of_surface(name, statistics.mean_radius, statistics.sigma, set.nominal_area(), is_flat)
+}
+
+/// Asperities without a map, whose slopes are about the root of sigma over radius.
+pub fn of_asperities(name: &str, mean_radius: f64, sigma: f64, nominal_area: f64) -> Vec<String> {
+    of_surface(name, mean_radius, sigma, nominal_area, is_flat(mean_radius, sigma))
+}
+
+fn is_flat(mean_radius: f64, sigma: f64) -> bool {
+    sigma < FLAT * FLAT * mean_radius
+}
+
 /// The asperities of a surface: mean radius and standard deviation of the heights (m) on a nominal area (m^2). Radii above its
-/// side are those of smooth surfaces, unless slopes, which are about the root of sigma over radius, are below those of
-/// polished optics.
-pub fn of_surface(name: &str, mean_radius: f64, sigma: f64, nominal_area: f64) -> Vec<String> {
-    const FLAT: f64 = 1e-4;
+/// side are those of smooth surfaces, unless slopes are below those of polished optics.
+fn of_surface(name: &str, mean_radius: f64, sigma: f64, nominal_area: f64, is_flat: bool) -> Vec<String> {
     let side = nominal_area.sqrt();
     let mut warnings = Vec::new();
-    if mean_radius > side && sigma < FLAT * FLAT * mean_radius {
+    if mean_radius > side && is_flat {
         warnings.push(format!(
             "surface {name}: the mean asperity radius of {} is above the side of the nominal area of {}, and slopes are below those of \
              polished optics; check the units of radii, heights and area (a bare number is in metres)",
@@ -190,7 +210,7 @@ mod tests {
         assert!(given(("steel", &steel), ("diamond", &diamond)).is_empty());
         assert!(given(("diamond", &diamond), ("diamond", &diamond)).is_empty());
         assert!(of_bodies(("steel", &steel), &[("rubber", &rubber)], |_, _| false).is_empty());
-        assert!(of_surface("a", 20e-6, 48e-9, 1e-6).is_empty());
+        assert!(of_asperities("a", 20e-6, 48e-9, 1e-6).is_empty());
         assert!(of_separations(&[4.0, 40.0, -40.0]).is_none() && of_separations(&[]).is_none());
         assert!(of_thicknesses("dlc", &[0.0, 1e-3, f64::INFINITY]).is_none());
         assert!(of_pixel("a", [1e-3, 1e-6]).is_none() && of_pressures(&[1.0, 1e6]).is_none());
@@ -228,12 +248,14 @@ mod tests {
     #[test]
     fn radii_heights_and_separations_out_of_scale_are_named() {
         assert!(
-            of_surface("a", 20.0, 48e-9, 1e-6)[0]
+            of_asperities("a", 20.0, 48e-9, 1e-6)[0]
                 .contains("20 m is above the side of the nominal area of 1 mm")
         );
         // A polished surface.
-        assert!(of_surface("a", 2e-3, 48e-9, 1e-6).is_empty());
-        assert!(of_surface("a", 20e-6, 48e-6, 1e-6)[0].contains("48 µm, is above their mean radius, 20 µm"));
+        assert!(of_asperities("a", 2e-3, 48e-9, 1e-6).is_empty());
+        assert!(
+            of_asperities("a", 20e-6, 48e-6, 1e-6)[0].contains("48 µm, is above their mean radius, 20 µm")
+        );
         assert!(of_separations(&[4.0, -200.0]).unwrap().contains("-200 σ"));
     }
 }

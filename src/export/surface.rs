@@ -82,6 +82,11 @@ impl ExportedSurface {
         file_name(&self.path, &self.plan, self.is_one_of_several, self.realisation)
     }
 
+    /// What a reader should know of how its file is read.
+    pub fn caveats(&self) -> impl Iterator<Item = String> {
+        self.plan.caveats().iter().map(|caveat| self.source.front_end().text(caveat))
+    }
+
     /// The steps that its preparation has, as far as that is known before it is made.
     pub fn known_steps(&self) -> Vec<Step> {
         let counter = Counter::default();

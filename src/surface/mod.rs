@@ -40,6 +40,7 @@ pub use generate_spec::TargetSpec;
 pub use generation::{Generation, Way};
 pub use memory::memory;
 pub use options::{FileOptions, file_name};
+pub use plan::points_per_wave_on;
 pub use plan::{SurfacePlan, beside, curvature_ratio, describe, inputs, surfaces};
 pub use spec::SurfaceSpec;
 pub use store::{StoredSurface, SurfaceStore};

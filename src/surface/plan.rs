@@ -16,7 +16,7 @@ use crate::surface::reading;
 use crate::surface::spec::{
     DrawSpec, FileSpec, FitSpec, ListSpec, Outliers, PopulationHeights, PopulationSpec, SurfaceSpec,
 };
-use asperity::surface::{BodyAsperities, Kept, Preparation};
+use asperity::surface::{BodyAsperities, Kept, MapFacts, Preparation};
 use asperity::topography::read::{MapFile, Metadata, ReadError, ReadOptions, ReadOptionsError};
 use asperity::topography::{Boundary, Filter, Level, read};
 use asperity::{
@@ -93,6 +93,18 @@ impl MapPlan {
 
 /// The stage in which a file is looked through before a run.
 const CHECKING: &str = "checking the file";
+
+/// Points of the shortest wave that a grid holds.
+const FEWEST_PER_WAVE: f64 = 2.0;
+
+/// Points of a map per shortest wave of a self-affine surface of Hurst exponent 0.8 that has the r.m.s. slope and curvature of the map.
+pub fn points_per_wave_on(map: &MapFacts) -> f64 {
+    /// Square of the mean wave number of the slope over that of the curvature's cut-off, (2 - 2 H)/(4 - 2 H) inverted.
+    const SHARE: f64 = 6.0;
+    let [_, m2, m4] = map.roughness.spectral_moments();
+    let wavelength = std::f64::consts::TAU * (m2 / (SHARE * m4)).sqrt();
+    (wavelength / map.pixel[0].max(map.pixel[1])).max(FEWEST_PER_WAVE)
+}
 
 /// More are a study of their own.
 const MOST_REALISATIONS: u64 = 1000;
@@ -350,6 +362,14 @@ impl SurfacePlan {
         self
     }
 
+    /// What a reader should know of how its file is read.
+    pub fn caveats(&self) -> &[String] {
+        match &self.origin {
+            Origin::Map(map) => &map.caveats,
+            Origin::List { .. } | Origin::Population { .. } | Origin::Generated(_) | Origin::Pair(_) => &[],
+        }
+    }
+
     /// Whether it is a list of asperities.
     pub fn is_list(&self) -> bool {
         matches!(self.origin, Origin::List { .. })
@@ -371,15 +391,13 @@ impl SurfacePlan {
     }
 
     /// Points of its height map per shortest wave: the cut-off of a random surface, the S filter's nesting index of a measured
-    /// one, without which it holds waves of two points; `None` of given asperities.
+    /// one, without which only the map tells; `None` of given asperities.
     pub fn points_per_wave(&self) -> Option<f64> {
-        /// Of the finest wave.
-        const FEWEST: f64 = 2.0;
         match &self.origin {
             Origin::Generated(generation) => Some(generation.points_per_wave()),
             Origin::Map(MapPlan { pixel, preparation, .. }) => {
-                let shortest = preparation.filter.and_then(|filter| filter.s());
-                Some(shortest.map_or(FEWEST, |s| (s / pixel[0].max(pixel[1])).max(FEWEST)))
+                let shortest = preparation.filter.and_then(|filter| filter.s())?;
+                Some((shortest / pixel[0].max(pixel[1])).max(FEWEST_PER_WAVE))
             }
             Origin::Pair(pair) => pair.bodies.iter().filter_map(Self::points_per_wave).reduce(f64::min),
             Origin::List { .. } | Origin::Population { .. } => None,
@@ -435,7 +453,7 @@ impl SurfacePlan {
         else {
             return Vec::new();
         };
-        plausibility::of_surface(&self.name, *radius, *sigma, *count as f64 / density)
+        plausibility::of_asperities(&self.name, *radius, *sigma, *count as f64 / density)
     }
 
     /// Whether a law treats its asperities as ellipses.

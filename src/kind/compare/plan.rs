@@ -108,7 +108,10 @@ pub(super) fn plan(file: &SpecFile, table: &Spanned<CompareSpec>) -> Result<Comp
     }
     let resolved = Resolved { bare, flats: &study.flats, laws: &study.laws, surfaces: &study.surfaces };
     let reference = reference(file, &reference_keys(raw), &resolved)?.map(Box::new);
-    study.implausible.extend(reference.iter().find_map(|reference| reference.warning(&study.surfaces)));
+    study.implausible.extend(reference.iter().find_map(|reference| {
+        let known = |surface: &SurfacePlan| Some((surface.name.clone(), surface.points_per_wave()?));
+        reference.warning(study.surfaces.iter().filter_map(known))
+    }));
     study.implausible.extend(reference.iter().find_map(|reference| reference.cluster_warning(&study)));
     let lines = lines(file, raw, &study.surfaces, reference.as_deref())?;
     Ok(ComparePlan {

@@ -28,7 +28,7 @@ use super::scope::{Scope, thinned};
 use crate::layer::LayerPlan;
 use crate::plausibility;
 use crate::study_plan::{inapplicable, layer_metadata, unreachable_load};
-use crate::surface::{Files, SurfaceFactory, SurfacePlan, by_hand, files_of};
+use crate::surface::{Files, SurfaceFactory, SurfacePlan, by_hand, files_of, points_per_wave_on};
 
 /// Runs a comparison and counts its work.
 ///
@@ -60,9 +60,14 @@ pub fn run_within(
     let contact =
         contact_metadata(context.materials, &compare.study.laws, &compare.study.bodies, layer_metadata);
     let mut implausible = compare.study.implausible.clone();
-    implausible.extend(surfaces.iter().flat_map(|results| {
-        let Surface { name, statistics, set, .. } = &results.surface;
-        plausibility::of_surface(name, statistics.mean_radius, statistics.sigma, set.nominal_area())
+    implausible.extend(surfaces.iter().flat_map(|results| plausibility::of_made(&results.surface)));
+    let is_unfiltered = |plan: &&SurfacePlan| plan.is_measured() && plan.points_per_wave().is_none();
+    let on_map = |(plan, results): (&SurfacePlan, &SurfaceResults)| {
+        let map = results.surface.map.as_ref().filter(|_| is_unfiltered(&plan))?;
+        Some((plan.name.clone(), points_per_wave_on(map)))
+    };
+    implausible.extend(compare.reference.iter().find_map(|reference| {
+        reference.warning(compare.study.surfaces.iter().zip(&surfaces).filter_map(on_map))
     }));
     implausible.extend(
         surfaces

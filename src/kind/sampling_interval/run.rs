@@ -56,10 +56,7 @@ pub(super) fn run(context: &RunContext, plan: &IntervalPlan) -> Result<IntervalR
     }
     timing.total = start.elapsed();
     let mut implausible = study.implausible.clone();
-    implausible.extend(surfaces.iter().flat_map(|SurfaceResults { surface, .. }| {
-        let Surface { name, statistics, set, .. } = surface;
-        plausibility::of_surface(name, statistics.mean_radius, statistics.sigma, set.nominal_area())
-    }));
+    implausible.extend(surfaces.iter().flat_map(|results| plausibility::of_made(&results.surface)));
     Ok(IntervalResults {
         metadata: context.metadata(papers, timing, Some(counter.work())),
         contact: contact_metadata(context.materials, &study.laws, &study.bodies, None),

@@ -105,7 +105,7 @@ impl Divided for TiledPlan {
         let layer = layer_metadata(context, &self.study, &mut papers)?;
         let mut implausible = self.study.implausible.clone();
         let TiledSurface { name, statistics, nominal_area, .. } = &surface;
-        implausible.extend(plausibility::of_surface(
+        implausible.extend(plausibility::of_asperities(
             name,
             statistics.mean_radius,
             statistics.sigma,

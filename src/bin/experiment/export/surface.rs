@@ -69,6 +69,7 @@ impl MapExport {
             ExportedSurface::read(&chosen.file, &arguments.into(), &chosen.choice(), progress)
         })?;
         let writer = writing.begin()?;
+        surface.caveats().for_each(|caveat| say(&writer.options, &format!("{}: {caveat}", surface.name())));
         let is_wanted = |found: Step| step.as_ref().is_none_or(|step| step == found.name());
         let names = |name: &str, step: Step| {
             let name = format!("{name}-{}", step.name());
@@ -132,6 +133,7 @@ impl AsperitiesExport {
             ExportedSurface::read(&chosen.file, &arguments.into(), &chosen.choice(), progress)
         })?;
         let writer = writing.begin()?;
+        surface.caveats().for_each(|caveat| say(&writer.options, &format!("{}: {caveat}", surface.name())));
         let name = format!("{}-asperities", surface.name());
         let [file, beside] = [&format, "json"].map(|ending| format!("{name}.{ending}"));
         let is_text = format == "csv";

@@ -155,20 +155,15 @@ impl ReferencePlan {
         Duration::from_secs_f64(points * loads * steps * seconds_per_point(self.boundary(surface)))
     }
 
-    /// A warning where the grid resolves the shortest waves of surfaces too coarsely for an area of contact.
-    pub fn warning(&self, surfaces: &[SurfacePlan]) -> Option<String> {
+    /// A warning where the grid resolves the shortest waves of surfaces, each with its points per wave, too coarsely for an area of contact.
+    pub fn warning(&self, surfaces: impl Iterator<Item = (String, f64)>) -> Option<String> {
         /// Points per shortest wave that are enough for the corrected area.
         const ENOUGH: f64 = 4.0;
-        let of = |surface: &SurfacePlan| {
-            let points = surface.points_per_wave()? * self.refine as f64;
-            // A nesting index over a pixel is rounded.
-            const ROUNDING: f64 = 1e-9;
-            if points >= ENOUGH * (1.0 - ROUNDING) {
-                return None;
-            }
-            Some((surface.name.clone(), points))
-        };
-        let coarse: Vec<(String, f64)> = surfaces.iter().filter_map(of).collect();
+        // A nesting index over a pixel is rounded.
+        const ROUNDING: f64 = 1e-9;
+        let refined = surfaces.map(|(name, points)| (name, points * self.refine as f64));
+        let coarse: Vec<(String, f64)> =
+            refined.filter(|(_, points)| *points < ENOUGH * (1.0 - ROUNDING)).collect();
         let (first, least) = match &coarse[..] {
             [] => return None,
             [(name, points)] => (format!("surface {name}"), *points),
