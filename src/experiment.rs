@@ -9,6 +9,7 @@ use std::time::SystemTime;
 use asperity::Material;
 use asperity::progress::Share;
 use asperity::surface::{AnalysisDepth, Surface};
+use asperity::topography::read::endings;
 use asperity::work::Counter;
 use asperity_contact_framework::digest::{hexadecimal, sha256, watched_sha256_of_file};
 use asperity_contact_framework::divided::AnyDivided;
@@ -83,7 +84,19 @@ impl Experiment {
     /// # Errors
     /// As [`Self::read`].
     pub fn watched_read(path: &Path, huge: bool, progress: &dyn Progress) -> Result<Self, InputError> {
-        Self::of_spec(SpecFile::read(path, &tables())?.watched_by(progress), stem_of(path)?, huge)
+        let is_of_map = |ending: &std::ffi::OsStr| endings().any(|known| ending.eq_ignore_ascii_case(known));
+        let spec = SpecFile::read(path, &tables()).map_err(|error| {
+            if path.is_file() && path.extension().is_some_and(is_of_map) {
+                let name = path.display();
+                InputError::file(
+                    path,
+                    format!("is no spec; a measured map is for `experiment surface {name}`"),
+                )
+            } else {
+                error
+            }
+        })?;
+        Self::of_spec(spec.watched_by(progress), stem_of(path)?, huge)
     }
 
     /// The same, whose files must lie in the folder `root` (an absolute path without links).

@@ -276,6 +276,7 @@ impl<'a> SurfaceFactory<'a> {
                         .map_err(|error| refuse(&list_message(path, &error)))?,
                 };
                 timing.read += start.elapsed();
+                let takes_metres = list.takes_metres();
                 let (contradictions, count) = (list.contradictions(), list.count());
                 let spread = list.places().and_then(|places| misplaced(places, *nominal_area));
                 let independence = match list.places() {
@@ -292,7 +293,22 @@ impl<'a> SurfaceFactory<'a> {
                         path.display()
                     )));
                 }
+                if statistics.sigma > nominal_area.sqrt() {
+                    return Err(refuse(&format!(
+                        "{}: the standard deviation of heights, {}, is above the side of the nominal area, {}: heights and area are in \
+                         different units{}",
+                        path.display(),
+                        quantity(statistics.sigma, "m"),
+                        quantity(nominal_area.sqrt(), "m"),
+                        if takes_metres {
+                            "; heights and radii were read as metres: `unit = \"um\"` next to `file` says otherwise"
+                        } else {
+                            ""
+                        }
+                    )));
+                }
                 let mut surface = Surface::new(name, set, statistics);
+                surface.taken_for_metres = takes_metres.then_some("Heights and radii");
                 surface.origin = origin;
                 (surface.independence, surface.halves) = independence;
                 surface.warnings.extend(spread);

@@ -73,6 +73,8 @@ pub struct Surface {
     pub repeats: Repeats,
     /// How its preparation was found, where it was not prescribed.
     pub fit: Option<Box<Fit>>,
+    /// What of its file was taken for metres because nothing names a unit.
+    pub taken_for_metres: Option<&'static str>,
     /// Caveats.
     pub warnings: Vec<String>,
 }
@@ -251,6 +253,7 @@ impl Surface {
             realisations: 1,
             repeats: Repeats::Realisations,
             fit: None,
+            taken_for_metres: None,
             warnings: Vec::new(),
         }
     }

@@ -93,8 +93,14 @@ impl<'a> Card<'a> {
             (!texts.is_empty()).then(|| CardLine { texts, ..CardLine::new(key, label, "") })
         };
         let one = |text: Option<String>| text.into_iter().collect();
+        let units = self
+            .surface
+            .taken_for_metres
+            .map(|what| format!("{what} read as metres: the file names no unit."));
+        let units = line("units", "Units", one(units));
         let Some(at) = self.case.reported_load() else {
             let lines = [
+                units,
                 line("result", result, one(self.result())),
                 line("conductance", "Conductance", self.conductances()),
                 line("friction", "Friction", one(self.friction())),
@@ -103,6 +109,7 @@ impl<'a> Card<'a> {
             return lines.into_iter().flatten().collect();
         };
         let lines = [
+            units,
             line("result", result, one(self.result())),
             line("conductance", "Conductance", self.conductances()),
             line("friction", "Friction", one(self.friction())),

@@ -67,6 +67,8 @@ pub(super) struct Header {
     pub columns: Vec<ListColumn>,
     /// For each column of the file its place among those, and how many of its unit of length are a metre.
     pub places: Vec<Option<(usize, f64)>>,
+    /// Whether a column is taken for metres because neither it nor its user names a unit.
+    pub takes_metres: bool,
 }
 
 impl Header {
@@ -90,6 +92,7 @@ impl Header {
             names.join(", ")
         };
         let mut places: Vec<Option<(usize, f64)>> = vec![None; named.len()];
+        let mut takes_metres = false;
         let is_there =
             |column: &ListColumn| named.iter().any(|(name, _)| ListColumn::named(name) == Some(*column));
         let mut columns = needed.to_vec();
@@ -112,11 +115,14 @@ impl Header {
                     unit: unit.clone(),
                 })?,
                 (None, Some(unit)) => column::per_metre(unit),
-                (None, None) => 1.0,
+                (None, None) => {
+                    takes_metres = true;
+                    1.0
+                }
             };
             places[place] = Some((rank, per_metre));
         }
-        Ok(Self { separator, width: named.len(), line, columns, places })
+        Ok(Self { separator, width: named.len(), line, columns, places, takes_metres })
     }
 
     /// Whether a line is a row of numbers rather than names.

@@ -180,6 +180,8 @@ pub struct AsperityList {
     curvatures: Option<[Vec<f64>; 2]>,
     /// Places along x and y, m.
     places: Option<[Vec<f64>; 2]>,
+    /// Whether its file was taken for metres because nothing names a unit.
+    takes_metres: bool,
 }
 
 impl AsperityList {
@@ -197,11 +199,17 @@ impl AsperityList {
     pub fn read(path: &Path, options: ListOptions, progress: &dyn Progress) -> Result<Self, ListError> {
         let needed = options.needed();
         let mut found = Columns::default();
+        let mut takes_metres = options.unit.is_none();
         if npy::is_npy(path)? {
             found = read_npy(path, needed, options, progress)?;
         } else {
-            text::rows(path, needed, options, progress, |columns, row| {
-                columns.iter().zip(row).for_each(|(&column, &value)| found[column as usize].push(value));
+            text::rows(path, needed, options, progress, |header, row| {
+                takes_metres = header.takes_metres;
+                header
+                    .columns
+                    .iter()
+                    .zip(row)
+                    .for_each(|(&column, &value)| found[column as usize].push(value));
             })?;
         }
         let [heights, radii, kx, ky, x, y] = found;
@@ -209,7 +217,7 @@ impl AsperityList {
             return Err(ListError::Empty);
         }
         let places = (!x.is_empty()).then_some([x, y]);
-        Ok(Self { heights, radii, curvatures: options.as_ellipses.then_some([kx, ky]), places })
+        Ok(Self { heights, radii, curvatures: options.as_ellipses.then_some([kx, ky]), places, takes_metres })
     }
 
     /// Checks every row of a file without keeping it, and returns their number. Of an `.npy` of more than 1e8 rows only the
@@ -239,19 +247,30 @@ impl AsperityList {
             return Err(ListError::Empty);
         }
         let [heights, radii, kx, ky, ..] = rows_of(&array, rows, needed, options, &Silent)?;
-        Ok(Self { heights, radii, curvatures: options.as_ellipses.then_some([kx, ky]), places: None })
+        Ok(Self {
+            heights,
+            radii,
+            curvatures: options.as_ellipses.then_some([kx, ky]),
+            places: None,
+            takes_metres: options.unit.is_none(),
+        })
     }
 
     /// The list with these columns, in m and 1/m: heights, radii, and the principal curvatures kx and ky of ellipses.
     /// [`Self::set`] checks them.
     pub fn new(heights: Vec<f64>, radii: Vec<f64>, curvatures: Option<[Vec<f64>; 2]>) -> Self {
-        Self { heights, radii, curvatures, places: None }
+        Self { heights, radii, curvatures, places: None, takes_metres: false }
     }
 
     /// The same list with the places of its asperities along x and y, m: as many as rows.
     #[must_use]
     pub fn at_places(self, places: [Vec<f64>; 2]) -> Self {
         Self { places: Some(places), ..self }
+    }
+
+    /// Whether its file was taken for metres because neither it nor the options name a unit.
+    pub fn takes_metres(&self) -> bool {
+        self.takes_metres
     }
 
     /// The places of its asperities along x and y, m, where they are known.

@@ -19,7 +19,7 @@ pub(super) fn rows(
     needed: &'static [ListColumn],
     options: ListOptions,
     progress: &dyn Progress,
-    mut keep: impl FnMut(&[ListColumn], &[f64]),
+    mut keep: impl FnMut(&Header, &[f64]),
 ) -> Result<usize, ListError> {
     let file = File::open(path)?;
     let mut counted = Count::new(progress, 1.0, file.metadata()?.len() as usize);
@@ -65,7 +65,7 @@ pub(super) fn rows(
             }
         };
         row(text, line, header, &mut marks, &mut values)?;
-        keep(&header.columns, &values);
+        keep(header, &values);
         count += 1;
     }
     counted.end();
