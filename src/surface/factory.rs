@@ -307,7 +307,7 @@ impl<'a> SurfaceFactory<'a> {
                 }
                 Ok(surface)
             }
-            Origin::Population { population, ratio, count, draw, plane, bodies } => {
+            Origin::Population { population, ratio, count, draw, plane, bodies, no_composite } => {
                 let draw = match draw {
                     DrawSpec::Random => Draw::Random(stream_seed(
                         self.seed,
@@ -332,6 +332,13 @@ impl<'a> SurfaceFactory<'a> {
                 surface.nominal = Some(population.clone());
                 surface.bodies = bodies.clone();
                 surface.warnings.extend(surface.bodies.as_deref().and_then(greenwood_tripp_caveat));
+                surface.meets_in_pairs = no_composite.is_some();
+                surface.warnings.extend(no_composite.iter().map(|reason| {
+                    format!(
+                        "no isotropic Gaussian surface has these asperities ({reason}): in place of their composite the statistical model is \
+                         the integral of Greenwood and Tripp (1971), and its radius, sigma and density are those of pairs that meet."
+                    )
+                }));
                 Ok(surface)
             }
             Origin::Generated(generation) => {

@@ -6,9 +6,9 @@ use asperity::bem::{Boundary, Solver};
 use asperity::compare::{AgainstReference, CaseSampling, Control};
 use asperity::spot::{Joint, SpotProperties};
 use asperity::study::{
-    CaseResults, CaseStudy, LawFindings, LayerQuestion, RealisationResults, Setup, Shortcut, SurfaceModels,
-    attribute, decreases, differ, film_friction, models_of, rank, run_surface, sampling, shortcuts,
-    thresholds,
+    CaseResults, CaseStudy, LawFindings, LayerQuestion, RealisationResults, Setup, SurfaceModels, attribute,
+    decreases, differ, film_friction, greenwood_tripp_curves, models_of, rank, run_surface, sampling,
+    shortcuts, thresholds,
 };
 use asperity::surface::{AnalysisDepth, PreparedMap, Surface};
 use asperity::work::Counter;
@@ -276,11 +276,12 @@ impl<'a> Run<'a> {
             case.ranking = Some(ranking).filter(|ranking| !ranking.models.is_empty());
         }
         let found = shortcuts(setup, &surface, &cases);
-        if found.iter().flatten().any(|one| one.shortcut == Shortcut::GreenwoodTripp) {
+        let curves = greenwood_tripp_curves(setup, &surface);
+        if curves.iter().any(|curve| !curve.is_empty()) {
             self.papers.push(literature::GREENWOOD_TRIPP_1971);
         }
-        for (case, found) in cases.iter_mut().zip(found) {
-            case.shortcuts = found;
+        for (case, (found, curve)) in cases.iter_mut().zip(found.into_iter().zip(curves)) {
+            (case.shortcuts, case.greenwood_tripp) = (found, curve);
         }
         let own_cut_off =
             treatments.map(|treatments| treatments.judge(&mut cases, &surface, compare.study.accept));

@@ -118,6 +118,9 @@ impl<'a> SurfaceModels<'a> {
             return Box::new(joint_model(contact, density, joint.shape(law), plane));
         }
         let (population, shape) = (self.population.clone(), self.mean_shape(law));
+        if self.surface.meets_in_pairs {
+            return Box::new(Statistical::new(contact, population).weighed_by_survival());
+        }
         let plane = self.surface.reporting_plane();
         match self.statistical.mean_radius {
             MeanRadius::InContact => {

@@ -53,6 +53,8 @@ pub struct Surface {
     pub mean_plane: Option<f64>,
     /// The population that it was drawn from: its parameters are then the inputs of the statistical model.
     pub nominal: Option<Population>,
+    /// Whether that population is of pairs that meet (Greenwood and Tripp 1971), in place of a composite of both bodies.
+    pub meets_in_pairs: bool,
     /// The asperities of both bodies whose sum it is.
     pub bodies: Option<Box<[BodyAsperities; 2]>>,
     /// The mean shape of its asperities as ellipses, for elliptic laws.
@@ -241,6 +243,7 @@ impl Surface {
             origin: 0.0,
             mean_plane: None,
             nominal: None,
+            meets_in_pairs: false,
             bodies: None,
             ellipticity,
             map: None,
@@ -316,7 +319,7 @@ impl Surface {
             heights: Heights::GAUSSIAN,
         };
         let population = self.nominal.clone().unwrap_or(own);
-        let Some(heights) = heights else { return Ok(population) };
+        let Some(heights) = heights.filter(|_| !self.meets_in_pairs) else { return Ok(population) };
         let moments = self.statistics.skewness.zip(self.statistics.kurtosis).map(|(s, k)| [s, k]);
         Ok(Population { heights: heights.fit_by(|| self.set.smoothed_heights(), moments)?, ..population })
     }
@@ -387,7 +390,7 @@ impl Surface {
     /// References for its asperities.
     pub fn papers(&self) -> Vec<Paper> {
         let mut papers: Vec<Paper> = self.map.iter().flat_map(MapFacts::papers).collect();
-        let is_composite = self.bodies.is_some() && self.nominal.is_some();
+        let is_composite = self.bodies.is_some() && self.nominal.is_some() && !self.meets_in_pairs;
         if self.is_converted() || is_composite {
             papers.push(literature::NAYAK_1971);
         }
