@@ -60,7 +60,8 @@ pub fn run_within(
     let contact =
         contact_metadata(context.materials, &compare.study.laws, &compare.study.bodies, layer_metadata);
     let mut implausible = compare.study.implausible.clone();
-    implausible.extend(surfaces.iter().flat_map(|results| {
+    let scattered = surfaces.iter().filter(|results| results.surface.unscattered.is_none());
+    implausible.extend(scattered.flat_map(|results| {
         let Surface { name, statistics, set, .. } = &results.surface;
         plausibility::of_surface(name, statistics.mean_radius, statistics.sigma, set.nominal_area())
     }));
@@ -206,15 +207,21 @@ struct Sampled {
 impl<'a> Run<'a> {
     /// All realisations of a surface, with what follows from them.
     fn surface(&mut self, plan: &'a SurfacePlan) -> Result<SurfaceResults, InputError> {
-        let (context, compare, setup, scope) = (self.context, self.compare, self.setup, self.scope);
+        let (context, compare, scope) = (self.context, self.compare, self.scope);
         let factory = SurfaceFactory::new(plan, context, self.counter).with_store(scope.store);
         // A picture of few cases needs the map; a large one is not brought into memory for it.
         let has_picture = factory.preparation().is_some()
             && [compare.study.surfaces.len(), plan.realisations] == [1; 2]
-            && setup.laws.len() <= scope.pictures
+            && compare.study.laws.len() <= scope.pictures
             && plan.map_points().is_some_and(|[nx, ny]| nx * ny <= MOST_POINTS_OF_PICTURE);
-        let mut factory = factory.keeping_map(compare.reference.is_some() || has_picture);
+        let mut factory = factory
+            .keeping_map(compare.reference.is_some() || has_picture)
+            .of_any(compare.models.is_empty() || compare.described.is_some());
         let mut surface = factory.make(1, compare.depth(), &mut self.files, &mut self.timing)?;
+        if surface.unscattered.is_some() {
+            self.setup.models = &[];
+        }
+        let setup = self.setup;
         // Until the input is read, which leaves a thread less, so that the times of the models are theirs.
         (context.input_sha256)()?;
         let models = self.models(&surface)?;
@@ -236,12 +243,14 @@ impl<'a> Run<'a> {
             .as_deref()
             .map(|LayerPlan { coating, thicknesses, .. }| LayerQuestion { coating, thicknesses, bare });
         let thresholds = layer
-            .filter(|layer| layer.thicknesses != [0.0] && scope.has_intervals())
+            .filter(|layer| {
+                layer.thicknesses != [0.0] && scope.has_intervals() && surface.unscattered.is_none()
+            })
             .map_or_else(Vec::new, |layer| thresholds(layer, setup, &surface, &models, &first, self.counter));
         let friction = layer.zip(compare.study.film.as_ref()).map_or_else(Vec::new, |(layer, film)| {
             film_friction(layer, film, setup, &surface, &models, &first)
         });
-        let decreases = if scope.has_intervals() {
+        let decreases = if scope.has_intervals() && surface.unscattered.is_none() {
             decreases(setup.laws, &surface, &models, &first, self.counter)
         } else {
             Vec::new()

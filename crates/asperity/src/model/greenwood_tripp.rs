@@ -29,8 +29,9 @@ impl GreenwoodTrippError {
         if [first, second].iter().any(|body| body.heights != Heights::GAUSSIAN) {
             return Some(Self::NotGaussian);
         }
-        let ratio = first.sigma.min(second.sigma) / first.sigma.max(second.sigma);
-        (ratio.is_nan() || ratio < LEAST_RATIO).then_some(Self::Smooth { ratio })
+        let larger = first.sigma.max(second.sigma);
+        let ratio = if larger > 0.0 { first.sigma.min(second.sigma) / larger } else { 0.0 };
+        (ratio < LEAST_RATIO).then_some(Self::Smooth { ratio })
     }
 }
 

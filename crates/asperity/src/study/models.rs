@@ -35,7 +35,11 @@ impl<'a> SurfaceModels<'a> {
         laws: &[ContactLaw],
         is_summed: bool,
     ) -> Result<Self, HeightsError> {
-        let joint = statistical.joint.map(|joint| joint.density(surface)).transpose()?;
+        let joint = statistical
+            .joint
+            .filter(|_| surface.unscattered.is_none())
+            .map(|joint| joint.density(surface))
+            .transpose()?;
         Self::with(joint.map(Arc::new), surface, statistical, laws, is_summed)
     }
 

@@ -8,7 +8,7 @@ use crate::compare::ModelKind;
 use crate::distribution::gaussian_moment;
 use crate::interface::MicroContact;
 use crate::model::{GreenwoodTrippError, power_law};
-use crate::surface::Surface;
+use crate::surface::{BodyAsperities, Surface};
 use crate::{Heights, Model, Population, Response, Statistical, named_enum};
 
 named_enum! {
@@ -61,7 +61,8 @@ pub struct ShortcutResult {
 /// The shortcuts on each of `cases` of a surface, in their order; none of one body, of laws for ellipses, and where the bodies do not allow
 /// one.
 pub fn shortcuts(setup: Setup, surface: &Surface, cases: &[CaseStudy]) -> Vec<Vec<ShortcutResult>> {
-    let Some(bodies) = &surface.bodies else { return vec![Vec::new(); cases.len()] };
+    let scatter = |bodies: &&Box<[BodyAsperities; 2]>| bodies.iter().all(|body| body.sigma > 0.0);
+    let Some(bodies) = surface.bodies.as_ref().filter(scatter) else { return vec![Vec::new(); cases.len()] };
     let bodies = bodies.each_ref().map(|body| body.population(setup.statistical.mean_radius));
     let of_case = |case: &CaseStudy, contact: &dyn MicroContact| -> Vec<ShortcutResult> {
         let at_load = case.results_at_load();

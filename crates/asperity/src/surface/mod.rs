@@ -75,6 +75,9 @@ pub struct Surface {
     pub repeats: Repeats,
     /// How its preparation was found, where it was not prescribed.
     pub fit: Option<Box<Fit>>,
+    /// Why neither model applies, of a map whose summits do not scatter or that has none: separations are then from the mean plane, and
+    /// nothing is in units of sigma. Its statistics, as far as they are not defined, are NaN.
+    pub unscattered: Option<NoAsperities>,
     /// Caveats.
     pub warnings: Vec<String>,
 }
@@ -254,6 +257,7 @@ impl Surface {
             realisations: 1,
             repeats: Repeats::Realisations,
             fit: None,
+            unscattered: None,
             warnings: Vec::new(),
         }
     }
@@ -319,7 +323,9 @@ impl Surface {
             heights: Heights::GAUSSIAN,
         };
         let population = self.nominal.clone().unwrap_or(own);
-        let Some(heights) = heights.filter(|_| !self.meets_in_pairs) else { return Ok(population) };
+        let Some(heights) = heights.filter(|_| !self.meets_in_pairs && self.unscattered.is_none()) else {
+            return Ok(population);
+        };
         let moments = self.statistics.skewness.zip(self.statistics.kurtosis).map(|(s, k)| [s, k]);
         Ok(Population { heights: heights.fit_by(|| self.set.smoothed_heights(), moments)?, ..population })
     }
@@ -349,7 +355,7 @@ impl Surface {
         let target = self.map.as_ref().and_then(|map| map.generation.as_ref()?.target.as_ref());
         match target {
             Some((target, _)) => target.sigma_of,
-            None if self.is_converted() => SigmaOf::Surface,
+            None if self.is_converted() || self.unscattered.is_some() => SigmaOf::Surface,
             None => SigmaOf::Summits,
         }
     }
