@@ -90,7 +90,10 @@ fn hard(rough: (&str, &Material), flat: (&str, &Material)) -> Option<String> {
 const FLAT: f64 = 1e-4;
 
 /// A surface that was made: of a map by its own slope, unless its file states its units.
-pub fn of_made(Surface { name, statistics, set, map, .. }: &Surface) -> Vec<String> {
+pub fn of_made(Surface { name, statistics, set, map, unscattered, .. }: &Surface) -> Vec<String> {
+    if unscattered.is_some() {
+        return Vec::new();
+    }
     let is_flat = match map {
         Some(map) => map.is_held != [true; 2] && map.roughness.rms_slope() < FLAT,
         None => is_flat(statistics.mean_radius, statistics.sigma),

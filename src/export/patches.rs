@@ -133,7 +133,7 @@ impl ExportedContacts {
         let plan = self.surface();
         let counter = Counter::default();
         let (mut files, mut timing) = (files_of(std::slice::from_ref(plan), &counter), Timing::default());
-        let mut factory = SurfaceFactory::new(plan, &context, &counter).keeping_map(true);
+        let mut factory = SurfaceFactory::new(plan, &context, &counter).keeping_map(true).of_any(true);
         let surface = factory.make(self.realisation, AnalysisDepth::Asperities, &mut files, &mut timing)?;
         let Some(prepared) = &surface.prepared else { return Ok(Vec::new()) };
         let area = self.plan.setup(&context).load_area(&surface);

@@ -1,7 +1,8 @@
-//! Two rough bodies that are populations: their composite, whose spectral moments are the sums of both (Nayak 1971).
+//! Two rough bodies that are populations: their composite, whose spectral moments are the sums of both (Nayak 1971), or where no surface has
+//! such asperities the pairs of them that meet (Greenwood and Tripp 1971).
 
 use asperity::surface::BodyAsperities;
-use asperity::{Heights, Population, ReferencePlane, SurfaceHeights};
+use asperity::{Heights, Population, ReferencePlane, SurfaceHeights, meeting_pairs};
 use asperity_contact_framework::input::{InputError, Source, Spanned};
 
 use super::pair_spec::PairSpec;
@@ -14,7 +15,8 @@ const COUNT: usize = 1 << 16;
 /// The composite of a pair of populations; `None` of other surfaces.
 ///
 /// # Errors
-/// One population alone, and two that are not Gaussian or that no isotropic Gaussian surface has; keys about positions.
+/// One population alone, and two that are not Gaussian, or neither of an isotropic Gaussian surface nor alike enough to meet in pairs; keys
+/// about positions.
 pub(super) fn of_populations(
     source: &Source,
     raw: &PairSpec,
@@ -51,14 +53,29 @@ pub(super) fn of_populations(
                 name.get_ref()
             )));
         }
-        let surface = SurfaceHeights::of_asperities(&population)
-            .map_err(|error| refuse(format!("{}: {error}", name.get_ref())))?;
-        Ok::<(Population, SurfaceHeights), InputError>((population, surface))
+        Ok::<Population, InputError>(population)
     };
-    let (first, second) = (gaussian(&raw.a, first)?, gaussian(&raw.b, second)?);
-    let composite = SurfaceHeights::composite([first.1, second.1]).population();
-    let population = composite.map_err(|error| source.error_at(raw.b.span(), error))?;
-    let bodies = [(&raw.a, &first.0), (&raw.b, &second.0)]
+    let both = [gaussian(&raw.a, first)?, gaussian(&raw.b, second)?];
+    let surface = |name: &Spanned<String>, population: &Population| {
+        SurfaceHeights::of_asperities(population).map_err(|error| format!("{}: {error}", name.get_ref()))
+    };
+    let surfaces = surface(&raw.a, &both[0]).and_then(|a| Ok([a, surface(&raw.b, &both[1])?]));
+    let composite = surfaces.and_then(|surfaces| {
+        SurfaceHeights::composite(surfaces).population().map_err(|error| error.to_string())
+    });
+    let (population, no_composite) = match composite {
+        Ok(composite) => (composite, None),
+        Err(reason) => match meeting_pairs(&both) {
+            Ok(pairs) => (pairs, Some(reason)),
+            Err(error) => {
+                let message = format!(
+                    "{reason}; the integral of Greenwood and Tripp (1971), which needs no such surface, is not possible either: {error}"
+                );
+                return Err(source.error_at(raw.b.span(), message));
+            }
+        },
+    };
+    let bodies = [(&raw.a, &both[0]), (&raw.b, &both[1])]
         .map(|(name, population)| BodyAsperities::nominal(name.get_ref(), population));
     Ok(Some(Origin::Population {
         plane: ReferencePlane { mean: 0.0, sigma: population.sigma },
@@ -67,5 +84,6 @@ pub(super) fn of_populations(
         count: COUNT,
         draw: DrawSpec::Quantiles,
         bodies: Some(Box::new(bodies)),
+        no_composite,
     }))
 }

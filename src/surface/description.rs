@@ -66,7 +66,7 @@ impl Plan for SurfacesPlan {
         let mut files = files_of(&self.surfaces, &counter);
         let mut seen = Vec::new();
         for surface in &self.surfaces {
-            let mut factory = SurfaceFactory::new(surface, context, &counter);
+            let mut factory = SurfaceFactory::new(surface, context, &counter).of_any(true);
             seen.push(factory.make(1, AnalysisDepth::Everything, &mut files, &mut timing)?);
             context.progress.step();
         }

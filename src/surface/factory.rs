@@ -45,6 +45,8 @@ pub struct SurfaceFactory<'a> {
     pair: Option<PreparedPair>,
     /// What keeps its first realisation.
     store: Option<&'a dyn SurfaceStore>,
+    /// Whether surfaces without summits of different heights are made, too.
+    is_any: bool,
 }
 
 impl<'a> SurfaceFactory<'a> {
@@ -74,6 +76,7 @@ impl<'a> SurfaceFactory<'a> {
             fitted: None,
             pair: None,
             store: None,
+            is_any: false,
         }
     }
 
@@ -87,11 +90,40 @@ impl<'a> SurfaceFactory<'a> {
         Self { keeps_map, ..self }
     }
 
+    /// The same, of surfaces to which neither model applies, too, where `is_any` ([`Surface::unscattered`]).
+    pub fn of_any(self, is_any: bool) -> Self {
+        Self { is_any, ..self }
+    }
+
     /// Makes or reads realisation `realisation` (from 1).
     ///
     /// # Errors
-    /// A file that cannot be read, a map without a summit, heights that are all equal, a target that is not reached.
+    /// A file that cannot be read, heights that are all equal, a map without summits of different heights unless any is made, a target that is not
+    /// reached.
     pub fn make(
+        &mut self,
+        realisation: usize,
+        depth: AnalysisDepth,
+        files: &mut Files,
+        timing: &mut Timing,
+    ) -> Result<Surface, InputError> {
+        let surface = self.any(realisation, depth, files, timing)?;
+        let Some(error) = surface.unscattered.as_ref().filter(|_| !self.is_any) else { return Ok(surface) };
+        let error = match &self.plan.origin {
+            Origin::Map(map) => {
+                let preparation = self.fitted.unwrap_or(map.preparation);
+                let error = no_asperities(error, map.size(), preparation.filter);
+                format!("{} {error}", map.file.path.display())
+            }
+            _ => error.to_string(),
+        };
+        let error = format!(
+            "{error}; or boundary elements alone, which need no asperities: `models = [\"reference\"]` in `[compare]`"
+        );
+        Err(self.source.error_at(self.plan.size_key.clone(), error))
+    }
+
+    fn any(
         &mut self,
         realisation: usize,
         depth: AnalysisDepth,
@@ -153,7 +185,9 @@ impl<'a> SurfaceFactory<'a> {
             progress,
         };
         self.counter.add(Item::Surfaces, 1);
-        found(&self.plan.name, &search, (&**self.raw.as_ref()?, [false; 2]), &mut Timing::default()).ok()
+        found(&self.plan.name, &search, (&**self.raw.as_ref()?, [false; 2]), &mut Timing::default())
+            .ok()
+            .filter(|surface| surface.unscattered.is_none())
     }
 
     /// The surface of a `map` that was derived from the prepared map of a surface with these `facts`: not prepared further and not
@@ -172,7 +206,9 @@ impl<'a> SurfaceFactory<'a> {
             progress,
         };
         self.counter.add(Item::Surfaces, 1);
-        found(&self.plan.name, &search, (map, [false; 2]), &mut Timing::default()).ok()
+        found(&self.plan.name, &search, (map, [false; 2]), &mut Timing::default())
+            .ok()
+            .filter(|surface| surface.unscattered.is_none())
     }
 
     /// Calls `take` with the map of realisation `realisation` (from 1) after each step of its preparation, in order; of a surface that is
@@ -323,7 +359,7 @@ impl<'a> SurfaceFactory<'a> {
                 }
                 Ok(surface)
             }
-            Origin::Population { population, ratio, count, draw, plane, bodies } => {
+            Origin::Population { population, ratio, count, draw, plane, bodies, no_composite } => {
                 let draw = match draw {
                     DrawSpec::Random => Draw::Random(stream_seed(
                         self.seed,
@@ -348,6 +384,13 @@ impl<'a> SurfaceFactory<'a> {
                 surface.nominal = Some(population.clone());
                 surface.bodies = bodies.clone();
                 surface.warnings.extend(surface.bodies.as_deref().and_then(greenwood_tripp_caveat));
+                surface.meets_in_pairs = no_composite.is_some();
+                surface.warnings.extend(no_composite.iter().map(|reason| {
+                    format!(
+                        "no isotropic Gaussian surface has these asperities ({reason}): in place of their composite the statistical model is \
+                         the integral of Greenwood and Tripp (1971), and its radius, sigma and density are those of pairs that meet."
+                    )
+                }));
                 Ok(surface)
             }
             Origin::Generated(generation) => {
@@ -375,7 +418,8 @@ impl<'a> SurfaceFactory<'a> {
                     None => plan.make(source, files, |body, files| {
                         let (seed, counter, progress) = (self.seed, self.counter, self.progress);
                         let mut factory = SurfaceFactory::from_seed(body, source, seed, counter, progress)
-                            .keeping_map(true);
+                            .keeping_map(true)
+                            .of_any(true);
                         factory.make(1, AnalysisDepth::Comparison, files, timing)
                     })?,
                 };
@@ -507,7 +551,7 @@ fn timed(
     timing: &mut Timing,
 ) -> Result<Surface, NoAsperities> {
     let start = Instant::now();
-    let mut surface = search.surface(name, map)?;
+    let mut surface = search.any_surface(name, map)?;
     timing.summits += start.elapsed();
     if let Some(map) = &mut surface.map {
         map.is_held = is_held;
@@ -519,6 +563,13 @@ fn timed(
 fn own_warnings(surface: &Surface) -> Vec<String> {
     let mut warnings = surface.map.as_ref().map_or_else(Vec::new, fitness::warnings);
     warnings.extend(fitness::failures(surface));
+    warnings.extend(surface.unscattered.as_ref().map(|reason| {
+        format!(
+            "neither the integral nor the sum over asperities applies: the map {}; boundary elements need no asperities (`models = \
+             [\"reference\"]`), separations are from the mean plane, areas those of the points in contact.",
+            fitness::without_advice(reason)
+        )
+    }));
     let spread = surface.statistics.mean_radius / surface.statistics.radius_of_mean_curvature;
     if spread > FEW_FLAT_TOPS {
         warnings.push(format!(

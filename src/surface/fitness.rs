@@ -5,7 +5,7 @@ use asperity_contact_framework::report::format::{count, input_quantity, number, 
 
 use asperity::compare::Repeats;
 use asperity::numeric::two_digits_up;
-use asperity::surface::{Fit, MOST_SPIKE_POINTS, MapFacts, NotApplied, Remedy, Surface};
+use asperity::surface::{Fit, MOST_SPIKE_POINTS, MapFacts, NoAsperities, NotApplied, Remedy, Surface};
 use asperity::topography::HeightPlace;
 use asperity::topography::fitness::LARGEST_FLANKS;
 use asperity::topography::generate::FEWEST_LENGTHS;
@@ -45,6 +45,11 @@ pub fn warnings(map: &MapFacts) -> Vec<String> {
         ));
     }
     warnings
+}
+
+/// Why neither model applies to a map, without what is allowed in its place.
+pub fn without_advice(reason: &NoAsperities) -> String {
+    reason.to_string().split([':', ';']).next().unwrap_or_default().to_owned()
 }
 
 /// What keeps a map from carrying a verdict, and the remedy: a sentence for each such check.

@@ -45,6 +45,9 @@ fn answer(surfaces: &[Surface]) -> String {
         (some, maps) => format!(" {} of {maps} maps are not fit.", some.len()),
     };
     match surfaces {
+        [Surface { unscattered: Some(reason), .. }] => {
+            format!("Neither model applies: the map {}.{fitness}", fitness::without_advice(reason))
+        }
         [only] => format!(
             "{} asperities of mean radius {}, heights with σ = {}.{fitness}",
             count(only.set.count()),

@@ -57,6 +57,8 @@ pub(super) enum Origin {
         plane: ReferencePlane,
         /// Those whose composite it is.
         bodies: Option<Box<[BodyAsperities; 2]>>,
+        /// Why these have none, so that it is of their pairs that meet.
+        no_composite: Option<String>,
     },
     Generated(Box<Generation>),
     Map(MapPlan),
@@ -224,7 +226,15 @@ impl SurfacePlan {
                 plane.mean = -surface.mean_asperity_height();
             }
         }
-        Ok(Origin::Population { population, ratio, count, draw: raw.draw, plane, bodies: None })
+        Ok(Origin::Population {
+            population,
+            ratio,
+            count,
+            draw: raw.draw,
+            plane,
+            bodies: None,
+            no_composite: None,
+        })
     }
 
     fn map(spec: &SpecFile, raw: &FileSpec) -> Result<Origin, InputError> {
@@ -490,8 +500,9 @@ impl SurfacePlan {
     pub fn describe(&self) -> String {
         let what = match &self.origin {
             Origin::List { path, rows, .. } => format!("{rows} asperities listed in {}", path.display()),
-            Origin::Population { bodies: Some(bodies), .. } => {
-                format!("composite of the populations {} and {}", bodies[0].name, bodies[1].name)
+            Origin::Population { bodies: Some(bodies), no_composite, .. } => {
+                let what = if no_composite.is_some() { "pairs of asperities" } else { "composite" };
+                format!("{what} of the populations {} and {}", bodies[0].name, bodies[1].name)
             }
             Origin::Population { count, .. } => format!("{count} asperities of a population"),
             Origin::Generated(generation) => generation.describe(),

@@ -198,10 +198,10 @@ pub struct TheoryRow<'a> {
 impl<'a> TheoryRow<'a> {
     /// None without a theory.
     fn all(surface: &'a Surface) -> Vec<Self> {
-        let Some(map) = surface.map.as_ref().filter(|map| map.expected.is_some() || map.nayak.is_some())
-        else {
-            return Vec::new();
+        let has_theory = |map: &&MapFacts| {
+            surface.unscattered.is_none() && (map.expected.is_some() || map.nayak.is_some())
         };
+        let Some(map) = surface.map.as_ref().filter(has_theory) else { return Vec::new() };
         let (statistics, sq) = (&surface.statistics, map.roughness.moments.sq);
         let plane = surface.mean_plane.unwrap_or_default();
         let row = |property, found, expected: &dyn Fn(&Expected) -> f64| Self {

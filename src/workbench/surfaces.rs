@@ -34,7 +34,8 @@ pub fn surface(
     let counter = Counter::default();
     let (mut files, mut timing) = (files_of(std::slice::from_ref(plan), &counter), Timing::default());
     let mut factory = SurfaceFactory::from_seed(plan, &file.source, file.seed, &counter, progress)
-        .with_store(Some(&of_spec));
+        .with_store(Some(&of_spec))
+        .of_any(true);
     let surface = factory.make(1, AnalysisDepth::Everything, &mut files, &mut timing).map_err(refuse)?;
     Ok(of_spec.get(&identity).unwrap_or_else(|| Arc::new(factory.stored(surface))))
 }

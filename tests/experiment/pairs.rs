@@ -12,6 +12,7 @@ use asperity_experiment::Experiment;
 use asperity_experiment::kind::compare::results::CompareResults;
 
 use crate::Report;
+use crate::results::{number, table};
 
 const BODIES: &str = concat!(
     "title = \"t\"\nseed = 3\n",
@@ -220,6 +221,86 @@ fn populations_have_a_composite() {
     assert_eq!(names, ["smooth b", "smooth a", "variances-added"]);
     let warnings = &unequal.surfaces[2].surface.warnings;
     assert!(warnings.iter().any(|warning| warning.contains("at least 0.5")), "{warnings:?}");
+}
+
+/// p(h/sigma) of two equal elastic bodies, and of two that no isotropic Gaussian surface has.
+#[test]
+fn the_curve_of_greenwood_and_tripp() {
+    let run = |compare: &str, sigma: &str| {
+        let head = concat!(
+            "title = \"t\"\n",
+            steel!(),
+            "[compare]\nrough = \"steel\"\nflat = \"steel\"\nlaw = \"hertz\"\n"
+        );
+        let body = |name: &str| {
+            format!(
+                "[surface.{name}.population]\nradius = \"10 um\"\nsigma = \"{sigma}\"\ndensity = \"2e10 /m^2\"\ncount = 1000\n"
+            )
+        };
+        let models = "models = [\"statistical\"]\nsurfaces = [\"both\"]\n";
+        let text = [head, compare, models, &body("a"), &body("b"), &pair("")].concat();
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("pair.toml");
+        std::fs::write(&path, text).unwrap();
+        Experiment::read(&path).unwrap().run(&Silent).unwrap()
+    };
+    let rows = |results: &dyn Outcome| table(results, "greenwood_tripp.csv").unwrap();
+    // By adaptive quadrature (scipy).
+    const MOMENTS: [f64; 8] = [
+        6.1663421900e-01,
+        2.4040157067e-01,
+        8.0562335571e-02,
+        2.2863056021e-02,
+        5.4237051975e-03,
+        1.0636889501e-03,
+        1.7087299621e-04,
+        2.2312407198e-05,
+    ];
+    let separations = "separation = [0, 0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4]\n";
+    let found = run(separations, "0.2 um");
+    let curve = rows(&*found);
+    assert_eq!(curve.len(), 9);
+    let modulus = 0.5 * 210e9 / (1.0 - 0.3f64.powi(2));
+    let (sigma, radius, density) = (0.2e-6 * 2f64.sqrt(), 10e-6, 2e10);
+    for (row, (moment, k)) in curve.iter().zip(MOMENTS.into_iter().zip(0..)) {
+        let h = 0.5 * f64::from(k);
+        let scale = 16.0 * 2f64.sqrt() * std::f64::consts::PI / 15.0
+            * (density * radius * sigma).powi(2)
+            * (sigma / radius).sqrt()
+            * modulus;
+        let law = 4.4086e-5 * (4.0 - h).powf(6.804);
+        for (column, value) in [
+            ("separation_over_sigma", h),
+            ("separation_m", h * sigma),
+            ("f_5_2", moment),
+            ("pressure_pa", scale * moment),
+            ("power_law", law),
+            ("power_law_error", law / moment - 1.0),
+        ] {
+            assert!(
+                (number(row, column) - value).abs() <= 1e-7 * value.abs(),
+                "{column} at {h}: {}",
+                row[column]
+            );
+        }
+    }
+    let default = rows(&*run("pressure = \"5 MPa\"\n", "0.2 um"));
+    assert_eq!((default.len(), number(&default[25], "separation_over_sigma")), (41, 2.5));
+
+    // eta R sigma of 0.012 is below that of any surface: the statistical model is the curve.
+    let pairs = run(separations, "60 nm");
+    let curve = rows(&*pairs);
+    let statistical = table(&*pairs, "curves.csv").unwrap();
+    assert_eq!(statistical.len(), 9);
+    for (row, point) in curve.iter().zip(&statistical) {
+        for column in ["separation_over_sigma", "pressure_pa", "area_ratio"] {
+            assert!(
+                (number(row, column) / number(point, column) - 1.0).abs() < 1e-12
+                    || row[column] == point[column]
+            );
+        }
+    }
+    assert!(pairs.warnings().iter().any(|warning| warning.contains("no isotropic Gaussian surface")));
 }
 
 /// A map of heights on coarse steps carries no verdict, and no pair with it does; two fit ones do.

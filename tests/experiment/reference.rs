@@ -11,6 +11,7 @@ use asperity_experiment::Experiment;
 use crate::results::{Row, column, figure, number, table};
 
 mod lines;
+mod unscattered;
 mod verdicts;
 
 /// A smooth periodic surface of 128 x 128 points, 32 of them per shortest wave.

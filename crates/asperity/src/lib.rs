@@ -132,7 +132,7 @@ pub use model::{
     Curve, Deterministic, Exceeded, GreenwoodTrippError, INTERACTION, LARGE_STRAIN_SHARE, LARGEST_LOAD_SHARE,
     LOWEST_SEPARATION, Limit, LoadSharing, MIN_CONTACTS, MeanRadius, Medium, Model, RadiusInContact, Reached,
     ReferencePlane, Response, SamplingError, Statistical, SummitShape, Unreachable, at_pressure,
-    at_pressures, joint_model, reached_at, respond_within,
+    at_pressures, joint_model, meeting_pairs, reached_at, respond_within,
 };
 pub use shape::Shape;
 pub use topography::{HeightMap, MapError};

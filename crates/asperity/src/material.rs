@@ -19,8 +19,8 @@ pub enum MaterialError {
     /// Young's modulus must be positive and finite.
     #[error("Young's modulus {0} Pa; allowed: positive and finite")]
     Young(f64),
-    /// Poisson's ratio must lie in [0, 0.5).
-    #[error("Poisson's ratio {0}; allowed: at least 0 and below 0.5")]
+    /// Poisson's ratio must lie in [0, 0.5].
+    #[error("Poisson's ratio {0}; allowed: 0 to 0.5")]
     Poisson(f64),
     /// Hardness must be positive and finite; a body that never yields has none.
     #[error("hardness {0} Pa; allowed: positive and finite, or left out for a body that never yields")]
@@ -37,7 +37,7 @@ pub enum MaterialError {
 }
 
 impl Material {
-    /// A body of Young's modulus (Pa), Poisson's ratio in [0, 0.5), and hardness and yield
+    /// A body of Young's modulus (Pa), Poisson's ratio in [0, 0.5], and hardness and yield
     /// strength (Pa) where they are known. Without a hardness it never yields.
     ///
     /// # Errors
@@ -52,7 +52,7 @@ impl Material {
         if !is_positive(young) {
             return Err(MaterialError::Young(young));
         }
-        if !(0.0..0.5).contains(&poisson) {
+        if !(0.0..=0.5).contains(&poisson) {
             return Err(MaterialError::Poisson(poisson));
         }
         if let Some(value) = unusable(hardness) {
@@ -162,7 +162,7 @@ mod tests {
         for young in [0.0, -1.0, f64::NAN, f64::INFINITY] {
             assert!(matches!(Material::new(young, 0.3, None, None), Err(MaterialError::Young(_))));
         }
-        for poisson in [-0.1, 0.5, f64::NAN] {
+        for poisson in [-0.1, 0.5f64.next_up(), f64::NAN] {
             assert!(matches!(Material::new(1e9, poisson, None, None), Err(MaterialError::Poisson(_))));
         }
         assert!(

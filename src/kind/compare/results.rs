@@ -232,7 +232,8 @@ impl SurfaceResults {
                 .first()
                 .and_then(|case| case.realisations.get(realisation - 1)?.plasticity_index),
             // A joint density is named in the spec.
-            population: facts.model.joint.is_none().then_some(&facts.population),
+            population: Some(&facts.population)
+                .filter(|_| facts.model.joint.is_none() && self.surface.unscattered.is_none()),
         })
     }
 }

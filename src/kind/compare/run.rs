@@ -6,9 +6,9 @@ use asperity::bem::{Boundary, Solver};
 use asperity::compare::{AgainstReference, CaseSampling, Control};
 use asperity::spot::{Joint, SpotProperties};
 use asperity::study::{
-    CaseResults, CaseStudy, LawFindings, LayerQuestion, RealisationResults, Setup, Shortcut, SurfaceModels,
-    attribute, decreases, differ, film_friction, models_of, rank, run_surface, sampling, shortcuts,
-    thresholds,
+    CaseResults, CaseStudy, LawFindings, LayerQuestion, RealisationResults, Setup, SurfaceModels, attribute,
+    decreases, differ, film_friction, greenwood_tripp_curves, models_of, rank, run_surface, sampling,
+    shortcuts, thresholds,
 };
 use asperity::surface::{AnalysisDepth, PreparedMap, Surface};
 use asperity::work::Counter;
@@ -211,15 +211,21 @@ struct Sampled {
 impl<'a> Run<'a> {
     /// All realisations of a surface, with what follows from them.
     fn surface(&mut self, plan: &'a SurfacePlan) -> Result<SurfaceResults, InputError> {
-        let (context, compare, setup, scope) = (self.context, self.compare, self.setup, self.scope);
+        let (context, compare, scope) = (self.context, self.compare, self.scope);
         let factory = SurfaceFactory::new(plan, context, self.counter).with_store(scope.store);
         // A picture of few cases needs the map; a large one is not brought into memory for it.
         let has_picture = factory.preparation().is_some()
             && [compare.study.surfaces.len(), plan.realisations] == [1; 2]
-            && setup.laws.len() <= scope.pictures
+            && compare.study.laws.len() <= scope.pictures
             && plan.map_points().is_some_and(|[nx, ny]| nx * ny <= MOST_POINTS_OF_PICTURE);
-        let mut factory = factory.keeping_map(compare.reference.is_some() || has_picture);
+        let mut factory = factory
+            .keeping_map(compare.reference.is_some() || has_picture)
+            .of_any(compare.models.is_empty() || compare.described.is_some());
         let mut surface = factory.make(1, compare.depth(), &mut self.files, &mut self.timing)?;
+        if surface.unscattered.is_some() {
+            self.setup.models = &[];
+        }
+        let setup = self.setup;
         // Until the input is read, which leaves a thread less, so that the times of the models are theirs.
         (context.input_sha256)()?;
         let models = self.models(&surface)?;
@@ -241,12 +247,14 @@ impl<'a> Run<'a> {
             .as_deref()
             .map(|LayerPlan { coating, thicknesses, .. }| LayerQuestion { coating, thicknesses, bare });
         let thresholds = layer
-            .filter(|layer| layer.thicknesses != [0.0] && scope.has_intervals())
+            .filter(|layer| {
+                layer.thicknesses != [0.0] && scope.has_intervals() && surface.unscattered.is_none()
+            })
             .map_or_else(Vec::new, |layer| thresholds(layer, setup, &surface, &models, &first, self.counter));
         let friction = layer.zip(compare.study.film.as_ref()).map_or_else(Vec::new, |(layer, film)| {
             film_friction(layer, film, setup, &surface, &models, &first)
         });
-        let decreases = if scope.has_intervals() {
+        let decreases = if scope.has_intervals() && surface.unscattered.is_none() {
             decreases(setup.laws, &surface, &models, &first, self.counter)
         } else {
             Vec::new()
@@ -281,11 +289,12 @@ impl<'a> Run<'a> {
             case.ranking = Some(ranking).filter(|ranking| !ranking.models.is_empty());
         }
         let found = shortcuts(setup, &surface, &cases);
-        if found.iter().flatten().any(|one| one.shortcut == Shortcut::GreenwoodTripp) {
+        let curves = greenwood_tripp_curves(setup, &surface);
+        if curves.iter().any(|curve| !curve.is_empty()) {
             self.papers.push(literature::GREENWOOD_TRIPP_1971);
         }
-        for (case, found) in cases.iter_mut().zip(found) {
-            case.shortcuts = found;
+        for (case, (found, curve)) in cases.iter_mut().zip(found.into_iter().zip(curves)) {
+            (case.shortcuts, case.greenwood_tripp) = (found, curve);
         }
         let own_cut_off =
             treatments.map(|treatments| treatments.judge(&mut cases, &surface, compare.study.accept));

@@ -24,7 +24,9 @@ pub fn section(page: &mut Page, tables: &Tables, surface: &Surface, assumed: Opt
     if !checks.is_empty() {
         page.heading(3, &format!("{name}: fitness of the map")).view(&checks);
     }
-    asperities(page, surface, assumed);
+    if surface.unscattered.is_none() {
+        asperities(page, surface, assumed);
+    }
     page.details(3, &format!("{name}: properties"), |page| {
         let asperities = on_surface(tables.view::<SurfaceRow>(), name).only("realisation", 1_usize);
         page.properties(&asperities.without(&OF_MAP));

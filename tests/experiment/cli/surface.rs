@@ -430,3 +430,27 @@ fn filters_that_cannot_be_meant_are_named() {
     let enough = look(&["--s", "4 um", "--l", "60 um", "--outliers", "remove"]);
     assert!(!text(&enough.stderr).contains("filter of"), "{}", text(&enough.stderr));
 }
+
+/// A sine has no summits of different heights: it is described, and boundary elements answer.
+#[test]
+fn a_wave_is_described_without_models() {
+    let folder = tempfile::tempdir().unwrap();
+    let wave = |k: usize| 1e-6 * (std::f64::consts::TAU * (k / 64) as f64 / 64.0).sin();
+    let map = asperity::HeightMap::new([64; 2], [1e-6; 2], (0..64 * 64).map(wave).collect(), 0.0).unwrap();
+    map.write_npy(&folder.path().join("sine.npy")).unwrap();
+    let described = |more: &[&str]| {
+        let all = [&["surface", "sine.npy", "--pixel", "1 um", "--level", "none"], more].concat();
+        let output = experiment(&all, folder.path());
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        text(&output.stdout)
+    };
+    let said = described(&[]);
+    for words in ["707 nm", "1.5", "Neither applies", "`models = [\"reference\"]`"] {
+        assert!(said.contains(words), "{words}: {said}");
+    }
+    assert!(!said.contains("NaN"), "{said}");
+    let answered = described(&["--reference", "--pressure", "10 MPa", "--name", "pressed"]);
+    assert!(answered.contains("(boundary elements)") && answered.contains("Neither applies"), "{answered}");
+    let swept = described(&["--reference", "--name", "swept"]);
+    assert!(swept.contains("(boundary elements)"), "{swept}");
+}

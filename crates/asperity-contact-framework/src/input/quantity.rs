@@ -145,16 +145,16 @@ impl Range for SeparationRange {
     }
 }
 
-/// Poisson's ratio of a stable solid that is not incompressible: [0, 0.5).
+/// Poisson's ratio of a stable solid: 0 to 0.5, which is incompressible. No contact equation divides by 1 - 2 nu.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PoissonRange {}
 
 impl Range for PoissonRange {
-    const WORDS: &'static str = "at least 0 and below 0.5, a";
-    const IN_SHORT: &'static str = "at least 0 and below 0.5";
-    const BOUNDS: &'static [(&'static str, f64)] = &[("minimum", 0.0), ("exclusiveMaximum", 0.5)];
+    const WORDS: &'static str = "from 0 to 0.5, a";
+    const IN_SHORT: &'static str = "0 to 0.5";
+    const BOUNDS: &'static [(&'static str, f64)] = &[("minimum", 0.0), ("maximum", 0.5)];
     fn holds(value: f64) -> bool {
-        (0.0..0.5).contains(&value)
+        (0.0..=0.5).contains(&value)
     }
 }
 

@@ -101,9 +101,10 @@ impl Serialize for Value {
     }
 }
 
+/// A number that is not defined leaves its cell empty.
 impl From<f64> for Value {
     fn from(number: f64) -> Self {
-        Self::Number(number)
+        if number.is_nan() { Self::Empty } else { Self::Number(number) }
     }
 }
 

@@ -167,6 +167,11 @@ impl AsperitySet {
         Ok(Self::of_columns(Columns { heights, radii, ellipses: None }, nominal_area))
     }
 
+    /// No asperities on a positive nominal area (m^2).
+    pub(crate) fn none_on(nominal_area: f64) -> Self {
+        Self::of_columns(Columns { heights: Vec::new(), radii: Vec::new(), ellipses: None }, nominal_area)
+    }
+
     fn of_columns(columns: Columns, nominal_area: f64) -> Self {
         Self { source: Source::Own(Arc::new(columns)), nominal_area, on_demand: OnDemand::default() }
     }

@@ -26,11 +26,11 @@ pub struct Statistics {
 }
 
 impl Statistics {
-    /// Statistics of `set`, the same to the bit on any number of threads.
+    /// Statistics of `set`, the same to the bit on any number of threads; NaN or `None` of no asperities.
     pub fn new(set: &AsperitySet) -> Self {
         let columns = [set.heights(), set.radii()];
         let count = set.count() as f64;
-        let origins = columns.map(|column| column[0]);
+        let origins = columns.map(|column| column.first().copied().unwrap_or(f64::NAN));
         let [height, radius, curvature] = sums_over(columns, Relative(origins)).map(|sum| sum / count);
         let means = Means { origins, relative: [height, radius] };
         let [sigma, radius_sigma] = sums_over(columns, Squares(means)).map(|sum| (sum / count).sqrt());

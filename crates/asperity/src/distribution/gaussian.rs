@@ -144,27 +144,24 @@ impl HeightDistribution for Gaussian {
     }
 }
 
-/// F_n(h) = int_h^inf (s - h)^n phi(s) ds, phi the standard normal density, for real n > -1, in
-/// closed form through the parabolic cylinder function (DLMF 12.4.1, 12.7.12, 12.7.13).
+/// F_n(h) = int_h^inf (s - h)^n phi(s) ds, phi the standard normal density, for real n above -1 and h from -1000; NaN beyond.
 ///
 /// Greenwood and Williamson's elastic contact is P/A_nom = (4/3) eta E* R^.5 sigma^1.5 F_1.5(h), A/A_nom = pi eta R
-/// sigma F_1(h). The two series cancel as h grows: for n up to 1.5 the relative error is below 3e-11 up to h = 3.
-/// Independent of the quadrature, for checks of it.
+/// sigma F_1(h). The relative error is below 1e-13 for n up to 30 wherever the value is a normal number, which it is up to about
+/// h = 38. By the trapezoidal rule over u with s - h = exp(u - exp(-u)) (Takahasi and Mori 1974): independent of the quadrature of the
+/// models, for checks of it.
 pub fn gaussian_moment(n: f64, h: f64) -> f64 {
-    use statrs::function::gamma::gamma;
-    let z = 0.5 * h * h;
-    let even = PI.sqrt() / gamma(0.5 * n + 1.0) * kummer(0.5 * (n + 1.0), 0.5, z);
-    let odd = SQRT_2 * PI.sqrt() * h / gamma(0.5 * (n + 1.0)) * kummer(0.5 * n + 1.0, 1.5, z);
-    gamma(n + 1.0) / (2.0 * PI).sqrt() * 2f64.powf(-0.5 * (n + 1.0)) * (-z).exp() * (even - odd)
-}
-
-/// Kummer's M(a, b, z) for positive arguments: a series of positive terms.
-fn kummer(a: f64, b: f64, z: f64) -> f64 {
-    let (mut term, mut sum, mut k) = (1.0, 1.0, 0.0);
-    while term > sum * (0.1 * f64::EPSILON) {
-        term *= (a + k) / ((b + k) * (k + 1.0)) * z;
-        sum += term;
-        k += 1.0;
+    if !(n > -1.0 && n.is_finite() && (-1000.0..f64::INFINITY).contains(&h)) {
+        return f64::NAN;
     }
-    sum
+    // Beyond these the integrand is below exp(-40) of what it is where it is largest.
+    let low = (-(40.0 / (n + 1.0)).ln()).min(-3.0);
+    let high = ((-h).max(0.0) + 10.0 + 2.0 * (n + 1.0).sqrt()).ln() + 1.0;
+    let step = 32f64.max(-16.0 * h).recip();
+    let term = |k: usize| {
+        let u = low + k as f64 * step;
+        let e = (-u).exp();
+        ((n + 1.0) * (u - e) - Gaussian.exponent(h, (u - e).exp())).exp() * (1.0 + e)
+    };
+    Gaussian.scale(h) * step * (0..=((high - low) / step) as usize + 1).map(term).sum::<f64>()
 }

@@ -29,8 +29,9 @@ impl GreenwoodTrippError {
         if [first, second].iter().any(|body| body.heights != Heights::GAUSSIAN) {
             return Some(Self::NotGaussian);
         }
-        let ratio = first.sigma.min(second.sigma) / first.sigma.max(second.sigma);
-        (ratio.is_nan() || ratio < LEAST_RATIO).then_some(Self::Smooth { ratio })
+        let larger = first.sigma.max(second.sigma);
+        let ratio = if larger > 0.0 { first.sigma.min(second.sigma) / larger } else { 0.0 };
+        (ratio < LEAST_RATIO).then_some(Self::Smooth { ratio })
     }
 }
 
@@ -54,19 +55,31 @@ impl<'a> Statistical<'a> {
         contact: &'a dyn MicroContact,
         bodies: &[Population; 2],
     ) -> Result<Self, GreenwoodTrippError> {
-        let [first, second] = bodies;
-        if let Some(error) = GreenwoodTrippError::of(bodies) {
-            return Err(error);
-        }
-        let (sigma, radii) = (first.sigma.hypot(second.sigma), first.radius + second.radius);
-        let pairs = Population {
-            radius: first.radius * second.radius / radii,
-            sigma,
-            density: 2.0 * PI * radii * first.density * second.density * sigma,
-            heights: Heights::GAUSSIAN,
-        };
-        Ok(Self::new(contact, pairs).weighed_by_survival())
+        Ok(Self::new(contact, meeting_pairs(bodies)?).weighed_by_survival())
     }
+}
+
+/// Every asperity of one body with every one of the other, as the population over which the model integrates.
+///
+/// # Errors
+/// [`GreenwoodTrippError`].
+pub fn meeting_pairs(bodies: &[Population; 2]) -> Result<Population, GreenwoodTrippError> {
+    let [first, second] = bodies;
+    if let Some(error) = GreenwoodTrippError::of(bodies) {
+        return Err(error);
+    }
+    let (sigma, radii) = (first.sigma.hypot(second.sigma), first.radius + second.radius);
+    Ok(Population {
+        radius: first.radius * second.radius / radii,
+        sigma,
+        density: 2.0 * PI * radii * first.density * second.density * sigma,
+        heights: Heights::GAUSSIAN,
+    })
+}
+
+/// The fit 4.4086e-5 (4 - h)^6.804 to F_5/2(h) that codes of mixed lubrication use, 0 from h = 4 on.
+pub(crate) fn power_law(h: f64) -> f64 {
+    4.4086e-5 * (4.0 - h).max(0.0).powf(6.804)
 }
 
 #[cfg(test)]

@@ -19,7 +19,8 @@ mod weight;
 
 pub use curve::{Curve, respond_within};
 pub use deterministic::Deterministic;
-pub use greenwood_tripp::GreenwoodTrippError;
+pub(crate) use greenwood_tripp::power_law;
+pub use greenwood_tripp::{GreenwoodTrippError, meeting_pairs};
 pub use joint::{SummitShape, joint_model};
 pub use load_control::{LOWEST_SEPARATION, Reached, Unreachable, at_pressure, at_pressures, reached_at};
 pub use medium::Medium;

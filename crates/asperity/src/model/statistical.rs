@@ -108,7 +108,7 @@ impl<'a> Statistical<'a> {
     }
 
     /// The same model with the survival function of Gaussian heights in the place of their density: int A(w) Q((d + w)/sigma) dw/sigma.
-    pub(super) fn weighed_by_survival(self) -> Self {
+    pub(crate) fn weighed_by_survival(self) -> Self {
         Self { weighs_by_survival: true, ..self }
     }
 

@@ -3,7 +3,7 @@
 use super::dependence::{Dependence, Treated};
 use super::ranking::Ranking;
 use super::results::{CaseResults, RealisationFacts, RealisationResults};
-use super::two_bodies::ShortcutResult;
+use super::two_bodies::{GreenwoodTrippPoint, ShortcutResult};
 use super::verdicts::Verdicts;
 use crate::compare::{Accepted, Realisation, Spread, spread};
 use crate::surface::Surface;
@@ -21,6 +21,8 @@ pub struct CaseStudy {
     pub ranking: Option<Ranking>,
     /// Of two rough bodies, what is usual in place of their sum.
     pub shortcuts: Vec<ShortcutResult>,
+    /// Of two rough bodies, the curve of Greenwood and Tripp, where they allow it.
+    pub greenwood_tripp: Vec<GreenwoodTrippPoint>,
     /// The differences under other treatments of a measured map.
     pub treated: Vec<Treated>,
     /// The choices in the analysis of the map that decide a verdict.
@@ -58,6 +60,7 @@ impl CaseStudy {
                 verdicts: Verdicts::new(surface, &realisations, accepted),
                 ranking: None,
                 shortcuts: Vec::new(),
+                greenwood_tripp: Vec::new(),
                 treated: Vec::new(),
                 dependences: Vec::new(),
                 realisations,

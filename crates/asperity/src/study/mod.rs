@@ -63,5 +63,5 @@ pub use setup::Setup;
 pub use statistical::{JointModel, StatisticalModel};
 pub use threshold::{LayerQuestion, thresholds};
 pub use treatment::{Choice, Treatment};
-pub use two_bodies::{Shortcut, ShortcutResult, shortcuts};
+pub use two_bodies::{GreenwoodTrippPoint, Shortcut, ShortcutResult, greenwood_tripp_curves, shortcuts};
 pub use verdicts::{Basis, Verdicts};

@@ -35,7 +35,11 @@ impl<'a> SurfaceModels<'a> {
         laws: &[ContactLaw],
         is_summed: bool,
     ) -> Result<Self, HeightsError> {
-        let joint = statistical.joint.map(|joint| joint.density(surface)).transpose()?;
+        let joint = statistical
+            .joint
+            .filter(|_| surface.unscattered.is_none())
+            .map(|joint| joint.density(surface))
+            .transpose()?;
         Self::with(joint.map(Arc::new), surface, statistical, laws, is_summed)
     }
 
@@ -118,6 +122,9 @@ impl<'a> SurfaceModels<'a> {
             return Box::new(joint_model(contact, density, joint.shape(law), plane));
         }
         let (population, shape) = (self.population.clone(), self.mean_shape(law));
+        if self.surface.meets_in_pairs {
+            return Box::new(Statistical::new(contact, population).weighed_by_survival());
+        }
         let plane = self.surface.reporting_plane();
         match self.statistical.mean_radius {
             MeanRadius::InContact => {

@@ -160,7 +160,8 @@ pub fn run_surface<'a>(
             law: law.label.clone(),
             yields: law.spec.law().yields_by().is_some(),
             thickness: law.thickness,
-            plasticity_index: plasticity_index(contact, population.sigma, population.radius),
+            plasticity_index: plasticity_index(contact, population.sigma, population.radius)
+                .filter(|_| surface.unscattered.is_none()),
             gaps: Gaps::largest(&comparison.pairs),
             differences: Vec::new(),
             not_modelled: None,

@@ -2,12 +2,14 @@
 
 use super::PointResult;
 use super::case::CaseStudy;
+use super::law::LawContact;
 use super::setup::Setup;
 use crate::compare::ModelKind;
+use crate::distribution::gaussian_moment;
 use crate::interface::MicroContact;
-use crate::model::GreenwoodTrippError;
-use crate::surface::Surface;
-use crate::{Heights, Model, Population, Statistical, named_enum};
+use crate::model::{GreenwoodTrippError, power_law};
+use crate::surface::{BodyAsperities, Surface};
+use crate::{Heights, Model, Population, Response, Statistical, named_enum};
 
 named_enum! {
     /// An integral over the asperities of both bodies in place of one over those of their sum.
@@ -59,7 +61,8 @@ pub struct ShortcutResult {
 /// The shortcuts on each of `cases` of a surface, in their order; none of one body, of laws for ellipses, and where the bodies do not allow
 /// one.
 pub fn shortcuts(setup: Setup, surface: &Surface, cases: &[CaseStudy]) -> Vec<Vec<ShortcutResult>> {
-    let Some(bodies) = &surface.bodies else { return vec![Vec::new(); cases.len()] };
+    let scatter = |bodies: &&Box<[BodyAsperities; 2]>| bodies.iter().all(|body| body.sigma > 0.0);
+    let Some(bodies) = surface.bodies.as_ref().filter(scatter) else { return vec![Vec::new(); cases.len()] };
     let bodies = bodies.each_ref().map(|body| body.population(setup.statistical.mean_radius));
     let of_case = |case: &CaseStudy, contact: &dyn MicroContact| -> Vec<ShortcutResult> {
         let at_load = case.results_at_load();
@@ -71,7 +74,9 @@ pub fn shortcuts(setup: Setup, surface: &Surface, cases: &[CaseStudy]) -> Vec<Ve
             let response = model.respond(model.separation_at(load)?);
             Some(ShortcutResult { shortcut, point: PointResult { separation: None, ..(&response).into() } })
         };
-        Shortcut::ALL.into_iter().filter_map(result).collect()
+        // It is the model itself where both have no composite.
+        let is_other = |shortcut: &Shortcut| !surface.meets_in_pairs || *shortcut != Shortcut::GreenwoodTripp;
+        Shortcut::ALL.into_iter().filter(is_other).filter_map(result).collect()
     };
     let laws = setup.laws.iter();
     cases
@@ -85,4 +90,38 @@ pub fn shortcuts(setup: Setup, surface: &Surface, cases: &[CaseStudy]) -> Vec<Ve
             if is_elliptic || has_medium { Vec::new() } else { of_case(case, &*law.contact) }
         })
         .collect()
+}
+
+/// The integral of Greenwood and Tripp at one separation of both mean asperity heights.
+#[derive(Debug, Clone, Copy)]
+pub struct GreenwoodTrippPoint {
+    /// What it gives under the law, d/sigma with the sigma of both asperity heights together.
+    pub response: Response,
+    /// F_5/2(d/sigma), to which the pressure of elastic contacts is proportional.
+    pub moment: f64,
+    /// The power law in its place.
+    pub power_law: f64,
+}
+
+/// The curve of each law on two rough bodies, over the separations of the setup or over 0 to 4 where it has none; empty as
+/// [`shortcuts`] are.
+pub fn greenwood_tripp_curves(setup: Setup, surface: &Surface) -> Vec<Vec<GreenwoodTrippPoint>> {
+    let bodies = surface.bodies.as_ref();
+    let bodies =
+        bodies.map(|both| both.each_ref().map(|body| body.population(setup.statistical.mean_radius)));
+    let separations = match &setup.controls.separations {
+        none if none.is_empty() => (0..=40).map(|tenths| f64::from(tenths) / 10.0).collect(),
+        given => given.clone(),
+    };
+    let curve = |law: &LawContact| {
+        let bodies = bodies.as_ref().filter(|_| !law.spec.is_elliptic())?;
+        let model = Statistical::greenwood_tripp(&*law.contact, bodies).ok()?;
+        let at = |&h: &f64| GreenwoodTrippPoint {
+            response: model.respond(h),
+            moment: gaussian_moment(2.5, h),
+            power_law: power_law(h),
+        };
+        Some(separations.iter().map(at).collect())
+    };
+    setup.laws.iter().map(|law| curve(law).unwrap_or_default()).collect()
 }

@@ -9,7 +9,7 @@ pub struct BodyAsperities {
     pub name: String,
     /// Mean radius and radius of the mean curvature, m.
     pub radii: [f64; 2],
-    /// Standard deviation of their heights, m.
+    /// Standard deviation of their heights, m; 0 where these do not scatter.
     pub sigma: f64,
     /// Asperities per area, 1/m^2.
     pub density: f64,
@@ -23,7 +23,7 @@ impl BodyAsperities {
         Self {
             name: surface.name.clone(),
             radii: [arithmetic, inverse],
-            sigma: surface.statistics.sigma,
+            sigma: if surface.unscattered.is_some() { 0.0 } else { surface.statistics.sigma },
             density: surface.set.density(),
         }
     }

@@ -53,6 +53,8 @@ pub struct Surface {
     pub mean_plane: Option<f64>,
     /// The population that it was drawn from: its parameters are then the inputs of the statistical model.
     pub nominal: Option<Population>,
+    /// Whether that population is of pairs that meet (Greenwood and Tripp 1971), in place of a composite of both bodies.
+    pub meets_in_pairs: bool,
     /// The asperities of both bodies whose sum it is.
     pub bodies: Option<Box<[BodyAsperities; 2]>>,
     /// The mean shape of its asperities as ellipses, for elliptic laws.
@@ -75,6 +77,9 @@ pub struct Surface {
     pub fit: Option<Box<Fit>>,
     /// What of its file was taken for metres because nothing names a unit.
     pub taken_for_metres: Option<&'static str>,
+    /// Why neither model applies, of a map whose summits do not scatter or that has none: separations are then from the mean plane, and
+    /// nothing is in units of sigma. Its statistics, as far as they are not defined, are NaN.
+    pub unscattered: Option<NoAsperities>,
     /// Caveats.
     pub warnings: Vec<String>,
 }
@@ -243,6 +248,7 @@ impl Surface {
             origin: 0.0,
             mean_plane: None,
             nominal: None,
+            meets_in_pairs: false,
             bodies: None,
             ellipticity,
             map: None,
@@ -254,6 +260,7 @@ impl Surface {
             repeats: Repeats::Realisations,
             fit: None,
             taken_for_metres: None,
+            unscattered: None,
             warnings: Vec::new(),
         }
     }
@@ -319,7 +326,9 @@ impl Surface {
             heights: Heights::GAUSSIAN,
         };
         let population = self.nominal.clone().unwrap_or(own);
-        let Some(heights) = heights else { return Ok(population) };
+        let Some(heights) = heights.filter(|_| !self.meets_in_pairs && self.unscattered.is_none()) else {
+            return Ok(population);
+        };
         let moments = self.statistics.skewness.zip(self.statistics.kurtosis).map(|(s, k)| [s, k]);
         Ok(Population { heights: heights.fit_by(|| self.set.smoothed_heights(), moments)?, ..population })
     }
@@ -349,7 +358,7 @@ impl Surface {
         let target = self.map.as_ref().and_then(|map| map.generation.as_ref()?.target.as_ref());
         match target {
             Some((target, _)) => target.sigma_of,
-            None if self.is_converted() => SigmaOf::Surface,
+            None if self.is_converted() || self.unscattered.is_some() => SigmaOf::Surface,
             None => SigmaOf::Summits,
         }
     }
@@ -390,7 +399,7 @@ impl Surface {
     /// References for its asperities.
     pub fn papers(&self) -> Vec<Paper> {
         let mut papers: Vec<Paper> = self.map.iter().flat_map(MapFacts::papers).collect();
-        let is_composite = self.bodies.is_some() && self.nominal.is_some();
+        let is_composite = self.bodies.is_some() && self.nominal.is_some() && !self.meets_in_pairs;
         if self.is_converted() || is_composite {
             papers.push(literature::NAYAK_1971);
         }

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::asperity::mean_and_sigma;
 use crate::compare::Division;
 use crate::progress::{Progress, Silent};
 use crate::topography::fitness::{
@@ -22,7 +23,7 @@ use super::{
 };
 
 /// A map on which no asperities are found.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug, Clone, thiserror::Error)]
 pub enum NoAsperities {
     /// A form that the map does not determine.
     #[error(transparent)]
@@ -170,6 +171,8 @@ struct SearchedMap {
     small: Option<Box<SmallMap>>,
     /// The prepared map, where it is kept.
     prepared: Option<PreparedMap>,
+    /// Why the heights of its summits do not scatter, where they do not.
+    unscattered: Option<NoAsperities>,
 }
 
 /// Heights that scatter by less, relative to themselves, are equal but for rounding.
@@ -202,13 +205,20 @@ impl SummitSearch<'_> {
     /// # Errors
     /// A map on which no asperities are found.
     pub fn surface(&self, name: &str, map: &dyn Rows) -> Result<Surface, NoAsperities> {
-        let SearchedMap { set, facts, independence, halves, small, prepared } = self.asperities(map)?;
+        let mut surface = self.any_surface(name, map)?;
+        surface.unscattered.take().map_or(Ok(surface), Err)
+    }
+
+    /// The same, also of a map whose summits do not scatter, or that has none: neither model applies to it, boundary elements do
+    /// ([`Surface::unscattered`]).
+    ///
+    /// # Errors
+    /// A map that cannot be prepared, is flat, or has no point that could be a summit.
+    pub fn any_surface(&self, name: &str, map: &dyn Rows) -> Result<Surface, NoAsperities> {
+        let SearchedMap { set, facts, independence, halves, small, prepared, unscattered } =
+            self.asperities(map)?;
         let (set, origin) = set.near_zero();
         let statistics = Statistics::new(&set);
-        let height = (origin + statistics.mean_height).abs() + facts.roughness.moments.sq;
-        if statistics.sigma <= ROUNDING * height {
-            return Err(NoAsperities::EqualHeights { summits: facts.summits });
-        }
         let mut surface = Surface::new(name, set, statistics);
         let moments = &facts.roughness.moments;
         let mean = moments.mean - origin;
@@ -223,6 +233,10 @@ impl SummitSearch<'_> {
         if surface.separations_of() == SigmaOf::Surface {
             surface.plane = plane;
         }
+        if unscattered.is_some() {
+            surface.plane = ReferencePlane { mean, sigma: f64::NAN };
+        }
+        surface.unscattered = unscattered;
         Ok(surface)
     }
 
@@ -277,19 +291,14 @@ impl SummitSearch<'_> {
         };
         progress.stage("summits", 1.0);
         let summits = find(map, self.preparation.neighbours, detail);
-        if summits.heights.len() == 1 || summits.tested == 0 {
-            return Err(NoAsperities::FewSummits {
-                summits: summits.heights.len(),
-                points: map.points(),
-                missing: roughness.missing,
-            });
+        let unscattered = unscattered(&summits, map, &roughness);
+        if let Some(reason) = unscattered.as_ref().filter(|_| summits.tested == 0) {
+            return Err(reason.clone());
         }
-        if summits.heights.is_empty() {
-            return Err(NoAsperities::NoSummit { tested: summits.tested });
-        }
+        let divides = self.divides && unscattered.is_none();
         let mut correlation = self.correlation;
         let mut aspect = None;
-        if correlation.is_none() && (self.divides || is_checked) {
+        if correlation.is_none() && (divides || is_checked) {
             // One for the copy, four of the correlation, two for blocks and halves.
             progress.stage("correlation", 7.0);
             let points = left.as_ref().map_or(&[][..], |left| &left.points);
@@ -297,11 +306,11 @@ impl SummitSearch<'_> {
             aspect = found.as_ref().and_then(|(_, heights)| heights.largest_aspect());
             correlation = Some(found.map_or(CorrelationLengths::NONE, |(lengths, _)| lengths));
         }
-        let independence = match correlation.filter(|_| self.divides) {
+        let independence = match correlation.filter(|_| divides) {
             Some(correlation) => Independence::of_map(map, correlation, &summits),
             None => Independence::Realisations,
         };
-        let halves = (self.divides && is_checked).then(|| {
+        let halves = (divides && is_checked).then(|| {
             let halves = Blocks::halves(map.points(), map.pixel());
             Division::of_blocks(&halves, &summits.positions, halves.shares(map))
         });
@@ -337,12 +346,16 @@ impl SummitSearch<'_> {
         }
         let [dx, dy] = map.pixel();
         let radii = summits.curvatures.iter().map(|curvature| curvature.recip()).collect();
-        let set = AsperitySet::new(summits.heights, radii, dx * dy * summits.tested as f64)?;
-        if !self.as_ellipses {
-            return Ok(SearchedMap { set, facts, independence, halves, small, prepared });
+        let area = dx * dy * summits.tested as f64;
+        let mut set = if summits.heights.is_empty() {
+            AsperitySet::none_on(area)
+        } else {
+            AsperitySet::new(summits.heights, radii, area)?
+        };
+        if self.as_ellipses && unscattered.is_none() {
+            set = set.with_ellipses(summits.principal.iter().copied().map(Ellipse::of_summit).collect())?;
         }
-        let ellipses = summits.principal.iter().copied().map(Ellipse::of_summit).collect();
-        Ok(SearchedMap { set: set.with_ellipses(ellipses)?, facts, independence, halves, small, prepared })
+        Ok(SearchedMap { set, facts, independence, halves, small, prepared, unscattered })
     }
 
     /// Refuses an L filter that removes the waves of the `levelled` map.
@@ -445,6 +458,21 @@ impl SummitSearch<'_> {
     }
 }
 
+/// Why the heights of the summits of a map do not scatter, so that neither model applies; `None` where they do.
+fn unscattered(summits: &Summits, map: &dyn Rows, roughness: &RoughnessParameters) -> Option<NoAsperities> {
+    let count = summits.heights.len();
+    if count == 1 || summits.tested == 0 {
+        let missing = roughness.missing;
+        return Some(NoAsperities::FewSummits { summits: count, points: map.points(), missing });
+    }
+    if count == 0 {
+        return Some(NoAsperities::NoSummit { tested: summits.tested });
+    }
+    let (mean, sigma) = mean_and_sigma(&summits.heights);
+    let is_rounding = sigma <= ROUNDING * (mean.abs() + roughness.moments.sq);
+    is_rounding.then_some(NoAsperities::EqualHeights { summits: count })
+}
+
 /// The measures of the checks of a map that was searched.
 fn measures(map: &dyn Rows, facts: &MapFacts, summits: &Summits, aspect: Option<f64>) -> Vec<Finding> {
     let [dx, dy] = facts.pixel;
@@ -455,7 +483,7 @@ fn measures(map: &dyn Rows, facts: &MapFacts, summits: &Summits, aspect: Option<
         roughness: &facts.roughness,
         level: facts.level,
         found: [count / (dx * dy * summits.tested as f64), summits.curvatures.iter().sum::<f64>() / count],
-        expected: facts.expected,
+        expected: facts.expected.filter(|_| count > 0.0),
         correlation: facts.correlation,
         aspect,
     };
@@ -463,14 +491,17 @@ fn measures(map: &dyn Rows, facts: &MapFacts, summits: &Summits, aspect: Option<
         shared_height: quantisation.shared.map(|shared| shared.share),
         spikes: spikes.left.count(),
         offsets: facts.offsets.unwrap_or_default(),
-        step_over_drop: step_over_drop(map, &quantisation, facts.filter.as_ref()),
+        step_over_drop: step_over_drop(map, &quantisation, facts.filter.as_ref()).filter(|_| count > 0.0),
         tip: facts.tip.map(|tip| [tip.radius / tip.reach.radius, tip.reach.untraced]),
     });
     examined.findings(measured.as_ref())
 }
 
-/// The smaller one of the mean radii (m) of all summits and of the highest, as few as carry an admissible load.
+/// The smaller one of the mean radii (m) of all summits and of the highest, as few as carry an admissible load; infinite without any.
 fn sharper_radius(summits: &Summits) -> f64 {
+    if summits.heights.is_empty() {
+        return f64::INFINITY;
+    }
     let mut by_height: Vec<(f64, f64)> = summits
         .heights
         .iter()

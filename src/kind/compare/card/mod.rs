@@ -40,6 +40,7 @@ use asperity_contact_framework::report::format::{listed, number, quantity};
 use super::correlations::Correlated;
 use super::rows::SurfaceCase;
 use crate::presentation::quantity_name;
+use crate::surface::fitness::without_advice;
 
 /// One case with what its card needs.
 #[derive(Clone)]
@@ -169,6 +170,15 @@ impl<'a> Card<'a> {
     /// What there is to say where the models are not compared at equal load.
     fn uncompared(&self) -> String {
         let comparison = &self.case.first().comparison;
+        if let Some(reason) = &self.surface.unscattered {
+            let reason = without_advice(reason);
+            let runs = if self.case.first().reference.is_some() {
+                ""
+            } else {
+                "; run boundary elements: `models = [\"reference\"]`"
+            };
+            return format!("Neither applies: the map {reason}{runs}.");
+        }
         if comparison.curves.is_empty() {
             "Not asked: boundary elements alone were run."
         } else if comparison.pairs.is_empty() {

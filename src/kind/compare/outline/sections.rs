@@ -8,8 +8,8 @@ use asperity_contact_framework::report::view::View;
 
 use crate::kind::compare::figures::friction;
 use crate::kind::compare::rows::{
-    AnswerRow, CaseRow, DecreaseRow, FrictionRow, NearerRow, ReadingRow, ReferenceCurveRow, ResultRow,
-    RuleRow, StandingRow, ThresholdRow, TwoBodiesRow, VerdictRow,
+    AnswerRow, CaseRow, DecreaseRow, FrictionRow, GreenwoodTrippRow, NearerRow, ReadingRow,
+    ReferenceCurveRow, ResultRow, RuleRow, StandingRow, ThresholdRow, TwoBodiesRow, VerdictRow,
 };
 use crate::kind::compare::series::Series;
 use crate::model_tables::REFERENCE;
@@ -47,6 +47,12 @@ pub fn two_bodies(page: &mut Page, tables: &Tables) {
     let view = tables.view::<TwoBodiesRow>().without_constant(&CASE);
     if !view.is_empty() {
         page.heading(2, "What if the two rough bodies are simplified?").view(&view);
+    }
+    let curve = tables.view::<GreenwoodTrippRow>().without_constant(&CASE);
+    if !curve.is_empty() {
+        page.details(2, "Pressure over separation by Greenwood and Tripp", |page| {
+            page.view(&curve);
+        });
     }
 }
 

@@ -54,6 +54,7 @@ impl SolvedContact {
     pub fn point(&self, pressure: f64, other: Option<&Self>, surface: &Surface) -> ReferencePoint {
         let contact = &self.contact;
         let (mean_gap, sigma) = (contact.mean_gap(), surface.plane.sigma);
+        let area_ratio = self.area_ratio(surface);
         let is_comparable = contact.boundary() != Boundary::Finite;
         let offset = surface.plane_above_mean_plane().filter(|_| is_comparable);
         let separation = offset.map(|offset| mean_gap - offset);
@@ -65,12 +66,12 @@ impl SolvedContact {
             mean_gap,
             undeformed_gap: contact.undeformed_gap(),
             separation,
-            separation_over_sigma: separation.map(|d| d / sigma),
-            area_ratio: contact.area_ratio(),
+            separation_over_sigma: separation.map(|d| d / sigma).filter(|h| !h.is_nan()),
+            area_ratio,
             raw_area_ratio: contact.raw_area_ratio(),
             capped_area_ratio: contact.capped_area_ratio(),
             stiffness,
-            spots: self.spots.values(contact.area_ratio(), pressure),
+            spots: self.spots.values(area_ratio, pressure),
             of_cluster: self.spots.of_cluster(),
             bounds: ByQuantity::default(),
             error: contact.error,
@@ -92,7 +93,7 @@ impl SolvedContact {
             own.zip(other).map_or(0.0, |(own, other)| (own - other).abs())
         };
         let gap = apart(&|solved| Some(solved.contact.mean_gap())).max(grid.load * reach);
-        let area = apart(&|solved| Some(solved.contact.area_ratio().ln())).max(grid.area);
+        let area = apart(&|solved| Some(solved.area_ratio(surface).ln())).max(grid.area);
         let stiffness = apart(&|solved| solved.stiffness().map(f64::ln)).max(grid.stiffness);
         // The dual gap is relative to the standard deviation of the heights.
         let roughness = surface.map.as_ref().map_or(sigma, |map| map.roughness.moments.sq);
@@ -111,6 +112,11 @@ impl SolvedContact {
             // Its part that grows with the area is all of it, or less.
             ComparedQuantity::Friction => area + contact.error,
         })
+    }
+
+    /// Real over nominal contact area: corrected for the perimeter of the contacts, as measured on rough surfaces; raw where no summits scatter.
+    fn area_ratio(&self, surface: &Surface) -> f64 {
+        if surface.unscattered.is_some() { self.contact.raw_area_ratio() } else { self.contact.area_ratio() }
     }
 
     /// -dp/dd, Pa/m.

@@ -239,7 +239,21 @@ impl Load {
             .map(|point| point.response.pressure.total())
             .filter(|pressure| *pressure >= least && !comparison.unpaired.contains(pressure))
             .collect();
-        let carried = spread_over(&carried, reference.loads).into_iter();
+        let own = run
+            .surface
+            .map
+            .as_ref()
+            .filter(|_| run.surface.unscattered.is_some() && reference.prescribed.is_empty());
+        let carried = match own {
+            // No model says what separations carry; E* times the r.m.s. slope is about full contact.
+            Some(map) => {
+                let full = map.roughness.rms_slope() * least / LEAST_CARRIED;
+                let last = reference.loads.saturating_sub(1).max(1) as f64;
+                (0..reference.loads).map(|k| full * 100f64.powf(k as f64 / last - 1.0)).collect()
+            }
+            None => spread_over(&carried, reference.loads),
+        };
+        let carried = carried.into_iter();
         prescribed
             .chain(carried.map(|pressure| Self { control: Control::Pressure, target: pressure, pressure }))
             .collect()

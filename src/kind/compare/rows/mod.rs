@@ -7,6 +7,7 @@ mod correlations;
 mod curves;
 pub(crate) mod differences;
 mod friction;
+mod greenwood_tripp;
 mod layer;
 mod lines;
 mod nearer;
@@ -27,6 +28,7 @@ pub(crate) use attribution::AttributionRow;
 pub(crate) use cases::CaseRow;
 pub(crate) use correlations::CorrelationRow;
 pub(crate) use friction::FrictionRow;
+pub(crate) use greenwood_tripp::GreenwoodTrippRow;
 pub(crate) use layer::{DecreaseRow, RuleRow, ThresholdRow};
 pub(crate) use lines::LineRow;
 pub(crate) use nearer::{NearerRow, ReferenceCurveRow};
@@ -141,6 +143,7 @@ pub(crate) fn schemas() -> Vec<Schema> {
         Schema::of::<LineRow>(),
         Schema::of::<CorrelationRow>(),
         Schema::of::<TwoBodiesRow>(),
+        Schema::of::<GreenwoodTrippRow>(),
     ];
     schemas.extend(surface_rows::schemas());
     schemas
@@ -184,6 +187,7 @@ pub(crate) fn tables(results: &CompareResults) -> Vec<Table> {
         Table::new(lines::rows(results)),
         Table::new(correlations::rows(results)),
         asked(Table::new(two_bodies(results))),
+        Table::new(greenwood_tripp::rows(results)),
     ];
     tables.extend(optional.into_iter().filter(|table| table.rows() > 0));
     tables.extend(surface_rows::tables(results.surface_rows()));

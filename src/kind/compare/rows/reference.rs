@@ -44,9 +44,9 @@ impl Row for ReferenceRow {
             greenwood_thermal_conductance_w_per_m2_k["W/(m² K)", part(CLUSTERS[1])] = positive(row.greenwood[1]), "The same of the spots of the sum as a cluster, likewise.";
             mean_gap_m["m"] = row.point.mean_gap, "Mean gap between the deformed surfaces, zero at points in contact.";
             undeformed_gap_m["m"] = row.point.undeformed_gap, "Distance of the flat from the mean plane of the undeformed heights: the mean gap less the mean deflection, which is that of the patch as a whole with a finite boundary.";
-            plane_offset_m["m"] = row.offset, "Height of the plane that separations are measured from, the mean asperity height, above the mean plane of the map: the mean gap less this is the separation in `curves.csv`.";
+            plane_offset_m["m"] = row.offset, "Height of the plane that separations are measured from, the mean asperity height, above the mean plane of the map: the mean gap less this is the separation in `curves.csv`; 0 of a map without summits of different heights.";
             raw_area_ratio["1"] = row.point.raw_area_ratio, "Points in contact over all points.";
-            area_ratio["1"] = row.point.area_ratio, "The same corrected for the perimeter of the contacts.";
+            area_ratio["1"] = row.point.area_ratio, "The same corrected for the perimeter of the contacts; not corrected on a map without summits of different heights.";
             capped_area_ratio["1"] = row.point.capped_area_ratio, "Points at the largest pressure over all points.";
             dual_gap["1"] = row.point.error, "Relative dual gap: a bound of the error in energy.";
             steps["count"] = row.point.steps, "Steps of the solver.";

@@ -59,7 +59,7 @@ impl Row for ResultRow<'_> {
             pressure_pa["Pa", prefix("M"), label("nominal pressure")] = row.result.point.pressure, "Load over nominal area.";
             separation_m["m"] = row.result.point.separation.map(|[d, _]| d), "Separation of the flat from the mean asperity height.";
             separation_over_sigma["1"] = row.result.point.separation.map(|[_, h]| h), "The same over sigma, the standard deviation of the asperity heights.";
-            real_area_m2["m²", prefix("µ"), label("real contact area")] = row.result.point.area_ratio * row.nominal_area, "Real contact area.";
+            real_area_m2["m²", prefix("µ"), label("real contact area")] = row.result.point.area_ratio * row.nominal_area, "Real contact area; that of boundary elements on a map without summits of different heights is of the points in contact.";
             real_area_low_m2["m²", prefix("µ"), label("95 % interval from")] = row.area_end(0), "Lower end of its 95 % interval, from blocks of the map, independent asperities or realisations; empty where there is none.";
             real_area_high_m2["m²", prefix("µ"), label("to")] = row.area_end(1), "Upper end.";
             area_ratio["1", label("of the nominal area"), percent] = row.result.point.area_ratio, "Real contact area over nominal area.";
