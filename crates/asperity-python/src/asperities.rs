@@ -4,13 +4,18 @@ use std::sync::Arc;
 
 use asperity::{AsperityList, AsperitySet, MeanRadius, SetError, Statistics};
 use asperity_contact_framework::input::InMemory;
+use asperity_contact_framework::input::bare::{NominalAreaRange, SigmaRange};
 use asperity_contact_framework::input::heights::HeightsSpec;
+use asperity_contact_framework::input::quantity::{Area, ArealNumberDensity, Length, Positive};
 use asperity_experiment::surface::rows::statistics_columns;
 use numpy::PyArrayDyn;
+use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{IntoPyDict, PyDict, PyTuple};
 
 use crate::array::Array;
+use crate::interface::Arguments;
+use crate::quantity::{si, with_unit};
 use crate::refuse;
 use crate::spec::toml_of;
 
@@ -24,8 +29,8 @@ use crate::spec::toml_of;
 ///     Heights in m.
 /// radii : array_like, shape (n,)
 ///     1/(mean curvature) in m.
-/// nominal_area : float
-///     The area that they are from in m^2.
+/// nominal_area : float or str
+///     The area that they are from in m^2, or with its unit.
 /// curvatures : array_like, shape (2, n), optional
 ///     Principal curvatures kx and ky in 1/m, for laws for ellipses.
 /// places : array_like, shape (2, n), optional
@@ -88,6 +93,9 @@ impl Asperities {
     }
 }
 
+/// Heights, radii and nominal area.
+type AsperityArguments<'py> = (Py<PyArrayDyn<f64>>, Py<PyArrayDyn<f64>>, Bound<'py, PyAny>);
+
 #[pymethods]
 impl Asperities {
     #[new]
@@ -95,12 +103,13 @@ impl Asperities {
     fn new(
         heights: &Bound<PyAny>,
         radii: &Bound<PyAny>,
-        nominal_area: f64,
+        nominal_area: &Bound<PyAny>,
         curvatures: Option<&Bound<PyAny>>,
         places: Option<&Bound<PyAny>>,
         independent: bool,
     ) -> PyResult<Self> {
         let (heights, radii) = (Array::new(heights, 1, "heights")?, Array::new(radii, 1, "radii")?);
+        let nominal_area = si::<Area, NominalAreaRange>(nominal_area, "nominal_area")?;
         let both = |given: Option<&Bound<PyAny>>, name: &str, columns: &str| {
             let Some(given) = given else { return Ok(None) };
             let (array, count) = (Array::new(given, 2, name)?, heights.values().len());
@@ -152,6 +161,14 @@ impl Asperities {
     #[getter]
     fn density(&self) -> f64 {
         self.heights.values().len() as f64 / self.nominal_area
+    }
+
+    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py, AsperityArguments<'py>>> {
+        let others = PyDict::new(py);
+        others.set_item("curvatures", self.curvatures(py))?;
+        others.set_item("places", self.places(py))?;
+        others.set_item("independent", self.independent)?;
+        Ok(((self.heights(py), self.radii(py), with_unit(py, self.nominal_area, "m^2")?), others))
     }
 
     fn __len__(&self) -> usize {
@@ -209,11 +226,11 @@ impl Asperities {
 ///
 /// Parameters
 /// ----------
-/// radius : float
-///     1/(mean curvature) of every asperity in m.
-/// sigma : float
+/// radius : float or str
+///     1/(mean curvature) of every asperity in m, or with its unit, as the others.
+/// sigma : float or str
 ///     Standard deviation of the asperity heights in m.
-/// density : float
+/// density : float or str
 ///     Asperities per nominal area in 1/m^2.
 /// heights : str or dict, optional
 ///     Their distribution, as in a spec: ``"gaussian"``, ``{"weibull": {"shape": 2}}``,
@@ -249,7 +266,15 @@ impl Population {
 impl Population {
     #[new]
     #[pyo3(signature = (radius, sigma, density, heights=None))]
-    fn new(radius: f64, sigma: f64, density: f64, heights: Option<&Bound<PyAny>>) -> PyResult<Self> {
+    fn new(
+        radius: &Bound<PyAny>,
+        sigma: &Bound<PyAny>,
+        density: &Bound<PyAny>,
+        heights: Option<&Bound<PyAny>>,
+    ) -> PyResult<Self> {
+        let radius = si::<Length, Positive>(radius, "radius")?;
+        let sigma = si::<Length, SigmaRange>(sigma, "sigma")?;
+        let density = si::<ArealNumberDensity, Positive>(density, "density")?;
         let heights = match heights {
             None => asperity::Heights::GAUSSIAN,
             Some(given) => {
@@ -276,6 +301,18 @@ impl Population {
     #[getter]
     fn density(&self) -> f64 {
         self.0.density
+    }
+
+    fn __getnewargs__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
+        let asperity::Population { radius, sigma, density, heights } = &self.0;
+        let parameters = heights.parameters().into_iter().into_py_dict(py)?;
+        let heights = if parameters.is_empty() {
+            heights.name().into_bound_py_any(py)?
+        } else {
+            [(heights.name(), parameters)].into_py_dict(py)?.into_any()
+        };
+        let [radius, sigma] = [radius, sigma].map(|length| with_unit(py, *length, "m"));
+        PyTuple::new(py, [radius?, sigma?, with_unit(py, *density, "1/m^2")?, heights])
     }
 
     fn __repr__(&self) -> String {

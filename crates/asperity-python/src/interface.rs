@@ -1,34 +1,49 @@
 //! Bodies and laws.
 
 use std::collections::BTreeMap;
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::Arc;
 
 use asperity::contact_law::{self, ContactLaw};
 use asperity::law::Body;
 use asperity::{Flat, MicroContact, ModulusModel, Shape, material_library};
+use asperity_contact_framework::input::bare::{
+    HardnessRange, ModulusRange, ResistivityRange, ThermalConductivityRange, ThicknessOrNone, YieldRange,
+};
+use asperity_contact_framework::input::quantity::{
+    Finite, Length, Positive, Pressure, Resistivity, ThermalConductivity,
+};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::array::Array;
+use crate::quantity::{list, si, si_or_none, with_unit};
 use crate::refuse;
+
+/// Positional and keyword arguments that make the same object: of a copy, and in another process.
+pub type Arguments<'py, T> = (T, Bound<'py, PyDict>);
 
 /// An elastic body, which may yield.
 ///
 /// Parameters
 /// ----------
-/// young : float
-///     Young's modulus in Pa.
+/// young : float or str
+///     Young's modulus in Pa, or with its unit: ``"210 GPa"``, as every value with a unit here.
 /// poisson : float
 ///     Poisson's ratio.
-/// hardness : float, optional
+/// hardness : float or str, optional
 ///     Indentation hardness in Pa; without it the body never yields.
-/// yield_strength : float, optional
+/// yield_strength : float or str, optional
 ///     Yield strength in Pa, for the law ``jackson-green``.
-/// resistivity : float, optional
+/// resistivity : float or str, optional
 ///     Electrical resistivity in ohm m, for electrical conductances.
-/// thermal_conductivity : float, optional
+/// thermal_conductivity : float or str, optional
 ///     Thermal conductivity in W/(m K), for thermal conductances.
+///
+/// Warns
+/// -----
+/// AsperityWarning
+///     A number without a unit that is hardly meant in SI, such as a modulus of 210e3.
 ///
 /// Raises
 /// ------
@@ -44,18 +59,39 @@ use crate::refuse;
 #[derive(Clone, PartialEq)]
 pub struct Material(pub asperity::Material);
 
+impl Material {
+    /// Name, value and unit of those optional properties that it has.
+    fn others(&self) -> impl Iterator<Item = (&'static str, f64, &'static str)> {
+        let all = [
+            ("hardness", self.hardness(), "Pa"),
+            ("yield_strength", self.yield_strength(), "Pa"),
+            ("resistivity", self.resistivity(), "ohm m"),
+            ("thermal_conductivity", self.thermal_conductivity(), "W/(m K)"),
+        ];
+        all.into_iter().filter_map(|(name, value, unit)| Some((name, value?, unit)))
+    }
+}
+
 #[pymethods]
 impl Material {
     #[new]
     #[pyo3(signature = (young, poisson, *, hardness=None, yield_strength=None, resistivity=None, thermal_conductivity=None))]
     fn new(
-        young: f64,
+        young: &Bound<PyAny>,
         poisson: f64,
-        hardness: Option<f64>,
-        yield_strength: Option<f64>,
-        resistivity: Option<f64>,
-        thermal_conductivity: Option<f64>,
+        hardness: Option<&Bound<PyAny>>,
+        yield_strength: Option<&Bound<PyAny>>,
+        resistivity: Option<&Bound<PyAny>>,
+        thermal_conductivity: Option<&Bound<PyAny>>,
     ) -> PyResult<Self> {
+        let young = si::<Pressure, ModulusRange>(young, "young")?;
+        let hardness = si_or_none::<Pressure, HardnessRange>(hardness, "hardness")?;
+        let yield_strength = si_or_none::<Pressure, YieldRange>(yield_strength, "yield_strength")?;
+        let resistivity = si_or_none::<Resistivity, ResistivityRange>(resistivity, "resistivity")?;
+        let thermal_conductivity = si_or_none::<ThermalConductivity, ThermalConductivityRange>(
+            thermal_conductivity,
+            "thermal_conductivity",
+        )?;
         asperity::Material::new(young, poisson, hardness, yield_strength)
             .and_then(|material| material.conducting(resistivity, thermal_conductivity))
             .map(Self)
@@ -78,6 +114,12 @@ impl Material {
             ))
         })?;
         found.material().map(Self).map_err(refuse)
+    }
+
+    /// The names of all materials of the library.
+    #[staticmethod]
+    fn names() -> Vec<&'static str> {
+        material_library::all().map(|material| material.name).collect()
     }
 
     /// Young's modulus in Pa.
@@ -116,20 +158,23 @@ impl Material {
         self.0.thermal_conductivity()
     }
 
-    fn __repr__(&self) -> String {
-        let mut text = format!("Material(young={:e}, poisson={}", self.0.young(), self.0.poisson());
-        let others = [
-            ("hardness", self.hardness()),
-            ("yield_strength", self.yield_strength()),
-            ("resistivity", self.resistivity()),
-            ("thermal_conductivity", self.thermal_conductivity()),
-        ];
-        for (name, value) in others {
-            if let Some(value) = value {
-                text += &format!(", {name}={value:e}");
-            }
+    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py, (Bound<'py, PyAny>, f64)>> {
+        let others = PyDict::new(py);
+        for (name, value, unit) in self.others() {
+            others.set_item(name, with_unit(py, value, unit)?)?;
         }
-        text + ")"
+        Ok(((with_unit(py, self.young(), "Pa")?, self.poisson()), others))
+    }
+
+    fn __hash__(&self) -> u64 {
+        let mut hasher = DefaultHasher::new();
+        self.__repr__().hash(&mut hasher);
+        hasher.finish()
+    }
+
+    fn __repr__(&self) -> String {
+        let others: String = self.others().map(|(name, value, _)| format!(", {name}={value:e}")).collect();
+        format!("Material(young={:e}, poisson={}{others})", self.young(), self.poisson())
     }
 }
 
@@ -209,6 +254,10 @@ impl Law {
         self.0.options_given().map(|(name, value)| (name.replace('-', "_"), value)).collect()
     }
 
+    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py, (String,)>> {
+        Ok(((self.name(),), self.given().into_pyobject(py)?))
+    }
+
     /// The sources of the law.
     #[getter]
     fn papers(&self) -> Vec<String> {
@@ -242,8 +291,8 @@ enum LawOrName {
 ///     The contact law.
 /// layer : Material, optional
 ///     The material of the layer.
-/// thickness : float, optional
-///     Its thickness in m: 0 for the bare body, ``math.inf`` for the bulk of the layer.
+/// thickness : float or str, optional
+///     Its thickness in m, or with its unit: 0 for the bare body, ``math.inf`` for the bulk of the layer.
 /// rule : {"gao", "series"}
 ///     How the moduli of layer and substrate combine (Gao, Chiu and Lee 1992; Song and Pharr 1999).
 /// on : {"flat", "rough"}
@@ -294,10 +343,11 @@ impl Interface {
         flat: Material,
         law: LawOrName,
         layer: Option<Material>,
-        thickness: Option<f64>,
+        thickness: Option<&Bound<PyAny>>,
         rule: &str,
         on: &str,
     ) -> PyResult<Self> {
+        let thickness = si_or_none::<Length, ThicknessOrNone>(thickness, "thickness")?;
         let law = match law {
             LawOrName::Law(law) => law,
             LawOrName::Name(name) => Law::new(&name, None)?,
@@ -341,9 +391,9 @@ impl Interface {
     ///
     /// Parameters
     /// ----------
-    /// indentation : float or array_like
+    /// indentation : float, str or array_like
     ///     Indentations in m; there is no contact at 0 and below.
-    /// radius : float
+    /// radius : float or str
     ///     1/(mean curvature) of the asperity in m.
     /// curvature_ratio : float
     ///     The larger principal curvature over the smaller one, for laws for ellipses.
@@ -364,11 +414,12 @@ impl Interface {
     fn contact<'py>(
         &self,
         indentation: &Bound<'py, PyAny>,
-        radius: f64,
+        radius: &Bound<PyAny>,
         curvature_ratio: f64,
     ) -> PyResult<Bound<'py, PyDict>> {
         let py = indentation.py();
-        let indentation = Array::list(indentation, "indentation")?;
+        let indentation = list::<Length, Finite>(indentation, "indentation")?;
+        let radius = si::<Length, Positive>(radius, "radius")?;
         let is_admissible = |value: f64| value > 0.0 && value.is_finite();
         if !is_admissible(radius) {
             return Err(refuse(format!("radius: found {radius}; allowed: positive and finite, m")));
@@ -398,14 +449,28 @@ impl Interface {
         Ok(dict)
     }
 
-    fn __repr__(&self) -> String {
-        let law = self.law.__repr__();
-        match self.thickness {
-            Some(thickness) if self.on == Body::Rough => {
-                format!("Interface(law={law}, thickness={thickness:e}, on=\"rough\")")
-            }
-            Some(thickness) => format!("Interface(law={law}, thickness={thickness:e})"),
-            None => format!("Interface(law={law})"),
+    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py, (Material, Material, Law)>> {
+        let others = PyDict::new(py);
+        if let (Some(layer), Some(thickness)) = (&self.layer, self.thickness) {
+            others.set_item("layer", layer.clone())?;
+            others.set_item("thickness", with_unit(py, thickness, "m")?)?;
         }
+        others.set_item("rule", self.rule)?;
+        others.set_item("on", self.on())?;
+        Ok(((self.rough.clone(), self.flat.clone(), self.law.clone()), others))
+    }
+
+    fn __repr__(&self) -> String {
+        let [rough, flat] = [&self.rough, &self.flat].map(Material::__repr__);
+        let mut text = format!("Interface(rough={rough}, flat={flat}, law={}", self.law.__repr__());
+        if let (Some(layer), Some(thickness)) = (&self.layer, self.thickness) {
+            let on = self.on();
+            text += &format!(
+                ", layer={}, thickness={thickness:e}, rule=\"{}\", on=\"{on}\"",
+                layer.__repr__(),
+                self.rule
+            );
+        }
+        text + ")"
     }
 }

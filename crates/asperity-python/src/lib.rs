@@ -6,6 +6,7 @@ mod array;
 mod asperities;
 mod interface;
 mod models;
+mod quantity;
 mod spec;
 mod surface;
 mod table;
@@ -27,6 +28,8 @@ mod _asperity {
     use crate::interface::{Interface, Law, Material};
     #[pymodule_export]
     use crate::models::{deterministic, statistical};
+    #[pymodule_export]
+    use crate::quantity::si_of_kind;
     #[pymodule_export]
     use crate::spec::{Run, key, merge_tiles, read_spec, register_bits, run, run_tile, tiles, variations};
     #[pymodule_export]

@@ -14,18 +14,20 @@ use asperity_experiment::surface::reading::caveats;
 use asperity_experiment::surface::rows::{fitness_records, map_record};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PySlice};
 
 use crate::array::Array;
 use crate::asperities::Asperities;
 use crate::refuse;
-use crate::spec::{in_memory_of, source_of};
+use crate::spec::{in_memory_of, refuse_input, source_of};
 use crate::watch::{Watch, interruptible};
 
 /// The heights of an array where they lie.
 struct Lent {
     heights: Array,
     pixel: [f64; 2],
+    precision: f64,
+    offset: f64,
 }
 
 impl Rows for Lent {
@@ -38,7 +40,11 @@ impl Rows for Lent {
     }
 
     fn precision(&self) -> f64 {
-        f64::EPSILON
+        self.precision
+    }
+
+    fn offset(&self) -> f64 {
+        self.offset
     }
 
     fn boundary(&self) -> Boundary {
@@ -56,7 +62,7 @@ impl Rows for Lent {
 }
 
 /// A height map in memory or on disk: what a :class:`Topography` prepares.
-#[pyclass(module = "asperity", frozen)]
+#[pyclass(module = "asperity._asperity", frozen)]
 pub struct Map(pub Arc<dyn Rows>);
 
 impl Map {
@@ -68,8 +74,10 @@ impl Map {
 
 #[pymethods]
 impl Map {
+    /// Heights are relative to ``offset``, and stored with a relative ``precision``.
     #[new]
-    fn new(heights: &Bound<PyAny>, pixel: [f64; 2]) -> PyResult<Self> {
+    #[pyo3(signature = (heights, pixel, precision=f64::EPSILON, offset=0.0))]
+    fn new(heights: &Bound<PyAny>, pixel: [f64; 2], precision: f64, offset: f64) -> PyResult<Self> {
         /// Heights beyond this, infinite ones and NaN mark missing points, of which only NaN is kept as such.
         const LARGEST: f64 = 1e30;
         let heights = Array::new(heights, 2, "heights")?;
@@ -84,7 +92,7 @@ impl Map {
                 HeightMap::new(points, pixel, heights.values().to_vec(), f64::EPSILON).map_err(refuse)?;
             return Ok(Self(Arc::new(map)));
         }
-        Ok(Self(Arc::new(Lent { heights, pixel })))
+        Ok(Self(Arc::new(Lent { heights, pixel, precision, offset })))
     }
 
     /// Reads a measured map; ``unit`` is that of x and y and that of heights in m. With it what a reader should know of how it was
@@ -150,6 +158,20 @@ impl Map {
         self.0.pixel()
     }
 
+    fn __getnewargs__<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> PyResult<(Bound<'py, PyArray2<f64>>, [f64; 2], f64, f64)> {
+        Ok((self.heights(py)?, self.pixel(), self.0.precision(), self.0.offset()))
+    }
+
+    /// The part of the map from ``begin`` to before ``end``, indices along x and y.
+    fn part<'py>(&self, py: Python<'py>, begin: [usize; 2], end: [usize; 2]) -> PyResult<Self> {
+        let part = |axis: usize| PySlice::new(py, begin[axis] as isize, end[axis] as isize, 1);
+        let heights = self.heights(py)?.get_item((part(0), part(1)))?;
+        Self::new(&heights, self.pixel(), self.0.precision(), self.0.offset())
+    }
+
     /// A copy of the heights in m.
     fn heights<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let [nx, ny] = self.0.points();
@@ -203,9 +225,8 @@ pub fn make_surface(
     let as_ellipses = in_memory.is_empty() && spec_has_map(spec)? || holds_map(in_memory)?;
     let surface = interruptible(py, move |watch| {
         asperity_experiment::make_surface(source, realisation, as_ellipses, watch)
-            .map_err(|error| error.to_string())
     })?
-    .map_err(refuse)?;
+    .map_err(|error| refuse_input(&error))?;
     let (roughness, fitness) = (map_record(&surface).to_string(), fitness_records(&surface).to_string());
     let fit_steps = fit_records(&surface).to_string();
     let origin = surface.origin;
