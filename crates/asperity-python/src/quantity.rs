@@ -81,7 +81,7 @@ pub fn si_of_kind(value: &Bound<PyAny>, name: &str, kind: &str) -> PyResult<Read
     let read = match kind {
         "pixel" => read::<Length, PixelRange>,
         "sigma" => read::<Length, SigmaRange>,
-        "place" => read::<Length, NotNegative>,
+        "distance" => read::<Length, NotNegative>,
         "area" => read::<Area, NominalAreaRange>,
         "density" => read::<ArealNumberDensity, Positive>,
         "pressure" => read::<Pressure, NominalPressureRange>,

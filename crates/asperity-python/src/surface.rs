@@ -98,7 +98,8 @@ impl Map {
     /// Reads a measured map; ``unit`` is that of x and y and that of heights in m. With it what a reader should know of how it was
     /// read.
     #[staticmethod]
-    #[pyo3(signature = (path, *, pixel=None, unit=None, missing=None, channel=None, transpose=false))]
+    #[pyo3(signature = (path, *, pixel=None, unit=None, missing=None, channel=None, transpose=false, crop=[None; 2]))]
+    #[expect(clippy::too_many_arguments, reason = "those of Python")]
     fn read(
         py: Python,
         path: std::path::PathBuf,
@@ -107,6 +108,7 @@ impl Map {
         missing: Option<Vec<f64>>,
         channel: Option<String>,
         transpose: bool,
+        crop: [Option<[f64; 2]>; 2],
     ) -> PyResult<(Self, Vec<String>)> {
         let unit = unit.map(|[xy, z]| LengthUnits { xy, z });
         let file = MapFile {
@@ -114,7 +116,7 @@ impl Map {
             options: ReadOptions { pixel, unit },
             missing,
             transpose,
-            crop: Crop::default(),
+            crop: Crop { x: crop[0], y: crop[1] },
             channel,
         };
         let shown = file.path.display().to_string();
@@ -165,10 +167,12 @@ impl Map {
         Ok((self.heights(py)?, self.pixel(), self.0.precision(), self.0.offset()))
     }
 
-    /// The part of the map from ``begin`` to before ``end``, indices along x and y.
-    fn part<'py>(&self, py: Python<'py>, begin: [usize; 2], end: [usize; 2]) -> PyResult<Self> {
-        let part = |axis: usize| PySlice::new(py, begin[axis] as isize, end[axis] as isize, 1);
-        let heights = self.heights(py)?.get_item((part(0), part(1)))?;
+    /// A part of the map: from and to in m along each axis that is cut.
+    fn part(&self, py: Python, x: Option<[f64; 2]>, y: Option<[f64; 2]>) -> PyResult<Self> {
+        let ranges = Crop { x, y }.ranges(self.points(), self.pixel());
+        let [x, y] = ranges.map_err(|error| refuse(format!("crop: the map {error}")))?;
+        let slice = |range: Range<usize>| PySlice::new(py, range.start as isize, range.end as isize, 1);
+        let heights = self.heights(py)?.get_item((slice(x), slice(y)))?;
         Self::new(&heights, self.pixel(), self.0.precision(), self.0.offset())
     }
 

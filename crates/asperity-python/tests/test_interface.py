@@ -275,14 +275,14 @@ def test_shown_and_drawn(monkeypatch):
 def test_a_part_of_a_map(tmp_path):
     surface = asperity.generate(64, pixel=1e-6, sigma=50e-9, spectrum=SPECTRUM, seed=2)
     part = surface.prepared_with(level="plane").crop(x=(0, "20 um"), y=("3 um", 12e-6))
-    assert np.array_equal(part.raw_heights, surface.raw_heights[:21, 3:13]) and not part.periodic
+    assert np.array_equal(part.raw_heights, surface.raw_heights[:20, 3:12]) and not part.periodic
     assert np.nanmean(part.heights) == pytest.approx(0, abs=1e-12)
     assert surface.crop().points == (64, 64)
     surface.write(tmp_path / "map.gwy")
-    assert asperity.Topography.read(tmp_path / "map.gwy", crop={"x": (0, "20 um")}).points == (21, 64)
+    assert asperity.Topography.read(tmp_path / "map.gwy", crop={"x": (0, "20 um")}, periodic=True).points == (20, 64)
     for wrong, message in (
-        ({"x": (0, 1)}, "crop.x: found 0 to 1; allowed: from 0 to 6.3e-05 m"),
-        ({"y": ("20 um", "10 um")}, "crop.y: found 20 um to 10 um; allowed"),
+        ({"x": (0, 1)}, "crop: the map is 6.4e-5 m long along x, and the part from 0e0 to 1e0 m is not within it"),
+        ({"y": ("20 um", "10 um")}, "crop: the map is 6.4e-5 m long along y"),
         ({"y": "20 um"}, "crop.y: found '20 um'; allowed: from and to"),
     ):
         with pytest.raises(ValueError, match=message):

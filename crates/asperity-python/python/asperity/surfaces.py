@@ -51,6 +51,18 @@ def axes(ax: Any) -> Any:
     return pyplot.subplots(layout="constrained")[1]
 
 
+def _ends(
+    x: tuple[Length, Length] | None = None, y: tuple[Length, Length] | None = None
+) -> list[tuple[float, float] | None]:
+    """The ends of a part along x and y in m."""
+    ends: list[tuple[float, float] | None] = []
+    for name, given in (("crop.x", x), ("crop.y", y)):
+        if given is not None and (np.ndim(given) != 1 or len(given) != 2):
+            raise ValueError(f'{name}: found {given!r}; allowed: from and to, such as ("10 um", "200 um")')
+        ends.append(None if given is None else (si(name, given[0], "distance"), si(name, given[1], "distance")))
+    return ends
+
+
 def keys(given: dict[str, Any]) -> dict[str, Any]:
     """Keys of a spec from Python names, without those that are None."""
     return {_key(name): value for name, value in given.items() if value is not None}
@@ -187,17 +199,16 @@ class Topography:
             unit = _units(unit)
         if missing is not None:
             missing = np.atleast_1d(np.asarray(missing, dtype=np.float64)).tolist()
+        if crop is not None and (not isinstance(crop, Mapping) or not set(crop) <= {"x", "y"}):
+            raise ValueError(f'crop: found {crop!r}; allowed: {{"x": ("10 um", "200 um"), "y": (0, "50 um")}}, or one of both')
+        ends = _ends(**(crop or {}))
         raw, caveats = _asperity.Map.read(
-            path, pixel=pixel, unit=unit, missing=missing, channel=channel, transpose=transpose
+            path, pixel=pixel, unit=unit, missing=missing, channel=channel, transpose=transpose, crop=ends
         )
         made = cls.__new__(cls)
-        made._begin(raw, periodic, preparation, caveats)
+        made._begin(raw, periodic and ends == [None, None], preparation, caveats)
         warn(caveats)
-        if crop is None:
-            return made
-        if not isinstance(crop, Mapping) or not set(crop) <= {"x", "y"}:
-            raise ValueError(f'crop: found {crop!r}; allowed: {{"x": ("10 um", "200 um"), "y": (0, "50 um")}}, or one of both')
-        return made.crop(**crop)
+        return made
 
     @classmethod
     def from_surface_topography(cls, topography: Any, **preparation: Any) -> Topography:
@@ -244,38 +255,20 @@ class Topography:
         Parameters
         ----------
         x, y : pair of float or str, optional
-            From where to where along each axis, as distances from the first point of the map in m or with their units; all of an axis
-            that is left out.
+            From where to before where along each axis, as distances from the first point of the map in m or with their units; all of
+            an axis that is left out.
 
         Examples
         --------
         >>> import asperity
         >>> spectrum = {"self-affine": {"hurst": 0.8, "roll-off": 32e-6, "cut-off": 8e-6}}
         >>> surface = asperity.generate(128, pixel=1e-6, sigma=50e-9, spectrum=spectrum)
-        >>> surface.crop(x=(0, "49 um"))
+        >>> surface.crop(x=(0, "50 um"))
         <Topography: 50 x 128 points of 1e-06 x 1e-06 m>
         """
-        ranges = [self._range(axis, given) for axis, given in enumerate((x, y))]
         made = Topography.__new__(Topography)
-        raw = self._raw.part(*([ends[k] for ends in ranges] for k in range(2)))
-        made._begin(raw, False, self._preparation, self._caveats)
+        made._begin(self._raw.part(*_ends(x=x, y=y)), False, self._preparation, self._caveats)
         return made
-
-    def _range(self, axis: int, given: tuple[Length, Length] | None) -> tuple[int, int]:
-        # Indices of the first point and after the last one; a point at an end is inside, whatever the last digit of the lengths.
-        points, pixel, name = self.points[axis], self.pixel[axis], f"crop.{'xy'[axis]}"
-        if given is None:
-            return 0, points
-        if np.ndim(given) != 1 or len(given) != 2:
-            raise ValueError(f'{name}: found {given!r}; allowed: from and to, such as ("10 um", "200 um")')
-        begin, end = (si(name, place, "place") for place in given)
-        first, last = int(np.ceil(begin / pixel - 1e-6)), int(np.floor(end / pixel + 1e-6))
-        if not 0 <= begin < end or last - first < 2 or last >= points:
-            raise ValueError(
-                f"{name}: found {given[0]} to {given[1]}; allowed: from 0 to {(points - 1) * pixel:.6g} m, the last point of the map, "
-                "with at least 3 points"
-            )
-        return first, last + 1
 
     def pair(self, other: Topography, *, shifts: int = 16, rotations: bool = False) -> Pair:
         """This body against another rough one: the sum of both prepared maps at random relative positions.
