@@ -62,7 +62,8 @@ pub fn comparison(results: &CompareResults, extent: Extent) -> Value {
         .collect();
     let page = (has_intervals || !is_few).then(|| {
         let tables = Tables::new(results.tables());
-        let Pieces { card, mut figures, lead, sections, title } = results.page(&tables).read_in(FrontEnd::Workbench).pieces(has_intervals);
+        let Pieces { card, mut figures, lead, sections, title } =
+            results.page(&tables).read_in(FrontEnd::Workbench).pieces(has_intervals);
         // Those of the cases are there already.
         if is_few && results.surfaces.len() == 1 && all.len() == 1 {
             figures.clear();

@@ -92,8 +92,8 @@ def population(server, **changes):
 
 def use(page, **units):
     """Says what a file does not: the unit of its heights, or `xy` and `z`; without any that the dialog asks for: m."""
-    selects = page.locator(".waits select")
-    for select in selects.all():
+    page.locator(".waits").wait_for()
+    for select in page.locator(".waits select").all():
         select.select_option(units.get(select.get_attribute("name").split(".")[-1], "m"))
     page.get_by_role("button", name="Use").click()
 
@@ -248,6 +248,7 @@ def test_each_unit_that_is_chosen_is_used(server, visit, tmp_path, made):
         assert surface["file"]["unit"] == ({"xy": xy, "z": unit} if made == "xyz" else unit)
         results[unit] = (card(page, "Result at"), page.locator(".surface .size").inner_text())
         page.get_by_role("button", name="Close").click()
+        page.locator(".drop").wait_for()
     assert len(set(results.values())) == 1, results
     # Both units stand beside each other in the controls.
     page.go_back()

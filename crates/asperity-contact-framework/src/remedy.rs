@@ -50,7 +50,13 @@ pub const REMEDIES: [Remedy; 21] = [
     remedy(["file", "filter.l"], Some("--l"), "filter", "L filter", r#""80 um""#),
     remedy(["compare", "law"], None, "law", "Contact law", r#""elliptic-zmc""#),
     remedy(["compare", "models"], Some("--reference"), "models", "Boundary elements", REFERENCE),
-    remedy(["compare", "statistical"], None, "statistical", "Spec", r#"{ mean-radius = "inverse-mean-curvature" }"#),
+    remedy(
+        ["compare", "statistical"],
+        None,
+        "statistical",
+        "Spec",
+        r#"{ mean-radius = "inverse-mean-curvature" }"#,
+    ),
     remedy(["compare", "pressure"], Some("--pressure"), "pressures", "Pressure", r#"["1 MPa"]"#),
     remedy(["compare", "force"], Some("--load"), "forces", "Force", r#"["5 N"]"#),
     remedy(["material", "hardness"], None, "hardness", "Hardness", r#""50 MPa""#),
@@ -82,7 +88,9 @@ impl FrontEnd {
         }
         let parts = message.split('`').enumerate();
         let parts: Vec<String> = parts
-            .map(|(k, part)| if k % 2 == 1 { self.of_code(part) } else { None }.unwrap_or_else(|| part.to_owned()))
+            .map(|(k, part)| {
+                if k % 2 == 1 { self.of_code(part) } else { None }.unwrap_or_else(|| part.to_owned())
+            })
             .collect();
         parts.join("`")
     }
@@ -92,8 +100,11 @@ impl FrontEnd {
         let Some(table) = code.contains('=').then(|| code.parse::<Table>().ok()).flatten() else {
             return self.of_key(code, None);
         };
-        let forms: Option<Vec<String>> = table.iter().map(|(key, value)| self.of_key(key, Some(value))).collect();
-        forms.filter(|forms| !forms.is_empty()).map(|forms| forms.join(if self == Self::Terminal { " " } else { ", " }))
+        let forms: Option<Vec<String>> =
+            table.iter().map(|(key, value)| self.of_key(key, Some(value))).collect();
+        forms
+            .filter(|forms| !forms.is_empty())
+            .map(|forms| forms.join(if self == Self::Terminal { " " } else { ", " }))
     }
 
     fn of_key(self, key: &str, value: Option<&Value>) -> Option<String> {
@@ -117,8 +128,10 @@ impl FrontEnd {
     /// A table of keys that have rows of their own, such as `filter`.
     fn of_inner_keys(self, key: &str, value: Option<&Value>) -> Option<String> {
         let inner = |name: &str| format!("{key}.{name}");
-        let all: Vec<&Remedy> =
-            REMEDIES.iter().filter(|remedy| remedy.key.split_once('.').is_some_and(|(outer, _)| outer == key)).collect();
+        let all: Vec<&Remedy> = REMEDIES
+            .iter()
+            .filter(|remedy| remedy.key.split_once('.').is_some_and(|(outer, _)| outer == key))
+            .collect();
         let first = all.first()?;
         match (self, value) {
             (Self::Python, None) => Some(first.argument.to_owned()),

@@ -11,11 +11,10 @@ use asperity_experiment::surface::rows::statistics_columns;
 use numpy::PyArrayDyn;
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
-use pyo3::types::{IntoPyDict, PyDict, PyTuple};
+use pyo3::types::{IntoPyDict, PyDict};
 
 use crate::array::Array;
-use crate::interface::Arguments;
-use crate::quantity::{si, with_unit};
+use crate::quantity::si;
 use crate::refuse;
 use crate::spec::toml_of;
 
@@ -93,9 +92,6 @@ impl Asperities {
     }
 }
 
-/// Heights, radii and nominal area.
-type AsperityArguments<'py> = (Py<PyArrayDyn<f64>>, Py<PyArrayDyn<f64>>, Bound<'py, PyAny>);
-
 #[pymethods]
 impl Asperities {
     #[new]
@@ -161,14 +157,6 @@ impl Asperities {
     #[getter]
     fn density(&self) -> f64 {
         self.heights.values().len() as f64 / self.nominal_area
-    }
-
-    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py, AsperityArguments<'py>>> {
-        let others = PyDict::new(py);
-        others.set_item("curvatures", self.curvatures(py))?;
-        others.set_item("places", self.places(py))?;
-        others.set_item("independent", self.independent)?;
-        Ok(((self.heights(py), self.radii(py), with_unit(py, self.nominal_area, "m^2")?), others))
     }
 
     fn __len__(&self) -> usize {
@@ -303,16 +291,14 @@ impl Population {
         self.0.density
     }
 
-    fn __getnewargs__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
-        let asperity::Population { radius, sigma, density, heights } = &self.0;
-        let parameters = heights.parameters().into_iter().into_py_dict(py)?;
-        let heights = if parameters.is_empty() {
-            heights.name().into_bound_py_any(py)?
-        } else {
-            [(heights.name(), parameters)].into_py_dict(py)?.into_any()
-        };
-        let [radius, sigma] = [radius, sigma].map(|length| with_unit(py, *length, "m"));
-        PyTuple::new(py, [radius?, sigma?, with_unit(py, *density, "1/m^2")?, heights])
+    /// Their distribution, as it is given.
+    #[getter]
+    fn heights<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let (name, parameters) = (self.0.heights.name(), self.0.heights.parameters());
+        if parameters.is_empty() {
+            return name.into_bound_py_any(py);
+        }
+        Ok([(name, parameters.into_iter().into_py_dict(py)?)].into_py_dict(py)?.into_any())
     }
 
     fn __repr__(&self) -> String {

@@ -1,7 +1,6 @@
 //! Bodies and laws.
 
 use std::collections::BTreeMap;
-use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::Arc;
 
 use asperity::contact_law::{self, ContactLaw};
@@ -15,20 +14,17 @@ use asperity_contact_framework::input::quantity::{
 };
 use numpy::PyArray1;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyString};
 
-use crate::quantity::{list, si, si_or_none, with_unit};
+use crate::quantity::{list, si, si_or_none};
 use crate::refuse;
-
-/// Positional and keyword arguments that make the same object: of a copy, and in another process.
-pub type Arguments<'py, T> = (T, Bound<'py, PyDict>);
 
 /// An elastic body, which may yield.
 ///
 /// Parameters
 /// ----------
 /// young : float or str
-///     Young's modulus in Pa, or with its unit: ``"210 GPa"``, as every value with a unit here.
+///     Young's modulus in Pa, or with its unit: ``"210 GPa"``. A number that is hardly meant in SI, here or below, is warned of.
 /// poisson : float
 ///     Poisson's ratio.
 /// hardness : float or str, optional
@@ -39,11 +35,6 @@ pub type Arguments<'py, T> = (T, Bound<'py, PyDict>);
 ///     Electrical resistivity in ohm m, for electrical conductances.
 /// thermal_conductivity : float or str, optional
 ///     Thermal conductivity in W/(m K), for thermal conductances.
-///
-/// Warns
-/// -----
-/// AsperityWarning
-///     A number without a unit that is hardly meant in SI, such as a modulus of 210e3.
 ///
 /// Raises
 /// ------
@@ -58,19 +49,6 @@ pub type Arguments<'py, T> = (T, Bound<'py, PyDict>);
 #[pyclass(module = "asperity", frozen, eq, from_py_object)]
 #[derive(Clone, PartialEq)]
 pub struct Material(pub asperity::Material);
-
-impl Material {
-    /// Name, value and unit of those optional properties that it has.
-    fn others(&self) -> impl Iterator<Item = (&'static str, f64, &'static str)> {
-        let all = [
-            ("hardness", self.hardness(), "Pa"),
-            ("yield_strength", self.yield_strength(), "Pa"),
-            ("resistivity", self.resistivity(), "ohm m"),
-            ("thermal_conductivity", self.thermal_conductivity(), "W/(m K)"),
-        ];
-        all.into_iter().filter_map(|(name, value, unit)| Some((name, value?, unit)))
-    }
-}
 
 #[pymethods]
 impl Material {
@@ -158,23 +136,24 @@ impl Material {
         self.0.thermal_conductivity()
     }
 
-    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py, (Bound<'py, PyAny>, f64)>> {
-        let others = PyDict::new(py);
-        for (name, value, unit) in self.others() {
-            others.set_item(name, with_unit(py, value, unit)?)?;
-        }
-        Ok(((with_unit(py, self.young(), "Pa")?, self.poisson()), others))
-    }
-
-    fn __hash__(&self) -> u64 {
-        let mut hasher = DefaultHasher::new();
-        self.__repr__().hash(&mut hasher);
-        hasher.finish()
+    fn __hash__(&self, py: Python) -> PyResult<isize> {
+        PyString::new(py, &self.__repr__()).hash()
     }
 
     fn __repr__(&self) -> String {
-        let others: String = self.others().map(|(name, value, _)| format!(", {name}={value:e}")).collect();
-        format!("Material(young={:e}, poisson={}{others})", self.young(), self.poisson())
+        let mut text = format!("Material(young={:e}, poisson={}", self.0.young(), self.0.poisson());
+        let others = [
+            ("hardness", self.hardness()),
+            ("yield_strength", self.yield_strength()),
+            ("resistivity", self.resistivity()),
+            ("thermal_conductivity", self.thermal_conductivity()),
+        ];
+        for (name, value) in others {
+            if let Some(value) = value {
+                text += &format!(", {name}={value:e}");
+            }
+        }
+        text + ")"
     }
 }
 
@@ -252,10 +231,6 @@ impl Law {
     #[getter]
     fn given(&self) -> BTreeMap<String, f64> {
         self.0.options_given().map(|(name, value)| (name.replace('-', "_"), value)).collect()
-    }
-
-    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py, (String,)>> {
-        Ok(((self.name(),), self.given().into_pyobject(py)?))
     }
 
     /// The sources of the law.
@@ -449,27 +424,12 @@ impl Interface {
         Ok(dict)
     }
 
-    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py, (Material, Material, Law)>> {
-        let others = PyDict::new(py);
-        if let (Some(layer), Some(thickness)) = (&self.layer, self.thickness) {
-            others.set_item("layer", layer.clone())?;
-            others.set_item("thickness", with_unit(py, thickness, "m")?)?;
-        }
-        others.set_item("rule", self.rule)?;
-        others.set_item("on", self.on())?;
-        Ok(((self.rough.clone(), self.flat.clone(), self.law.clone()), others))
-    }
-
     fn __repr__(&self) -> String {
         let [rough, flat] = [&self.rough, &self.flat].map(Material::__repr__);
         let mut text = format!("Interface(rough={rough}, flat={flat}, law={}", self.law.__repr__());
         if let (Some(layer), Some(thickness)) = (&self.layer, self.thickness) {
-            let on = self.on();
-            text += &format!(
-                ", layer={}, thickness={thickness:e}, rule=\"{}\", on=\"{on}\"",
-                layer.__repr__(),
-                self.rule
-            );
+            let (layer, rule, on) = (layer.__repr__(), self.rule, self.on());
+            text += &format!(", layer={layer}, thickness={thickness:e}, rule=\"{rule}\", on=\"{on}\"");
         }
         text + ")"
     }

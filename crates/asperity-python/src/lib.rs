@@ -31,7 +31,9 @@ mod _asperity {
     #[pymodule_export]
     use crate::quantity::si_of_kind;
     #[pymodule_export]
-    use crate::spec::{Run, key, merge_tiles, read_spec, register_bits, run, run_tile, tiles, variations};
+    use crate::spec::{
+        Run, in_arguments, key, merge_tiles, read_spec, register_bits, run, run_tile, tiles, variations,
+    };
     #[pymodule_export]
     use crate::surface::{Map, Surface, length_unit, make_surface};
     #[pymodule_export]

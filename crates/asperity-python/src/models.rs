@@ -23,10 +23,9 @@ fn controls(
     pressures: Option<&Bound<PyAny>>,
     tolerance: Option<f64>,
 ) -> PyResult<Controls> {
-    let separations = separations.map(|values| list::<Pure, Finite>(values, "separations")).transpose()?;
-    let pressures =
-        pressures.map(|values| list::<Pressure, NominalPressureRange>(values, "pressures")).transpose()?;
-    let (separations, pressures) = (separations.unwrap_or_default(), pressures.unwrap_or_default());
+    let separations = separations.map_or(Ok(Vec::new()), |all| list::<Pure, Finite>(all, "separations"))?;
+    let of_pressures = list::<Pressure, NominalPressureRange>;
+    let pressures = pressures.map_or(Ok(Vec::new()), |all| of_pressures(all, "pressures"))?;
     if separations.is_empty() && pressures.is_empty() {
         return Err(refuse("found no separation and no pressure; allowed: at least one"));
     }
@@ -56,8 +55,8 @@ fn rows(interface: &Interface, comparison: Result<Comparison, NotReached>) -> Py
 
 /// An argument that is another kind of object.
 fn wrong_type(name: &str, found: &Bound<PyAny>, allowed: &str) -> PyErr {
-    let kind = found.get_type().name().map_or_else(|_| "object".to_owned(), |kind| kind.to_string());
-    PyTypeError::new_err(format!("{name}: found a {kind}; allowed: {allowed}"))
+    let kind = found.get_type();
+    PyTypeError::new_err(format!("{name}: found an object of {kind}; allowed: {allowed}"))
 }
 
 /// The statistical model: the integral of a law over the heights of a population (Greenwood and Williamson 1966; Zhao, Maietta

@@ -1,17 +1,13 @@
 //! Quantities of arguments: numbers in SI, or texts with a unit.
 
-use asperity::numeric::is_positive;
 use asperity_contact_framework::input::bare::{
     NominalAreaRange, NominalPressureRange, PixelRange, SigmaRange,
 };
 use asperity_contact_framework::input::quantity::{
     Area, ArealNumberDensity, Dimension, Force, Length, NotNegative, Positive, Pressure, Quantity, Range,
 };
-use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
-use pyo3::types::{PyFloat, PyInt, PyList, PyString, PyTuple};
 
-use crate::array::Array;
 use crate::refuse;
 
 /// A value in SI, and why it is hardly meant.
@@ -56,20 +52,12 @@ pub fn si_or_none<D: Dimension, R: Range>(value: Option<&Bound<PyAny>>, name: &s
 
 /// The same of a list, of which one value is one.
 pub fn list<D: Dimension, R: Range>(values: &Bound<PyAny>, name: &str) -> PyResult<Vec<f64>> {
-    let is_zero_dimensional =
-        || values.getattr("ndim").and_then(|count| count.extract::<usize>()).is_ok_and(|count| count == 0);
-    let is_one = values.is_instance_of::<PyString>()
-        || values.is_instance_of::<PyFloat>()
-        || values.is_instance_of::<PyInt>()
-        || is_zero_dimensional();
-    let read: Vec<Read> = if is_one {
-        vec![read::<D, R>(values, name)?]
-    } else if values.is_instance_of::<PyList>() || values.is_instance_of::<PyTuple>() {
-        values.try_iter()?.map(|item| read::<D, R>(&item?, name)).collect::<PyResult<_>>()?
-    } else {
-        Array::new(values, 1, name)?.values().iter().map(|&number| bare::<R>(number, name)).collect()
-    };
-    let (numbers, doubts): (Vec<f64>, Vec<Option<String>>) = read.into_iter().unzip();
+    let dimensions: usize = values.py().import("numpy")?.call_method1("ndim", (values,))?.extract()?;
+    if dimensions == 0 {
+        return Ok(vec![si::<D, R>(values, name)?]);
+    }
+    let read: PyResult<Vec<Read>> = values.try_iter()?.map(|item| read::<D, R>(&item?, name)).collect();
+    let (numbers, doubts): (Vec<f64>, Vec<Option<String>>) = read?.into_iter().unzip();
     warn(values.py(), doubts.into_iter().flatten().next())?;
     Ok(numbers)
 }
@@ -90,13 +78,4 @@ pub fn si_of_kind(value: &Bound<PyAny>, name: &str, kind: &str) -> PyResult<Read
         _ => read::<Length, Positive>,
     };
     read(value, name)
-}
-
-/// An argument that gives the same value, without a doubt: a text, of values that one may have.
-pub fn with_unit<'py>(py: Python<'py>, value: f64, unit: &str) -> PyResult<Bound<'py, PyAny>> {
-    if is_positive(value) {
-        format!("{value} {unit}").into_bound_py_any(py)
-    } else {
-        value.into_bound_py_any(py)
-    }
 }

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use asperity_contact_framework::input::{InMemory, InputError, Source};
+use asperity_contact_framework::remedy::FrontEnd;
 use asperity_contact_framework::report::store::Store;
 use asperity_contact_framework::report::table::{Table as Cells, Tables};
 use asperity_contact_framework::{Outcome, folder, summary_json};
@@ -186,6 +187,12 @@ pub fn merge_tiles(
     Ok(interruptible(py, work)??)
 }
 
+/// A message with arguments of this package for the keys of a spec that it advises.
+#[pyfunction]
+pub fn in_arguments(message: &str) -> String {
+    FrontEnd::Python.text(message)
+}
+
 /// Bits of the vector registers that sums run in.
 #[pyfunction]
 pub fn register_bits() -> usize {
@@ -287,11 +294,6 @@ impl Run {
         Ok(Self { kind: found.name(), tables: tables?, summary, warnings, report, interfaces: None })
     }
 
-    /// Itself: nothing of it changes.
-    fn __deepcopy__(run: Bound<Self>, _memo: Bound<PyAny>) -> Py<Self> {
-        run.unbind()
-    }
-
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Parts<'py>)> {
         let from_parts = py.get_type::<Self>().getattr("from_parts")?;
         let Self { kind, summary, warnings, report, .. } = self;
@@ -344,9 +346,10 @@ impl Run {
     }
 }
 
-/// Runs a spec; ``in_memory`` are maps and asperities in memory by path; paths in a dictionary are relative to ``folder``.
+/// Runs a spec; ``in_memory`` are maps and asperities in memory by path; paths in a dictionary are relative to ``folder``. Errors of
+/// a dictionary made ``of_arguments`` advise arguments.
 #[pyfunction]
-#[pyo3(signature = (spec, in_memory, *, name="asperity", report=None, folder=PathBuf::new()))]
+#[pyo3(signature = (spec, in_memory, *, name="asperity", report=None, folder=PathBuf::new(), of_arguments=false))]
 pub fn run(
     py: Python,
     spec: &Bound<PyAny>,
@@ -354,6 +357,7 @@ pub fn run(
     name: &str,
     report: Option<PathBuf>,
     folder: PathBuf,
+    of_arguments: bool,
 ) -> PyResult<Run> {
     if name.is_empty() || Path::new(name).file_name() != Some(name.as_ref()) {
         return Err(refuse(format!("name: found \"{name}\"; allowed: a name such as my-surface")));
@@ -361,7 +365,9 @@ pub fn run(
     let name = name.to_owned();
     let work: Work = match spec.cast::<PyDict>() {
         Ok(table) => {
-            let source = source_of(table, &folder)?.with_in_memory(in_memory_of(in_memory)?);
+            let front_end = if of_arguments { FrontEnd::Python } else { FrontEnd::Spec };
+            let source = source_of(table, &folder)?.read_in(front_end);
+            let source = source.with_in_memory(in_memory_of(in_memory)?);
             Box::new(move |watch| {
                 let experiment = Experiment::watched_parse(source, &name, watch);
                 finish(experiment, report, |experiment| experiment.run(watch))

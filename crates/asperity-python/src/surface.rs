@@ -6,15 +6,17 @@ use std::sync::Arc;
 use asperity::HeightMap;
 use asperity::topography::read::{Crop, LengthUnits, MapFile, ReadError, ReadOptions};
 use asperity::topography::write::{FORMATS, MapFormat, Note};
-use asperity::topography::{Boundary, Rows, Watched};
+use asperity::topography::{Boundary, Rows, Watched, Window};
 use asperity::units::Dimension;
 use asperity_contact_framework::input::InMemory;
+use asperity_contact_framework::remedy::FrontEnd;
 use asperity_experiment::surface::fit_rows::fit_records;
+use asperity_experiment::surface::read_error::spec_message;
 use asperity_experiment::surface::reading::caveats;
 use asperity_experiment::surface::rows::{fitness_records, map_record};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PySlice};
+use pyo3::types::PyDict;
 
 use crate::array::Array;
 use crate::asperities::Asperities;
@@ -72,6 +74,11 @@ impl Map {
     }
 }
 
+/// Why a map is not read, with the arguments that correct it.
+fn refuse_map(map: &str, error: &ReadError) -> PyErr {
+    refuse(format!("{map} {}", FrontEnd::Python.text(&spec_message(error))))
+}
+
 #[pymethods]
 impl Map {
     /// Heights are relative to ``offset``, and stored with a relative ``precision``.
@@ -123,14 +130,10 @@ impl Map {
         let rows = move |watch: &Watch| -> Result<_, ReadError> {
             let (metadata, rows) = (file.watched_metadata(watch)?, file.rows(watch)?);
             let caveats = caveats(&metadata, rows.pixel(), &file);
+            let caveats = caveats.iter().map(|caveat| FrontEnd::Python.text(caveat)).collect();
             Ok((Self(Arc::from(rows)), caveats))
         };
-        interruptible(py, rows)?.map_err(|error| match error {
-            ReadError::Mark { value, .. } => {
-                refuse(format!("{shown} {error} Pass missing={value}, or missing=[] where these are heights"))
-            }
-            _ => refuse(format!("{shown} {error}")),
-        })
+        interruptible(py, rows)?.map_err(|error| refuse_map(&shown, &error))
     }
 
     /// Writes the map in the format of the file's ending.
@@ -168,12 +171,11 @@ impl Map {
     }
 
     /// A part of the map: from and to in m along each axis that is cut.
-    fn part(&self, py: Python, x: Option<[f64; 2]>, y: Option<[f64; 2]>) -> PyResult<Self> {
+    fn part(&self, x: Option<[f64; 2]>, y: Option<[f64; 2]>) -> PyResult<Self> {
         let ranges = Crop { x, y }.ranges(self.points(), self.pixel());
-        let [x, y] = ranges.map_err(|error| refuse(format!("crop: the map {error}")))?;
-        let slice = |range: Range<usize>| PySlice::new(py, range.start as isize, range.end as isize, 1);
-        let heights = self.heights(py)?.get_item((slice(x), slice(y)))?;
-        Self::new(&heights, self.pixel(), self.0.precision(), self.0.offset())
+        let [x, y] = ranges.map_err(|error| refuse_map("the map", &error))?;
+        let part = Window { map: &*self.0, first: [x.start, y.start], points: [x.len(), y.len()] };
+        Ok(Self(Arc::new(HeightMap::from_rows(&part))))
     }
 
     /// A copy of the heights in m.
@@ -224,7 +226,8 @@ pub fn make_surface(
     if realisation == 0 {
         return Err(refuse("realisation: found 0; allowed: from 1"));
     }
-    let source = source_of(spec, std::path::Path::new(""))?.with_in_memory(in_memory_of(in_memory)?);
+    let source = source_of(spec, std::path::Path::new(""))?.read_in(FrontEnd::Python);
+    let source = source.with_in_memory(in_memory_of(in_memory)?);
     // Ellipses are known on maps without further input.
     let as_ellipses = in_memory.is_empty() && spec_has_map(spec)? || holds_map(in_memory)?;
     let surface = interruptible(py, move |watch| {
@@ -288,7 +291,7 @@ pub fn make_surface(
         roughness,
         fitness,
         fit_steps,
-        warnings: surface.warnings,
+        warnings: surface.warnings.iter().map(|warning| FrontEnd::Python.text(warning)).collect(),
     })
 }
 

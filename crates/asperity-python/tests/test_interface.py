@@ -281,12 +281,13 @@ def test_a_part_of_a_map(tmp_path):
     surface.write(tmp_path / "map.gwy")
     assert asperity.Topography.read(tmp_path / "map.gwy", crop={"x": (0, "20 um")}, periodic=True).points == (20, 64)
     for wrong, message in (
-        ({"x": (0, 1)}, "crop: the map is 6.4e-5 m long along x, and the part from 0e0 to 1e0 m is not within it"),
-        ({"y": ("20 um", "10 um")}, "crop: the map is 6.4e-5 m long along y"),
+        ({"x": (0, 1)}, "the map is 64 µm long along x, with points every 1 µm: `crop` from 0 m to 1 m is not within it"),
+        ({"y": ("20 um", "10 um")}, "the map is 64 µm long along y"),
         ({"y": "20 um"}, "crop.y: found '20 um'; allowed: from and to"),
     ):
         with pytest.raises(ValueError, match=message):
             surface.crop(**wrong)
+    assert np.array_equal(asperity.Topography(surface.raw_heights, "1 um", crop={"x": ("2 um", "9 um")}).raw_heights, surface.raw_heights[2:9])
     with pytest.raises(ValueError, match="crop: found 3; allowed"):
         asperity.Topography.read(tmp_path / "map.gwy", crop=3)
 
@@ -308,9 +309,9 @@ def test_a_missing_file_is_a_file_not_found(call):
 
 def test_another_kind_of_object_is_told_how_to_make_it():
     surface = asperity.generate(64, pixel=1e-6, sigma=50e-9, spectrum=SPECTRUM, seed=2)
-    with pytest.raises(TypeError, match=r"^asperities: found a Topography; allowed: Asperities, such as topography.find_summits\(\)"):
+    with pytest.raises(TypeError, match=r"^asperities: found an object of <class 'asperity.surfaces.Topography'>; allowed: Asperities, such as topography.find_summits\(\)"):
         asperity.deterministic(CONTACT, surface, pressures=1e6)
-    with pytest.raises(TypeError, match=r"^population: found a Topography; allowed: a Population, such as asperities.population\(\)"):
+    with pytest.raises(TypeError, match=r"^population: found an object .*; allowed: a Population, such as topography.find_summits\(\).population\(\)"):
         asperity.statistical(CONTACT, surface, pressures=1e6)
     assert "steel-100Cr6" in asperity.Material.names()
     assert all(isinstance(asperity.Material.named(name), asperity.Material) for name in asperity.Material.names())
@@ -413,7 +414,7 @@ def test_files_as_labs_have_them(tmp_path):
     nm[3, 5] = -9999
     matrix = tmp_path / "matrix.csv"
     np.savetxt(matrix, nm, delimiter=",", header=",".join(map(str, range(64))), comments="")
-    with pytest.raises(ValueError, match="holds the height -9999 at 1 point.*Pass missing=-9999"):
+    with pytest.raises(ValueError, match="holds the height -9999 at 1 point.*missing ?= ?-9999"):
         asperity.Topography.read(matrix, pixel=1e-6, unit="nm")
     taken = asperity.Topography.read(matrix, pixel=1e-6, unit="nm", missing=-9999, transpose=True)
     assert np.isnan(taken.raw_heights[3, 5]) and np.isnan(taken.raw_heights).sum() == 1

@@ -11,8 +11,8 @@ export const LABELS = {
   unit: "Unit",
   "unit.xy": "Unit of x and y",
   "unit.z": "Unit of the heights",
-  "crop.x": "Crop x",
-  "crop.y": "Crop y",
+  "crop.x": "Part along x",
+  "crop.y": "Part along y",
   level: "Form removed",
   "filter.s": "S filter",
   "filter.l": "L filter",
@@ -175,12 +175,14 @@ const SurfaceControls = ({ context, surface }) => {
     const [nx, ny] = map?.points ?? [1000, 1000];
     const pixel = map?.pixel_m?.[0] ?? 1e-6;
     const side = Math.min(nx, ny) * pixel;
+    const unit = at(spec, path("unit")) ?? "m";
+    const setUnit = next => setValue(path("unit"), next === "two" ? { xy: unit, z: unit } : next);
     return html`<${Group} title=${`Surface ${surface}`} isOpen=${true}>
       <${Field} context=${context} path=${path("path")} />
       <${Field} context=${context} path=${path("pixel")} placeholder="in the file" set=${text => setValue(path("pixel"), listOf(text))} />
       ${typeof at(spec, path("unit")) === "object"
         ? html`<${Choice} context=${context} path=${path("unit", "xy")} options=${lengthUnits(vocabulary)} /><${Choice} context=${context} path=${path("unit", "z")} options=${lengthUnits(vocabulary)} />`
-        : html`<${Choice} context=${context} path=${path("unit")} options=${lengthUnits(vocabulary)} none="that of the file, or m" />`}
+        : html`<${Choice} context=${context} path=${path("unit")} options=${[...lengthUnits(vocabulary), ["two", "two: of x and y, of the heights"]]} none="that of the file, or m" set=${setUnit} />`}
       <${Field} context=${context} path=${path("crop", "x")} placeholder="from, to: 10 um, 200 um" set=${text => setValue(path("crop", "x"), listOf(text))} />
       <${Field} context=${context} path=${path("crop", "y")} placeholder="from, to" set=${text => setValue(path("crop", "y"), listOf(text))} />
       <${Choice} context=${context} path=${path("level")} options=${LEVELS} none="plane (default)" />

@@ -4,7 +4,7 @@ import { html, useState, useEffect, useLayoutEffect, useMemo, useRef } from "./p
 import { bytes, events } from "./server.js";
 import { change, setValue, withValue } from "./state.js";
 import { length, parsed } from "./quantity.js";
-import { Words } from "./controls.js";
+import { LABELS, Words } from "./controls.js";
 
 const MOST_POINTS = 1024;
 
@@ -238,7 +238,7 @@ export const Surface = ({ name, spec, folder, ready, inputs, onView, fail, isCan
       <div><${MapPicture} map=${map} name=${name} spikes=${view.map.spikes_m} profile=${profile} setProfile=${setProfile} cut=${isCutting && cut} />
         ${isFile && html`<p class="buttons"><button type="button" aria-pressed=${isCutting} onClick=${() => setCutting(!isCutting)}>Crop by a rectangle</button>
           ${crop && html`<button type="button" onClick=${() => setValue(cropPath, undefined)}>Whole map</button>`}
-          ${isCutting && html`<span role="status">Draw it on the map; the fields “Crop x” and “Crop y” do the same.</span>`}</p>`}</div>
+          ${isCutting && html`<span role="status">Draw it on the map; the fields “${LABELS["crop.x"]}” and “${LABELS["crop.y"]}” do the same.</span>`}</p>`}</div>
       <div><${ChartOf} id=${`${name}-profile`} data=${line} caption="Profile along the line; draw another on the map." />
       <${ChartOf} id=${`${name}-histogram`} data=${histogram} caption="Heights of the map." /></div>
     </div>`}

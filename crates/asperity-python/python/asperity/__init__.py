@@ -23,7 +23,7 @@ from ._asperity import (
     deterministic,
     statistical,
 )
-from . import distributed
+from . import copies, distributed
 from .arguments import AsperityWarning
 from .study import Results, compare, reference, run
 from .surfaces import Pair, Topography, draw, generate

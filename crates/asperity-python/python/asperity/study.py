@@ -70,15 +70,23 @@ class Results:
         The folder of the report, where one was written.
     """
 
-    def __init__(self, run: _asperity.Run, doubts: Sequence[str] = ()) -> None:
+    def __init__(self, run: _asperity.Run, doubts: Sequence[str] | None = None) -> None:
+        # With doubts, which may be none, it was asked for by arguments, and speaks of them instead of keys.
         self._run = run
-        self._doubts = list(doubts)
+        self._doubts = doubts
         self.kind = run.kind
-        self.warnings = list(dict.fromkeys([*doubts, *run.warnings]))
+        self.warnings = list(dict.fromkeys([*(doubts or ()), *map(self._told, run.warnings)]))
         self.report = run.report
 
     def __reduce__(self) -> tuple:
         return Results, (self._run, self._doubts)
+
+    def __deepcopy__(self, memo: Any) -> Results:
+        # Its tables of joints do not go elsewhere, and nothing of a run changes.
+        return Results(self._run, self._doubts)
+
+    def _told(self, message: str) -> str:
+        return message if self._doubts is None else _asperity.in_arguments(message)
 
     @cached_property
     def tables(self) -> dict[str, Table]:
@@ -101,7 +109,9 @@ class Results:
     @cached_property
     def answer(self) -> Answer:
         """The answer as the report gives it: the card of one case, or a sentence; ``print`` shows it."""
-        return Answer(self.summary["answer"])
+        answer = self.summary["answer"]
+        lines = [{**line, "texts": [self._told(text) for text in line["texts"]]} for line in answer.get("lines", [])]
+        return Answer({"sentence": self._told(answer["sentence"]), "lines": lines})
 
     @property
     def answers(self) -> list[dict[str, Any]]:
@@ -243,7 +253,7 @@ def run(
     OSError
         A report that cannot be written.
     """
-    return _run(spec, surfaces or {}, name, report, ())
+    return _run(spec, surfaces or {}, name, report, None)
 
 
 def _run(
@@ -251,9 +261,9 @@ def _run(
     surfaces: Mapping[str, Surface],
     name: str,
     report: str | PathLike[str] | None,
-    doubts: Sequence[str],
+    doubts: Sequence[str] | None,
 ) -> Results:
-    warn(doubts)
+    warn(doubts or ())
     in_memory: dict[str, Any] = {}
     if isinstance(spec, Mapping):
         spec = {**spec}
@@ -268,8 +278,8 @@ def _run(
         raise ValueError("surfaces: allowed only with a spec that is a dictionary")
     elif isinstance(spec, (str, PathLike)):
         check_file(spec)
-    results = Results(_asperity.run(spec, in_memory, name=name, report=report), doubts)
-    warn(warning for warning in results.warnings if warning not in doubts)
+    results = Results(_asperity.run(spec, in_memory, name=name, report=report, of_arguments=doubts is not None), doubts)
+    warn(warning for warning in results.warnings if warning not in (doubts or ()))
     return results
 
 

@@ -51,15 +51,16 @@ def axes(ax: Any) -> Any:
     return pyplot.subplots(layout="constrained")[1]
 
 
-def _ends(
-    x: tuple[Length, Length] | None = None, y: tuple[Length, Length] | None = None
-) -> list[tuple[float, float] | None]:
+def _ends(crop: Mapping[str, tuple[Length, Length] | None] | None) -> list[tuple[float, float] | None]:
     """The ends of a part along x and y in m."""
+    if crop is not None and (not isinstance(crop, Mapping) or not set(crop) <= {"x", "y"}):
+        raise ValueError(f'crop: found {crop!r}; allowed: {{"x": ("10 um", "200 um"), "y": (0, "50 um")}}, or one of both')
     ends: list[tuple[float, float] | None] = []
-    for name, given in (("crop.x", x), ("crop.y", y)):
+    for name in "xy":
+        given = crop.get(name) if crop else None
         if given is not None and (np.ndim(given) != 1 or len(given) != 2):
-            raise ValueError(f'{name}: found {given!r}; allowed: from and to, such as ("10 um", "200 um")')
-        ends.append(None if given is None else (si(name, given[0], "distance"), si(name, given[1], "distance")))
+            raise ValueError(f'crop.{name}: found {given!r}; allowed: from and to, such as ("10 um", "200 um")')
+        ends.append(None if given is None else tuple(si(f"crop.{name}", end, "distance") for end in given))
     return ends
 
 
@@ -82,6 +83,8 @@ class Topography:
         Distance of neighbouring points along x and y in m, or with its unit: ``"0.8 um"``, as every length here.
     periodic : bool
         Whether the map continues periodically beyond its border, as simulated surfaces do.
+    crop : mapping, optional
+        The part of the map that is used, by ``"x"`` and ``"y"``, as :meth:`crop` takes them.
     fit : {"auto"}, optional
         Find the preparation that makes the map fit: remedies of the failed checks, one after the other. The keywords below that are
         given are kept; :attr:`fit_steps` says what was done.
@@ -94,7 +97,7 @@ class Topography:
     level : {"none", "plane", "quadratic", "cubic"}, optional
         Form that is removed; by default a plane, and nothing of a periodic map.
     s, l : float or str, optional
-        Nesting indices of Gaussian S and L filters (ISO 16610-61) in m.
+        Nesting indices of Gaussian S and L filters (ISO 16610-61) in m; ``filter={"s": ..., "l": ...}`` is the same.
     neighbours : {"four", "eight"}
         Which neighbours a summit is higher than.
 
@@ -124,15 +127,20 @@ class Topography:
         pixel: Length | tuple[Length, Length],
         *,
         periodic: bool = False,
+        crop: Mapping[str, tuple[Length, Length]] | None = None,
         **preparation: Any,
     ) -> None:
         if isinstance(heights, np.ma.MaskedArray):
             heights = heights.astype(np.float64).filled(np.nan)
-        self._begin(_asperity.Map(heights, _pixel(pixel)), periodic, preparation)
+        raw, ends = _asperity.Map(heights, _pixel(pixel)), _ends(crop)
+        part = raw if ends == [None, None] else raw.part(*ends)
+        self._begin(part, periodic and part.points == raw.points, preparation)
 
     def _begin(
         self, raw: _asperity.Map, periodic: bool, preparation: dict[str, Any], caveats: Sequence[str] = ()
     ) -> None:
+        if isinstance(indices := preparation.get("filter"), Mapping) and set(indices) <= {"s", "l"}:
+            preparation = {**{name: value for name, value in preparation.items() if name != "filter"}, **indices}
         allowed = {"fit", "outliers", "align_lines", "tip", "level", "s", "l", "neighbours"}
         if unknown := set(preparation) - allowed:
             raise ValueError(f"found {', '.join(sorted(unknown))}; allowed: {', '.join(sorted(allowed))}")
@@ -199,9 +207,7 @@ class Topography:
             unit = _units(unit)
         if missing is not None:
             missing = np.atleast_1d(np.asarray(missing, dtype=np.float64)).tolist()
-        if crop is not None and (not isinstance(crop, Mapping) or not set(crop) <= {"x", "y"}):
-            raise ValueError(f'crop: found {crop!r}; allowed: {{"x": ("10 um", "200 um"), "y": (0, "50 um")}}, or one of both')
-        ends = _ends(**(crop or {}))
+        ends = _ends(crop)
         raw, caveats = _asperity.Map.read(
             path, pixel=pixel, unit=unit, missing=missing, channel=channel, transpose=transpose, crop=ends
         )
@@ -250,7 +256,7 @@ class Topography:
     def crop(
         self, x: tuple[Length, Length] | None = None, y: tuple[Length, Length] | None = None
     ) -> Topography:
-        """A part of the map as read, with the same preparation, which then sees this part only. It is not periodic.
+        """A part of the map as read, with the same preparation, which then sees this part only; it is not periodic.
 
         Parameters
         ----------
@@ -267,7 +273,8 @@ class Topography:
         <Topography: 50 x 128 points of 1e-06 x 1e-06 m>
         """
         made = Topography.__new__(Topography)
-        made._begin(self._raw.part(*_ends(x=x, y=y)), False, self._preparation, self._caveats)
+        part = self._raw.part(*_ends({"x": x, "y": y}))
+        made._begin(part, self.periodic and part.points == self._raw.points, self._preparation, self._caveats)
         return made
 
     def pair(self, other: Topography, *, shifts: int = 16, rotations: bool = False) -> Pair:
@@ -400,7 +407,8 @@ class Topography:
     @cached_property
     def fitness(self) -> list[dict[str, Any]]:
         """The checks whether the map may carry a verdict: spikes, form, lines, steps, resolution."""
-        return json.loads(self._surface.fitness)
+        checks = json.loads(self._surface.fitness)
+        return [{**check, "remedy": _asperity.in_arguments(check["remedy"] or "")} for check in checks]
 
     @property
     def fit_steps(self) -> list[dict[str, Any]]:

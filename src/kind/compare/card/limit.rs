@@ -66,7 +66,9 @@ impl Card<'_> {
             _ if is_steep(at) || self.leaves_yielding_out() => None,
             Some(_) => Some("boundary elements"),
             None if self.surface.map.is_none() => None,
-            None => Some("boundary elements (`models = [\"statistical\", \"deterministic\", \"reference\"]`)"),
+            None => {
+                Some("boundary elements (`models = [\"statistical\", \"deterministic\", \"reference\"]`)")
+            }
         };
         let mut ways: Vec<String> = first.into_iter().map(str::to_owned).collect();
         let admissible = self.verdicts().admissible.stretches.iter();

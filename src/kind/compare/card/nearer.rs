@@ -71,7 +71,10 @@ impl Card<'_> {
             return Some("Not possible: the surface has no map.".to_owned());
         }
         let Some(curve) = &self.case.first().reference else {
-            return Some("Not computed: it needs `models = [\"statistical\", \"deterministic\", \"reference\"]`.".to_owned());
+            return Some(
+                "Not computed: it needs `models = [\"statistical\", \"deterministic\", \"reference\"]`."
+                    .to_owned(),
+            );
         };
         if curve.unreached.contains(&at.load) {
             return Some("None: no contact carries so high a pressure.".to_owned());

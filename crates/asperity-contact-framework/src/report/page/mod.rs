@@ -351,7 +351,10 @@ fn read_in(blocks: &mut [Block], front_end: FrontEnd) {
     for block in blocks {
         match block {
             Block::Card(lines) => {
-                lines.iter_mut().flat_map(|line| &mut line.texts).for_each(|text| *text = front_end.text(text));
+                lines
+                    .iter_mut()
+                    .flat_map(|line| &mut line.texts)
+                    .for_each(|text| *text = front_end.text(text));
             }
             Block::Lead(text) | Block::Markdown(text) => *text = front_end.text(text),
             Block::Details { blocks, .. } => read_in(blocks, front_end),
