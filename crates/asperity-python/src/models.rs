@@ -105,9 +105,7 @@ pub fn statistical(
     tolerance: Option<f64>,
 ) -> PyResult<Table> {
     let population = population.cast::<Population>().map_err(|_| {
-        let allowed = "a Population, such as asperities.population(), where asperities = topography.find_summits() of a \
-                       Topography";
-        wrong_type("population", population, allowed)
+        wrong_type("population", population, "a Population, such as topography.find_summits().population()")
     })?;
     if interface.law.0.is_elliptic() {
         return Err(refuse(
