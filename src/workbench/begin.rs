@@ -46,8 +46,10 @@ pub fn spec_of(file: &Path, path: &str) -> Result<(String, Vec<String>), Refused
     if found.pixel.is_none() {
         open.push("pixel".to_owned());
     }
-    if !found.has_unit && found.named == NamedUnits::None {
-        open.push("unit".to_owned());
+    if !found.has_unit && !matches!(found.named, NamedUnits::Known(_)) {
+        // Coordinates in the file have a unit, too.
+        let units = if found.pixel.is_some() { &["unit.xy", "unit.z"][..] } else { &["unit"] };
+        open.extend(units.iter().map(|&unit| unit.to_owned()));
     }
     Ok((text, open))
 }
@@ -93,6 +95,21 @@ mod tests {
         let (text, open) = spec_of(&path, "uploads/a.csv").unwrap();
         assert!(text.contains("[surface.\"a\".asperities]\nfile = \"uploads/a.csv\"\n"), "{text}");
         assert_eq!(open, ["nominal-area"]);
+    }
+
+    #[test]
+    fn what_a_file_leaves_open_is_asked_for() {
+        let folder = tempfile::tempdir().unwrap();
+        let open = |name: &str, text: &str| {
+            let path = folder.path().join(name);
+            std::fs::write(&path, text).unwrap();
+            spec_of(&path, name).unwrap().1
+        };
+        let points = "0 0 1\n0 1 2\n0 2 1\n1 0 3\n1 1 1\n1 2 4\n2 0 1\n2 1 5\n2 2 9\n";
+        assert_eq!(open("matrix.txt", "1 2 3 4\n4 5 6 3\n7 8 9 2\n2 1 2 1\n"), ["pixel", "unit"]);
+        assert_eq!(open("points.xyz", points), ["unit.xy", "unit.z"]);
+        assert_eq!(open("unclear.csv", &format!("x [px] y [px] z [um]\n{points}")), ["unit.xy", "unit.z"]);
+        assert!(open("named.csv", &format!("x [um] y [um] z [nm]\n{points}")).is_empty());
     }
 
     #[test]

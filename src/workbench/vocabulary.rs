@@ -1,14 +1,15 @@
-//! What the page needs once: the keys of a spec with their explanations, the materials of the library, the laws.
+//! What the page needs once: the keys of a spec with their explanations, the materials of the library, the laws, units.
 
 use asperity::contact_law;
 use asperity::material_library;
+use asperity::units::Dimension;
 use asperity_contact_framework::keys::Default;
 use asperity_contact_framework::report::format::input_quantity;
 use serde_json::{Map, Value, json};
 
 use crate::keys::all;
 
-/// Keys by their names, materials, and names of laws.
+/// Keys by their names, materials, names of laws, units of length.
 pub fn vocabulary() -> Value {
     let key = |key: &asperity_contact_framework::keys::Key| {
         let default = match &key.default {
@@ -47,5 +48,6 @@ pub fn vocabulary() -> Value {
             [law.name(), format!("{}: {}", law.name(), papers.join(", "))]
         })
         .collect();
-    json!({ "keys": keys, "materials": materials, "laws": laws })
+    let lengths = Dimension::Length.documented();
+    json!({ "keys": keys, "materials": materials, "laws": laws, "lengths": lengths })
 }

@@ -9,6 +9,7 @@ import signal
 import struct
 import subprocess
 from html import unescape
+from urllib.parse import unquote
 
 import pytest
 from axe_playwright_python.sync_playwright import Axe
@@ -87,6 +88,14 @@ def population(server, **changes):
     spec = json.loads(json.dumps(POPULATION))
     spec["surface"]["a"]["population"].update(changes)
     return spec
+
+
+def use(page, **units):
+    """Says what a file does not: the unit of its heights, or `xy` and `z`; without any that the dialog asks for: m."""
+    page.locator(".waits").wait_for()
+    for select in page.locator(".waits select").all():
+        select.select_option(units.get(select.get_attribute("name").split(".")[-1], "m"))
+    page.get_by_role("button", name="Use").click()
 
 
 def save(server, spec, name):
@@ -183,12 +192,150 @@ def test_each_format_that_is_dropped_is_read_and_what_it_lacks_is_asked_for(serv
     if made == "csv":
         form.locator("input[name=nominal-area]").fill("0.01 mm^2")
     if made not in ("x3p", "opd"):
-        form.get_by_role("button", name="Use").click()
+        use(page)
     complete(page)
     expect(page.locator(".surface h2")).to_contain_text(f"Surface {path.stem}")
     assert (server.folder / "uploads" / path.name).read_bytes() == path.read_bytes()
     if made != "csv":
         expect(page.locator(".surface .size")).to_contain_text("points")
+
+
+def spec_of(page):
+    """The spec that the page holds, of its address."""
+    return json.loads(unquote(page.url.partition("#")[2]))["spec"]
+
+
+FACTORS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6, "nm": 1e-9, "pm": 1e-12, "Å": 1e-10, "in": 0.0254, "mil": 0.0254e-3}
+
+
+def lacking(made, folder, xy=1.0, z=1.0):
+    """A file of the same heights in other units, which it does not name."""
+    heights = [[height_at(x, y) / z for y in range(20)] for x in range(24)]
+    path = folder / f"{made}.{made}"
+    if made == "npy":
+        head = "{'descr': '<f8', 'fortran_order': False, 'shape': (24, 20), }".ljust(117) + "\n"
+        path.write_bytes(b"\x93NUMPY\x01\x00" + struct.pack("<H", 118) + head.encode() + struct.pack("<480d", *sum(heights, [])))
+    elif made == "txt":
+        path.write_text("\n".join(" ".join(f"{heights[x][y]:.9e}" for x in range(24)) for y in range(20)))
+    else:
+        path.write_text("\n".join(f"{1e-6 * x / xy:.9e} {1e-6 * y / xy:.9e} {heights[x][y]:.9e}" for x in range(24) for y in range(20)))
+    return path
+
+
+@pytest.mark.parametrize("made", ["npy", "txt", "xyz"])
+def test_each_unit_that_is_chosen_is_used(server, visit, tmp_path, made):
+    """The card of the same surface, whatever the unit that its file is in."""
+    page = visit(server.address)
+    results = {}
+    for place, unit in enumerate(FACTORS):
+        xy = list(FACTORS)[(place + 3) % len(FACTORS)]
+        (folder := tmp_path / unit).mkdir()
+        page.locator("input[type=file]").set_input_files(lacking(made, folder, FACTORS[xy], FACTORS[unit]))
+        form = page.locator(".waits form")
+        form.wait_for()
+        selects = form.locator("select").all()
+        assert [select.get_attribute("name") for select in selects] == (["unit.xy", "unit.z"] if made == "xyz" else ["unit"])
+        assert [select.input_value() for select in selects] == [""] * len(selects)
+        assert set(FACTORS) <= set(selects[0].locator("option").evaluate_all("all => all.map(one => one.value)"))
+        if made != "xyz":
+            form.locator("input[name=pixel]").fill("1 um")
+        # Without a choice nothing happens.
+        page.get_by_role("button", name="Use").click()
+        assert page.locator(".waits").count() == 1
+        use(page, unit=unit, xy=xy, z=unit)
+        complete(page)
+        (surface,) = spec_of(page)["surface"].values()
+        assert surface["file"]["unit"] == ({"xy": xy, "z": unit} if made == "xyz" else unit)
+        results[unit] = (card(page, "Result at"), page.locator(".surface .size").inner_text())
+        page.get_by_role("button", name="Close").click()
+        page.locator(".drop").wait_for()
+    assert len(set(results.values())) == 1, results
+    # Both units stand beside each other in the controls.
+    page.go_back()
+    page.locator(".controls").wait_for()
+    labels = page.locator(".controls label").all_inner_texts()
+    assert ("Unit of x and y" in labels and "Unit of the heights" in labels) if made == "xyz" else "Unit" in labels
+
+
+def test_a_surface_that_fails_is_waited_for_no_longer(server, visit, tmp_path):
+    page = visit(server.address, expected=REFUSED)
+    page.locator("input[type=file]").set_input_files(lacking("txt", tmp_path, z=1e-9))
+    page.locator("input[name=pixel]").fill("1 um")
+    use(page, unit="m")
+    expect(page.locator(".status.wrong")).to_contain_text("holds a height of")
+    expect(page.locator(".surface .error")).to_contain_text("holds a height of")
+    assert "Waiting for the surface" not in page.locator(".surface").inner_text()
+    # What is chosen then ends it.
+    key(page, "surface", "txt", "file", "unit").select_option("nm")
+    complete(page)
+    expect(page.locator(".surface .error")).to_have_count(0)
+    page.locator(".heights canvas").wait_for()
+
+
+def test_a_rectangle_is_cut_out_and_the_whole_map_comes_back(server, visit, tmp_path):
+    page = visit(server.address)
+    page.locator("input[type=file]").set_input_files(lacking("npy", tmp_path))
+    page.locator("input[name=pixel]").fill("1 um")
+    use(page)
+    complete(page)
+    canvas, line = page.locator(".heights canvas"), page.locator(".heights line")
+    before = line.get_attribute("x1")
+
+    def draw(x0, y0, x1, y1):
+        page.get_by_role("button", name="Crop by a rectangle").click()
+        canvas.scroll_into_view_if_needed()
+        box = canvas.bounding_box()
+        page.mouse.move(box["x"] + x0 * box["width"], box["y"] + (1 - y0) * box["height"])
+        page.mouse.down()
+        page.mouse.move(box["x"] + x1 * box["width"], box["y"] + (1 - y1) * box["height"], steps=3)
+        assert page.locator(".heights rect").count() == 1
+        page.mouse.up()
+        complete(page)
+        return spec_of(page)["surface"]["npy"]["file"].get("crop")
+
+    def ends(crop):
+        return {axis: [float(end.removesuffix(" um")) for end in crop[axis]] for axis in crop}
+
+    # From the first point at the lower left, as heights of the first index along x.
+    found = ends(draw(0.25, 0.01, 0.75, 0.5))
+    assert found["x"] == pytest.approx([6, 18], abs=0.3) and found["y"] == pytest.approx([0, 10], abs=0.3)
+    assert line.get_attribute("x1") == before
+    expect(page.locator(".surface .size")).to_contain_text("× 10 points")
+    shown = key(page, "surface", "npy", "file", "crop", "x").input_value()
+    assert [float(end.removesuffix(" um")) for end in shown.split(", ")] == pytest.approx(found["x"], rel=1e-3)
+    # A rectangle on the part is a part of the part.
+    again = ends(draw(0.01, 0.01, 0.5, 0.99))
+    assert again["x"] == pytest.approx([found["x"][0], found["x"][0] + 6], abs=0.8) and again["y"] == found["y"]
+    page.get_by_role("button", name="Whole map").click()
+    complete(page)
+    assert "crop" not in spec_of(page)["surface"]["npy"]["file"]
+    expect(page.locator(".surface .size")).to_contain_text("24 × 20 points")
+    put(page, "2 um, 14 um", "surface", "npy", "file", "crop", "x")
+    complete(page)
+    assert spec_of(page)["surface"]["npy"]["file"]["crop"] == {"x": ["2 um", "14 um"]}
+    expect(page.locator(".surface .size")).to_contain_text("12 × 20 points")
+
+
+def test_first_numbers_are_preliminary(server, visit):
+    page = visit(server.address)
+    page.get_by_role("button", name="Open the example").wait_for()
+    page.evaluate("""() => {
+      window.seen = new Set();
+      new MutationObserver(() => document.querySelectorAll(".card dt").forEach(one => window.seen.add(one.textContent)))
+        .observe(document.body, { childList: true, subtree: true, characterData: true });
+    }""")
+    page.get_by_role("button", name="Open the example").click()
+    complete(page)
+    assert [text for text in page.evaluate("[...window.seen]") if text.endswith("(preliminary)")]
+    assert "preliminary" not in page.locator(".card").first.inner_text()
+    # Lists have no empty entry, and numbers no more digits than anybody reads.
+    assert page.locator(".controls option").evaluate_all("all => all.filter(one => !one.textContent.trim()).length") == 0
+    pixel = key(page, "surface", "fine-finish", "file", "pixel")
+    assert pixel.input_value() == "196.733 nm"
+    pixel.focus()
+    assert pixel.input_value() == "196.73303177114576 nm"
+    pixel.blur()
+    assert spec_of(page)["surface"]["fine-finish"]["file"]["pixel"] == "196.73303177114576 nm"
 
 
 def test_a_file_that_is_no_map_is_refused_with_the_reason(server, visit, tmp_path):
@@ -217,7 +364,7 @@ def test_a_spiked_map_is_remedied_by_a_button(server, visit, tmp_path):
     page = visit(server.address)
     page.locator("input[type=file]").set_input_files(spiked(tmp_path))
     page.locator("input[name=pixel]").fill("0.1967 um")
-    page.get_by_role("button", name="Use").click()
+    use(page)
     expect(page.locator(".blocked")).to_contain_text("fails a check")
     page.get_by_role("button", name='Try outliers = "remove"').click()
     attempt = page.locator(".attempt")
@@ -435,7 +582,7 @@ def test_eight_tabs_at_once(server, visit):
 def test_a_file_that_changes_or_vanishes(server, visit, tmp_path):
     page = visit(server.address, expected=REFUSED)
     page.locator("input[type=file]").set_input_files(points(tmp_path))
-    page.get_by_role("button", name="Use").click()
+    use(page)
     complete(page)
     before = card(page, "Result at")
     path = server.folder / "uploads" / "points.xyz"
@@ -472,12 +619,12 @@ def test_a_server_that_is_killed_and_started_again(server, visit):
 def test_several_surfaces_stand_side_by_side(server, visit, tmp_path):
     page = visit(server.address)
     page.locator("input[type=file]").set_input_files(points(tmp_path))
-    page.get_by_role("button", name="Use").click()
+    use(page)
     complete(page)
     page.locator("input[type=file]").set_input_files(text_of_heights(tmp_path))
     page.get_by_role("button", name="Put it beside").click()
     page.locator("input[name=pixel]").fill("1 um")
-    page.get_by_role("button", name="Use").click()
+    use(page)
     complete(page)
     expect(page.locator(".heights canvas")).to_have_count(2)
     expect(page.locator(".case")).to_have_count(2)
@@ -489,7 +636,7 @@ def test_several_surfaces_stand_side_by_side(server, visit, tmp_path):
 def test_a_profile_follows_the_line(server, visit, tmp_path):
     page = visit(server.address)
     page.locator("input[type=file]").set_input_files(points(tmp_path))
-    page.get_by_role("button", name="Use").click()
+    use(page)
     complete(page)
     canvas = page.locator(".heights canvas")
     canvas.scroll_into_view_if_needed()
@@ -553,7 +700,7 @@ def test_the_tutorial_in_the_workbench(server, visit):
     page = visit(server.address)
     page.get_by_role("button", name="shaft.npy").click()
     page.locator("input[name=pixel]").fill("196.733 nm")
-    page.get_by_role("button", name="Use").click()
+    use(page)
     complete(page)
     key(page, "compare", "flat").select_option("steel-42CrMo4-QT")
     complete(page)

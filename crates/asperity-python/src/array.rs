@@ -5,7 +5,7 @@ use std::sync::Arc;
 use numpy::{PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyFloat, PyInt, PyList, PyTuple};
+use pyo3::types::PyDict;
 
 use crate::refuse;
 
@@ -43,22 +43,6 @@ impl Array {
         let (start, count) =
             unsafe { array.as_slice().map(|values| (values.as_ptr(), values.len())) }.map_err(refuse)?;
         Ok(Self { owner: Arc::new(array.unbind()), start, count, shape })
-    }
-
-    /// The numbers of a list, of which one number is one.
-    pub fn list(values: &Bound<PyAny>, name: &str) -> PyResult<Vec<f64>> {
-        if values.cast::<PyFloat>().is_ok() || values.cast::<PyInt>().is_ok() {
-            return values.extract().map(|value| vec![value]);
-        }
-        if (values.cast::<PyList>().is_ok() || values.cast::<PyTuple>().is_ok())
-            && let Ok(numbers) = values.extract()
-        {
-            return Ok(numbers);
-        }
-        if values.getattr("ndim").and_then(|count| count.extract::<usize>()).is_ok_and(|count| count == 0) {
-            return values.extract().map(|value| vec![value]);
-        }
-        Self::new(values, 1, name).map(|array| array.values().to_vec())
     }
 
     /// The numbers.

@@ -4,13 +4,17 @@ use std::sync::Arc;
 
 use asperity::{AsperityList, AsperitySet, MeanRadius, SetError, Statistics};
 use asperity_contact_framework::input::InMemory;
+use asperity_contact_framework::input::bare::{NominalAreaRange, SigmaRange};
 use asperity_contact_framework::input::heights::HeightsSpec;
+use asperity_contact_framework::input::quantity::{Area, ArealNumberDensity, Length, Positive};
 use asperity_experiment::surface::rows::statistics_columns;
 use numpy::PyArrayDyn;
+use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{IntoPyDict, PyDict};
 
 use crate::array::Array;
+use crate::quantity::si;
 use crate::refuse;
 use crate::spec::toml_of;
 
@@ -24,8 +28,8 @@ use crate::spec::toml_of;
 ///     Heights in m.
 /// radii : array_like, shape (n,)
 ///     1/(mean curvature) in m.
-/// nominal_area : float
-///     The area that they are from in m^2.
+/// nominal_area : float or str
+///     The area that they are from in m^2, or with its unit.
 /// curvatures : array_like, shape (2, n), optional
 ///     Principal curvatures kx and ky in 1/m, for laws for ellipses.
 /// places : array_like, shape (2, n), optional
@@ -95,12 +99,13 @@ impl Asperities {
     fn new(
         heights: &Bound<PyAny>,
         radii: &Bound<PyAny>,
-        nominal_area: f64,
+        nominal_area: &Bound<PyAny>,
         curvatures: Option<&Bound<PyAny>>,
         places: Option<&Bound<PyAny>>,
         independent: bool,
     ) -> PyResult<Self> {
         let (heights, radii) = (Array::new(heights, 1, "heights")?, Array::new(radii, 1, "radii")?);
+        let nominal_area = si::<Area, NominalAreaRange>(nominal_area, "nominal_area")?;
         let both = |given: Option<&Bound<PyAny>>, name: &str, columns: &str| {
             let Some(given) = given else { return Ok(None) };
             let (array, count) = (Array::new(given, 2, name)?, heights.values().len());
@@ -209,11 +214,11 @@ impl Asperities {
 ///
 /// Parameters
 /// ----------
-/// radius : float
-///     1/(mean curvature) of every asperity in m.
-/// sigma : float
+/// radius : float or str
+///     1/(mean curvature) of every asperity in m, or with its unit, as the others.
+/// sigma : float or str
 ///     Standard deviation of the asperity heights in m.
-/// density : float
+/// density : float or str
 ///     Asperities per nominal area in 1/m^2.
 /// heights : str or dict, optional
 ///     Their distribution, as in a spec: ``"gaussian"``, ``{"weibull": {"shape": 2}}``,
@@ -249,7 +254,15 @@ impl Population {
 impl Population {
     #[new]
     #[pyo3(signature = (radius, sigma, density, heights=None))]
-    fn new(radius: f64, sigma: f64, density: f64, heights: Option<&Bound<PyAny>>) -> PyResult<Self> {
+    fn new(
+        radius: &Bound<PyAny>,
+        sigma: &Bound<PyAny>,
+        density: &Bound<PyAny>,
+        heights: Option<&Bound<PyAny>>,
+    ) -> PyResult<Self> {
+        let radius = si::<Length, Positive>(radius, "radius")?;
+        let sigma = si::<Length, SigmaRange>(sigma, "sigma")?;
+        let density = si::<ArealNumberDensity, Positive>(density, "density")?;
         let heights = match heights {
             None => asperity::Heights::GAUSSIAN,
             Some(given) => {
@@ -276,6 +289,16 @@ impl Population {
     #[getter]
     fn density(&self) -> f64 {
         self.0.density
+    }
+
+    /// Their distribution, as it is given.
+    #[getter]
+    fn heights<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let (name, parameters) = (self.0.heights.name(), self.0.heights.parameters());
+        if parameters.is_empty() {
+            return name.into_bound_py_any(py);
+        }
+        Ok([(name, parameters.into_iter().into_py_dict(py)?)].into_py_dict(py)?.into_any())
     }
 
     fn __repr__(&self) -> String {

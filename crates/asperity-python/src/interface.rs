@@ -6,28 +6,34 @@ use std::sync::Arc;
 use asperity::contact_law::{self, ContactLaw};
 use asperity::law::Body;
 use asperity::{Flat, MicroContact, ModulusModel, Shape, material_library};
+use asperity_contact_framework::input::bare::{
+    HardnessRange, ModulusRange, ResistivityRange, ThermalConductivityRange, ThicknessOrNone, YieldRange,
+};
+use asperity_contact_framework::input::quantity::{
+    Finite, Length, Positive, Pressure, Resistivity, ThermalConductivity,
+};
 use numpy::PyArray1;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyString};
 
-use crate::array::Array;
+use crate::quantity::{list, si, si_or_none};
 use crate::refuse;
 
 /// An elastic body, which may yield.
 ///
 /// Parameters
 /// ----------
-/// young : float
-///     Young's modulus in Pa.
+/// young : float or str
+///     Young's modulus in Pa, or with its unit: ``"210 GPa"``. A number that is hardly meant in SI, here or below, is warned of.
 /// poisson : float
 ///     Poisson's ratio.
-/// hardness : float, optional
+/// hardness : float or str, optional
 ///     Indentation hardness in Pa; without it the body never yields.
-/// yield_strength : float, optional
+/// yield_strength : float or str, optional
 ///     Yield strength in Pa, for the law ``jackson-green``.
-/// resistivity : float, optional
+/// resistivity : float or str, optional
 ///     Electrical resistivity in ohm m, for electrical conductances.
-/// thermal_conductivity : float, optional
+/// thermal_conductivity : float or str, optional
 ///     Thermal conductivity in W/(m K), for thermal conductances.
 ///
 /// Raises
@@ -49,13 +55,21 @@ impl Material {
     #[new]
     #[pyo3(signature = (young, poisson, *, hardness=None, yield_strength=None, resistivity=None, thermal_conductivity=None))]
     fn new(
-        young: f64,
+        young: &Bound<PyAny>,
         poisson: f64,
-        hardness: Option<f64>,
-        yield_strength: Option<f64>,
-        resistivity: Option<f64>,
-        thermal_conductivity: Option<f64>,
+        hardness: Option<&Bound<PyAny>>,
+        yield_strength: Option<&Bound<PyAny>>,
+        resistivity: Option<&Bound<PyAny>>,
+        thermal_conductivity: Option<&Bound<PyAny>>,
     ) -> PyResult<Self> {
+        let young = si::<Pressure, ModulusRange>(young, "young")?;
+        let hardness = si_or_none::<Pressure, HardnessRange>(hardness, "hardness")?;
+        let yield_strength = si_or_none::<Pressure, YieldRange>(yield_strength, "yield_strength")?;
+        let resistivity = si_or_none::<Resistivity, ResistivityRange>(resistivity, "resistivity")?;
+        let thermal_conductivity = si_or_none::<ThermalConductivity, ThermalConductivityRange>(
+            thermal_conductivity,
+            "thermal_conductivity",
+        )?;
         asperity::Material::new(young, poisson, hardness, yield_strength)
             .and_then(|material| material.conducting(resistivity, thermal_conductivity))
             .map(Self)
@@ -78,6 +92,12 @@ impl Material {
             ))
         })?;
         found.material().map(Self).map_err(refuse)
+    }
+
+    /// The names of all materials of the library.
+    #[staticmethod]
+    fn names() -> Vec<&'static str> {
+        material_library::all().map(|material| material.name).collect()
     }
 
     /// Young's modulus in Pa.
@@ -114,6 +134,10 @@ impl Material {
     #[getter]
     fn thermal_conductivity(&self) -> Option<f64> {
         self.0.thermal_conductivity()
+    }
+
+    fn __hash__(&self, py: Python) -> PyResult<isize> {
+        PyString::new(py, &self.__repr__()).hash()
     }
 
     fn __repr__(&self) -> String {
@@ -242,8 +266,8 @@ enum LawOrName {
 ///     The contact law.
 /// layer : Material, optional
 ///     The material of the layer.
-/// thickness : float, optional
-///     Its thickness in m: 0 for the bare body, ``math.inf`` for the bulk of the layer.
+/// thickness : float or str, optional
+///     Its thickness in m, or with its unit: 0 for the bare body, ``math.inf`` for the bulk of the layer.
 /// rule : {"gao", "series"}
 ///     How the moduli of layer and substrate combine (Gao, Chiu and Lee 1992; Song and Pharr 1999).
 /// on : {"flat", "rough"}
@@ -294,10 +318,11 @@ impl Interface {
         flat: Material,
         law: LawOrName,
         layer: Option<Material>,
-        thickness: Option<f64>,
+        thickness: Option<&Bound<PyAny>>,
         rule: &str,
         on: &str,
     ) -> PyResult<Self> {
+        let thickness = si_or_none::<Length, ThicknessOrNone>(thickness, "thickness")?;
         let law = match law {
             LawOrName::Law(law) => law,
             LawOrName::Name(name) => Law::new(&name, None)?,
@@ -341,9 +366,9 @@ impl Interface {
     ///
     /// Parameters
     /// ----------
-    /// indentation : float or array_like
+    /// indentation : float, str or array_like
     ///     Indentations in m; there is no contact at 0 and below.
-    /// radius : float
+    /// radius : float or str
     ///     1/(mean curvature) of the asperity in m.
     /// curvature_ratio : float
     ///     The larger principal curvature over the smaller one, for laws for ellipses.
@@ -364,11 +389,12 @@ impl Interface {
     fn contact<'py>(
         &self,
         indentation: &Bound<'py, PyAny>,
-        radius: f64,
+        radius: &Bound<PyAny>,
         curvature_ratio: f64,
     ) -> PyResult<Bound<'py, PyDict>> {
         let py = indentation.py();
-        let indentation = Array::list(indentation, "indentation")?;
+        let indentation = list::<Length, Finite>(indentation, "indentation")?;
+        let radius = si::<Length, Positive>(radius, "radius")?;
         let is_admissible = |value: f64| value > 0.0 && value.is_finite();
         if !is_admissible(radius) {
             return Err(refuse(format!("radius: found {radius}; allowed: positive and finite, m")));
@@ -399,13 +425,12 @@ impl Interface {
     }
 
     fn __repr__(&self) -> String {
-        let law = self.law.__repr__();
-        match self.thickness {
-            Some(thickness) if self.on == Body::Rough => {
-                format!("Interface(law={law}, thickness={thickness:e}, on=\"rough\")")
-            }
-            Some(thickness) => format!("Interface(law={law}, thickness={thickness:e})"),
-            None => format!("Interface(law={law})"),
+        let [rough, flat] = [&self.rough, &self.flat].map(Material::__repr__);
+        let mut text = format!("Interface(rough={rough}, flat={flat}, law={}", self.law.__repr__());
+        if let (Some(layer), Some(thickness)) = (&self.layer, self.thickness) {
+            let (layer, rule, on) = (layer.__repr__(), self.rule, self.on());
+            text += &format!(", layer={layer}, thickness={thickness:e}, rule=\"{rule}\", on=\"{on}\"");
         }
+        text + ")"
     }
 }

@@ -6,6 +6,7 @@ mod array;
 mod asperities;
 mod interface;
 mod models;
+mod quantity;
 mod spec;
 mod surface;
 mod table;
@@ -28,7 +29,11 @@ mod _asperity {
     #[pymodule_export]
     use crate::models::{deterministic, statistical};
     #[pymodule_export]
-    use crate::spec::{Run, key, merge_tiles, read_spec, register_bits, run, run_tile, tiles, variations};
+    use crate::quantity::si_of_kind;
+    #[pymodule_export]
+    use crate::spec::{
+        Run, in_arguments, key, merge_tiles, read_spec, register_bits, run, run_tile, tiles, variations,
+    };
     #[pymodule_export]
     use crate::surface::{Map, Surface, length_unit, make_surface};
     #[pymodule_export]

@@ -4,12 +4,15 @@ use std::sync::Arc;
 
 use asperity::compare::{Comparison, Controls, Models, NotReached, Tolerances, compare};
 use asperity::{Deterministic, Ellipses, MicroContact, Model, ReferencePlane, SetError, Statistical};
+use asperity_contact_framework::input::bare::{NominalPressureRange, SigmaRange};
+use asperity_contact_framework::input::quantity::{Finite, Length, Pressure, Pure};
 use asperity_experiment::model_tables::CurveRow;
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 
-use crate::array::Array;
 use crate::asperities::{Asperities, Population};
 use crate::interface::Interface;
+use crate::quantity::{list, si_or_none};
 use crate::refuse;
 use crate::table::Table;
 use crate::watch::{guarded, interruptible};
@@ -20,10 +23,9 @@ fn controls(
     pressures: Option<&Bound<PyAny>>,
     tolerance: Option<f64>,
 ) -> PyResult<Controls> {
-    let list = |given: Option<&Bound<PyAny>>, name: &str| {
-        given.map(|values| Array::list(values, name)).transpose().map(Option::unwrap_or_default)
-    };
-    let (separations, pressures) = (list(separations, "separations")?, list(pressures, "pressures")?);
+    let separations = separations.map_or(Ok(Vec::new()), |all| list::<Pure, Finite>(all, "separations"))?;
+    let of_pressures = list::<Pressure, NominalPressureRange>;
+    let pressures = pressures.map_or(Ok(Vec::new()), |all| of_pressures(all, "pressures"))?;
     if separations.is_empty() && pressures.is_empty() {
         return Err(refuse("found no separation and no pressure; allowed: at least one"));
     }
@@ -51,6 +53,12 @@ fn rows(interface: &Interface, comparison: Result<Comparison, NotReached>) -> Py
     ))
 }
 
+/// An argument that is another kind of object.
+fn wrong_type(name: &str, found: &Bound<PyAny>, allowed: &str) -> PyErr {
+    let kind = found.get_type();
+    PyTypeError::new_err(format!("{name}: found an object of {kind}; allowed: {allowed}"))
+}
+
 /// The statistical model: the integral of a law over the heights of a population (Greenwood and Williamson 1966; Zhao, Maietta
 /// and Chang 2000).
 ///
@@ -62,8 +70,8 @@ fn rows(interface: &Interface, comparison: Result<Comparison, NotReached>) -> Py
 ///     Radius, sigma, density and height distribution.
 /// separations : float or array_like, optional
 ///     d/sigma. At least one of separations and pressures is needed.
-/// pressures : float or array_like, optional
-///     Nominal pressures in Pa; the largest separation that bears each is found.
+/// pressures : float, str or array_like, optional
+///     Nominal pressures in Pa, or with their units; the largest separation that bears each is found.
 /// tolerance : float, optional
 ///     Relative tolerance of load and area of a curve over the separations, which is then interpolated; by default it is exact.
 ///
@@ -91,19 +99,23 @@ fn rows(interface: &Interface, comparison: Result<Comparison, NotReached>) -> Py
 pub fn statistical(
     py: Python,
     interface: &Interface,
-    population: &Population,
+    population: &Bound<PyAny>,
     separations: Option<&Bound<PyAny>>,
     pressures: Option<&Bound<PyAny>>,
     tolerance: Option<f64>,
 ) -> PyResult<Table> {
+    let population = population.cast::<Population>().map_err(|_| {
+        wrong_type("population", population, "a Population, such as topography.find_summits().population()")
+    })?;
     if interface.law.0.is_elliptic() {
         return Err(refuse(
             "found a law for ellipses; allowed: a law for spheres, or run(...) with a population and its curvature-ratio",
         ));
     }
     let controls = controls(separations, pressures, tolerance)?;
+    let asperities = population.get().0.clone();
     let found = guarded(py, || {
-        let model = Statistical::new(&*interface.contact, population.0.clone());
+        let model = Statistical::new(&*interface.contact, asperities);
         compare(Models { statistical: Some(&model), deterministic: None }, &controls, 1.0)
     })?;
     Ok(Table::of_curves(py, rows(interface, found)?))
@@ -181,11 +193,11 @@ impl Sum {
 ///     Heights and radii; for laws for ellipses with their curvatures.
 /// separations : float or array_like, optional
 ///     d/sigma. At least one of separations and pressures is needed.
-/// pressures : float or array_like, optional
-///     Nominal pressures in Pa; the largest separation that bears each is found.
+/// pressures : float, str or array_like, optional
+///     Nominal pressures in Pa, or with their units; the largest separation that bears each is found.
 /// tolerance : float, optional
 ///     Relative tolerance of load and area of a curve over the separations, which is then interpolated; by default it is exact.
-/// sigma : float, optional
+/// sigma : float or str, optional
 ///     The unit of separations in m; by default the standard deviation of the heights.
 ///
 /// Returns
@@ -212,14 +224,18 @@ impl Sum {
 pub fn deterministic(
     py: Python,
     interface: &Interface,
-    asperities: &Bound<Asperities>,
+    asperities: &Bound<PyAny>,
     separations: Option<&Bound<PyAny>>,
     pressures: Option<&Bound<PyAny>>,
     tolerance: Option<f64>,
-    sigma: Option<f64>,
+    sigma: Option<&Bound<PyAny>>,
 ) -> PyResult<Table> {
     /// More evaluations may take longer than a user waits without Ctrl-C.
     const SHORT: usize = 1_000_000;
+    let asperities = asperities.cast::<Asperities>().map_err(|_| {
+        wrong_type("asperities", asperities, "Asperities, such as topography.find_summits() of a Topography")
+    })?;
+    let sigma = si_or_none::<Length, SigmaRange>(sigma, "sigma")?;
     if let Some(sigma) = sigma.filter(|sigma| !(*sigma > 0.0 && sigma.is_finite())) {
         return Err(refuse(format!("sigma: found {sigma}; allowed: positive and finite, m")));
     }

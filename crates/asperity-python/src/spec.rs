@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use asperity_contact_framework::input::{InMemory, InputError, Source};
+use asperity_contact_framework::remedy::FrontEnd;
 use asperity_contact_framework::report::store::Store;
 use asperity_contact_framework::report::table::{Table as Cells, Tables};
 use asperity_contact_framework::{Outcome, folder, summary_json};
@@ -16,7 +17,7 @@ use asperity_experiment::kind::REPORTED;
 use asperity_experiment::sweep;
 use indexmap::IndexMap;
 use pyo3::IntoPyObjectExt;
-use pyo3::exceptions::{PyOSError, PyValueError};
+use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyBytes, PyDict, PyFloat, PyInt, PyList, PyString, PyTuple};
 
@@ -73,6 +74,14 @@ pub fn toml_of(value: &Bound<PyAny>, key: &str) -> PyResult<toml::Value> {
     )))
 }
 
+/// An error of a spec, with its key beside the message.
+pub fn refuse_input(error: &InputError) -> PyErr {
+    let refused = refuse(error.without_line());
+    // Without its key it is what it was.
+    let _ = Python::attach(|py| refused.value(py).setattr("key", error.key()));
+    refused
+}
+
 /// The text of a spec that is a dictionary, whose paths are relative to `folder`.
 pub fn source_of(spec: &Bound<PyDict>, folder: &Path) -> PyResult<Source> {
     let text = toml::to_string(&toml_of(spec.as_any(), "")?).map_err(refuse)?;
@@ -116,7 +125,7 @@ fn python_of(py: Python<'_>, value: toml::Value) -> PyResult<Bound<'_, PyAny>> {
 pub fn key(py: Python, spec: &Bound<PyDict>, name: &str, folder: PathBuf) -> PyResult<String> {
     let (source, name) = (source_of(spec, &folder)?, name.to_owned());
     let work = move |watch: &Watch| Experiment::watched_parse(source, &name, watch)?.watched_key(watch);
-    interruptible(py, work)?.map_err(|error| refuse(error.to_string()))
+    interruptible(py, work)?.map_err(|error| refuse_input(&error))
 }
 
 /// The variations of a dictionary with ``sweep``: for each the values of its keys, and its spec.
@@ -128,7 +137,7 @@ pub fn variations<'py>(
     folder: PathBuf,
 ) -> PyResult<Vec<(Bound<'py, PyAny>, Bound<'py, PyAny>)>> {
     let source = source_of(spec, &folder)?;
-    let found = py.detach(|| sweep::variations(source)).map_err(|error| refuse(error.to_string()))?;
+    let found = py.detach(|| sweep::variations(source)).map_err(|error| refuse_input(&error))?;
     let both = |[values, table]: [toml::Table; 2]| {
         Ok((python_of(py, toml::Value::Table(values))?, python_of(py, toml::Value::Table(table))?))
     };
@@ -141,7 +150,7 @@ pub fn variations<'py>(
 pub fn tiles(py: Python, spec: &Bound<PyDict>, name: &str, folder: PathBuf) -> PyResult<usize> {
     let (source, name) = (source_of(spec, &folder)?, name.to_owned());
     let work = move |watch: &Watch| Experiment::watched_parse(source, &name, watch)?.tiles();
-    interruptible(py, work)?.map_err(|error| refuse(error.to_string()))
+    interruptible(py, work)?.map_err(|error| refuse_input(&error))
 }
 
 /// What one tile finds, as JSON.
@@ -156,7 +165,7 @@ pub fn run_tile(
 ) -> PyResult<String> {
     let (source, name) = (source_of(spec, &folder)?, name.to_owned());
     let work = move |watch: &Watch| Experiment::watched_parse(source, &name, watch)?.run_tile(tile, watch);
-    interruptible(py, work)?.map_err(|error| refuse(error.to_string()))
+    interruptible(py, work)?.map_err(|error| refuse_input(&error))
 }
 
 /// Merges what all tiles have found to the results, and writes them below ``report``.
@@ -176,6 +185,12 @@ pub fn merge_tiles(
         finish(experiment, report, |experiment| experiment.merge_tiles(&found, watch))
     };
     Ok(interruptible(py, work)??)
+}
+
+/// A message with arguments of this package for the keys of a spec that it advises.
+#[pyfunction]
+pub fn in_arguments(message: &str) -> String {
+    FrontEnd::Python.text(message)
 }
 
 /// Bits of the vector registers that sums run in.
@@ -331,24 +346,10 @@ impl Run {
     }
 }
 
-/// What a run gives, or an error: of the input, or of a file.
-enum Failed {
-    Input(String),
-    File(String),
-}
-
-impl From<Failed> for PyErr {
-    fn from(failed: Failed) -> Self {
-        match failed {
-            Failed::Input(message) => PyValueError::new_err(message),
-            Failed::File(message) => PyOSError::new_err(message),
-        }
-    }
-}
-
-/// Runs a spec; ``in_memory`` are maps and asperities in memory by path; paths in a dictionary are relative to ``folder``.
+/// Runs a spec; ``in_memory`` are maps and asperities in memory by path; paths in a dictionary are relative to ``folder``. Errors of
+/// a dictionary made ``of_arguments`` advise arguments.
 #[pyfunction]
-#[pyo3(signature = (spec, in_memory, *, name="asperity", report=None, folder=PathBuf::new()))]
+#[pyo3(signature = (spec, in_memory, *, name="asperity", report=None, folder=PathBuf::new(), of_arguments=false))]
 pub fn run(
     py: Python,
     spec: &Bound<PyAny>,
@@ -356,6 +357,7 @@ pub fn run(
     name: &str,
     report: Option<PathBuf>,
     folder: PathBuf,
+    of_arguments: bool,
 ) -> PyResult<Run> {
     if name.is_empty() || Path::new(name).file_name() != Some(name.as_ref()) {
         return Err(refuse(format!("name: found \"{name}\"; allowed: a name such as my-surface")));
@@ -363,7 +365,9 @@ pub fn run(
     let name = name.to_owned();
     let work: Work = match spec.cast::<PyDict>() {
         Ok(table) => {
-            let source = source_of(table, &folder)?.with_in_memory(in_memory_of(in_memory)?);
+            let front_end = if of_arguments { FrontEnd::Python } else { FrontEnd::Spec };
+            let source = source_of(table, &folder)?.read_in(front_end);
+            let source = source.with_in_memory(in_memory_of(in_memory)?);
             Box::new(move |watch| {
                 let experiment = Experiment::watched_parse(source, &name, watch);
                 finish(experiment, report, |experiment| experiment.run(watch))
@@ -383,30 +387,29 @@ pub fn run(
 }
 
 /// A run, yet to be done.
-type Work = Box<dyn FnOnce(&Watch) -> Result<Run, Failed> + Send>;
+type Work = Box<dyn FnOnce(&Watch) -> PyResult<Run> + Send>;
 
 fn finish(
     experiment: Result<Experiment, InputError>,
     report: Option<PathBuf>,
     run: impl FnOnce(&Experiment) -> Result<Box<dyn Outcome>, InputError>,
-) -> Result<Run, Failed> {
-    let input = |error: &dyn std::fmt::Display| Failed::Input(error.to_string());
-    let file = |error: &dyn std::fmt::Display| Failed::File(error.to_string());
-    let experiment = experiment.map_err(|error| input(&error))?;
+) -> PyResult<Run> {
+    let file = |error: &dyn std::fmt::Display| PyOSError::new_err(error.to_string());
+    let experiment = experiment.map_err(|error| refuse_input(&error))?;
     if let Some(directory) = &report {
         Store::new(directory).check(experiment.stem()).map_err(|error| file(&error))?;
     }
-    let outcome = run(&experiment).map_err(|error| input(&error))?;
+    let outcome = run(&experiment).map_err(|error| refuse_input(&error))?;
     let report = match report {
         None => None,
         Some(directory) => {
-            let key = experiment.key().map_err(|error| input(&error))?;
+            let key = experiment.key().map_err(|error| refuse_input(&error))?;
             if outcome.metadata().figure.is_some() {
-                return Err(input(
-                    &"a figure cannot be written as PDF and PNG by this build; allowed: no `figure` in the spec, or the program `experiment`",
+                return Err(refuse(
+                    "a figure cannot be written as PDF and PNG by this build; allowed: no `figure` in the spec, or the program `experiment`",
                 ));
             }
-            let made = folder(&*outcome, &key, None).map_err(|error| input(&error))?;
+            let made = folder(&*outcome, &key, None).map_err(refuse)?;
             let mut store = Store::new(&directory);
             store.recover().map_err(|error| file(&error))?;
             store.write(&made).map_err(|error| file(&error))?;
@@ -414,10 +417,10 @@ fn finish(
         }
     };
     let tables = Tables::new(outcome.tables());
-    let summary = summary_json(&*outcome, &tables).map_err(|error| input(&error))?;
+    let summary = summary_json(&*outcome, &tables).map_err(refuse)?;
     Ok(Run {
         kind: outcome.metadata().kind,
-        summary: String::from_utf8(summary).map_err(|error| input(&error))?,
+        summary: String::from_utf8(summary).map_err(refuse)?,
         tables: tables.into_iter().map(Arc::new).collect(),
         warnings: outcome.warnings(),
         report,

@@ -6,10 +6,12 @@ use std::sync::Arc;
 use asperity::HeightMap;
 use asperity::topography::read::{Crop, LengthUnits, MapFile, ReadError, ReadOptions};
 use asperity::topography::write::{FORMATS, MapFormat, Note};
-use asperity::topography::{Boundary, Rows, Watched};
+use asperity::topography::{Boundary, Rows, Watched, Window};
 use asperity::units::Dimension;
 use asperity_contact_framework::input::InMemory;
+use asperity_contact_framework::remedy::FrontEnd;
 use asperity_experiment::surface::fit_rows::fit_records;
+use asperity_experiment::surface::read_error::spec_message;
 use asperity_experiment::surface::reading::caveats;
 use asperity_experiment::surface::rows::{fitness_records, map_record};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
@@ -19,13 +21,15 @@ use pyo3::types::PyDict;
 use crate::array::Array;
 use crate::asperities::Asperities;
 use crate::refuse;
-use crate::spec::{in_memory_of, source_of};
+use crate::spec::{in_memory_of, refuse_input, source_of};
 use crate::watch::{Watch, interruptible};
 
 /// The heights of an array where they lie.
 struct Lent {
     heights: Array,
     pixel: [f64; 2],
+    precision: f64,
+    offset: f64,
 }
 
 impl Rows for Lent {
@@ -38,7 +42,11 @@ impl Rows for Lent {
     }
 
     fn precision(&self) -> f64 {
-        f64::EPSILON
+        self.precision
+    }
+
+    fn offset(&self) -> f64 {
+        self.offset
     }
 
     fn boundary(&self) -> Boundary {
@@ -56,7 +64,7 @@ impl Rows for Lent {
 }
 
 /// A height map in memory or on disk: what a :class:`Topography` prepares.
-#[pyclass(module = "asperity", frozen)]
+#[pyclass(module = "asperity._asperity", frozen)]
 pub struct Map(pub Arc<dyn Rows>);
 
 impl Map {
@@ -66,10 +74,17 @@ impl Map {
     }
 }
 
+/// Why a map is not read, with the arguments that correct it.
+fn refuse_map(map: &str, error: &ReadError) -> PyErr {
+    refuse(format!("{map} {}", FrontEnd::Python.text(&spec_message(error))))
+}
+
 #[pymethods]
 impl Map {
+    /// Heights are relative to ``offset``, and stored with a relative ``precision``.
     #[new]
-    fn new(heights: &Bound<PyAny>, pixel: [f64; 2]) -> PyResult<Self> {
+    #[pyo3(signature = (heights, pixel, precision=f64::EPSILON, offset=0.0))]
+    fn new(heights: &Bound<PyAny>, pixel: [f64; 2], precision: f64, offset: f64) -> PyResult<Self> {
         /// Heights beyond this, infinite ones and NaN mark missing points, of which only NaN is kept as such.
         const LARGEST: f64 = 1e30;
         let heights = Array::new(heights, 2, "heights")?;
@@ -84,13 +99,14 @@ impl Map {
                 HeightMap::new(points, pixel, heights.values().to_vec(), f64::EPSILON).map_err(refuse)?;
             return Ok(Self(Arc::new(map)));
         }
-        Ok(Self(Arc::new(Lent { heights, pixel })))
+        Ok(Self(Arc::new(Lent { heights, pixel, precision, offset })))
     }
 
     /// Reads a measured map; ``unit`` is that of x and y and that of heights in m. With it what a reader should know of how it was
     /// read.
     #[staticmethod]
-    #[pyo3(signature = (path, *, pixel=None, unit=None, missing=None, channel=None, transpose=false))]
+    #[pyo3(signature = (path, *, pixel=None, unit=None, missing=None, channel=None, transpose=false, crop=[None; 2]))]
+    #[expect(clippy::too_many_arguments, reason = "those of Python")]
     fn read(
         py: Python,
         path: std::path::PathBuf,
@@ -99,6 +115,7 @@ impl Map {
         missing: Option<Vec<f64>>,
         channel: Option<String>,
         transpose: bool,
+        crop: [Option<[f64; 2]>; 2],
     ) -> PyResult<(Self, Vec<String>)> {
         let unit = unit.map(|[xy, z]| LengthUnits { xy, z });
         let file = MapFile {
@@ -106,21 +123,17 @@ impl Map {
             options: ReadOptions { pixel, unit },
             missing,
             transpose,
-            crop: Crop::default(),
+            crop: Crop { x: crop[0], y: crop[1] },
             channel,
         };
         let shown = file.path.display().to_string();
         let rows = move |watch: &Watch| -> Result<_, ReadError> {
             let (metadata, rows) = (file.watched_metadata(watch)?, file.rows(watch)?);
             let caveats = caveats(&metadata, rows.pixel(), &file);
+            let caveats = caveats.iter().map(|caveat| FrontEnd::Python.text(caveat)).collect();
             Ok((Self(Arc::from(rows)), caveats))
         };
-        interruptible(py, rows)?.map_err(|error| match error {
-            ReadError::Mark { value, .. } => {
-                refuse(format!("{shown} {error} Pass missing={value}, or missing=[] where these are heights"))
-            }
-            _ => refuse(format!("{shown} {error}")),
-        })
+        interruptible(py, rows)?.map_err(|error| refuse_map(&shown, &error))
     }
 
     /// Writes the map in the format of the file's ending.
@@ -148,6 +161,21 @@ impl Map {
     #[getter]
     fn pixel(&self) -> [f64; 2] {
         self.0.pixel()
+    }
+
+    fn __getnewargs__<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> PyResult<(Bound<'py, PyArray2<f64>>, [f64; 2], f64, f64)> {
+        Ok((self.heights(py)?, self.pixel(), self.0.precision(), self.0.offset()))
+    }
+
+    /// A part of the map: from and to in m along each axis that is cut.
+    fn part(&self, x: Option<[f64; 2]>, y: Option<[f64; 2]>) -> PyResult<Self> {
+        let ranges = Crop { x, y }.ranges(self.points(), self.pixel());
+        let [x, y] = ranges.map_err(|error| refuse_map("the map", &error))?;
+        let part = Window { map: &*self.0, first: [x.start, y.start], points: [x.len(), y.len()] };
+        Ok(Self(Arc::new(HeightMap::from_rows(&part))))
     }
 
     /// A copy of the heights in m.
@@ -198,14 +226,14 @@ pub fn make_surface(
     if realisation == 0 {
         return Err(refuse("realisation: found 0; allowed: from 1"));
     }
-    let source = source_of(spec, std::path::Path::new(""))?.with_in_memory(in_memory_of(in_memory)?);
+    let source = source_of(spec, std::path::Path::new(""))?.read_in(FrontEnd::Python);
+    let source = source.with_in_memory(in_memory_of(in_memory)?);
     // Ellipses are known on maps without further input.
     let as_ellipses = in_memory.is_empty() && spec_has_map(spec)? || holds_map(in_memory)?;
     let surface = interruptible(py, move |watch| {
         asperity_experiment::make_surface(source, realisation, as_ellipses, watch)
-            .map_err(|error| error.to_string())
     })?
-    .map_err(refuse)?;
+    .map_err(|error| refuse_input(&error))?;
     let (roughness, fitness) = (map_record(&surface).to_string(), fitness_records(&surface).to_string());
     let fit_steps = fit_records(&surface).to_string();
     let origin = surface.origin;
@@ -263,7 +291,7 @@ pub fn make_surface(
         roughness,
         fitness,
         fit_steps,
-        warnings: surface.warnings,
+        warnings: surface.warnings.iter().map(|warning| FrontEnd::Python.text(warning)).collect(),
     })
 }
 

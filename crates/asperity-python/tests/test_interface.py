@@ -1,14 +1,16 @@
 """What a user meets: arrays, tables, errors, threads and interrupts."""
 
+import copy
 import doctest
 import gc
 import os
+import pickle
 import signal
 import subprocess
 import sys
 import threading
 import time
-from collections.abc import Mapping
+import warnings
 
 import numpy as np
 import pytest
@@ -105,21 +107,214 @@ def test_an_offset_costs_no_digits():
     assert np.allclose(a, b, rtol=1e-12)
 
 
-def test_tables_are_mappings_with_units():
+def test_tables_have_columns_with_units_and_rows():
     table = asperity.deterministic(CONTACT, asperities(), separations=[2, 1, 0], pressures=1e6)
-    assert isinstance(table, Mapping) and len(table) == len(list(table)) == len(table.keys())
-    assert table.rows == 4 and table["control"].tolist() == ["separation"] * 3 + ["pressure"]
+    assert len(table) == len(list(table)) == table.rows == 4
+    assert table["control"].tolist() == ["separation"] * 3 + ["pressure"]
     assert table["pressure_pa"] is table["pressure_pa"]
     assert "pressure_pa" in table and "x" not in table and table.get("x") is None
     assert table.units["pressure_pa"] == "Pa" and "Nominal pressure" in table.meanings["pressure_pa"]
     assert table["beyond_model"].dtype == bool and dict(table)["area_ratio"].dtype == np.float64
+    assert [row["pressure_pa"] for row in table] == table["pressure_pa"].tolist()
+    assert repr(table[-1]) == repr(list(table)[3]) and table[0]["control"] == "separation"
     with pytest.raises(KeyError, match="the columns are model, control"):
         table["x"]
-    frame = pytest.importorskip("pandas")
-    assert list(table.to_pandas().columns) == list(table)
-    assert isinstance(table.to_pandas(), frame.DataFrame)
+    with pytest.raises(IndexError, match="found row 4; the table has 4 rows"):
+        table[4]
+    pandas = pytest.importorskip("pandas")
+    pandas.testing.assert_frame_equal(pandas.DataFrame(table), table.to_pandas())
+    assert list(table.to_pandas().columns) == table.keys()
     pytest.importorskip("xarray")
     assert table.to_xarray()["pressure_pa"].attrs["units"] == "Pa"
+
+
+def test_all_results_become_data_frames():
+    pandas = pytest.importorskip("pandas")
+    surface = asperity.generate(128, pixel="1 um", sigma="50 nm", spectrum=SPECTRUM, seed=4)
+    results = asperity.compare(surface, CONTACT, pressures=["1 MPa", "10 MPa"])
+    for rows in (results.curves, results.on_map, results.verdicts, results.at_load):
+        frame = pandas.DataFrame(rows)
+        assert len(frame) == len(rows) > 0 and len(frame.columns) > 5
+    assert pandas.DataFrame(results.curves).equals(results.curves.to_pandas())
+
+
+@pytest.mark.parametrize("through", ["pickle", "deepcopy", "copy"])
+def test_objects_are_copied_and_sent(through):
+    """What joblib and Dask do."""
+    copied = {"pickle": lambda one: pickle.loads(pickle.dumps(one)), "deepcopy": copy.deepcopy, "copy": copy.copy}[through]
+    soft = asperity.Material("2 MPa", 0.49, hardness="1 MPa", resistivity="17 nohm m")
+    layered = asperity.Interface(STEEL, soft, asperity.Law("zmc", transition_ratio=110), layer=STEEL, thickness="2 mm", on="rough")
+    bulk = asperity.Interface(STEEL, soft, layer=STEEL, thickness=np.inf)
+    surface = asperity.generate(128, pixel=1e-6, sigma=50e-9, spectrum=SPECTRUM, seed=4).prepared_with(s="3 um")
+    summits = surface.find_summits()
+    population = asperity.Population("20 um", "50 nm", "6e10 /m^2", {"weibull": {"shape": 2}})
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for one in (soft, layered, bulk, layered.law, surface, summits, population):
+            assert repr(copied(one)) == repr(one)
+        assert copied(soft) == soft and hash(copied(soft)) == hash(soft) and copied(layered.law) == layered.law
+        again = copied(surface)
+    assert np.array_equal(again.find_summits().heights, summits.heights) and again.periodic
+    contact = asperity.Interface(STEEL, STEEL)
+    table = asperity.deterministic(copied(contact), copied(summits), pressures=["1 MPa", 1e7])
+    sent = copied(table)
+    assert repr(list(sent)) == repr(list(table)) and sent.units == table.units and sent.meanings == table.meanings
+    results = asperity.compare(again, contact, pressures=[1e6, 1e7])
+    assert copied(results).csv == results.csv and repr(copied(results)) == repr(results)
+    assert copied(results).warnings == results.warnings
+
+
+def test_a_copy_of_a_map_is_its_map_to_the_last_bit(tmp_path):
+    """A file of single precision, far from zero: both decide how the map is read."""
+    heights = asperity.generate(64, pixel=1e-6, sigma=50e-9, spectrum=SPECTRUM, seed=2).heights
+    np.save(tmp_path / "map.npy", (1e-3 + heights).astype("f4"))
+    read = asperity.Topography.read(tmp_path / "map.npy", pixel="1 um", unit="m")
+    assert read.roughness == copy.deepcopy(read).roughness
+
+
+def test_other_processes():
+    from concurrent.futures import ProcessPoolExecutor
+    from multiprocessing import get_context
+
+    summits = [asperities(count) for count in (500, 1000)]
+    with ProcessPoolExecutor(2, mp_context=get_context("spawn")) as pool:
+        sent = [pool.submit(asperity.deterministic, CONTACT, one, pressures="1 MPa") for one in summits]
+        found = [one.result() for one in sent]
+    for table, one in zip(found, summits):
+        assert repr(list(table)) == repr(list(asperity.deterministic(CONTACT, one, pressures=1e6)))
+
+
+def test_quantities_are_numbers_or_texts_with_units():
+    assert asperity.Material("210 GPa", 0.3, hardness="7.6 GPa", resistivity="17 nohm m") == asperity.Material(
+        210e9, 0.3, hardness=7.6e9, resistivity=17e-9
+    )
+    layer = {"layer": asperity.Material("300 GPa", 0.3, hardness="20 GPa")}
+    assert asperity.Interface(STEEL, STEEL, **layer, thickness="2 um").thickness == 2e-6
+    assert CONTACT.contact(["1 nm", 1e-9], "20 um")["load_n"][0] == CONTACT.contact(1e-9, 20e-6)["load_n"][0]
+    assert repr(asperity.Population("20 um", "48 nm", "6e4 /mm^2")) == repr(asperity.Population(20e-6, 48e-9, 6e10))
+    assert asperity.Asperities([0.0, 1e-7], [1e-5, 1e-5], "1 mm^2").nominal_area == 1e-6
+    by_text = asperity.deterministic(CONTACT, asperities(), pressures=["1 MPa", "10 MPa"], separations=1, sigma="50 nm")
+    by_number = asperity.deterministic(CONTACT, asperities(), pressures=[1e6, 1e7], separations=1, sigma=50e-9)
+    assert repr(list(by_text)) == repr(list(by_number))
+    heights = asperity.generate(64, pixel="1 um", sigma="50 nm", spectrum=SPECTRUM, seed=2).heights
+    assert asperity.Topography(heights, ("1 um", 2e-6)).pixel == (1e-6, 2e-6)
+    s, tip = (asperity.Topography(heights, "1 um", s=s, tip=tip).heights for s, tip in ((3e-6, 1e-6), ("3 um", "1 um")))
+    assert np.array_equal(s, tip)
+    loads = {"pressures": {"from": "1 MPa", "to": 1e7, "points": 3}, "forces": ["10 mN"], "nominal_area": "0.02 mm^2"}
+    results = asperity.compare(asperities(), CONTACT, **loads)
+    assert sorted(set(results.curves["target"].tolist())) == [0.01, 1e6, np.sqrt(1e13), 1e7]
+    with pytest.raises(ValueError, match='^thickness: found "1 GPa"; allowed: zero or a positive finite length'):
+        asperity.Interface(STEEL, STEEL, **layer, thickness="1 GPa")
+    with pytest.raises(ValueError, match='^pixel: found "0,5 um".*the decimal separator is a point'):
+        asperity.Topography(heights, "0,5 um")
+    with pytest.raises(ValueError, match="^pixel: found 3 lengths"):
+        asperity.Topography(heights, (1e-6, 1e-6, 1e-6))
+
+
+@pytest.mark.parametrize(
+    "call, message",
+    [
+        (lambda: asperity.Material(210e3, 0.3), 'young: found 210000; write "210 GPa"'),
+        (lambda: asperity.Material(210e9, 0.3, hardness=7.6e3), 'hardness: found 7600; write "7.6 GPa"'),
+        (lambda: asperity.Topography(np.eye(9), 1), 'pixel: found 1; write "1 µm" or "1 nm"'),
+        (lambda: asperity.Topography(np.eye(9), 1e-6, tip=5), 'tip: found 5; write "5 µm"'),
+        (lambda: asperity.Interface(STEEL, STEEL, layer=STEEL, thickness=2), 'thickness: found 2; write "2 µm"'),
+        (lambda: asperity.Asperities([0.0], [1e-5], 4), 'nominal_area: found 4; write "4 mm^2"'),
+        (lambda: asperity.Population(20, 0.048, 6e10), 'sigma: found 0.048; write "48 nm"'),
+        (lambda: asperity.draw(10, radius=1.0, sigma=2e-3, density=1e4), "sigma: found 0.002"),
+        (lambda: asperity.deterministic(CONTACT, asperities(), pressures=[10, 20]), 'pressures: found 10; write "10 MPa"'),
+        (lambda: asperity.compare(asperities(), CONTACT, pressures=[10]), 'pressures: found 10; write "10 MPa"'),
+    ],
+)
+def test_numbers_that_are_hardly_si_are_warned_of_where_they_stand(call, message):
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        call()
+    found = [one for one in caught if message in str(one.message)]
+    assert len(found) == 1, [str(one.message) for one in caught]
+    assert issubclass(found[0].category, asperity.AsperityWarning) and issubclass(found[0].category, UserWarning)
+    assert found[0].filename == __file__
+
+
+def test_warnings_of_a_run_are_warned_of_and_stand_in_its_results():
+    with pytest.warns(asperity.AsperityWarning):
+        soft = asperity.Material(210e3, 0.3)
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        results = asperity.compare(asperities(), asperity.Interface(STEEL, soft), pressures=[10])
+    assert [str(one.message) for one in caught] == results.warnings
+    assert any(one.startswith("pressures: found 10;") for one in results.warnings)
+    assert any("Young's modulus is 210 kPa" in one for one in results.warnings)
+
+
+def test_shown_and_drawn(monkeypatch):
+    coated = asperity.Interface(STEEL, STEEL, layer=asperity.Material("300 GPa", 0.2, hardness="20 GPa"), thickness="1 um")
+    assert repr(coated) == f'Interface(rough={STEEL}, flat={STEEL}, law=Law("zmc"), layer={coated.layer}, thickness=1e-6, rule="gao", on="flat")'
+    surface = asperity.generate(64, pixel=1e-6, sigma=50e-9, spectrum=SPECTRUM, seed=2)
+    results = asperity.compare({"a": surface, "b": asperities()}, CONTACT, pressures=[1e6, 1e7])
+    assert repr(results).startswith(f"<Results of compare: {results.answer.sentence[:40]}")
+    one = asperity.compare(surface, CONTACT, pressures=[1e6, 1e7])
+    html = one._repr_html_()
+    assert all(label in html for label in one.answer.labels.values()) and "<dl>" in html and "`" not in html
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    assert [line.get_label() for line in results.plot().lines] == [
+        "a, statistical", "a, deterministic", "b, statistical", "b, deterministic"
+    ]
+    drawn = one.plot("separation_over_sigma", over="pressure_pa").lines[0].get_xydata()
+    assert np.allclose(drawn[:, 0], [1e6, 1e7])
+    image = surface.plot().images[0]
+    assert np.allclose(image.get_array().T, 1e6 * surface.raw_heights) and image.get_extent() == [0, 64, 0, 64]
+    with pytest.raises(ValueError, match="found the column 'area'; allowed: .*area_ratio"):
+        one.plot("area")
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    with pytest.raises(ImportError, match="plot.. needs matplotlib, which is not installed: pip install matplotlib"):
+        surface.plot()
+
+
+def test_a_part_of_a_map(tmp_path):
+    surface = asperity.generate(64, pixel=1e-6, sigma=50e-9, spectrum=SPECTRUM, seed=2)
+    part = surface.prepared_with(level="plane").crop(x=(0, "20 um"), y=("3 um", 12e-6))
+    assert np.array_equal(part.raw_heights, surface.raw_heights[:20, 3:12]) and not part.periodic
+    assert np.nanmean(part.heights) == pytest.approx(0, abs=1e-12)
+    assert surface.crop().points == (64, 64)
+    surface.write(tmp_path / "map.gwy")
+    assert asperity.Topography.read(tmp_path / "map.gwy", crop={"x": (0, "20 um")}, periodic=True).points == (20, 64)
+    for wrong, message in (
+        ({"x": (0, 1)}, "the map is 64 µm long along x, with points every 1 µm: `crop` from 0 m to 1 m is not within it"),
+        ({"y": ("20 um", "10 um")}, "the map is 64 µm long along y"),
+        ({"y": "20 um"}, "crop.y: found '20 um'; allowed: from and to"),
+    ):
+        with pytest.raises(ValueError, match=message):
+            surface.crop(**wrong)
+    assert np.array_equal(asperity.Topography(surface.raw_heights, "1 um", crop={"x": ("2 um", "9 um")}).raw_heights, surface.raw_heights[2:9])
+    with pytest.raises(ValueError, match="crop: found 3; allowed"):
+        asperity.Topography.read(tmp_path / "map.gwy", crop=3)
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda: asperity.Topography.read("no.npy"),
+        lambda: asperity.run("no.toml"),
+        lambda: asperity.compare({"file": {"path": "no.opd"}}, CONTACT, pressures=1e6),
+        lambda: asperity.compare({"asperities": {"file": "no.csv", "nominal-area": "1 mm^2"}}, CONTACT, pressures=1e6),
+        lambda: asperity.distributed.map("no.toml", {"seed": [1]}),
+    ],
+)
+def test_a_missing_file_is_a_file_not_found(call):
+    with pytest.raises(FileNotFoundError, match="no\\."):
+        call()
+
+
+def test_another_kind_of_object_is_told_how_to_make_it():
+    surface = asperity.generate(64, pixel=1e-6, sigma=50e-9, spectrum=SPECTRUM, seed=2)
+    with pytest.raises(TypeError, match=r"^asperities: found an object of <class 'asperity.surfaces.Topography'>; allowed: Asperities, such as topography.find_summits\(\)"):
+        asperity.deterministic(CONTACT, surface, pressures=1e6)
+    with pytest.raises(TypeError, match=r"^population: found an object .*; allowed: a Population, such as topography.find_summits\(\).population\(\)"):
+        asperity.statistical(CONTACT, surface, pressures=1e6)
+    assert "steel-100Cr6" in asperity.Material.names()
+    assert all(isinstance(asperity.Material.named(name), asperity.Material) for name in asperity.Material.names())
 
 
 def test_a_layer_on_the_rough_body():
@@ -129,7 +324,7 @@ def test_a_layer_on_the_rough_body():
     exchanged = asperity.Interface(bronze, STEEL, layer=lead, thickness=2e-7)
     on_flat = asperity.Interface(STEEL, bronze, layer=lead, thickness=2e-7)
     assert (on_rough.on, exchanged.on) == ("rough", "flat")
-    assert repr(on_rough).endswith('thickness=2e-7, on="rough")')
+    assert repr(on_rough).endswith('thickness=2e-7, rule="gao", on="rough")')
     load = [contact.contact(1e-7, 2e-5)["load_n"][0] for contact in (on_rough, exchanged, on_flat)]
     assert load[0] == load[1] != load[2]
     # The program is given the same key.
@@ -184,16 +379,18 @@ def test_a_layer_on_the_rough_body():
         (lambda: asperity.Topography(np.zeros((4, 4)), 1e-6, lvel="none"), "found lvel; allowed: align_lines"),
         (lambda: asperity.Topography(np.zeros((9, 9)), 1e-6).find_summits(), "flat to the rounding"),
         (lambda: asperity.Topography(np.eye(9), 1e-6, level="x").find_summits(), 'level: found `x`; allowed: `none`'),
-        (lambda: asperity.Topography.read("no.npy"), "no.npy"),
         (lambda: asperity.generate(64, pixel=1e-6, sigma=1e-8), "found no `spectrum`"),
         (lambda: asperity.generate(4, pixel=1e-6, sigma=1e-8, spectrum=SPECTRUM), "allowed"),
         (lambda: asperity.draw(0, radius=1e-5, sigma=1e-8, density=1e10), "found 0; allowed: at least one"),
-        (lambda: asperity.run("no.toml"), "no.toml: cannot be read"),
         (lambda: asperity.run({"title": "x"}), "found no experiment"),
         (lambda: asperity.run({"title": "x", "notes": object()}), "notes: found a object; allowed"),
         (lambda: asperity.run({"title": "x"}, name="a/b"), 'name: found "a/b"'),
-        (lambda: asperity.compare(asperities(), CONTACT), "found no separation, pressure or force"),
-        (lambda: asperity.compare(asperities(), CONTACT, pressures=1e6, accept={"area": "x"}), "compare.accept.area"),
+        (lambda: asperity.compare(asperities(), CONTACT), "found no separations, pressures or forces; allowed"),
+        (lambda: asperity.compare(asperities(), CONTACT, pressures=1e6, accept={"area": "x"}), 'accept.area: found "x"'),
+        (lambda: asperity.compare(asperities(), CONTACT, pressures="1 MPaa"), 'pressures: found "1 MPaa"; allowed'),
+        (lambda: asperity.compare(asperities(), CONTACT, separations=2e3), "separations: found 2000"),
+        (lambda: asperity.compare(asperities(), CONTACT, pressures=1e6, acept=1), "acept: found the key `acept`"),
+        (lambda: asperity.compare({"b": {"population": {"radius": -1}}}, CONTACT, pressures=1e6), "surface b.radius: found -1"),
         (lambda: asperity.compare(3, CONTACT, pressures=1e6), "found a int; allowed: a Topography"),
         (lambda: asperity.reference(asperities(), CONTACT, pressures=1e6), "map"),
     ],
@@ -201,7 +398,7 @@ def test_a_layer_on_the_rough_body():
 def test_errors_say_what_is_allowed(call, message):
     with pytest.raises(ValueError) as error:
         call()
-    assert message in str(error.value)
+    assert message in str(error.value) and "dictionary, line" not in str(error.value) and "compare." not in str(error.value)
 
 
 def test_files_as_labs_have_them(tmp_path):
@@ -217,7 +414,7 @@ def test_files_as_labs_have_them(tmp_path):
     nm[3, 5] = -9999
     matrix = tmp_path / "matrix.csv"
     np.savetxt(matrix, nm, delimiter=",", header=",".join(map(str, range(64))), comments="")
-    with pytest.raises(ValueError, match="holds the height -9999 at 1 point.*Pass missing=-9999"):
+    with pytest.raises(ValueError, match="holds the height -9999 at 1 point.*missing ?= ?-9999"):
         asperity.Topography.read(matrix, pixel=1e-6, unit="nm")
     taken = asperity.Topography.read(matrix, pixel=1e-6, unit="nm", missing=-9999, transpose=True)
     assert np.isnan(taken.raw_heights[3, 5]) and np.isnan(taken.raw_heights).sum() == 1
@@ -351,11 +548,7 @@ def test_a_report_is_written(tmp_path):
 
 
 def test_numbers_of_a_program_are_si_however_small():
-    """A spec refuses a bare pressure of 500 Pa, an area of 1 m^2 and a sigma of 2 mm; a program means them."""
-    assert study._all_in("Pa", [1.0, "2 MPa", np.float64(3)]) == ["1.0 Pa", "2 MPa", "3.0 Pa"]
-    assert study._all_in("Pa", np.array([5, 6])) == ["5.0 Pa", "6.0 Pa"]
-    assert study._all_in("Pa", {"from": 1, "to": 4.0, "points": 3}) == {"from": "1.0 Pa", "to": "4.0 Pa", "points": 3}
-    assert study._all_in("Pa", None) is None and study._all_in("Pa", {"values": (1,)}) == {"values": ["1.0 Pa"]}
+    """A spec refuses a bare pressure of 500 Pa, an area of 1 m^2 and a sigma of 2 mm; a program may mean them."""
     for pressures in ([200.0, 500.0], np.array([200.0, 500.0]), {"from": 200, "to": 500, "points": 2}):
         results = asperity.compare(asperities(), CONTACT, pressures=pressures, nominal_area=1.0)
         assert sorted(set(results.curves["target"].tolist())) == [200.0, 500.0]

@@ -138,7 +138,7 @@ def test_asperities_are_independent_only_where_that_is_said():
     basis = dict(zip(results.tables["cases"]["surface"], results.tables["cases"]["basis"]))
     assert basis == {"plain": "none", "said": "independent", "drawn": "independent", "summits": basis["summits"]}
     assert basis["summits"] in ("blocks", "model-based", "none")
-    assert [warning for warning in results.warnings if "plain" in warning and "independent = true" in warning]
+    assert [warning for warning in results.warnings if "plain" in warning and "independent=True" in warning]
     assert not [warning for warning in results.warnings if "said" in warning]
 
 

@@ -2,8 +2,8 @@
 
 import { html, render, useState, useEffect, useMemo, useRef, useErrorBoundary } from "./preact.js";
 import { get, post, upload, events } from "./server.js";
-import { state, listen, change, setValue, undo, redo, canUndo, canRedo } from "./state.js";
-import { Controls, Dialog, WITH_REFERENCE, Words } from "./controls.js";
+import { state, listen, change, setValue, undo, redo, canUndo, canRedo, withValue } from "./state.js";
+import { Controls, Dialog, WITH_REFERENCE, Words, lengthUnits } from "./controls.js";
 import { Start } from "./start.js";
 import { Surface } from "./surface.js";
 import { Results, Details, Status, merged } from "./results.js";
@@ -181,7 +181,7 @@ const App = ({ vocabulary }) => {
   const { spec, folder, kept, waits } = shown;
   const open = waits.filter(key => {
     const surfaces = Object.values(spec?.surface ?? {}).flatMap(surface => Object.values(surface));
-    return surfaces.some(of => of[key] === undefined);
+    return surfaces.some(of => of[key.split(".")[0]] === undefined);
   });
   // What is only printed changes no result.
   const { title: _title, notes: _notes, ...computed } = spec ?? {};
@@ -303,13 +303,13 @@ const App = ({ vocabulary }) => {
         <div class="side">${isCompare ? controls : html`<p>This spec has no [compare]: its keys are changed under “Spec …”.</p>`}</div>
         <main tabindex="-1">
           ${open.length > 0
-            ? html`<${Waits} waits=${waits} />`
+            ? html`<${Waits} waits=${waits} vocabulary=${vocabulary} />`
             : html`<${Status} run=${run} cancel=${() => computation.current.cancel()} again=${() => computation.current.start()} />`}
           <p class="heard" role="status">${heard}</p>
           ${unfit.map(name => html`<p class="blocked">No verdict may rest on surface ${name}: it fails a check. <button type="button" onClick=${() => document.getElementById(`checks-${name}`)?.scrollIntoView()}>Checks and remedies</button></p>`)}
           ${results}
           ${kept.length > 0 && !open.length && html`<${Kept} kept=${kept} fail=${fail} />`}
-          ${!open.length && isCompare && html`<div class="surfaces">${Object.keys(spec.surface ?? {}).map(name => html`<${Surface} key=${name} name=${name} spec=${spec} folder=${folder} ready=${isReady} inputs=${inputs} fail=${fail}
+          ${!open.length && isCompare && html`<div class="surfaces">${Object.keys(spec.surface ?? {}).map(name => html`<${Surface} key=${name} name=${name} spec=${spec} folder=${folder} ready=${isReady} inputs=${inputs} fail=${fail} isCancelled=${run.isCancelled}
             onView=${(of, map) => setMaps(before => ({ ...before, [of]: map }))} />`)}</div>`}
           ${details}
         </main>
@@ -331,29 +331,26 @@ const spoken = ({ name, pieces }) => {
   return `${name}. ${pieces.card.map(({ label, html: says }) => `${label}: ${text(says)}`).join(" ")}`;
 };
 
-const LENGTH_UNITS = ["m", "mm", "um", "nm", "Å"];
-
 // What a file does not hold, and its user must say.
-const Waits = ({ waits }) => {
+const Waits = ({ waits, vocabulary }) => {
   const form = useRef(null);
   const { spec } = state();
   const [[name, kinds]] = Object.entries(spec.surface).slice(-1);
   const [[kind, of]] = Object.entries(kinds);
   const use = event => {
     event.preventDefault();
-    const given = Object.fromEntries(new FormData(form.current));
-    const pixels = given.pixel?.split(",").map(size => size.trim());
-    const keys = {
-      ...(pixels && { pixel: pixels.length > 1 ? pixels : pixels[0] }),
-      ...(given.unit && given.unit !== "m" && { unit: given.unit }),
-      ...(given["nominal-area"] && { "nominal-area": given["nominal-area"] }),
-    };
-    change({ spec: { ...spec, surface: { ...spec.surface, [name]: { [kind]: { ...of, ...keys } } } }, waits: [] });
+    const { pixel, ...given } = Object.fromEntries(new FormData(form.current));
+    const pixels = pixel?.split(",").map(size => size.trim());
+    const all = { ...given, ...(pixels && { pixel: pixels.length > 1 ? pixels : pixels[0] }) };
+    const keys = Object.entries(all).reduce((next, [key, value]) => withValue(next, key.split("."), value), of);
+    change({ spec: { ...spec, surface: { ...spec.surface, [name]: { [kind]: keys } } }, waits: [] });
   };
+  const unit = (key, label) => waits.includes(key) && html`<label>${label} <select name=${key} required><option value="">choose …</option>
+    ${lengthUnits(vocabulary).map(([one, text]) => html`<option value=${one}>${text}</option>`)}</select></label>`;
   return html`<section class="waits"><h2>What ${of.path ?? of.file} does not say</h2>
     <form ref=${form} onSubmit=${use}>
       ${waits.includes("pixel") && html`<label>Distance of neighbouring points <input name="pixel" type="text" required placeholder="0.8 um" autofocus /> <small>or 0.8 um, 0.5 um along x and y</small></label>`}
-      ${waits.includes("unit") && html`<label>Unit of the heights <select name="unit">${LENGTH_UNITS.map(unit => html`<option>${unit}</option>`)}</select></label>`}
+      ${unit("unit.xy", "Unit of x and y")}${unit("unit", "Unit of the heights")}${unit("unit.z", "Unit of the heights")}
       ${waits.includes("nominal-area") && html`<label>Nominal area of the asperities <input name="nominal-area" type="text" required placeholder="1 mm^2" autofocus /></label>`}
       <button class="main">Use</button>
     </form></section>`;

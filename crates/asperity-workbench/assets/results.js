@@ -17,9 +17,9 @@ const Picture = ({ figure: { id, svg, data, caption } }) => {
 
 const Figure = ({ figure }) => (figure.svg === null ? html`<${ChartOf} id=${figure.id} data=${figure.data} caption=${figure.caption} />` : html`<${Picture} figure=${figure} />`);
 
-const Card = ({ lines, actions }) => html`<dl class="card">
+const Card = ({ lines, actions, isPreliminary }) => html`<dl class="card">
   ${lines.map(({ key, label, html: text, isOld }) => html`<div key=${key} class=${isOld ? "outdated" : ""}>
-    <dt>${label}</dt><dd><span dangerouslySetInnerHTML=${{ __html: text }}></span>${actions[key]}</dd></div>`)}
+    <dt>${label}${isPreliminary && !isOld && " (preliminary)"}</dt><dd><span dangerouslySetInnerHTML=${{ __html: text }}></span>${actions[key]}</dd></div>`)}
 </dl>`;
 
 // Results after a stage beside those before: lines of the card that this stage does not have stay, as old ones.
@@ -76,7 +76,7 @@ export const Results = ({ run, actions }) => {
     ${page?.lead && html`<div class=${page.isOld ? "outdated" : ""}><${Html} html=${page.lead} /></div>`}
     ${(hasCards ? coatedFirst(results.cases) : []).map((one, place) => html`<section key=${place} class="case">
       ${several && html`<h2>${one.name}${one.coated && html` <small>(on the ${one.coated})</small>`}</h2>`}
-      <${Card} lines=${one.pieces.card} actions=${actions} />
+      <${Card} lines=${one.pieces.card} actions=${actions} isPreliminary=${results.stage === "models"} />
       ${actions.nearer && !one.pieces.card.some(line => line.key === "nearer") && html`<p>${actions.nearer}</p>`}
       <${Figures} figures=${one.pieces.figures} isFolded=${place > 0 && results.cases[0].thickness_m === 0} />
     </section>`)}

@@ -2,9 +2,9 @@
 
 import { html, useState, useEffect, useLayoutEffect, useMemo, useRef } from "./preact.js";
 import { bytes, events } from "./server.js";
-import { change, withValue } from "./state.js";
-import { length } from "./quantity.js";
-import { Words } from "./controls.js";
+import { change, setValue, withValue } from "./state.js";
+import { length, parsed } from "./quantity.js";
+import { LABELS, Words } from "./controls.js";
 
 const MOST_POINTS = 1024;
 
@@ -94,9 +94,11 @@ const Scale = ({ range: [low, high] }) => {
   return html`<div class="scale" aria-hidden="true"><span>${length(low)}</span><span class="bar" style=${{ background: `linear-gradient(to right, ${steps.map(rgb => `rgb(${rgb})`).join(", ")})` }}></span><span>${length(high)}</span></div>`;
 };
 
-export const MapPicture = ({ map, name, spikes = [], profile, setProfile }) => {
+// With `cut` the pointer draws a rectangle instead of the line of the profile.
+export const MapPicture = ({ map, name, spikes = [], profile, setProfile, cut }) => {
   const canvas = useRef(null);
   const [from, setFrom] = useState(null);
+  const [to, setTo] = useState(null);
   useEffect(() => draw(canvas.current, map), [map]);
   const sides = [map.nx * map.pixel[0], map.ny * map.pixel[1]];
   const place = event => {
@@ -119,11 +121,12 @@ export const MapPicture = ({ map, name, spikes = [], profile, setProfile }) => {
     <div class="heights" style=${{ aspectRatio: `${sides[0]} / ${sides[1]}` }}>
       <canvas ref=${canvas} tabindex=${setProfile ? 0 : undefined} role="img"
         aria-label=${`Height map of ${name}, ${length(sides[0])} x ${length(sides[1])}, heights from ${length(map.range[0])} to ${length(map.range[1])}.${setProfile ? " Arrow keys move the line of the profile, r turns it." : ""}`}
-        onPointerDown=${setProfile && (event => { canvas.current.setPointerCapture(event.pointerId); setFrom(place(event)); })}
-        onPointerMove=${setProfile && (event => from && setProfile([from, place(event)]))}
-        onPointerUp=${setProfile && (() => setFrom(null))} onKeyDown=${setProfile && move}></canvas>
+        onPointerDown=${setProfile && (event => { canvas.current.setPointerCapture(event.pointerId); setFrom(place(event)); setTo(null); })}
+        onPointerMove=${setProfile && (event => from && (cut ? setTo(place(event)) : setProfile([from, place(event)])))}
+        onPointerUp=${setProfile && (event => { setFrom(null); setTo(null); if (cut && to) cut([from, place(event)]); })} onKeyDown=${setProfile && move}></canvas>
       <svg viewBox="0 0 1 1" preserveAspectRatio="none" aria-hidden="true">
         ${profile && html`<line x1=${x0} y1=${1 - y0} x2=${x1} y2=${1 - y1} vector-effect="non-scaling-stroke" />`}
+        ${from && to && html`<rect x=${Math.min(from[0], to[0])} y=${1 - Math.max(from[1], to[1])} width=${Math.abs(to[0] - from[0])} height=${Math.abs(to[1] - from[1])} vector-effect="non-scaling-stroke" />`}
         ${spikes.slice(0, 200).map(([x, y]) => html`<ellipse cx=${x / sides[0]} cy=${1 - y / sides[1]} rx="0.015" ry=${(0.015 * sides[0]) / sides[1]} vector-effect="non-scaling-stroke" />`)}
       </svg>
     </div>
@@ -170,21 +173,23 @@ const Fitness = ({ rows, others, attempt, isFitting }) => {
 };
 
 // Of one surface of the spec. It waits until `ready`, so that the surface that the contact has made is there.
-export const Surface = ({ name, spec, folder, ready, inputs, onView, fail }) => {
+export const Surface = ({ name, spec, folder, ready, inputs, onView, fail, isCancelled }) => {
   const key = JSON.stringify([spec.surface[name], folder, spec.seed, inputs]);
   const [shown, setShown] = useState(null);
   const [attempt, setAttempt] = useState(null);
   const [profile, setProfile] = useState([[0, 0.5], [1, 0.5]]);
   const [status, setStatus] = useState("");
+  const [failure, setFailure] = useState(null);
+  const [isCutting, setCutting] = useState(false);
   useEffect(() => {
+    setFailure(null);
     if (!ready || shown?.key === key) return undefined;
     const abort = new AbortController();
     fetchSurface({ spec, folder, surface: name }, abort.signal, ({ stage }) => setStatus(stage)).then(
       found => { setShown({ ...found, key }); setStatus(""); onView(name, found.view.map); },
       error => {
         setStatus("");
-        // What is wrong with a key the contact has said already, at its control.
-        if (error.name !== "AbortError" && error.message !== "cancelled" && !error.key) fail(error);
+        if (error.name !== "AbortError" && error.message !== "cancelled") setFailure(error);
       },
     );
     return () => abort.abort();
@@ -202,14 +207,38 @@ export const Surface = ({ name, spec, folder, ready, inputs, onView, fail }) => 
   };
   const histogram = useMemo(() => shown?.map && histogramOf(shown.map), [shown?.map]);
   const line = useMemo(() => shown?.map && profileOf(shown.map, profile), [shown?.map, profile]);
-  if (!shown) return html`<section class="surface"><h2>Surface ${name}</h2><p role="status">${status || "Waiting for the surface"} …</p></section>`;
+  // What is wrong with a key the contact has said already, at its control.
+  const failed = failure && html`<p class="error" role=${failure.key ? undefined : "alert"}><${Words} text=${failure.message} /></p>`;
+  const waiting = isCancelled ? "Cancelled." : `${status || "Waiting for the surface"} …`;
+  if (!shown) return html`<section class="surface"><h2>Surface ${name}</h2>${failed || html`<p role="status">${waiting}</p>`}</section>`;
   const { view, map } = shown;
   const isFile = Boolean(spec.surface[name]?.file);
+  const cropPath = ["surface", name, "file", "crop"];
+  const crop = spec.surface[name]?.file?.crop;
+  // A rectangle on the picture of a part lies in that part; an end at its border is its end.
+  const cut = corners => {
+    setCutting(false);
+    const ends = [0, 1].map(axis => {
+      const [before, pixel] = [crop?.["xy"[axis]], view.map.pixel_m[axis]];
+      const [first, side] = [parsed(before?.[0], "length") ?? 0, view.map.points[axis] * pixel];
+      const [low, high] = corners.map(corner => corner[axis] * map.pixel[axis] * (axis ? map.ny : map.nx)).sort((a, b) => a - b);
+      const [isFirst, isLast] = [low, side - high].map(gap => gap < Math.max(pixel, side / 100));
+      if (isFirst && isLast) return before;
+      const written = metres => `${Number((1e6 * metres).toPrecision(4))} um`;
+      return [isFirst ? before?.[0] ?? "0 um" : written(first + low), isLast ? before?.[1] ?? `${1e6 * side} um` : written(first + high)];
+    });
+    const [x, y] = ends;
+    setValue(cropPath, x || y ? { ...(x && { x }), ...(y && { y }) } : undefined);
+  };
   return html`<section class=${`surface${shown.key === key ? "" : " outdated"}`}>
     <h2>Surface ${name}</h2>
+    ${failed}
     <p>${view.asperities.toLocaleString("en")} asperities${status && html`, <span role="status">${status} …</span>`}</p>
     ${map && html`<div class="beside">
-      <${MapPicture} map=${map} name=${name} spikes=${view.map.spikes_m} profile=${profile} setProfile=${setProfile} />
+      <div><${MapPicture} map=${map} name=${name} spikes=${view.map.spikes_m} profile=${profile} setProfile=${setProfile} cut=${isCutting && cut} />
+        ${isFile && html`<p class="buttons"><button type="button" aria-pressed=${isCutting} onClick=${() => setCutting(!isCutting)}>Crop by a rectangle</button>
+          ${crop && html`<button type="button" onClick=${() => setValue(cropPath, undefined)}>Whole map</button>`}
+          ${isCutting && html`<span role="status">Draw it on the map; the fields “${LABELS["crop.x"]}” and “${LABELS["crop.y"]}” do the same.</span>`}</p>`}</div>
       <div><${ChartOf} id=${`${name}-profile`} data=${line} caption="Profile along the line; draw another on the map." />
       <${ChartOf} id=${`${name}-histogram`} data=${histogram} caption="Heights of the map." /></div>
     </div>`}

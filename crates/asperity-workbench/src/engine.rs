@@ -81,7 +81,8 @@ pub trait Engine: Send + Sync + 'static {
     /// The kind of experiment of a spec, and its title; `None` of another text.
     fn kind(&self, text: &str) -> Option<(String, String)>;
 
-    /// The spec that a measured file begins with, which names it by `path`, and what the file leaves open: its pixel, its unit.
+    /// The spec that a measured file begins with, which names it by `path`, and what the file leaves open: `pixel`, and `unit`, or
+    /// `unit.xy` and `unit.z` where it has coordinates.
     ///
     /// # Errors
     /// A file that is no map.

@@ -11,6 +11,9 @@ use toml::de::{DeTable, DeValue};
 use super::in_memory::InMemory;
 use crate::remedy::FrontEnd;
 
+/// What errors call a spec in memory.
+const IN_MEMORY: &str = "dictionary";
+
 /// Input that the program does not run on, and why.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InputError {
@@ -39,6 +42,16 @@ impl InputError {
     /// What was found and what is allowed, without the place.
     pub fn message(&self) -> &str {
         &self.message
+    }
+
+    /// The error; without a line of a spec in memory, which nobody has written.
+    pub fn without_line(&self) -> String {
+        let message = legible(&self.message, 2000);
+        match self.key() {
+            _ if !self.file.ends_with(IN_MEMORY) => self.to_string(),
+            Some(key) => format!("{}: {message}", legible(key, 200)),
+            None => message.into(),
+        }
     }
 
     /// The dotted key of the spec that it is about; `None` where it is about no key.
@@ -125,9 +138,7 @@ impl Source {
 
     /// A spec that a program holds, without a file; its paths are relative to `folder`.
     pub fn in_memory(folder: &Path, text: String) -> Self {
-        /// What errors call it.
-        const NAME: &str = "dictionary";
-        Self { is_in_memory: true, ..Self::file(&folder.join(NAME), text) }
+        Self { is_in_memory: true, ..Self::file(&folder.join(IN_MEMORY), text) }
     }
 
     /// Another spec in its place, with the same files.

@@ -1,6 +1,6 @@
 """Contact of rough surfaces in two ways: the statistical integral and the sum over the real asperities.
 
-All quantities are in SI units: m, Pa, N, 1/m^2. Separations are d/sigma: the distance of the flat from the mean asperity
+Numbers are in SI units: m, Pa, N, 1/m^2; a text such as ``"1 um"`` or ``"210 GPa"`` has its own. Separations are d/sigma: the distance of the flat from the mean asperity
 height over the standard deviation of the asperity heights.
 
 >>> import asperity
@@ -11,8 +11,6 @@ height over the standard deviation of the asperity heights.
 >>> curve["pressure_pa"].round(-4)
 array([ 2880000., 32700000.])
 """
-
-from collections.abc import Mapping
 
 from ._asperity import (
     Asperities,
@@ -25,14 +23,14 @@ from ._asperity import (
     deterministic,
     statistical,
 )
-from . import distributed
+from . import copies, distributed
+from .arguments import AsperityWarning
 from .study import Results, compare, reference, run
 from .surfaces import Pair, Topography, draw, generate
 
-Mapping.register(Table)
-
 __all__ = [
     "Asperities",
+    "AsperityWarning",
     "Interface",
     "Law",
     "Material",

@@ -1,7 +1,7 @@
-from collections.abc import ItemsView, Mapping
+from collections.abc import Iterator, Sequence
 from os import PathLike
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, overload
 
 import numpy as np
 import pandas
@@ -10,19 +10,25 @@ from numpy.typing import ArrayLike, NDArray
 
 __version__: str
 
+# A number in SI, or a text with a unit.
+Value = float | str
+Values = Value | Sequence[Value] | NDArray[Any]
+
 class Material:
     def __new__(
         cls,
-        young: float,
+        young: Value,
         poisson: float,
         *,
-        hardness: float | None = None,
-        yield_strength: float | None = None,
-        resistivity: float | None = None,
-        thermal_conductivity: float | None = None,
+        hardness: Value | None = None,
+        yield_strength: Value | None = None,
+        resistivity: Value | None = None,
+        thermal_conductivity: Value | None = None,
     ) -> Material: ...
     @staticmethod
     def named(name: str) -> Material: ...
+    @staticmethod
+    def names() -> list[str]: ...
     @property
     def young(self) -> float: ...
     @property
@@ -59,7 +65,7 @@ class Interface:
         law: Law | str = "zmc",
         *,
         layer: Material | None = None,
-        thickness: float | None = None,
+        thickness: Value | None = None,
         rule: Literal["gao", "series"] = "gao",
         on: Literal["flat", "rough"] = "flat",
     ) -> Interface: ...
@@ -80,7 +86,7 @@ class Interface:
     @property
     def reduced_modulus(self) -> float: ...
     def contact(
-        self, indentation: ArrayLike, radius: float, *, curvature_ratio: float = 1.0
+        self, indentation: Values, radius: Value, *, curvature_ratio: float = 1.0
     ) -> dict[str, NDArray[Any]]: ...
 
 class Asperities:
@@ -88,7 +94,7 @@ class Asperities:
         cls,
         heights: ArrayLike,
         radii: ArrayLike,
-        nominal_area: float,
+        nominal_area: Value,
         *,
         curvatures: ArrayLike | None = None,
         places: ArrayLike | None = None,
@@ -116,7 +122,7 @@ class Asperities:
 
 class Population:
     def __new__(
-        cls, radius: float, sigma: float, density: float, heights: str | dict[str, dict[str, float]] | None = None
+        cls, radius: Value, sigma: Value, density: Value, heights: str | dict[str, dict[str, float]] | None = None
     ) -> Population: ...
     @property
     def radius(self) -> float: ...
@@ -124,12 +130,21 @@ class Population:
     def sigma(self) -> float: ...
     @property
     def density(self) -> float: ...
+    @property
+    def heights(self) -> str | dict[str, dict[str, float]]: ...
 
-class Table(Mapping[str, NDArray[Any]]):
-    def __getitem__(self, name: str, /) -> NDArray[Any]: ...
-    def __iter__(self) -> Any: ...
+class Table:
+    @overload
+    def __getitem__(self, at: str, /) -> NDArray[Any]: ...
+    @overload
+    def __getitem__(self, at: int, /) -> dict[str, Any]: ...
+    def __contains__(self, name: str, /) -> bool: ...
+    def __iter__(self) -> Iterator[dict[str, Any]]: ...
     def __len__(self) -> int: ...
-    def items(self) -> ItemsView[str, NDArray[Any]]: ...
+    def get(self, name: str, default: Any = None) -> Any: ...
+    def keys(self) -> list[str]: ...
+    def values(self) -> list[NDArray[Any]]: ...
+    def items(self) -> list[tuple[str, NDArray[Any]]]: ...
     @property
     def rows(self) -> int: ...
     @property
@@ -144,7 +159,7 @@ def statistical(
     population: Population,
     *,
     separations: ArrayLike | None = None,
-    pressures: ArrayLike | None = None,
+    pressures: Values | None = None,
     tolerance: float | None = None,
 ) -> Table: ...
 def deterministic(
@@ -152,13 +167,15 @@ def deterministic(
     asperities: Asperities,
     *,
     separations: ArrayLike | None = None,
-    pressures: ArrayLike | None = None,
+    pressures: Values | None = None,
     tolerance: float | None = None,
-    sigma: float | None = None,
+    sigma: Value | None = None,
 ) -> Table: ...
 
 class Map:
-    def __new__(cls, heights: ArrayLike, pixel: tuple[float, float]) -> Map: ...
+    def __new__(
+        cls, heights: ArrayLike, pixel: tuple[float, float], precision: float = ..., offset: float = 0.0
+    ) -> Map: ...
     @staticmethod
     def read(
         path: str | PathLike[str],
@@ -168,8 +185,10 @@ class Map:
         missing: list[float] | None = None,
         channel: str | None = None,
         transpose: bool = False,
+        crop: list[tuple[float, float] | None] = ...,
     ) -> tuple[Map, list[str]]: ...
     def write(self, path: str | PathLike[str]) -> None: ...
+    def part(self, x: tuple[float, float] | None, y: tuple[float, float] | None) -> Map: ...
     @property
     def points(self) -> list[int]: ...
     @property
@@ -237,5 +256,8 @@ def run(
     name: str = "asperity",
     report: str | PathLike[str] | None = None,
     folder: str | PathLike[str] = "",
+    of_arguments: bool = False,
 ) -> Run: ...
+def in_arguments(message: str) -> str: ...
 def length_unit(name: str) -> float: ...
+def si(value: Any, name: str, kind: str) -> tuple[float, str | None]: ...

@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from . import _asperity
+from .arguments import check_file
 from .study import Results
 
 if TYPE_CHECKING:
@@ -224,6 +225,7 @@ def _read(spec: str | PathLike[str] | Mapping[str, Any]) -> tuple[dict[str, Any]
     if isinstance(spec, Mapping):
         return dict(spec), os.getcwd(), "asperity"
     path = Path(spec).resolve()
+    check_file(path)
     return _asperity.read_spec(path), str(path.parent), path.stem
 
 

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import html
 import json
+import re
+import textwrap
 from collections.abc import Mapping, Sequence
 from functools import cached_property
 from os import PathLike
@@ -12,7 +15,8 @@ import numpy as np
 
 from . import _asperity
 from ._asperity import Asperities, Interface, Material, Table
-from .surfaces import Pair, Topography, keys
+from .arguments import check_file, named, quantity, warn
+from .surfaces import Pair, Topography, axes, keys
 
 Surface = Topography | Pair | Asperities | Mapping[str, Any]
 
@@ -43,6 +47,11 @@ class Answer:
     def __repr__(self) -> str:
         return f"<Answer: {self.sentence}>"
 
+    def _repr_html_(self) -> str:
+        words = lambda text: re.sub("`([^`]*)`", r"<code>\1</code>", html.escape(text, quote=False))
+        rows = "".join(f"<dt><b>{words(self.labels[key])}</b></dt><dd>{words(text)}</dd>" for key, text in self.lines.items())
+        return f"<dl>{rows}</dl>" if rows else f"<p>{words(self.sentence)}</p>"
+
 
 class Results:
     """What an experiment gives.
@@ -56,19 +65,28 @@ class Results:
     summary : dict
         The content of ``summary.json``.
     warnings : list of str
-        Caveats.
+        Caveats, which are warned of, too.
     report : Path or None
         The folder of the report, where one was written.
     """
 
-    def __init__(self, run: _asperity.Run) -> None:
+    def __init__(self, run: _asperity.Run, doubts: Sequence[str] | None = None) -> None:
+        # With doubts, which may be none, it was asked for by arguments, and speaks of them instead of keys.
         self._run = run
+        self._doubts = doubts
         self.kind = run.kind
-        self.warnings = run.warnings
+        self.warnings = list(dict.fromkeys([*(doubts or ()), *map(self._told, run.warnings)]))
         self.report = run.report
 
     def __reduce__(self) -> tuple:
-        return Results, (self._run,)
+        return Results, (self._run, self._doubts)
+
+    def __deepcopy__(self, memo: Any) -> Results:
+        # Its tables of joints do not go elsewhere, and nothing of a run changes.
+        return Results(self._run, self._doubts)
+
+    def _told(self, message: str) -> str:
+        return message if self._doubts is None else _asperity.in_arguments(message)
 
     @cached_property
     def tables(self) -> dict[str, Table]:
@@ -91,7 +109,9 @@ class Results:
     @cached_property
     def answer(self) -> Answer:
         """The answer as the report gives it: the card of one case, or a sentence; ``print`` shows it."""
-        return Answer(self.summary["answer"])
+        answer = self.summary["answer"]
+        lines = [{**line, "texts": [self._told(text) for text in line["texts"]]} for line in answer.get("lines", [])]
+        return Answer({"sentence": self._told(answer["sentence"]), "lines": lines})
 
     @property
     def answers(self) -> list[dict[str, Any]]:
@@ -151,8 +171,54 @@ class Results:
         """
         return self._run.interface_files(format, model, units, beyond)
 
+    def plot(self, quantity: str = "area_ratio", *, over: str = "pressure_pa", ax: Any = None) -> Any:
+        """Draw the curves by matplotlib: a line for each model, surface and case.
+
+        Parameters
+        ----------
+        quantity, over : str
+            Columns of ``curves`` along y and x.
+        ax : matplotlib Axes, optional
+            What they are drawn on; by default a new figure.
+
+        Returns
+        -------
+        matplotlib Axes
+
+        Raises
+        ------
+        ImportError
+            Where matplotlib is not installed.
+        ValueError
+            Results without curves, or a column that they do not have.
+        """
+        if (curves := self.tables.get("curves")) is None:
+            raise ValueError(f"found results of {self.kind}, which have no curves; allowed: results of asperity.compare")
+        numbers = [name for name, unit in curves.units.items() if unit not in ("text", "true/false")]
+        for name in (quantity, over):
+            if name not in numbers:
+                raise ValueError(f"found the column {name!r}; allowed: {', '.join(numbers)}")
+        ax = axes(ax)
+        names = curves.keys()
+        # What tells the curves apart, as texts: a case without a layer has NaN for its thickness.
+        texts = [[f"{value:g}" if isinstance(value, float) else str(value) for value in curves[name].tolist()] for name in names]
+        parts = [text for text in texts[: names.index("model")] if len(set(text)) > 1]
+        labels = np.array([", ".join(label) for label in zip(*parts, texts[names.index("model")])])
+        for label in dict.fromkeys(labels.tolist()):
+            x, y = (curves[name][labels == label].astype(float) for name in (over, quantity))
+            order = np.argsort(x)
+            ax.plot(x[order], y[order], marker=".", label=label)
+        for name, scale in ((over, ax.set_xscale), (quantity, ax.set_yscale)):
+            scale("log" if (curves[name] > 0).all() else "linear")
+        ax.set(xlabel=over, ylabel=quantity)
+        ax.legend()
+        return ax
+
     def __repr__(self) -> str:
-        return f"<Results of {self.kind}: {', '.join(self.tables)}>"
+        return f"<Results of {self.kind}: {textwrap.shorten(self.answer.sentence, 160, placeholder=' …')}>"
+
+    def _repr_html_(self) -> str:
+        return self.answer._repr_html_()
 
 
 def run(
@@ -181,10 +247,23 @@ def run(
     Raises
     ------
     ValueError
-        A spec that cannot run, with line and key.
+        A spec that cannot run, with its key, and with the line of a file.
+    FileNotFoundError
+        A spec, or a file that a dictionary names, that is not there.
     OSError
         A report that cannot be written.
     """
+    return _run(spec, surfaces or {}, name, report, None)
+
+
+def _run(
+    spec: str | PathLike[str] | Mapping[str, Any],
+    surfaces: Mapping[str, Surface],
+    name: str,
+    report: str | PathLike[str] | None,
+    doubts: Sequence[str] | None,
+) -> Results:
+    warn(doubts or ())
     in_memory: dict[str, Any] = {}
     if isinstance(spec, Mapping):
         spec = {**spec}
@@ -194,9 +273,23 @@ def run(
                 tables[key], own = _table(key, surface)
                 in_memory.update(own)
             spec["surface"] = tables
+        _check_files(spec, in_memory)
     elif surfaces:
         raise ValueError("surfaces: allowed only with a spec that is a dictionary")
-    return Results(_asperity.run(spec, in_memory, name=name, report=report))
+    elif isinstance(spec, (str, PathLike)):
+        check_file(spec)
+    results = Results(_asperity.run(spec, in_memory, name=name, report=report, of_arguments=doubts is not None), doubts)
+    warn(warning for warning in results.warnings if warning not in (doubts or ()))
+    return results
+
+
+def _check_files(spec: Mapping[str, Any], in_memory: Mapping[str, Any]) -> None:
+    for kind, key in (("file", "path"), ("asperities", "file")):
+        for surface in dict(spec.get("surface", {})).values():
+            table = surface.get(kind) if isinstance(surface, Mapping) else None
+            path = table.get(key) if isinstance(table, Mapping) else None
+            if isinstance(path, (str, PathLike)) and path not in in_memory:
+                check_file(path)
 
 
 def _table(name: str, surface: Surface) -> tuple[dict[str, Any], dict[str, Any]]:
@@ -208,7 +301,7 @@ def _table(name: str, surface: Surface) -> tuple[dict[str, Any], dict[str, Any]]
         return {"file": {**table["file"], "path": path}}, {path: raw}
     if isinstance(surface, Asperities):
         path = f"list {name}"
-        table = {"file": path, "nominal-area": _in("m^2", float(surface.nominal_area)), "independent": surface.independent}
+        table = {"file": path, "nominal-area": f"{surface.nominal_area!r} m^2", "independent": surface.independent}
         return {"asperities": table}, {path: surface}
     if isinstance(surface, Mapping):
         return {_hyphens(key): value for key, value in surface.items()}, {}
@@ -235,19 +328,8 @@ def _hyphens(name: str) -> str:
 
 
 def _in(unit: str, value: float | None) -> str | None:
-    # A spec refuses bare numbers that are hardly meant; a program means them.
+    # A spec refuses bare numbers that are hardly meant; here they have been warned of.
     return None if value is None else f"{value!r} {unit}"
-
-
-def _all_in(unit: str, values: Any) -> Any:
-    # The same of one value, a list, an array, or a table of them; texts have their own unit.
-    if values is None or isinstance(values, str):
-        return values
-    if isinstance(values, Mapping):
-        return {name: value if name == "points" else _all_in(unit, value) for name, value in values.items()}
-    if np.ndim(values) == 0:
-        return _in(unit, float(values))
-    return [_all_in(unit, value) for value in values]
 
 
 def _material(material: Material) -> dict[str, Any]:
@@ -327,7 +409,7 @@ def compare(
     separations : sequence or dict, optional
         d/sigma, or ``{"from": 4, "to": 0, "points": 41}``. At least one of separations, pressures and forces is needed.
     pressures, forces : sequence or dict, optional
-        Nominal pressures in Pa; forces on the nominal area in N.
+        Nominal pressures in Pa; forces on the nominal area in N. Every value may have its unit: ``["1 MPa", "10 MPa"]``.
     quantities : sequence of str
         What is compared besides separation, area and stiffness: ``"electrical-conductance"`` and ``"thermal-conductance"``, of
         materials with a resistivity or thermal conductivity, and ``"friction"``, with ``shear_strength``.
@@ -351,6 +433,11 @@ def compare(
     ValueError
         Values that cannot run, or a load that a model does not reach.
 
+    Warns
+    -----
+    AsperityWarning
+        Numbers whose unit is hardly SI, and caveats of the results: what ``warnings`` of the results lists.
+
     Examples
     --------
     >>> import asperity
@@ -360,19 +447,25 @@ def compare(
     >>> results.curves["model"].tolist()
     ['statistical', 'statistical', 'deterministic', 'deterministic']
     """
+    if separations is None and pressures is None and forces is None:
+        raise ValueError("found no separations, pressures or forces; allowed: at least one of them")
     spec, surfaces = _spec(interface, surface)
-    sweeps = {"separation": separations, "pressure": _all_in("Pa", pressures), "force": forces}
-    spec["compare"].update(keys(sweeps))
+    doubts: list[str] = []
+    pressures = quantity("pressures", pressures, "pressure", doubts)
+    forces = quantity("forces", forces, "force", doubts)
+    spec["compare"].update(keys({"separation": separations, "pressure": pressures, "force": forces}))
     if "nominal_area" in options:
-        options["nominal_area"] = _all_in("m^2", options["nominal_area"])
+        options["nominal_area"] = quantity("nominal_area", options["nominal_area"], "area", doubts)
     if isinstance(strength := options.get("shear_strength"), Mapping) and "tau0" in strength:
-        options["shear_strength"] = {**strength, "tau0": _all_in("Pa", strength["tau0"])}
+        tau0 = quantity("shear_strength.tau0", strength["tau0"], "stress", doubts)
+        options["shear_strength"] = {**strength, "tau0": tau0}
     _ask(quantities, options)
     spec["compare"].update(keys(options))
     if any(isinstance(one, Pair) for one in surfaces.values()):
         spec["compare"]["surfaces"] = list(surfaces)
     spec.update(seed=seed, title=title)
-    return run(spec, surfaces=surfaces, name=name, report=report)
+    with named():
+        return _run(spec, surfaces=surfaces, name=name, report=report, doubts=doubts)
 
 
 def reference(

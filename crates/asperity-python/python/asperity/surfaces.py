@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from os import PathLike
@@ -14,9 +14,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _asperity
 from ._asperity import Asperities
+from .arguments import check_file, named, quantity, si, warn
+from .arguments import pixel as _pixel
 
 # The name of a map in memory, which the spec has instead of a path.
 _HELD_MAP = "map in memory"
+
+# A number in m, or a text with a unit.
+Length = float | str
 
 # Names of units in SurfaceTopography that the program spells in another way.
 _UNITS = {"A": 1e-10, "Å": 1e-10, "µm": 1e-6, "μm": 1e-6}
@@ -35,6 +40,30 @@ def _units(unit: str | dict[str, str]) -> tuple[float, float]:
     return _asperity.length_unit(unit["xy"]), _asperity.length_unit(unit["z"])
 
 
+def axes(ax: Any) -> Any:
+    """The axes themselves, or those of a new figure."""
+    if ax is not None:
+        return ax
+    try:
+        from matplotlib import pyplot
+    except ImportError as error:
+        raise ImportError("plot() needs matplotlib, which is not installed: pip install matplotlib") from error
+    return pyplot.subplots(layout="constrained")[1]
+
+
+def _ends(crop: Mapping[str, tuple[Length, Length] | None] | None) -> list[tuple[float, float] | None]:
+    """The ends of a part along x and y in m."""
+    if crop is not None and (not isinstance(crop, Mapping) or not set(crop) <= {"x", "y"}):
+        raise ValueError(f'crop: found {crop!r}; allowed: {{"x": ("10 um", "200 um"), "y": (0, "50 um")}}, or one of both')
+    ends: list[tuple[float, float] | None] = []
+    for name in "xy":
+        given = crop.get(name) if crop else None
+        if given is not None and (np.ndim(given) != 1 or len(given) != 2):
+            raise ValueError(f'crop.{name}: found {given!r}; allowed: from and to, such as ("10 um", "200 um")')
+        ends.append(None if given is None else tuple(si(f"crop.{name}", end, "distance") for end in given))
+    return ends
+
+
 def keys(given: dict[str, Any]) -> dict[str, Any]:
     """Keys of a spec from Python names, without those that are None."""
     return {_key(name): value for name, value in given.items() if value is not None}
@@ -50,10 +79,12 @@ class Topography:
     ----------
     heights : array_like, shape (nx, ny)
         Heights in m, the first index along x. NaN, infinite and masked points are missing.
-    pixel : float or (float, float)
-        Distance of neighbouring points along x and y in m.
+    pixel : float or str, or a pair of these
+        Distance of neighbouring points along x and y in m, or with its unit: ``"0.8 um"``, as every length here.
     periodic : bool
         Whether the map continues periodically beyond its border, as simulated surfaces do.
+    crop : mapping, optional
+        The part of the map that is used, by ``"x"`` and ``"y"``, as :meth:`crop` takes them.
     fit : {"auto"}, optional
         Find the preparation that makes the map fit: remedies of the failed checks, one after the other. The keywords below that are
         given are kept; :attr:`fit_steps` says what was done.
@@ -61,12 +92,12 @@ class Topography:
         Whether spikes become missing points.
     align_lines : {"x", "y"}, optional
         The axis along which lines of the scan are set to the same mean height.
-    tip : float, optional
+    tip : float or str, optional
         Radius of the stylus or tip that traced the map in m: what it added to the summits is eroded.
     level : {"none", "plane", "quadratic", "cubic"}, optional
         Form that is removed; by default a plane, and nothing of a periodic map.
-    s, l : float, optional
-        Nesting indices of Gaussian S and L filters (ISO 16610-61) in m.
+    s, l : float or str, optional
+        Nesting indices of Gaussian S and L filters (ISO 16610-61) in m; ``filter={"s": ..., "l": ...}`` is the same.
     neighbours : {"four", "eight"}
         Which neighbours a summit is higher than.
 
@@ -74,6 +105,11 @@ class Topography:
     ------
     ValueError
         A map of fewer than 3 x 3 points or without a height, or a pixel that is not positive.
+
+    Warns
+    -----
+    AsperityWarning
+        A pixel or another length that is hardly meant in m; caveats of reading and preparing the map.
 
     Examples
     --------
@@ -88,37 +124,48 @@ class Topography:
     def __init__(
         self,
         heights: ArrayLike,
-        pixel: float | tuple[float, float],
+        pixel: Length | tuple[Length, Length],
         *,
         periodic: bool = False,
+        crop: Mapping[str, tuple[Length, Length]] | None = None,
         **preparation: Any,
     ) -> None:
         if isinstance(heights, np.ma.MaskedArray):
             heights = heights.astype(np.float64).filled(np.nan)
-        pixel = tuple(np.broadcast_to(np.asarray(pixel, dtype=np.float64), 2).tolist())
-        self._begin(_asperity.Map(heights, pixel), periodic, preparation)
+        raw, ends = _asperity.Map(heights, _pixel(pixel)), _ends(crop)
+        part = raw if ends == [None, None] else raw.part(*ends)
+        self._begin(part, periodic and part.points == raw.points, preparation)
 
     def _begin(
         self, raw: _asperity.Map, periodic: bool, preparation: dict[str, Any], caveats: Sequence[str] = ()
     ) -> None:
+        if isinstance(indices := preparation.get("filter"), Mapping) and set(indices) <= {"s", "l"}:
+            preparation = {**{name: value for name, value in preparation.items() if name != "filter"}, **indices}
         allowed = {"fit", "outliers", "align_lines", "tip", "level", "s", "l", "neighbours"}
         if unknown := set(preparation) - allowed:
             raise ValueError(f"found {', '.join(sorted(unknown))}; allowed: {', '.join(sorted(allowed))}")
         self._raw = raw
         self._caveats = list(caveats)
         self.periodic = bool(periodic)
-        self._preparation = {name: value for name, value in preparation.items() if value is not None}
+        doubts: list[str] = []
+        lengths = {name: quantity(name, preparation.get(name), "pixel", doubts) for name in ("tip", "s", "l")}
+        self._preparation = {name: value for name, value in {**preparation, **lengths}.items() if value is not None}
+        warn(doubts)
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {name: value for name, value in vars(self).items() if name in ("_raw", "_caveats", "periodic", "_preparation")}
 
     @classmethod
     def read(
         cls,
         path: str | PathLike[str],
         *,
-        pixel: float | tuple[float, float] | None = None,
+        pixel: Length | tuple[Length, Length] | None = None,
         unit: str | dict[str, str] | None = None,
         missing: float | Sequence[float] | None = None,
         channel: str | None = None,
         transpose: bool = False,
+        crop: Mapping[str, tuple[Length, Length]] | None = None,
         periodic: bool = False,
         **preparation: Any,
     ) -> Topography:
@@ -128,8 +175,8 @@ class Topography:
         ----------
         path : path_like
             The file.
-        pixel : float or (float, float), optional
-            Distance of neighbouring points along x and y in m, only where the file holds none. The first index of a ``.npy``
+        pixel : float or str, or a pair of these, optional
+            Distance of neighbouring points along x and y in m or with its unit, only where the file holds none. The first index of a ``.npy``
             is x; in a text x runs along a line.
         unit : str or {"xy": str, "z": str}, optional
             Unit of the lengths in the file such as ``"um"``, or one of coordinates and one of heights. Not where the file
@@ -141,20 +188,32 @@ class Topography:
             The channel of a file that holds several, by its name there; by default that of the heights.
         transpose : bool
             Whether x and y of the file are exchanged; ``pixel`` is then that of the exchanged map.
+        crop : mapping, optional
+            The part of the map that is read, by ``"x"`` and ``"y"``, as :meth:`crop` takes them.
         periodic, **preparation
             As of :class:`Topography`.
+
+        Raises
+        ------
+        FileNotFoundError
+            A file that is not there.
+        ValueError
+            A file that is no height map, or keywords that do not fit it.
         """
+        check_file(path)
         if pixel is not None:
-            pixel = tuple(np.broadcast_to(np.asarray(pixel, dtype=np.float64), 2).tolist())
+            pixel = _pixel(pixel)
         if unit is not None:
             unit = _units(unit)
         if missing is not None:
             missing = np.atleast_1d(np.asarray(missing, dtype=np.float64)).tolist()
+        ends = _ends(crop)
         raw, caveats = _asperity.Map.read(
-            path, pixel=pixel, unit=unit, missing=missing, channel=channel, transpose=transpose
+            path, pixel=pixel, unit=unit, missing=missing, channel=channel, transpose=transpose, crop=ends
         )
         made = cls.__new__(cls)
-        made._begin(raw, periodic, preparation, caveats)
+        made._begin(raw, periodic and ends == [None, None], preparation, caveats)
+        warn(caveats)
         return made
 
     @classmethod
@@ -194,6 +253,30 @@ class Topography:
         made._begin(self._raw, self.periodic, {**self._preparation, **preparation}, self._caveats)
         return made
 
+    def crop(
+        self, x: tuple[Length, Length] | None = None, y: tuple[Length, Length] | None = None
+    ) -> Topography:
+        """A part of the map as read, with the same preparation, which then sees this part only; it is not periodic.
+
+        Parameters
+        ----------
+        x, y : pair of float or str, optional
+            From where to before where along each axis, as distances from the first point of the map in m or with their units; all of
+            an axis that is left out.
+
+        Examples
+        --------
+        >>> import asperity
+        >>> spectrum = {"self-affine": {"hurst": 0.8, "roll-off": 32e-6, "cut-off": 8e-6}}
+        >>> surface = asperity.generate(128, pixel=1e-6, sigma=50e-9, spectrum=spectrum)
+        >>> surface.crop(x=(0, "50 um"))
+        <Topography: 50 x 128 points of 1e-06 x 1e-06 m>
+        """
+        made = Topography.__new__(Topography)
+        part = self._raw.part(*_ends({"x": x, "y": y}))
+        made._begin(part, self.periodic and part.points == self._raw.points, self._preparation, self._caveats)
+        return made
+
     def pair(self, other: Topography, *, shifts: int = 16, rotations: bool = False) -> Pair:
         """This body against another rough one: the sum of both prepared maps at random relative positions.
 
@@ -231,7 +314,9 @@ class Topography:
     @cached_property
     def _surface(self) -> _asperity.Surface:
         table, in_memory = self._spec()
-        return _make(table, in_memory)
+        made = _make(table, in_memory)
+        warn(made.warnings)
+        return made
 
     @property
     def points(self) -> tuple[int, int]:
@@ -278,6 +363,33 @@ class Topography:
         """
         (self._surface.map if prepared else self._raw).write(path)
 
+    def plot(self, ax: Any = None, *, prepared: bool = False) -> Any:
+        """Draw the map by matplotlib.
+
+        Parameters
+        ----------
+        ax : matplotlib Axes, optional
+            What it is drawn on; by default a new figure.
+        prepared : bool
+            Whether the prepared map is drawn, instead of the map as read.
+
+        Returns
+        -------
+        matplotlib Axes
+
+        Raises
+        ------
+        ImportError
+            Where matplotlib is not installed.
+        """
+        ax = axes(ax)
+        heights = self.heights if prepared else self.raw_heights
+        sides = [1e6 * points * pixel for points, pixel in zip(self.points, self.pixel)]
+        image = ax.imshow(1e6 * heights.T, origin="lower", extent=(0, sides[0], 0, sides[1]), interpolation="nearest")
+        ax.set(xlabel="x (µm)", ylabel="y (µm)")
+        ax.figure.colorbar(image, ax=ax, label="height (µm)")
+        return ax
+
     def find_summits(self) -> Asperities:
         """The summits of the prepared map: heights, radii and places in m, with their principal curvatures in 1/m."""
         return self._surface.asperities
@@ -295,7 +407,8 @@ class Topography:
     @cached_property
     def fitness(self) -> list[dict[str, Any]]:
         """The checks whether the map may carry a verdict: spikes, form, lines, steps, resolution."""
-        return json.loads(self._surface.fitness)
+        checks = json.loads(self._surface.fitness)
+        return [{**check, "remedy": _asperity.in_arguments(check["remedy"] or "")} for check in checks]
 
     @property
     def fit_steps(self) -> list[dict[str, Any]]:
@@ -335,7 +448,8 @@ class Pair:
 
 def _make(table: dict[str, Any], in_memory: dict[str, Any], seed: int = 0, realisation: int = 1) -> _asperity.Surface:
     spec = {"title": "surface", "seed": seed, "surface": {"surface": table}}
-    return _asperity.make_surface(spec, in_memory, realisation=realisation)
+    with named():
+        return _asperity.make_surface(spec, in_memory, realisation=realisation)
 
 
 def generate(
@@ -376,21 +490,14 @@ def generate(
     <Topography: 128 x 128 points of 1e-06 x 1e-06 m, periodic>
     """
     points = [points, points] if np.ndim(points) == 0 else list(points)
-    generation.update({key: _in_metres(generation[key]) for key in ("pixel", "sigma") if key in generation})
+    doubts: list[str] = []
+    generation.update({key: quantity(key, generation[key], key, doubts) for key in ("pixel", "sigma") if key in generation})
+    warn(doubts)
     made = _make({"generate": keys({"points": points, **generation})}, {}, seed, realisation)
     topography = Topography.__new__(Topography)
     neighbours = generation.get("neighbours", "four")
     topography._begin(made.map, True, {"level": "none", "neighbours": neighbours})
     return topography
-
-
-def _in_metres(length: float | str | tuple[float, float]) -> str | list[str]:
-    # A spec refuses bare numbers that are hardly meant; a program means them.
-    if isinstance(length, str):
-        return length
-    if np.ndim(length) == 0:
-        return f"{float(length)!r} m"
-    return [side if isinstance(side, str) else f"{float(side)!r} m" for side in length]
 
 
 def draw(
@@ -411,8 +518,8 @@ def draw(
     ----------
     count : int
         How many asperities are drawn.
-    radius, sigma, density : float
-        Radius and standard deviation of the heights in m, asperities per nominal area in 1/m^2.
+    radius, sigma, density : float or str
+        Radius and standard deviation of the heights in m, asperities per nominal area in 1/m^2, or with their units.
     seed, realisation : int
         Every random number is drawn from them.
     **population
@@ -424,5 +531,9 @@ def draw(
     >>> asperity.draw(1000, radius=20e-6, sigma=48e-9, density=6e10)
     <Asperities: 1000 on 1.6666666666666667e-8 m^2>
     """
-    table = {"radius": radius, "sigma": _in_metres(sigma), "density": density, "count": count, **population}
+    doubts: list[str] = []
+    kinds = {"radius": (radius, "length"), "sigma": (sigma, "sigma"), "density": (density, "density")}
+    table = {name: quantity(name, value, kind, doubts) for name, (value, kind) in kinds.items()}
+    warn(doubts)
+    table.update(count=count, **population)
     return _make({"population": keys(table)}, {}, seed, realisation).asperities

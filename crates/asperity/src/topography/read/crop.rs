@@ -24,7 +24,7 @@ impl Crop {
     ///
     /// # Errors
     /// Ends beyond the map or in descending order; fewer than three points between them.
-    pub(super) fn ranges(&self, points: [usize; 2], pixel: [f64; 2]) -> Result<[Range<usize>; 2], ReadError> {
+    pub fn ranges(&self, points: [usize; 2], pixel: [f64; 2]) -> Result<[Range<usize>; 2], ReadError> {
         /// Of a pixel, by which a length that is a multiple of it may miss it.
         const ROUNDING: f64 = 1e-6;
         let range = |axis: usize, ends: Option<[f64; 2]>| {
