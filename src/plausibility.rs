@@ -1,7 +1,7 @@
 //! Warnings about inputs that are allowed but hardly meant: mostly a unit that is missing or wrong. They refuse nothing.
 
 use asperity::surface::Surface;
-use asperity::{Material, Response, reduced_modulus};
+use asperity::{Material, MeanRadius, Response, reduced_modulus};
 use asperity_contact_framework::report::format::{number, quantity};
 
 /// A layer is thinner and a pixel smaller, m.
@@ -89,8 +89,12 @@ fn hard(rough: (&str, &Material), flat: (&str, &Material)) -> Option<String> {
 /// R.m.s. slopes below those of polished optics.
 const FLAT: f64 = 1e-4;
 
-/// A surface that was made: of a map by its own slope, unless its file states its units.
-pub fn of_made(Surface { name, statistics, set, map, unscattered, .. }: &Surface) -> Vec<String> {
+/// A surface that was made, on which the statistical model has this mean radius: of a map by its own slope, unless its file states its
+/// units.
+pub fn of_made(surface: &Surface, mean_radius: MeanRadius) -> Vec<String> {
+    /// The ratio is 1.2 for Gaussian heights, and 1.5 for those of machined surfaces.
+    const FEW_FLAT_TOPS: f64 = 4.0;
+    let Surface { name, statistics, set, map, unscattered, .. } = surface;
     if unscattered.is_some() {
         return Vec::new();
     }
@@ -98,7 +102,16 @@ pub fn of_made(Surface { name, statistics, set, map, unscattered, .. }: &Surface
         Some(map) => map.is_held != [true; 2] && map.roughness.rms_slope() < FLAT,
         None => is_flat(statistics.mean_radius, statistics.sigma),
     };
-    of_surface(name, statistics.mean_radius, statistics.sigma, set.nominal_area(), is_flat)
+    let mut warnings =
+        of_surface(name, statistics.mean_radius, statistics.sigma, set.nominal_area(), is_flat);
+    let spread = statistics.mean_radius / statistics.radius_of_mean_curvature;
+    if map.is_some() && spread > FEW_FLAT_TOPS && mean_radius == MeanRadius::default() {
+        warnings.push(format!(
+            "surface {name}: the mean radius is {spread:.1} times the radius of the mean curvature: it is dominated by a few nearly flat \
+             summits. `statistical = {{ mean-radius = \"inverse-mean-curvature\" }}` selects the other mean."
+        ));
+    }
+    warnings
 }
 
 /// Asperities without a map, whose slopes are about the root of sigma over radius.

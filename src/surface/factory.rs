@@ -529,9 +529,6 @@ fn no_asperities(error: &NoAsperities, size: [f64; 2], filter: Option<Filter>) -
     }
 }
 
-/// The ratio is 1.2 for Gaussian heights, and 1.5 for those of machined surfaces.
-const FEW_FLAT_TOPS: f64 = 4.0;
-
 /// The surface of the asperities that are found on a map, and whether its file holds pixel and unit, with its warnings.
 fn found(
     name: &str,
@@ -570,12 +567,5 @@ fn own_warnings(surface: &Surface) -> Vec<String> {
             fitness::without_advice(reason)
         )
     }));
-    let spread = surface.statistics.mean_radius / surface.statistics.radius_of_mean_curvature;
-    if spread > FEW_FLAT_TOPS {
-        warnings.push(format!(
-            "the mean radius is {spread:.1} times the radius of the mean curvature: it is dominated by a few nearly flat summits. \
-             statistical.mean-radius = \"inverse-mean-curvature\" selects the other mean.",
-        ));
-    }
     warnings
 }

@@ -117,6 +117,7 @@ fn short_fault(finding: &Finding) -> String {
         Measure::NoiseGrowth | Measure::GrowthRise => "noise makes the summits".to_owned(),
         Measure::RadiusOverTip | Measure::Untraced => "the tip makes the summits".to_owned(),
         Measure::LengthOverSide => "it is too small for its long waves".to_owned(),
+        Measure::Slope if finding.is_of_units() => "heights and pixel are in different units".to_owned(),
         Measure::Slope => "its slopes are too steep".to_owned(),
         Measure::LeastSlope => "its slopes are implausibly small".to_owned(),
         Measure::NominalArea => "its area is implausible".to_owned(),

@@ -183,8 +183,11 @@ pub(super) fn written(text: &str) -> String {
     }
 }
 
-/// A unit, or a table of those named by axis: `xy=um, z=nm`.
+/// A unit, or a table of those named by axis: `xy=um, z=nm`, or as a spec has it.
 fn units(text: &str) -> String {
+    if text.trim_start().starts_with('{') && format!("v = {text}").parse::<toml::Table>().is_ok() {
+        return text.to_owned();
+    }
     let part = |part: &str| {
         let (axes, unit) = part.split_once('=')?;
         let axes = axes.trim();
@@ -244,6 +247,7 @@ mod tests {
             ("um", "\"um\""),
             ("xy=um,z=nm", "{ xy = \"um\", z = \"nm\" }"),
             ("z = nm, xy = um", "{ z = \"nm\", xy = \"um\" }"),
+            ("{ xy = \"um\", z = \"nm\" }", "{ xy = \"um\", z = \"nm\" }"),
             ("xy=um,nm", "\"xy=um,nm\""),
         ] {
             assert_eq!(units(text), value);

@@ -15,6 +15,7 @@ use serde_json::{Map, Value};
 use super::fit_rows::FitStepRow;
 use super::fitness;
 use asperity::surface::{GenerationFacts, MapFacts, Remedy, Surface};
+use asperity::topography::fitness::Measure;
 
 /// The statistics of asperities: each is a column here, and a field of [`Statistics`].
 pub fn statistics_columns<R>(
@@ -420,6 +421,9 @@ impl<'a> FitnessRow<'a> {
 
     fn remedy(&self) -> Option<String> {
         let fit = self.surface.fit.as_deref();
+        if self.finding.measure == Measure::AspectRatio && self.surface.set.ellipses().is_some() {
+            return None;
+        }
         (!self.finding.has_passed()).then(|| fitness::remedy_left(self.finding, self.map, fit))
     }
 

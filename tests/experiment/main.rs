@@ -54,6 +54,7 @@ mod ranking;
 mod readings;
 mod reference;
 mod registry;
+mod remedies;
 mod results;
 mod sampling_interval;
 mod single_load;

@@ -60,7 +60,11 @@ pub fn run_within(
     let contact =
         contact_metadata(context.materials, &compare.study.laws, &compare.study.bodies, layer_metadata);
     let mut implausible = compare.study.implausible.clone();
-    implausible.extend(surfaces.iter().flat_map(|results| plausibility::of_made(&results.surface)));
+    implausible.extend(
+        surfaces.iter().flat_map(|results| {
+            plausibility::of_made(&results.surface, compare.study.statistical.mean_radius)
+        }),
+    );
     let is_unfiltered = |plan: &&SurfacePlan| plan.is_measured() && plan.points_per_wave().is_none();
     let on_map = |(plan, results): (&SurfacePlan, &SurfaceResults)| {
         let map = results.surface.map.as_ref().filter(|_| is_unfiltered(&plan))?;

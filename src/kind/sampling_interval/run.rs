@@ -56,7 +56,11 @@ pub(super) fn run(context: &RunContext, plan: &IntervalPlan) -> Result<IntervalR
     }
     timing.total = start.elapsed();
     let mut implausible = study.implausible.clone();
-    implausible.extend(surfaces.iter().flat_map(|results| plausibility::of_made(&results.surface)));
+    implausible.extend(
+        surfaces
+            .iter()
+            .flat_map(|results| plausibility::of_made(&results.surface, study.statistical.mean_radius)),
+    );
     Ok(IntervalResults {
         metadata: context.metadata(papers, timing, Some(counter.work())),
         contact: contact_metadata(context.materials, &study.laws, &study.bodies, None),
