@@ -21,7 +21,7 @@ mod pair;
 mod pair_spec;
 mod pixel_spec;
 mod plan;
-mod read_error;
+pub mod read_error;
 pub mod reading;
 mod results;
 pub mod rows;

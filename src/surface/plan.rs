@@ -17,7 +17,7 @@ use crate::surface::spec::{
     DrawSpec, FileSpec, FitSpec, ListSpec, Outliers, PopulationHeights, PopulationSpec, SurfaceSpec,
 };
 use asperity::surface::{BodyAsperities, Kept, Preparation};
-use asperity::topography::read::{MapFile, Metadata, ReadError, ReadOptions, ReadOptionsError};
+use asperity::topography::read::{MapFile, Metadata, ReadError, ReadOptions};
 use asperity::topography::{Boundary, Filter, Level, read};
 use asperity::{
     AsperityList, Heights, ListError, ListOptions, MapError, Population, ReferencePlane, SurfaceHeights,
@@ -230,11 +230,14 @@ impl SurfacePlan {
         };
         let missing = raw.missing.as_ref().map(|missing| missing.get_ref().0.clone());
         let channel = raw.channel.as_ref().map(|channel| channel.get_ref().clone());
-        let is_as_stored = missing.is_none() && channel.is_none() && !raw.transpose;
+        let is_as_stored =
+            missing.is_none() && channel.is_none() && !raw.transpose && options == ReadOptions::default();
         let file = MapFile { path: path.clone(), options, missing, transpose: raw.transpose, channel };
         let metadata = match in_memory {
             Some(_) if !is_as_stored => {
-                return Err(refuse(&"is a map in memory; allowed: leave missing, channel and transpose out"));
+                return Err(refuse(
+                    &"is a map in memory; allowed: leave pixel, unit, missing, channel and transpose out",
+                ));
             }
             Some(map) => Metadata::in_memory(&**map),
             None => {
@@ -244,6 +247,7 @@ impl SurfacePlan {
                         ReadError::Channel { .. } | ReadError::NoChannels { .. } => {
                             raw.channel.as_ref().map(Spanned::span)
                         }
+                        ReadError::NoWords { .. } => raw.missing.as_ref().map(Spanned::span),
                         _ => None,
                     };
                     let message = format!("{} {}", path.display(), spec_message(&error));
@@ -256,15 +260,8 @@ impl SurfacePlan {
             return Err(refuse(&MapError::TooSmall(points)));
         }
         let pixel = metadata.pixel(&options).map_err(|error| {
-            let key = match error {
-                ReadOptionsError::PixelHeld { .. } => raw.pixel.as_ref().map(Spanned::span),
-                ReadOptionsError::UnitHeld { .. } | ReadOptionsError::UnitNamed { .. } => {
-                    raw.unit.as_ref().map(Spanned::span)
-                }
-                ReadOptionsError::NoPixel | ReadOptionsError::UnitsInColumns { .. } => None,
-            };
-            let message = format!("{} {}", path.display(), options_message(&error));
-            source.error_at(key.unwrap_or_else(|| raw.path.span()), message)
+            let notes: String = metadata.notes.iter().map(|note| format!(". It {note}")).collect();
+            refuse(&(options_message(&error) + &notes))
         })?;
         let filter = match &raw.filter {
             None => None,

@@ -4,12 +4,13 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use asperity::HeightMap;
-use asperity::topography::read::{LengthUnits, MapFile, ReadError, ReadOptions};
+use asperity::topography::read::{LengthUnits, MapFile, Marks, ReadError, ReadOptions};
 use asperity::topography::write::{FORMATS, MapFormat, Note};
 use asperity::topography::{Boundary, Rows, Watched};
 use asperity::units::Dimension;
 use asperity_contact_framework::input::InMemory;
 use asperity_experiment::surface::fit_rows::fit_records;
+use asperity_experiment::surface::read_error::spec_message;
 use asperity_experiment::surface::reading::caveats;
 use asperity_experiment::surface::rows::{fitness_records, map_record};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
@@ -96,11 +97,12 @@ impl Map {
         path: std::path::PathBuf,
         pixel: Option<[f64; 2]>,
         unit: Option<[f64; 2]>,
-        missing: Option<Vec<f64>>,
+        missing: Option<(Vec<f64>, Vec<String>)>,
         channel: Option<String>,
         transpose: bool,
     ) -> PyResult<(Self, Vec<String>)> {
         let unit = unit.map(|[xy, z]| LengthUnits { xy, z });
+        let missing = missing.map(|(heights, words)| Marks { heights, words });
         let file = MapFile { path, options: ReadOptions { pixel, unit }, missing, transpose, channel };
         let shown = file.path.display().to_string();
         let rows = move |watch: &Watch| -> Result<_, ReadError> {
@@ -112,7 +114,7 @@ impl Map {
             ReadError::Mark { value, .. } => {
                 refuse(format!("{shown} {error} Pass missing={value}, or missing=[] where these are heights"))
             }
-            _ => refuse(format!("{shown} {error}")),
+            _ => refuse(format!("{shown} {}", spec_message(&error))),
         })
     }
 
