@@ -312,12 +312,11 @@ fn shared_height(share: &str, map: &MapFacts) -> String {
     format!("{points} points ({share}) have exactly the height {height}{which}: {why}")
 }
 
-/// The keys that say in which units a map is; `both` where its file holds neither.
+/// The keys that say in which units a map is; `both` where its file holds neither, or both.
 fn unit_keys(map: &MapFacts, both: &'static str) -> &'static str {
     match map.is_held {
-        [_, true] => "the units in the file",
         [true, false] => "`unit` (of coordinates and heights, as in `unit = { xy = \"um\", z = \"nm\" }`)",
-        [false, false] => both,
+        [false, false] | [_, true] => both,
     }
 }
 
@@ -369,7 +368,7 @@ pub fn remedy(finding: &Finding, map: &MapFacts) -> String {
             format!("{larger}, or an L filter where the longest waves are form and do not matter to your contact")
         }
         Measure::NominalArea => match map.is_held {
-            [_, true] => "the pixel that the file holds, with its unit".to_owned(),
+            [_, true] => "`pixel` or `unit`, as in `pixel = \"0.8 um\"`, in place of what the file states".to_owned(),
             [true, false] => "`unit`: without one lengths in the file are in metres, as in `unit = \"um\"`".to_owned(),
             [false, false] => {
                 "`pixel` or `unit`: a number without a unit is in metres, as in `pixel = \"0.8 um\"`".to_owned()

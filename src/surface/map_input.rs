@@ -1,6 +1,6 @@
 //! What a spec says of a file of heights: its units, and the heights that mark missing points.
 
-use asperity::topography::read::LengthUnits;
+use asperity::topography::read::{LengthUnits, Marks};
 use asperity::units::Dimension;
 use asperity_contact_framework::input::{Forms, schema};
 use asperity_contact_framework::written_schema;
@@ -43,27 +43,44 @@ impl<'de> Deserialize<'de> for MapUnitSpec {
     }
 }
 
-/// `missing`: heights that mark missing points, in the unit of the file.
+/// `missing`: heights that mark missing points, in the unit of the file, and words of a text that do.
 #[derive(Debug, Clone)]
-pub struct MissingSpec(pub Vec<f64>);
+pub struct MissingSpec(pub Marks);
 
 written_schema!(MissingSpec, |_| {
-    let one = json!({ "type": "number" });
-    json!({ "anyOf": [one, { "type": "array", "items": one }], schema::TYPE: "number, or a list of numbers" })
+    let one = json!({ "type": ["number", "string"] });
+    let kind = "number or word, or a list of them";
+    json!({ "anyOf": [one, { "type": "array", "items": one }], schema::TYPE: kind })
 });
+
+/// A height or a word.
+#[derive(Deserialize)]
+#[serde(untagged, expecting = "a number or a word")]
+enum Mark {
+    Height(f64),
+    Word(String),
+}
 
 impl<'de> Deserialize<'de> for MissingSpec {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let found =
-            Forms::new("a number such as -9999, or a list of numbers; [] where every number is a height")
-                .number(|value, _| Ok(vec![value]))
-                .list(Ok)
-                .read(deserializer)?;
-        match found.iter().find(|mark| !mark.is_finite()) {
-            Some(mark) => Err(serde::de::Error::custom(format!(
-                "found {mark}; allowed: finite numbers (NaN and infinite heights are missing points in any case)"
-            ))),
-            None => Ok(Self(found)),
+        let expected = "a number such as -9999, a word such as \"***\", or a list of them; [] where every number is a height";
+        let found = Forms::new(expected)
+            .number(|value, _| Ok(vec![Mark::Height(value)]))
+            .text(|word| Ok(vec![Mark::Word(word.to_owned())]))
+            .list(Ok)
+            .read(deserializer)?;
+        let mut marks = Marks::default();
+        for mark in found {
+            match mark {
+                Mark::Height(height) if height.is_finite() => marks.heights.push(height),
+                Mark::Word(word) if !word.trim().is_empty() => marks.words.push(word.trim().to_owned()),
+                _ => {
+                    return Err(serde::de::Error::custom(
+                        "found NaN, an infinite height or an empty word, which are missing points in any case; allowed: finite numbers and words",
+                    ));
+                }
+            }
         }
+        Ok(Self(marks))
     }
 }

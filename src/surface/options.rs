@@ -198,18 +198,17 @@ fn units(text: &str) -> String {
     parts.map_or_else(|| quoted(text), |parts| format!("{{ {} }}", parts.join(", ")))
 }
 
-/// The numbers between commas; an empty list of "none".
+/// The numbers and words between commas; an empty list of "none".
 fn numbers(text: &str) -> String {
     if text.trim() == "none" {
         return "[]".to_owned();
     }
-    let number = |part: &str| part.trim().parse::<f64>().ok().filter(|number| number.is_finite());
-    let numbers: Option<Vec<f64>> = text.split(',').map(number).collect();
-    match numbers.as_deref() {
-        Some([one]) => format!("{one:?}"),
-        Some(several) => format!("{several:?}"),
-        None => quoted(text),
-    }
+    let mark = |part: &str| match part.trim().parse::<f64>() {
+        Ok(number) if number.is_finite() => format!("{number:?}"),
+        _ => quoted(part.trim()),
+    };
+    let marks: Vec<String> = text.split(',').map(mark).collect();
+    if marks.len() == 1 { marks.concat() } else { format!("[{}]", marks.join(", ")) }
 }
 
 /// The sizes between commas, as values of a spec.
@@ -257,6 +256,7 @@ mod tests {
             ("-9999, 1e30", "[-9999.0, 1e30]"),
             ("none", "[]"),
             ("nan", "\"nan\""),
+            ("***, -9999", "[\"***\", -9999.0]"),
             ("", "\"\""),
         ] {
             assert_eq!(numbers(text), value);

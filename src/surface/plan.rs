@@ -17,7 +17,7 @@ use crate::surface::spec::{
     DrawSpec, FileSpec, FitSpec, ListSpec, Outliers, PopulationHeights, PopulationSpec, SurfaceSpec,
 };
 use asperity::surface::{BodyAsperities, Kept, MapFacts, Preparation};
-use asperity::topography::read::{MapFile, Metadata, ReadError, ReadOptions, ReadOptionsError};
+use asperity::topography::read::{MapFile, Metadata, ReadError, ReadOptions};
 use asperity::topography::{Boundary, Filter, Level, read};
 use asperity::{
     AsperityList, Heights, ListError, ListOptions, MapError, Population, ReferencePlane, SurfaceHeights,
@@ -255,12 +255,11 @@ impl SurfacePlan {
         let missing = raw.missing.as_ref().map(|missing| missing.get_ref().0.clone());
         let channel = raw.channel.as_ref().map(|channel| channel.get_ref().clone());
         let crop = raw.crop.as_ref().map(|crop| crop.get_ref().part()).unwrap_or_default();
-        let is_as_stored = missing.is_none() && channel.is_none() && !raw.transpose && crop.is_whole();
         let file = MapFile { path: path.clone(), options, missing, transpose: raw.transpose, crop, channel };
         let metadata = match in_memory {
-            Some(_) if !is_as_stored => {
+            Some(_) if file != MapFile::new(&path, ReadOptions::default()) => {
                 return Err(refuse(
-                    &"is a map in memory; allowed: leave missing, channel, transpose and crop out",
+                    &"is a map in memory; allowed: leave pixel, unit, missing, channel, transpose and crop out",
                 ));
             }
             Some(map) => Metadata::in_memory(&**map),
@@ -272,6 +271,7 @@ impl SurfacePlan {
                             raw.channel.as_ref().map(Spanned::span)
                         }
                         ReadError::Crop { .. } => raw.crop.as_ref().map(Spanned::span),
+                        ReadError::NoWords { .. } => raw.missing.as_ref().map(Spanned::span),
                         _ => None,
                     };
                     let message = format!("{} {}", path.display(), spec_message(&error));
@@ -284,15 +284,8 @@ impl SurfacePlan {
             return Err(refuse(&MapError::TooSmall(points)));
         }
         let pixel = metadata.pixel(&options).map_err(|error| {
-            let key = match error {
-                ReadOptionsError::PixelHeld { .. } => raw.pixel.as_ref().map(Spanned::span),
-                ReadOptionsError::UnitHeld { .. } | ReadOptionsError::UnitNamed { .. } => {
-                    raw.unit.as_ref().map(Spanned::span)
-                }
-                ReadOptionsError::NoPixel | ReadOptionsError::UnitsInColumns { .. } => None,
-            };
-            let message = format!("{} {}", path.display(), options_message(&error));
-            source.error_at(key.unwrap_or_else(|| raw.path.span()), message)
+            let notes: String = metadata.notes.iter().map(|note| format!(". It {note}")).collect();
+            refuse(&(options_message(&error) + &notes))
         })?;
         let filter = match &raw.filter {
             None => None,

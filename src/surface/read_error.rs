@@ -6,21 +6,21 @@ use asperity::ListError;
 use asperity::topography::read::{ReadError, ReadOptionsError};
 use asperity_contact_framework::report::format::input_quantity;
 
+use super::options::quoted;
+
 /// What is wrong with a file, and the keys that correct it.
 pub fn spec_message(error: &ReadError) -> String {
     match error {
         ReadError::Options(error) => options_message(error),
-        ReadError::TooTall { has_unit: false, .. } => {
-            format!("{error} (unit = \"um\" next to path, or --unit um on the command line, sets the unit)")
+        ReadError::TooTall { .. } => {
+            format!("{error} (`unit = \"um\"` means that the numbers of the file are micrometres)")
         }
-        ReadError::Mark { value, .. } => format!(
-            "{error} Write missing = {value} next to path (--missing {value} on the command line); missing = [] (--missing none) where \
-             these are heights"
-        ),
-        ReadError::Heading { .. } => format!(
-            "{error}. Delete these lines or put # before each (three columns are x, y and the height, in this order); a pixel and a unit that they state go to pixel = \"0.8 um\" and \
-             unit = \"um\" next to path (--pixel and --unit on the command line)"
-        ),
+        ReadError::Mark { value, .. } => {
+            format!("{error} Write `missing = {value}`; `missing = []` where these are heights")
+        }
+        ReadError::Word { word, .. } => {
+            format!("{error}; `missing = {}` means that it marks missing points", quoted(word))
+        }
         ReadError::Crop { axis, ends, side, pixel } => {
             let [from, to] = ends.map(|length| input_quantity(length, "m"));
             format!(
@@ -30,7 +30,7 @@ pub fn spec_message(error: &ReadError) -> String {
                 input_quantity(*pixel, "m")
             )
         }
-        ReadError::Channel { .. } => format!("{error} (--channel on the command line)"),
+        ReadError::Channel { .. } => format!("{error} (`channel`)"),
         _ => error.to_string(),
     }
 }
@@ -53,18 +53,15 @@ pub fn list_message(path: &Path, error: &ListError) -> String {
 pub fn options_message(error: &ReadOptionsError) -> String {
     match error {
         ReadOptionsError::NoPixel => {
-            "holds no pixel size; allowed: pixel = \"0.8 um\", or [\"0.8 um\", \"0.5 um\"], next to \
-                                path (--pixel \"0.8 um\" on the command line)"
+            "holds no pixel size; allowed: `pixel = \"0.8 um\"`, or `pixel = [\"0.8 um\", \"0.5 um\"]`"
                 .to_owned()
         }
-        ReadOptionsError::UnitsInColumns { .. } => {
-            format!(
-                "{error}: unit = {{ xy = \"um\", z = \"nm\" }} next to path (--unit \"xy=um, z=nm\" on the command line)"
-            )
+        ReadOptionsError::NoUnit { .. } => {
+            format!("{error}; allowed: the unit of its numbers, such as `unit = \"um\"`")
         }
-        ReadOptionsError::PixelHeld { .. }
-        | ReadOptionsError::UnitHeld { .. }
-        | ReadOptionsError::UnitNamed { .. } => error.to_string(),
+        ReadOptionsError::UnitsInColumns { .. } => {
+            format!("{error}: `unit = {{ xy = \"um\", z = \"nm\" }}`")
+        }
     }
 }
 
@@ -74,27 +71,20 @@ mod tests {
 
     #[test]
     fn keys_are_named_where_they_help() {
-        let tall = |has_unit| spec_message(&ReadError::TooTall { tallest: 20.0, has_unit });
-        assert_eq!(tall(true), "holds a height of 2e1 m; allowed: at most 10 m");
-        assert!(tall(false).ends_with(
-            "at most 10 m (unit = \"um\" next to path, or --unit um on the command line, sets the unit)"
-        ));
-        assert!(spec_message(&ReadOptionsError::NoPixel.into()).contains("allowed: pixel = "));
+        let tall = spec_message(&ReadError::TooTall { tallest: 20.0 });
+        assert!(
+            tall.starts_with("holds a height of 2e1 m; allowed: at most 10 m (`unit = \"um\"` means"),
+            "{tall}"
+        );
+        assert!(spec_message(&ReadOptionsError::NoPixel.into()).contains("allowed: `pixel = "));
         let columns = ReadOptionsError::UnitsInColumns { line: 3, found: "x [px]".to_owned() };
         let message = spec_message(&columns.into());
-        assert!(message.contains("in line 3: \"x [px]\"; allowed: ") && message.contains("unit = { xy = "));
-        let heading = ReadError::Heading { line: 1, found: "Date: now".to_owned(), begin: 4 };
-        let message = spec_message(&heading);
-        assert!(message.starts_with(
-            "begins with 3 lines that hold no row of the table (line 1: \"Date: now\"), the table begins in line 4"
-        ));
-        assert!(
-            message.contains("put # before each (three columns are x, y and the height, in this order); a pixel and a unit that they"),
-            "{message}"
-        );
+        assert!(message.contains("in line 3: \"x [px]\"; allowed: ") && message.contains("`unit = { xy = "));
+        let word = ReadError::Word { line: 1, column: 2, word: "***".to_owned() };
+        assert!(spec_message(&word).ends_with("; `missing = \"***\"` means that it marks missing points"));
         let mark = ReadError::Mark { value: -9999.0, count: 1329, low: -3.0, high: 5.0 };
         let message = spec_message(&mark);
         assert!(message.starts_with("holds the height -9999 at 1329 points, far from all other heights"));
-        assert!(message.contains("missing points? Write missing = -9999 next to path"), "{message}");
+        assert!(message.contains("missing points? Write `missing = -9999`;"), "{message}");
     }
 }

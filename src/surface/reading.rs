@@ -1,18 +1,20 @@
 //! How a file of heights was read, where a reader should know: what was left out, and which axis is x.
 
-use asperity::topography::read::{ChannelName, Crop, LeftOut, MapFile, Metadata};
+use asperity::topography::read::{ChannelName, Crop, LeftOut, MapFile, Metadata, ReadOptions};
 use asperity_contact_framework::report::format::{count, input_number, input_quantity};
 
 /// Caveats of a file that was read as `metadata` with this pixel, m.
 pub fn caveats(metadata: &Metadata, pixel: [f64; 2], file: &MapFile) -> Vec<String> {
-    let mut caveats: Vec<String> = left_out(metadata.left_out).into_iter().collect();
+    let mut caveats: Vec<String> = metadata.notes.iter().map(|note| format!("its file {note}.")).collect();
+    caveats.extend(left_out(metadata.left_out));
+    caveats.extend(replaced(metadata, &file.options));
     if !file.crop.is_whole() {
         caveats.push(format!("only a part of its file is used{}.", part(&file.crop)));
     }
     if let (Some(channel), None) = (&metadata.channel, &file.channel) {
         caveats.extend(others(channel));
     }
-    if metadata.pixel.is_none() && differ(pixel) {
+    if metadata.pixel.is_none() && differ(pixel, 0.01) {
         caveats.push(axes(metadata, pixel, file.transpose));
     }
     caveats
@@ -25,6 +27,26 @@ pub fn part(crop: &Crop) -> String {
         Some(format!(", {axis} from {from} to {to}"))
     };
     [("x", crop.x), ("y", crop.y)].into_iter().filter_map(along).collect()
+}
+
+/// What the file states and the options replace by something else.
+fn replaced(metadata: &Metadata, options: &ReadOptions) -> Vec<String> {
+    let mut all = Vec::new();
+    if let (Some(stated), Some(given)) = (metadata.replaced_units(options), options.unit) {
+        all.push(format!("its file states lengths in {stated}; {given}, as `unit` says, is used instead."));
+    }
+    let own = metadata.pixel.and_then(|_| metadata.pixel(&ReadOptions { pixel: None, ..*options }).ok());
+    if let (Some(stated), Some(given)) = (own, options.pixel)
+        && differ([stated[0], given[0]], 1e-9) | differ([stated[1], given[1]], 1e-9)
+    {
+        let shown = |[x, y]: [f64; 2]| {
+            let [x, y] = [x, y].map(|size| input_quantity(size, "m"));
+            if x == y { x } else { format!("{x} x {y}") }
+        };
+        let (stated, given) = (shown(stated), shown(given));
+        all.push(format!("its file states a pixel of {stated}; {given}, as `pixel` says, is used instead."));
+    }
+    all
 }
 
 /// The channel that was read, where others hold lengths, too.
@@ -59,10 +81,9 @@ fn left_out(LeftOut { header, index_column, spacing }: LeftOut) -> Option<String
     })
 }
 
-/// Whether a pixel differs along x and y by more than a rounding of either.
-fn differ([x, y]: [f64; 2]) -> bool {
-    const ROUNDING: f64 = 0.01;
-    (x / y - 1.0).abs() > ROUNDING
+/// Whether two lengths differ by more than this part of them.
+fn differ([x, y]: [f64; 2], rounding: f64) -> bool {
+    (x / y - 1.0).abs() > rounding
 }
 
 /// Which axis of the file is x.
@@ -115,6 +136,6 @@ mod tests {
             "line 1 of its file holds coordinates of the columns, 0.8 apart, and the first column of its file holds coordinates of \
              the lines, 0.001 apart: both hold no heights and are left out."
         );
-        assert!(differ([1e-6, 2e-6]) && !differ([1.0001e-6, 1e-6]));
+        assert!(differ([1e-6, 2e-6], 0.01) && !differ([1.0001e-6, 1e-6], 0.01));
     }
 }

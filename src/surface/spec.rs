@@ -188,14 +188,15 @@ pub struct FileSpec {
     /// The height map: a file of an instrument, `.npy` (first index x), X3P, SDF, a text matrix or columns x y z; relative to the spec.
     #[schemars(extend("examples" = ["map.npy"]))]
     pub path: Spanned<PathBuf>,
-    /// Pixel size, or one along x and one along y; only where the file contains none. The first index of a `.npy` is x; in a text x runs along a line.
+    /// Pixel size, or one along x and one along y; in place of that of the file, if it states one. The first index of a `.npy` is x; in a text x runs along a line.
     #[schemars(extend("examples" = ["0.8 um"]))]
     pub pixel: Option<Spanned<PixelSpec>>,
-    /// Unit of the lengths in the file, or one of coordinates and one of heights. Not where the format has a unit, nor another than the names of columns state.
+    /// Unit of the lengths in the file, or one of coordinates and one of heights; in place of those that the file states, with a warning. It is that of the
+    /// numbers in the file, times their own factors; one unit, for a file that states that of its pixel only, is that of its heights.
     #[schemars(extend("default" = "m", "examples" = ["um", { "xy": "um", "z": "nm" }]))]
     pub unit: Option<Spanned<MapUnitSpec>>,
-    /// Heights that mark missing points, in the unit of the file. `[]`: every number is a height, although one is far from all others.
-    #[schemars(extend("x-default" = "none; a height far from all others is an error", "examples" = [-9999, [-9999, -32768]]))]
+    /// Heights that mark missing points, in the unit of the file, and words of a text that do. `[]`: every number is a height, although one is far from all others.
+    #[schemars(extend("x-default" = "none; a height far from all others is an error", "examples" = [-9999, ["***", -9999]]))]
     pub missing: Option<Spanned<MissingSpec>>,
     /// The channel of a file that holds several, by its name there.
     #[schemars(extend("x-default" = "that of the heights", "examples" = ["Height Sensor"]))]

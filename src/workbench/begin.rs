@@ -4,7 +4,9 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-use asperity::topography::read::{NamedUnits, ReadOptions, endings, height_map, metadata};
+use asperity::topography::read::{
+    LengthUnits, NamedUnits, ReadOptions, UnitOrigin, endings, height_map, metadata,
+};
 use asperity::topography::{Level, thumbnail};
 use asperity_workbench::engine::Heights;
 use asperity_workbench::{Example, Refused};
@@ -46,9 +48,15 @@ pub fn spec_of(file: &Path, path: &str) -> Result<(String, Vec<String>), Refused
     if found.pixel.is_none() {
         open.push("pixel".to_owned());
     }
-    if !found.has_unit && !matches!(found.named, NamedUnits::Known(_)) {
+    if !matches!(found.named, NamedUnits::Known(_))
+        && found.unit_origin(&ReadOptions::default()) == UnitOrigin::Assumed
+    {
         // Coordinates in the file have a unit, too.
-        let units = if found.pixel.is_some() { &["unit.xy", "unit.z"][..] } else { &["unit"] };
+        let units = if found.pixel.is_some() && !found.pixel_has_unit {
+            &["unit.xy", "unit.z"][..]
+        } else {
+            &["unit"]
+        };
         open.extend(units.iter().map(|&unit| unit.to_owned()));
     }
     Ok((text, open))
@@ -57,9 +65,11 @@ pub fn spec_of(file: &Path, path: &str) -> Result<(String, Vec<String>), Refused
 /// A small picture of a measured file, less its plane.
 pub fn picture(file: &Path, most: usize) -> Result<Heights, Refused> {
     let refuse = |error: &dyn std::fmt::Display| Refused::new(error.to_string());
-    let pixel = metadata(file).map_err(|error| refuse(&error))?.pixel;
+    let found = metadata(file).map_err(|error| refuse(&error))?;
     // A picture has no scale.
-    let options = ReadOptions { pixel: pixel.is_none().then_some([1e-6; 2]), unit: None };
+    let unit =
+        (found.unit_origin(&ReadOptions::default()) == UnitOrigin::Assumed).then_some(LengthUnits::same(1.0));
+    let options = ReadOptions { pixel: found.pixel.is_none().then_some([1e-6; 2]), unit };
     let map = height_map(file, options).map_err(|error| refuse(&error))?;
     let small = Level::Plane.apply(&thumbnail(&map, most)).map_err(|error| refuse(&error))?;
     Ok(view::heights(&small, most))

@@ -4,7 +4,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use asperity::HeightMap;
-use asperity::topography::read::{Crop, LengthUnits, MapFile, ReadError, ReadOptions};
+use asperity::topography::read::{Crop, LengthUnits, MapFile, Marks, ReadError, ReadOptions};
 use asperity::topography::write::{FORMATS, MapFormat, Note};
 use asperity::topography::{Boundary, Rows, Watched, Window};
 use asperity::units::Dimension;
@@ -112,12 +112,13 @@ impl Map {
         path: std::path::PathBuf,
         pixel: Option<[f64; 2]>,
         unit: Option<[f64; 2]>,
-        missing: Option<Vec<f64>>,
+        missing: Option<(Vec<f64>, Vec<String>)>,
         channel: Option<String>,
         transpose: bool,
         crop: [Option<[f64; 2]>; 2],
     ) -> PyResult<(Self, Vec<String>)> {
         let unit = unit.map(|[xy, z]| LengthUnits { xy, z });
+        let missing = missing.map(|(heights, words)| Marks { heights, words });
         let file = MapFile {
             path,
             options: ReadOptions { pixel, unit },

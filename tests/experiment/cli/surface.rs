@@ -308,12 +308,23 @@ fn maps_of_labs_are_read_from_the_command_line() {
     assert!(is_read, "{error}");
     close(sq(&name)["pixel_x_m"].as_f64().unwrap(), 5e-7, 1e-9);
     let found = sq(&name)["sq_m"].as_f64().unwrap();
-    let (is_read, error, ..) = run("points.csv", &["--unit", "xy=mm, z=nm"]);
-    assert!(!is_read && error.contains("names the units of its columns (x and y in um, z in nm)"), "{error}");
+    // What is given counts, and a warning names both.
+    let (is_read, error, _, name) = run("points.csv", &["--unit", "xy=mm, z=nm"]);
     assert!(
-        error.contains("and the unit given is mm of x and y, nm of z; allowed: leave unit out"),
+        is_read
+            && error.contains(
+                "its file states lengths in um of x and y, nm of z; mm of x and y, nm of z, as `--unit` says"
+            ),
         "{error}"
     );
+    close(sq(&name)["pixel_x_m"].as_f64().unwrap(), 5e-4, 1e-9);
+    let (is_read, error, _, name) = run("points.csv", &["--pixel", "2 um"]);
+    assert!(
+        is_read
+            && error.contains("its file states a pixel of 500 nm; 2 µm, as `--pixel` says, is used instead"),
+        "{error}"
+    );
+    close(sq(&name)["pixel_x_m"].as_f64().unwrap(), 2e-6, 1e-9);
 
     // Points in an unknown unit hold their pixel: only the unit can be stated.
     fs::write(folder.path().join("points.csv"), format!("x, y, height\n{points}")).unwrap();
@@ -327,8 +338,19 @@ fn maps_of_labs_are_read_from_the_command_line() {
     // Lines above the table, and a table in which there is a single summit.
     fs::write(folder.path().join("headed.txt"), format!("Export 1.2\nUnits: nm\n{heights}")).unwrap();
     let (is_read, error, ..) = run("headed.txt", &in_nm);
-    assert!(!is_read && error.contains("headed.txt begins with 2 lines"), "{error}");
-    assert!(error.contains("the table begins in line 3") && error.contains("put # before each"), "{error}");
+    let note = "its file is read from line 3 on: what stands above (\"Export 1.2\") is no row of its table";
+    assert!(is_read && error.contains(note), "{error}");
+    let (is_read, error, ..) = run("headed.txt", &["--unit", "nm"]);
+    assert!(
+        !is_read && error.contains("no pixel size") && error.contains("is read from line 3 on"),
+        "{error}"
+    );
+    let (_, rest) = heights.trim_start().split_once(' ').unwrap();
+    fs::write(folder.path().join("marked.txt"), format!("lost {rest}")).unwrap();
+    let (is_read, error, ..) = run("marked.txt", &in_nm);
+    assert!(!is_read && error.contains("marked.txt line 1, column 1: found \"lost\""), "{error}");
+    let (is_read, error, ..) = run("marked.txt", &[&in_nm[..], &["--missing", "lost, -9999"]].concat());
+    assert!(is_read, "{error}");
     fs::write(folder.path().join("small.txt"), "0 0 0 0\n0 3 0 1\n0 0 0 0\n0 1 0 2\n").unwrap();
     let (is_read, error, ..) = run("small.txt", &["--pixel", "1 um", "--unit", "nm", "--level", "none"]);
     assert!(!is_read && error.contains("small.txt has one summit only on 4 x 4 points: "), "{error}");

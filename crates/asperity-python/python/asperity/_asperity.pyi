@@ -182,7 +182,7 @@ class Map:
         *,
         pixel: tuple[float, float] | None = None,
         unit: tuple[float, float] | None = None,
-        missing: list[float] | None = None,
+        missing: tuple[list[float], list[str]] | None = None,
         channel: str | None = None,
         transpose: bool = False,
         crop: list[tuple[float, float] | None] = ...,

@@ -162,7 +162,7 @@ class Topography:
         *,
         pixel: Length | tuple[Length, Length] | None = None,
         unit: str | dict[str, str] | None = None,
-        missing: float | Sequence[float] | None = None,
+        missing: float | str | Sequence[float | str] | None = None,
         channel: str | None = None,
         transpose: bool = False,
         crop: Mapping[str, tuple[Length, Length]] | None = None,
@@ -176,14 +176,14 @@ class Topography:
         path : path_like
             The file.
         pixel : float or str, or a pair of these, optional
-            Distance of neighbouring points along x and y in m or with its unit, only where the file holds none. The first index of a ``.npy``
-            is x; in a text x runs along a line.
+            Distance of neighbouring points along x and y in m or with its unit, in place of that of the file if it states one. The first
+            index of a ``.npy`` is x; in a text x runs along a line.
         unit : str or {"xy": str, "z": str}, optional
-            Unit of the lengths in the file such as ``"um"``, or one of coordinates and one of heights. Not where the file
-            has a unit; names of columns that state another one are an error.
-        missing : float or sequence of float, optional
-            Heights that mark missing points, in the unit of the file. An empty sequence: every number is a height, although
-            one is far from all others.
+            Unit of the lengths in the file such as ``"um"``, or one of coordinates and one of heights, in place of those that
+            the file states, which is a warning.
+        missing : float, str or sequence of them, optional
+            Heights that mark missing points, in the unit of the file, and words of a text that do. An empty sequence: every
+            number is a height, although one is far from all others.
         channel : str, optional
             The channel of a file that holds several, by its name there; by default that of the heights.
         transpose : bool
@@ -206,7 +206,9 @@ class Topography:
         if unit is not None:
             unit = _units(unit)
         if missing is not None:
-            missing = np.atleast_1d(np.asarray(missing, dtype=np.float64)).tolist()
+            marks = [missing] if isinstance(missing, str) else np.atleast_1d(np.asarray(missing, dtype=object)).tolist()
+            words = [mark for mark in marks if isinstance(mark, str)]
+            missing = ([float(mark) for mark in marks if not isinstance(mark, str)], words)
         ends = _ends(crop)
         raw, caveats = _asperity.Map.read(
             path, pixel=pixel, unit=unit, missing=missing, channel=channel, transpose=transpose, crop=ends

@@ -3,7 +3,7 @@
 use asperity::HeightMap;
 use asperity::npy::{Header, HeaderError, NpyError, OnDisk, matrix, write};
 use asperity::progress::Silent;
-use asperity::topography::read::{LengthUnits, MapFile, ReadError, ReadOptions, height_map};
+use asperity::topography::read::{LengthUnits, MapFile, Marks, ReadError, ReadOptions, height_map};
 
 use super::files::array;
 
@@ -141,8 +141,14 @@ fn marks_of_missing_points_of_an_array_on_disk() {
     let straight = MapFile::new(&path, options);
     let error = straight.rows(&Silent).err().unwrap();
     assert!(matches!(error, ReadError::Mark { value: -9999.0, count: 1, .. }), "{error}");
-    let missing = Some(vec![-9999.0]);
+    let missing = Some(Marks { heights: vec![-9999.0], words: Vec::new() });
     let straight = MapFile { missing, ..straight };
+    let words = Marks { heights: Vec::new(), words: vec!["***".to_owned()] };
+    let error = MapFile { missing: Some(words), ..straight.clone() }.metadata().unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "is .npy, which holds numbers only; allowed: numbers for its missing points"
+    );
     let turned = MapFile { transpose: true, ..straight.clone() };
     assert!(straight.stays_on_disk().unwrap() && !turned.stays_on_disk().unwrap());
     let map = straight.rows(&Silent).unwrap();

@@ -102,5 +102,5 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
         missing: Box::new(move |value| value >= missing),
         ..Channel::new("Heights", points, Numbers::Stored(Stored { big_endian, ..Stored::new(start, kind) }))
     };
-    Ok(vec![channel.in_unit(header.unit("zunit"))])
+    Ok(vec![channel.in_unit(header.unit("zunit")).pixel_in(length(header.unit("xunit")))])
 }

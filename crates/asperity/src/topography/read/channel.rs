@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::content::{ChannelName, Measured, Metadata, OtherChannel, transposed};
+use super::content::{ChannelName, LengthUnits, Measured, Metadata, OtherChannel, transposed};
 use super::error::{ReadError, too_large};
 use super::source::{OF_BYTES, Source, decode};
 use crate::numeric::is_positive;
@@ -18,6 +18,8 @@ pub(super) struct Channel {
     /// Distance of neighbouring points along x and y, m.
     pub(super) pixel: Option<[f64; 2]>,
     pub(super) quantity: Quantity,
+    /// The units that the file states of what is in metres here.
+    pub(super) stated: LengthUnits,
     /// A height is the stored number x `factor` + `offset`, m; the offset is kept apart.
     pub(super) factor: f64,
     pub(super) offset: f64,
@@ -32,7 +34,7 @@ pub(super) struct Channel {
 pub(super) enum Quantity {
     /// Heights in metres, after `factor`.
     Length,
-    /// The file does not say: heights in the unit that its reader gives.
+    /// The file does not say: heights in the unit that its user gives.
     Unknown,
     /// Another quantity than a length, in this unit.
     Other(String),
@@ -91,6 +93,7 @@ impl Channel {
             points,
             pixel: None,
             quantity: Quantity::Length,
+            stated: LengthUnits::same(1.0),
             factor: 1.0,
             offset: 0.0,
             order: Order::Lines,
@@ -105,6 +108,7 @@ impl Channel {
             Some(metres) => {
                 self.factor *= metres;
                 self.offset *= metres;
+                self.stated.z = metres;
             }
             None if unit.trim().is_empty() => self.quantity = Quantity::Unknown,
             None => self.quantity = Quantity::Other(unit.trim().to_owned()),
@@ -112,9 +116,10 @@ impl Channel {
         self
     }
 
-    /// The same of a format that states the unit of heights: what has none is something else.
-    pub(super) fn in_stated_unit(self, unit: &str) -> Self {
-        self.in_unit(if unit.trim().is_empty() { "no unit" } else { unit })
+    /// The same, whose pixel the file states in a unit (m); none if that is no length.
+    pub(super) fn pixel_in(mut self, unit: Option<f64>) -> Self {
+        self.stated.xy = unit.unwrap_or(1.0);
+        self
     }
 
     /// How far it is from what a user means by the heights: lower is nearer.
@@ -282,7 +287,9 @@ impl Channels {
         let others = self.all.iter().enumerate().filter(|(k, _)| *k != self.chosen).map(|(_, other)| other);
         Ok(Metadata {
             pixel: channel.pixel,
+            pixel_has_unit: true,
             has_unit: channel.quantity == Quantity::Length,
+            stated: channel.stated,
             channel: Some(ChannelName {
                 name: channel.name.clone(),
                 others: others.map(Channel::listed).collect(),

@@ -2,11 +2,9 @@
 
 use std::borrow::Cow;
 
-use super::content::LengthUnits;
 use crate::legible::legible;
 use crate::npy::NpyError;
 use crate::topography::MapError;
-use crate::units::Dimension;
 
 /// An error in reading a map. Texts are predicates without the file name: "is empty".
 #[derive(Debug, thiserror::Error)]
@@ -20,21 +18,18 @@ pub enum ReadError {
     /// The format is known, but the content is not supported.
     #[error("{}", shown(.0))]
     Unsupported(String),
-    /// Lines of words or sizes stand above the numbers of a text.
+    /// A word stands in place of a number in a text.
     #[error(
-        "begins with {} that hold{} no row of the table (line {line}: \"{}\"), the table begins in line {begin}; allowed: a table \
-         only, below lines that begin with #",
-        if *begin == line + 1 { "a line".to_owned() } else { format!("{} lines", begin - line) },
-        if *begin == line + 1 { "s" } else { "" },
-        shown(found),
+        "line {line}, column {column}: found \"{}\"; allowed: a number, or NaN, BAD or nothing for a missing point",
+        shown(word)
     )]
-    Heading {
-        /// The first of these lines, from 1.
+    Word {
+        /// Line number, from 1.
         line: usize,
-        /// Its text.
-        found: String,
-        /// The line in which the table begins.
-        begin: usize,
+        /// Number in the line, from 1.
+        column: usize,
+        /// The word.
+        word: String,
     },
     /// The channel that is named is not there, or holds no heights.
     #[error("{}; allowed: {}", shown(reason), shown(found))]
@@ -43,6 +38,12 @@ pub enum ReadError {
         reason: String,
         /// The channels of the file.
         found: String,
+    },
+    /// Words mark missing points of a file of numbers.
+    #[error("is {format}, which holds numbers only; allowed: numbers for its missing points")]
+    NoWords {
+        /// Name of the format.
+        format: &'static str,
     },
     /// A channel is named of a file that holds one map.
     #[error("is {format}, which holds one map; allowed: leave channel out")]
@@ -64,8 +65,6 @@ pub enum ReadError {
     TooTall {
         /// The largest height, m.
         tallest: f64,
-        /// Whether the format stores its unit; otherwise the unit given may be wrong.
-        has_unit: bool,
     },
     /// A height far from all others, which marks missing points.
     #[error(
@@ -98,48 +97,22 @@ pub enum ReadError {
         /// Distance of its points, m.
         pixel: f64,
     },
-    /// The options contradict the file.
+    /// The options leave open what the file does not state.
     #[error(transparent)]
     Options(#[from] ReadOptionsError),
 }
 
-/// Options that contradict the content of the file.
+/// What the file leaves open and the options do not say.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ReadOptionsError {
-    /// Both the file and the options give a pixel.
-    #[error(
-        "is {format}, which holds its own pixel of {:e} x {:e} {}; allowed: leave pixel out",
-        pixel[0], pixel[1], if *has_unit { "m" } else { "units" }
-    )]
-    PixelHeld {
-        /// Name of the format.
-        format: &'static str,
-        /// The pixel of the file.
-        pixel: [f64; 2],
-        /// Whether it is in metres.
-        has_unit: bool,
-    },
     /// Neither the file nor the options give a pixel.
     #[error("holds no pixel size, and none is given")]
     NoPixel,
-    /// Names of columns in the file and the options give different units.
-    #[error(
-        "names the units of its columns (x and y in {}, z in {}), and the unit given is {}; allowed: leave unit out, or correct \
-         the names of the columns",
-        name_of(named.xy), name_of(named.z),
-        if given.xy == given.z { name_of(given.xy) } else { format!("{} of x and y, {} of z", name_of(given.xy), name_of(given.z)) }
-    )]
-    UnitNamed {
-        /// The units that the columns name.
-        named: LengthUnits,
-        /// The units that the options give.
-        given: LengthUnits,
-    },
-    /// Both the file and the options give a unit.
-    #[error("is {format}, which holds its own unit of length; allowed: leave unit out")]
-    UnitHeld {
-        /// Name of the format.
-        format: &'static str,
+    /// A file that states the unit of its pixel states none of its heights.
+    #[error("holds heights without a unit{}", channel.as_ref().map_or_else(String::new, |name| format!(" in \"{}\"", shown(name))))]
+    NoUnit {
+        /// The channel of the heights, where there may be several.
+        channel: Option<String>,
     },
     /// Names of columns in a text with units that are not clear, where the options give none.
     #[error(
@@ -153,13 +126,6 @@ pub enum ReadOptionsError {
         /// Text of the line.
         found: String,
     },
-}
-
-/// The name of a unit of length, m.
-fn name_of(unit: f64) -> String {
-    let length = Dimension::Length;
-    let found = length.documented().iter().find(|name| length.factor(name) == Some(unit));
-    found.map_or_else(|| format!("{unit:e} m"), |name| (*name).to_owned())
 }
 
 /// The largest height allowed, m: beyond it the unit is wrong.

@@ -8,22 +8,31 @@ use super::error::{MAX_HEIGHT, ReadError};
 use super::marks::{Extremes, mark_missing};
 use super::npy::MapOnDisk;
 use super::source::Source;
-use super::{Channel, Channels, Format, Reader, npy};
+use super::{Channel, Channels, Format, Reader, npy, text};
 use crate::npy::{Header, NpyError, OnDisk};
 use crate::numeric::LARGEST;
 use crate::progress::{Count, Progress, Share, Silent};
 use crate::topography::{HeightMap, MapError, Rows, Watched, Window, rows};
+
+/// What marks missing points.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Marks {
+    /// Heights, in the unit of the file (of X3P and SDF: in metres; of instruments: as stored).
+    pub heights: Vec<f64>,
+    /// Words of a text.
+    pub words: Vec<String>,
+}
 
 /// A file of heights and how it is read.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MapFile {
     /// Where it is.
     pub path: PathBuf,
-    /// What the file does not hold.
+    /// What the file does not state, or states wrongly.
     pub options: ReadOptions,
-    /// Heights that mark missing points, in the unit of the file (of X3P and SDF: in metres; of instruments: as stored). Where there are none stated,
-    /// or others than these, a height far from all others is an error; an empty list says that all are heights.
-    pub missing: Option<Vec<f64>>,
+    /// What marks missing points. Where there is none stated, or others than these, a height far from all others is an error; none at all says
+    /// that all are heights.
+    pub missing: Option<Marks>,
     /// Whether x and y are exchanged: a pixel of the options is that of the map with x and y exchanged.
     pub transpose: bool,
     /// The part that is used of the map, with x and y exchanged where they are.
@@ -81,9 +90,13 @@ impl MapFile {
     }
 
     fn open<'a>(&self, progress: &'a dyn Progress) -> Result<(Source<'a>, &'static Format), ReadError> {
-        let source = Source::open(&self.path, progress)?;
+        let mut source = Source::open(&self.path, progress)?;
         let format = Format::detect(&source)?;
+        source.missing = self.missing.as_ref().map(|marks| marks.words.clone()).unwrap_or_default();
         match &format.read {
+            _ if !source.missing.is_empty() && format.name != text::NAME => {
+                Err(ReadError::NoWords { format: format.name })
+            }
             Reader::Map { .. } if self.channel.is_some() => {
                 Err(ReadError::NoChannels { format: format.name })
             }
@@ -100,12 +113,12 @@ impl MapFile {
     }
 
     fn marks(&self) -> &[f64] {
-        self.missing.as_deref().unwrap_or_default()
+        self.missing.as_ref().map(|marks| &*marks.heights).unwrap_or_default()
     }
 
     /// Whether all heights are said to be heights.
     fn has_no_marks(&self) -> bool {
-        self.missing.as_ref().is_some_and(Vec::is_empty)
+        self.missing.as_ref().is_some_and(|marks| *marks == Marks::default())
     }
 
     /// Reads the map of heights in metres, relative to the offset of its file ([`Rows::offset`]).
@@ -209,7 +222,7 @@ impl MapFile {
         let Some(tallest) = all.tallest() else { return Err(MapError::AllMissing.into()) };
         let unit = self.options.unit.map_or(1.0, |units| units.z);
         self.check_extremes(all, unit)?;
-        if tallest > MAX_HEIGHT { Err(ReadError::TooTall { tallest, has_unit: false }) } else { Ok(()) }
+        if tallest > MAX_HEIGHT { Err(ReadError::TooTall { tallest }) } else { Ok(()) }
     }
 
     /// Replaces `marks` of missing points, and those that the format has, by NaN, converts heights from the `unit` of their file to metres,
@@ -224,7 +237,7 @@ impl MapFile {
     ) -> Result<(), ReadError> {
         /// A larger height in metres marks a missing point, such as 1e10.
         const MARK: f64 = 1e3;
-        let mark = if has_unit { MARK } else { LARGEST };
+        let mark = if has_unit { MARK / unit } else { LARGEST };
         let mut all = Extremes::NONE;
         count.pieces(heights, |piece| {
             mark_missing(piece, marks);
@@ -236,7 +249,7 @@ impl MapFile {
         })?;
         self.check_extremes(all, unit * scale)?;
         match all.tallest() {
-            Some(tallest) if tallest > MAX_HEIGHT => Err(ReadError::TooTall { tallest, has_unit }),
+            Some(tallest) if tallest > MAX_HEIGHT => Err(ReadError::TooTall { tallest }),
             _ => Ok(()),
         }
     }

@@ -171,7 +171,9 @@ impl Field {
             let is_own = |stated: &[f64; 2]| (0..2).all(|k| (stated[k] / own[k] - 1.0).abs() < ROUNDING);
             stated.filter(is_own).unwrap_or(own)
         });
-        Channel { pixel, ..Channel::new(name, self.points, numbers) }.in_unit(&self.vertical)
+        Channel { pixel, ..Channel::new(name, self.points, numbers) }
+            .in_unit(&self.vertical)
+            .pixel_in(length(&self.lateral))
     }
 }
 

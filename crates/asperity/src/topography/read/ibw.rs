@@ -111,7 +111,7 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
         let unit = if is_asylum { tail.unit(&name) } else { &unit_of_all };
         let stored = Stored { big_endian, ..Stored::new(HEADERS + layer * bytes, kind) };
         let channel = Channel::new(&*name, [nx, ny], Numbers::Stored(stored));
-        Channel { pixel, order: Order::LinesUpwards, ..channel }.in_unit(unit)
+        Channel { pixel, order: Order::LinesUpwards, ..channel }.in_unit(unit).pixel_in(lengths[0])
     };
     Ok((0..layers.max(1)).map(channel).collect())
 }

@@ -31,7 +31,8 @@ pub(super) fn names(lines: &[(usize, &str)], count: Count) -> Option<(usize, boo
     let columns = if header.len() == first.len() && has_corner { &header[1..] } else { &header[..] };
     let numbers: Vec<f64> =
         columns.iter().filter_map(|word| separation.value(word)).filter(|number| !number.is_nan()).collect();
-    let is_named = columns.iter().all(|word| name(word));
+    // One word several times stands for missing points.
+    let is_named = columns.iter().all(|word| name(word)) && columns.windows(2).all(|pair| pair[0] != pair[1]);
     // A name in the corner, numbers beside it.
     let is_numbered = || {
         columns.len() >= FEWEST

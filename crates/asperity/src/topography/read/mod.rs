@@ -4,11 +4,12 @@
 //! | module | format | |
 //! |---|---|---|
 //! | `npy` | NumPy array, whole or row by row | heights only |
-//! | `text`, `xyz` | matrix of numbers, with or without Gwyddion's header; three columns of numbers | one map |
+//! | `text`, `xyz`, `exports` | matrix of numbers, with or without the header of a program; three columns of numbers | one map |
+//! | `nanoscope_text` | what Nanoscope exports as text | a list of channels |
 //! | `x3p`, `sdf` | ISO 25178-72, ISO 25178-71 | one map, with pixel and unit |
 //! | `al3d`, `bcr`, `datx`, `gwy`, `ibw`, `jpk`, `metropro`, `nanoscope`, `nid`, `opd`, `park`, `plu`, `sur`, `vk` | files of instruments and of Gwyddion | a list of channels, with pixel and unit, of which the heights are chosen, or one by its name |
 //!
-//! If the format stores its unit, a height beyond 1 km marks a missing point. Other heights beyond 10 m are rejected in
+//! If the file states its unit, a height beyond 1 km marks a missing point. Other heights beyond 10 m are rejected in
 //! every format, since the unit must be wrong. The first index of a map is x; in files x runs fastest, so that all
 //! formats but `.npy` are transposed. The first y is the first line of a text, X3P or SDF, and of instruments the top line of the picture. A
 //! height far from all others, such as -9999, is an error until it is stated whether it marks missing points.
@@ -21,6 +22,7 @@ mod content;
 mod crop;
 mod datx;
 mod error;
+mod exports;
 mod file;
 mod gwy;
 mod ibw;
@@ -29,6 +31,7 @@ mod labels;
 mod marks;
 mod metropro;
 mod nanoscope;
+mod nanoscope_text;
 mod nid;
 mod npy;
 mod opd;
@@ -51,11 +54,11 @@ use super::{HeightMap, Rows};
 use crate::progress::Progress;
 use channel::{Channel, Channels};
 pub use content::{
-    ChannelName, LeftOut, LengthUnits, Measured, Metadata, NamedUnits, OtherChannel, ReadOptions,
+    ChannelName, LeftOut, LengthUnits, Measured, Metadata, NamedUnits, OtherChannel, ReadOptions, UnitOrigin,
 };
 pub use crop::Crop;
 pub use error::{ReadError, ReadOptionsError};
-pub use file::MapFile;
+pub use file::{MapFile, Marks};
 pub(super) use gwy::PIXEL as PIXEL_OF_GWY;
 use source::Source;
 
@@ -81,6 +84,10 @@ enum Reader {
     Channels(fn(&Source) -> Result<Vec<Channel>, ReadError>),
 }
 
+/// How a file of a format that is not read becomes one that is.
+const CONVERTER: &str = "The Python package SurfaceTopography reads more formats and writes X3P: python -m pip install SurfaceTopography, then \
+     SurfaceTopography.read_topography(\"FILE\").to_x3p(\"FILE.x3p\")";
+
 /// All formats, in the order in which a file is tried: texts last.
 static FORMATS: &[&Format] = &[
     &npy::FORMAT,
@@ -91,6 +98,7 @@ static FORMATS: &[&Format] = &[
     &ibw::FORMAT,
     &jpk::FORMAT,
     &metropro::FORMAT,
+    &nanoscope_text::FORMAT,
     &nanoscope::FORMAT,
     &nid::FORMAT,
     &opd::FORMAT,
@@ -109,17 +117,19 @@ impl Format {
         if let Some(found) = FORMATS.iter().find(|format| (format.is)(source)) {
             return Ok(found);
         }
-        if begin.starts_with(b"\xff\xfe") || begin.starts_with(b"\xfe\xff") {
-            return Err(ReadError::Unsupported("is a text in UTF-16; allowed: UTF-8 or Latin-1".to_owned()));
-        }
         if tags::is_tiff(source) {
             return Err(tags::refused(source));
         }
         let bytes: String = begin.iter().take(12).map(|byte| byte.escape_ascii().to_string()).collect();
         Err(ReadError::Mismatch(format!(
-            "is not a height map: it begins with \"{bytes}\"; allowed: {}",
-            Self::names()
+            "is not a height map: it begins with \"{bytes}\"; {}",
+            Self::allowed()
         )))
+    }
+
+    /// What is read, and what converts other formats.
+    fn allowed() -> String {
+        format!("allowed: {}. {CONVERTER}", Self::names())
     }
 
     /// The formats, as a message lists them.

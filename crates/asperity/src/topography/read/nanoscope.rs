@@ -29,14 +29,14 @@ const MOST_IMAGES: usize = 64;
 const VERSION_32_BITS: u32 = 0x0920_0000;
 
 /// A section of the header.
-struct Section<'a> {
+pub(super) struct Section<'a> {
     name: &'a str,
     lines: Vec<(&'a str, &'a str)>,
 }
 
 impl<'a> Section<'a> {
     /// The value of a key, which changed between upper and lower case over the versions.
-    fn get(&self, key: &str) -> Option<&'a str> {
+    pub(super) fn get(&self, key: &str) -> Option<&'a str> {
         self.lines.iter().find(|(found, _)| found.eq_ignore_ascii_case(key)).map(|&(_, value)| value)
     }
 
@@ -64,7 +64,9 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
         return unsupported("holds curves of force; allowed: images");
     }
     if begin.starts_with(TEXT) {
-        return unsupported("holds numbers as text; allowed: binary Nanoscope files");
+        return unsupported(
+            "holds numbers as text without \"\\Exported image units\"; allowed: binary Nanoscope files, and exports",
+        );
     }
     if begin.split(|&byte| byte == b'\n').next().is_some_and(|line| !line.ends_with(b"\r")) {
         return Err(ReadError::Corrupt(
@@ -101,7 +103,7 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
     Ok(channels)
 }
 
-fn sections(header: &str) -> Vec<Section<'_>> {
+pub(super) fn sections(header: &str) -> Vec<Section<'_>> {
     let mut sections: Vec<Section> = Vec::new();
     for line in header.lines().filter_map(|line| line.strip_prefix('\\')) {
         if let Some(name) = line.strip_prefix('*') {
@@ -121,7 +123,7 @@ fn sections(header: &str) -> Vec<Section<'_>> {
 }
 
 impl Section<'_> {
-    fn is_image(&self) -> bool {
+    pub(super) fn is_image(&self) -> bool {
         let name = self.name.to_ascii_lowercase();
         name.ends_with("image list") && !name.contains("force")
     }
@@ -174,11 +176,12 @@ fn channel(source: &Source, image: &Section, sections: &[Section]) -> Result<Cha
         order: Order::LinesUpwards,
         ..Channel::new(name, points, Numbers::Stored(stored))
     }
-    .in_unit(&unit))
+    .in_unit(&unit)
+    .pixel_in(image.get("Scan size").and_then(|size| super::channel::length(size.rsplit(' ').next()?))))
 }
 
 /// The pixel: the size of the scan by its points.
-fn pixel<'a>(
+pub(super) fn pixel<'a>(
     image: &Section,
     claimed: [u64; 2],
     scanned: [u64; 2],

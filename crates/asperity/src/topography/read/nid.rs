@@ -126,5 +126,5 @@ fn image(
         order: Order::LinesUpwards,
         ..Channel::new(name, points, numbers)
     };
-    Ok(channel.in_stated_unit(section.text("Dim2Unit")?))
+    Ok(channel.in_unit(section.text("Dim2Unit")?).pixel_in(length(section.text("Dim0Unit")?)))
 }

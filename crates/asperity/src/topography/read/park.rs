@@ -18,6 +18,8 @@ const MAGIC: u16 = 50432;
 const VERSION: u16 = 50433;
 const DATA: u16 = 50434;
 const HEADER: u16 = 50435;
+/// The header of curves, of force or current, that were measured at points of the picture.
+const CURVES: u16 = 50438;
 /// Bytes of the header of version 1.
 const HEADER_BYTES: usize = 284;
 /// The place of the number type, which version 2 has.
@@ -43,8 +45,12 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
         )));
     }
     let header = Fields { bytes, big_endian: false };
-    if header.count(0, U32)? == 1 {
-        return Err(ReadError::Unsupported("holds a line profile of a Park instrument, no map".to_owned()));
+    let kind_of_image = header.count(0, U32)?;
+    if kind_of_image != 0 || tags.length(0, CURVES).is_some() {
+        let what = if kind_of_image == 1 { "a line profile" } else { "force curves or other curves" };
+        return Err(ReadError::Unsupported(format!(
+            "holds {what} of a Park instrument, no height map; allowed: a file of an image"
+        )));
     }
     let kind = match if version == 0x0100_0001 { 0 } else { header.count(KIND, U32)? } {
         0 => I16,
@@ -92,7 +98,8 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
             order,
             ..channel
         }
-        .in_unit(if unit.is_empty() { "um" } else { &unit }),
+        .in_unit(if unit.is_empty() { "um" } else { &unit })
+        .pixel_in(Some(MICROMETRE)),
     ])
 }
 

@@ -1,6 +1,7 @@
 //! Sensofar `.plu`: a header of fixed length, then a layer of heights of single precision in µm.
 
 use super::channel::{Channel, Numbers, Stored};
+use super::content::LengthUnits;
 use super::error::ReadError;
 use super::source::{Fields, Source};
 use super::{Format, Reader};
@@ -55,6 +56,7 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
         let points = [sizes.count(4, U32)?, sizes.count(0, U32)?];
         channels.push(Channel {
             pixel: Some(pixel),
+            stated: LengthUnits::same(MICRON),
             factor: MICRON,
             missing: Box::new(|value| value == MISSING),
             ..Channel::new(

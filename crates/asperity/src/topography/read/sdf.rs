@@ -283,8 +283,8 @@ impl Fields {
         else {
             return Err(too_large());
         };
-        let pixel = Some([self.x_scale, self.y_scale]);
-        let metadata = Metadata { pixel, has_unit: true, ..Metadata::new([nx, ny], NAME) };
+        let pixel = [self.x_scale, self.y_scale];
+        let metadata = Metadata::in_metres([nx, ny], pixel, NAME);
         Ok(Checked { metadata, count, z_scale: self.z_scale, stored, greatest })
     }
 }

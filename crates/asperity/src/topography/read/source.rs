@@ -23,6 +23,8 @@ pub(super) struct Source<'a> {
     length: u64,
     begin: Vec<u8>,
     progress: &'a dyn Progress,
+    /// Words of a text that its user says to mark missing points.
+    pub(super) missing: Vec<String>,
 }
 
 impl<'a> Source<'a> {
@@ -32,7 +34,7 @@ impl<'a> Source<'a> {
         let length = file.metadata()?.len();
         let mut begin = Vec::new();
         (&file).take(BEGIN).read_to_end(&mut begin)?;
-        Ok(Self { file, length, begin, progress })
+        Ok(Self { file, length, begin, progress, missing: Vec::new() })
     }
 
     /// Whoever watches.
@@ -162,8 +164,16 @@ pub(super) fn latin1(bytes: &[u8]) -> String {
     bytes.iter().map(|&byte| char::from(byte)).collect::<String>().trim().to_owned()
 }
 
-/// A text in UTF-8, or in Latin-1 as some programs write µ; `count` is of its bytes.
+/// A text in UTF-8, in UTF-16 with its mark, or in Latin-1 as some programs write µ; `count` is of its bytes.
 pub(super) fn text(bytes: Vec<u8>, mut count: Count) -> String {
+    let is_big = bytes.starts_with(b"\xfe\xff");
+    if is_big || bytes.starts_with(b"\xff\xfe") {
+        let (pairs, _) = bytes.as_chunks::<2>();
+        let unit = if is_big { u16::from_be_bytes } else { u16::from_le_bytes };
+        let units = pairs.iter().map(|&pair| unit(pair));
+        count.end();
+        return char::decode_utf16(units).map(|c| c.unwrap_or(char::REPLACEMENT_CHARACTER)).collect();
+    }
     let text = String::from_utf8(bytes).unwrap_or_else(|error| {
         let mut text = String::with_capacity(error.as_bytes().len());
         for piece in error.as_bytes().chunks(PIECE) {

@@ -131,7 +131,7 @@ impl Object {
             missing: Box::new(move |value| Some(value) == missing),
             ..Channel::new(name.unwrap_or_else(|| "Surface".to_owned()), *points, numbers)
         };
-        Ok(channel.in_stated_unit(&header.text(212, 16)?))
+        Ok(channel.in_unit(&header.text(212, 16)?).pixel_in(length(&header.text(180, 16)?)))
     }
 }
 

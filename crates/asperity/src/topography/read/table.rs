@@ -1,4 +1,6 @@
-//! Tables of numbers in a text, without names of columns, numbers of columns and numbers of lines.
+//! Tables of numbers in a text, without the lines above them, names of columns, numbers of columns and numbers of lines.
+
+use std::borrow::Cow;
 
 use super::Format;
 use super::columns;
@@ -8,9 +10,9 @@ use super::labels::{self, Coordinates};
 use super::separation::Separation;
 use crate::progress::{Count, Progress};
 
-/// Words for a missing point, in any case.
-const MISSING: [&str; 14] =
-    ["", "nan", "-nan", "bad", "na", "n/a", "null", "none", "-", "--", "---", "1.#qnan", "-1.#ind", "1.#inf"];
+/// Words for a missing point, in any case; besides what C prints for NaN, such as 1.#QNAN, and stars, strokes or question marks alone.
+const MISSING: &str = "|nan|-nan|nan(ind)|-nan(ind)|bad|na|n/a|n.a.|null|none|nil|void|no data|nodata|no_data|missing|invalid|masked|#n/a|#nv|\
+     #num!|#value!|#div/0!|";
 
 /// Numbers in lines of equal length.
 pub(super) struct Table {
@@ -22,12 +24,16 @@ pub(super) struct Table {
     pub named: NamedUnits,
     /// What holds no numbers of the table.
     pub left_out: LeftOut,
+    /// The lines above it that hold no row of it, but for comments.
+    pub heading: Vec<String>,
+    /// The number of the first line below them.
+    begin: usize,
     /// Relative precision of the numbers printed.
     pub precision: f64,
 }
 
 impl Table {
-    /// Parses a text, skipping comments, a first line that names or numbers the columns, and a first column that numbers or
+    /// Parses a text, skipping comments, lines above the table, a first line that names or numbers the columns, and a first column that numbers or
     /// names the lines: one unit of work.
     pub fn parse(text: &str, progress: &dyn Progress) -> Result<Self, ReadError> {
         let count = |work: f64| Count::new(progress, work, text.len());
@@ -40,6 +46,15 @@ impl Table {
         let mut found = count(0.05);
         lines.extend(numbered().inspect(|(_, line)| found.add(line.len() + 1)));
         found.end();
+        let above = begin(&lines).map_or(0, |begin| {
+            let is_label = |above: &usize| {
+                columns::are_named(lines[*above].1) || labels::names(&lines[*above..], count(0.0)).is_some()
+            };
+            let label = begin.checked_sub(1).filter(is_label);
+            label.unwrap_or_else(|| first_like(&lines[..begin], cells(lines[begin].1).len()))
+        });
+        let heading = lines.drain(..above).map(|(_, line)| line.to_owned()).collect();
+        let begin = lines.first().map_or(0, |(line, _)| *line);
         let named = columns::units(text, lines.first().copied());
         let mut left_out = LeftOut::default();
         if let Some(&(_, line)) = lines.first()
@@ -53,12 +68,15 @@ impl Table {
         }
         // Reject prose before checking its commas.
         if let Some(&(number, line)) = lines.first()
-            && let Some(word) = labels::first_name(line)
+            && let Some(word) = labels::first_name(line).filter(|_| !is_row(&cells(line)))
         {
-            return Err(heading(&lines).unwrap_or_else(|| no_number(0, number, 1, word)));
+            return Err(ReadError::Mismatch(format!(
+                "is not a height map: line {number} has \"{}\" for a number; {}",
+                shortened(word),
+                Format::allowed()
+            )));
         }
-        let separation =
-            Separation::new(&lines, count(0.1)).map_err(|error| heading(&lines).unwrap_or(error))?;
+        let separation = Separation::new(&lines, count(0.1))?;
         if let Some((number, has_corner)) = labels::numbers(&lines, &separation) {
             left_out = LeftOut { header: Some(number), index_column: has_corner, ..LeftOut::default() };
             lines.remove(0);
@@ -88,12 +106,12 @@ impl Table {
                     continue;
                 }
                 let Some(value) = separation.value(word) else {
-                    let error = || no_number(row, number, column + 1, word);
-                    return Err(if row == 0 {
-                        heading(&lines().collect::<Vec<_>>()).unwrap_or_else(error)
-                    } else {
-                        error()
-                    });
+                    // Of several words in a line of blanks the blanks between them are no separators.
+                    let rest = separation.words(line).skip(column + 1);
+                    let rest = rest.take_while(|next| *next != word && separation.value(next).is_none());
+                    let rest = rest.take_while(|_| !line.contains([',', ';', '\t']));
+                    let word = rest.fold(word.to_owned(), |words, word| words + " " + word);
+                    return Err(ReadError::Word { line: number, column: column + 1, word });
                 };
                 digits = digits.max(significant_digits(word));
                 values.push(value);
@@ -103,12 +121,6 @@ impl Table {
                 columns = found;
                 // A number takes two bytes.
                 values.reserve_exact(columns.saturating_mul(rows - 1).min(text.len() / 2));
-            } else if found > columns
-                && row + 1 < rows
-                && lines().skip(row).all(|(_, line)| separation.words(line).count() == found)
-                && let Some((line, text)) = lines().next()
-            {
-                return Err(ReadError::Heading { line, found: shortened(text), begin: number });
             } else if found != columns {
                 return Err(ReadError::Corrupt(format!(
                     "is ragged: line {number} holds {found} numbers; allowed: {columns}, as in its first line",
@@ -128,54 +140,125 @@ impl Table {
         if values.iter().all(|value| value.is_nan()) {
             return Err(ReadError::Corrupt("holds no number".to_owned()));
         }
-        Ok(Self { rows, columns, values, named, left_out, precision: precision(digits) })
+        Ok(Self { rows, columns, values, named, left_out, heading, begin, precision: precision(digits) })
+    }
+
+    /// What a reader should know of the lines above the table.
+    pub fn note(&self) -> Option<String> {
+        let above = shortened(self.heading.first()?);
+        Some(format!(
+            "is read from line {} on: what stands above (\"{above}\") is no row of its table, and a pixel, a unit or a factor there is not known",
+            self.begin
+        ))
     }
 }
 
 /// Whether a word marks a missing point.
 pub(super) fn is_missing(word: &str) -> bool {
-    MISSING.contains(&word.to_ascii_lowercase().as_str())
+    let is_repeated = |mark: char| word.chars().all(|c| c == mark);
+    word.strip_prefix('-').unwrap_or(word).starts_with("1.#")
+        || ['*', '-', '?'].into_iter().any(is_repeated)
+        || MISSING.contains(&format!("|{}|", word.to_ascii_lowercase()))
+}
+
+/// The text with NaN for words that mark missing points: those of its user, and "No Data", which is two.
+pub(super) fn with_marks<'a>(text: &'a str, marks: &[String]) -> Cow<'a, str> {
+    let usual = ["No Data", "no data", "NO DATA"];
+    let mut text = Cow::Borrowed(text);
+    for mark in marks.iter().map(String::as_str).chain(usual) {
+        if mark.is_empty() || !text.contains(mark) {
+            continue;
+        }
+        let is_end = |c: Option<char>| c.is_none_or(|c| c.is_whitespace() || matches!(c, ',' | ';' | '"'));
+        let mut replaced = String::with_capacity(text.len());
+        let mut end = 0;
+        for (place, _) in text.match_indices(mark) {
+            let behind = place + mark.len();
+            if is_end(text[..place].chars().next_back()) && is_end(text[behind..].chars().next()) {
+                replaced.extend([&text[end..place], "NaN"]);
+                end = behind;
+            }
+        }
+        replaced.push_str(&text[end..]);
+        text = Cow::Owned(replaced);
+    }
+    text
 }
 
 fn is_comment(line: &str) -> bool {
     let line = line.trim();
-    line.is_empty() || line.starts_with('#')
+    // A line may begin with a missing point as Excel writes it.
+    let is_missing = || cells(line).first().is_some_and(|cell| is_missing(cell));
+    line.is_empty() || line.starts_with('#') && !is_missing()
 }
 
-/// The error of lines above a table of numbers, where there is one below them.
-fn heading(lines: &[(usize, &str)]) -> Option<ReadError> {
-    /// So many lines of numbers, or all to the end, are a table.
-    const ENOUGH: usize = 3;
-    let is_row = |(_, line): &&(usize, &str)| {
-        let mut words = line.split([' ', '\t', ';']).filter(|word| !word.is_empty()).peekable();
-        words.peek().is_some()
-            && words.all(|word| {
-                let is_part = |part: &str| is_missing(part) || part.parse::<f64>().is_ok();
-                is_part(word) || word.split(',').all(is_part)
-            })
-    };
-    let begin = lines.iter().position(|line| is_row(&line)).filter(|&begin| begin > 0)?;
-    let rows = lines[begin..].iter().take(ENOUGH).take_while(is_row).count();
-    let (line, text) = *lines.first()?;
-    (rows == ENOUGH.min(lines.len() - begin) && rows > 1).then(|| ReadError::Heading {
-        line,
-        found: shortened(text),
-        begin: lines[begin].0,
-    })
-}
-
-fn no_number(row: usize, line: usize, column: usize, word: &str) -> ReadError {
-    let found = shortened(word);
-    if row == 0 {
-        return ReadError::Mismatch(format!(
-            "is not a height map: line {line} has \"{found}\" for a number; allowed: {}",
-            Format::names()
-        ));
+/// The cells of a line by itself, before the separator of the table is known.
+fn cells(line: &str) -> Vec<&str> {
+    let line = line.trim_matches(' ');
+    let separated = |by: char| line.split(by).map(|cell| cell.trim().trim_matches('"').trim()).collect();
+    if line.contains(';') {
+        separated(';')
+    } else if line.contains('\t') {
+        separated('\t')
+    } else if line.contains(char::is_whitespace) && !line.contains(", ") {
+        line.split_whitespace().map(|cell| cell.trim_matches('"')).collect()
+    } else {
+        separated(',')
     }
-    ReadError::Corrupt(format!(
-        "line {line}, column {column}: found \"{found}\"; allowed: a number, or NaN, BAD or nothing for a \
-         missing point"
-    ))
+}
+
+fn is_number(cell: &str) -> bool {
+    cell.parse::<f64>().is_ok() || cell.replacen(',', ".", 1).parse::<f64>().is_ok()
+}
+
+/// The place of the first row: of the first lines that follow each other and have equally many cells, all of them numbers or missing points.
+fn begin(lines: &[(usize, &str)]) -> Option<usize> {
+    /// So many such lines, or all to the end, are a table.
+    const ENOUGH: usize = 3;
+    // The number of cells, 0 of another line.
+    let width = |(_, line): &(usize, &str)| {
+        let cells = cells(line);
+        let is_row = cells.iter().all(|cell| is_number(cell) || is_missing(cell));
+        if is_row { cells.len() } else { 0 }
+    };
+    let mut run = (0, 0);
+    for (place, line) in lines.iter().enumerate() {
+        let (width, is_last) = (width(line), place + 1 == lines.len());
+        if width == 0 {
+            run = (0, 0);
+            continue;
+        }
+        run = if width == run.0 { (width, run.1 + 1) } else { (width, 1) };
+        if run.1 == ENOUGH || is_last && (run.1 > 1 || place == 0) {
+            return Some(place + 1 - run.1);
+        }
+    }
+    None
+}
+
+/// The place of the first of the lines above a table of so many columns that is a row, but for a word, a number or its separators.
+fn first_like(lines: &[(usize, &str)], columns: usize) -> usize {
+    /// Fewer numbers may stand in a line above a table by chance.
+    const FEWEST: usize = 4;
+    let numbers = |line: &str| {
+        line.split([' ', '\t', ',', ';']).filter(|part| is_number(part.trim_matches('"'))).count()
+    };
+    let is_like = |(_, line): &(usize, &str)| {
+        let cells = cells(line);
+        columns >= FEWEST && numbers(line) + 1 >= columns || cells.len() == columns && is_row(&cells)
+    };
+    lines.iter().position(is_like).unwrap_or(lines.len())
+}
+
+/// Whether cells with words are a row of a table: numbers for the most part, the first ones of three, or one word several times.
+fn is_row(cells: &[&str]) -> bool {
+    let is_word = |cell: &&&str| !is_number(cell) && !is_missing(cell);
+    let words: Vec<&&str> = cells.iter().filter(is_word).collect();
+    let numbers = cells.iter().filter(|cell| is_number(cell)).count();
+    numbers > 1
+        && 2 * numbers >= cells.len()
+        && (cells.len() > 3 || is_number(cells[0]) && is_number(cells[1]))
+        || words.windows(2).any(|pair| pair[0] == pair[1])
 }
 
 /// The relative precision of numbers printed with `digits` significant digits; 0 for few digits, whose steps count as

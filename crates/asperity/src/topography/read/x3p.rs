@@ -218,10 +218,13 @@ impl<'a> Archive<'a> {
         })?;
         let content = self.content(index, MAX_XML_BYTES, 0.0)?;
         // Its check sum is in a separate file: "1234... *main.xml".
-        if let Some(index) = self.find("md5checksum.hex") {
-            let line = String::from_utf8_lossy(&self.content(index, 4096, 0.0)?).into_owned();
-            check_md5(MAIN, &content, line.split_whitespace().next(), self.2.count(0.0, content.len()))?;
-        }
+        let checked = match self.find("md5checksum.hex") {
+            Some(index) => {
+                let line = String::from_utf8_lossy(&self.content(index, 4096, 0.0)?).into_owned();
+                check_md5(MAIN, &content, line.split_whitespace().next(), self.2.count(0.0, content.len()))
+            }
+            None => Ok(()),
+        };
         let text = String::from_utf8(content)
             .unwrap_or_else(|error| error.into_bytes().iter().map(|&byte| char::from(byte)).collect());
         let text = text.trim_start_matches('\u{feff}');
@@ -233,7 +236,18 @@ impl<'a> Archive<'a> {
         let options = ParsingOptions { nodes_limit: MAX_NODES, ..ParsingOptions::default() };
         let document = Document::parse_with_options(text, options)
             .map_err(|error| ReadError::Corrupt(format!("holds a {MAIN} that is not XML: {error}")))?;
-        Main::parse(document.root_element())
+        let mut main = Main::parse(document.root_element())?;
+        // Programs that edit main.xml leave its check sum as it was. The heights have one of their own, without which nothing vouches for them.
+        if let Err(error) = checked {
+            if !matches!(&main.heights, Heights::Linked { heights, .. } if heights.md5.is_some()) {
+                return Err(error);
+            }
+            main.metadata.notes.push(format!(
+                "was changed after its check sums were written: {MAIN}, with pixel and scale, has another than md5checksum.hex says; that of \
+                 the heights is right"
+            ));
+        }
+        Ok(main)
     }
 }
 
@@ -326,29 +340,28 @@ impl Main {
     }
 
     fn parse(root: Node) -> Result<Self, ReadError> {
-        let name = root.tag_name().name();
-        if name != "ISO5436_2" {
-            return Err(ReadError::Mismatch(format!(
-                "is not an X3P file: its {MAIN} is of {name}, not of ISO5436_2"
-            )));
-        }
-        let part = |name| child(root, name).ok_or_else(|| missing(&[name]));
+        let part = |name| {
+            child(root, name).ok_or_else(|| {
+                let root = root.tag_name().name();
+                ReadError::Mismatch(format!("is not an X3P file: its {MAIN}, of {root}, has no {name}"))
+            })
+        };
         let (header, data) = (part("Record1")?, part("Record3")?);
-        let only = |path: &[&str], allowed: &str, meaning: &str, default: Option<&'static str>| {
-            let found = text_at(header, path).or(default).ok_or_else(|| missing(path))?;
-            if found == allowed {
+        let only = |path: &[&str], allowed: &str, meaning: &str| {
+            let Some(found) = text_at(header, path).filter(|found| !found.eq_ignore_ascii_case(allowed))
+            else {
                 return Ok(());
-            }
+            };
             let found = shortened(found);
             Err(ReadError::Unsupported(format!(
                 "has {} = {found}; allowed: {allowed}, which is {meaning}",
                 path.join("/")
             )))
         };
-        only(&["FeatureType"], "SUR", "a surface", None)?;
-        only(&["Axes", "CX", "AxisType"], "I", "an even spacing", None)?;
-        only(&["Axes", "CY", "AxisType"], "I", "an even spacing", None)?;
-        only(&["Axes", "CZ", "AxisType"], "A", "a height for each point", Some("A"))?;
+        only(&["FeatureType"], "SUR", "a surface")?;
+        only(&["Axes", "CX", "AxisType"], "I", "an even spacing")?;
+        only(&["Axes", "CY", "AxisType"], "I", "an even spacing")?;
+        only(&["Axes", "CZ", "AxisType"], "A", "a height for each point")?;
         let (nx, ny, layers) = (size(data, "SizeX")?, size(data, "SizeY")?, size(data, "SizeZ")?);
         if layers != 1 {
             return Err(ReadError::Unsupported(format!("holds {layers} layers; allowed: one")));
@@ -397,7 +410,7 @@ impl Main {
                 valid: link(&["DataLink", "ValidPointsLink"], "MD5ChecksumValidPoints"),
             }
         };
-        let metadata = Metadata { pixel: Some(pixel), has_unit: true, ..Metadata::new(points, NAME) };
+        let metadata = Metadata::in_metres(points, pixel, NAME);
         Ok(Self { metadata, count, stored, increment, offset, heights })
     }
 }

@@ -80,10 +80,9 @@ fn a_file_without_a_channel_of_heights_says_what_there_is() {
         "holds no channel of heights; found: \"Scan (Phase)\" (V), \"Scan (Force)\" (N)"
     );
     assert_eq!(chosen(&[], Some("Z")).unwrap_err().to_string(), "holds no map of heights");
-    assert_eq!(
-        chosen(&[["Scan", "Z", ""]], None).unwrap_err().to_string(),
-        "holds no channel of heights; found: \"Scan (Z)\" (no unit)"
-    );
+    // One without a unit may hold heights, if no other does.
+    assert_eq!(chosen(&[["Scan", "Z", ""], ["Scan", "Y", "m"]], None).unwrap(), "Scan (Y)");
+    assert_eq!(chosen(&[["Scan", "Phase", "V"], ["Scan", "Z", ""]], None).unwrap(), "Scan (Z)");
 }
 
 #[test]

@@ -2,8 +2,7 @@
 
 use asperity::HeightMap;
 use asperity::topography::read::{
-    ChannelName, LengthUnits, MapFile, Metadata, ReadError, ReadOptions, ReadOptionsError, height_map,
-    metadata,
+    ChannelName, LengthUnits, MapFile, Marks, Metadata, ReadError, ReadOptions, height_map, metadata,
 };
 use asperity::topography::summits::five_point;
 use asperity::topography::{Level, Moments, RoughnessParameters, Rows};
@@ -24,6 +23,7 @@ mod bcr;
 mod channels;
 mod damage;
 mod datx;
+mod exports;
 mod gwy;
 mod ibw;
 mod instrument;
@@ -113,6 +113,11 @@ const IN_NM: ReadOptions = ReadOptions { pixel: Some(PIXEL), unit: Some(LengthUn
 /// Heights in lines along x, as SDF and X3P store them.
 fn in_lines() -> impl Iterator<Item = f64> {
     (0..NX * NY).map(|k| z(k % NX, k / NX))
+}
+
+/// Heights that mark missing points.
+fn marks(heights: &[f64]) -> Option<Marks> {
+    Some(Marks { heights: heights.to_vec(), words: Vec::new() })
 }
 
 fn sample(name: &str) -> PathBuf {

@@ -15,6 +15,7 @@ struct Park {
     unit: &'static str,
     scale: f64,
     length: usize,
+    has_curves: bool,
 }
 
 impl Park {
@@ -32,6 +33,7 @@ impl Park {
             unit: "nm",
             scale: 0.5,
             length,
+            has_curves: false,
         }
     }
 
@@ -52,12 +54,15 @@ impl Park {
         put(244, &wide(self.unit));
         put(348, &self.kind.to_le_bytes());
         header.truncate(self.length);
-        let own = vec![
+        let mut own = vec![
             (50432, Value::Long(0x0e03_1301)),
             (50433, Value::Long(self.version)),
             (50434, Value::Bytes(numbers.to_vec())),
             (50435, Value::Bytes(header)),
         ];
+        if self.has_curves {
+            own.push((50438, Value::Bytes(vec![0; 8])));
+        }
         tiff(false, &[[thumbnail(), own].concat()])
     }
 }
@@ -105,7 +110,7 @@ fn park_of_every_version_and_number_type() {
     let turned = Park { size: [turned.size[1], turned.size[0]], ..turned };
     assert_map(turned.bytes(&columns.flat_map(f32::to_le_bytes).collect::<Vec<_>>()), none, 1e-9, PIXEL);
     // A scale of 0 is none, and a length without a unit is in micrometres.
-    let old = Park { scale: 0.0, unit: "", name: "", image: 2, ..Park::of(2) };
+    let old = Park { scale: 0.0, unit: "", name: "", ..Park::of(2) };
     let halves: Vec<u8> = upwards().flat_map(|z| (z as f32 / 2.0).to_le_bytes()).collect();
     let head = assert_map(old.bytes(&halves), none, 1e-6, PIXEL);
     assert_eq!(head.channel.unwrap().name, "Topography");
@@ -125,6 +130,13 @@ fn bad_park_is_refused() {
     assert_refused!(Corrupt, "has a header of 351 bytes; allowed: at least 352", short.bytes(&numbers));
     let profile = Park { image: 1, ..good.clone() };
     assert_refused!(Unsupported, "holds a line profile of a Park instrument", profile.bytes(&numbers));
+    // The picture of a file of force curves is where they were measured; some files say so by a tag alone.
+    let words = "holds force curves or other curves of a Park instrument, no height map";
+    let curves = Park { image: 2, ..good.clone() };
+    assert_refused!(Unsupported, words, curves.bytes(&numbers));
+    let mut tagged = good.clone();
+    tagged.has_curves = true;
+    assert_refused!(Unsupported, words, tagged.bytes(&numbers));
     assert_refused!(Unsupported, "holds numbers of type 3; allowed: 0, 1, 2", Park::of(3).bytes(&numbers));
     let words = "holds 76 bytes for a map of 5 x 4 points of 4 bytes";
     assert_refused!(Corrupt, words, good.bytes(&numbers[..76]));

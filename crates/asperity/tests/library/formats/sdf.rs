@@ -107,11 +107,10 @@ fn sdf_text_and_what_is_given_beside_it() {
     let ones = Sdf::of("ISO-1.0", 1).text(&"1 65535 ".repeat(NX * NY / 2));
     let (_folder, path) = file(ones);
     assert_eq!(RoughnessParameters::new(&height_map(&path, ReadOptions::default()).unwrap()).missing, 10);
-    let given = height_map(&path, ReadOptions { pixel: Some(PIXEL), unit: None }).unwrap_err();
-    assert!(given.to_string().contains("holds its own pixel of 2e-6 x 3e-6 m; allowed: leave pixel out"));
     let given =
-        height_map(&path, ReadOptions { pixel: None, unit: Some(LengthUnits::same(1e-6)) }).unwrap_err();
-    assert!(given.to_string().contains("holds its own unit of length; allowed: leave unit out"));
+        height_map(&path, ReadOptions { pixel: Some([1e-6; 2]), unit: Some(LengthUnits::same(1e-3)) })
+            .unwrap();
+    assert_eq!((given.pixel(), given.heights()[0]), ([1e-6; 2], 1e-9 * 1e-3));
 }
 
 #[test]

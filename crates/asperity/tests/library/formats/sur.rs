@@ -115,7 +115,7 @@ fn sur_heights_of_every_type() {
     assert_heights(&bytes, None, pixel(), wanted);
     // A mark that is given is a number as it is stored.
     let (_folder, path) = file(&bytes);
-    let given = MapFile { missing: Some(vec![-56.0]), ..MapFile::new(&path, ReadOptions::default()) };
+    let given = MapFile { missing: super::marks(&[-56.0]), ..MapFile::new(&path, ReadOptions::default()) };
     assert!(given.height_map().unwrap().heights()[3 * NY + 1].is_nan());
 }
 
@@ -135,6 +135,18 @@ fn sur_of_several_objects() {
         assert_heights(&bytes, Some("Topography"), pixel(), |ix, iy| 1e-9 * (filled(ix, iy) + 8.0));
         assert_no_panic(&bytes);
     }
+}
+
+/// A unit that is given is that of the heights of a file that states the one of its pixel only.
+#[test]
+fn sur_without_a_unit_takes_one() {
+    let bytes = Sur::of::<i16>(false).changed(|sur| sur.units[2] = b"").bytes();
+    let (_folder, path) = file(bytes);
+    let read = |unit| super::height_map(&path, ReadOptions { pixel: None, unit: Some(unit) }).unwrap();
+    let (map, same) = (read(super::LengthUnits::same(1e-9)), read(super::LengthUnits::same(1e-6)));
+    assert_eq!((map.pixel(), same.pixel()), (pixel(), pixel()));
+    assert!((same.heights()[NY] / map.heights()[NY] / 1e3 - 1.0).abs() < 1e-12);
+    assert!((map.heights()[0] - map.heights()[NY] - 1e-9 * (z(0, 0) - z(1, 0))).abs() < 1e-15);
 }
 
 #[test]
@@ -158,7 +170,8 @@ fn bad_sur_is_refused() {
         "no channel of heights; found: \"Topography\" (V)",
         with(|sur| sur.units[2] = b"V")
     );
-    assert_refused!(Unsupported, "found: \"Topography\" (no unit)", with(|sur| sur.units[2] = b""));
+    let words = "holds heights without a unit in \"Topography\"";
+    assert_refused!(Options, words, with(|sur| sur.units[2] = b""));
     for size in [[i32::MAX; 2], [0x7fff; 2]] {
         let bytes = Sur::of::<i32>(false).changed(|sur| sur.size = size).bytes();
         assert_refused!(Corrupt, "is truncated: it ends at", bytes);

@@ -106,6 +106,66 @@ fn zipped(files: &[(&str, Vec<u8>)]) -> Vec<u8> {
     archive.finish().unwrap().into_inner()
 }
 
+/// No number depends on the name of the root, on its namespaces or on what there is one of.
+#[test]
+fn names_that_no_number_depends_on_are_free() {
+    let x3p = X3p::linked("D", "1e-9", in_lines().flat_map(f64::to_le_bytes).collect());
+    let data = x3p.files[0].1.clone();
+    for (from, to) in [
+        ("p:ISO5436_2", "ISO5436"),
+        ("p:ISO5436_2", "p:anything"),
+        ("<FeatureType>SUR</FeatureType>", ""),
+        ("<FeatureType>SUR", "<FeatureType>sur"),
+        ("<AxisType>I</AxisType>", ""),
+        ("<Revision>ISO5436 - 2000</Revision>", ""),
+    ] {
+        let main = x3p.xml().replace(from, to).into_bytes();
+        let bytes = zipped(&[("main.xml", main), ("bindata/data.bin", data.clone())]);
+        assert_map(bytes, ReadOptions::default(), 1e-9, PIXEL);
+    }
+}
+
+/// Programs that edit main.xml leave its check sum as it was; the heights have one of their own.
+#[test]
+fn a_stale_check_sum_is_a_note_where_that_of_the_heights_is_right() {
+    use md5::{Digest, Md5};
+    let x3p = X3p::linked("D", "1e-9", in_lines().flat_map(f64::to_le_bytes).collect());
+    let data = x3p.files[0].1.clone();
+    let sum: String = Md5::digest(&data).iter().map(|byte| format!("{byte:02X}")).collect();
+    let with = |sum: &str, data: &[u8]| {
+        let md5 = format!("</PointDataLink><MD5ChecksumPointData>{sum}</MD5ChecksumPointData>");
+        let main = x3p.xml().replace("</PointDataLink>", &md5).into_bytes();
+        let stale = b"00 *main.xml".to_vec();
+        zipped(&[("main.xml", main), ("md5checksum.hex", stale), ("bindata/data.bin", data.to_vec())])
+    };
+    let head = assert_map(with(&sum, &data), ReadOptions::default(), 1e-9, PIXEL);
+    assert!(
+        matches!(&head.notes[..], [note] if note.starts_with("was changed after its check sums")),
+        "{head:?}"
+    );
+    let mut other = data.clone();
+    other[3] ^= 1;
+    assert_refused!(Corrupt, "is damaged: bindata/data.bin has the MD5 sum", with(&sum, &other));
+    assert_refused!(Corrupt, "is damaged: main.xml", with("", &data));
+}
+
+/// A unit and a pixel that are given count in place of those of the file.
+#[test]
+fn what_the_file_states_can_be_replaced() {
+    let x3p = X3p::linked("D", "1e-9", in_lines().flat_map(f64::to_le_bytes).collect()).bytes();
+    let [x, y] = PIXEL;
+    let of = |pixel, unit| ReadOptions { pixel, unit };
+    let mm = Some(LengthUnits::same(1e-3));
+    let head = assert_map(&x3p, of(None, mm), 1e-12, [x * 1e-3, y * 1e-3]);
+    assert_eq!(head.replaced_units(&of(None, mm)), Some(LengthUnits::same(1.0)));
+    assert_map(&x3p, of(Some([1e-6; 2]), None), 1e-9, [1e-6; 2]);
+    assert_map(&x3p, of(Some([1e-6; 2]), mm), 1e-12, [1e-6; 2]);
+    assert_map(&x3p, of(None, Some(LengthUnits { xy: 1e-3, z: 1.0 })), 1e-9, [x * 1e-3, y * 1e-3]);
+    assert_map(&x3p, of(None, Some(LengthUnits { xy: 1.0, z: 1e-3 })), 1e-12, PIXEL);
+    let metres = of(None, Some(LengthUnits::same(1.0)));
+    assert_eq!(assert_map(&x3p, metres, 1e-9, PIXEL).replaced_units(&metres), None);
+}
+
 /// An archive of the folder rather than of its content.
 #[test]
 fn x3p_in_a_folder_of_the_archive_is_read() {
@@ -181,7 +241,11 @@ fn bad_x3p_is_refused() {
         "without main.xml, not an X3P file; found: word/document.xml",
         zipped(&[("word/document.xml", vec![])])
     );
-    assert_refused!(Mismatch, "its main.xml is of html", zipped(&[("main.xml", b"<html/>".to_vec())]));
+    assert_refused!(
+        Mismatch,
+        "its main.xml, of html, has no Record1",
+        zipped(&[("main.xml", b"<html/>".to_vec())])
+    );
     assert_refused!(Unsupported, "FeatureType = PRF; allowed: SUR", changed("SUR", "PRF"));
     assert_refused!(Unsupported, "Axes/CX/AxisType = A; allowed: I", changed("<AxisType>I", "<AxisType>A"));
     assert_refused!(Unsupported, "DataType = Q; allowed: I, L, F, D", X3p::linked("Q", "1", vec![]).bytes());
@@ -193,7 +257,6 @@ fn bad_x3p_is_refused() {
         "is not XML",
         changed("<p:ISO5436_2", "<!DOCTYPE a [<!ENTITY b \"c\">]><p:ISO5436_2")
     );
-    assert_refused!(Corrupt, "has no FeatureType", changed("<FeatureType>SUR</FeatureType>", ""));
     assert_refused!(Corrupt, "has no Axes/CX/Increment", changed("<Increment>2e-6</Increment>", ""));
     assert_refused!(Corrupt, "Axes/CX/Increment = \"wide\"", changed("2e-6", "wide"));
     assert_refused!(Corrupt, "Axes/CY/Increment = -3e-6", changed("3e-6", "-3e-6"));
@@ -311,6 +374,6 @@ fn an_xml_of_many_attributes_namespaces_or_elements_is_refused() {
     assert_refused!(Corrupt, words, x3p(nested + &"</a>".repeat(201)));
     // What looks like attributes elsewhere is none.
     let text = format!("<a><!-- {0} -->{0}</a>", "=".repeat(300));
-    assert_refused!(Mismatch, "its main.xml is of a, not of ISO5436_2", x3p(text));
+    assert_refused!(Mismatch, "its main.xml, of a, has no Record1", x3p(text));
     assert_refused!(Corrupt, "nodes limit reached", x3p(format!("<a>{}</a>", "<a/>".repeat(500_000))));
 }
