@@ -15,7 +15,6 @@ use super::reference::ReferencePlan;
 use super::reference::plan::{ReferenceKeys, Resolved, reference};
 use super::spec::{CompareSpec, Models};
 use crate::study_plan::{SpotKeys, StudyKeys, StudyPlan};
-#[cfg(feature = "serve")]
 use crate::surface::SurfacePlan;
 
 /// Both models on given surfaces, and the reference beside them.
