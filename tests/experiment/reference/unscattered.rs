@@ -118,13 +118,14 @@ fn a_ball_a_grating_and_dimples_are_solved() {
 #[test]
 fn a_model_that_is_asked_for_names_the_way_out() {
     for models in ["", "models = [\"statistical\"]\n", THREE] {
-        let refused = solved(&format!("law = \"hertz\"\n{models}pressure = \"10 MPa\"\n"), "", wave);
+        let refused =
+            solved(&format!("law = \"hertz\"\n{models}pressure = \"10 MPa\"\n"), "periodic = true", wave);
         let message = refused.err().unwrap();
         assert!(
             message.contains("equally high") && message.contains("`models = [\"reference\"]`"),
             "{message}"
         );
     }
-    let refused = solved(&format!("{ALONE}separation = [1, 2]\n"), "", wave).err().unwrap();
+    let refused = solved(&format!("{ALONE}separation = [1, 2]\n"), "periodic = true", wave).err().unwrap();
     assert!(refused.contains("separations"), "{refused}");
 }

@@ -25,7 +25,7 @@ impl Row for GreenwoodTrippRow<'_> {
             pressure_pa["Pa", prefix("M"), label("nominal pressure")] = row.point.response.pressure.total(), "Nominal pressure under the law. Of elastic contacts (`hertz`) it is K F_5/2, of equal bodies K = 16 2^.5 pi/15 (eta R sigma)^2 (sigma/R)^.5 E*.";
             area_ratio["1", label("real contact area"), percent] = row.point.response.area_ratio.total(), "Real contact area over nominal area under the law.";
             f_5_2["1", label("F_5/2")] = row.point.moment, "F_5/2(h/sigma), the integral of (s - h/sigma)^2.5 over the standard normal density from s = h/sigma on.";
-            power_law["1", label("4.4086e-5 (4 - h/σ)^6.804")] = row.point.power_law, "4.4086e-5 (4 - h/sigma)^6.804, which codes of mixed lubrication use in place of F_5/2; 0 from 4 on.";
+            power_law["1", label("4.4086e-5 (4 - h/σ)^6.804")] = row.point.power_law, "The fit 4.4086e-5 (4 - h/sigma)^6.804, which codes of mixed lubrication use in place of F_5/2; 0 from 4 on.";
             power_law_error["1", label("its error"), signed_percent, scale(1.0)] = row.point.power_law / row.point.moment - 1.0, "The power law over F_5/2, less 1: the relative error of the elastic pressure by it.";
         });
         columns
