@@ -470,6 +470,17 @@ impl<'a> SurfaceFactory<'a> {
                 };
                 let mut surface = timed(name, &search, (&*rows, map.is_held), timing)
                     .map_err(|error| refuse(&no_asperities(&error, map.size(), preparation.filter)))?;
+                let [width, length] = map.size();
+                let sq = surface.map.as_ref().map_or(0.0, |map| map.roughness.moments.sq);
+                if map.taken_for_metres.is_some() && sq > (width * length).sqrt() {
+                    return Err(refuse(&format!(
+                        "has heights of {} (Sq) on a map of {} x {}; they were read as metres: `unit = \"um\"` says otherwise",
+                        quantity(sq, "m"),
+                        quantity(width, "m"),
+                        quantity(length, "m")
+                    )));
+                }
+                surface.taken_for_metres = map.taken_for_metres;
                 surface.fit = fit.map(Box::new);
                 surface.warnings = own_warnings(&surface);
                 surface.warnings.extend(surface.fit.as_deref().map(fit::caveat));

@@ -17,7 +17,7 @@ use crate::surface::spec::{
     DrawSpec, FileSpec, FitSpec, ListSpec, Outliers, PopulationHeights, PopulationSpec, SurfaceSpec,
 };
 use asperity::surface::{BodyAsperities, Kept, MapFacts, Preparation};
-use asperity::topography::read::{MapFile, Metadata, ReadError, ReadOptions};
+use asperity::topography::read::{MapFile, Metadata, ReadError, ReadOptions, UnitOrigin};
 use asperity::topography::{Boundary, Filter, Level, read};
 use asperity::{
     AsperityList, Heights, ListError, ListOptions, MapError, Population, ReferencePlane, SurfaceHeights,
@@ -68,6 +68,8 @@ pub(super) enum Origin {
 #[derive(Debug)]
 pub(super) struct MapPlan {
     pub(super) file: MapFile,
+    /// What of its text was taken for metres because nothing names a unit.
+    pub(super) taken_for_metres: Option<&'static str>,
     /// What a reader should know of how it is read.
     pub(super) caveats: Vec<String>,
     pub(super) points: [usize; 2],
@@ -329,8 +331,16 @@ impl SurfacePlan {
             l: filter.is_some_and(|filter| filter.l().is_some()),
         });
         let is_held = [metadata.pixel.is_some(), metadata.has_unit];
+        // An array is in metres, as its users know; what a text is in nobody does.
+        let is_assumed = metadata.unit_origin(&options) == UnitOrigin::Assumed && !metadata.has_x_first();
+        let has_coordinates = metadata.pixel.is_some() && !metadata.pixel_has_unit;
         Ok(Origin::Map(MapPlan {
             file,
+            taken_for_metres: is_assumed.then_some(if has_coordinates {
+                "Coordinates and heights"
+            } else {
+                "Heights"
+            }),
             caveats,
             points,
             read: metadata.read,

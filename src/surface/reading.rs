@@ -51,6 +51,12 @@ fn replaced(metadata: &Metadata, options: &ReadOptions) -> Vec<String> {
 
 /// The channel that was read, where others hold lengths, too.
 fn others(ChannelName { name, others }: &ChannelName) -> Option<String> {
+    let unmasked = format!("{name}, less its mask");
+    if others.iter().any(|other| other.name == unmasked) {
+        return Some(format!(
+            "the channel \"{name}\" of its file is read with the points under its mask; `channel = \"{unmasked}\"` leaves them out."
+        ));
+    }
     let lengths: Vec<_> = others.iter().filter(|other| other.unit.as_deref() == Some("m")).collect();
     let another = &lengths.first()?.name;
     let more = if lengths.len() > 1 { format!(" (of {})", lengths.len()) } else { String::new() };
