@@ -6,6 +6,7 @@ use std::process::{Command, Output};
 
 use asperity_contact_framework::report::format;
 
+mod every_input;
 mod export;
 mod heights;
 mod input;
