@@ -5,6 +5,7 @@ use asperity_contact_framework::report::format::{count, input_quantity, number, 
 
 use asperity::compare::Repeats;
 use asperity::numeric::two_digits_up;
+use asperity::surface::usual_long_filter;
 use asperity::surface::{Fit, MOST_SPIKE_POINTS, MapFacts, NoAsperities, NotApplied, Remedy, Surface};
 use asperity::topography::HeightPlace;
 use asperity::topography::fitness::LARGEST_FLANKS;
@@ -151,6 +152,12 @@ fn larger_map(finding: &Finding, map: &MapFacts) -> String {
         input_quantity(two_digits_up(side), "m")
     });
     format!("a larger map, at least {x} along x and {y} along y ({FEWEST_LENGTHS} correlation lengths)")
+}
+
+/// An L filter that leaves as many waves as a map needs, as a spec has it.
+fn long_filter(map: &MapFacts) -> String {
+    let size = [0, 1].map(|axis| map.points[axis] as f64 * map.pixel[axis]);
+    written(Remedy::LongWaves(usual_long_filter(size)))
 }
 
 /// Whether so many points stand out that they are no single wrong ones.
@@ -364,8 +371,8 @@ pub fn remedy(finding: &Finding, map: &MapFacts) -> String {
         Measure::RadiusOverTip => "a sharper tip, or its radius measured to a tenth".to_owned(),
         Measure::Untraced => "`tip`: it is sharper than stated, or noise stands out, which an S filter removes".to_owned(),
         Measure::LengthOverSide => {
-            let larger = larger_map(finding, map);
-            format!("{larger}, or an L filter where the longest waves are form and do not matter to your contact")
+            let (larger, key) = (larger_map(finding, map), long_filter(map));
+            format!("{larger}, or an L filter (`{key}`) where the longest waves are form and do not matter to your contact")
         }
         Measure::NominalArea => match map.is_held {
             [_, true] => "`pixel` or `unit`, as in `pixel = \"0.8 um\"`, in place of what the file states".to_owned(),

@@ -266,10 +266,10 @@ fn the_next_step_names_the_fit_where_it_helps() {
     ];
     let results: CompareResults = crate::downcast(run(folder.path(), "robustness = false", &maps));
     let step = |k: usize| said(&results.surfaces[k].surface);
-    assert!(step(0).contains("; `level = \"quadratic\"`; try `--fit` (`fit = \"auto\"`)."), "{}", step(0));
+    assert!(step(0).contains("; `level = \"quadratic\"`; try `fit = \"auto\"`."), "{}", step(0));
     assert!(step(1).contains("steep flanks") && step(1).contains("assumes small slopes"), "{}", step(1));
-    assert!(!step(1).contains("units") && !step(1).contains("--fit"), "{}", step(1));
-    assert!(step(2).contains("probably in different units") && !step(2).contains("--fit"), "{}", step(2));
+    assert!(!step(1).contains("units") && !step(1).contains("auto"), "{}", step(1));
+    assert!(step(2).contains("in different units") && !step(2).contains("auto"), "{}", step(2));
     // More than single wrong points: no advice to remove them, and none that a fit refused.
     assert!(
         step(3).contains("more than 1 % of the points stand out") && !step(3).contains("outliers"),

@@ -377,6 +377,8 @@ fn a_map_too_coarse_for_its_shortest_wave_is_warned_of() {
         (finer, cut_off("2")),
         (finer, filtered("2")),
         (finer, MEASURED.to_owned()),
+        // Waves of twelve points, as the map itself says.
+        ("", MEASURED.to_owned()),
         (
             "",
             ROUGH.replace(
@@ -394,7 +396,6 @@ fn a_map_too_coarse_for_its_shortest_wave_is_warned_of() {
     for (surface, points) in [
         (cut_off("3.9"), "3.9 points per shortest wave, fewer"),
         (filtered("3"), "3 points per shortest wave, fewer"),
-        (MEASURED.to_owned(), "2 points per shortest wave, fewer"),
         (exponential, "2 points per shortest wave, fewer"),
     ] {
         let warning = of("", &surface).unwrap();
@@ -405,6 +406,19 @@ fn a_map_too_coarse_for_its_shortest_wave_is_warned_of() {
             "{warning}"
         );
     }
+}
+
+#[test]
+fn a_measured_map_of_noise_is_too_coarse() {
+    let (folder, _) = read("law = \"hertz\"\npressure = \"10 MPa\"", MEASURED);
+    let noise = |k: usize| 1e-8 * ((k * k * 7919 % 104729) as f64 / 104729.0);
+    let map = HeightMap::new([50, 60], [1e-6; 2], (0..3000).map(noise).collect(), 0.0).unwrap();
+    map.write_npy(&folder.path().join("map.npy")).unwrap();
+    let spec = std::fs::read_to_string(folder.path().join("t.toml")).unwrap();
+    std::fs::write(folder.path().join("t.toml"), spec.replace("law =", &format!("{THREE}law ="))).unwrap();
+    let results = Experiment::read(&folder.path().join("t.toml")).unwrap().run(&Silent).unwrap();
+    let is_told = |warning: &String| warning.contains("reference on surface m: 2 points per shortest wave");
+    assert!(results.warnings().iter().any(is_told), "{:?}", results.warnings());
 }
 
 /// At a pressure that no contact carries the answer says why there are no boundary elements, and does not send the reader to them.

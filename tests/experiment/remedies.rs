@@ -11,7 +11,7 @@ use toml::{Table, Value};
 
 const SIDE: usize = 160;
 
-/// Heights of random waves of 10 points and more, r.m.s. 0.1 µm, as `test_remedies.py` makes them; along y alone where they are `ridges`.
+/// Heights of random waves of 7 points and more, r.m.s. 0.1 µm, as `test_remedies.py` makes them; along y alone where they are `ridges`.
 fn waves(ridges: bool) -> Vec<f64> {
     let mut state = 12345_u64;
     let mut random = || {
@@ -21,10 +21,10 @@ fn waves(ridges: bool) -> Vec<f64> {
     let mut heights = vec![0.0; SIDE * SIDE];
     for _ in 0..150 {
         let [x, y, phase] = [0; 3].map(|_| random());
-        let q = [x, y].map(|share| (32.0 * share).floor() - 16.0);
-        let q = if ridges { [(q[0] / 16.0).round(), q[1]] } else { q };
+        let q = [x, y].map(|share| (48.0 * share).floor() - 24.0);
+        let q = if ridges { [(q[0] / 24.0).round(), q[1]] } else { q };
         let size = q[0].hypot(q[1]);
-        if !(2.0..=16.0).contains(&size) {
+        if !(2.0..=24.0).contains(&size) {
             continue;
         }
         for (k, z) in heights.iter_mut().enumerate() {
@@ -80,7 +80,7 @@ fn input(folder: &Path, name: &str) -> String {
         "lines" => map(&|i, j| at(i, j) + 1e-7 * random(0, j)),
         "form" => map(&|i, j| at(i, j) + 2e-7 * (i as f64 / 80.0 - 1.0).powi(2)),
         "long" => map(&|i, j| at(i, j) + 4e-7 * (std::f64::consts::TAU * 1.5 * i as f64 / SIDE as f64).sin()),
-        "steps" => map(&|i, j| (at(i, j) / 2.5e-8).round() * 2.5e-8),
+        "steps" => map(&|i, j| (at(i, j) / 1e-8).round() * 1e-8),
         "plateaus" => map(&|i, j| match (i % 2, j % 2, random(i, j)) {
             (1, 1, share) if share < 0.1 => 1e-12,
             (1, 1, share) => 1e-9 * (0.5 + share),
@@ -96,8 +96,8 @@ fn input(folder: &Path, name: &str) -> String {
     }
 }
 
-/// What a run says, in the terminal and on its page, and whether it refused its input.
-fn said(folder: &Path, arguments: &[String]) -> (String, bool) {
+/// What a run says in the terminal, and in the files of its report, which keep the keys of a spec; and whether it refused its input.
+fn said(folder: &Path, arguments: &[String]) -> ([String; 2], bool) {
     let out = folder.join("out");
     let _ = fs::remove_dir_all(&out);
     let output: Output = Command::new(env!("CARGO_BIN_EXE_experiment"))
@@ -106,12 +106,20 @@ fn said(folder: &Path, arguments: &[String]) -> (String, bool) {
         .current_dir(folder)
         .output()
         .unwrap();
-    let mut said =
+    let said =
         String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
+    let mut written = String::new();
     for report in fs::read_dir(&out).into_iter().flatten().flatten() {
-        said += &fs::read_to_string(report.path().join("report.md")).unwrap_or_default();
+        for file in ["report.md", "fitness.csv"] {
+            written += &fs::read_to_string(report.path().join(file)).unwrap_or_default();
+        }
     }
-    (said, output.status.code() == Some(2))
+    ([said, written], output.status.code() == Some(2))
+}
+
+/// The beginning of what was said.
+fn short(said: &str) -> String {
+    said.chars().take(1500).collect()
 }
 
 /// The words of a command line as a shell reads them.
@@ -191,16 +199,6 @@ fn every_remedy_can_be_typed() {
             fs::write(folder.path().join("t.toml"), text).unwrap();
             said(folder.path(), &["run".to_owned(), "t.toml".to_owned()])
         };
-        let mut check = |front_end: &str, form: &str, before: (String, bool), after: (String, bool)| {
-            let name = format!("{key} ({front_end})");
-            if !before.0.contains(says) {
-                wrong.push(format!("{name}: not said without it: {}", before.0));
-            } else if !before.0.contains(form) {
-                wrong.push(format!("{name}: does not advise {form}: {}", before.0));
-            } else if after.0.contains(says) || after.1 {
-                wrong.push(format!("{name}: still there, or refused, with it: {}", after.0));
-            }
-        };
         let name = |front_end: FrontEnd| {
             let of_key =
                 if key == "hardness" { "material.PTFE.hardness" } else { key.split('.').next().unwrap() };
@@ -211,10 +209,23 @@ fn every_remedy_can_be_typed() {
                 named.split(',').next().unwrap().to_owned()
             }
         };
+        let mut check = |front_end: FrontEnd, before: ([String; 2], bool), after: ([String; 2], bool)| {
+            let case = format!("{key} ({front_end:?})");
+            let [said, written] = before.0;
+            let is_there = |texts: &[String; 2]| texts.iter().any(|text| text.contains(says));
+            let advises = |text: &str, front_end| text.contains(says) && text.contains(&name(front_end));
+            if !said.contains(says) && !written.contains(says) {
+                wrong.push(format!("{case}: not said without it: {}", short(&said)));
+            } else if !advises(&said, front_end) && !advises(&written, FrontEnd::Spec) {
+                wrong.push(format!("{case}: does not advise {}: {}", name(front_end), short(&said)));
+            } else if is_there(&after.0) || after.1 {
+                wrong.push(format!("{case}: still there, or refused, with it: {}", short(&after.0[0])));
+            }
+        };
         of_file.remove(key);
         let before = spec(&keys("file"), &of_compare, "");
         let after = spec(&of_file, &of_compare, &advice);
-        check("spec", &name(FrontEnd::Spec), before, after);
+        check(FrontEnd::Spec, before, after);
 
         // On the command line, of a measured file.
         if remedy.table == "asperities" {
@@ -236,12 +247,10 @@ fn every_remedy_can_be_typed() {
             let begin = ["surface".to_owned(), file.clone()];
             said(folder.path(), &[&begin[..], &typed(of_file), &layer, &set, more].concat())
         };
-        let form = name(FrontEnd::Terminal);
         let more = shell(&FrontEnd::Terminal.text(&format!("`{advice}`")).replace('`', ""));
         let before = look(&keys("file"), &[]);
         let after = look(&of_file, &more);
-        // The page of a report keeps keys of a spec, which is below them.
-        check("command line", &form, before, after);
+        check(FrontEnd::Terminal, before, after);
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n\n"));
 }

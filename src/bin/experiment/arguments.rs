@@ -358,3 +358,10 @@ pub struct RunOptions {
     #[arg(long)]
     pub silent: bool,
 }
+
+impl RunOptions {
+    /// Whether nothing but the answer is printed, if that.
+    pub fn is_quiet(&self) -> bool {
+        self.quiet || self.silent
+    }
+}

@@ -105,7 +105,7 @@ fn main() -> ExitCode {
 fn perform(cli: Cli) -> Result<(), Failure> {
     match cli.command {
         None => specs_in(Path::new(SPECS)).and_then(|files| {
-            let experiments = read_all(&files, &cli.extent, cli.options.quiet)?;
+            let experiments = read_all(&files, &cli.extent, cli.options.is_quiet())?;
             let is_run = |experiment: &Experiment| cli.full || !experiment.is_long();
             run(experiments.into_iter().filter(is_run).collect(), &cli.options)
         }),
@@ -113,7 +113,7 @@ fn perform(cli: Cli) -> Result<(), Failure> {
             run_parts(&files, &extent, &options, part, &parts)
         }
         Some(Command::Run { files, extent, options, .. }) => {
-            read_all(&files, &extent, options.quiet).and_then(|experiments| run(experiments, &options))
+            read_all(&files, &extent, options.is_quiet()).and_then(|experiments| run(experiments, &options))
         }
         Some(Command::Merge { files, parts, options }) => merge(&files, &parts, &options),
         Some(Command::List { out }) => list(&out),
@@ -256,9 +256,9 @@ fn run_parts(
     folder: &Path,
 ) -> Result<(), Failure> {
     interrupt::of_parts(true);
-    for experiment in read_all(files, extent, options.quiet)? {
+    for experiment in read_all(files, extent, options.is_quiet())? {
         let start = Instant::now();
-        let run = watched(experiment.stem(), options.quiet, |progress| {
+        let run = watched(experiment.stem(), options.is_quiet(), |progress| {
             experiment.run_part(part, folder, progress)
         })?;
         let name = format!("{} part {part}", experiment.stem());
@@ -288,11 +288,11 @@ fn run_parts(
 /// Merges the parts of each spec and writes its report.
 fn merge(files: &[PathBuf], folder: &Path, options: &RunOptions) -> Result<(), Failure> {
     let mut store = open_store(options)?;
-    for experiment in read_all(files, &Extent { huge: false }, options.quiet)? {
+    for experiment in read_all(files, &Extent { huge: false }, options.is_quiet())? {
         let start = Instant::now();
         store.check(experiment.stem())?;
         let merged =
-            watched(experiment.stem(), options.quiet, |progress| experiment.merge(folder, progress))?;
+            watched(experiment.stem(), options.is_quiet(), |progress| experiment.merge(folder, progress))?;
         let report = report_folder(&*merged.outcome, &merged.key, PRINT)?;
         write_report(&experiment, Place::ALONE, &*merged.outcome, &report, &mut store, options, start)?;
     }
@@ -355,7 +355,8 @@ fn run_one(
     // Of a report that is not there the run finds the input itself.
     let mut known = None;
     if !options.force && store.has(experiment.stem()) {
-        let input = watched(experiment.stem(), options.quiet, |progress| experiment.watched_input(progress))?;
+        let input =
+            watched(experiment.stem(), options.is_quiet(), |progress| experiment.watched_input(progress))?;
         if store.is_current(experiment.stem(), &experiment.key_of(&input)) {
             let folder = options.out.join(experiment.stem());
             say(options, &format!("{place}{} is unchanged ({} s)", folder.display(), seconds(start)));
@@ -373,7 +374,7 @@ fn run_one(
 
 /// Prints what a run has to say in the terminal, or only the answer.
 fn say_answer(experiment: &Experiment, results: &dyn Outcome, options: &RunOptions) {
-    let text = if options.quiet {
+    let text = if options.is_quiet() {
         Answered::of(&options.out.join(experiment.stem())).map(|answered| answered.answer.to_string())
     } else {
         results.terminal()
@@ -397,7 +398,7 @@ fn run_and_write(
     let kept = options.out.join(KEPT).join(experiment.stem());
     let report = |results: &dyn Outcome, key: &str| report_folder(results, key, PRINT);
     let run = |progress: &dyn Progress| experiment.run_on(known, Some(&kept), progress, report);
-    let (report, results) = watched(&name, options.quiet, run)?;
+    let (report, results) = watched(&name, options.is_quiet(), run)?;
     write_report(experiment, place, &*results, &report?, store, options, start)?;
     Ok(results)
 }
@@ -430,7 +431,7 @@ fn write_report(
     if !place.is_alone() && !warnings.is_empty() {
         let plural = if warnings.len() == 1 { "" } else { "s" };
         count = format!(", {} warning{plural}", warnings.len());
-    } else if !options.quiet {
+    } else if !options.is_quiet() {
         for warning in warnings {
             let warning = experiment.for_its_user(&warning);
             print_error(format_args!("warning: {}: {warning}", experiment.stem()));

@@ -30,7 +30,7 @@ pub fn print_error(line: Arguments) {
 
 /// Prints a line on what is done, unless that is not wanted.
 pub fn say(options: &RunOptions, line: &str) {
-    if !options.quiet {
+    if !options.is_quiet() {
         print(format_args!("{line}"));
     }
 }

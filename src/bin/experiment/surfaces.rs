@@ -90,7 +90,7 @@ fn one(
 ) -> Result<String, Failure> {
     let shown = file.file_stem().unwrap_or_default().to_string_lossy();
     let free = name.is_none().then(|| free_name(file, options)).flatten();
-    let experiment = watched(&shown, options.quiet, |progress| {
+    let experiment = watched(&shown, options.is_quiet(), |progress| {
         Experiment::describe(file, file_options, name.or(free.as_deref()), progress)
     })?;
     if let Some(spec) = save_spec {

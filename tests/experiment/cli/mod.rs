@@ -170,7 +170,7 @@ fn an_unchanged_experiment_is_not_run_again() {
 #[test]
 fn the_tables_have_the_columns_and_rows_of_the_contract() {
     let (_folder, spec, out) = small();
-    assert!(run(&spec, &out, &["--quiet"]).stdout.is_empty());
+    assert!(run(&spec, &out, &["--silent"]).stdout.is_empty());
     let table = |name: &str| {
         let mut reader = csv::Reader::from_path(out.join("small").join(name)).unwrap();
         let header: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();

@@ -96,7 +96,7 @@ impl Options {
 pub enum SolverError {
     /// At most 1 % of the points may be missing.
     #[error(
-        "{missing} of {points} points are missing; allowed for boundary elements: at most 1 %. Crop the map, or fill \
+        "{missing} of {points} points are missing; allowed for boundary elements: at most 1 %. Use a part of the map (`crop`), or fill \
          the points with the program that wrote it"
     )]
     Missing {

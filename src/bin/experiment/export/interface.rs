@@ -53,7 +53,8 @@ impl InterfaceExport {
         let writer = writing.begin()?;
         // The name of a single case is checked before the run; those of several cases follow from it.
         writer.check([&format!("{}.{}", experiment.stem(), format.ending())])?;
-        let results = watched(experiment.stem(), writer.options.quiet, |progress| experiment.run(progress))?;
+        let results =
+            watched(experiment.stem(), writer.options.is_quiet(), |progress| experiment.run(progress))?;
         let of = InterfaceOptions { model, beyond };
         let refuse = |message: String| Failure::Input(format!("{}: {message}", spec.display()));
         let found = interface_tables(&*results, of).map_err(refuse)?;

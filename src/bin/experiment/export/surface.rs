@@ -80,7 +80,7 @@ impl MapExport {
         let known: Vec<String> = known.flat_map(|step| names(&surface.name(), step)).collect();
         writer.check(&known)?;
         let mut found = Vec::new();
-        watched(&surface.name(), writer.options.quiet, |progress| {
+        watched(&surface.name(), writer.options.is_quiet(), |progress| {
             surface.each_map(progress, |ExportedMap { name, step, map, notes }| {
                 found.push(step.name());
                 if !is_wanted(*step) {
@@ -139,7 +139,7 @@ impl AsperitiesExport {
         let is_text = format == "csv";
         writer.check([&file].into_iter().chain((!is_text).then_some(&beside)))?;
         let name = surface.name();
-        let asperities = watched(&name, writer.options.quiet, |progress| {
+        let asperities = watched(&name, writer.options.is_quiet(), |progress| {
             let asperities = surface.asperities(progress)?;
             progress.stage("writing", 1.0);
             writer.write(&file, |out| {
@@ -197,7 +197,7 @@ impl PatchesExport {
         // Of several contacts the names follow from this one.
         writer.check(&names(&contacts.name()))?;
         let mut written = 0;
-        let left_out = watched(&contacts.name(), writer.options.quiet, |progress| {
+        let left_out = watched(&contacts.name(), writer.options.is_quiet(), |progress| {
             contacts.each(progress, |contact| {
                 written += 1;
                 let all = names(&contact.name);

@@ -82,6 +82,7 @@ pub fn with_case<T>(
         against_reference: AgainstReference::default(),
     };
     let mut case = CaseStudy {
+        greenwood_tripp: Vec::new(),
         realisations: vec![results],
         spread: Vec::new(),
         verdicts,
