@@ -246,7 +246,7 @@ fn doubtful_maps_are_reported() {
         &words("nm"),
         &tops("1.5").replace("2.0", "1.5").replace("1.0", "1.5").replace("1.7", "1.5"),
     );
-    assert_eq!(output.status.code(), Some(2));
+    assert!(output.status.success());
     assert!(text(&output.stderr).contains("has 9 summits that are equally high"), "{}", text(&output.stderr));
 }
 
@@ -331,7 +331,10 @@ fn maps_of_labs_are_read_from_the_command_line() {
     assert!(error.contains("the table begins in line 3") && error.contains("put # before each"), "{error}");
     fs::write(folder.path().join("small.txt"), "0 0 0 0\n0 3 0 1\n0 0 0 0\n0 1 0 2\n").unwrap();
     let (is_read, error, ..) = run("small.txt", &["--pixel", "1 um", "--unit", "nm", "--level", "none"]);
-    assert!(!is_read && error.contains("small.txt has one summit only on 4 x 4 points: "), "{error}");
+    assert!(
+        is_read && error.contains("the map has one summit only on 4 x 4 points; boundary elements"),
+        "{error}"
+    );
 }
 
 /// What cannot be carried out is refused before anything runs.
