@@ -184,7 +184,7 @@ pub fn merge_tiles(
         let experiment = Experiment::watched_parse(source, &name, watch);
         finish(experiment, report, |experiment| experiment.merge_tiles(&found, watch))
     };
-    Ok(interruptible(py, work)??)
+    interruptible(py, work)?
 }
 
 /// A message with arguments of this package for the keys of a spec that it advises.
@@ -383,7 +383,7 @@ pub fn run(
             })
         }
     };
-    Ok(interruptible(py, work)??)
+    interruptible(py, work)?
 }
 
 /// A run, yet to be done.

@@ -79,6 +79,9 @@ fn refuse_map(map: &str, error: &ReadError) -> PyErr {
     refuse(format!("{map} {}", FrontEnd::Python.text(&spec_message(error))))
 }
 
+/// Heights, pixel, precision and offset.
+type MapArguments<'py> = (Bound<'py, PyArray2<f64>>, [f64; 2], f64, f64);
+
 #[pymethods]
 impl Map {
     /// Heights are relative to ``offset``, and stored with a relative ``precision``.
@@ -164,10 +167,7 @@ impl Map {
         self.0.pixel()
     }
 
-    fn __getnewargs__<'py>(
-        &self,
-        py: Python<'py>,
-    ) -> PyResult<(Bound<'py, PyArray2<f64>>, [f64; 2], f64, f64)> {
+    fn __getnewargs__<'py>(&self, py: Python<'py>) -> PyResult<MapArguments<'py>> {
         Ok((self.heights(py)?, self.pixel(), self.0.precision(), self.0.offset()))
     }
 
