@@ -70,7 +70,7 @@ fn a_surface_is_described() {
         (&[opd, "--pixel", "0.2 um", "--unit", "xy=um"], "--unit \"xy=um\": found no `z`, which is needed"),
         (
             &[opd, "--pixel", "0.2 um", "--missing", "x"],
-            "--missing \"x\": found \"x\"; allowed: a number such as",
+            "is .npy, which holds numbers only; allowed: numbers for its missing points",
         ),
         (&[opd, "--pixel", "0.2 um", "--neighbours", "six"], "--neighbours \"six\": found `six`; allowed: "),
         (&[opd, "--pixel", "0.2 um", "--s", "3"], "--s \"3\": "),
