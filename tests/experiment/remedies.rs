@@ -11,8 +11,8 @@ use toml::{Table, Value};
 
 const SIDE: usize = 160;
 
-/// Heights of random waves of 7 points and more, r.m.s. 0.1 µm, as `test_remedies.py` makes them; along y alone where they are `ridges`.
-fn waves(ridges: bool) -> Vec<f64> {
+/// Heights of random waves of 7 points and more, r.m.s. 0.1 µm, as `test_remedies.py` makes them.
+fn waves() -> Vec<f64> {
     let mut state = 12345_u64;
     let mut random = || {
         state = (state * 1103515245 + 12345) % (1 << 31);
@@ -22,7 +22,6 @@ fn waves(ridges: bool) -> Vec<f64> {
     for _ in 0..150 {
         let [x, y, phase] = [0; 3].map(|_| random());
         let q = [x, y].map(|share| (48.0 * share).floor() - 24.0);
-        let q = if ridges { [(q[0] / 24.0).round(), q[1]] } else { q };
         let size = q[0].hypot(q[1]);
         if !(2.0..=24.0).contains(&size) {
             continue;
@@ -43,7 +42,7 @@ fn text_of(heights: &[f64], unit: f64) -> String {
 
 /// Writes an input and returns the name of its file.
 fn input(folder: &Path, name: &str) -> String {
-    let good = waves(name == "ridges");
+    let good = waves();
     let text = |text: String| {
         fs::write(folder.join("map.txt"), text).unwrap();
         "map.txt".to_owned()
@@ -57,7 +56,11 @@ fn input(folder: &Path, name: &str) -> String {
     let random =
         |i: usize, j: usize| ((i * 7919 + j * 104729 + 13) * 2654435761 % 4294967296) as f64 / 4294967296.0;
     match name {
-        "good" | "ridges" => map(&at),
+        "good" => map(&at),
+        "ridges" => map(&|i, j| {
+            let y = j as f64;
+            0.05 * at(i, j) + 1e-7 * (0.9 * y + 2.5 * (0.37 * y).sin() + 1.7 * (0.113 * y).sin()).sin()
+        }),
         "matrix" => text(text_of(&good, 1e-6)),
         "tall" => text(text_of(&good, 1e-9)),
         "marked" => {
@@ -202,11 +205,9 @@ fn every_remedy_can_be_typed() {
         let name = |front_end: FrontEnd| {
             let of_key =
                 if key == "hardness" { "material.PTFE.hardness" } else { key.split('.').next().unwrap() };
-            let named = front_end.text(&format!("`{of_key}`")).replace('`', "");
-            if front_end == FrontEnd::Terminal && remedy.flag.is_none() {
-                "--set ".to_owned()
-            } else {
-                named.split(',').next().unwrap().to_owned()
+            match front_end {
+                FrontEnd::Terminal => remedy.flag.unwrap_or("--set ").to_owned(),
+                _ => of_key.to_owned(),
             }
         };
         let mut check = |front_end: FrontEnd, before: ([String; 2], bool), after: ([String; 2], bool)| {
