@@ -15,8 +15,8 @@ impl SurfacePlan {
         const BYTES_PER_ROW: u128 = 32;
         match &self.origin {
             Origin::List { .. } => self.most_asperities() * BYTES_PER_ROW,
-            &Origin::Map(MapPlan { points, is_on_disk, .. }) if !is_on_disk || is_copied(points) => {
-                area(points) * BYTES_PER_POINT
+            Origin::Map(map) if !map.is_on_disk || is_copied(map.points) => {
+                area(map.points) * BYTES_PER_POINT
             }
             _ => 0,
         }
@@ -30,7 +30,7 @@ impl SurfacePlan {
             Origin::List { rows, .. } => *rows as u128,
             Origin::Population { count, .. } => *count as u128,
             Origin::Generated(generation) => area(generation.points()) / POINTS_PER_SUMMIT,
-            Origin::Map(MapPlan { points, .. }) => area(*points) / POINTS_PER_SUMMIT,
+            Origin::Map(map) => area(map.points) / POINTS_PER_SUMMIT,
             Origin::Pair(pair) => area(pair.grid().0) / POINTS_PER_SUMMIT,
         }
     }
@@ -56,7 +56,8 @@ impl SurfacePlan {
         const BYTES_COMPARED: u128 = 160;
         let summits = self.likely_asperities() * BYTES_PER_SUMMIT;
         match &self.origin {
-            &Origin::Map(MapPlan { points, read, pixel, is_on_disk, preparation, fit, .. }) => {
+            Origin::Map(map) => {
+                let &MapPlan { points, read, pixel, is_on_disk, preparation, fit, .. } = &**map;
                 let filtering = |filter: Filter| filter.memory(points, pixel);
                 let own = match fit {
                     None => preparation.filter.map_or(0, filtering),
@@ -120,7 +121,7 @@ impl SurfacePlan {
         const POINTS_PER_SUMMIT: u128 = 10;
         match &self.origin {
             Origin::Generated(generation) => area(generation.points()) / POINTS_PER_SUMMIT,
-            Origin::Map(MapPlan { points, .. }) => area(*points) / POINTS_PER_SUMMIT,
+            Origin::Map(map) => area(map.points) / POINTS_PER_SUMMIT,
             Origin::Pair(pair) => area(pair.grid().0) / POINTS_PER_SUMMIT,
             Origin::List { .. } | Origin::Population { .. } => self.most_asperities(),
         }

@@ -61,7 +61,7 @@ pub(super) enum Origin {
         no_composite: Option<String>,
     },
     Generated(Box<Generation>),
-    Map(MapPlan),
+    Map(Box<MapPlan>),
     Pair(Box<PairPlan>),
 }
 
@@ -334,7 +334,7 @@ impl SurfacePlan {
         // An array is in metres, as its users know; what a text is in nobody does.
         let is_assumed = metadata.unit_origin(&options) == UnitOrigin::Assumed && !metadata.has_x_first();
         let has_coordinates = metadata.pixel.is_some() && !metadata.pixel_has_unit;
-        Ok(Origin::Map(MapPlan {
+        Ok(Origin::Map(Box::new(MapPlan {
             file,
             taken_for_metres: is_assumed.then_some(if has_coordinates {
                 "Coordinates and heights"
@@ -350,15 +350,14 @@ impl SurfacePlan {
             is_periodic,
             preparation,
             fit,
-        }))
+        })))
     }
 
     /// The files that it is read from.
     pub fn inputs(&self) -> Vec<PathBuf> {
         match &self.origin {
-            Origin::List { path, .. } | Origin::Map(MapPlan { file: MapFile { path, .. }, .. }) => {
-                vec![path.clone()]
-            }
+            Origin::List { path, .. } => vec![path.clone()],
+            Origin::Map(map) => vec![map.file.path.clone()],
             Origin::Population { .. } | Origin::Generated(_) => Vec::new(),
             Origin::Pair(pair) => pair.bodies.iter().flat_map(Self::inputs).collect(),
         }
@@ -408,9 +407,9 @@ impl SurfacePlan {
     pub fn points_per_wave(&self) -> Option<f64> {
         match &self.origin {
             Origin::Generated(generation) => Some(generation.points_per_wave()),
-            Origin::Map(MapPlan { pixel, preparation, .. }) => {
-                let shortest = preparation.filter.and_then(|filter| filter.s())?;
-                Some((shortest / pixel[0].max(pixel[1])).max(FEWEST_PER_WAVE))
+            Origin::Map(map) => {
+                let shortest = map.preparation.filter.and_then(|filter| filter.s())?;
+                Some((shortest / map.pixel[0].max(map.pixel[1])).max(FEWEST_PER_WAVE))
             }
             Origin::Pair(pair) => pair.bodies.iter().filter_map(Self::points_per_wave).reduce(f64::min),
             Origin::List { .. } | Origin::Population { .. } => None,

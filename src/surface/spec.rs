@@ -36,7 +36,7 @@ pub enum SurfaceSpec {
     /// A random rough surface.
     Generate(Box<GenerateSpec>),
     /// A measured height map.
-    File(FileSpec),
+    File(Box<FileSpec>),
     /// Two rough bodies.
     Pair(PairSpec),
 }
@@ -75,7 +75,7 @@ impl TryFrom<Kinds> for SurfaceSpec {
             asperities.map(Self::Asperities),
             population.map(Self::Population),
             generate.map(|raw| Self::Generate(Box::new(raw))),
-            file.map(Self::File),
+            file.map(|raw| Self::File(Box::new(raw))),
             pair.map(Self::Pair),
         ];
         let mut given = given.into_iter().flatten();

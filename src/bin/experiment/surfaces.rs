@@ -64,10 +64,10 @@ pub fn describe(
         let place = Place { number: index + 1, of: files.len() };
         let described = one(file, &file_options, None, None, place, options);
         rows.push(Row::new(file, &described, options));
-        if let Err(failure) = described {
-            if let Err(before) = std::mem::replace(&mut last, Err(failure)) {
-                before.report();
-            }
+        if let Err(failure) = described
+            && let Err(before) = std::mem::replace(&mut last, Err(failure))
+        {
+            before.report();
         }
     }
     let mut store = Store::new(&options.out);

@@ -61,8 +61,10 @@ pub struct ShortcutResult {
 /// The shortcuts on each of `cases` of a surface, in their order; none of one body, of laws for ellipses, and where the bodies do not allow
 /// one.
 pub fn shortcuts(setup: Setup, surface: &Surface, cases: &[CaseStudy]) -> Vec<Vec<ShortcutResult>> {
-    let scatter = |bodies: &&Box<[BodyAsperities; 2]>| bodies.iter().all(|body| body.sigma > 0.0);
-    let Some(bodies) = surface.bodies.as_ref().filter(scatter) else { return vec![Vec::new(); cases.len()] };
+    let scatter = |bodies: &&[BodyAsperities; 2]| bodies.iter().all(|body| body.sigma > 0.0);
+    let Some(bodies) = surface.bodies.as_deref().filter(scatter) else {
+        return vec![Vec::new(); cases.len()];
+    };
     let bodies = bodies.each_ref().map(|body| body.population(setup.statistical.mean_radius));
     let of_case = |case: &CaseStudy, contact: &dyn MicroContact| -> Vec<ShortcutResult> {
         let at_load = case.results_at_load();
