@@ -409,8 +409,8 @@ def test_files_as_labs_have_them(tmp_path):
     np.savetxt(points, np.column_stack([x.ravel(), y.ravel(), nm.ravel()]), delimiter=",", header="x_um,y_um,z_nm", comments="")
     taken = asperity.Topography.read(points)
     assert np.allclose(taken.raw_heights, made.heights) and np.allclose(taken.pixel, 1e-6)
-    with pytest.raises(ValueError, match=r"x and y in um, z in nm\), and the unit given is mm of x and y, nm of z"):
-        asperity.Topography.read(points, unit={"xy": "mm", "z": "nm"})
+    with pytest.warns(asperity.AsperityWarning, match="states lengths in um of x and y, nm of z; mm of x and y, nm of z, as `unit` says"):
+        assert np.allclose(asperity.Topography.read(points, unit={"xy": "mm", "z": "nm"}).pixel, 1e-3)
     nm[3, 5] = -9999
     matrix = tmp_path / "matrix.csv"
     np.savetxt(matrix, nm, delimiter=",", header=",".join(map(str, range(64))), comments="")

@@ -82,7 +82,7 @@ def said(path, file, compare, hardness=None, law="zmc"):
             results = asperity.compare(asperity.Topography.read(path, **file), interface, **compare)
         except (ValueError, TypeError) as error:
             return str(error), True
-    fitness = results.tables["fitness"].to_dict() if "fitness" in results.tables else {}
+    fitness = list(results.tables["fitness"]["remedy"]) if "fitness" in results.tables else []
     texts = [str(results.answer), *results.warnings, *(str(one.message) for one in caught), str(fitness)]
     return "\n".join(texts), False
 
