@@ -246,7 +246,7 @@ const Body = ({ context, path, label = labelOf(path), ownName, none, extra }) =>
   const inSpec = Object.keys(spec.material ?? {}).filter(one => !vocabulary.materials.some(material => material.name === one) && one !== ownName).map(one => [one, one]);
   return html`<${Choice} context=${context} path=${path} label=${label} options=${[...inSpec, ...options]} none=${none} value=${own && chosen === ownName ? OWN : chosen} set=${choose} />
     ${own && isFirst && html`<${Quantity} context=${context} path=${["material", chosen, "young"]} dimension="pressure" low=${1e8} high=${1e12} />
-      <${Quantity} context=${context} path=${["material", chosen, "poisson"]} dimension="number" low=${0} high=${0.49} linear=${true} />
+      <${Quantity} context=${context} path=${["material", chosen, "poisson"]} dimension="number" low=${0} high=${0.5} linear=${true} />
       <${Quantity} context=${context} path=${["material", chosen, "hardness"]} dimension="pressure" low=${1e7} high=${1e11} placeholder="never yields" />`}`;
 };
 
