@@ -9,7 +9,7 @@ use std::time::SystemTime;
 use asperity::Material;
 use asperity::progress::Share;
 use asperity::surface::{AnalysisDepth, Surface};
-use asperity::topography::read::endings;
+use asperity::topography::read::is_named_as_map;
 use asperity::work::Counter;
 use asperity_contact_framework::digest::{hexadecimal, sha256, watched_sha256_of_file};
 use asperity_contact_framework::divided::AnyDivided;
@@ -60,7 +60,6 @@ pub struct Experiment {
     kind: &'static str,
     notes: String,
     figure: Option<Size>,
-    has_parquet: bool,
     is_long: bool,
     group: Option<Group>,
     seed: u64,
@@ -84,9 +83,8 @@ impl Experiment {
     /// # Errors
     /// As [`Self::read`].
     pub fn watched_read(path: &Path, huge: bool, progress: &dyn Progress) -> Result<Self, InputError> {
-        let is_of_map = |ending: &std::ffi::OsStr| endings().any(|known| ending.eq_ignore_ascii_case(known));
         let spec = SpecFile::read(path, &tables()).map_err(|error| {
-            if path.is_file() && path.extension().is_some_and(is_of_map) {
+            if path.is_file() && is_named_as_map(path) {
                 let name = path.display();
                 InputError::file(
                     path,
@@ -202,7 +200,7 @@ impl Experiment {
     fn new(spec: SpecFile, stem: String, kind: &'static str, planned: Planned) -> Result<Self, InputError> {
         let materials = spec.materials().map(|(name, body)| (name.get_ref().clone(), *body)).collect();
         let origins = spec.origins();
-        let SpecFile { source, title, notes, figure, has_parquet, is_long, seed, .. } = spec;
+        let SpecFile { source, title, notes, figure, is_long, seed, .. } = spec;
         available_memory::check(&planned, &source)?;
         Ok(Self {
             source,
@@ -211,7 +209,6 @@ impl Experiment {
             kind,
             notes,
             figure,
-            has_parquet,
             is_long,
             group: None,
             seed,
@@ -441,7 +438,6 @@ impl Experiment {
             input_sha256,
             notes,
             figure: *figure,
-            has_parquet: self.has_parquet,
             is_long: self.is_long,
             group: self.group,
             library_sha256: LIBRARY,

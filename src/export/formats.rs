@@ -10,28 +10,19 @@ use super::interface::{InterfaceTable, InterfaceValue, TablePoint};
 pub enum Format {
     /// Columns separated by commas, with the ends of the intervals.
     Csv,
-    /// Keywords of Abaqus.
-    Abaqus,
     /// Keywords of CalculiX.
     Calculix,
-    /// Functions of MOOSE.
-    Moose,
-    /// Interpolation functions of COMSOL.
-    Comsol,
 }
 
 impl Format {
     /// All of them.
-    pub const ALL: [Self; 5] = [Self::Csv, Self::Abaqus, Self::Calculix, Self::Moose, Self::Comsol];
+    pub const ALL: [Self; 2] = [Self::Csv, Self::Calculix];
 
     /// The name on the command line.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Csv => "csv",
-            Self::Abaqus => "abaqus",
             Self::Calculix => "calculix",
-            Self::Moose => "moose",
-            Self::Comsol => "comsol",
         }
     }
 
@@ -39,15 +30,8 @@ impl Format {
     pub const fn ending(self) -> &'static str {
         match self {
             Self::Csv => "csv",
-            Self::Abaqus | Self::Calculix => "inp",
-            Self::Moose => "i",
-            Self::Comsol => "txt",
+            Self::Calculix => "inp",
         }
-    }
-
-    /// Whether its files were run in the program that they are for.
-    const fn is_tested(self) -> bool {
-        matches!(self, Self::Csv | Self::Calculix)
     }
 }
 
@@ -136,17 +120,11 @@ pub(super) fn files(
     if format == Format::Csv {
         return vec![ExportedFile { name: format!("{name}.csv"), text: csv(table, units) }];
     }
-    let of_end = |&(end, ending): &(IntervalEnd, &str)| match format {
-        Format::Comsol => comsol(table, &format!("{name}{ending}"), units, end),
-        Format::Moose => {
-            vec![ExportedFile { name: format!("{name}{ending}.i"), text: moose(table, units, end) }]
-        }
-        _ => vec![ExportedFile {
-            name: format!("{name}{ending}.inp"),
-            text: keywords(table, &format!("{name}{ending}"), format, units, end),
-        }],
+    let of_end = |&(end, ending): &(IntervalEnd, &str)| ExportedFile {
+        name: format!("{name}{ending}.inp"),
+        text: calculix(table, &format!("{name}{ending}"), units, end),
     };
-    IntervalEnd::all_of(table).iter().flat_map(of_end).collect()
+    IntervalEnd::all_of(table).iter().map(of_end).collect()
 }
 
 /// The header, each line after `comment`.
@@ -175,12 +153,6 @@ fn header(
             units.length(lead(table))
         ),
     };
-    if !format.is_tested() {
-        let _ = writeln!(
-            text,
-            "{comment} Untested: written from the description of the format, not run in its program."
-        );
-    }
     text
 }
 
@@ -251,40 +223,17 @@ fn over_pressure(
 
 /// Surface interactions in keywords. CalculiX reads numbers of at most 20 characters. Its version 2.20 knows a tabular overclosure with
 /// TYPE=NODE TO SURFACE only, and there takes no pressure into a conductance: heat has an interaction of its own.
-fn keywords(
-    table: &InterfaceTable,
-    name: &str,
-    format: Format,
-    units: UnitSystem,
-    end: IntervalEnd,
-) -> String {
-    let mut text = header(table, "**", format, units, end);
+fn calculix(table: &InterfaceTable, name: &str, units: UnitSystem, end: IntervalEnd) -> String {
+    let mut text = header(table, "**", Format::Calculix, units, end);
     let name = name.to_uppercase();
-    if format == Format::Calculix {
-        let _ = writeln!(text, "** For contact pairs of TYPE=NODE TO SURFACE:");
-    }
+    let _ = writeln!(text, "** For contact pairs of TYPE=NODE TO SURFACE:");
     let _ = writeln!(text, "*SURFACE INTERACTION, NAME={name}");
     text.push_str("*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR\n");
     for [closure, pressure] in curve(table, units, end) {
         let _ = writeln!(text, "{pressure:.10e}, {closure:.10e}");
     }
     let thermal = over_pressure(table, units, end, |point| point.thermal);
-    let electrical = over_pressure(table, units, end, |point| point.electrical);
     let friction = over_pressure(table, units, end, |point| point.friction);
-    if format == Format::Abaqus {
-        let scale = [UnitSystem::thermal, UnitSystem::electrical];
-        let keys = ["*GAP CONDUCTANCE, PRESSURE", "*GAP ELECTRICAL CONDUCTANCE, PRESSURE"];
-        for ((values, scale), key) in [thermal, electrical].iter().zip(scale).zip(keys) {
-            conductance(&mut text, key, &without_load(table, values), &|value| scale(units, value));
-        }
-        if !friction.is_empty() {
-            text.push_str("*FRICTION\n");
-        }
-        for [pressure, value] in friction {
-            let _ = writeln!(text, "{value:.10e}, 0., {pressure:.10e}");
-        }
-        return text;
-    }
     let middle = &table.points[table.points.len() / 2];
     let stick = friction.get(friction.len() / 2).map(|&[_, coefficient]| {
         let (stick, kind) = match middle.tangential {
@@ -309,88 +258,19 @@ fn keywords(
              *SURFACE INTERACTION, NAME={name}-HEAT\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n{:.10e}",
             units.stiffness(secant)
         );
-        conductance(&mut text, "*GAP CONDUCTANCE", &without_load(table, &thermal), &|value| {
-            units.thermal(value)
-        });
+        text.push_str("*GAP CONDUCTANCE\n");
+        for [pressure, value] in without_load(table, thermal) {
+            let _ = writeln!(text, "{:.10e}, {pressure:.10e}", units.thermal(value));
+        }
         text.extend(stick);
     }
-    if !electrical.is_empty() {
+    if table.points.iter().any(|point| point.electrical.is_some()) {
         text.push_str("** CalculiX has no electrical conductance of a contact: none is written.\n");
     }
     text
 }
 
-/// The lines of a conductance: value and pressure, from no load on.
-fn conductance(text: &mut String, key: &str, values: &[[f64; 2]], scale: &dyn Fn(f64) -> f64) {
-    if values.is_empty() {
-        return;
-    }
-    let _ = writeln!(text, "{key}");
-    for &[pressure, value] in values {
-        let _ = writeln!(text, "{:.10e}, {pressure:.10e}", scale(value));
-    }
-}
-
 /// The same from no load on, at which nothing conducts but a medium in the gap: with one the values begin at the first load.
-fn without_load(table: &InterfaceTable, points: &[[f64; 2]]) -> Vec<[f64; 2]> {
-    if table.has_medium || points.is_empty() { points.to_vec() } else { [&[[0.0, 0.0]], points].concat() }
-}
-
-/// Piecewise linear functions.
-fn moose(table: &InterfaceTable, units: UnitSystem, end: IntervalEnd) -> String {
-    let mut text = header(table, "#", Format::Moose, units, end);
-    text.push_str("[Functions]\n");
-    let mut function = |name: &str, points: &[[f64; 2]]| {
-        if points.is_empty() {
-            return;
-        }
-        let values = |place: usize| {
-            points.iter().map(|point| format!("{:.10e}", point[place])).collect::<Vec<_>>().join(" ")
-        };
-        let _ = writeln!(
-            text,
-            "  [{name}]\n    type = PiecewiseLinear\n    x = '{}'\n    y = '{}'\n  []",
-            values(0),
-            values(1)
-        );
-    };
-    function("pressure_over_closure", &curve(table, units, end));
-    for (name, points) in of_pressure(table, units, end) {
-        function(&format!("{name}_over_pressure"), &points);
-    }
-    text.push_str("[]\n");
-    text
-}
-
-/// Conductances and friction over the pressure, in the units of the table.
-fn of_pressure(
-    table: &InterfaceTable,
-    units: UnitSystem,
-    end: IntervalEnd,
-) -> [(&'static str, Vec<[f64; 2]>); 3] {
-    let scaled = |points: Vec<[f64; 2]>, scale: &dyn Fn(f64) -> f64| {
-        without_load(table, &points).into_iter().map(|[pressure, value]| [pressure, scale(value)]).collect()
-    };
-    let electrical = over_pressure(table, units, end, |point| point.electrical);
-    let thermal = over_pressure(table, units, end, |point| point.thermal);
-    [
-        ("electrical_conductance", scaled(electrical, &|value| units.electrical(value))),
-        ("thermal_conductance", scaled(thermal, &|value| units.thermal(value))),
-        ("friction", over_pressure(table, units, end, |point| point.friction)),
-    ]
-}
-
-/// A text of two columns for each interpolation function.
-fn comsol(table: &InterfaceTable, name: &str, units: UnitSystem, end: IntervalEnd) -> Vec<ExportedFile> {
-    let file = |function: &str, points: &[[f64; 2]]| {
-        let mut text = header(table, "%", Format::Comsol, units, end);
-        for [x, y] in points {
-            let _ = writeln!(text, "{x:.10e} {y:.10e}");
-        }
-        ExportedFile { name: format!("{name}-{function}.txt"), text }
-    };
-    let first = file("pressure_over_closure", &curve(table, units, end));
-    let others = of_pressure(table, units, end).into_iter().filter(|(_, points)| !points.is_empty());
-    let others = others.map(|(name, points)| file(&format!("{name}_over_pressure"), &points));
-    std::iter::once(first).chain(others).collect()
+fn without_load(table: &InterfaceTable, points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+    if table.has_medium { points } else { [vec![[0.0, 0.0]], points].concat() }
 }

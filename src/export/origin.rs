@@ -1,11 +1,10 @@
 //! Where an export comes from: the surface that is chosen of a spec or a file, and what is said of it.
 
-use std::ffi::OsStr;
 use std::path::Path;
 
 use asperity::surface::{Preparation, Step};
 use asperity::topography::Level;
-use asperity::topography::read::endings;
+use asperity::topography::read::is_named_as_map;
 use asperity::topography::write::Note;
 use asperity_contact_framework::digest::{hexadecimal, sha256, sha256_of_file};
 use asperity_contact_framework::input::InputError;
@@ -75,13 +74,12 @@ pub(super) fn chosen(
 
 /// Whether the folder of a map holds another of the same name but for its ending.
 fn has_namesake(path: &Path) -> bool {
-    let of_map = |ending: &OsStr| endings().any(|known| ending.eq_ignore_ascii_case(known));
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let mut others = folder.read_dir().into_iter().flatten().flatten().map(|entry| entry.path());
     others.any(|other| {
         other.file_stem() == path.file_stem()
             && other.extension() != path.extension()
-            && other.extension().is_some_and(of_map)
+            && is_named_as_map(&other)
     })
 }
 

@@ -272,7 +272,7 @@ impl<'a> SurfaceFactory<'a> {
         let start = Instant::now();
         self.progress.stage("reading", 1.0);
         let mut rows = match self.source.content_in_memory(&map.file.path) {
-            Some(InMemory::Map(rows)) => Arc::clone(rows),
+            Some(InMemory::Map { rows, .. }) => Arc::clone(rows),
             _ => files.map(&map.file, self.progress).map_err(|error| refuse(&spec_message(&error)))?,
         };
         if map.is_periodic {
@@ -472,12 +472,18 @@ impl<'a> SurfaceFactory<'a> {
                     .map_err(|error| refuse(&no_asperities(&error, map.size(), preparation.filter)))?;
                 let [width, length] = map.size();
                 let sq = surface.map.as_ref().map_or(0.0, |map| map.roughness.moments.sq);
-                if map.taken_for_metres.is_some() && sq > (width * length).sqrt() {
+                if let Some(what) = map.taken_for_metres.filter(|_| sq > (width * length).sqrt()) {
+                    let unit = if what == "Heights" {
+                        "unit = \"um\""
+                    } else {
+                        "unit = { xy = \"mm\", z = \"um\" }"
+                    };
                     return Err(refuse(&format!(
-                        "has heights of {} (Sq) on a map of {} x {}; they were read as metres: `unit = \"um\"` says otherwise",
+                        "has heights of {} (Sq) on a map of {} x {}; {} were read as metres: `{unit}` says otherwise",
                         quantity(sq, "m"),
                         quantity(width, "m"),
-                        quantity(length, "m")
+                        quantity(length, "m"),
+                        what.to_lowercase()
                     )));
                 }
                 surface.taken_for_metres = map.taken_for_metres;

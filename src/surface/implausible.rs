@@ -53,7 +53,7 @@ impl SurfacePlan {
 
     fn of_map(&self, map: &MapPlan, source: &Source, message: &str) -> Option<InputError> {
         let slope = match source.content_in_memory(&map.file.path) {
-            Some(InMemory::Map(rows)) => rms_slope(&**rows),
+            Some(InMemory::Map { rows, .. }) => rms_slope(&**rows),
             _ => rms_slope(&*map.file.rows(&Silent).ok()?),
         };
         if slope >= LEAST_SLOPE {

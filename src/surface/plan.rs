@@ -186,7 +186,9 @@ impl SurfacePlan {
         let refuse =
             |message: &str| source.error_at(raw.file.span(), format!("{} {message}", path.display()));
         let rows = match source.content_in_memory(&path) {
-            Some(InMemory::Map(_)) => return Err(refuse("is a height map; allowed: a list of asperities")),
+            Some(InMemory::Map { .. }) => {
+                return Err(refuse("is a height map; allowed: a list of asperities"));
+            }
             Some(InMemory::List(list)) if as_ellipses && !list.has_curvatures() => {
                 return Err(refuse(
                     "has no principal curvatures, which a law for ellipses needs; allowed: kx and ky beside the radii",
@@ -246,7 +248,7 @@ impl SurfacePlan {
             source.error_at(raw.path.span(), format!("{} {error}", path.display()))
         };
         let in_memory = match source.content_in_memory(&path) {
-            Some(InMemory::Map(map)) => Some(map),
+            Some(InMemory::Map { rows, caveats }) => Some((rows, caveats)),
             Some(InMemory::List(_)) => return Err(refuse(&"is a list of asperities; allowed: a height map")),
             None => None,
         };
@@ -264,7 +266,7 @@ impl SurfacePlan {
                     &"is a map in memory; allowed: leave pixel, unit, missing, channel, transpose and crop out",
                 ));
             }
-            Some(map) => Metadata::in_memory(&**map),
+            Some((map, _)) => Metadata::in_memory(&**map),
             None => {
                 spec.progress.stage(CHECKING, 1.0);
                 file.watched_metadata(spec.progress).map_err(|error| {
@@ -304,7 +306,8 @@ impl SurfacePlan {
                 Some(made)
             }
         };
-        let continues = raw.periodic || in_memory.is_some_and(|map| map.boundary() == Boundary::Periodic);
+        let continues =
+            raw.periodic || in_memory.is_some_and(|(map, _)| map.boundary() == Boundary::Periodic);
         let is_periodic = continues && crop.is_whole();
         let preparation = Preparation {
             removes_spikes: raw.outliers == Some(Outliers::Remove),
@@ -322,6 +325,7 @@ impl SurfacePlan {
             None => file.stays_on_disk().map_err(|error| refuse(&spec_message(&error)))?,
         };
         let mut caveats = reading::caveats(&metadata, pixel, &file);
+        caveats.extend(in_memory.into_iter().flat_map(|(_, caveats)| caveats.clone()));
         caveats.extend(filter.and_then(|filter| filters::short_caveat(filter, pixel)));
         let fit = raw.fit.map(|FitSpec::Auto| Kept {
             spikes: raw.outliers.is_some(),

@@ -13,7 +13,10 @@ pub fn spec_message(error: &ReadError) -> String {
     match error {
         ReadError::Options(error) => options_message(error),
         ReadError::TooTall { .. } => {
-            format!("{error} (`unit = \"um\"` means that the numbers of the file are micrometres)")
+            format!(
+                "{error} (`unit = \"um\"` means that the numbers of the file are micrometres, `unit = {{ xy = \"mm\", z = \"um\" }}` that \
+                 coordinates are millimetres and heights micrometres)"
+            )
         }
         ReadError::Mark { value, .. } => {
             format!("{error} Write `missing = {value}`; `missing = []` where these are heights")

@@ -174,7 +174,7 @@ impl SurfaceTiles {
             }
             Origin::Map(map) => {
                 let rows: Arc<dyn Rows> = match source.content_in_memory(&map.file.path) {
-                    Some(InMemory::Map(rows)) => Arc::clone(rows),
+                    Some(InMemory::Map { rows, .. }) => Arc::clone(rows),
                     _ => {
                         progress.stage("reading", 1.0);
                         map.file.unchecked_rows(progress).map(Arc::from).map_err(|error| {

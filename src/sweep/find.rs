@@ -288,7 +288,7 @@ impl Find {
 
     /// Leaves out of a comparison what the value at the load does not need.
     fn at_the_load(&self, compare: &mut Table) {
-        for key in ["separation", "force", "nominal-area", "lines", "tolerance"] {
+        for key in ["separation", "force", "nominal-area", "lines"] {
             compare.remove(key);
         }
         let pressure = format!("{:e} Pa", self.spec.at.value());

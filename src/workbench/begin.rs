@@ -4,9 +4,7 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-use asperity::topography::read::{
-    LengthUnits, NamedUnits, ReadOptions, UnitOrigin, endings, height_map, metadata,
-};
+use asperity::topography::read::{LengthUnits, NamedUnits, ReadOptions, UnitOrigin, height_map, metadata};
 use asperity::topography::{Level, thumbnail};
 use asperity_workbench::engine::Heights;
 use asperity_workbench::{Example, Refused};
@@ -73,13 +71,6 @@ pub fn picture(file: &Path, most: usize) -> Result<Heights, Refused> {
     let map = height_map(file, options).map_err(|error| refuse(&error))?;
     let small = Level::Plane.apply(&thumbnail(&map, most)).map_err(|error| refuse(&error))?;
     Ok(view::heights(&small, most))
-}
-
-/// Whether names of files of maps and of lists of asperities have this ending.
-pub fn is_surface(ending: &str) -> bool {
-    let is_number = ending.len() == 3 && ending.bytes().all(|byte| byte.is_ascii_digit());
-    let ending = if is_number { "000" } else { ending };
-    endings().any(|known| known == ending)
 }
 
 /// Whether a file is a list of asperities: a text whose first line names their heights and radii.

@@ -17,6 +17,7 @@ mod vocabulary;
 use std::path::Path;
 use std::sync::Arc;
 
+use asperity::topography::read::is_named_as_map;
 use asperity_contact_framework::input::{InputError, Source};
 use asperity_contact_framework::progress::Progress;
 use asperity_contact_framework::remedy::FrontEnd;
@@ -53,8 +54,8 @@ impl Engine for Workbench {
         vocabulary::vocabulary()
     }
 
-    fn is_surface(&self, ending: &str) -> bool {
-        begin::is_surface(ending)
+    fn is_surface(&self, path: &Path) -> bool {
+        is_named_as_map(path)
     }
 
     fn kind(&self, text: &str) -> Option<(String, String)> {

@@ -42,7 +42,7 @@ fn heights(shift: usize) -> Vec<f64> {
 
 fn map(shift: usize) -> InMemory {
     let map = HeightMap::new(POINTS, [1e-6; 2], heights(shift), f64::EPSILON).unwrap();
-    InMemory::Map(Arc::new(map))
+    InMemory::Map { rows: Arc::new(map), caveats: vec!["its file says `unit`.".to_owned()] }
 }
 
 fn list() -> (Vec<f64>, Vec<f64>) {

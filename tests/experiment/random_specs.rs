@@ -59,7 +59,6 @@ const COMPARE: Keys = &[
     ("robustness", &["false", "true"]),
     ("attribution", &["false", "true"]),
     ("rank-models", &["false", "true"]),
-    ("tolerance", &["1e-6", "{ deterministic = 0.01 }"]),
 ];
 
 /// Loads, of which `[compare]` needs one.

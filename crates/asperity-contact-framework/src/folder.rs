@@ -9,7 +9,6 @@ use crate::digest::{hexadecimal, sha256};
 use crate::kind::Outcome;
 use crate::report::CARD;
 use crate::report::digest::digest;
-use crate::report::parquet;
 use crate::report::store::Folder;
 use crate::report::table::Tables;
 use crate::summary;
@@ -23,9 +22,6 @@ pub enum ReportError {
     /// A table.
     #[error("a table cannot be written: {0}")]
     Table(#[from] csv::Error),
-    /// The same as Parquet.
-    #[error("a table cannot be written as Parquet: {0}")]
-    Parquet(#[from] ::parquet::errors::ParquetError),
     /// A figure in print.
     #[error("a figure {0}")]
     Print(#[from] PrintError),
@@ -73,9 +69,6 @@ pub fn folder(outcome: &dyn Outcome, key: &str, print: Option<Print>) -> Result<
     }
     for table in tables.iter() {
         folder.file(table.schema.file, table.csv()?);
-        if outcome.metadata().has_parquet {
-            folder.file(parquet::file_name(table), parquet::parquet(table)?);
-        }
     }
     let is_committed = |name: &str| {
         COMMITTED.iter().any(|ending| name.ends_with(ending))

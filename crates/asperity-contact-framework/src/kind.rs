@@ -304,8 +304,6 @@ pub struct RunContext<'a> {
     pub notes: &'a str,
     /// The size of its figures in print; `None` of figures for the page only.
     pub figure: Option<Size>,
-    /// Whether its tables are written as Parquet beside CSV.
-    pub has_parquet: bool,
     /// Whether it runs only where it is named or long runs are asked for.
     pub is_long: bool,
     /// Where the index lists its report.
@@ -342,7 +340,6 @@ impl RunContext<'_> {
             input_sha256: (self.input_sha256)().unwrap_or_default(),
             seed: self.seed,
             figure: self.figure,
-            has_parquet: self.has_parquet,
             is_long: self.is_long,
             group: self.group,
             library_sha256: self.library_sha256,

@@ -27,8 +27,6 @@ pub struct Metadata {
     pub input_sha256: String,
     /// The size of its figures in print; `None` of figures for the page only.
     pub figure: Option<Size>,
-    /// Whether its tables are written as Parquet beside CSV.
-    pub has_parquet: bool,
     /// Whether it runs only where it is named or long runs are asked for.
     pub is_long: bool,
     /// Where the index lists its report.

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use asperity::compare::{Comparison, Controls, Models, NotReached, Tolerances, compare};
+use asperity::compare::{Comparison, Controls, Models, NotReached, compare};
 use asperity::{Deterministic, Ellipses, MicroContact, Model, ReferencePlane, SetError, Statistical};
 use asperity_contact_framework::input::bare::{NominalPressureRange, SigmaRange};
 use asperity_contact_framework::input::quantity::{Finite, Length, Pressure, Pure};
@@ -18,11 +18,7 @@ use crate::table::Table;
 use crate::watch::{guarded, interruptible};
 
 /// At what a model is evaluated.
-fn controls(
-    separations: Option<&Bound<PyAny>>,
-    pressures: Option<&Bound<PyAny>>,
-    tolerance: Option<f64>,
-) -> PyResult<Controls> {
+fn controls(separations: Option<&Bound<PyAny>>, pressures: Option<&Bound<PyAny>>) -> PyResult<Controls> {
     let separations = separations.map_or(Ok(Vec::new()), |all| list::<Pure, Finite>(all, "separations"))?;
     let of_pressures = list::<Pressure, NominalPressureRange>;
     let pressures = pressures.map_or(Ok(Vec::new()), |all| of_pressures(all, "pressures"))?;
@@ -37,11 +33,7 @@ fn controls(
     if let Some(p) = pressures.iter().find(|p| !(**p > 0.0 && p.is_finite())) {
         return Err(refuse(format!("pressures: found {p}; allowed: positive and finite, Pa")));
     }
-    if let Some(tolerance) = tolerance.filter(|tolerance| !(*tolerance > 0.0 && *tolerance < 1.0)) {
-        return Err(refuse(format!("tolerance: found {tolerance}; allowed: above 0 and below 1")));
-    }
-    let tolerances = Tolerances { statistical: tolerance, deterministic: tolerance };
-    Ok(Controls { separations, pressures, forces: Vec::new(), tolerances })
+    Ok(Controls { separations, pressures, forces: Vec::new() })
 }
 
 fn rows(interface: &Interface, comparison: Result<Comparison, NotReached>) -> PyResult<Vec<CurveRow>> {
@@ -72,8 +64,6 @@ fn wrong_type(name: &str, found: &Bound<PyAny>, allowed: &str) -> PyErr {
 ///     d/sigma. At least one of separations and pressures is needed.
 /// pressures : float, str or array_like, optional
 ///     Nominal pressures in Pa, or with their units; the largest separation that bears each is found.
-/// tolerance : float, optional
-///     Relative tolerance of load and area of a curve over the separations, which is then interpolated; by default it is exact.
 ///
 /// Returns
 /// -------
@@ -95,14 +85,13 @@ fn wrong_type(name: &str, found: &Bound<PyAny>, allowed: &str) -> PyErr {
 /// >>> curve["separation_over_sigma"].round(3)
 /// array([2.358, 1.527])
 #[pyfunction]
-#[pyo3(signature = (interface, population, *, separations=None, pressures=None, tolerance=None))]
+#[pyo3(signature = (interface, population, *, separations=None, pressures=None))]
 pub fn statistical(
     py: Python,
     interface: &Interface,
     population: &Bound<PyAny>,
     separations: Option<&Bound<PyAny>>,
     pressures: Option<&Bound<PyAny>>,
-    tolerance: Option<f64>,
 ) -> PyResult<Table> {
     let population = population.cast::<Population>().map_err(|_| {
         wrong_type("population", population, "a Population, such as topography.find_summits().population()")
@@ -112,7 +101,7 @@ pub fn statistical(
             "found a law for ellipses; allowed: a law for spheres, or run(...) with a population and its curvature-ratio",
         ));
     }
-    let controls = controls(separations, pressures, tolerance)?;
+    let controls = controls(separations, pressures)?;
     let asperities = population.get().0.clone();
     let found = guarded(py, || {
         let model = Statistical::new(&*interface.contact, asperities);
@@ -195,8 +184,6 @@ impl Sum {
 ///     d/sigma. At least one of separations and pressures is needed.
 /// pressures : float, str or array_like, optional
 ///     Nominal pressures in Pa, or with their units; the largest separation that bears each is found.
-/// tolerance : float, optional
-///     Relative tolerance of load and area of a curve over the separations, which is then interpolated; by default it is exact.
 /// sigma : float or str, optional
 ///     The unit of separations in m; by default the standard deviation of the heights.
 ///
@@ -220,14 +207,13 @@ impl Sum {
 /// >>> curve["effective_contacts"] > 30
 /// array([ True,  True])
 #[pyfunction]
-#[pyo3(signature = (interface, asperities, *, separations=None, pressures=None, tolerance=None, sigma=None))]
+#[pyo3(signature = (interface, asperities, *, separations=None, pressures=None, sigma=None))]
 pub fn deterministic(
     py: Python,
     interface: &Interface,
     asperities: &Bound<PyAny>,
     separations: Option<&Bound<PyAny>>,
     pressures: Option<&Bound<PyAny>>,
-    tolerance: Option<f64>,
     sigma: Option<&Bound<PyAny>>,
 ) -> PyResult<Table> {
     /// More evaluations may take longer than a user waits without Ctrl-C.
@@ -239,7 +225,7 @@ pub fn deterministic(
     if let Some(sigma) = sigma.filter(|sigma| !(*sigma > 0.0 && sigma.is_finite())) {
         return Err(refuse(format!("sigma: found {sigma}; allowed: positive and finite, m")));
     }
-    let controls = controls(separations, pressures, tolerance)?;
+    let controls = controls(separations, pressures)?;
     let points = controls.points();
     let sum = Sum {
         contact: Arc::clone(&interface.contact),

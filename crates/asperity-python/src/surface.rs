@@ -12,7 +12,7 @@ use asperity_contact_framework::input::InMemory;
 use asperity_contact_framework::remedy::FrontEnd;
 use asperity_experiment::surface::fit_rows::fit_records;
 use asperity_experiment::surface::read_error::spec_message;
-use asperity_experiment::surface::reading::caveats;
+use asperity_experiment::surface::reading;
 use asperity_experiment::surface::rows::{fitness_records, map_record};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
@@ -65,12 +65,20 @@ impl Rows for Lent {
 
 /// A height map in memory or on disk: what a :class:`Topography` prepares.
 #[pyclass(module = "asperity._asperity", frozen)]
-pub struct Map(pub Arc<dyn Rows>);
+pub struct Map {
+    rows: Arc<dyn Rows>,
+    /// What a reader should know of how it was read, in words of a spec.
+    caveats: Vec<String>,
+}
 
 impl Map {
+    fn of(rows: impl Rows + 'static) -> Self {
+        Self { rows: Arc::new(rows), caveats: Vec::new() }
+    }
+
     /// As a surface of a spec.
     pub fn in_memory(&self) -> InMemory {
-        InMemory::Map(Arc::clone(&self.0))
+        InMemory::Map { rows: Arc::clone(&self.rows), caveats: self.caveats.clone() }
     }
 }
 
@@ -79,15 +87,21 @@ fn refuse_map(map: &str, error: &ReadError) -> PyErr {
     refuse(format!("{map} {}", FrontEnd::Python.text(&spec_message(error))))
 }
 
-/// Heights, pixel, precision and offset.
-type MapArguments<'py> = (Bound<'py, PyArray2<f64>>, [f64; 2], f64, f64);
+/// Heights, pixel, precision, offset and caveats.
+type MapArguments<'py> = (Bound<'py, PyArray2<f64>>, [f64; 2], f64, f64, Vec<String>);
 
 #[pymethods]
 impl Map {
     /// Heights are relative to ``offset``, and stored with a relative ``precision``.
     #[new]
-    #[pyo3(signature = (heights, pixel, precision=f64::EPSILON, offset=0.0))]
-    fn new(heights: &Bound<PyAny>, pixel: [f64; 2], precision: f64, offset: f64) -> PyResult<Self> {
+    #[pyo3(signature = (heights, pixel, precision=f64::EPSILON, offset=0.0, caveats=Vec::new()))]
+    fn new(
+        heights: &Bound<PyAny>,
+        pixel: [f64; 2],
+        precision: f64,
+        offset: f64,
+        caveats: Vec<String>,
+    ) -> PyResult<Self> {
         /// Heights beyond this, infinite ones and NaN mark missing points, of which only NaN is kept as such.
         const LARGEST: f64 = 1e30;
         let heights = Array::new(heights, 2, "heights")?;
@@ -100,13 +114,12 @@ impl Map {
         if is_empty || !is_lent {
             let map =
                 HeightMap::new(points, pixel, heights.values().to_vec(), f64::EPSILON).map_err(refuse)?;
-            return Ok(Self(Arc::new(map)));
+            return Ok(Self { caveats, ..Self::of(map) });
         }
-        Ok(Self(Arc::new(Lent { heights, pixel, precision, offset })))
+        Ok(Self { caveats, ..Self::of(Lent { heights, pixel, precision, offset }) })
     }
 
-    /// Reads a measured map; ``unit`` is that of x and y and that of heights in m. With it what a reader should know of how it was
-    /// read.
+    /// Reads a measured map; ``unit`` is that of x and y and that of heights in m.
     #[staticmethod]
     #[pyo3(signature = (path, *, pixel=None, unit=None, missing=None, channel=None, transpose=false, crop=[None; 2]))]
     #[expect(clippy::too_many_arguments, reason = "those of Python")]
@@ -119,7 +132,7 @@ impl Map {
         channel: Option<String>,
         transpose: bool,
         crop: [Option<[f64; 2]>; 2],
-    ) -> PyResult<(Self, Vec<String>)> {
+    ) -> PyResult<Self> {
         let unit = unit.map(|[xy, z]| LengthUnits { xy, z });
         let missing = missing.map(|(heights, words)| Marks { heights, words });
         let file = MapFile {
@@ -133,9 +146,8 @@ impl Map {
         let shown = file.path.display().to_string();
         let rows = move |watch: &Watch| -> Result<_, ReadError> {
             let (metadata, rows) = (file.watched_metadata(watch)?, file.rows(watch)?);
-            let caveats = caveats(&metadata, rows.pixel(), &file);
-            let caveats = caveats.iter().map(|caveat| FrontEnd::Python.text(caveat)).collect();
-            Ok((Self(Arc::from(rows)), caveats))
+            let caveats = reading::caveats(&metadata, rows.pixel(), &file);
+            Ok(Self { rows: Arc::from(rows), caveats })
         };
         interruptible(py, rows)?.map_err(|error| refuse_map(&shown, &error))
     }
@@ -148,7 +160,7 @@ impl Map {
             refuse(format!("{} ends in \".{ending}\"; allowed: {endings}", path.display()))
         })?;
         let program: Note = ("Program", format!("asperity {}", env!("CARGO_PKG_VERSION")));
-        let map = Arc::clone(&self.0);
+        let map = Arc::clone(&self.rows);
         let write = move |watch: &Watch| {
             format.write_file(&path, &Watched { map: &*map, progress: watch }, &[program])
         };
@@ -158,32 +170,43 @@ impl Map {
     /// Points along x and y.
     #[getter]
     fn points(&self) -> [usize; 2] {
-        self.0.points()
+        self.rows.points()
     }
 
     /// Distance of neighbouring points in m.
     #[getter]
     fn pixel(&self) -> [f64; 2] {
-        self.0.pixel()
+        self.rows.pixel()
     }
 
     fn __getnewargs__<'py>(&self, py: Python<'py>) -> PyResult<MapArguments<'py>> {
-        Ok((self.heights(py)?, self.pixel(), self.0.precision(), self.0.offset()))
+        Ok((self.heights(py)?, self.pixel(), self.rows.precision(), self.rows.offset(), self.caveats.clone()))
+    }
+
+    /// What a reader should know of how it was read.
+    #[getter]
+    fn caveats(&self) -> Vec<String> {
+        self.caveats.iter().map(|caveat| FrontEnd::Python.text(caveat)).collect()
     }
 
     /// A part of the map: from and to in m along each axis that is cut.
     fn part(&self, x: Option<[f64; 2]>, y: Option<[f64; 2]>) -> PyResult<Self> {
-        let ranges = Crop { x, y }.ranges(self.points(), self.pixel());
+        let crop = Crop { x, y };
+        let ranges = crop.ranges(self.points(), self.pixel());
         let [x, y] = ranges.map_err(|error| refuse_map("the map", &error))?;
-        let part = Window { map: &*self.0, first: [x.start, y.start], points: [x.len(), y.len()] };
-        Ok(Self(Arc::new(HeightMap::from_rows(&part))))
+        let rows = Window { map: &*self.rows, first: [x.start, y.start], points: [x.len(), y.len()] };
+        let mut part = Self { caveats: self.caveats.clone(), ..Self::of(HeightMap::from_rows(&rows)) };
+        if !crop.is_whole() {
+            part.caveats.push(format!("only a part of the map is used{}.", reading::part(&crop)));
+        }
+        Ok(part)
     }
 
     /// A copy of the heights in m.
     fn heights<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let [nx, ny] = self.0.points();
+        let [nx, ny] = self.rows.points();
         let mut heights = vec![0.0; nx * ny];
-        heights.chunks_mut(ny).enumerate().for_each(|(ix, row)| self.0.read(ix, row));
+        heights.chunks_mut(ny).enumerate().for_each(|(ix, row)| self.rows.read(ix, row));
         heights.into_pyarray(py).reshape([nx, ny])
     }
 }
@@ -281,7 +304,7 @@ pub fn make_surface(
         Some(prepared) => {
             let positions = prepared.positions.iter().map(|&place| place as i64).collect();
             let positions = PyArray1::<i64>::from_vec(py, positions).into_any().unbind();
-            (Some(Py::new(py, Map(prepared.map))?), positions)
+            (Some(Py::new(py, Map { rows: prepared.map, caveats: Vec::new() })?), positions)
         }
         None => (None, py.None()),
     };

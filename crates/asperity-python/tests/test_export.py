@@ -1,13 +1,10 @@
-"""What the program exports, read by others: maps by gwyfile and SurfaceTopography, tables by pyarrow."""
+"""What the program exports, read by others: maps by gwyfile and SurfaceTopography."""
 
-import csv
 import json
 import subprocess
 
 import gwyfile
 import numpy as np
-import pyarrow as pa
-import pyarrow.parquet
 import pytest
 import SurfaceTopography
 
@@ -97,7 +94,6 @@ def test_maps_that_the_package_writes_are_read_back(tmp_path):
 SPEC = """
 title = "tables"
 seed = 3
-tables = ["csv", "parquet"]
 material.steel = { young = 210e9, poisson = 0.3, hardness = 7.6e9 }
 [compare]
 rough = "steel"
@@ -114,26 +110,8 @@ realisations = 2
 spectrum.self-affine = { hurst = 0.8, roll-off = 32e-6, cut-off = 8e-6 }
 """
 
-LAYERS = """
-title = "layers"
-tables = ["csv", "parquet"]
-material.steel = { young = 210e9, poisson = 0.3, hardness = 7.6e9 }
-material.lead = { young = 18e9, poisson = 0.35, hardness = 170e6 }
-[compare]
-rough = "steel"
-flat = "steel"
-law = "zmc"
-layer = { material = "lead", thickness = [0, "200 nm", "inf"] }
-separation = [2.5, 1.5]
-[surface.a.population]
-radius = "20 um"
-sigma = "48 nm"
-density = "6e10 /m^2"
-count = 5000
-"""
 
-
-def test_contact_patches_by_gwyfile(experiment, report, tmp_path):
+def test_contact_patches_by_gwyfile(experiment, tmp_path):
     (tmp_path / "a.toml").write_text(SPEC)
     command = [experiment, "export", "patches", "a.toml", "--realisation", "2", "--pressure", "10 MPa", "--quiet"]
     subprocess.run(command, cwd=tmp_path, check=True)
@@ -146,28 +124,3 @@ def test_contact_patches_by_gwyfile(experiment, report, tmp_path):
     assert patches.max() == len(np.unique(patches)) - 1 == int(container["/0/meta"]["Patches"])
     # The highest points are in contact.
     assert (pressures > 0)[np.unravel_index(fields["Height"].data.argmax(), pressures.shape)]
-
-
-@pytest.mark.parametrize("spec", [SPEC, LAYERS], ids=["reference", "layers"])
-def test_every_table_as_parquet_is_its_csv(report, spec):
-    folder = report(spec)
-    tables = sorted(folder.glob("*.csv"))
-    assert len(tables) > 5
-    for path in tables:
-        table = pa.parquet.read_table(path.with_suffix(".parquet"))
-        with path.open(newline="") as file:
-            header, *rows = csv.reader(file)
-        assert (table.column_names, table.num_rows) == (header, len(rows)), path.name
-        columns = json.loads(table.schema.metadata[b"columns"])
-        for k, name in enumerate(header):
-            cells = [row[k] for row in rows]
-            unit = columns[name]["unit"]
-            assert columns[name]["meaning"], name
-            wanted, kind = {
-                "text": (str, pa.string()),
-                "count": (int, pa.int64()),
-                "true/false": (lambda cell: cell == "true", pa.bool_()),
-            }.get(unit, (float, pa.float64()))
-            assert table.schema.field(name).type == kind, f"{path.name} {name}"
-            # Numbers in Python are equal only to the bit.
-            assert table[name].to_pylist() == [wanted(cell) if cell else None for cell in cells], f"{path.name} {name}"

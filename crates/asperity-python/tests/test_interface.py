@@ -362,7 +362,6 @@ def test_a_layer_on_the_rough_body():
         (lambda: asperity.deterministic(CONTACT, asperities(), separations=np.nan), "separations: found NaN"),
         (lambda: asperity.deterministic(CONTACT, asperities(), pressures=[1e6, -1]), "pressures: found -1"),
         (lambda: asperity.deterministic(CONTACT, asperities(), pressures=1e30), "deterministic model"),
-        (lambda: asperity.deterministic(CONTACT, asperities(), separations=1, tolerance=2), "tolerance: found 2"),
         (
             lambda: asperity.deterministic(CONTACT, asperity.Asperities([1.0, 1.0], [1.0, 1.0], 1), separations=1),
             "all heights are equal",

@@ -193,7 +193,7 @@ const SurfaceControls = ({ context, surface }) => {
       <details><summary>More of the file</summary>
         <${Choice} context=${context} path=${path("align-lines")} options=${[["x", "along x"], ["y", "along y"]]} none="no" />
         <${Quantity} context=${context} path=${path("tip")} dimension="length" low=${1e-9} high=${1e-5} />
-        <${Field} context=${context} path=${path("missing")} placeholder="such as -9999" />
+        <${Field} context=${context} path=${path("missing")} placeholder="such as -9999, or a word" />
         <${Field} context=${context} path=${path("channel")} placeholder="the heights" />
         <${Flag} context=${context} path=${path("transpose")} isOn=${at(spec, path("transpose")) === true} set=${isOn => setValue(path("transpose"), isOn || undefined)} />
         <${Choice} context=${context} path=${path("neighbours")} options=${[["four", "four"], ["eight", "eight"]]} none="four (default)" />

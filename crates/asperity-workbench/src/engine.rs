@@ -75,8 +75,8 @@ pub trait Engine: Send + Sync + 'static {
     /// What the page needs once: keys, materials, laws.
     fn vocabulary(&self) -> Value;
 
-    /// Whether names of files of maps and of lists of asperities have this ending, in lower case.
-    fn is_surface(&self, ending: &str) -> bool;
+    /// Whether names of files of maps and of lists of asperities end like that of `path`.
+    fn is_surface(&self, path: &Path) -> bool;
 
     /// The kind of experiment of a spec, and its title; `None` of another text.
     fn kind(&self, text: &str) -> Option<(String, String)>;

@@ -74,16 +74,12 @@ impl Folder {
                     None => {}
                 }
             } else if metadata.is_file() {
-                let ending = path
-                    .extension()
-                    .and_then(|ending| ending.to_str())
-                    .unwrap_or_default()
-                    .to_ascii_lowercase();
-                let what = if ending == "toml" && metadata.len() <= limits::REQUEST as u64 {
+                let is_spec = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
+                let what = if is_spec && metadata.len() <= limits::REQUEST as u64 {
                     let found = fs::read_to_string(&path).ok().and_then(|text| engine.kind(&text));
                     found.map(|(kind, title)| What::Spec { kind, title })
                 } else {
-                    engine.is_surface(&ending).then_some(What::Surface)
+                    engine.is_surface(&path).then_some(What::Surface)
                 };
                 entries.extend(what.and_then(|what| self.entry(&path, &metadata, what)));
             }

@@ -70,8 +70,8 @@ impl Engine for Program {
         json!({})
     }
 
-    fn is_surface(&self, ending: &str) -> bool {
-        ending == "npy"
+    fn is_surface(&self, path: &Path) -> bool {
+        path.extension().is_some_and(|ending| ending == "npy")
     }
 
     fn kind(&self, _: &str) -> Option<(String, String)> {

@@ -38,7 +38,7 @@
 //! | a law | [`Zmc`], [`Hertz`], [`Ceb`], [`KogutEtsion`], [`JacksonGreen`], [`FullyPlastic`], by name in [`contact_law`], or your own [`Law`] |
 //! | the micro-contact | [`Interface::bare`]; [`Flat::under`] for a flat that may be layered |
 //! | asperities | a [`Population`] with a height distribution ([`distribution`]), an [`AsperitySet`] from lists, or the summits of a [`HeightMap`] ([`topography`]) |
-//! | the models | [`Statistical`] and [`Deterministic`] implement [`Model`]: [`Model::respond`] at a separation, [`at_pressure`] at a load, [`respond_within`] for a curve to a tolerance |
+//! | the models | [`Statistical`] and [`Deterministic`] implement [`Model`]: [`Model::respond`] at a separation, [`at_pressure`] at a load |
 //! | the result | [`Response`]: contacts, area, pressure, stiffness, shares of the regimes, standard errors for independent asperities, [`LoadSharing`]; the limits of admissible loads that it exceeds: [`Response::exceeded`] |
 //! | what spots conduct, and their friction | [`spot`]; [`WithSpots`] adds it to a micro-contact, and [`Response::spots`] holds the sums |
 //! | one asperity | [`sphere`]: its curve, its critical indentations |
@@ -129,10 +129,10 @@ pub use legible::legible;
 pub use literature::Paper;
 pub use material::{Material, MaterialError, reduced_modulus, softer_hardness};
 pub use model::{
-    Curve, Deterministic, Exceeded, GreenwoodTrippError, INTERACTION, LARGE_STRAIN_SHARE, LARGEST_LOAD_SHARE,
+    Deterministic, Exceeded, GreenwoodTrippError, INTERACTION, LARGE_STRAIN_SHARE, LARGEST_LOAD_SHARE,
     LOWEST_SEPARATION, Limit, LoadSharing, MIN_CONTACTS, MeanRadius, Medium, Model, RadiusInContact, Reached,
     ReferencePlane, Response, SamplingError, Statistical, SummitShape, Unreachable, at_pressure,
-    at_pressures, joint_model, meeting_pairs, reached_at, respond_within,
+    at_pressures, joint_model, meeting_pairs, reached_at,
 };
 pub use shape::Shape;
 pub use topography::{HeightMap, MapError};

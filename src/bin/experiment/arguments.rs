@@ -179,7 +179,7 @@ pub struct MapArguments {
     /// Unit of the lengths in the file, if it does not contain it: um, or "xy=um, z=nm" of coordinates and heights
     #[arg(long, allow_hyphen_values = true)]
     unit: Option<String>,
-    /// Heights that mark missing points, in the unit of the file: -9999, or "-9999, 1e30"; none where all are heights
+    /// Heights, in the unit of the file, and words that mark missing points: -9999, or "-9999, void"; none where all are heights
     #[arg(long, allow_hyphen_values = true)]
     missing: Option<String>,
     /// Channel of a file that holds several, by its name there; default: that of the heights

@@ -167,7 +167,6 @@ fn keys(table: &Spanned<CompareSpec>) -> StudyKeys<'_> {
             separations: raw.separation.as_ref().map(|sweep| sweep.0.clone()).unwrap_or_default(),
             pressures: raw.pressure.as_ref().map(|sweep| sweep.get_ref().values.clone()).unwrap_or_default(),
             forces: raw.force.as_ref().map(|sweep| sweep.get_ref().values.clone()).unwrap_or_default(),
-            tolerances: raw.tolerance.0,
         },
         nominal_area: raw.nominal_area.as_ref().map(|area| area.get_ref().value()),
         load_keys: [raw.pressure.as_ref().map(Spanned::span), raw.force.as_ref().map(Spanned::span)],

@@ -60,6 +60,5 @@ fn doubtful(controls: &Controls, model: &dyn Model, area: f64) -> Controls {
         separations: Vec::new(),
         pressures: above(&controls.pressures, 1.0),
         forces: above(&controls.forces, area.recip()),
-        tolerances: controls.tolerances,
     }
 }

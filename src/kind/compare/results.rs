@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 
 use asperity::analytical::AnalyticalLine;
-use asperity::compare::Tolerances;
 use asperity::law::Body;
 use asperity::spot::{Joint, SpotProperties};
 use asperity::study::{
@@ -31,8 +30,6 @@ pub struct CompareResults {
     pub spots: SpotProperties,
     /// Warnings about inputs that are hardly meant or too coarse.
     pub implausible: Vec<String>,
-    /// How far the curves over d/sigma may be off.
-    pub tolerances: Tolerances,
     /// Surface by surface, in file order.
     pub surfaces: Vec<SurfaceResults>,
     /// Closed results beside the models.

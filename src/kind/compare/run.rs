@@ -87,7 +87,6 @@ pub fn run_within(
         spots: compare.study.laws[0].contact.spot_properties().cloned().unwrap_or_default(),
         contact,
         implausible,
-        tolerances: compare.study.controls.tolerances,
         surfaces,
         lines: compare.lines.clone(),
         figures_of_paper: compare.figures_of_paper.clone(),

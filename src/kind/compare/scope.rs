@@ -88,13 +88,8 @@ pub fn thinned(controls: &Controls) -> Controls {
         0..=FEW => values.to_vec(),
         count => (0..FEW).map(|k| values[k * (count - 1) / (FEW - 1)]).collect(),
     };
-    let Controls { separations, pressures, forces, tolerances } = controls;
-    Controls {
-        separations: few(separations),
-        pressures: few(pressures),
-        forces: few(forces),
-        tolerances: *tolerances,
-    }
+    let Controls { separations, pressures, forces } = controls;
+    Controls { separations: few(separations), pressures: few(pressures), forces: few(forces) }
 }
 
 #[cfg(test)]

@@ -16,7 +16,6 @@ use asperity_contact_framework::input::bare::{NominalAreaRange, NominalPressureR
 use asperity_contact_framework::input::law::Laws;
 use asperity_contact_framework::input::quantity::{Area, Force, Pressure, Quantity};
 use asperity_contact_framework::input::sweep::{LinearSweep, LogSweep};
-use asperity_contact_framework::input::tolerance::ToleranceSpec;
 use asperity_contact_framework::written_schema;
 
 use crate::study_plan::{ConductanceSpec, ShearStrengthSpec};
@@ -80,10 +79,6 @@ pub struct CompareSpec {
     pub figure_of_paper: Option<Spanned<SurfaceFigures>>,
     /// Separations at which the models run, d/sigma from the mean asperity height. At least one of `separation`, `pressure` and `force` is needed.
     pub separation: Option<LinearSweep>,
-    /// Relative tolerance of load and area of curves over d/sigma; points between are interpolated.
-    #[serde(default)]
-    #[schemars(extend("x-default" = "exact"))]
-    pub tolerance: ToleranceSpec,
     /// Nominal pressures at which the models are compared.
     #[schemars(extend("examples" = [{ "from": "0.1 MPa", "to": "100 MPa", "points": 31 }]))]
     pub pressure: Option<Spanned<LogSweep<Pressure, NominalPressureRange>>>,

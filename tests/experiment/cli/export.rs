@@ -1,4 +1,4 @@
-//! `experiment export map|asperities|patches`, and tables as Parquet: what is written gives the same results when it is read.
+//! `experiment export map|asperities|patches`: what is written gives the same results when it is read.
 
 use asperity::npy;
 
@@ -256,25 +256,4 @@ fn what_cannot_be_exported_says_what_can() {
     );
     assert!(!folder.join("orig-measured.gwy").exists(), "nothing is written where something is refused");
     assert!(fs::read(folder.join("orig-levelled.gwy")).unwrap() == before);
-}
-
-#[test]
-fn every_table_has_a_parquet_beside_it_where_the_spec_asks_for_it() {
-    let (_folder, spec, out) = small();
-    let text = fs::read_to_string(&spec).unwrap();
-    fs::write(&spec, format!("tables = [\"csv\", \"parquet\"]\n{text}")).unwrap();
-    assert!(run(&spec, &out, &[]).status.success());
-    let names = |ending: &str| {
-        let files = fs::read_dir(out.join("small")).unwrap().map(|entry| entry.unwrap().file_name());
-        let mut names: Vec<String> =
-            files.filter_map(|name| name.to_str()?.strip_suffix(ending).map(str::to_owned)).collect();
-        names.sort();
-        names
-    };
-    assert!(names(".csv").len() > 5);
-    assert_eq!(names(".csv"), names(".parquet"));
-    let curves = fs::read(out.join("small/curves.parquet")).unwrap();
-    assert!(curves.starts_with(b"PAR1") && curves.ends_with(b"PAR1"));
-    // A report that was run again is the same, and verify takes it.
-    assert!(experiment(&["verify", "reports"], out.parent().unwrap()).status.success());
 }

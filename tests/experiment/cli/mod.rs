@@ -17,7 +17,6 @@ mod reach;
 mod realisations;
 mod sphere;
 mod surface;
-mod tolerance;
 mod work;
 
 fn experiment(arguments: &[&str], folder: &Path) -> Output {

@@ -234,6 +234,15 @@ fn is_of_escape(message: &str) -> bool {
     ["escape", "unicode"].iter().any(|word| message.contains(word))
 }
 
+/// Keys of earlier versions, and what stands in their place.
+const GONE: [(&str, &str); 2] = [
+    ("tolerance", "every point of a curve is exact"),
+    (
+        "tables",
+        "tables are CSV, which pandas turns into Parquet by `pd.read_csv(\"curves.csv\").to_parquet(\"curves.parquet\")`",
+    ),
+];
+
 /// Message of the parser as what was found and what is allowed.
 pub fn plain_message(message: &str) -> String {
     let plain = match message {
@@ -263,6 +272,11 @@ pub fn plain_message(message: &str) -> String {
     }
     if let Some(field) = message.strip_prefix("missing field ") {
         return format!("found no {field}, which is needed");
+    }
+    for (key, instead) in GONE {
+        if message.starts_with(&format!("unknown field `{key}`")) {
+            return format!("found the key `{key}`, which is gone: {instead}; leave it out");
+        }
     }
     for (begin, found) in [
         ("unknown field ", "found the key "),

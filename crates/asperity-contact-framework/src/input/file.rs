@@ -16,7 +16,6 @@ use super::figure::FigureSpec;
 use super::material::{MaterialOrigin, MaterialSpec};
 use super::schema::without_null;
 use super::spanned::Spanned;
-use super::tables::TablesSpec;
 use super::whole::Whole;
 use crate::group::Group;
 use crate::progress::{Progress, Silent};
@@ -37,8 +36,6 @@ pub struct SpecFile<'a> {
     pub seed: u64,
     /// The size of its figures in print; `None` of figures for the page only.
     pub figure: Option<Size>,
-    /// Whether its tables are written as Parquet beside CSV.
-    pub has_parquet: bool,
     /// Whether it runs only where it is named or long runs are asked for.
     pub is_long: bool,
     /// Where the index lists its report.
@@ -66,10 +63,6 @@ struct CommonKeys {
     /// Figures in a size for print; with the feature `print` of the program as PNG and PDF, too.
     #[schemars(extend("x-default" = "SVG as wide as the page", "examples" = [{ "width": "85 mm", "font": "8 pt" }]))]
     figure: Option<FigureSpec>,
-    /// Formats of the tables of the report: CSV, which pages and `verify` read, and Parquet beside it, with types, units and null cells.
-    #[serde(default)]
-    #[schemars(extend("default" = ["csv"], "examples" = [["csv", "parquet"]]))]
-    tables: TablesSpec,
     /// Whether `experiment` without a file runs it: always, or only with `--full`.
     #[serde(default)]
     #[schemars(extend("examples" = ["long"]))]
@@ -145,7 +138,7 @@ impl<'a> SpecFile<'a> {
             document.get_mut().remove(name.as_str());
         }
         let keys = CommonKeys::deserialize(Deserializer::from(document));
-        let CommonKeys { title, notes, seed, figure, tables, run, group, material } =
+        let CommonKeys { title, notes, seed, figure, run, group, material } =
             keys.map_err(|error| source.parse_error(&error))?;
         Ok(Self {
             source,
@@ -154,7 +147,6 @@ impl<'a> SpecFile<'a> {
             notes,
             seed: seed.0,
             figure: figure.map(|figure| figure.size()),
-            has_parquet: tables.has_parquet(),
             is_long: run == RunSpec::Long,
             group,
             materials: material,

@@ -11,7 +11,12 @@ use sha2::{Digest, Sha256};
 #[derive(Clone)]
 pub enum InMemory {
     /// A height map.
-    Map(Arc<dyn Rows>),
+    Map {
+        /// Its heights.
+        rows: Arc<dyn Rows>,
+        /// What a reader should know of how it was read, in words of a spec.
+        caveats: Vec<String>,
+    },
     /// A list of asperities.
     List(Arc<AsperityList>),
 }
@@ -22,7 +27,7 @@ impl InMemory {
         let mut hash = Sha256::new();
         let mut add = |values: &[f64]| values.iter().for_each(|value| hash.update(value.to_le_bytes()));
         match self {
-            Self::Map(map) => {
+            Self::Map { rows: map, .. } => {
                 let [nx, ny] = map.points();
                 add(&[nx as f64, ny as f64]);
                 add(&map.pixel());
@@ -41,7 +46,7 @@ impl InMemory {
 impl fmt::Debug for InMemory {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
-            Self::Map(map) => write!(f, "map of {:?} points", map.points()),
+            Self::Map { rows, .. } => write!(f, "map of {:?} points", rows.points()),
             Self::List(list) => write!(f, "list of {} asperities", list.count()),
         }
     }

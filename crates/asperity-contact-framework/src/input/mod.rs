@@ -16,8 +16,6 @@ mod resolver;
 pub mod schema;
 mod spanned;
 pub mod sweep;
-mod tables;
-pub mod tolerance;
 mod whole;
 
 pub use error::{InputError, Source, plain_message};

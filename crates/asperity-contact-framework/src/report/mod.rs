@@ -9,7 +9,6 @@
 //! | [`mod@format`] | numbers and quantities as people read them |
 //! | [`sections`] | sections of every page: set-up, provenance, references |
 //! | [`table`] | columns with unit, meaning and value; CSV and records of JSON |
-//! | [`parquet`] | a table in this format |
 //! | [`view`] | choices of a table's columns and rows, for people |
 //! | [`digest`] | sums of the columns of long tables, which stand for them where they are not kept |
 //! | `glossary` | the terms of the program, explained where they appear on a page and in a page of their own |
@@ -24,7 +23,6 @@ pub mod format;
 mod glossary;
 mod index;
 pub mod page;
-pub mod parquet;
 pub mod sections;
 pub mod store;
 pub mod table;

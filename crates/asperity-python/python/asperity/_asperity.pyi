@@ -160,7 +160,6 @@ def statistical(
     *,
     separations: ArrayLike | None = None,
     pressures: Values | None = None,
-    tolerance: float | None = None,
 ) -> Table: ...
 def deterministic(
     interface: Interface,
@@ -168,13 +167,12 @@ def deterministic(
     *,
     separations: ArrayLike | None = None,
     pressures: Values | None = None,
-    tolerance: float | None = None,
     sigma: Value | None = None,
 ) -> Table: ...
 
 class Map:
     def __new__(
-        cls, heights: ArrayLike, pixel: tuple[float, float], precision: float = ..., offset: float = 0.0
+        cls, heights: ArrayLike, pixel: tuple[float, float], precision: float = ..., offset: float = 0.0, caveats: list[str] = ...
     ) -> Map: ...
     @staticmethod
     def read(
@@ -186,13 +184,15 @@ class Map:
         channel: str | None = None,
         transpose: bool = False,
         crop: list[tuple[float, float] | None] = ...,
-    ) -> tuple[Map, list[str]]: ...
+    ) -> Map: ...
     def write(self, path: str | PathLike[str]) -> None: ...
     def part(self, x: tuple[float, float] | None, y: tuple[float, float] | None) -> Map: ...
     @property
     def points(self) -> list[int]: ...
     @property
     def pixel(self) -> list[float]: ...
+    @property
+    def caveats(self) -> list[str]: ...
     def heights(self) -> NDArray[np.float64]: ...
 
 class Surface:

@@ -150,8 +150,8 @@ class Results:
 
         Parameters
         ----------
-        format : {"csv", "abaqus", "calculix", "moose", "comsol"}
-            Program that reads it; a file that was not run in its program says *untested*.
+        format : {"csv", "calculix"}
+            A table that every program takes, or keywords of CalculiX.
         model : {"statistical", "deterministic", "reference"}
             The model of the table.
         units : {"si", "mm"}
@@ -419,7 +419,7 @@ def compare(
         Title of the report, name of its folder, and the folder in which it is written, if any.
     **options
         Further keys of ``[compare]``, with ``_`` for ``-``: ``models``, ``reference``, ``statistical``, ``accept``,
-        ``robustness``, ``attribution``, ``rank_models``, ``tolerance``, ``lines``; ``nominal_area`` in m^2;
+        ``robustness``, ``attribution``, ``rank_models``, ``lines``; ``nominal_area`` in m^2;
         ``shear_strength={"tau0": 20e6, "alpha": 0.05}`` with ``tau0`` in Pa; ``conductance`` with films and the medium in
         the gap, such as ``{"thermal": {"gap-conductivity": "0.026 W/(m K)"}}``.
 

@@ -136,16 +136,13 @@ class Topography:
         part = raw if ends == [None, None] else raw.part(*ends)
         self._begin(part, periodic and part.points == raw.points, preparation)
 
-    def _begin(
-        self, raw: _asperity.Map, periodic: bool, preparation: dict[str, Any], caveats: Sequence[str] = ()
-    ) -> None:
+    def _begin(self, raw: _asperity.Map, periodic: bool, preparation: dict[str, Any]) -> None:
         if isinstance(indices := preparation.get("filter"), Mapping) and set(indices) <= {"s", "l"}:
             preparation = {**{name: value for name, value in preparation.items() if name != "filter"}, **indices}
         allowed = {"fit", "outliers", "align_lines", "tip", "level", "s", "l", "neighbours"}
         if unknown := set(preparation) - allowed:
             raise ValueError(f"found {', '.join(sorted(unknown))}; allowed: {', '.join(sorted(allowed))}")
         self._raw = raw
-        self._caveats = list(caveats)
         self.periodic = bool(periodic)
         doubts: list[str] = []
         lengths = {name: quantity(name, preparation.get(name), "pixel", doubts) for name in ("tip", "s", "l")}
@@ -153,7 +150,7 @@ class Topography:
         warn(doubts)
 
     def __getstate__(self) -> dict[str, Any]:
-        return {name: value for name, value in vars(self).items() if name in ("_raw", "_caveats", "periodic", "_preparation")}
+        return {name: value for name, value in vars(self).items() if name in ("_raw", "periodic", "_preparation")}
 
     @classmethod
     def read(
@@ -210,12 +207,12 @@ class Topography:
             words = [mark for mark in marks if isinstance(mark, str)]
             missing = ([float(mark) for mark in marks if not isinstance(mark, str)], words)
         ends = _ends(crop)
-        raw, caveats = _asperity.Map.read(
+        raw = _asperity.Map.read(
             path, pixel=pixel, unit=unit, missing=missing, channel=channel, transpose=transpose, crop=ends
         )
         made = cls.__new__(cls)
-        made._begin(raw, periodic and ends == [None, None], preparation, caveats)
-        warn(caveats)
+        made._begin(raw, periodic and ends == [None, None], preparation)
+        warn(raw.caveats)
         return made
 
     @classmethod
@@ -252,7 +249,7 @@ class Topography:
     def prepared_with(self, **preparation: Any) -> Topography:
         """The same map with other keywords of the preparation; those not named stay."""
         made = Topography.__new__(Topography)
-        made._begin(self._raw, self.periodic, {**self._preparation, **preparation}, self._caveats)
+        made._begin(self._raw, self.periodic, {**self._preparation, **preparation})
         return made
 
     def crop(
@@ -276,7 +273,7 @@ class Topography:
         """
         made = Topography.__new__(Topography)
         part = self._raw.part(*_ends({"x": x, "y": y}))
-        made._begin(part, self.periodic and part.points == self._raw.points, self._preparation, self._caveats)
+        made._begin(part, self.periodic and part.points == self._raw.points, self._preparation)
         return made
 
     def pair(self, other: Topography, *, shifts: int = 16, rotations: bool = False) -> Pair:
@@ -317,7 +314,7 @@ class Topography:
     def _surface(self) -> _asperity.Surface:
         table, in_memory = self._spec()
         made = _make(table, in_memory)
-        warn(made.warnings)
+        warn(caveat for caveat in made.warnings if caveat not in self._raw.caveats)
         return made
 
     @property
@@ -420,7 +417,7 @@ class Topography:
     @property
     def warnings(self) -> list[str]:
         """Caveats of the preparation, the search, and how the file was read."""
-        return self._surface.warnings + self._caveats
+        return self._surface.warnings
 
     def __repr__(self) -> str:
         nx, ny = self.points

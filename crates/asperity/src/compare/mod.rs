@@ -45,9 +45,7 @@ pub use verdict::{Accepted, Stretch, Verdict};
 
 use std::time::{Duration, Instant};
 
-use crate::model::{
-    Exceeded, Model, Reached, Response, Unreachable, at_pressures, reached_at, respond_within,
-};
+use crate::model::{Exceeded, Model, Reached, Response, Unreachable, at_pressures, reached_at};
 use crate::named_enum;
 
 named_enum! {
@@ -77,25 +75,6 @@ named_enum! {
     }
 }
 
-/// Relative tolerances in load and area of the curve of a separation sweep; `None` for an exact curve.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Tolerances {
-    /// Tolerance of the statistical model.
-    pub statistical: Option<f64>,
-    /// Tolerance of the deterministic model.
-    pub deterministic: Option<f64>,
-}
-
-impl Tolerances {
-    /// The tolerance of one model.
-    pub fn for_model(&self, kind: ModelKind) -> Option<f64> {
-        match kind {
-            ModelKind::Statistical => self.statistical,
-            ModelKind::Deterministic => self.deterministic,
-        }
-    }
-}
-
 /// The separations and loads at which a surface is evaluated.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Controls {
@@ -105,8 +84,6 @@ pub struct Controls {
     pub pressures: Vec<f64>,
     /// Forces on the nominal area, N.
     pub forces: Vec<f64>,
-    /// Tolerances of the responses at `separations`.
-    pub tolerances: Tolerances,
 }
 
 impl Controls {
@@ -317,10 +294,7 @@ fn run(
     let Some(model) = model else { return Ok(Vec::new()) };
     let start = Instant::now();
     let mut curve = Vec::with_capacity(controls.points());
-    let answers = match controls.tolerances.for_model(kind) {
-        Some(tolerance) => respond_within(model, &controls.separations, tolerance).responses,
-        None => model.respond_all(&controls.separations),
-    };
+    let answers = model.respond_all(&controls.separations);
     curve.extend(controls.separations.iter().zip(answers).map(|(&target, response)| CurvePoint {
         kind,
         control: Control::Separation,

@@ -213,10 +213,6 @@ impl MicroContact for AveragedContact<'_> {
         }
     }
 
-    fn area_may_decrease(&self) -> bool {
-        self.contact.area_may_decrease()
-    }
-
     fn load_over(&self, from: f64, to: f64, shape: Shape) -> LoadBounds {
         let highest: f64 = match &self.table {
             Some(table) => table.highest_load(from, to) + at_steps(&self.steps, to)[0],

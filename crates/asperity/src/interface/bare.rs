@@ -107,10 +107,6 @@ impl<L: Law + Clone> MicroContact for Interface<L> {
         Interval::union(ranges)
     }
 
-    fn area_may_decrease(&self) -> bool {
-        self.law.area_jumps(&self.pair).into_iter().any(|jump| jump < 1.0 - JUMP)
-    }
-
     fn load_over(&self, from: f64, to: f64, shape: Shape) -> LoadBounds {
         let highest = shape.spheres * self.law.highest_load(from, to, shape.radius, &self.pair);
         if self.regime_changes(shape).into_iter().any(|w| (from..=to).contains(&w)) {

@@ -128,11 +128,6 @@ pub trait MicroContact: Send + Sync {
     /// approach.
     fn may_decrease(&self, shapes: Shapes) -> Vec<Interval>;
 
-    /// Whether the area of an asperity may decrease with increasing indentation; `true` where that is not known.
-    fn area_may_decrease(&self) -> bool {
-        true
-    }
-
     /// Bounds of the load at indentations from `from` to `to`, `from < to` (m), which tighten as the range shrinks.
     fn load_over(&self, from: f64, to: f64, shape: Shape) -> LoadBounds;
 

@@ -83,10 +83,6 @@ impl MicroContact for WithSpots {
         self.contact.may_decrease(shapes)
     }
 
-    fn area_may_decrease(&self) -> bool {
-        self.contact.area_may_decrease()
-    }
-
     fn load_over(&self, from: f64, to: f64, shape: Shape) -> LoadBounds {
         self.contact.load_over(from, to, shape)
     }

@@ -290,12 +290,6 @@ impl Model for Deterministic<'_> {
         self.decreasing_loads().is_some()
     }
 
-    /// Without the order of the asperities that [`Self::may_decrease`] makes.
-    fn is_monotonic(&self) -> bool {
-        let loads = || self.contact.may_decrease(shapes_of(&self.asperities));
-        !self.contact.area_may_decrease() && loads().is_empty()
-    }
-
     fn separations_at(&self, pressures: &[f64]) -> Vec<Option<f64>> {
         let decreasing = self.decreasing_loads();
         let highest = self.highest_separation();

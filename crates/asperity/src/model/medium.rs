@@ -54,10 +54,6 @@ impl<M: Deref<Target: Model> + Sync> Model for WithMedium<M> {
         self.model.may_decrease()
     }
 
-    fn is_monotonic(&self) -> bool {
-        self.model.is_monotonic()
-    }
-
     fn separations_at(&self, pressures: &[f64]) -> Vec<Option<f64>> {
         self.model.separations_at(pressures)
     }

@@ -64,10 +64,6 @@ impl Model for Mixture<'_> {
         self.models().any(Statistical::may_decrease)
     }
 
-    fn is_monotonic(&self) -> bool {
-        self.models().all(Statistical::is_monotonic)
-    }
-
     fn separations_at(&self, pressures: &[f64]) -> Vec<Option<f64>> {
         let highest = self.highest_separation().max(LOWEST_SEPARATION);
         if !self.may_decrease() {

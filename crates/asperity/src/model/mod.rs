@@ -1,7 +1,6 @@
 //! Two ways of summing one micro-contact: the integral over a height density and the sum over individual asperities.
 
 mod block;
-mod curve;
 mod deterministic;
 mod fixed_panels;
 mod greenwood_tripp;
@@ -17,7 +16,6 @@ mod statistical;
 mod validity;
 mod weight;
 
-pub use curve::{Curve, respond_within};
 pub use deterministic::Deterministic;
 pub(crate) use greenwood_tripp::power_law;
 pub use greenwood_tripp::{GreenwoodTrippError, meeting_pairs};
@@ -51,12 +49,6 @@ pub trait Model: Sync {
 
     /// Whether the load may decrease on approach, so that a pressure may be reached more than once.
     fn may_decrease(&self) -> bool;
-
-    /// Whether neither the load nor the area of any asperity decreases on approach, so that pressure and area ratio
-    /// between two separations lie between their values there; `false` where that is not known.
-    fn is_monotonic(&self) -> bool {
-        false
-    }
 
     /// For each of the pressures (Pa, positive) the largest separation d/sigma in [[`LOWEST_SEPARATION`], infinity)
     /// with at least that pressure; `None` if there is none.

@@ -317,10 +317,6 @@ impl Model for Statistical<'_> {
         !self.contact.may_decrease(self.shape.into()).is_empty()
     }
 
-    fn is_monotonic(&self) -> bool {
-        !(self.contact.area_may_decrease() || self.may_decrease())
-    }
-
     fn separations_at(&self, pressures: &[f64]) -> Vec<Option<f64>> {
         let highest = self.highest_separation();
         let mode = self.reported(self.weight().decreasing_from()).max(LOWEST_SEPARATION);

@@ -97,10 +97,6 @@ impl MicroContact for CountedContact<'_> {
         self.contact.may_decrease(shapes)
     }
 
-    fn area_may_decrease(&self) -> bool {
-        self.contact.area_may_decrease()
-    }
-
     fn reference_modulus(&self) -> f64 {
         self.contact.reference_modulus()
     }

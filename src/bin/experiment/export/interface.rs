@@ -16,7 +16,7 @@ use super::{Failure, Writing, say, watched};
 pub struct InterfaceExport {
     /// Spec file
     spec: PathBuf,
-    /// csv, abaqus, calculix, moose or comsol; only files for calculix are tested in the program that reads them
+    /// csv, which every program takes, or calculix
     #[arg(long, value_parser = PossibleValuesParser::new(Format::ALL.map(Format::name)), default_value = "csv")]
     format: String,
     /// The model of the table

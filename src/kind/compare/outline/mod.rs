@@ -12,7 +12,7 @@ mod series;
 
 pub(crate) use sections::verdicts;
 
-use asperity::compare::{ComparedQuantity, ModelKind, Tolerances};
+use asperity::compare::{ComparedQuantity, ModelKind};
 use asperity::law::Body;
 use asperity::study::{FilmFriction, Shortcut};
 use asperity_contact_framework::Outcome;
@@ -99,9 +99,7 @@ impl Outcome for CompareResults {
         }
         sections::readings(&mut page, tables);
         common::notes(&mut page, &self.metadata);
-        common::what_was_run(&mut page, &self.metadata, &self.contact, |page| {
-            sections::tolerance(page, self.tolerances);
-        });
+        common::what_was_run(&mut page, &self.metadata, &self.contact, |_| {});
         let spec = self.described.as_ref().map(|described| described.spec.as_str());
         common::run_again(&mut page, &self.metadata, spec);
         common::sources(&mut page, &self.metadata);
@@ -127,10 +125,6 @@ impl Outcome for CompareResults {
                 fields["on"] = json!(layer.on.name());
             }
             add("layer", fields);
-        }
-        let Tolerances { statistical, deterministic } = self.tolerances;
-        if statistical.or(deterministic).is_some() {
-            add("tolerance", json!({ "statistical": statistical, "deterministic": deterministic }));
         }
         add("surfaces", surface_rows::records(self.surface_rows()));
         Ok(facts)

@@ -1,6 +1,6 @@
 //! What is shown of all cases together: views of tables.
 
-use asperity::compare::{ComparedQuantity, ModelKind, Tolerances};
+use asperity::compare::ComparedQuantity;
 use asperity_contact_framework::report::format::capitalised;
 use asperity_contact_framework::report::page::Page;
 use asperity_contact_framework::report::table::{Reading, Tables};
@@ -193,16 +193,5 @@ pub fn readings(page: &mut Page, tables: &Tables) {
     let view = tables.view::<ReadingRow>();
     if !view.is_empty() {
         page.heading(2, "Two readings of σ and d").view(&view);
-    }
-}
-
-/// The largest error of curves that are interpolated; nothing where they are exact.
-pub fn tolerance(page: &mut Page, tolerances: Tolerances) {
-    let row =
-        |kind: ModelKind| Some(vec![kind.name().to_owned(), format!("{:e}", tolerances.for_model(kind)?)]);
-    let rows: Vec<Vec<String>> =
-        [ModelKind::Statistical, ModelKind::Deterministic].into_iter().filter_map(row).collect();
-    if !rows.is_empty() {
-        page.table(["model", "largest error of interpolation"], rows);
     }
 }

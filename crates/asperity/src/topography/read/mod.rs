@@ -156,6 +156,14 @@ pub fn endings() -> impl Iterator<Item = &'static str> {
     FORMATS.iter().flat_map(|format| format.endings).copied()
 }
 
+/// Whether names of files of maps usually end like that of `path`.
+pub fn is_named_as_map(path: &Path) -> bool {
+    let Some(ending) = path.extension() else { return false };
+    let bytes = ending.as_encoded_bytes();
+    let is_number = bytes.len() == 3 && bytes.iter().all(u8::is_ascii_digit);
+    endings().any(|known| if is_number { known == "000" } else { ending.eq_ignore_ascii_case(known) })
+}
+
 /// The formats of maps that are read, for a person.
 pub fn format_names() -> String {
     Format::names()
