@@ -57,7 +57,7 @@ def test_every_card_has_an_answer(open_page):
 
 @pytest.mark.parametrize("width", [1280, 400])
 def test_numbers_along_axes_do_not_overlap(open_page, width):
-    page = open_page(REPORTS / "comparison.html", width=width)
+    page = open_page(REPORTS / "measured-fine-finish/report.html", width=width)
     page.add_init_script(
         """const write = CanvasRenderingContext2D.prototype.fillText;
         CanvasRenderingContext2D.prototype.fillText = function (text, x, y, ...rest) {
@@ -79,25 +79,6 @@ def test_numbers_along_axes_do_not_overlap(open_page, width):
         assert len(along) > 1
         for (_, _, end, left), (_, start, _, right) in zip(along, along[1:]):
             assert end + 2 < start, (left, right)
-
-
-def test_curves_of_several_reports(open_page):
-    page = open_page(REPORTS / "comparison.html")
-    names = page.locator(".names button")
-    before = names.count()
-    assert before >= 2
-    page.locator("#words").fill("lead-on-steel bulk")
-    box = page.locator(".cases tr:visible input").first
-    box.check()
-    assert names.count() == before + 1
-    assert any("bulk" in name for name in names.all_inner_texts())
-    address = page.url
-    page.locator("#along").select_option("1")
-    assert "load ratio" in page.locator(".along-x").first.inner_text()
-    # The address holds the choice.
-    page.goto("about:blank")
-    page.goto(address)
-    assert page.locator(".names button").count() == before + 1
 
 
 @pytest.fixture

@@ -64,7 +64,7 @@ def test_page(report, open_page):
 
 
 # The colours are those of all pages.
-@pytest.mark.parametrize("name", ["index.html", "comparison.html", "measured-fine-finish/report.html", "laws/report.html"])
+@pytest.mark.parametrize("name", ["index.html", "measured-fine-finish/report.html", "laws/report.html"])
 def test_dark(name, open_page):
     page = open_page(REPORTS / name, color_scheme="dark")
     draw_all(page)

@@ -1,12 +1,10 @@
-//! Index of all reports of a folder: a list in Markdown, cards in HTML, a page that overlays their curves, and the glossary.
+//! Index of all reports of a folder: a list in Markdown, cards in HTML, and the glossary.
 //!
 //! | module | what it writes |
 //! |---|---|
 //! | `cards` | `index.html`: a card per report with its answer and a picture |
-//! | `overlay` | `comparison.html`: curves of several reports in one figure |
 
 mod cards;
-mod overlay;
 
 use std::fs;
 use std::path::Path;
@@ -34,7 +32,7 @@ pub const CARD: &str = "card.svg";
 pub struct Index {
     reports: usize,
     /// File names and contents.
-    pub pages: [(&'static str, String); 5],
+    pub pages: [(&'static str, String); 4],
 }
 
 /// A report in the index.
@@ -54,8 +52,6 @@ struct Entry {
     /// What it found.
     #[serde(default, deserialize_with = "answer")]
     answer: Answer,
-    reduced_modulus_pa: Option<f64>,
-    hardness_pa: Option<f64>,
     #[serde(default)]
     surfaces: Value,
     #[serde(default)]
@@ -92,8 +88,7 @@ impl Entry {
 
 impl Index {
     /// Names of its pages.
-    pub const FILES: [&'static str; 5] =
-        ["README.md", "index.html", "comparison.html", "glossary.md", "glossary.html"];
+    pub const FILES: [&'static str; 4] = ["README.md", "index.html", "glossary.md", "glossary.html"];
 
     /// Whether there are no reports.
     pub fn is_empty(&self) -> bool {
@@ -119,11 +114,10 @@ impl Index {
         let folders = fs::read_dir(directory).into_iter().flatten().flatten();
         let mut entries: Vec<Entry> = folders.filter_map(read).collect();
         entries.sort_by(|a, b| a.name.cmp(&b.name));
-        let [list, cards, overlay, terms, terms_html] = Self::FILES;
+        let [list, cards, terms, terms_html] = Self::FILES;
         let pages = [
             (list, markdown(&entries)),
             (cards, cards::page(&entries)),
-            (overlay, overlay::page(directory, &entries)),
             (terms, glossary::markdown()),
             (terms_html, glossary::html()),
         ];
