@@ -102,8 +102,14 @@ pub fn of_made(surface: &Surface, mean_radius: MeanRadius) -> Vec<String> {
         Some(map) => map.is_held != [true; 2] && map.roughness.rms_slope() < FLAT,
         None => is_flat(statistics.mean_radius, statistics.sigma),
     };
-    let mut warnings =
-        of_surface(name, statistics.mean_radius, statistics.sigma, set.nominal_area(), is_flat);
+    let mut warnings = of_surface(
+        name,
+        statistics.mean_radius,
+        statistics.sigma,
+        set.nominal_area(),
+        is_flat,
+        map.is_some(),
+    );
     let spread = statistics.mean_radius / statistics.radius_of_mean_curvature;
     if map.is_some() && spread > FEW_FLAT_TOPS && mean_radius == MeanRadius::default() {
         warnings.push(format!(
@@ -116,7 +122,7 @@ pub fn of_made(surface: &Surface, mean_radius: MeanRadius) -> Vec<String> {
 
 /// Asperities without a map, whose slopes are about the root of sigma over radius.
 pub fn of_asperities(name: &str, mean_radius: f64, sigma: f64, nominal_area: f64) -> Vec<String> {
-    of_surface(name, mean_radius, sigma, nominal_area, is_flat(mean_radius, sigma))
+    of_surface(name, mean_radius, sigma, nominal_area, is_flat(mean_radius, sigma), false)
 }
 
 fn is_flat(mean_radius: f64, sigma: f64) -> bool {
@@ -125,7 +131,14 @@ fn is_flat(mean_radius: f64, sigma: f64) -> bool {
 
 /// The asperities of a surface: mean radius and standard deviation of the heights (m) on a nominal area (m^2). Radii above its
 /// side are those of smooth surfaces, unless slopes are below those of polished optics.
-fn of_surface(name: &str, mean_radius: f64, sigma: f64, nominal_area: f64, is_flat: bool) -> Vec<String> {
+fn of_surface(
+    name: &str,
+    mean_radius: f64,
+    sigma: f64,
+    nominal_area: f64,
+    is_flat: bool,
+    is_map: bool,
+) -> Vec<String> {
     let side = nominal_area.sqrt();
     let mut warnings = Vec::new();
     if mean_radius > side && is_flat {
@@ -137,9 +150,15 @@ fn of_surface(name: &str, mean_radius: f64, sigma: f64, nominal_area: f64, is_fl
         ));
     }
     if sigma > mean_radius {
+        let check = match is_map {
+            true => {
+                "noise of the instrument, which an S filter removes, or heights and pixel in different units"
+            }
+            false => "check the units of heights and radii (lists are in metres)",
+        };
         warnings.push(format!(
             "surface {name}: the standard deviation of the asperity heights, {}, is above their mean radius, {}: needles, for which \
-             no contact law holds; check the units of heights and radii (lists are in metres)",
+             no contact law holds; {check}",
             quantity(sigma, "m"),
             quantity(mean_radius, "m")
         ));

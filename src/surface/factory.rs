@@ -578,9 +578,14 @@ fn own_warnings(surface: &Surface) -> Vec<String> {
     let mut warnings = surface.map.as_ref().map_or_else(Vec::new, fitness::warnings);
     warnings.extend(fitness::failures(surface));
     warnings.extend(surface.unscattered.as_ref().map(|reason| {
+        let pressed = if surface.map.as_ref().is_some_and(MapFacts::is_nearly_complete) {
+            "; boundary elements need no asperities (`models = [\"reference\"]`), separations are from the mean plane, areas those of the \
+             points in contact"
+        } else {
+            ""
+        };
         format!(
-            "neither the integral nor the sum over asperities applies: the map {}; boundary elements need no asperities (`models = \
-             [\"reference\"]`), separations are from the mean plane, areas those of the points in contact.",
+            "neither the integral nor the sum over asperities applies: the map {}{pressed}.",
             fitness::without_advice(reason)
         )
     }));

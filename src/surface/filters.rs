@@ -11,11 +11,16 @@ pub fn check_long(filter: Filter, points: [usize; 2], pixel: [f64; 2]) -> Result
     let least = FEWEST * pixel[0].max(pixel[1]);
     let Some(l) = filter.l().filter(|l| *l < least) else { return Ok(()) };
     let usual = usual_long_filter([0, 1].map(|axis| points[axis] as f64 * pixel[axis]));
+    let is_possible = usual >= least;
     let [l, apart, least, usual] =
         [l, pixel[0].max(pixel[1]), least, usual].map(|length| input_quantity(length, "m"));
+    let usually = match is_possible {
+        true => format!("usually a sixth of the shorter side ({usual})"),
+        false => "or none: the map has too few points for one".to_owned(),
+    };
     Err(format!(
         "found an L filter of {l}, which removes all waves longer than that and so the roughness: the points are {apart} apart; allowed: \
-         at least {FEWEST} pixels ({least}), usually a sixth of the shorter side ({usual})"
+         at least {FEWEST} pixels ({least}), {usually}"
     ))
 }
 

@@ -5,12 +5,12 @@ use asperity_contact_framework::report::format::{count, input_quantity, number, 
 
 use asperity::compare::Repeats;
 use asperity::numeric::two_digits_up;
-use asperity::surface::usual_long_filter;
 use asperity::surface::{Fit, MOST_SPIKE_POINTS, MapFacts, NoAsperities, NotApplied, Remedy, Surface};
-use asperity::topography::HeightPlace;
 use asperity::topography::fitness::LARGEST_FLANKS;
 use asperity::topography::generate::FEWEST_LENGTHS;
+use asperity::topography::{Filter, HeightPlace};
 
+use super::filters;
 use super::fit::reason;
 
 /// Caveats that no check states.
@@ -154,10 +154,11 @@ fn larger_map(finding: &Finding, map: &MapFacts) -> String {
     format!("a larger map, at least {x} along x and {y} along y ({FEWEST_LENGTHS} correlation lengths)")
 }
 
-/// An L filter that leaves as many waves as a map needs, as a spec has it.
-fn long_filter(map: &MapFacts) -> String {
-    let size = [0, 1].map(|axis| map.points[axis] as f64 * map.pixel[axis]);
-    written(Remedy::LongWaves(usual_long_filter(size)))
+/// Whether an L filter that leaves as many waves as a map needs is long enough for its pixel and its S filter.
+fn leaves_waves(finding: &Finding, map: &MapFacts) -> bool {
+    let Some(Remedy::LongWaves(l)) = Remedy::new(finding, map) else { return false };
+    let made = Filter::new(map.filter.and_then(|filter| filter.s()), Some(l));
+    made.is_ok_and(|filter| filters::check_long(filter, map.points, map.pixel).is_ok())
 }
 
 /// Whether so many points stand out that they are no single wrong ones.
@@ -322,7 +323,7 @@ fn shared_height(share: &str, map: &MapFacts) -> String {
 /// The keys that say in which units a map is; `both` where its file holds neither, or both.
 fn unit_keys(map: &MapFacts, both: &'static str) -> &'static str {
     match map.is_held {
-        [true, false] => "`unit` (of coordinates and heights, as in `unit = { xy = \"um\", z = \"nm\" }`)",
+        [true, false] => "`unit` (of coordinates and heights, as in `unit = { xy = \"mm\", z = \"um\" }`)",
         [false, false] | [_, true] => both,
     }
 }
@@ -371,8 +372,11 @@ pub fn remedy(finding: &Finding, map: &MapFacts) -> String {
         Measure::RadiusOverTip => "a sharper tip, or its radius measured to a tenth".to_owned(),
         Measure::Untraced => "`tip`: it is sharper than stated, or noise stands out, which an S filter removes".to_owned(),
         Measure::LengthOverSide => {
-            let (larger, key) = (larger_map(finding, map), long_filter(map));
-            format!("{larger}, or an L filter (`{key}`) where the longest waves are form and do not matter to your contact")
+            let larger = larger_map(finding, map);
+            if !leaves_waves(finding, map) {
+                return larger;
+            }
+            format!("{larger}, or an L filter ({}) where the longest waves are form and do not matter to your contact", key())
         }
         Measure::NominalArea => match map.is_held {
             [_, true] => "`pixel` or `unit`, as in `pixel = \"0.8 um\"`, in place of what the file states".to_owned(),

@@ -50,13 +50,21 @@ impl FileOptions {
     /// The first of them, as it was typed.
     pub fn check(&self) -> Result<(), InputError> {
         let is_path = |path: &str| path.starts_with("compare.") || path.starts_with("material.");
-        match self.set.iter().find(|set| !set.split_once('=').is_some_and(|(path, _)| is_path(path))) {
-            Some(set) => Err(InputError::file(
+        let is_set = |set: &&String| set.split_once('=').is_some_and(|(path, _)| is_path(path));
+        if let Some(set) = self.set.iter().find(|set| !is_set(set)) {
+            return Err(InputError::file(
                 Path::new(&typed("set", set)),
                 "found no key of [compare] or [material]; allowed: PATH=VALUE, such as compare.law=hertz or 'material.PTFE.hardness=\"50 MPa\"'",
-            )),
-            None => self.contact.check(),
+            ));
         }
+        for (axis, ends) in ["x", "y"].into_iter().zip(&self.crop) {
+            let Some(ends) = ends.as_ref().filter(|ends| ends.split(',').count() != 2) else { continue };
+            return Err(InputError::file(
+                Path::new(&typed(&format!("crop-{axis}"), ends)),
+                "found no pair of lengths; allowed: from and to with a comma between them, such as \"10 um, 200 um\"",
+            ));
+        }
+        self.contact.check()
     }
 
     /// The keys of a table that are set, as lines of a spec.

@@ -17,7 +17,7 @@ use crate::surface::spec::{
     DrawSpec, FileSpec, FitSpec, ListSpec, Outliers, PopulationHeights, PopulationSpec, SurfaceSpec,
 };
 use asperity::surface::{BodyAsperities, Kept, MapFacts, Preparation};
-use asperity::topography::read::{MapFile, Metadata, ReadError, ReadOptions, UnitOrigin};
+use asperity::topography::read::{MapFile, Metadata, ReadError, ReadOptions, ReadOptionsError, UnitOrigin};
 use asperity::topography::{Boundary, Filter, Level, read};
 use asperity::{
     AsperityList, Heights, ListError, ListOptions, MapError, Population, ReferencePlane, SurfaceHeights,
@@ -288,8 +288,11 @@ impl SurfacePlan {
             return Err(refuse(&MapError::TooSmall(points)));
         }
         let pixel = metadata.pixel(&options).map_err(|error| {
+            let lacks_both = matches!(error, ReadOptionsError::NoUnit { .. })
+                && metadata.pixel.or(options.pixel).is_none();
+            let pixel = if lacks_both { "; and the pixel, such as `pixel = \"0.8 um\"`" } else { "" };
             let notes: String = metadata.notes.iter().map(|note| format!(". It {note}")).collect();
-            refuse(&(options_message(&error) + &notes))
+            refuse(&(options_message(&error) + pixel + &notes))
         })?;
         let filter = match &raw.filter {
             None => None,

@@ -19,18 +19,24 @@ pub fn spec_message(error: &ReadError) -> String {
             )
         }
         ReadError::Mark { value, .. } => {
-            format!("{error} Write `missing = {value}`; `missing = []` where these are heights")
+            // As large a whole number is none of TOML.
+            let mark = if value.abs() < 1e15 { value.to_string() } else { format!("{value:e}") };
+            format!("{error} Write `missing = {mark}`; `missing = []` where these are heights")
         }
         ReadError::Word { word, .. } => {
             format!("{error}; `missing = {}` means that it marks missing points", quoted(word))
         }
         ReadError::Crop { axis, ends, side, pixel } => {
-            let [from, to] = ends.map(|length| input_quantity(length, "m"));
+            let why = match *ends {
+                [from, to] if from >= to => "ends before it begins",
+                [from, to] if to - from < 3.0 * pixel && to <= *side => "leaves fewer than three points",
+                _ => "is not within it",
+            };
+            let [from, to, side, pixel] =
+                [ends[0], ends[1], *side, *pixel].map(|length| input_quantity(length, "m"));
             format!(
-                "is {} long along {axis}, with points every {}: `crop` from {from} to {to} is not within it or leaves fewer than three points; \
-                 allowed: from 0 m to its length",
-                input_quantity(*side, "m"),
-                input_quantity(*pixel, "m")
+                "is {side} long along {axis}, with points every {pixel}: `crop` from {from} to {to} {why}; allowed: from 0 m to its length, three \
+                 points at least"
             )
         }
         ReadError::Channel { .. } => format!("{error} (`channel`)"),

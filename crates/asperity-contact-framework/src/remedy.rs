@@ -33,7 +33,7 @@ const fn remedy(
 }
 
 /// All keys that messages advise.
-pub const REMEDIES: [Remedy; 21] = [
+pub const REMEDIES: [Remedy; 22] = [
     remedy(["file", "pixel"], Some("--pixel"), "pixel", "Pixel size", r#""0.8 um""#),
     remedy(["file", "unit"], Some("--unit"), "unit", "Unit", r#"{ xy = "mm", z = "um" }"#),
     remedy(["file", "missing"], Some("--missing"), "missing", "Missing points", "-9999"),
@@ -57,6 +57,7 @@ pub const REMEDIES: [Remedy; 21] = [
         "Spec",
         r#"{ mean-radius = "inverse-mean-curvature" }"#,
     ),
+    remedy(["compare", "reference"], None, "reference", "Spec", "{ refine = 2 }"),
     remedy(["compare", "pressure"], Some("--pressure"), "pressures", "Pressure", r#"["1 MPa"]"#),
     remedy(["compare", "force"], Some("--load"), "forces", "Force", r#"["5 N"]"#),
     remedy(["material", "hardness"], None, "hardness", "Hardness", r#""50 MPa""#),
@@ -131,6 +132,7 @@ impl FrontEnd {
                 (None, value) => format!("--set '{}.{key}={value}'", remedy.table),
                 // Flags that are there or not.
                 (Some(flag), _) if ["fit", "models", "transpose"].contains(&key) => flag.to_owned(),
+                (Some(flag), Value::Array(items)) if items.is_empty() => format!("{flag} none"),
                 (Some(flag), value) => format!("{flag} {}", quoted(&words(value, "="))),
             },
             Self::Python => format!("{}={}", remedy.argument, python(value)),
@@ -181,6 +183,7 @@ fn words(value: &Value, equals: &str) -> String {
                 table.iter().map(|(key, value)| format!("{key}{equals}{}", words(value, equals))).collect();
             parts.join(", ")
         }
+        Value::Float(number) if number.abs() >= 1e15 => format!("{number:e}"),
         other => other.to_string(),
     }
 }
@@ -220,6 +223,7 @@ mod tests {
                 "give `unit={\"xy\": \"mm\", \"z\": \"um\"}`.",
                 "give `Unit: xy mm, z um`.",
             ),
+            ("`missing = []`", "`--missing none`", "`missing=[]`", "`Missing points: `"),
             ("`missing = -9999`", "`--missing -9999`", "`missing=-9999`", "`Missing points: -9999`"),
             (
                 "`filter = { s = \"3 µm\", l = \"80 µm\" }`",

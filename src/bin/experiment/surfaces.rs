@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use asperity_contact_framework::remedy::FrontEnd;
 use asperity_contact_framework::report::answer::{Answer, CardLine};
 use asperity_contact_framework::report::store::Store;
 use asperity_experiment::surface::{FileOptions, described_file};
@@ -73,7 +74,9 @@ pub fn describe(
     let mut store = Store::new(&options.out);
     store.write_page(ANSWERS, &table(&rows)?, COLUMNS)?;
     if !options.silent {
-        rows.iter().for_each(|row| print(format_args!("{}: {}", row.file, row.in_short())));
+        let answered = rows.iter().filter_map(|row| Some((&row.file, row.in_short()?)));
+        answered
+            .for_each(|(file, answer)| print(format_args!("{file}: {}", FrontEnd::Terminal.text(&answer))));
     }
     say(options, &format!("{} written", options.out.join(ANSWERS).display()));
     last
@@ -179,9 +182,10 @@ impl Row {
         }
     }
 
-    fn in_short(&self) -> String {
+    /// The answer; `None` of a file that was refused, which was said before.
+    fn in_short(&self) -> Option<String> {
         let sentence = || self.answered.as_ref().map(|answered| answered.answer.sentence.clone());
-        self.line("answer").or_else(sentence).unwrap_or_else(|| self.error.clone())
+        self.line("answer").or_else(sentence)
     }
 }
 

@@ -22,6 +22,7 @@ pub use steps::Step;
 
 use std::sync::Arc;
 
+use crate::bem::MOST_MISSING;
 use crate::compare::{Division, Repeats};
 use crate::distribution::{HeightModel, HeightsError};
 use crate::topography::fitness::{Finding, LineOffsets, Lines, Spikes};
@@ -194,6 +195,11 @@ pub struct Specified {
 }
 
 impl MapFacts {
+    /// Whether so few points are missing that boundary elements can be run.
+    pub fn is_nearly_complete(&self) -> bool {
+        self.roughness.missing as f64 <= MOST_MISSING * (self.points[0] * self.points[1]) as f64
+    }
+
     /// The places of the peaks of spikes on the map, m.
     pub fn spike_places(&self) -> Vec<[f64; 2]> {
         let points = self.spikes.as_ref().map_or(&[][..], |spikes| &spikes.left.peaks);

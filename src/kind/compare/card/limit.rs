@@ -65,7 +65,7 @@ impl Card<'_> {
             }
             _ if is_steep(at) || self.leaves_yielding_out() => None,
             Some(_) => Some("boundary elements"),
-            None if self.surface.map.is_none() => None,
+            None if !self.can_be_pressed() => None,
             None => {
                 Some("boundary elements (`models = [\"statistical\", \"deterministic\", \"reference\"]`)")
             }

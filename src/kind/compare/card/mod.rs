@@ -33,7 +33,7 @@ use asperity::Limit;
 use asperity::compare::{ComparedQuantity, Difference};
 use asperity::numeric::{two_digits, two_digits_up};
 use asperity::study::{Basis, CaseStudy, Verdicts};
-use asperity::surface::Surface;
+use asperity::surface::{MapFacts, Surface};
 use asperity_contact_framework::report::answer::{CardLine, fitting};
 use asperity_contact_framework::report::format::{listed, number, quantity};
 
@@ -167,12 +167,17 @@ impl<'a> Card<'a> {
         }
     }
 
+    /// Whether boundary elements can be run on the surface.
+    fn can_be_pressed(&self) -> bool {
+        self.surface.map.as_ref().is_some_and(MapFacts::is_nearly_complete)
+    }
+
     /// What there is to say where the models are not compared at equal load.
     fn uncompared(&self) -> String {
         let comparison = &self.case.first().comparison;
         if let Some(reason) = &self.surface.unscattered {
             let reason = without_advice(reason);
-            let runs = if self.case.first().reference.is_some() {
+            let runs = if self.case.first().reference.is_some() || !self.can_be_pressed() {
                 ""
             } else {
                 "; run boundary elements: `models = [\"reference\"]`"

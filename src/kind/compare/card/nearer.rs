@@ -71,6 +71,9 @@ impl Card<'_> {
             return Some("Not possible: the surface has no map.".to_owned());
         }
         let Some(curve) = &self.case.first().reference else {
+            if !self.can_be_pressed() {
+                return Some("Not possible: more than 1 % of the map is missing; boundary elements need a part without holes (`crop`).".to_owned());
+            }
             return Some(
                 "Not computed: it needs `models = [\"statistical\", \"deterministic\", \"reference\"]`."
                     .to_owned(),

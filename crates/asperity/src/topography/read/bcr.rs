@@ -35,17 +35,18 @@ fn decoded(bytes: &[u8]) -> (String, u64) {
     }
 }
 
-struct Header(String);
+/// Lines of `key = value`.
+pub(super) struct Header(pub(super) String);
 
 impl Header {
     /// The value of a key; `None` where it is missing or empty.
-    fn text(&self, key: &str) -> Option<&str> {
+    pub(super) fn text(&self, key: &str) -> Option<&str> {
         let entries = self.0.lines().filter_map(|line| line.split_once('='));
         let mut values = entries.filter(|(found, _)| found.trim() == key).map(|(_, value)| value.trim());
         values.next().filter(|value| !value.is_empty())
     }
 
-    fn number<T: std::str::FromStr>(&self, key: &str) -> Result<Option<T>, ReadError> {
+    pub(super) fn number<T: std::str::FromStr>(&self, key: &str) -> Result<Option<T>, ReadError> {
         let number = |text: &str| {
             text.parse().map_err(|_| {
                 ReadError::Corrupt(format!(
@@ -55,6 +56,11 @@ impl Header {
             })
         };
         self.text(key).map(number).transpose()
+    }
+
+    /// A number of points, without which there is no map.
+    pub(super) fn needed(&self, key: &str) -> Result<u64, ReadError> {
+        self.number(key)?.ok_or_else(|| ReadError::Corrupt(format!("has no {key} in its header")))
     }
 
     /// The unit of a key, nm where there is none. No current is stored, so that "A" is the ångström.
@@ -83,10 +89,7 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
     }
     let start = mark + width * characters;
     let header = Header(decoded(&source.bytes(0, start)?).0);
-    let needed = |key: &str| {
-        header.number(key)?.ok_or_else(|| ReadError::Corrupt(format!("has no {key} in its header")))
-    };
-    let points: [u64; 2] = [needed("xpixels")?, needed("ypixels")?];
+    let points = [header.needed("xpixels")?, header.needed("ypixels")?];
     let is_float = header.text("fileformat").is_some_and(|format| format.starts_with("bcrf"));
     // `voidpixels` is a number of points or a mark, depending on the program.
     let (kind, missing) = if is_float { (F32, 1.7e38) } else { (I16, 32_767.0) };

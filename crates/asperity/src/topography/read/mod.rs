@@ -7,7 +7,7 @@
 //! | `text`, `xyz`, `exports` | matrix of numbers, with or without the header of a program; three columns of numbers | one map |
 //! | `nanoscope_text` | what Nanoscope exports as text | a list of channels |
 //! | `x3p`, `sdf` | ISO 25178-72, ISO 25178-71 | one map, with pixel and unit |
-//! | `al3d`, `bcr`, `datx`, `gwy`, `ibw`, `jpk`, `metropro`, `nanoscope`, `nid`, `opd`, `park`, `plu`, `sur`, `vk` | files of instruments and of Gwyddion | a list of channels, with pixel and unit, of which the heights are chosen, or one by its name |
+//! | `al3d`, `bcr`, `datx`, `gsf`, `gwy`, `ibw`, `jpk`, `metropro`, `nanoscope`, `nid`, `opd`, `park`, `plu`, `sur`, `vk` | files of instruments and of Gwyddion | a list of channels, with pixel and unit, of which the heights are chosen, or one by its name |
 //!
 //! If the file states its unit, a height beyond 1 km marks a missing point. Other heights beyond 10 m are rejected in
 //! every format, since the unit must be wrong. The first index of a map is x; in files x runs fastest, so that all
@@ -24,6 +24,7 @@ mod datx;
 mod error;
 mod exports;
 mod file;
+mod gsf;
 mod gwy;
 mod ibw;
 mod jpk;
@@ -85,7 +86,7 @@ enum Reader {
 }
 
 /// How a file of a format that is not read becomes one that is.
-const CONVERTER: &str = "The Python package SurfaceTopography reads more formats and writes X3P: python -m pip install SurfaceTopography, then \
+const CONVERTER: &str = "Gwyddion reads most formats and writes .gwy; the Python package SurfaceTopography reads some more and writes X3P: python -m pip install SurfaceTopography, then \
      SurfaceTopography.read_topography(\"FILE\").to_x3p(\"FILE.x3p\")";
 
 /// All formats, in the order in which a file is tried: texts last.
@@ -94,6 +95,7 @@ static FORMATS: &[&Format] = &[
     &al3d::FORMAT,
     &bcr::FORMAT,
     &datx::FORMAT,
+    &gsf::FORMAT,
     &gwy::FORMAT,
     &ibw::FORMAT,
     &jpk::FORMAT,

@@ -145,7 +145,11 @@ impl Table {
 
     /// What a reader should know of the lines above the table.
     pub fn note(&self) -> Option<String> {
-        let above = shortened(self.heading.first()?);
+        let tells = |line: &&String| {
+            let line = line.to_lowercase();
+            ["pixel", "unit", "scale", "spacing", "size", "factor"].iter().any(|word| line.contains(word))
+        };
+        let above = shortened(self.heading.iter().find(tells).or(self.heading.first())?);
         Some(format!(
             "is read from line {} on: what stands above (\"{above}\") is no row of its table, and a pixel, a unit or a factor there is not known",
             self.begin
@@ -195,6 +199,9 @@ fn is_comment(line: &str) -> bool {
 /// The cells of a line by itself, before the separator of the table is known.
 fn cells(line: &str) -> Vec<&str> {
     let line = line.trim_matches(' ');
+    // Tabs may stand before numbers between blanks.
+    let inner = line.trim();
+    let line = if inner.contains(' ') && !inner.contains('\t') { inner } else { line };
     let separated = |by: char| line.split(by).map(|cell| cell.trim().trim_matches('"').trim()).collect();
     if line.contains(';') {
         separated(';')

@@ -217,11 +217,14 @@ impl<'a> Archive<'a> {
             ))
         })?;
         let content = self.content(index, MAX_XML_BYTES, 0.0)?;
-        // Its check sum is in a separate file: "1234... *main.xml".
+        // Its check sum is in a separate file: "1234... *main.xml"; some programs write that of the heights there.
         let checked = match self.find("md5checksum.hex") {
             Some(index) => {
                 let line = String::from_utf8_lossy(&self.content(index, 4096, 0.0)?).into_owned();
-                check_md5(MAIN, &content, line.split_whitespace().next(), self.2.count(0.0, content.len()))
+                let is_of_main =
+                    |line: &&str| line.split_once('*').is_none_or(|(_, name)| plain(name).ends_with(MAIN));
+                let sum = line.lines().find(is_of_main).and_then(|line| line.split_whitespace().next());
+                check_md5(MAIN, &content, sum, self.2.count(0.0, content.len()))
             }
             None => Ok(()),
         };

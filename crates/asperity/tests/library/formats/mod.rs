@@ -24,6 +24,7 @@ mod channels;
 mod damage;
 mod datx;
 mod exports;
+mod gsf;
 mod gwy;
 mod ibw;
 mod instrument;

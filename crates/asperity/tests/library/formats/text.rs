@@ -85,7 +85,7 @@ fn bad_text_is_refused_with_its_place() {
     assert_refused!(Mismatch, "line 1 has \"this\" for a number", "this is no array\n");
     assert_refused!(
         Mismatch,
-        "SurfaceTopography reads more formats and writes X3P: python -m pip",
+        "Gwyddion reads most formats and writes .gwy; the Python package SurfaceTopography reads some more and writes X3P: python -m pip",
         "this is no array\n"
     );
     assert_refused!(Mismatch, "SurfaceTopography.read_topography", b"\0\x01\x02\x03 binary");
@@ -115,6 +115,31 @@ fn bad_text_is_refused_with_its_place() {
         "the Width \"3 ft\"",
         header("# Width: 3 ft\n# Height: 3 um\n# Value units: m")
     );
+}
+
+#[test]
+fn tabs_before_the_first_numbers_begin_no_cells() {
+    let line = |iy: usize| format!("  {}.50   2.50   {}.25   1.00\r\n", iy * 3 % 7, iy * iy % 5);
+    let text = format!("\t\t\t{}", (0..6).map(line).collect::<String>().trim_start());
+    let (_folder, path) = file(&text);
+    let head = metadata(&path).unwrap();
+    assert_eq!((head.points, &head.notes[..]), ([4, 6], &[][..]));
+}
+
+#[test]
+fn columns_of_a_profile_are_no_map() {
+    let lines: String = (0..20).map(|k| format!("{k} {}\n", k % 7)).collect();
+    assert_refused!(Mismatch, "holds two columns of 20 numbers, a profile; allowed: a height map", &lines);
+    assert_refused!(Mismatch, "holds one column of 20 numbers", lines.replace(' ', "."));
+}
+
+/// Of the lines above a table that is quoted which may hold what is not known.
+#[test]
+fn a_note_quotes_the_line_of_a_pixel() {
+    let rows = "1 2 3 4\n2 3 4 5\n1 2 4 5\n3 2 1 0\n";
+    let (_folder, path) = file(&format!("Profile: X Y\nPixel size = 25 um\nDate today\n{rows}"));
+    let notes = metadata(&path).unwrap().notes;
+    assert!(notes[0].contains("(\"Pixel size = 25 um\")"), "{notes:?}");
 }
 
 /// The map as points x y z, the missing one left out, in a mixed order.

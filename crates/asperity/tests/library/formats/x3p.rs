@@ -147,6 +147,11 @@ fn a_stale_check_sum_is_a_note_where_that_of_the_heights_is_right() {
     other[3] ^= 1;
     assert_refused!(Corrupt, "is damaged: bindata/data.bin has the MD5 sum", with(&sum, &other));
     assert_refused!(Corrupt, "is damaged: main.xml", with("", &data));
+    // The sum of the heights, as SurfaceTopography writes it.
+    let of_data = format!("{sum} *bindata/data.bin").into_bytes();
+    let main = x3p.xml().into_bytes();
+    let other = zipped(&[("main.xml", main), ("md5checksum.hex", of_data), ("bindata/data.bin", data)]);
+    assert!(assert_map(other, ReadOptions::default(), 1e-9, PIXEL).notes.is_empty());
 }
 
 /// A unit and a pixel that are given count in place of those of the file.
