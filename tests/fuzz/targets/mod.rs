@@ -50,11 +50,12 @@ pub struct Target {
 }
 
 /// All targets.
-pub const TARGETS: [Target; 25] = [
+pub const TARGETS: [Target; 26] = [
     Target::map("any", <[u8]>::to_vec),
     Target::map("al3d", |bytes| prepare::begin(bytes, b"AliconaImaging\0\r\n")),
     Target::map("bcr", prepare::bcr),
     Target::map("datx", |bytes| prepare::begin(bytes, b"\x89HDF\r\n\x1a\n")),
+    Target::map("gsf", |bytes| prepare::begin(bytes, b"Gwyddion Simple Field ")),
     Target::map("gwy", |bytes| prepare::begin(bytes, b"GWYP")),
     Target::map("ibw", prepare::ibw),
     Target::map("jpk", prepare::tiff),
