@@ -292,6 +292,17 @@ def test_a_part_of_a_map(tmp_path):
         asperity.Topography.read(tmp_path / "map.gwy", crop=3)
 
 
+def test_reports_name_the_part_of_a_map_in_memory(tmp_path):
+    surface = asperity.generate(96, pixel=1e-6, sigma=50e-9, spectrum=SPECTRUM, seed=2)
+    part = surface.crop(x=(0, "64 um"), y=("10 um", 90e-6))
+    used = "only a part of the map is used, x from 0 m to 64 µm, y from 10 µm to 90 µm."
+    assert used in part.warnings and part.warnings == pickle.loads(pickle.dumps(part)).warnings
+    assert not any("only a part" in warning for warning in surface.crop().warnings)
+    results = asperity.compare(part, CONTACT, pressures=[1e6], report=tmp_path, name="part")
+    assert any(used in warning for warning in results.warnings)
+    assert used in (tmp_path / "part" / "report.md").read_text()
+
+
 @pytest.mark.parametrize(
     "call",
     [
