@@ -15,7 +15,7 @@ pub(super) fn parts(text: &str) -> Vec<(&str, bool)> {
     while let Some(at) = rest[from..].find('_').map(|at| from + at) {
         let mut before = rest[..at].chars().rev();
         let is_symbol = before.next().is_some_and(char::is_alphabetic)
-            && !before.next().is_some_and(char::is_alphanumeric);
+            && !before.next().is_some_and(|c| c.is_alphanumeric() || c == '_');
         let after = &rest[at + 1..];
         let length = after.find(|c: char| !c.is_alphanumeric()).unwrap_or(after.len());
         if is_symbol && length > 0 {
@@ -160,6 +160,7 @@ mod tests {
         assert_eq!(parts("P/(A_nom E*)"), [("P/(A", false), ("nom", true), (" E*)", false)]);
         assert_eq!(parts("β_avg"), [("β", false), ("avg", true)]);
         assert_eq!(parts("my_file_2, a_ b"), [("my_file_2, a_ b", false)]);
+        assert_eq!(parts("2024_Z_C"), [("2024_Z_C", false)]);
         assert_eq!(parts("x_1y z_2"), [("x", false), ("1y", true), (" z", false), ("2", true)]);
         assert!(parts("").is_empty());
         assert!(width("A_nom", 1.0) < width("Anom", 1.0));

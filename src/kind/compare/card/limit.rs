@@ -22,7 +22,8 @@ fn words(limit: Limit, at: &Difference) -> String {
         // Below the limit also as a reader sees it.
         Limit::FewContacts => {
             let contacts = sharing.map_or(0.0, |one| one.effective_contacts.min(MIN_CONTACTS - 0.1));
-            format!("{} effective contacts (at least {MIN_CONTACTS})", number(contacts))
+            let plural = if number(contacts) == "1" { "" } else { "s" };
+            format!("{} effective contact{plural} (at least {MIN_CONTACTS})", number(contacts))
         }
         Limit::DominantContact => {
             let share = sharing.map_or(1.0, |one| one.largest_share);

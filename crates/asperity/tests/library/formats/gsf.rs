@@ -32,12 +32,12 @@ fn gsf_heights_after_headers_of_every_length() {
 /// As Neaspec writes a phase: a pixel, and no unit of the numbers.
 #[test]
 fn gsf_without_units_asks_for_them() {
-    let (_folder, path) = super::file(&of("XReal=1E-05\nYReal=5E-05\nXYUnits=m\nZUnits=\n"));
+    let (_folder, path) = super::file(of("XReal=1E-05\nYReal=5E-05\nXYUnits=m\nZUnits=\n"));
     let head = metadata(&path).unwrap();
     assert!(head.units(&ReadOptions::default()).is_err() && !head.has_unit);
     let given = ReadOptions { unit: Some(LengthUnits::same(1e-9)), pixel: None };
     assert_eq!(head.pixel(&given), Ok([1e-5 / NX as f64, 5e-5 / NY as f64]));
-    let (_folder, path) = super::file(&of(""));
+    let (_folder, path) = super::file(of(""));
     assert_eq!(metadata(&path).unwrap().pixel, None);
 }
 

@@ -137,7 +137,7 @@ fn columns_of_a_profile_are_no_map() {
 #[test]
 fn a_note_quotes_the_line_of_a_pixel() {
     let rows = "1 2 3 4\n2 3 4 5\n1 2 4 5\n3 2 1 0\n";
-    let (_folder, path) = file(&format!("Profile: X Y\nPixel size = 25 um\nDate today\n{rows}"));
+    let (_folder, path) = file(format!("Profile: X Y\nPixel size = 25 um\nDate today\n{rows}"));
     let notes = metadata(&path).unwrap().notes;
     assert!(notes[0].contains("(\"Pixel size = 25 um\")"), "{notes:?}");
 }
