@@ -74,9 +74,8 @@ pub fn describe(
     let mut store = Store::new(&options.out);
     store.write_page(ANSWERS, &table(&rows)?, COLUMNS)?;
     if !options.silent {
-        let answered = rows.iter().filter_map(|row| Some((&row.file, row.in_short()?)));
-        answered
-            .for_each(|(file, answer)| print(format_args!("{file}: {}", FrontEnd::Terminal.text(&answer))));
+        let in_short = |row: &Row| FrontEnd::Terminal.text(&row.in_short());
+        rows.iter().for_each(|row| print(format_args!("{}: {}", row.file, in_short(row))));
     }
     say(options, &format!("{} written", options.out.join(ANSWERS).display()));
     last
@@ -182,10 +181,11 @@ impl Row {
         }
     }
 
-    /// The answer; `None` of a file that was refused, which was said before.
-    fn in_short(&self) -> Option<String> {
+    /// The answer, or why there is none.
+    fn in_short(&self) -> String {
         let sentence = || self.answered.as_ref().map(|answered| answered.answer.sentence.clone());
-        self.line("answer").or_else(sentence)
+        let error = self.error.strip_prefix(&self.file).unwrap_or(&self.error).trim_start_matches([':', ' ']);
+        self.line("answer").or_else(sentence).unwrap_or_else(|| error.to_owned())
     }
 }
 

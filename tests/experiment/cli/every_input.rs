@@ -168,6 +168,7 @@ fn several_files_have_a_report_each_and_one_table_of_answers() {
     assert!(answers.lines().last().unwrap().starts_with("missing.npy,,missing.npy"), "{answers}");
     let said = text(&output.stdout);
     assert!(said.lines().count() == files.len() && said.starts_with("waves.npy: "), "{said}");
+    assert!(said.lines().last().unwrap().matches("missing.npy").count() == 1, "{said}");
     // The same names again, and nothing but errors where that is asked for.
     let again = experiment(
         &["surface", "other/waves.npy", "waves.npy", "--pixel", "1 um", "--silent"],
@@ -202,9 +203,9 @@ fn a_part_of_a_map_is_as_the_part_alone() {
     assert_ne!(columns("waves.npy", &turned), alone);
     for (ends, words) in [
         ("5 um, 50 um", "is not within it"),
-        ("30 um, 5 um", "is not within it"),
+        ("30 um, 5 um", "ends before it begins"),
         ("5 um, 6 um", "fewer than three points"),
-        ("5 um", "crop"),
+        ("5 um", "from and to with a comma between them"),
     ] {
         let output =
             experiment(&["surface", "waves.npy", "--pixel", "1 um", "--crop-x", ends], folder.path());

@@ -330,7 +330,7 @@ fn maps_of_labs_are_read_from_the_command_line() {
     // Lines above the table, and a table in which there is a single summit.
     fs::write(folder.path().join("headed.txt"), format!("Export 1.2\nUnits: nm\n{heights}")).unwrap();
     let (is_read, error, ..) = run("headed.txt", &in_nm);
-    let note = "its file is read from line 3 on: what stands above (\"Export 1.2\") is no row of its table";
+    let note = "its file is read from line 3 on: what stands above (\"Units: nm\") is no row of its table";
     assert!(is_read && error.contains(note), "{error}");
     let (is_read, error, ..) = run("headed.txt", &["--unit", "nm"]);
     assert!(

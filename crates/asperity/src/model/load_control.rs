@@ -19,7 +19,7 @@ pub struct Reached {
 /// A pressure that a model does not reach at any separation from [`LOWEST_SEPARATION`] on.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error(
-    "a nominal pressure of {wanted:.4e} Pa is not reached; allowed: below {largest:.2e} Pa, the largest at separations from {LOWEST_SEPARATION} sigma on"
+    "a nominal pressure of {wanted:e} Pa is not reached; allowed: below {largest:.2e} Pa, the largest at separations from {LOWEST_SEPARATION} sigma on"
 )]
 pub struct Unreachable {
     /// The prescribed pressure, Pa.
