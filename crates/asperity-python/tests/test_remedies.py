@@ -100,7 +100,7 @@ def test_advice_can_be_passed(case, tmp_path):
     extra = {}
     if key in ("hardness", "law"):
         extra[key] = value
-    elif key in ("models", "statistical", "pressure", "force"):
+    elif key in ("models", "statistical", "reference", "pressure", "force"):
         of_compare[argument] = value
     elif "." in key:
         of_file[argument] = {key.split(".")[1]: value}
