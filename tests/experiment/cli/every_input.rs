@@ -213,3 +213,41 @@ fn a_part_of_a_map_is_as_the_part_alone() {
         assert!(text(&output.stderr).contains(words), "{ends}: {}", text(&output.stderr));
     }
 }
+
+/// What is advised of a surface can be followed: no boundary elements on a map with holes, no L filter that stands already or is too short, and
+/// all at once what a file does not say.
+#[test]
+fn advice_can_be_followed() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, side: usize, height: &dyn Fn(usize, usize) -> f64| {
+        let heights = (0..side * side).map(|k| height(k / side, k % side));
+        npy::write(fs::File::create(folder.path().join(name)).unwrap(), [side; 2], heights).unwrap();
+    };
+    let said = |arguments: &[&str]| {
+        let output = experiment(&[&["surface"], arguments].concat(), folder.path());
+        text(&output.stdout) + &text(&output.stderr)
+    };
+    let hole = |of: usize| move |i: usize, j: usize| if i < of && j < of { f64::NAN } else { height(i, j) };
+    write("holed.npy", 40, &hole(5));
+    write("whole.npy", 40, &hole(2));
+    let holed = said(&["holed.npy", "--pixel", "1 um"]);
+    assert!(
+        holed.contains("Not possible: more than 1 % of the map is missing") && !holed.contains("--reference"),
+        "{holed}"
+    );
+    assert!(said(&["whole.npy", "--pixel", "1 um"]).contains("--reference"));
+    // A tilt that levelling keeps is longer than any map of it.
+    let long = |i: usize, j: usize| 1e-6 * i as f64 + height(i, j);
+    write("long.npy", 40, &long);
+    let first = said(&["long.npy", "--pixel", "1 um", "--level", "none"]);
+    assert!(first.contains("or an L filter (`--l \"6.7 µm\"`)"), "{first}");
+    write("few.npy", 12, &long);
+    let few = said(&["few.npy", "--pixel", "1 um", "--level", "none"]);
+    assert!(few.contains("long-waves") && !few.contains("or an L filter"), "{few}");
+    let mut bare = b"Gwyddion Simple Field 1.0\nXRes=4\nYRes=4\n\0\0\0\0".to_vec();
+    bare.truncate(bare.len() / 4 * 4);
+    bare.extend((0..16u8).flat_map(|k| f32::from(k * k % 7).to_le_bytes()));
+    fs::write(folder.path().join("bare.gsf"), bare).unwrap();
+    let asked = said(&["bare.gsf"]);
+    assert!(asked.contains("such as `--unit um`; and the pixel, such as `--pixel \"0.8 um\"`"), "{asked}");
+}
