@@ -102,33 +102,35 @@ pub(super) struct Type {
 #[derive(Default)]
 pub(super) struct Canvas {
     body: String,
+    /// The tag that opened the last group, if another one may continue it.
+    opening: String,
 }
 
 impl Canvas {
     pub(super) fn lines<'a>(&mut self, lines: impl IntoIterator<Item = &'a [Spot]>, stroke: Stroke) {
         let style = style(stroke.colour, stroke.width);
         let w = style.stroke_width;
-        let common =
-            [("fill", "none".into()), ("stroke", hex(stroke.colour)), ("stroke-width", w.to_string())];
         let elements = written(|svg| {
             for line in lines {
                 // Writing into a String cannot fail; the same holds below.
                 svg.draw_path(line.iter().map(|spot| units(*spot)), &style).ok();
             }
         });
-        let extra = match stroke.dash {
-            Dash::Solid => "stroke-linejoin=\"round\"".to_owned(),
-            Dash::Dashed => format!("stroke-dasharray=\"{} {}\"", 4 * w, 5 * w / 2),
-            Dash::DashDot => {
-                format!("stroke-dasharray=\"{} {} {} {}\"", 5 * w, 2 * w, w, 2 * w)
-            }
-            Dash::Dotted => format!("stroke-dasharray=\"0 {}\" stroke-linecap=\"round\"", 2 * w),
+        // One path is shorter than an element for each line, of which grids and ticks have hundreds.
+        let path = relative_path(&elements);
+        if path.is_empty() {
+            return;
+        }
+        let dashes = match stroke.dash {
+            Dash::Solid => String::new(),
+            Dash::Dashed => format!(" stroke-dasharray=\"{} {}\"", 4 * w, 5 * w / 2),
+            Dash::DashDot => format!(" stroke-dasharray=\"{} {} {} {}\"", 5 * w, 2 * w, w, 2 * w),
+            Dash::Dotted => format!(" stroke-dasharray=\"0 {}\" stroke-linecap=\"round\"", 2 * w),
         };
-        self.group_of(&common, &extra, &elements, |lines| {
-            // One path is shorter than an element for each line, of which grids and ticks have hundreds.
-            let data = lines.replace("<polyline points=\"", "M").replace("\"/>\n", "");
-            format!("<path d=\"{data}\"/>\n")
-        });
+        let colour = hex(stroke.colour);
+        self.body.push_str(&format!(
+            "<path fill=\"none\" stroke=\"{colour}\" stroke-width=\"{w}\"{dashes} d=\"{path}\"/>\n"
+        ));
     }
 
     pub(super) fn polygons<'a>(
@@ -142,7 +144,7 @@ impl Canvas {
                 svg.fill_polygon(outline.iter().map(|spot| units(*spot)), &colour).ok();
             }
         });
-        self.group(&[("fill", hex(colour))], &format!("opacity=\"{opacity}\""), &elements);
+        self.group(&[("fill", hex(colour))], &opacity_attribute(opacity), &elements);
     }
 
     pub(super) fn rect(&mut self, rect: &Rect, colour: RGBColor, opacity: f64) {
@@ -151,7 +153,7 @@ impl Canvas {
             svg.draw_rect(from, to, &colour, true).ok();
         });
         let common = [("fill", hex(colour)), ("stroke", "none".into())];
-        self.group(&common, &format!("opacity=\"{opacity}\""), &elements);
+        self.group(&common, &opacity_attribute(opacity), &elements);
     }
 
     pub(super) fn circles(&mut self, centres: &[Spot], radius: f64, colour: RGBColor) {
@@ -207,10 +209,10 @@ impl Canvas {
         });
         // The line that the text stands on is placed above, for all fonts alike.
         let elements = elements.replace(" dy=\"0.76em\"", "").replace(" font-family=\"sans-serif\"", "");
-        let elements = elements.replace(&size, "");
+        let elements = elements.replace(&size, "").replace(" text-anchor=\"start\"", "");
         let elements =
             elements.replace(SUBSCRIPT, &subscript).replace(AFTER, &after).replace(END, "</tspan>");
-        let extra = format!("font-size=\"{}\"", (set.size * UNITS).round());
+        let extra = format!(" font-size=\"{}\"", (set.size * UNITS).round());
         self.group(&[("fill", hex(set.colour))], &extra, &elements);
     }
 
@@ -240,13 +242,15 @@ impl Canvas {
             "<g class=\"{class}\" transform=\"matrix({across:.6} 0 0 {up:.6} {x:.2} {y:.2})\" fill=\"{}\">{elements}</g>\n",
             hex(colour)
         ));
+        self.opening.clear();
     }
 
     /// Marks what `draw` puts down, for scripts.
     pub(super) fn marked(&mut self, class: &str, draw: impl FnOnce(&mut Self)) {
         self.body.push_str(&format!("<g class=\"{class}\">\n"));
         draw(self);
-        self.body.push_str("</g>\n");
+        self.body.push_str(END_OF_GROUP);
+        self.opening.clear();
     }
 
     /// What `draw` puts down shows inside `rect` only.
@@ -291,44 +295,60 @@ impl Canvas {
         }
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" {size} \
-             viewBox=\"0 0 {right} {bottom}\" font-family=\"{}\">\n<title>{escaped}</title>\n{rules}\
+             viewBox=\"0 0 {right} {bottom}\" stroke-linejoin=\"round\" font-family=\"{}\">\n<title>{escaped}</title>\n{rules}\
              <rect width=\"{right}\" height=\"{bottom}\" fill=\"#FFFFFF\"/>\n{}</svg>\n",
             text::FAMILY,
             self.body
         )
     }
 
-    /// Says once what all elements share.
+    /// Says once what all elements share, also with those of the group before.
     fn group(&mut self, common: &[(&str, String)], extra: &str, elements: &str) {
-        self.group_of(common, extra, elements, str::to_owned);
-    }
-
-    /// The same of elements that are `shortened` without what they share.
-    fn group_of(
-        &mut self,
-        common: &[(&str, String)],
-        extra: &str,
-        elements: &str,
-        shortened: impl FnOnce(&str) -> String,
-    ) {
         if elements.is_empty() {
             return;
         }
         let mut elements = elements.replace(" opacity=\"1\"", "").replace(" \"/>", "\"/>");
-        self.body.push_str("<g");
+        let mut opening = "<g".to_owned();
         for (key, value) in common {
             let said = format!(" {key}=\"{value}\"");
             elements = elements.replace(&said, "");
-            self.body.push_str(&said);
+            opening.push_str(&said);
         }
-        if !extra.is_empty() {
-            self.body.push(' ');
-            self.body.push_str(extra);
+        opening = format!("{opening}{extra}>\n").replace(" stroke=\"none\"", "");
+        match self.body.strip_suffix(END_OF_GROUP) {
+            Some(body) if self.opening == opening => self.body.truncate(body.len()),
+            _ => self.body.push_str(&opening),
         }
-        self.body.push_str(">\n");
-        self.body.push_str(&shortened(&elements));
-        self.body.push_str("</g>\n");
+        self.body.push_str(&elements);
+        self.body.push_str(END_OF_GROUP);
+        // Where translucent shapes of two groups overlap, both are seen.
+        self.opening = if opening.contains(" opacity=") { String::new() } else { opening };
     }
+}
+
+fn opacity_attribute(opacity: f64) -> String {
+    if opacity == 1.0 { String::new() } else { format!(" opacity=\"{opacity}\"") }
+}
+
+const END_OF_GROUP: &str = "</g>\n";
+
+/// The polylines of plotters as the data of one path, each point relative to the one before.
+fn relative_path(polylines: &str) -> String {
+    let mut path = String::new();
+    let mut last = (0, 0);
+    for line in polylines.split("points=\"").skip(1) {
+        let points = line.split('"').next().unwrap_or_default().split_whitespace();
+        let points = points.filter_map(|point| {
+            let (x, y) = point.split_once(',')?;
+            Some((x.parse::<i32>().ok()?, y.parse::<i32>().ok()?))
+        });
+        for (place, at) in points.enumerate() {
+            path.push(if place == 0 { 'm' } else { ' ' });
+            path.push_str(&format!("{},{}", at.0 - last.0, at.1 - last.1));
+            last = at;
+        }
+    }
+    path.replace(" -", "-").replace(",-", "-")
 }
 
 /// The elements that plotters writes, without the frame around them.
