@@ -39,7 +39,6 @@ impl<'a> FitStepRow<'a> {
 impl Row for FitStepRow<'_> {
     const FILE: &'static str = "fit_steps.csv";
     const ROWS: &'static str = "One row for each surface with `fit` and remedy of a failed check, in the order in which they were tried.";
-    const RECORDS: Option<&'static str> = Some("fit_steps");
 
     fn columns() -> Vec<Column<Self>> {
         columns! { row: Self =>

@@ -232,7 +232,6 @@ impl<'a> TheoryRow<'a> {
 impl Row for TheoryRow<'_> {
     const FILE: &'static str = "summit_theory.csv";
     const ROWS: &'static str = "One row for each surface with a height map and property of its summits: found, and expected of a Gaussian surface; in SI units.";
-    const RECORDS: Option<&'static str> = Some("summit_theory");
 
     fn columns() -> Vec<Column<Self>> {
         columns! { row: Self =>
@@ -298,7 +297,6 @@ impl<'a> ProcessRow<'a> {
 impl Row for ProcessRow<'_> {
     const FILE: &'static str = "generation_processes.csv";
     const ROWS: &'static str = "One row for each random process of a generated surface: one, or a second, finer one that truncates it.";
-    const RECORDS: Option<&'static str> = Some("processes");
 
     fn columns() -> Vec<Column<Self>> {
         columns! { row: Self =>
@@ -384,7 +382,6 @@ impl<'a> TargetRow<'a> {
 impl Row for TargetRow<'_> {
     const FILE: &'static str = "generation.csv";
     const ROWS: &'static str = "One row for each generated surface and property that is prescribed: target and obtained, in SI units.";
-    const RECORDS: Option<&'static str> = Some("generation");
 
     fn columns() -> Vec<Column<Self>> {
         columns! { row: Self =>

@@ -101,7 +101,6 @@ pub struct ChangeRow {
 impl Row for ChangeRow {
     const FILE: &'static str = "changes.csv";
     const ROWS: &'static str = "One row for each pair of neighbouring values of a swept key between which a verdict of `[compare]` changes, at the load at which variations are compared.";
-    const RECORDS: Option<&'static str> = Some("changes");
 
     fn columns() -> Vec<Column<Self>> {
         columns! { row: Self =>
@@ -163,7 +162,6 @@ impl CrossingRow {
 impl Row for CrossingRow {
     const FILE: &'static str = "crossings.csv";
     const ROWS: &'static str = "One row for each value of a swept key at which what `find` asks for holds, found by bisection between its values: on the compared surface, without an interval.";
-    const RECORDS: Option<&'static str> = Some("crossings");
 
     fn columns() -> Vec<Column<Self>> {
         columns! { row: Self =>

@@ -2,6 +2,7 @@
 //! back; the verdicts under other treatments of a map.
 
 use crate::Report;
+use crate::results::table;
 use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
 
@@ -167,12 +168,13 @@ fn planted_faults_are_found_and_their_remedies_give_the_verdict_back() {
     assert!(blocked("spikes").iter().all(|is_blocked| *is_blocked) && !blocked("spikes").is_empty());
     assert!(blocked("good").iter().all(|is_blocked| !is_blocked));
     // A blocked map gets neither a cause nor a model to use.
-    let said = |table: &str, column: &str, name: &str| {
-        let rows = summary[table].as_array().unwrap().iter().filter(|row| row["surface"] == name);
-        rows.filter(|row| !row[column].is_null()).count()
+    let said = |file: &str, column: &str, name: &str| {
+        let rows = table(&results, file).unwrap();
+        rows.iter().filter(|row| row["surface"] == name && !row[column].is_empty()).count()
     };
-    for [table, column] in [["statistical_models", "cheapest_within"], ["verdicts", "largest_on_map"]] {
-        assert!(said(table, column, "good") > 0 && said(table, column, "spikes") == 0, "{table}, {column}");
+    for [file, column] in [["statistical_models.csv", "cheapest_within"], ["verdicts.csv", "largest_on_map"]]
+    {
+        assert!(said(file, column, "good") > 0 && said(file, column, "spikes") == 0, "{file}, {column}");
     }
     let page = (&results as &dyn Outcome).outline().markdown();
     assert!(page.contains("unfit map in 6."), "{page}");
@@ -215,13 +217,10 @@ fn a_fit_remedies_planted_faults_as_its_keys_by_hand_do() {
     ));
     assert!(failed(&found.surfaces[0]).is_empty(), "{:?}", found.surfaces[0].surface.fitness());
     assert_eq!(failed(&found.surfaces[1]), [Check::Spikes]);
-    let summary = (&found as &dyn Outcome).records();
+    let rows = table(&found, "fit_steps.csv").unwrap();
     let steps = |name: &str| {
-        let rows = summary["fit_steps"].as_array().unwrap().iter().filter(|row| row["surface"] == name);
-        rows.map(|row| {
-            [&row["check"], &row["remedy"], &row["result"]].map(|cell| cell.as_str().unwrap().to_owned())
-        })
-        .collect::<Vec<_>>()
+        let rows = rows.iter().filter(|row| row["surface"] == name);
+        rows.map(|row| ["check", "remedy", "result"].map(|column| row[column].clone())).collect::<Vec<_>>()
     };
     let of = steps("fitted");
     let applied: Vec<&str> = of.iter().map(|[check, ..]| check.as_str()).collect();

@@ -1,5 +1,7 @@
 //! Comparisons under a layer, from a spec to the report.
 
+use crate::Report;
+use crate::results::{table, typed};
 use asperity::compare::ModelKind;
 use asperity::sphere::DecreasingQuantity;
 use asperity::study::Threshold;
@@ -278,14 +280,14 @@ fn a_decreasing_load_is_reported() {
 
 #[test]
 fn the_summary_holds_the_layer() {
-    let written = written(&*results(LAYERS), &["summary.json"]);
-    let summary: serde_json::Value = serde_json::from_str(&written[0]).unwrap();
+    let outcome = results(LAYERS);
+    let summary = outcome.records();
     assert_eq!(summary["layer"]["thicknesses_m"], serde_json::json!([0.0, 2e-8, 5e-8, "inf"]));
     assert_eq!(summary["layer"]["material"], "lead");
     assert_eq!(summary["layer"]["rule_errors"].as_array().unwrap().len(), 14);
-    assert_eq!(summary["layer_thresholds"].as_array().unwrap().len(), 8);
+    assert_eq!(table(&*outcome, "layer_thresholds.csv").unwrap().len(), 8);
     // PHYSICS: under 50 nm of lead the area of an asperity of 20 um decreases somewhere.
-    let falls = summary["falls"].as_array().unwrap();
+    let falls = typed(table(&*outcome, "decreases.csv").unwrap());
     assert!(falls.iter().any(|fall| fall["of"] == "area" && fall["layer_thickness_m"] == 50e-9), "{falls:?}");
     assert!(falls.iter().all(|fall| fall["of"] == "area"), "no load falls under lead");
 }

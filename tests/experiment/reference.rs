@@ -83,8 +83,8 @@ fn nothing_changes_where_no_reference_is_asked_for_and_the_models_do_not_where_i
         assert_eq!(rows, of_model(&*without, model));
         assert!(rows.iter().all(|row| row["raw_area_ratio"].is_empty()));
     }
-    let [plain, beside] = [&without, &with].map(|outcome| outcome.records());
-    assert!(!plain.contains_key("reference") && beside["reference"][0]["boundary"] == "periodic");
+    let [plain, beside] = [&without, &with].map(|outcome| table(&**outcome, "reference_curves.csv"));
+    assert!(plain.is_none() && beside.unwrap()[0]["boundary"] == "periodic");
     let [plain, beside] = [&without, &with].map(|outcome| outcome.outline().markdown());
     let title = "Which model is nearer to the reference?";
     assert!(!plain.contains(title) && beside.contains(title));
@@ -215,7 +215,7 @@ fn under_a_layer_it_is_elastic_and_says_so_and_loads_above_the_hardness_are_left
         rows.iter().map(|row| (&*row["layer_thickness_m"], &*row["cap_pa"])).collect();
     let [bare, layered, bulk] = [("0.0", "7600000000.0"), ("2e-7", ""), ("inf", "170000000.0")];
     assert_eq!(found, [bare, bare, layered, layered, bulk]);
-    assert_eq!(outcome.records()["reference"][2]["unreached_loads"], 1);
+    assert_eq!(table(&*outcome, "reference_curves.csv").unwrap()[2]["unreached_loads"], "1");
 }
 
 const MEASURED: &str = "[surface.m.file]\npath = \"map.npy\"\npixel = \"1 um\"\n";
@@ -266,7 +266,7 @@ fn a_refined_map_gives_nearly_the_same_on_twice_the_points() {
     }
     let (_folder, experiment) = read(&format!("{spec}reference = {{ refine = 2 }}"), SMOOTH);
     assert!(experiment.to_string().contains("256 x 256 points"), "{experiment}");
-    assert_eq!(experiment.run(&Silent).unwrap().records()["reference"][0]["refine"], 2);
+    assert_eq!(table(&*experiment.run(&Silent).unwrap(), "reference_curves.csv").unwrap()[0]["refine"], "2");
 }
 
 #[test]

@@ -19,6 +19,15 @@ pub fn table(outcome: &dyn Outcome, file: &str) -> Option<Vec<Row>> {
     tables.iter().find(|(name, _)| *name == file).map(|(_, content)| rows(content))
 }
 
+/// Rows with their cells as values: numbers, true and false, words, and null where a cell is empty.
+pub fn typed(rows: Vec<Row>) -> Vec<serde_json::Value> {
+    let value = |cell: String| match cell.as_str() {
+        "" => serde_json::Value::Null,
+        text => serde_json::from_str(text).unwrap_or_else(|_| cell.clone().into()),
+    };
+    rows.into_iter().map(|row| row.into_iter().map(|(name, cell)| (name, value(cell))).collect()).collect()
+}
+
 pub fn number(row: &Row, column: &str) -> f64 {
     row[column].parse().unwrap_or_else(|_| panic!("{column} of {row:?}"))
 }

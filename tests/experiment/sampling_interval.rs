@@ -4,7 +4,6 @@ use crate::Report;
 use asperity_contact_framework::Outcome;
 use asperity_contact_framework::progress::Silent;
 use asperity_experiment::Experiment;
-use serde_json::Value;
 
 use crate::results::{Row, table};
 
@@ -24,10 +23,9 @@ fn run(points: usize, cut_off: f64, keys: &str) -> Box<dyn Outcome> {
 }
 
 fn outcome_of(outcome: &dyn Outcome, variation: &str, quantity: &str) -> String {
-    let records = outcome.records();
-    let limits = records["sampling_interval_limits"].as_array().unwrap();
-    let is_wanted = |limit: &&Value| limit["variation"] == variation && limit["quantity"] == quantity;
-    limits.iter().find(is_wanted).unwrap()["outcome"].as_str().unwrap().to_owned()
+    let limits = table(outcome, "sampling_interval_limits.csv").unwrap();
+    let is_wanted = |limit: &&Row| limit["variation"] == variation && limit["quantity"] == quantity;
+    limits.iter().find(is_wanted).unwrap()["outcome"].clone()
 }
 
 /// 32 pixels per shortest wave at one pixel, 8 at four.

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::process::{Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
-use crate::results::{Row, column, number, rows};
+use crate::results::{Row, column, number, rows, typed};
 
 const CONTACT: &str = concat!(
     "rough = \"steel\"\nflat = \"steel\"\nlaw = [\"zmc\", \"hertz\"]\nseparation = { from = 3, to = -1, points = 9 }\n\n",
@@ -242,9 +242,7 @@ fn the_finding_holds_where_the_heights_are_gaussian_and_not_where_they_are_skew(
     let lead = |surface: &str| {
         let folder = folder(&spec("tiled", surface));
         succeeds(folder.path(), &["run", "a.toml", "--out", "out", "--quiet"]);
-        let summary = fs::read(folder.path().join("out/a/summary.json")).unwrap();
-        let summary: serde_json::Value = serde_json::from_slice(&summary).unwrap();
-        let points = summary["at_separations"].as_array().unwrap().clone();
+        let points = typed(rows(&fs::read(folder.path().join("out/a/separations.csv")).unwrap()));
         let page = fs::read_to_string(folder.path().join("out/a/report.md")).unwrap();
         let at_zero = points.iter().find(|point| point["separation_over_sigma"] == 1.0).unwrap().clone();
         let value = |name: &str| at_zero[name].as_f64().unwrap();
@@ -275,9 +273,8 @@ fn heights_at_the_quantiles_have_no_interval() {
     succeeds(folder.path(), &["run", "a.toml", "--out", "out", "--quiet"]);
     let page = fs::read_to_string(folder.path().join("out/a/report.md")).unwrap();
     assert!(page.contains("The sum has no interval"), "{page}");
-    let summary = fs::read_to_string(folder.path().join("out/a/summary.json")).unwrap();
-    assert!(summary.contains("\"relative_standard_error_from_tiles\": null"));
-    assert!(!summary.contains("\"relative_standard_error_from_tiles\": 0"));
+    let points = rows(&fs::read(folder.path().join("out/a/separations.csv")).unwrap());
+    assert!(points.iter().all(|point| point["relative_standard_error_from_tiles"].is_empty()));
 }
 
 /// The scatter of the tiles is that of independent asperities where they are independent.
@@ -285,9 +282,7 @@ fn heights_at_the_quantiles_have_no_interval() {
 fn standard_errors_from_tiles_agree_with_those_of_independent_asperities() {
     let folder = folder(&spec("tiled", &POPULATION.replace("300_000", "4_000_000")));
     succeeds(folder.path(), &["run", "a.toml", "--out", "out", "--quiet"]);
-    let summary = fs::read(folder.path().join("out/a/summary.json")).unwrap();
-    let summary: serde_json::Value = serde_json::from_slice(&summary).unwrap();
-    let errors = summary["at_separations"].as_array().unwrap().iter();
+    let errors = typed(rows(&fs::read(folder.path().join("out/a/separations.csv")).unwrap())).into_iter();
     // None where fewer than eight tiles are in contact.
     let errors = errors.map(|point| point["relative_standard_error_from_tiles"].as_f64());
     let sums: Vec<Row> = curves(folder.path(), "out")

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use indexmap::IndexMap;
 use serde::Serialize;
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, json};
 
 use crate::group::Group;
 use crate::kind::Outcome;
@@ -84,7 +84,7 @@ pub(super) fn summary(
             of_kind.insert(key.to_owned(), table.records());
         }
     }
-    serde_json::to_vec_pretty(&Summary {
+    let summary = serde_json::to_value(&Summary {
         program: PROGRAM,
         version: env!("CARGO_PKG_VERSION"),
         title: &metadata.title,
@@ -111,7 +111,27 @@ pub(super) fn summary(
         papers: metadata.papers.iter().map(|paper| paper.full).collect(),
         committed,
         files,
-    })
+    })?;
+    Ok((written(&summary) + "\n").into_bytes())
+}
+
+/// JSON with a line for each field of an object and for each entry of a list, such as a record, unless all of it is short.
+fn written(value: &Value) -> String {
+    const SHORT: usize = 100;
+    let on_one_line = value.to_string();
+    if on_one_line.len() <= SHORT {
+        return on_one_line;
+    }
+    match value {
+        Value::Object(fields) => {
+            let fields = fields.iter().map(|(key, value)| format!("{}:{}", json!(key), written(value)));
+            format!("{{\n{}\n}}", fields.collect::<Vec<_>>().join(",\n"))
+        }
+        Value::Array(entries) => {
+            format!("[\n{}\n]", entries.iter().map(Value::to_string).collect::<Vec<_>>().join(",\n"))
+        }
+        _ => on_one_line,
+    }
 }
 
 #[derive(Serialize)]

@@ -128,7 +128,6 @@ pub struct LeadRow<'a> {
 impl Row for LeadRow<'_> {
     const FILE: &'static str = "leads.csv";
     const ROWS: &'static str = "One row for each law, load, quantity and cause that leads somewhere on the grid; `none` for points where no cause leads.";
-    const RECORDS: Option<&'static str> = Some("causes");
 
     fn columns() -> Vec<Column<Self>> {
         columns! { row: Self =>

@@ -74,7 +74,6 @@ pub struct ChangeRow<'a> {
 impl Row for ChangeRow<'_> {
     const FILE: &'static str = "regimes.csv";
     const ROWS: &'static str = "One row for each change of the regime along a curve, also beyond the sweep.";
-    const RECORDS: Option<&'static str> = Some("changes");
 
     fn columns() -> Vec<Column<Self>> {
         let mut columns = case_columns(|row: &Self| &row.case);
@@ -99,7 +98,6 @@ pub struct DecreaseRow<'a> {
 impl Row for DecreaseRow<'_> {
     const FILE: &'static str = "coated_decreases.csv";
     const ROWS: &'static str = "One row for each range in which the area or load of a coated curve decreases with increasing indentation.";
-    const RECORDS: Option<&'static str> = Some("falls");
 
     fn columns() -> Vec<Column<Self>> {
         let mut columns = case_columns(|row: &Self| &row.case);
@@ -133,7 +131,6 @@ impl Row for LawRow<'_> {
     const FILE: &'static str = "loads.csv";
     const ROWS: &'static str =
         "One row for each layer and law: regimes, loads at the largest indentation, and measured loads.";
-    const RECORDS: Option<&'static str> = Some("laws");
 
     fn columns() -> Vec<Column<Self>> {
         let mut columns = case_columns(|row: &Self| &row.case);
@@ -190,7 +187,6 @@ impl LayerRow<'_> {
 impl Row for LayerRow<'_> {
     const FILE: &'static str = "layers.csv";
     const ROWS: &'static str = "One row for each layer: the largest error of both effective-modulus models without yielding, at equal indentation.";
-    const RECORDS: Option<&'static str> = Some("layers");
 
     fn columns() -> Vec<Column<Self>> {
         let mut columns = layer_columns(|row: &Self| row.layer);

@@ -66,7 +66,6 @@ impl Row for BoundaryRow<'_> {
     const FILE: &'static str = "boundaries.csv";
     const ROWS: &'static str =
         "One row for each indentation at which a law changes from one formula to the next.";
-    const RECORDS: Option<&'static str> = Some("boundaries");
 
     fn columns() -> Vec<Column<Self>> {
         columns! { row: Self =>
@@ -184,7 +183,6 @@ impl ChoiceRow<'_> {
 impl Row for ChoiceRow<'_> {
     const FILE: &'static str = "influence_of_laws.csv";
     const ROWS: &'static str = "One row for each surface, realisation, measure and law: the largest differences over the loads that are admissible under every law, of separations in sigma, of areas relative.";
-    const RECORDS: Option<&'static str> = Some("influence_of_laws");
 
     fn columns() -> Vec<Column<Self>> {
         let mut columns = influence_columns(|row: &Self| (row.surface, row.measure));
@@ -230,7 +228,6 @@ impl<'a> DominanceRow<'a> {
 impl Row for DominanceRow<'_> {
     const FILE: &'static str = "law_or_summation.csv";
     const ROWS: &'static str = "One row for each surface, realisation and measure with a load that is admissible under every law: means over these loads, of separations in sigma, of areas relative.";
-    const RECORDS: Option<&'static str> = Some("law_or_summation");
 
     fn columns() -> Vec<Column<Self>> {
         let mut columns = influence_columns(|row: &Self| (row.surface, row.dominance.measure));

@@ -39,7 +39,6 @@ pub struct SlopeRow<'a>(&'a ErrorSlope);
 impl Row for SlopeRow<'_> {
     const FILE: &'static str = "slopes.csv";
     const ROWS: &'static str = "One row for each law, separation, quantity and way to take the heights: the slope of the logarithm of the error over that of the number of asperities.";
-    const RECORDS: Option<&'static str> = Some("slopes");
 
     fn columns() -> Vec<Column<Self>> {
         columns! { row: Self =>

@@ -141,7 +141,6 @@ pub struct LimitRow<'a> {
 impl Row for LimitRow<'_> {
     const FILE: &'static str = "sampling_interval_limits.csv";
     const ROWS: &'static str = "One row for each surface, variation and quantity, at each load where it depends on one: whether it has a limit as the sampling interval or the nesting index shrinks. Changes are of the logarithm of positive quantities and of the ratio of areas, else of the quantity itself.";
-    const RECORDS: Option<&'static str> = Some("sampling_interval_limits");
 
     fn columns() -> Vec<Column<Self>> {
         let mut columns = series_columns(|row: &Self| row.series);
@@ -184,7 +183,6 @@ impl LeadRow<'_> {
 impl Row for LeadRow<'_> {
     const FILE: &'static str = "sampling_interval_leads.csv";
     const ROWS: &'static str = "One row for each surface, variation, load and quantity: whether the difference between the models keeps its sign over the lengths, and which causes lead.";
-    const RECORDS: Option<&'static str> = Some("sampling_interval_leads");
 
     fn columns() -> Vec<Column<Self>> {
         let mut columns = series_columns(|row: &Self| row.series);

@@ -54,7 +54,6 @@ impl<'a> SeparationRow<'a> {
 impl Row for SeparationRow<'_> {
     const FILE: &'static str = "separations.csv";
     const ROWS: &'static str = "One row for each law, layer thickness and separation: both models at equal separation, with the sampling error of the sum from the scatter of its tiles.";
-    const RECORDS: Option<&'static str> = Some("at_separations");
 
     fn columns() -> Vec<Column<Self>> {
         columns! { row: Self =>

@@ -1,6 +1,7 @@
 //! Several realisations of surfaces in one report.
 
 use super::*;
+use crate::results;
 
 /// Two realisations of a random surface and of a population in one report.
 #[test]
@@ -91,11 +92,10 @@ realisations = 3
     let row = row.unwrap();
     close(row["difference"].parse().unwrap(), mean, 1e-9);
     close(row["difference_deviation"].parse().unwrap(), deviation, 1e-9);
-    let summary = summary(&out, "several");
-    let of_random = |records: &str| {
-        let records = summary[records].as_array().unwrap().clone();
-        records.into_iter().find(|record| record["surface"] == "random").unwrap()
+    let of_random = |file: &str, column: &str| {
+        let rows = results::rows(&std::fs::read(out.join("several").join(file)).unwrap());
+        results::number(rows.iter().find(|row| row["surface"] == "random").unwrap(), column)
     };
-    assert_eq!(of_random("processes")["skewness"], -1.0);
-    assert!(of_random("summit_theory")["five_point"].as_f64().unwrap() > 0.0);
+    assert_eq!(of_random("generation_processes.csv", "skewness"), -1.0);
+    assert!(of_random("summit_theory.csv", "five_point") > 0.0);
 }

@@ -1,6 +1,7 @@
 //! `experiment surface`.
 
 use super::*;
+use crate::results::{self, typed};
 
 #[test]
 fn a_surface_is_described() {
@@ -103,21 +104,25 @@ fn described(words: &str, heights: &str) -> (tempfile::TempDir, Output) {
 }
 
 /// The summary, its surfaces and the report of a successful `surface` run.
-fn look(words: &str, heights: &str) -> ([serde_json::Value; 2], String) {
+/// `surfaces` of the summary, the rows of two tables of surfaces, and the page.
+fn look(words: &str, heights: &str) -> (serde_json::Value, [Vec<serde_json::Value>; 2], String) {
     let (folder, output) = described(words, heights);
     assert!(output.status.success(), "{}", text(&output.stderr));
     let out = folder.path().join("reports");
     let report = fs::read_to_string(out.join("look-surfaces/report.md")).unwrap();
-    let summary = summary(&out, "look-surfaces");
-    let surfaces = summary["surfaces"].clone();
-    ([summary, surfaces], report)
+    let surfaces = summary(&out, "look-surfaces")["surfaces"].take();
+    let tables = ["generation_processes.csv", "summit_theory.csv"].map(|file| {
+        fs::read(out.join("look-surfaces").join(file))
+            .map_or_else(|_| Vec::new(), |csv| typed(results::rows(&csv)))
+    });
+    (surfaces, tables, report)
 }
 
 #[test]
 fn a_random_surface_is_generated_as_specified() {
     let grid = "points = [128, 96]\npixel = [\"1 um\", \"0.8 um\"]\nsigma = \"0.2 um\"\n";
     let lay = "spectrum.gaussian = { correlation-length = [\"8 um\", \"3 um\"], angle = \"30 deg\" }";
-    let ([summary, surfaces], _) = look(
+    let (surfaces, [made, theory], _) = look(
         &format!(
             "[surface.one.generate]\n{grid}{lay}\n[surface.two.generate]\n{grid}{lay}\nneighbours = \"eight\"
 [surface.honed.generate]\n{grid}spectrum.exponential.correlation-length = \"4 um\"
@@ -127,8 +132,7 @@ plateau = {{ height = \"-50 nm\", sigma = \"20 nm\", spectrum.exponential.correl
         "",
     );
     let processes = |name: &str| -> Vec<serde_json::Value> {
-        let all = summary["processes"].as_array().unwrap();
-        all.iter().filter(|process| process["surface"] == name).cloned().collect()
+        made.iter().filter(|process| process["surface"] == name).cloned().collect()
     };
     let process = &processes("one")[0];
     let number = |value: &serde_json::Value| value.as_f64().unwrap();
@@ -145,7 +149,6 @@ plateau = {{ height = \"-50 nm\", sigma = \"20 nm\", spectrum.exponential.correl
 
     assert_eq!(surfaces["one"]["height_map"]["summit_definition"], "five-point");
     assert_eq!(surfaces["two"]["height_map"]["summit_definition"], "eight-neighbour");
-    let theory = summary["summit_theory"].as_array().unwrap();
     let five_point =
         |name: &str| theory.iter().find(|row| row["surface"] == name).unwrap()["five_point"].clone();
     assert!(five_point("one").is_number() && five_point("two").is_null(), "none for other summits");
@@ -153,7 +156,7 @@ plateau = {{ height = \"-50 nm\", sigma = \"20 nm\", spectrum.exponential.correl
 
 #[test]
 fn tables_of_a_surface_agree_with_its_summary() {
-    let ([summary, surfaces], report) = look(
+    let (surfaces, [_, theory], report) = look(
         "[surface.met.generate]
 points = 512
 spectrum.self-affine.hurst = 0.8
@@ -174,7 +177,7 @@ summits = { radius = \"20 um\", sigma = \"48 nm\", density = \"6e10 /m^2\" }
     let along = ["x", "y"].map(|axis| number(&map[format!("m4_along_{axis}_per_m2")]));
     close(2.0 * number(&map["m4_per_m2"]), along[0] + along[1], 1e-12);
     let cells = row(&report, "density, 1/m²");
-    let theory = &summary["summit_theory"][0];
+    let theory = &theory[0];
     let density = number(&met["density_per_m2"]);
     assert_eq!(number(&theory["found"]), density);
     let expected = ["five_point", "nayak"].map(|name| number(&theory[name]));
@@ -198,7 +201,7 @@ fn rough() -> String {
 #[test]
 fn a_measured_map_is_processed_as_specified() {
     let file = "path = \"map.txt\"\npixel = \"1 um\"\nunit = \"nm\"\n";
-    let ([_, surfaces], report) = look(
+    let (surfaces, _, report) = look(
         &format!(
             "[surface.raw.file]\n{file}level = \"none\"\n[surface.level.file]\n{file}
 [surface.bowl.file]\n{file}level = \"quadratic\"\nneighbours = \"eight\"\nfilter = {{ s = \"3 um\" }}\n"
@@ -227,7 +230,7 @@ fn doubtful_maps_are_reported() {
         )
     };
     let warned = |unit: &str, heights: &str| {
-        let ([_, surfaces], _) = look(&words(unit), heights);
+        let (surfaces, _, _) = look(&words(unit), heights);
         surfaces["a"]["warnings"]
             .as_array()
             .unwrap()

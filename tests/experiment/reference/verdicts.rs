@@ -5,7 +5,7 @@ use asperity_experiment::Experiment;
 
 use super::{THREE, run};
 use crate::Report;
-use crate::results::{Row, figure, number, table};
+use crate::results::{Row, figure, number, table, typed};
 use asperity_contact_framework::Outcome;
 
 /// Rough, with a short correlation length: it holds blocks.
@@ -52,7 +52,7 @@ fn verdicts_against_the_reference_are_those_of_the_tables() {
         let has_cause = of.iter().any(|one| !one["cause"].is_null() || !one["largest_on_map"].is_null());
         assert_eq!(has_cause, model == "statistical", "{of:?}");
     }
-    let nearer = summary["nearer_to_reference"].as_array().unwrap();
+    let nearer = typed(table(&*outcome, "nearer_to_reference.csv").unwrap());
     let of_area: Vec<_> = nearer.iter().filter(|one| one["quantity"] == "area").collect();
     assert!(of_area.iter().any(|one| one["nearer_on_this_map"] == "deterministic"), "{nearer:?}");
     // The card names the models that the table has at admissible loads, and the differences at its own.
@@ -75,8 +75,7 @@ fn verdicts_against_the_reference_are_those_of_the_tables() {
     let layered = run(&format!("law = \"hertz\"\n{THREE}{layers}{loads}"), BLOCKS);
     assert!(figure(&*layered, "a-against-reference.svg").unwrap().contains("200 nm"));
     // Of several cases the nearer model is in the row of each, and counted.
-    let summary = layered.records();
-    let nearer = summary["nearer_to_reference"].as_array().unwrap();
+    let nearer = typed(table(&*layered, "nearer_to_reference.csv").unwrap());
     let answers = table(&*layered, "answers.csv").unwrap();
     assert_eq!(answers.len(), 2);
     for answer in &answers {

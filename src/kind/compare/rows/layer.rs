@@ -19,7 +19,6 @@ pub(crate) struct ThresholdRow<'a> {
 impl Row for ThresholdRow<'_> {
     const FILE: &'static str = "layer_thresholds.csv";
     const ROWS: &'static str = "One row for each surface, law, model and load: the thickness up to which the layer changes the real contact area of the model at equal load by at most 5 %; found to within 1 %, on the first realisation. It is one of the model with its rule of the effective modulus and hardness. A load that is not admissible has none.";
-    const RECORDS: Option<&'static str> = Some("layer_thresholds");
 
     fn columns() -> Vec<Column<Self>> {
         columns! { row: Self =>
@@ -50,7 +49,6 @@ pub(crate) struct DecreaseRow<'a> {
 impl Row for DecreaseRow<'_> {
     const FILE: &'static str = "decreases.csv";
     const ROWS: &'static str = "One row for each surface, law, layer thickness, asperity (the sharpest, one of the mean radius, the bluntest) and range of indentations in which its area or load decreases; a load that decreases is reached at several separations, of which the first on approach is reported.";
-    const RECORDS: Option<&'static str> = Some("falls");
 
     fn columns() -> Vec<Column<Self>> {
         let mut columns = case_columns(|row: &Self| CaseKey {

@@ -33,7 +33,6 @@ impl ReferenceCurveRow<'_> {
 impl Row for ReferenceCurveRow<'_> {
     const FILE: &'static str = "reference_curves.csv";
     const ROWS: &'static str = "One row for each surface, law and layer thickness on which the boundary element reference was run, over all realisations.";
-    const RECORDS: Option<&'static str> = Some("reference");
 
     fn columns() -> Vec<Column<Self>> {
         let mut columns = case_columns(|row: &Self| row.key);
@@ -76,7 +75,6 @@ pub(crate) struct NearerRow<'a> {
 impl Row for NearerRow<'_> {
     const FILE: &'static str = "nearer_to_reference.csv";
     const ROWS: &'static str = "One row for each surface, law, layer thickness, quantity and stretch of load at which the same model is nearer to the reference.";
-    const RECORDS: Option<&'static str> = Some("nearer_to_reference");
 
     fn columns() -> Vec<Column<Self>> {
         let mut columns = case_columns(|row: &Self| row.key);

@@ -12,7 +12,6 @@ pub(crate) struct ReadingRow(ReadLoads);
 impl Row for ReadingRow {
     const FILE: &'static str = "readings.csv";
     const ROWS: &'static str = "One row for each pair of surfaces with the same specified numbers, of which one reads sigma and d as those of the asperities and the other as those of the surface, law, layer thickness, separation and model; pressures are means over the realisations.";
-    const RECORDS: Option<&'static str> = Some("readings");
 
     fn columns() -> Vec<Column<Self>> {
         columns! { row: Self =>

@@ -45,7 +45,6 @@ impl StandingRow<'_> {
 impl Row for StandingRow<'_> {
     const FILE: &'static str = "statistical_models.csv";
     const ROWS: &'static str = "One row for each surface, law, layer thickness, quantity and what the statistical models are compared with, on the first realisation: which of the models of `ranking.csv` differ by no more than is accepted on this very surface, without an interval.";
-    const RECORDS: Option<&'static str> = Some("statistical_models");
 
     fn columns() -> Vec<Column<Self>> {
         let mut columns = case_columns(|row: &Self| row.key);
