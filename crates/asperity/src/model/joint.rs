@@ -49,5 +49,7 @@ pub fn joint_model<'a>(
         let plane = ReferencePlane { mean: plane.mean - class.height, ..plane };
         (class.share, Statistical::of_shape(contact, population, shape).reported_from(plane))
     };
-    Mixture::new(joint.classes.iter().map(class).collect())
+    let classes: Vec<_> = joint.classes.iter().map(class).collect();
+    let may_decrease = classes.iter().any(|(_, model)| model.may_decrease());
+    Mixture::new(classes, may_decrease)
 }

@@ -45,7 +45,7 @@ impl Response {
     }
 
     /// The response at separation `h` = d/sigma from the sums `total` times `per_area` (1/m^2).
-    pub(super) fn new(h: f64, plane: ReferencePlane, total: &Total, per_area: f64) -> Self {
+    pub(crate) fn new(h: f64, plane: ReferencePlane, total: &Total, per_area: f64) -> Self {
         Self {
             separation_over_sigma: h,
             separation: h * plane.sigma,
