@@ -2,7 +2,6 @@
 
 mod arrays;
 mod by_height;
-mod ellipse;
 mod ellipses;
 mod list;
 mod nayak;
@@ -13,8 +12,7 @@ mod sums;
 
 pub use arrays::Asperities;
 pub use by_height::{ByHeight, Ordered, RadiiAbove};
-pub use ellipse::Ellipse;
-pub use ellipses::{Ellipses, Ellipticity};
+pub use ellipses::{Ellipse, Ellipses, Ellipticity};
 pub use list::{AsperityList, ListColumn, ListError, ListOptions};
 pub use nayak::{SurfaceHeights, SurfaceHeightsError};
 pub use population::{Draw, Population, STREAM};
