@@ -5,8 +5,7 @@ use std::f64::consts::PI;
 use crate::common::{Worst, bare_contact, contact, lead, steel};
 use asperity::{
     Accumulator, AsperitySet, Deterministic, Ellipse, Ellipses, Ellipticity, Flat, Heights, Law, LayeredFlat,
-    Model, ModulusModel, Ordered, Pair, Population, ReferencePlane, Shape, Statistical,
-    YieldLimits, Zmc,
+    Model, ModulusModel, Ordered, Pair, Population, ReferencePlane, Shape, Statistical, YieldLimits, Zmc,
 };
 
 /// K(m) and E(m) at q = 1 - m, by the arithmetic-geometric mean in its textbook form.

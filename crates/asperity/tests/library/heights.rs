@@ -7,8 +7,8 @@ use asperity::distribution::{Johnson, REGISTRY, Weibull};
 use asperity::numeric::Sum;
 use asperity::numeric::quadrature::{Variable, panels};
 use asperity::{
-    Deterministic, Draw, HeightDistribution, Heights, MicroContact, Model, Paper, Population,
-    ReferencePlane, Shape, Statistical,
+    Deterministic, Draw, HeightDistribution, Heights, MicroContact, Model, Paper, Population, ReferencePlane,
+    Shape, Statistical,
 };
 
 const RADIUS: f64 = 2e-5;
