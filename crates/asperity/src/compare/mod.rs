@@ -14,6 +14,8 @@ mod reference;
 mod sampling;
 mod slope;
 mod spread;
+#[cfg(test)]
+pub(crate) mod tests;
 mod threshold;
 mod validity;
 mod verdict;
