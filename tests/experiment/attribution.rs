@@ -5,10 +5,8 @@ use std::fmt::Write;
 use std::path::Path;
 
 use asperity_contact_framework::Outcome;
-use asperity_contact_framework::progress::Silent;
-use asperity_experiment::Experiment;
 
-use crate::results::{figure, number, table};
+use crate::results::{self, ON_STEEL, figure, number, table};
 
 /// A list of asperities with Gaussian heights. A sharper radius belongs to a higher one where they are `correlated`.
 fn list(folder: &Path, name: &str, count: usize, correlated: bool) {
@@ -28,13 +26,7 @@ fn list(folder: &Path, name: &str, count: usize, correlated: bool) {
 const COMPARE: &str = "pressure = { from = \"1 MPa\", to = \"60 MPa\", points = 7 }\n";
 
 fn run(folder: &Path, compare: &str, surfaces: &str) -> Box<dyn Outcome> {
-    let spec = format!(
-        "title = \"t\"\nseed = 3\n{}[compare]\nrough = \"steel\"\nflat = \"steel\"\nlaw = \"zmc\"\n{compare}\n{surfaces}",
-        steel!(),
-    );
-    let path = folder.join("attribution.toml");
-    std::fs::write(&path, spec).unwrap();
-    Experiment::read(&path).unwrap().run(&Silent).unwrap()
+    results::run_in(folder, &format!("{ON_STEEL}{compare}\n{surfaces}")).unwrap()
 }
 
 fn surface(name: &str, file: &str, count: usize) -> String {
@@ -183,16 +175,12 @@ fn other_statistical_models() {
 
 #[test]
 fn heights_that_cannot_be_fitted_are_refused() {
-    let folder = tempfile::tempdir().unwrap();
     let spec = format!(
-        "title = \"t\"\n{}[compare]\nrough = \"steel\"\nflat = \"steel\"\nlaw = \"zmc\"\nstatistical = {{ heights = \"fitted-weibull\" \
-         }}\n{COMPARE}[surface.p.population]\n{}count = 1000\nheights.johnson = {{ skewness = -2, kurtosis = 9 }}\n",
-        steel!(),
+        "{ON_STEEL}statistical = {{ heights = \"fitted-weibull\" }}\n{COMPARE}[surface.p.population]\n{}count = 1000\n\
+         heights.johnson = {{ skewness = -2, kurtosis = 9 }}\n",
         case_1!(),
     );
-    let path = folder.path().join("refused.toml");
-    std::fs::write(&path, spec).unwrap();
-    let error = Experiment::read(&path).unwrap().run(&Silent).err().unwrap().to_string();
+    let error = results::run(&spec).err().unwrap();
     assert!(
         error.contains("compare.statistical")
             && error.contains("surface p: skewness -")

@@ -2,10 +2,9 @@
 
 use crate::Report;
 use asperity_contact_framework::Outcome;
-use asperity_contact_framework::progress::Silent;
-use asperity_experiment::Experiment;
 
-use crate::results::{number, table};
+use crate::common::assert_message;
+use crate::results::{self, number, table};
 
 const CAUSES: &str = "skewness = [-1, 0]\nwavelengths = [2, 4]\nloads = [0.005]\nrealisations = 3\npoints = 512\n\
                       cut-off-pixels = 8\nhurst = 0.8\nsigma = \"100 nm\"\ngradient = 0.03\n";
@@ -15,11 +14,7 @@ fn run(causes: &str) -> Result<Box<dyn Outcome>, String> {
         "title = \"t\"\nseed = 3\n{}[causes]\nrough = \"steel\"\nflat = \"steel\"\nlaw = \"zmc\"\n{causes}",
         steel!(),
     );
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("causes.toml");
-    std::fs::write(&path, spec).unwrap();
-    let experiment = Experiment::read(&path).map_err(|error| error.to_string())?;
-    experiment.run(&Silent).map_err(|error| error.to_string())
+    results::run(&spec)
 }
 
 /// With heights of the density of the statistical model the height distribution does not lead, with skewed ones it does.
@@ -157,31 +152,18 @@ fn points_beyond_the_limits_are_not_divided() {
 
 #[test]
 fn a_grid_that_cannot_be_made_is_refused() {
-    for (key, found, message) in [
-        ("skewness = [-1, 0]", "skewness = [0]", "found [0.0]; allowed: 2 to 32 ascending values"),
-        ("skewness = [-1, 0]", "skewness = [0, -1]", "allowed: 2 to 32 ascending values"),
-        (
-            "wavelengths = [2, 4]",
-            "wavelengths = [2, 100]",
-            "allowed: at most the side of a surface, 512 pixels",
-        ),
-        (
-            "wavelengths = [2, 4]",
-            "wavelengths = [0.5, 4]",
-            "a roll-off wavelength that is at least the cut-off's",
-        ),
-        (
-            "wavelengths = [2, 4]",
-            "kurtosis = [3, 4]",
-            "allowed: sigma, gradient and wavelengths, or summits and kurtosis",
-        ),
-        ("loads = [0.005]", "pressure = \"1 MPa\"", "allowed with sigma and gradient: loads"),
-        ("realisations = 3", "realisations = 1", "found 1; allowed: 2 to 1000 realisations"),
-        ("cut-off-pixels = 8", "cut-off-pixels = 1", "pixel"),
-        ("hurst = 0.8", "hurst = 1.5", "found a Hurst exponent of 1.5; allowed: 0 to 1"),
-        ("hurst = 0.8", "hurst = 0.8\nlaw2 = 1", "law2"),
+    for (key, found) in [
+        ("skewness = [-1, 0]", "skewness = [0]"),
+        ("skewness = [-1, 0]", "skewness = [0, -1]"),
+        ("wavelengths = [2, 4]", "wavelengths = [2, 100]"),
+        ("wavelengths = [2, 4]", "wavelengths = [0.5, 4]"),
+        ("wavelengths = [2, 4]", "kurtosis = [3, 4]"),
+        ("loads = [0.005]", "pressure = \"1 MPa\""),
+        ("realisations = 3", "realisations = 1"),
+        ("cut-off-pixels = 8", "cut-off-pixels = 1"),
+        ("hurst = 0.8", "hurst = 1.5"),
+        ("hurst = 0.8", "hurst = 0.8\nlaw2 = 1"),
     ] {
-        let error = run(&CAUSES.replace(key, found)).map(|_| ()).unwrap_err();
-        assert!(error.contains(message) && error.contains("line "), "{found}: {error}");
+        assert_message(module_path!(), found, &run(&CAUSES.replace(key, found)).err().unwrap());
     }
 }

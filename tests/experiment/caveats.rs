@@ -1,19 +1,18 @@
 //! What a run warns of though it has an answer: laws beyond their range, bodies and asperities that contradict themselves.
 
 use asperity_contact_framework::progress::Silent;
-use asperity_experiment::Experiment;
+
+use crate::results::{read, run_in};
 
 /// The warnings of a spec whose steel has the given hardness and yield strength.
 fn warnings(hardness: &str, strength: &str, kind: &str, list: &str) -> Vec<String> {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("list.csv"), list).unwrap();
-    let path = folder.path().join("caveats.toml");
     let spec = format!(
         "title = \"t\"\n[material.steel]\nyoung = \"210 GPa\"\npoisson = 0.3\nhardness = \"{hardness}\"\n\
          yield-strength = \"{strength}\"\n{kind}"
     );
-    std::fs::write(&path, spec).unwrap();
-    Experiment::read(&path).unwrap().run(&Silent).unwrap().warnings()
+    run_in(folder.path(), &spec).unwrap().warnings()
 }
 
 fn compare(law: &str) -> String {
@@ -66,9 +65,7 @@ const IMPLAUSIBLE: &str = "title = \"t\"\n[material.steel]\nyoung = \"210 Pa\"\n
 #[test]
 fn inputs_that_are_hardly_meant_are_named_by_check_and_by_a_run_and_refused_by_neither() {
     let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("implausible.toml");
-    std::fs::write(&path, IMPLAUSIBLE).unwrap();
-    let experiment = Experiment::read(&path).unwrap();
+    let experiment = read(folder.path(), IMPLAUSIBLE).unwrap();
     let checked = experiment.to_string();
     let run = experiment.run(&Silent).unwrap().warnings();
     let all = [

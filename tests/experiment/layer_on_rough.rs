@@ -5,7 +5,7 @@ use asperity_contact_framework::progress::Silent;
 use asperity_experiment::Experiment;
 
 use crate::Report;
-use crate::results::{Row, table};
+use crate::results::{self, Row, table};
 
 /// Rough steel and a flat, with a layer of lead by its other keys.
 fn spec(rough: &str, flat: &str, layer: &str) -> String {
@@ -34,14 +34,11 @@ spectrum.self-affine = {{ hurst = 0.8, roll-off = "40 um", cut-off = "8 um" }}
 }
 
 fn experiment(words: &str) -> Experiment {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("t.toml");
-    std::fs::write(&path, words).unwrap();
-    Experiment::read(&path).unwrap()
+    results::read(tempfile::tempdir().unwrap().path(), words).unwrap()
 }
 
 fn run(rough: &str, flat: &str, layer: &str) -> Box<dyn Outcome> {
-    experiment(&spec(rough, flat, layer)).run(&Silent).unwrap()
+    results::run(&spec(rough, flat, layer)).unwrap()
 }
 
 /// The rows of the curves of sum, integral and reference, every digit of them.

@@ -8,11 +8,9 @@ use asperity::topography::generate::{Process, Seeds, SpectrumOf, SurfaceGenerato
 use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
 use asperity::topography::summits::Neighbours;
 use asperity_contact_framework::Outcome;
-use asperity_contact_framework::progress::Silent;
-use asperity_experiment::Experiment;
 
 use crate::Report;
-use crate::results::table;
+use crate::results::{ON_STEEL, run_in, table};
 
 /// The summits of a random surface of waves up to `roll_off` (m) on a map of 512 µm.
 fn surface(roll_off: f64) -> Surface {
@@ -55,14 +53,8 @@ fn run_with_places_in(surface: &Surface, unit: &str) -> Box<dyn Outcome> {
     let surfaces = list("places", &with_places, "")
         + &list("plain", &plain, "")
         + &list("drawn", &with_places, "independent = true");
-    let spec = format!(
-        "title = \"t\"\n{}[compare]\nrough = \"steel\"\nflat = \"steel\"\nlaw = \"zmc\"\n\
-         pressure = {{ from = \"5 MPa\", to = \"60 MPa\", points = 5 }}\n{surfaces}",
-        steel!()
-    );
-    let path = folder.path().join("lists.toml");
-    std::fs::write(&path, spec).unwrap();
-    Experiment::read(&path).unwrap().run(&Silent).unwrap()
+    let loads = "pressure = { from = \"5 MPa\", to = \"60 MPa\", points = 5 }\n";
+    run_in(folder.path(), &format!("{ON_STEEL}{loads}{surfaces}")).unwrap()
 }
 
 fn basis(outcome: &dyn Outcome, surface: &str) -> String {

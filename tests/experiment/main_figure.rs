@@ -5,11 +5,9 @@ use std::path::Path;
 
 use asperity::npy;
 use asperity_contact_framework::Outcome;
-use asperity_contact_framework::progress::Silent;
-use asperity_experiment::Experiment;
 
 use crate::Report;
-use crate::results::{figure, number, table};
+use crate::results::{self, figure, number, table};
 
 const LOADS: &str = "pressure = { from = \"1 MPa\", to = \"100 MPa\", points = 9 }\nrobustness = false\n";
 const POPULATION: &str = concat!("[surface.a.population]\n", case_1!(), "count = 20000\n");
@@ -27,9 +25,7 @@ fn run(folder: &Path, compare: &str, surfaces: &str) -> Box<dyn Outcome> {
     npy::write(File::create(folder.join("m.npy")).unwrap(), [SIDE; 2], (0..SIDE * SIDE).map(height)).unwrap();
     let spec =
         concat!("title = \"t\"\n", steel!(), lead!(), "[compare]\nrough = \"steel\"\nflat = \"steel\"\n");
-    let path = folder.join("t.toml");
-    std::fs::write(&path, format!("{spec}{compare}{LOADS}{surfaces}")).unwrap();
-    Experiment::read(&path).unwrap().run(&Silent).unwrap()
+    results::run_in(folder, &format!("{spec}{compare}{LOADS}{surfaces}")).unwrap()
 }
 
 fn figures(outcome: &dyn Outcome) -> Vec<String> {

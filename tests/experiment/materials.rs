@@ -3,11 +3,11 @@
 use crate::Report;
 use std::fs;
 
-use asperity_contact_framework::progress::Silent;
+use asperity_contact_framework::folder as report_folder;
 use asperity_contact_framework::report::store::Store;
-use asperity_contact_framework::{Outcome, folder as report_folder};
-use asperity_experiment::Experiment;
 use asperity_experiment::materials::{all_materials, one_material};
+
+use crate::results::run_in;
 
 const SPEC: &str = "title = \"t\"\n[material]\nball = { from = \"steel-100Cr6\", hardness = \"7 GPa\" }\n\
      disc = { from = \"bronze-CuSn8\" }\nother = { young = \"1 GPa\", poisson = 0.3 }\n\
@@ -34,9 +34,7 @@ fn one_material_is_shown_with_its_sources_and_an_unknown_one_with_similar_names(
 #[test]
 fn a_report_names_the_source_of_each_value_that_is_from_the_library() {
     let folder = tempfile::tempdir().unwrap();
-    let spec = folder.path().join("t.toml");
-    fs::write(&spec, SPEC).unwrap();
-    let results: Box<dyn Outcome> = Experiment::read(&spec).unwrap().run(&Silent).unwrap();
+    let results = run_in(folder.path(), SPEC).unwrap();
     let origins = &results.metadata().origins;
     assert_eq!(origins.keys().collect::<Vec<_>>(), ["ball", "disc"]);
     let keys: Vec<&str> = origins["ball"].sources().iter().map(|(key, _)| *key).collect();

@@ -7,18 +7,10 @@ use asperity::contact_law::named;
 use asperity::study::{Basis, Shortcut};
 use asperity::{Flat, Material, MeanRadius, Model};
 use asperity_contact_framework::Outcome;
-use asperity_contact_framework::progress::Silent;
-use asperity_experiment::Experiment;
 use asperity_experiment::kind::compare::results::CompareResults;
 
 use crate::Report;
-use crate::results::{number, table};
-
-const BODIES: &str = concat!(
-    "title = \"t\"\nseed = 3\n",
-    steel!(),
-    "[compare]\nrough = \"steel\"\nflat = \"steel\"\nlaw = \"zmc\"\npressure = [\"5 MPa\", \"10 MPa\", \"20 MPa\"]\n"
-);
+use crate::results::{ON_STEEL, number, run as run_spec, table};
 
 /// A generated surface.
 fn body(name: &str, sigma: &str, points: usize) -> String {
@@ -33,12 +25,8 @@ fn run(surfaces: &[&str]) -> Result<CompareResults, String> {
 }
 
 fn compared(compare: &str, surfaces: &[&str]) -> Result<CompareResults, String> {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("pair.toml");
-    std::fs::write(&path, [BODIES, compare, "\n", &surfaces.join("\n")].concat()).unwrap();
-    let experiment = Experiment::read(&path).map_err(|error| error.to_string())?;
-    let results: Box<dyn Outcome> = experiment.run(&Silent).map_err(|error| error.to_string())?;
-    Ok(crate::downcast(results))
+    let loads = "pressure = [\"5 MPa\", \"10 MPa\", \"20 MPa\"]\n";
+    run_spec(&[ON_STEEL, loads, compare, "\n", &surfaces.join("\n")].concat()).map(crate::downcast)
 }
 
 fn pair(keys: &str) -> String {
@@ -239,10 +227,7 @@ fn the_curve_of_greenwood_and_tripp() {
         };
         let models = "models = [\"statistical\"]\nsurfaces = [\"both\"]\n";
         let text = [head, compare, models, &body("a"), &body("b"), &pair("")].concat();
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("pair.toml");
-        std::fs::write(&path, text).unwrap();
-        Experiment::read(&path).unwrap().run(&Silent).unwrap()
+        run_spec(&text).unwrap()
     };
     let rows = |results: &dyn Outcome| table(results, "greenwood_tripp.csv").unwrap();
     // By adaptive quadrature (scipy).

@@ -11,6 +11,8 @@ use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
 use asperity_contact_framework::progress::Progress;
 use asperity_experiment::Experiment;
 
+use crate::results::ON_STEEL;
+
 const SIDE: usize = 320;
 
 /// Stages with their signs, in order; the run is ended from a sign on, if one is given.
@@ -60,9 +62,8 @@ fn spec(folder: &Path) -> PathBuf {
     let heights = gaussian(&spectrum, 1e-7, [9; 32]);
     npy::write(std::fs::File::create(folder.join("map.npy")).unwrap(), [SIDE; 2], heights).unwrap();
     let text = format!(
-        "title = \"t\"\n{}[compare]\nrough = \"steel\"\nflat = \"steel\"\nlaw = \"zmc\"\npressure = {{ from = \"1 MPa\", to = \"40 MPa\", points = 3 \
-         }}\n[surface.a.file]\npath = \"map.npy\"\npixel = \"1 um\"\n",
-        steel!()
+        "{ON_STEEL}pressure = {{ from = \"1 MPa\", to = \"40 MPa\", points = 3 }}\n\
+         [surface.a.file]\npath = \"map.npy\"\npixel = \"1 um\"\n"
     );
     let path = folder.join("progress.toml");
     std::fs::write(&path, text).unwrap();

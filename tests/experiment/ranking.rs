@@ -2,10 +2,8 @@
 
 use crate::Report;
 use asperity_contact_framework::Outcome;
-use asperity_contact_framework::progress::Silent;
-use asperity_experiment::Experiment;
 
-use crate::results::{Row, number, table};
+use crate::results::{self, ON_STEEL, Row, number, table};
 
 /// A finely sampled surface of these heights.
 fn map(heights: &str) -> String {
@@ -18,16 +16,7 @@ fn map(heights: &str) -> String {
 fn run(compare: &str, surface: &str) -> Result<Box<dyn Outcome>, String> {
     let sweep = "pressure = { from = \"1 MPa\", to = \"60 MPa\", points = 7 }";
     let pressure = if compare.contains("pressure") { "" } else { sweep };
-    let spec = format!(
-        "title = \"t\"\nseed = 3\n{}[compare]\nrough = \"steel\"\nflat = \"steel\"\nlaw = \"zmc\"\n\
-         {pressure}\nrobustness = false\n{compare}\n{surface}",
-        steel!(),
-    );
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("ranking.toml");
-    std::fs::write(&path, spec).unwrap();
-    let experiment = Experiment::read(&path).map_err(|error| error.to_string())?;
-    experiment.run(&Silent).map_err(|error| error.to_string())
+    results::run(&format!("{ON_STEEL}{pressure}\nrobustness = false\n{compare}\n{surface}"))
 }
 
 /// The largest difference of a model from the sum.

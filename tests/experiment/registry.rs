@@ -5,7 +5,6 @@ use std::fs;
 use asperity::ContactLaw;
 use asperity::contact_law::registry;
 use asperity::distribution::REGISTRY;
-use asperity_experiment::Experiment;
 use asperity_experiment::kind::KINDS;
 
 fn assert_named(files: &[&str], names: impl Iterator<Item = String> + Clone) {
@@ -35,10 +34,7 @@ fn documents_name_every_height_distribution() {
 fn documents_and_messages_name_every_kind() {
     let names = KINDS.iter().map(|kind| format!("[{}]", kind.name()));
     assert_named(&["docs/specs.md"], names.clone());
-    let folder = tempfile::tempdir().unwrap();
-    let spec = folder.path().join("empty.toml");
-    fs::write(&spec, "title = \"t\"\n").unwrap();
-    let message = Experiment::read(&spec).err().unwrap().to_string();
+    let message = crate::results::run("title = \"t\"\n").err().unwrap();
     let all = names.collect::<Vec<_>>().join(", ");
     assert!(message.contains(&format!("exactly one of {all}")), "{message}");
 }

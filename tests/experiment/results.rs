@@ -1,9 +1,36 @@
-//! What tests read of a run: the rows of its tables and the figures of its page.
+//! Runs of specs, and what tests read of them: the rows of their tables and the figures of their pages.
 
 use crate::Report;
 use std::collections::BTreeMap;
+use std::path::Path;
 
 use asperity_contact_framework::Outcome;
+use asperity_contact_framework::progress::Silent;
+use asperity_experiment::Experiment;
+
+/// A comparison of rough steel on flat steel under one law, without loads.
+pub const ON_STEEL: &str = concat!(
+    "title = \"t\"\nseed = 3\n",
+    steel!(),
+    "[compare]\nrough = \"steel\"\nflat = \"steel\"\nlaw = \"zmc\"\n"
+);
+
+/// A spec as a file in `folder`.
+pub fn read(folder: &Path, spec: &str) -> Result<Experiment, String> {
+    let path = folder.join("t.toml");
+    std::fs::write(&path, spec).unwrap();
+    Experiment::read(&path).map_err(|error| error.to_string().replace(&format!("{}/", folder.display()), ""))
+}
+
+/// Runs a spec, with files beside it in `folder`.
+pub fn run_in(folder: &Path, spec: &str) -> Result<Box<dyn Outcome>, String> {
+    read(folder, spec)?.run(&Silent).map_err(|error| error.to_string())
+}
+
+/// Runs a spec that needs no other file.
+pub fn run(spec: &str) -> Result<Box<dyn Outcome>, String> {
+    run_in(tempfile::tempdir().unwrap().path(), spec)
+}
 
 /// A row of a table by the names of its columns.
 pub type Row = BTreeMap<String, String>;

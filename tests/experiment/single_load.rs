@@ -1,15 +1,13 @@
 //! One load or one separation: a table that answers in the units of the shop; and one thickness beside the uncoated flat.
 
 use crate::Report;
-use crate::results::{number, table};
+use crate::results::{number, read, table};
 use asperity_contact_framework::Outcome;
 use asperity_contact_framework::progress::Silent;
-use asperity_experiment::Experiment;
 
 /// The outcome of `[compare]` with the keys `compare`, and what `check` prints.
 fn run(compare: &str) -> (Box<dyn Outcome>, String) {
     let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("t.toml");
     let spec = concat!(
         "title = \"t\"\n",
         steel!(),
@@ -18,8 +16,7 @@ fn run(compare: &str) -> (Box<dyn Outcome>, String) {
         case_1!(),
         "count = 6000\n[compare]\nrough = \"steel\"\nflat = \"steel\"\nlaw = \"zmc\"\n"
     );
-    std::fs::write(&path, format!("{spec}{compare}\n")).unwrap();
-    let experiment = Experiment::read(&path).unwrap();
+    let experiment = read(folder.path(), &format!("{spec}{compare}\n")).unwrap();
     (experiment.run(&Silent).unwrap(), experiment.to_string())
 }
 

@@ -5,16 +5,14 @@ use asperity::bem::Boundary;
 use asperity::compare::{Cause, ComparedQuantity, Order, Verdict};
 use asperity::spot::{SpotQuantity, cluster_conductance};
 use asperity_contact_framework::Outcome;
-use asperity_contact_framework::progress::Silent;
 use asperity_contact_framework::report::format::quantity;
-use asperity_experiment::Experiment;
 use asperity_experiment::export::{
     Format, InterfaceOptions, InterfaceTable, TableModel, UnitSystem, interface_files, interface_tables,
 };
 use asperity_experiment::kind::compare::results::{CompareResults, SurfaceResults};
 
 use crate::Report;
-use crate::results::table;
+use crate::results::{self, table};
 
 const BODIES: &str = concat!("title = \"t\"\nseed = 3\n", conducting!());
 
@@ -29,12 +27,8 @@ spectrum.self-affine = { hurst = 0.8, roll-off = "40 um", cut-off = "8 um" }
 const PRESSURES: &str = "pressure = { from = \"1 MPa\", to = \"20 MPa\", points = 5 }";
 
 fn run(compare: &str, surface: &str) -> Result<Box<dyn Outcome>, String> {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("joint.toml");
     let compare = format!("[compare]\nrough = \"steel\"\nflat = \"steel\"\n{compare}\n");
-    std::fs::write(&path, [BODIES, &compare, surface].concat()).unwrap();
-    let experiment = Experiment::read(&path).map_err(|error| error.to_string())?;
-    experiment.run(&Silent).map_err(|error| error.to_string())
+    results::run(&[BODIES, &compare, surface].concat())
 }
 
 fn compared(compare: &str, surface: &str) -> CompareResults {

@@ -1,10 +1,8 @@
 //! The stylus or tip of a measured map: what it adds to summits is taken off, and summits as sharp as it are cautioned.
 
 use asperity_contact_framework::Outcome;
-use asperity_contact_framework::progress::Silent;
-use asperity_experiment::Experiment;
 
-use crate::results::{Row, number, table};
+use crate::results::{self, ON_STEEL, Row, number, table};
 
 /// Crossed waves with summits of about 51 µm, as a blunt tip has traced them or not; and noise on every 7th point.
 fn run(tip: &str, noise: f64) -> Box<dyn Outcome> {
@@ -21,13 +19,10 @@ fn run(tip: &str, noise: f64) -> Box<dyn Outcome> {
     let map = (0..200).map(row).collect::<Vec<_>>().join("\n");
     std::fs::write(folder.path().join("map.txt"), map).unwrap();
     let spec = format!(
-        "title = \"t\"\n{}[compare]\nrough = \"steel\"\nflat = \"steel\"\nlaw = \"zmc\"\nrobustness = false\n\
-         separation = {{ values = [1] }}\n[surface.s.file]\npath = \"map.txt\"\npixel = \"0.5 um\"\n{tip}\n",
-        steel!()
+        "{ON_STEEL}robustness = false\nseparation = {{ values = [1] }}\n\
+         [surface.s.file]\npath = \"map.txt\"\npixel = \"0.5 um\"\n{tip}\n"
     );
-    let path = folder.path().join("tip.toml");
-    std::fs::write(&path, spec).unwrap();
-    Experiment::read(&path).unwrap().run(&Silent).unwrap()
+    results::run_in(folder.path(), &spec).unwrap()
 }
 
 /// The row of the check; `None` where it was not made.

@@ -16,20 +16,14 @@ use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
 use asperity::topography::summits::Neighbours;
 use asperity::{HeightMap, Heights, Limit, Material};
 use asperity_contact_framework::Outcome;
-use asperity_contact_framework::progress::Silent;
 use asperity_contact_framework::report::answer::{Answer, CardLine, MOST_WORDS, words};
-use asperity_experiment::Experiment;
 use asperity_experiment::kind::compare::results::CompareResults;
+
+use crate::results::{ON_STEEL, run_in};
 
 /// Runs `[compare]` on `surfaces`, with files beside it in `folder`.
 fn run(folder: &Path, compare: &str, surfaces: &str) -> Box<dyn Outcome> {
-    let spec = format!(
-        "title = \"t\"\nseed = 3\n{}[compare]\nrough = \"steel\"\nflat = \"steel\"\nlaw = \"zmc\"\n{compare}\n{surfaces}",
-        steel!(),
-    );
-    let path = folder.join("verdicts.toml");
-    std::fs::write(&path, spec).unwrap();
-    Experiment::read(&path).unwrap().run(&Silent).unwrap()
+    run_in(folder, &format!("{ON_STEEL}{compare}\n{surfaces}")).unwrap()
 }
 
 fn compared(compare: &str, surfaces: &str) -> CompareResults {

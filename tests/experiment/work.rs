@@ -14,6 +14,8 @@ use asperity_experiment::Experiment;
 use asperity_experiment::kind::compare::results::{CompareResults, SurfaceResults};
 use asperity_experiment::surface::FileOptions;
 
+use crate::results::run_in;
+
 const MATERIALS: &str = concat!(
     r#"
 title = "work"
@@ -37,8 +39,6 @@ const BODIES: &str = "[compare]\nrough = \"steel\"\nflat = \"steel\"\n";
 /// Runs a spec in a folder with two lists of asperities and a map.
 fn run(spec: &str) -> Box<dyn Outcome> {
     let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("work.toml");
-    fs::write(&path, format!("{MATERIALS}{spec}")).unwrap();
     for (name, count) in [("list.csv", 400), ("other.csv", 300)] {
         let rows: String =
             (0..count).map(|i| format!("{:e},{:e}\n", f64::from(i * i % 97) * 1e-9, 2e-5)).collect();
@@ -48,7 +48,7 @@ fn run(spec: &str) -> Box<dyn Outcome> {
     let rows = (0..40).map(|iy| (0..50).map(|ix| height(ix, iy)).collect::<Vec<_>>().join(" "));
     fs::write(folder.path().join("map.txt"), rows.collect::<Vec<_>>().join("\n")).unwrap();
     fs::write(folder.path().join("points.csv"), "indentation,load\n1e-8,1e-4\n3e-8,6e-4\n").unwrap();
-    Experiment::read(&path).unwrap().run(&Silent).unwrap()
+    run_in(folder.path(), &format!("{MATERIALS}{spec}")).unwrap()
 }
 
 fn work_of(spec: &str) -> Work {

@@ -184,19 +184,12 @@ mod tests {
 
     #[test]
     fn cells_are_the_more_opaque_the_more_they_are_covered() {
-        use base64::Engine;
         let covered = vec![vec![0; 6], vec![0, 255, 1, 64, 128, 192]];
         let drawn = figure(Patches::Cells { x: (0.0, 10.0), y: (0.0, 10.0), cells: [3, 2], covered });
         let data = serde_json::to_value(drawn.data().unwrap()).unwrap();
         let uri = data["frames"]["images"][1].as_str().unwrap();
         assert!(drawn.part_of_page().contains(uri));
-        let file =
-            base64::engine::general_purpose::STANDARD.decode(uri.split_once("base64,").unwrap().1).unwrap();
-        let mut decoder = png::Decoder::new(std::io::Cursor::new(file));
-        decoder.set_transformations(png::Transformations::EXPAND);
-        let mut reader = decoder.read_info().unwrap();
-        let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
-        reader.next_frame(&mut pixels).unwrap();
+        let (pixels, _) = crate::png::tests::decoded(uri, png::Transformations::EXPAND);
         let opacities: Vec<u8> = pixels.chunks(4).map(|pixel| pixel[3]).collect();
         assert_eq!(opacities, [0, 255, 128, 128, 170, 213]);
     }

@@ -41,22 +41,28 @@ fn file(
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
+
+    /// The pixels of a file, and what it says of them.
+    pub fn decoded(uri: &str, transformations: png::Transformations) -> (Vec<u8>, png::Info<'static>) {
+        let bytes = STANDARD.decode(uri.strip_prefix("data:image/png;base64,").unwrap()).unwrap();
+        let mut decoder = png::Decoder::new(std::io::Cursor::new(bytes));
+        decoder.set_transformations(transformations);
+        let mut reader = decoder.read_info().unwrap();
+        let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+        reader.next_frame(&mut pixels).unwrap();
+        (pixels, reader.info().clone())
+    }
 
     #[test]
     fn the_file_holds_what_was_written() {
         let palette = [[255, 255, 255], [10, 20, 30], [40, 50, 60]];
         let uri = encode(&[0, 1, 2, 1, 0, 2], [3, 2], &palette, &[0, 128]).unwrap();
-        let bytes = STANDARD.decode(uri.strip_prefix("data:image/png;base64,").unwrap()).unwrap();
-        let mut decoder = png::Decoder::new(std::io::Cursor::new(bytes));
-        decoder.set_transformations(png::Transformations::IDENTITY);
-        let mut reader = decoder.read_info().unwrap();
-        let mut read = vec![0; reader.output_buffer_size().unwrap()];
-        let info = reader.next_frame(&mut read).unwrap();
-        assert_eq!((info.width, info.height, read.as_slice()), (3, 2, [0, 1, 2, 1, 0, 2].as_slice()));
-        assert_eq!(reader.info().palette.as_deref(), Some(palette.as_flattened()));
-        assert_eq!(reader.info().trns.as_deref(), Some([0, 128].as_slice()));
+        let (pixels, info) = decoded(&uri, png::Transformations::IDENTITY);
+        assert_eq!((info.width, info.height, pixels.as_slice()), (3, 2, [0, 1, 2, 1, 0, 2].as_slice()));
+        assert_eq!(info.palette.as_deref(), Some(palette.as_flattened()));
+        assert_eq!(info.trns.as_deref(), Some([0, 128].as_slice()));
     }
 
     #[test]

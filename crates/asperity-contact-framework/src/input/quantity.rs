@@ -260,35 +260,18 @@ mod tests {
 
     #[test]
     fn what_is_refused_says_what_is_allowed() {
-        for text in ["", "nm", "1.2", "1.2 GPa", "-3 nm", "0 nm", "inf nm", "nan nm", "1 2 nm", "1.2 nmm"] {
+        for text in
+            ["", "nm", "1.2", "1.2 GPa", "-3 nm", "0 nm", "inf nm", "nan nm", "1 2 nm", "1.2 nmm", "0,5,1 um"]
+        {
             let message = length(text).unwrap_err();
+            assert!(!message.contains("decimal separator") && !message.contains("magnitude"), "{message}");
             assert!(
                 message.starts_with(&format!("found \"{text}\"; allowed: a positive finite length")),
                 "{message}"
             );
         }
         assert!(Quantity::<Pure>::parse("3 nm").is_err());
-    }
-
-    #[test]
-    fn a_decimal_comma_is_named() {
-        let message = length("0,5 um").unwrap_err();
-        assert!(message.starts_with("found \"0,5 um\"; allowed: a positive finite length"), "{message}");
-        assert!(message.ends_with("; the decimal separator is a point: \"0.5 um\""), "{message}");
-        assert!(!length("0,5,1 um").unwrap_err().contains("decimal separator"));
-    }
-
-    #[test]
-    fn an_extreme_value_is_told_the_magnitudes_that_are_allowed() {
-        let message = Quantity::<Pressure>::parse("1e-300 Pa").unwrap_err();
-        assert!(message.starts_with("found \"1e-300 Pa\"; allowed: a positive finite pressure"), "{message}");
-        assert!(message.ends_with(", of magnitude 1e-30 to 1e30 Pa"), "{message}");
-        let number = serde::de::value::F64Deserializer::<serde::de::value::Error>::new(1e-300);
-        let message = Quantity::<Pressure>::deserialize(number).unwrap_err().to_string();
-        assert!(message.starts_with("found 1e-300; allowed: "), "{message}");
-        assert!(!length("-3 nm").unwrap_err().contains("magnitude"));
-        assert!(
-            Quantity::<Length, Finite>::parse("-1e31 m").unwrap_err().contains("magnitude at most 1e30 m")
-        );
+        let large = Quantity::<Length, Finite>::parse("-1e31 m").unwrap_err();
+        assert!(large.contains("magnitude at most 1e30 m"), "{large}");
     }
 }

@@ -243,12 +243,8 @@ mod tests {
             assert_eq!(heights, whole.heights());
             assert_eq!(parts.map(|part| part.nominal_area()), [1024.0, 2048.0, 25.0]);
             assert_eq!(UNIT.part(4..5, count, draw), Err(SetError::Empty));
+            assert_eq!(UNIT.set(0, draw), Err(SetError::Empty));
         }
-    }
-
-    #[test]
-    fn a_set_is_no_set_without_asperities() {
-        assert_eq!(UNIT.set(0, Draw::Quantiles), Err(SetError::Empty));
     }
 
     /// PHYSICS part B gives these for Table 1 of Pasaribu and Schipper (2005).

@@ -129,20 +129,13 @@ mod tests {
     use super::*;
     use std::f64::consts::PI;
 
-    fn there_and_back(count: usize, is_mirrored: bool) -> [Vec<f64>; 3] {
-        let transform = RowTransform::<f64>::new(count, is_mirrored);
-        let mut scratch = transform.scratch();
-        let row: Vec<f64> = (0..count).map(|i| (i as f64 * 1.7).sin() + 0.1 * i as f64).collect();
-        let (mut waves, mut back) = (vec![0.0; 2 * transform.pairs()], vec![0.0; count]);
-        transform.forward(&row, &mut waves, &mut scratch);
-        transform.backward(&waves, 1.0, &mut back, &mut scratch);
-        [row, waves, back.into_iter().map(|x| x / count as f64).collect()]
-    }
-
     #[test]
     fn cosines_are_those_of_the_definition() {
         for count in [3, 4, 5, 8, 30, 31] {
-            let [row, waves, _] = there_and_back(count, true);
+            let transform = RowTransform::<f64>::new(count, true);
+            let row: Vec<f64> = (0..count).map(|i| (i as f64 * 1.7).sin() + 0.1 * i as f64).collect();
+            let mut waves = vec![0.0; 2 * transform.pairs()];
+            transform.forward(&row, &mut waves, &mut transform.scratch());
             for k in 0..count {
                 let found = match k {
                     0 => waves[0],
@@ -153,16 +146,6 @@ mod tests {
                 let angle = |i: usize| PI * k as f64 * (i as f64 + 0.5) / count as f64;
                 let exact: f64 = row.iter().enumerate().map(|(i, x)| x * angle(i).cos()).sum();
                 assert!((found - exact).abs() < 1e-13 * count as f64, "{count}: {k}: {found} for {exact}");
-            }
-        }
-    }
-
-    #[test]
-    fn rows_come_back() {
-        for count in [3, 4, 9, 16, 31] {
-            for is_mirrored in [false, true] {
-                let [row, _, back] = there_and_back(count, is_mirrored);
-                assert!(row.iter().zip(back).all(|(x, back)| (x - back).abs() < 1e-14 * count as f64));
             }
         }
     }

@@ -438,33 +438,12 @@ impl Difference {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::compare::tests::response;
     use crate::contact::ByRegime;
 
-    fn response(h: f64, area: f64, contacts: Option<f64>) -> Response {
-        Response {
-            separation_over_sigma: h,
-            separation: h * 1e-8,
-            contact_density: 100.0,
-            area_ratio: ByRegime([area, 0.0, 0.0]),
-            pressure: ByRegime([1.0, 0.0, 0.0]),
-            stiffness: 1.0,
-            spots: Default::default(),
-            sampling: None,
-            sharing: contacts.map(|effective_contacts| LoadSharing {
-                effective_contacts,
-                largest_share: 0.01,
-                large_strain_share: 0.0,
-            }),
-        }
-    }
-
     fn pair(load: f64, difference: f64, contacts: f64) -> Pair {
-        Pair {
-            pairing: Pairing::Load,
-            target: load,
-            statistical: response(2.0 + difference, 2e-3, None),
-            deterministic: response(2.0, 1e-3, Some(contacts)),
-        }
+        let sum = response(2.0, 1e-3, Some(contacts));
+        crate::compare::tests::pair(load, response(2.0 + difference, 2e-3, None), sum)
     }
 
     /// Sixteen equal groups; without each of them the difference is 0.2 plus or minus `scatter`.

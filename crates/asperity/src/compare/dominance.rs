@@ -87,25 +87,13 @@ fn without_furthest(influence: &Influence, measure: Measure, group: Group) -> Op
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::compare::{CaseSampling, Difference, Pair, Pairing, UnderLaw};
-    use crate::contact::ByRegime;
-    use crate::model::Response;
+    use crate::compare::tests::{pair, response};
+    use crate::compare::{CaseSampling, Difference, Pair, UnderLaw};
 
     /// One load; d/sigma of the integral and of the sum, whose difference has the standard error `error` sigma.
     fn under(statistical: f64, deterministic: f64, error: f64) -> (Vec<Pair>, Vec<Difference>) {
-        let response = |h: f64| Response {
-            separation_over_sigma: h,
-            separation: h * 1e-8,
-            contact_density: 50.0,
-            area_ratio: ByRegime([1e-3, 0.0, 0.0]),
-            pressure: ByRegime([100.0, 0.0, 0.0]),
-            stiffness: 1e10,
-            spots: Default::default(),
-            sampling: None,
-            sharing: None,
-        };
-        let (statistical, deterministic) = (response(statistical), response(deterministic));
-        let pairs = vec![Pair { pairing: Pairing::Load, target: 1.0, statistical, deterministic }];
+        let response = |h| response(h, 1e-3, None);
+        let pairs = vec![pair(1.0, response(statistical), response(deterministic))];
         let mut differences = Difference::at_loads(&pairs, &CaseSampling::default());
         for estimate in differences[0].estimates.iter_mut().flatten() {
             estimate.error = Some(error);

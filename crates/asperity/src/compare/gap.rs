@@ -109,25 +109,13 @@ fn gap(pair: &Pair, quantity: GapQuantity, statistical: f64, deterministic: f64)
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::compare::tests;
     use crate::contact::ByRegime;
-    use crate::model::{LoadSharing, Response};
+    use crate::model::Response;
 
     fn response(h: f64, area_ratio: f64, pressure: f64, contacts: f64) -> Response {
-        Response {
-            separation_over_sigma: h,
-            separation: h * 1e-8,
-            contact_density: contacts,
-            area_ratio: ByRegime([area_ratio, 0.0, 0.0]),
-            pressure: ByRegime([0.0, pressure, 0.0]),
-            stiffness: 1e14,
-            spots: Default::default(),
-            sampling: None,
-            sharing: Some(LoadSharing {
-                effective_contacts: contacts,
-                largest_share: 0.01,
-                large_strain_share: 0.0,
-            }),
-        }
+        let pressure = ByRegime([0.0, pressure, 0.0]);
+        Response { pressure, ..tests::response(h, area_ratio, Some(contacts)) }
     }
 
     #[test]

@@ -275,36 +275,12 @@ fn differences_by(measure: Measure, pairs: &[Pair], differences: &[Option<Differ
 mod tests {
     use super::*;
     use crate::compare::CaseSampling;
-    use crate::contact::ByRegime;
-    use crate::model::LoadSharing;
-
-    fn response(h: f64, area_ratio: f64) -> Response {
-        Response {
-            separation_over_sigma: h,
-            separation: h * 1e-8,
-            contact_density: 50.0,
-            area_ratio: ByRegime([area_ratio, 0.0, 0.0]),
-            pressure: ByRegime([100.0, 0.0, 0.0]),
-            stiffness: 1e10,
-            spots: Default::default(),
-            sampling: None,
-            sharing: Some(LoadSharing {
-                effective_contacts: 50.0,
-                largest_share: 0.02,
-                large_strain_share: 0.0,
-            }),
-        }
-    }
+    use crate::compare::tests::{pair, response};
 
     /// (load, statistical d/sigma and area, deterministic ones)
     fn pairs<const N: usize>(points: [(f64, [f64; 2], [f64; 2]); N]) -> Vec<Pair> {
-        let pair = |(target, s, d): (f64, [f64; 2], [f64; 2])| Pair {
-            pairing: Pairing::Load,
-            target,
-            statistical: response(s[0], s[1]),
-            deterministic: response(d[0], d[1]),
-        };
-        points.into_iter().map(pair).collect()
+        let of = |[h, area]: [f64; 2]| response(h, area, Some(50.0));
+        points.into_iter().map(|(load, s, d)| pair(load, of(s), of(d))).collect()
     }
 
     fn under<'a>(law: &'a str, is_elastic_plastic: bool, pairs: &'a [Pair]) -> UnderLaw<'a> {

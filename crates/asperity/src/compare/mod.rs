@@ -13,6 +13,8 @@ mod on_map;
 mod reference;
 mod sampling;
 mod spread;
+#[cfg(test)]
+pub(crate) mod tests;
 mod threshold;
 mod validity;
 mod verdict;

@@ -292,44 +292,25 @@ impl NearerStretch {
 mod tests {
     use super::*;
     use crate::bem::Boundary;
+    use crate::compare::tests::{pair, response};
     use crate::compare::{BlockShare, Control};
-    use crate::contact::ByRegime;
-    use crate::model::LoadSharing;
 
     const PLANE: ReferencePlane = ReferencePlane { mean: 3e-8, sigma: 1e-8 };
     const ACCEPTED: Accepted = Accepted::DEFAULT;
     const LOADS: [f64; 3] = [1e6, 2e6, 4e6];
-
-    fn response(h: f64, area: f64, contacts: Option<f64>) -> Response {
-        Response {
-            separation_over_sigma: h,
-            separation: h * PLANE.sigma,
-            contact_density: 100.0,
-            area_ratio: ByRegime([area, 0.0, 0.0]),
-            pressure: ByRegime([1.0, 0.0, 0.0]),
-            stiffness: 1e14,
-            spots: Default::default(),
-            sampling: None,
-            sharing: contacts.map(|effective_contacts| LoadSharing {
-                effective_contacts,
-                largest_share: 0.01,
-                large_strain_share: 0.0,
-            }),
-        }
-    }
 
     /// At each load the separations and areas of integral, sum and reference; four blocks of equal parts, or one that
     /// carries twice as much.
     fn against(separations: [f64; 3], areas: [f64; 3], heavy: bool, bound: f64) -> AgainstReference {
         let share = |k: usize| if heavy { [0.4, 0.2, 0.2, 0.2][k] } else { 0.25 };
         let drift = |k: usize| -0.5 * (LOADS[k] / LOADS[0]).ln();
-        let pair = |k: usize| Pair {
-            pairing: Pairing::Load,
-            target: LOADS[k],
-            statistical: response(separations[0] + drift(k), areas[0] * LOADS[k] / 1e6, None),
-            deterministic: response(separations[1] + drift(k), areas[1] * LOADS[k] / 1e6, Some(200.0)),
+        let at = |k: usize| {
+            let of = |model: usize, contacts| {
+                response(separations[model] + drift(k), areas[model] * LOADS[k] / 1e6, contacts)
+            };
+            pair(LOADS[k], of(0, None), of(1, Some(200.0)))
         };
-        let pairs: Vec<Pair> = (0..3).map(pair).collect();
+        let pairs: Vec<Pair> = (0..3).map(at).collect();
         let point = |k: usize| ReferencePoint {
             control: Control::Pressure,
             target: LOADS[k],

@@ -174,27 +174,13 @@ impl ErrorSlope {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::ByRegime;
+    use crate::compare::tests;
     use crate::model::{Response, SamplingError};
 
     fn pair(target: f64, statistical: f64, deterministic: f64) -> Pair {
-        let response = |h: f64| Response {
-            separation_over_sigma: h,
-            separation: h * 1e-8,
-            contact_density: 1.0,
-            area_ratio: ByRegime([0.1 * h, 0.0, 0.0]),
-            pressure: ByRegime([target, 0.0, 0.0]),
-            stiffness: 1e9,
-            spots: Default::default(),
-            sampling: Some(SamplingError { pressure: 5.0, area_ratio: 1e-4 }),
-            sharing: None,
-        };
-        Pair {
-            pairing: Pairing::Load,
-            target,
-            statistical: response(statistical),
-            deterministic: response(deterministic),
-        }
+        let sampling = Some(SamplingError { pressure: 5.0, area_ratio: 1e-4 });
+        let of = |h: f64| Response { stiffness: 1e9, sampling, ..tests::response(h, 0.1 * h, None) };
+        tests::pair(target, of(statistical), of(deterministic))
     }
 
     #[test]

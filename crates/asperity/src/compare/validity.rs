@@ -108,13 +108,8 @@ impl Sum for PointCounts {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::compare::tests::{response, sharing};
     use crate::compare::{CurvePoint, ModelKind};
-    use crate::contact::ByRegime;
-    use crate::model::{LoadSharing, Response};
-
-    fn sharing(effective_contacts: f64) -> Option<LoadSharing> {
-        Some(LoadSharing { effective_contacts, largest_share: 0.01, large_strain_share: 0.0 })
-    }
 
     fn names(exceeded: Exceeded) -> Vec<&'static str> {
         exceeded.limits().map(Limit::name).collect()
@@ -124,7 +119,7 @@ mod tests {
     fn loads_between_stretches_are_not_valid() {
         let range = |loads: &[(f64, f64, f64)]| {
             let at = |&(load, contacts, area_ratio): &(f64, f64, f64)| {
-                (load, Exceeded::new(sharing(contacts).as_ref(), area_ratio))
+                (load, Exceeded::new(Some(&sharing(contacts)), area_ratio))
             };
             AdmissibleRange::new(loads.iter().map(at))
         };
@@ -157,17 +152,7 @@ mod tests {
             control,
             target: 1.0,
             prescribed_pressure: None,
-            response: Response {
-                separation_over_sigma: 1.0,
-                separation: 1e-8,
-                contact_density: 100.0,
-                area_ratio: ByRegime([area, 0.0, 0.0]),
-                pressure: ByRegime([1.0, 0.0, 0.0]),
-                stiffness: 1.0,
-                spots: Default::default(),
-                sampling: None,
-                sharing: contacts.and_then(sharing),
-            },
+            response: response(1.0, area, contacts),
             in_jump,
         };
         let curves = vec![

@@ -267,36 +267,9 @@ impl Estimate {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::LoadSharing;
+    use crate::compare::tests::{at, estimate};
 
     const ACCEPTED: Accepted = Accepted::DEFAULT;
-
-    fn estimate(contrast: f64, error: Option<f64>) -> Option<Estimate> {
-        Some(Estimate {
-            contrast,
-            error,
-            quantile: 2.0,
-            bound: 0.0,
-            independent_error: None,
-            support: Support::Sampled,
-        })
-    }
-
-    /// One load with the same contrast and error of separation and area.
-    fn at(load: f64, contacts: f64, contrast: f64, error: Option<f64>) -> Difference {
-        Difference {
-            load,
-            sharing: Some(LoadSharing {
-                effective_contacts: contacts,
-                largest_share: 0.01,
-                large_strain_share: 0.0,
-            }),
-            area_ratio: 0.01,
-            estimates: [estimate(contrast, error), estimate(contrast, error), None, None, None, None],
-            of_models: [None; 2],
-            area_needed: error.is_none().then_some(3.0),
-        }
-    }
 
     fn of(quantity: ComparedQuantity, differences: &[Difference]) -> Vec<(Verdict, [f64; 2])> {
         let all = Stretch::all(differences, &ACCEPTED);
@@ -309,7 +282,7 @@ mod tests {
     fn a_model_based_interval_is_likely_before_it_decides() {
         let band = ACCEPTED.band(ComparedQuantity::Separation);
         let verdict = |contrast, error| {
-            let sampled = estimate(contrast, Some(error)).unwrap();
+            let sampled = estimate(contrast, Some(error));
             Verdict::from_estimate(&Estimate { support: Support::Generated, ..sampled }, band)
         };
         assert_eq!(verdict(0.05, 0.01), Verdict::Within);
@@ -324,7 +297,7 @@ mod tests {
     #[test]
     fn without_an_interval_only_a_difference_far_beyond_on_all_halves_is_told() {
         let verdict = |quantity, contrast, least| {
-            let unknown = Estimate { support: Support::Halves(least), ..estimate(contrast, None).unwrap() };
+            let unknown = Estimate { support: Support::Halves(least), ..estimate(contrast, None) };
             Verdict::from_estimate(&unknown, ACCEPTED.band(quantity))
         };
         use ComparedQuantity::{Area, Separation};
@@ -339,7 +312,7 @@ mod tests {
     #[test]
     fn an_interval_is_inside_outside_or_across_the_edge() {
         let band = ACCEPTED.band(ComparedQuantity::Separation);
-        let verdict = |contrast, error| Verdict::from_estimate(&estimate(contrast, error).unwrap(), band);
+        let verdict = |contrast, error| Verdict::from_estimate(&estimate(contrast, error), band);
         assert_eq!(verdict(0.05, Some(0.02)), Verdict::Within);
         assert_eq!(verdict(0.05, Some(0.03)), Verdict::CannotTell);
         assert_eq!(verdict(-0.2, Some(0.03)), Verdict::Beyond);

@@ -115,14 +115,10 @@ mod tests {
     use crate::distribution::Heights;
     use crate::interface::Flat;
     use crate::law::{Hertz, Zmc};
-    use crate::material::Material;
+    use crate::material::tests::steel;
     use crate::model::{Deterministic, Model, ReferencePlane, Response, Statistical, at_pressure};
     use crate::reduced_modulus;
-    use crate::spot::{BrokenFilm, Conduction, Shear, ShearStrength, SpotQuantity};
-
-    fn steel() -> Material {
-        Material::new(210e9, 0.3, Some(7.6e9), None).unwrap()
-    }
+    use crate::spot::{BrokenFilm, Conduction, Shear, ShearStrength};
 
     fn with_spots(law: impl crate::ScalableLaw, properties: SpotProperties) -> WithSpots {
         WithSpots::new(Flat::Bare(steel()).under(law, &steel()).unwrap(), properties)
@@ -147,27 +143,6 @@ mod tests {
         Conduction::new([1.7e-8, 1.43e-7]).unwrap()
     }
 
-    /// Without yielding the conductance of a sum and of an integral is the stiffness over E* s (Barber 2003).
-    #[test]
-    fn conductance_is_stiffness_where_nothing_yields() {
-        let properties = SpotProperties { electrical: Some(conduction()), ..SpotProperties::default() };
-        let contact = with_spots(Hertz, properties);
-        let factor = reduced_modulus(&steel(), &steel()) * conduction().resistivity();
-        for responses in responses(&contact, Heights::GAUSSIAN) {
-            for response in responses {
-                let conductance = response.spots[SpotQuantity::ElectricalConductance as usize];
-                assert!((conductance * factor / response.stiffness - 1.0).abs() < 1e-12, "{response:?}");
-                assert_eq!(response.spots[1..], [0.0; 3]);
-            }
-        }
-        // Beyond the onset of yield the stiffness of loading is another one.
-        let soft = Material::new(210e9, 0.3, Some(1e9), None).unwrap();
-        let yielding = Flat::Bare(soft).under(Zmc::default(), &soft).unwrap();
-        let [integral, _] =
-            responses(&WithSpots::new(yielding, contact.properties.clone()), Heights::GAUSSIAN)[0];
-        assert!((integral.spots[0] * factor / integral.stiffness - 1.0).abs() > 0.05);
-    }
-
     /// Of exponential heights conductance and load are proportional under any law: p/(E* s sigma) under Hertz.
     #[test]
     fn exponential_heights_conduct_in_proportion_to_the_load() {
@@ -181,18 +156,6 @@ mod tests {
         let yielding = responses(&with_spots(Zmc::default(), properties), Heights::EXPONENTIAL);
         let ratio = |[integral, _]: &[Response; 2]| integral.spots[1] / integral.pressure.total();
         assert!(yielding.iter().all(|one| (ratio(one) / ratio(&yielding[0]) - 1.0).abs() < 1e-12));
-    }
-
-    /// tau0 A + alpha P of each spot makes tau0 A + alpha P of all.
-    #[test]
-    fn shear_forces_add_up() {
-        let strength = ShearStrength { tau0: 20e6, alpha: 0.05 };
-        let shear = Some(Shear { strength, broken: None });
-        let contact = with_spots(Zmc::default(), SpotProperties { shear, ..SpotProperties::default() });
-        for response in responses(&contact, Heights::GAUSSIAN).concat() {
-            let expected = 20e6 * response.area_ratio.total() + 0.05 * response.pressure.total();
-            assert!((response.spots[2] / expected - 1.0).abs() < 1e-13);
-        }
     }
 
     /// A film that is broken at once, or never; between them the integral has a jump, which its pieces end at.

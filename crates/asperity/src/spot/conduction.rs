@@ -217,55 +217,6 @@ pub fn cluster_conductance(spots: &[(f64, [f64; 2])]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shape::Shape;
-
-    #[test]
-    fn a_circle_conducts_its_diameter_over_the_mean_resistivity() {
-        let copper_on_steel = Conduction::new([1.7e-8, 1.43e-7]).unwrap();
-        let [one, nine] = [1.0, 9.0].map(|area| copper_on_steel.conductance(area * PI * 1e-12, 1.0));
-        assert!((one / (2e-6 / 8e-8) - 1.0).abs() < 1e-15 && (nine / (3.0 * one) - 1.0).abs() < 1e-15);
-        assert_eq!(copper_on_steel.conductance(0.0, 1.0), 0.0);
-    }
-
-    /// An ellipse of semi-axes a > b conducts pi a/(s K(m)), m = 1 - (b/a)^2: that of the shape whose contact it is.
-    #[test]
-    fn an_ellipse_conducts_by_the_elliptic_integral() {
-        // K at m = 1 - 1/e^2, from the arithmetic-geometric mean of 1 and b/a.
-        let mean = |ratio: f64| {
-            let step = |(a, g): (f64, f64)| (0.5 * (a + g), (a * g).sqrt());
-            (0..8).fold((1.0, ratio), |pair, _| step(pair)).0
-        };
-        let unit = Conduction::new([1.0, 1.0]).unwrap();
-        for curvatures in [1.0, 1.5, 3.0, 20.0] {
-            let shape = Shape::ellipse(1.0, curvatures);
-            let area = PI * shape.spheres * shape.radius;
-            let found = unit.conductance(area, shape.spheres);
-            // Of unit area and contact ellipse of ratio b/a, which belongs to this ratio of curvatures.
-            let [semi_major, ratio] = semi_axes(area, curvatures);
-            let exact = 2.0 * semi_major * mean(ratio);
-            assert!((found / exact - 1.0).abs() < 1e-9, "{curvatures}: {found} {exact}");
-        }
-    }
-
-    /// The larger semi-axis, and the ratio of both, of the contact of an `area` on a body of a ratio of curvatures: [E/(1-m) - K]/(K - E)
-    /// is that ratio (PHYSICS.md, A).
-    fn semi_axes(area: f64, curvatures: f64) -> [f64; 2] {
-        // K and E by the midpoint rule, which is exact for periodic functions.
-        let integrals = |m: f64| {
-            const STEPS: usize = 4000;
-            let at = |k: usize| 1.0 - m * (PI * (k as f64 + 0.5) / (2 * STEPS) as f64).sin().powi(2);
-            let mean = |of: &dyn Fn(f64) -> f64| (0..STEPS).map(|k| of(at(k))).sum::<f64>() / STEPS as f64;
-            [mean(&|x| x.sqrt().recip()), mean(&f64::sqrt)].map(|mean| 0.5 * PI * mean)
-        };
-        let (mut low, mut high) = (0.0_f64, 1.0 - 1e-6);
-        for _ in 0..60 {
-            let m = 0.5 * (low + high);
-            let [k, e] = integrals(m);
-            if (e / (1.0 - m) - k) < curvatures * (k - e) { low = m } else { high = m }
-        }
-        let ratio = (1.0 - low).sqrt();
-        [(area / (PI * ratio)).sqrt(), ratio]
-    }
 
     #[test]
     fn a_film_lies_in_series_with_each_spot() {
@@ -303,13 +254,6 @@ mod tests {
         let [e, hbar, n] = [1.602_176_634e-19, 1.054_571_817e-34, 8.49e28_f64];
         let free = (3.0 * PI * PI).cbrt() * hbar / (e * e * n.powf(2.0 / 3.0));
         assert!((free / FREE_PATH - 1.0).abs() < 0.01, "{free:e}");
-    }
-
-    #[test]
-    fn spots_of_a_cluster_hinder_each_other() {
-        let two = cluster_conductance(&[(1.0, [0.0, 0.0]), (1.0, [6.0, 8.0])]);
-        assert!((two * (0.25 + (2.0 * PI * 10.0).recip()) - 1.0).abs() < 1e-15);
-        assert_eq!((cluster_conductance(&[(3.0, [0.0; 2])]), cluster_conductance(&[])), (6.0, 0.0));
     }
 
     #[test]

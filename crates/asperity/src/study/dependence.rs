@@ -148,28 +148,11 @@ impl Answer {
 mod tests {
     use super::*;
     use crate::MeanRadius;
-    use crate::compare::Support;
-    use crate::model::LoadSharing;
+    use crate::compare::tests::{self, sharing};
 
     /// A separation that differs by `contrast`, with an interval of twice `error` on both sides.
     fn at(contrast: f64, error: f64) -> Difference {
-        let estimate = Estimate {
-            contrast,
-            error: Some(error),
-            quantile: 2.0,
-            bound: 0.0,
-            independent_error: None,
-            support: Support::Sampled,
-        };
-        let sharing = LoadSharing { effective_contacts: 90.0, largest_share: 0.01, large_strain_share: 0.0 };
-        Difference {
-            load: 1.0,
-            sharing: Some(sharing),
-            area_ratio: 0.01,
-            estimates: [Some(estimate), None, None, None, None, None],
-            of_models: [None; 2],
-            area_needed: None,
-        }
+        tests::at(1.0, 90.0, contrast, Some(error))
     }
 
     /// What the verdict on `own` depends on, if `treatment` gives `other`; 0.1 sigma are accepted.
@@ -193,8 +176,7 @@ mod tests {
     /// Where the map's own load is not admissible there is no verdict that could depend on anything.
     #[test]
     fn no_verdict_depends_on_nothing() {
-        let few = LoadSharing { effective_contacts: 9.0, largest_share: 0.01, large_strain_share: 0.0 };
-        let own = Difference { sharing: Some(few), ..at(0.2, 0.01) };
+        let own = Difference { sharing: Some(sharing(9.0)), ..at(0.2, 0.01) };
         let filters = [at(0.05, 0.01), at(0.3, 0.01)]
             .map(|other| Treated { treatment: Treatment::ShortWaves(None), differences: vec![other] });
         let found = |own: &Difference| {

@@ -529,11 +529,8 @@ fn correlation_of(
 mod tests {
     use super::*;
     use crate::Heights;
-    use crate::progress::Silent;
-    use crate::topography::generate::SurfaceGenerator;
-    use crate::topography::generate::{Plateau, Process, Seeds, SpectrumOf};
-    use crate::topography::spectrum::Spectrum;
-    use crate::topography::spectrum::{Lay, SpectrumShape};
+    use crate::topography::generate::{Plateau, Process, Seeds, SpectrumOf, SurfaceGenerator};
+    use crate::topography::spectrum::{Lay, Spectrum, SpectrumShape};
 
     fn map(points: [usize; 2], height: impl Fn(usize) -> f64) -> HeightMap {
         HeightMap::new(points, [1.0, 2.0], (0..points[0] * points[1]).map(height).collect(), 0.0).unwrap()
@@ -545,15 +542,10 @@ mod tests {
         let (map, cut) = generator.surface(Seeds { process: [1; 32], plateau: [2; 32] }).unwrap();
         let generation = Some(GenerationFacts { generator, target: None, cut });
         let search = SummitSearch {
-            preparation: Preparation::none(neighbours),
             generation,
-            as_ellipses: false,
             depth: AnalysisDepth::Everything,
             divides: false,
-            correlation: None,
-            spikes: None,
-            keeps_map: false,
-            progress: &Silent,
+            ..SummitSearch::new(Preparation::none(neighbours))
         };
         let facts = search.asperities(&map).unwrap().facts;
         (map, facts)
@@ -609,16 +601,11 @@ mod tests {
     fn a_plane_far_from_zero_is_flat_once_it_is_levelled() {
         let map = map([40, 30], |k| 1.0 + 1e-3 * (k / 30) as f64 + f64::EPSILON * ((k * k) % 2) as f64);
         let search = |level| {
+            let preparation = Preparation { level, ..Preparation::none(Neighbours::Four) };
             SummitSearch {
-                preparation: Preparation { level, ..Preparation::none(Neighbours::Four) },
-                generation: None,
-                as_ellipses: false,
                 depth: AnalysisDepth::Asperities,
                 divides: false,
-                correlation: None,
-                spikes: None,
-                keeps_map: false,
-                progress: &Silent,
+                ..SummitSearch::new(preparation)
             }
             .asperities(&map)
         };

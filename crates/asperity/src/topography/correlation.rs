@@ -392,25 +392,6 @@ mod tests {
     }
 
     #[test]
-    fn autocorrelations_are_those_asked_for() {
-        for (shape, exact) in [
-            (SpectrumShape::Gaussian(4.0), (|r: f64| (-(r / 4.0).powi(2)).exp()) as fn(f64) -> f64),
-            (SpectrumShape::Exponential(4.0), |r: f64| (-r / 4.0).exp()),
-        ] {
-            let mut mean = [0.0; 12];
-            for seed in 0..30 {
-                let found = Autocorrelation::from_map(&surface(shape, Lay::default(), seed).0, 0.0).unwrap();
-                for (sum, (_, rho)) in mean.iter_mut().zip(&found.along_x) {
-                    *sum += rho / 30.0;
-                }
-            }
-            for (k, rho) in mean.iter().enumerate() {
-                assert!((rho - exact(0.5 * k as f64)).abs() < 0.02, "{shape:?} {k}: {rho}");
-            }
-        }
-    }
-
-    #[test]
     fn lay_and_length_are_found() {
         let lay = Lay { elongation: 4.0, angle: 0.5 };
         let mut found = [0.0; 2];

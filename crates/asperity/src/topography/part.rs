@@ -327,14 +327,4 @@ mod tests {
         assert_eq!(along_x.counts, [2, 1]);
         assert_eq!([0, 11, 12, 23].map(|point| along_x.of_point(point)), [0, 0, 1, 1]);
     }
-
-    #[test]
-    fn shares_leave_out_what_is_missing() {
-        let blocks = Blocks { points: [4, 4], counts: [2, 2] };
-        let height = |k: usize| if [0, 1, 4, 5, 15].contains(&k) { f64::NAN } else { k as f64 };
-        let map = HeightMap::new([4, 4], [1.0; 2], (0..16).map(height).collect(), 0.0).unwrap();
-        let expected = [0.0, 4.0, 4.0, 3.0].map(|count| count / 11.0);
-        assert_eq!(blocks.shares(&map), expected);
-        assert_eq!([0, 3, 8, 15].map(|point| blocks.of_point(point)), [0, 1, 2, 3]);
-    }
 }

@@ -1,8 +1,9 @@
 //! Reference vectors, random numbers, derivatives and integrals. Each test program uses a part of this.
 #![allow(dead_code)]
 
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::path::Path;
+use std::sync::Mutex;
 
 use asperity::contact_law::named;
 use asperity::numeric::Sum;
@@ -33,6 +34,29 @@ pub fn rows(name: &str) -> Vec<Row> {
         folders.map(|folder| folder.join(name).with_extension("csv")).find(|path| path.is_file()).unwrap();
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_path(path).unwrap();
     reader.deserialize().map(|row| Row(row.unwrap())).collect()
+}
+
+/// Asserts that a refused `input` gets the message that `messages.txt`, beside the tests of this program, has of the module. `RENEW=1 cargo test`
+/// of the whole program writes what the messages are now, which a review reads.
+pub fn assert_message(module: &str, input: &str, message: &str) {
+    static RENEWED: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
+    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("tests")
+        .join(env!("CARGO_CRATE_NAME"))
+        .join("messages.txt");
+    let module = module.split_once("::").map_or(module, |(_, module)| module);
+    let [input, message] = [input, message].map(|text| text.split_whitespace().collect::<Vec<_>>().join(" "));
+    let line = format!("{module}: {input}: {message}");
+    let mut renewed = RENEWED.lock().unwrap_or_else(|error| error.into_inner());
+    let text = std::fs::read_to_string(&path).unwrap_or_default();
+    if std::env::var_os("RENEW").is_none() {
+        return assert!(text.lines().any(|known| known == line), "not in messages.txt: {line}");
+    }
+    let is_first = renewed.insert(module.to_owned());
+    let is_old = |known: &str| is_first && known.starts_with(&format!("{module}: "));
+    let mut lines: BTreeSet<&str> = text.lines().filter(|known| !is_old(known)).collect();
+    lines.insert(&line);
+    std::fs::write(&path, lines.into_iter().map(|line| format!("{line}\n")).collect::<String>()).unwrap();
 }
 
 /// |found/exact - 1|, and 0 where both are 0.
@@ -90,6 +114,14 @@ impl Random {
     pub fn one_of<T: Clone>(&mut self, all: &[T]) -> T {
         all[(self.unit() * all.len() as f64) as usize].clone()
     }
+}
+
+pub fn steel() -> Material {
+    Material::new(210e9, 0.3, Some(7.6e9), None).unwrap()
+}
+
+pub fn lead() -> Material {
+    Material::new(18e9, 0.35, Some(0.17e9), None).unwrap()
 }
 
 /// The contact of a registered law with some of its options set. Built from the law's type it would be compiled again here.

@@ -2,18 +2,11 @@
 
 use std::f64::consts::PI;
 
-use crate::common::{Worst, bare_contact, contact};
+use crate::common::{Worst, bare_contact, contact, lead, steel};
 use asperity::{
     Accumulator, AsperitySet, Deterministic, Ellipse, Ellipses, Ellipticity, Flat, Heights, Law, LayeredFlat,
-    Material, Model, ModulusModel, Ordered, Pair, Population, ReferencePlane, Shape, Statistical,
-    YieldLimits, Zmc,
+    Model, ModulusModel, Ordered, Pair, Population, ReferencePlane, Shape, Statistical, YieldLimits, Zmc,
 };
-
-const STEEL: [f64; 3] = [210e9, 0.3, 7.6e9];
-
-fn body([young, poisson, hardness]: [f64; 3]) -> Material {
-    Material::new(young, poisson, Some(hardness), None).unwrap()
-}
 
 /// K(m) and E(m) at q = 1 - m, by the arithmetic-geometric mean in its textbook form.
 fn complete(q: f64) -> [f64; 2] {
@@ -59,7 +52,7 @@ fn set() -> AsperitySet {
 
 #[test]
 fn a_sum_over_ellipses_is_that_of_hertz() {
-    let contact = bare_contact("hertz", &[], &body(STEEL));
+    let contact = bare_contact("hertz", &[], &steel());
     let (set, modulus) = (set(), contact.reference_modulus());
     let ellipses = Ellipses::new(&set).unwrap();
     let sum = Deterministic::new(&*contact, ellipses.asperities(), ReferencePlane { mean: 0.0, sigma: 1e-7 });
@@ -83,7 +76,7 @@ fn a_sum_over_ellipses_is_that_of_hertz() {
 /// n spheres per summit: the integral is n times that over the spheres, and the sum over quantiles converges to it.
 #[test]
 fn an_integral_over_ellipses_is_that_over_their_spheres() {
-    let contact = bare_contact("zmc", &[], &body(STEEL));
+    let contact = bare_contact("zmc", &[], &steel());
     let mean = Ellipticity { mean_curvature: 5e4, mean_ratio: 0.2 };
     let shape = mean.shape();
     assert!(shape.spheres > 1.1);
@@ -103,7 +96,7 @@ fn an_integral_over_ellipses_is_that_over_their_spheres() {
 /// blocks.
 #[test]
 fn under_a_layer_an_ellipse_feels_the_circle_of_its_area() {
-    let (steel, lead) = (body(STEEL), body([18e9, 0.35, 0.17e9]));
+    let (steel, lead) = (steel(), lead());
     let layered = LayeredFlat::new(&lead, &steel, 5e-8, ModulusModel::Gao).unwrap();
     let flat = Flat::Layered { substrate: steel, layered: layered.clone() };
     let contact = contact("zmc", &[], &steel, &flat);
@@ -149,7 +142,7 @@ fn ellipses_of_ratio_one_are_spheres_to_the_bit() {
     let ellipses = radii.iter().map(round).collect();
     let radii = radii.iter().map(|b| b.recip().recip()).collect();
     let set = AsperitySet::new(heights, radii, 1e-8).unwrap().with_ellipses(ellipses).unwrap();
-    let contact = bare_contact("zmc", &[], &body(STEEL));
+    let contact = bare_contact("zmc", &[], &steel());
     let ellipses = Ellipses::new(&set).unwrap();
     let plane = ReferencePlane { mean: 0.0, sigma: 1e-7 };
     let [one, other] = [set.spheres(), ellipses.asperities()]

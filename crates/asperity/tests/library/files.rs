@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::common::assert_message;
 use asperity::npy::NpyError;
 use asperity::progress::Silent;
 use asperity::surface::{NoAsperities, Preparation, SummitSearch};
@@ -44,28 +45,6 @@ fn read(bytes: &[u8]) -> Vec<f64> {
 const VALUES: [i8; 6] = [0, 1, 2, -10, 11, 12];
 
 #[test]
-fn every_type_in_both_byte_orders() {
-    macro_rules! check {
-        ($kind:ty, $code:literal) => {
-            let little: Vec<u8> = VALUES.iter().flat_map(|&v| (v as $kind).to_le_bytes()).collect();
-            let big: Vec<u8> = VALUES.iter().flat_map(|&v| (v as $kind).to_be_bytes()).collect();
-            let wanted = VALUES.map(|v| v as $kind as f64);
-            assert_eq!(read(&array(concat!("<", $code), false, "(2, 3)", &little)), wanted);
-            assert_eq!(read(&array(concat!(">", $code), false, "(2, 3)", &big)), wanted);
-        };
-    }
-    check!(f32, "f4");
-    check!(f64, "f8");
-    check!(i16, "i2");
-    check!(i32, "i4");
-    check!(i64, "i8");
-    check!(u16, "u2");
-    check!(u32, "u4");
-    let bytes: Vec<u8> = VALUES.iter().map(|&v| v as u8).collect();
-    assert_eq!(read(&array("|i1", false, "(2, 3)", &bytes)), VALUES.map(f64::from));
-}
-
-#[test]
 fn rows_on_disk_are_those_of_the_array() {
     macro_rules! check {
         ($($kind:ty, $code:literal;)*) => {$(
@@ -77,6 +56,7 @@ fn rows_on_disk_are_those_of_the_array() {
                 let data: Vec<u8> = VALUES.iter().flat_map(|&v| bytes(v)).collect();
                 let (_folder, path) = file("a.npy", &array(&format!("{order}{}", $code), false, "(2, 3)", &data));
                 let matrix = npy::matrix(&path).unwrap();
+                assert_eq!(matrix.values, VALUES.map(|v| v as $kind as f64));
                 let on_disk = npy::OnDisk::open(&path).unwrap();
                 assert_eq!((on_disk.points(), on_disk.precision()), ([2, 3], matrix.precision));
                 let mut row = [0.0; 3];
@@ -177,15 +157,6 @@ fn spheres(path: &Path) -> (Vec<f64>, Vec<f64>) {
 }
 
 #[test]
-fn a_list_may_have_comments_other_columns_and_windows_line_ends() {
-    let text = "\u{feff}# made by hand\r\nname, radius, height\r\na, 1e-6, 2e-9\r\nb, 2e-6, -3e-9\r\n";
-    let (_folder, path) = file("list.csv", text.trim_start_matches('\u{feff}').as_bytes());
-    assert_eq!(spheres(&path), (vec![2e-9, -3e-9], vec![1e-6, 2e-6]));
-    let (_folder, path) = file("bom.csv", "\u{feff}height,radius\n1e-9,1e-6\n".as_bytes());
-    assert_eq!(spheres(&path), (vec![1e-9], vec![1e-6]));
-}
-
-#[test]
 fn a_list_may_be_an_array_of_two_columns() {
     let data: Vec<u8> = [2e-9, 1e-6, -3e-9, 2e-6f64].iter().flat_map(|v| v.to_le_bytes()).collect();
     let (_folder, path) = file("list.npy", &array("<f8", false, "(2, 2)", &data));
@@ -254,26 +225,22 @@ fn curvatures_that_are_missing_or_none_are_refused() {
         let (_folder, path) = file(name, bytes);
         AsperityList::read(&path, ELLIPSES, &Silent).unwrap_err()
     };
-    for (header, missing) in [
-        ("height,radius", ListColumn::Kx),
-        ("height,radius,ky", ListColumn::Kx),
-        ("radius,height,kx", ListColumn::Ky),
-    ] {
+    let columns = [("radius", ListColumn::Kx), ("radius,ky", ListColumn::Kx), ("radius,kx", ListColumn::Ky)];
+    for (others, missing) in columns {
+        let header = format!("height,{others}");
         let error = refused("list.csv", format!("{header}\n").as_bytes());
         assert!(matches!(error, ListError::Column { column, .. } if column == missing), "{error}");
-        let words = format!("no column `{}` (found: {})", missing.name(), header.replace(',', ", "));
-        assert!(error.to_string().contains(&words), "{error}");
-        assert!(error.to_string().contains("kx [1/m], ky [1/m]"), "{error}");
+        assert_message(module_path!(), &header, &error.to_string());
     }
     let two: Vec<u8> = [1.0f64; 4].map(f64::to_le_bytes).concat();
     let error = refused("list.npy", &array("<f8", false, "(2, 2)", &two));
     assert!(matches!(error, ListError::Shape { rows: 2, columns: 2, .. }), "{error}");
-    assert!(error.to_string().contains("n x 4") && error.to_string().contains("kx [1/m]"), "{error}");
+    assert_message(module_path!(), "two columns", &error.to_string());
     for bad in ["0", "-1e5", "inf", "NaN", "1e31", "flat"] {
         let text = format!("height,radius,kx,ky\n1e-9,1e-6,1e6,1e6\n1e-9,1e-6,1e6,{bad}\n");
         let error = refused("list.csv", text.as_bytes()).to_string();
-        assert!(error.contains("line 3, column `ky`") && error.contains(&format!("`{bad}`")), "{error}");
-        assert!(error.contains("a positive finite number (1e-30 to 1e30 per metre)"), "{error}");
+        assert!(error.contains("line 3, column `ky`"), "{error}");
+        assert_message(module_path!(), bad, &error);
         let Ok(value) = bad.parse::<f64>() else { continue };
         let data: Vec<u8> = [1e-9, 1e-6, 1e6, 1e6, 1e-9, 1e-6, value, 1e6].map(f64::to_le_bytes).concat();
         let error = refused("list.npy", &array("<f8", false, "(2, 4)", &data)).to_string();

@@ -2,13 +2,13 @@
 
 use std::fmt;
 
-use crate::common::{Worst, bare_contact, relative_error};
+use crate::common::{Worst, bare_contact, relative_error, steel};
 use asperity::distribution::{Johnson, REGISTRY, Weibull};
 use asperity::numeric::Sum;
 use asperity::numeric::quadrature::{Variable, panels};
 use asperity::{
-    Deterministic, Draw, HeightDistribution, Heights, Material, MicroContact, Model, Paper, Population,
-    ReferencePlane, Shape, Statistical,
+    Deterministic, Draw, HeightDistribution, Heights, MicroContact, Model, Paper, Population, ReferencePlane,
+    Shape, Statistical,
 };
 
 const RADIUS: f64 = 2e-5;
@@ -91,10 +91,6 @@ fn dense(contact: &dyn MicroContact, population: &Population, kinks: &[f64], h: 
     sums.map(|sum| sum.value() * scale * density)
 }
 
-fn steel() -> Material {
-    Material::new(210e9, 0.3, Some(7.6e9), None).unwrap()
-}
-
 /// Separations from below the support to where 1e-19 of the heights are left, but for those within 0.001 of the highest
 /// height, and of the lowest one where many heights crowd: there the indentation is dominated by rounding of the
 /// separation.
@@ -132,20 +128,6 @@ fn the_integral_is_that_over_the_map_from_the_normal() {
         }
     }
     worst.assert_within(1e-12, 1000);
-}
-
-/// Weibull heights of the shape 1 are exponential ones, by another formula and variable.
-#[test]
-fn weibull_heights_of_shape_1_are_exponential() {
-    let steel = steel();
-    let contact = bare_contact("zmc", &[], &steel);
-    let [one, other] =
-        [weibull(1.0), Heights::EXPONENTIAL].map(|heights| Statistical::new(&*contact, unit(1e-7, heights)));
-    for h in [-3.0, -1.0, -0.9, 0.0, 2.0, 10.0, 50.0] {
-        let [one, other] = [one.respond(h), other.respond(h)];
-        assert!(relative_error(one.pressure.total(), other.pressure.total()) < 1e-12, "{h}");
-        assert!(relative_error(one.stiffness, other.stiffness) < 1e-12, "{h}");
-    }
 }
 
 /// Separations of all pressures are found again, though one may be near the highest height.

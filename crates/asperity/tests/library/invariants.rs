@@ -1,6 +1,6 @@
 //! Properties of any surface, beyond those of every law (`conformance`).
 
-use crate::common::{Worst, bare_contact, dense, relative_error, rows};
+use crate::common::{Worst, bare_contact, dense, relative_error, rows, steel};
 use asperity::distribution::gaussian_moment;
 use asperity::{
     AsperitySet, Deterministic, Draw, Heights, Material, MicroContact, Model, Ordered, Population,
@@ -11,10 +11,6 @@ const CASE_1: Population =
     Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: Heights::GAUSSIAN };
 const CASE_2: Population =
     Population { radius: 1.6e-6, sigma: 2.6e-7, density: 9e10, heights: Heights::GAUSSIAN };
-
-fn steel() -> Material {
-    Material::new(210e9, 0.3, Some(7.6e9), None).unwrap()
-}
 
 fn zmc(onset: f64) -> Box<dyn MicroContact> {
     bare_contact("zmc", &[("onset", onset)], &steel())
@@ -205,43 +201,6 @@ const MOMENTS: [[f64; 3]; 56] = [
     [5.0, 25.0, 3.639191249749515e-143],
     [5.0, 37.0, 9.765226541291827e-306],
 ];
-
-#[test]
-fn stiffness_is_the_slope_of_the_pressure() {
-    const STEP: f64 = 1e-4;
-    let law = zmc(Zmc::ONSET);
-    let set = drawn(CASE_2, 20_000);
-    let model = Deterministic::new(&*law, set.spheres(), plane(CASE_2));
-    for h in [-3.0, 0.0, 1.0, 2.5] {
-        let pressure = |h: f64| model.respond(h).pressure.total();
-        let slope = (pressure(h - STEP) - pressure(h + STEP)) / (2.0 * STEP * CASE_2.sigma);
-        let found = model.respond(h).stiffness;
-        assert!(relative_error(found, slope) < 1e-3, "h = {h}: {found:e} {slope:e}");
-    }
-}
-
-/// With the rounded onset the load of each asperity drops by 0.1 % at the onset of yield. If few asperities carry the
-/// load, it is then reached more than once, and the largest separation counts.
-#[test]
-fn where_the_load_falls_the_first_reach_counts() {
-    let law = zmc(0.89);
-    let w1 = law.breakpoints(Shape::sphere(2e-5))[0];
-    let within = law.may_decrease(Shape::sphere(2e-5).into());
-    assert!(within.len() == 1 && within[0].contains(w1) && within[0].high - within[0].low < 1e-12 * w1);
-    assert!(zmc(Zmc::ONSET).may_decrease(Shape::sphere(2e-5).into()).is_empty());
-    assert!(zmc(0.4).may_decrease(Shape::sphere(2e-5).into()).is_empty());
-    let set = AsperitySet::new(vec![0.0, -1e-6], vec![2e-5, 2e-5], 1.0).unwrap();
-    let model = Deterministic::new(&*law, set.spheres(), ReferencePlane { mean: 0.0, sigma: 1e-8 });
-    let w1 = law.breakpoints(Shape::sphere(2e-5))[0];
-    let before = law.contact(w1 * (1.0 - 1e-9), Shape::sphere(2e-5)).load;
-    let after = law.contact(w1 * (1.0 + 1e-9), Shape::sphere(2e-5)).load;
-    assert!(after < before);
-    // Reached just before yield, lost, and reached again beyond it.
-    let pressure = 0.5 * (before + after);
-    let h = model.separation_at(pressure).unwrap();
-    assert!(-h * 1e-8 < w1, "{} is behind the fall at {w1}", -h * 1e-8);
-    assert!((1..200).all(|k| model.respond(h + 1e-4 * f64::from(k)).pressure.total() < pressure));
-}
 
 #[test]
 fn a_pressure_out_of_reach_says_what_can_be_reached() {

@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use crate::common::{Random, bodies, contact, dense, relative_error};
+use crate::common::{Random, bodies, contact, dense, lead, relative_error, steel};
 use asperity::numeric::Interval;
 use asperity::{
     AsperitySet, Contact, Deterministic, Draw, Flat, Heights, LayeredFlat, LoadBounds, Material,
@@ -10,13 +10,8 @@ use asperity::{
     Zmc,
 };
 
-fn steel() -> Material {
-    Material::new(210e9, 0.3, Some(7.6e9), None).unwrap()
-}
-
 fn under_lead(thickness: f64, onset: f64) -> Box<dyn MicroContact> {
-    let lead = Material::new(18e9, 0.35, Some(0.17e9), None).unwrap();
-    let flat = Flat::with_layer(&lead, &steel(), thickness, ModulusModel::Gao).unwrap();
+    let flat = Flat::with_layer(&lead(), &steel(), thickness, ModulusModel::Gao).unwrap();
     contact("zmc", &[("onset", onset)], &steel(), &flat)
 }
 

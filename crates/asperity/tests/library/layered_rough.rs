@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use crate::common::{lead, steel};
 use asperity::bem::ElasticPair;
 use asperity::contact_law::{named, registry};
 use asperity::law::{Body, Inapplicable, Property};
@@ -11,16 +12,8 @@ fn body(young: f64, poisson: f64, hardness: f64) -> Material {
     Material::new(young, poisson, Some(hardness), None).unwrap()
 }
 
-fn steel() -> Material {
-    body(210e9, 0.3, 7.6e9)
-}
-
 fn bronze() -> Material {
     body(110e9, 0.34, 1.9e9)
-}
-
-fn lead() -> Material {
-    body(18e9, 0.35, 0.17e9)
 }
 
 const T: f64 = 200e-9;

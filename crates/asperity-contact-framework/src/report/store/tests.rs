@@ -76,15 +76,10 @@ fn no_manifest_makes_trouble() {
     // The summary still says whose folder it is.
     store.write(&folder("new", "new")).unwrap();
     assert!(store.is_current("lead", "new"));
-}
-
-#[test]
-fn a_fresh_clone_without_manifest_may_be_replaced() {
-    let (_home, mut store) = stored();
-    fs::remove_file(store.directory.join("lead/manifest.json")).unwrap();
-    assert!(!store.is_current("lead", "old"));
-    store.write(&folder("new", "new")).unwrap();
-    assert!(store.is_current("lead", "new"));
+    fs::remove_file(&path).unwrap();
+    assert!(!store.is_current("lead", "new"));
+    store.write(&folder("newer", "newer")).unwrap();
+    assert!(store.is_current("lead", "newer"));
 }
 
 #[test]
@@ -334,15 +329,6 @@ fn only_pages_of_runs_are_replaced() {
     );
     assert_eq!(fs::read(&path).unwrap(), b"mine");
     assert_eq!(entries(&store), [".lock", "README.md"]);
-}
-
-#[test]
-fn errors_name_the_path_and_what_was_tried() {
-    let home = tempfile::tempdir().unwrap();
-    let file = home.path().join("file");
-    fs::write(&file, "").unwrap();
-    let error = Store::new(file.join("out")).write(&folder("k", "x")).unwrap_err().to_string();
-    assert!(error.starts_with("cannot ") && error.contains("file"), "{error}");
 }
 
 #[test]

@@ -171,18 +171,7 @@ impl From<Estimate> for Contribution {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::compare::difference::Support;
-
-    fn estimate(contrast: f64, error: Option<f64>) -> Estimate {
-        Estimate {
-            contrast,
-            error,
-            quantile: 2.0,
-            bound: 0.0,
-            independent_error: None,
-            support: Support::Sampled,
-        }
-    }
+    use crate::compare::tests::estimate;
 
     /// A part of the same size in every order.
     fn part(contrast: f64, error: Option<f64>) -> Contribution {

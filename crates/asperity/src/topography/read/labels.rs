@@ -193,16 +193,6 @@ mod tests {
     }
 
     #[test]
-    fn heights_that_rise_like_a_count_are_heights() {
-        assert!(resembles(&[1.0, 2.0, 3.1, 4.0], 1.0) && !resembles(&[0.3, 0.2, 1.4, 0.1], 1.0));
-        assert!(!resembles(&[f64::NAN; 3], 1.0));
-        let lines = [(1, "0 1 2 3 4"), (2, "1 2 3 4 5"), (3, "2 3 4 5 6")];
-        assert_eq!(numbers(&lines, &separation(&lines)), None);
-        let lines = [(1, "0 1 2 3 4"), (2, "5 2 9 4 5"), (3, "2 3 4 7 1")];
-        assert_eq!(numbers(&lines, &separation(&lines)), Some((1, false)));
-    }
-
-    #[test]
     fn coordinates_are_equally_spaced_to_their_last_digit() {
         let spaced = |words: &str| {
             let words: Vec<&str> = words.split(' ').collect();

@@ -8,7 +8,7 @@ use asperity::progress::Silent;
 use asperity::spot::LayerFactor;
 use asperity::topography::Blocks;
 
-use super::{rough, unit_body};
+use super::{bare, rough, unit_body};
 
 const ERROR: f64 = 1e-10;
 
@@ -192,7 +192,7 @@ fn conductance_is_the_stiffness_of_an_elastic_contact() {
 #[test]
 fn spots_that_yield_conduct() {
     let map = rough([96, 80], 0.8, 0.25, 8.0 / 96.0, 5);
-    let pair = ElasticPair::new(&unit_body(), &unit_body(), None);
+    let pair = bare();
     let options = Options { boundary: Boundary::Periodic, error: 1e-9, cap: Some(0.3) };
     let solver = Solver::new(&map, &pair, &options).unwrap();
     let contact = solver.at_pressure(0.02, &Silent).unwrap();

@@ -4,7 +4,7 @@ use asperity::Material;
 use asperity::bem::{Boundary, ElasticPair, Options, Solver};
 use asperity::progress::Silent;
 
-use super::{rough, unit_body};
+use super::{bare, rough, unit_body};
 
 #[test]
 fn maps_of_all_kinds_at_all_loads() {
@@ -45,8 +45,7 @@ fn a_hardness_of_a_tenth_and_a_gradient_of_eight_hundredths() {
     let map = rough([128, 128], 0.8, 0.25, 8.0 / 128.0, 3);
     let heights = map.heights().iter().map(|z| 0.08 * z).collect();
     let map = asperity::HeightMap::new(map.points(), map.pixel(), heights, 0.0).unwrap();
-    let body = unit_body();
-    let pair = ElasticPair::new(&body, &body, None);
+    let pair = bare();
     let options = Options { boundary: Boundary::Periodic, error: 1e-9, cap: Some(0.1) };
     let solver = Solver::new(&map, &pair, &options).unwrap();
     let mut before = 0.0;
@@ -62,8 +61,7 @@ fn a_hardness_of_a_tenth_and_a_gradient_of_eight_hundredths() {
 #[test]
 fn all_contacts_at_the_cap() {
     let map = rough([64, 64], 0.8, 0.9, 0.1, 4);
-    let body = unit_body();
-    let pair = ElasticPair::new(&body, &body, None);
+    let pair = bare();
     for boundary in Boundary::ALL {
         for cap in [1e-2, 1e-3, 1e-4, 1e-6] {
             let options = Options { boundary, error: 1e-9, cap: Some(cap) };
@@ -82,8 +80,7 @@ fn all_contacts_at_the_cap() {
 /// than to the heights.
 #[test]
 fn displacements_far_larger_than_the_heights() {
-    let body = unit_body();
-    let pair = ElasticPair::new(&body, &body, None);
+    let pair = bare();
     let map = rough([96, 96], 0.8, 0.25, 8.0 / 96.0, 5);
     let heights = map.heights().iter().map(|z| 1e-4 * z).collect();
     let map = asperity::HeightMap::new(map.points(), map.pixel(), heights, 0.0).unwrap();
@@ -101,8 +98,7 @@ fn displacements_far_larger_than_the_heights() {
 /// too many, of which 5 are left.
 #[test]
 fn small_pressures_of_open_points_are_no_contacts() {
-    let body = unit_body();
-    let pair = ElasticPair::new(&body, &body, None);
+    let pair = bare();
     let count = 192;
     let mut apart = 0.0;
     for seed in 0..4 {

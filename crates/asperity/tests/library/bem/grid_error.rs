@@ -1,12 +1,12 @@
 //! Bounds of the error by the grid against the same waves on eight times as many points along each axis.
 
-use asperity::bem::{Boundary, ElasticPair, GridError, Options, Solver};
+use asperity::bem::{Boundary, GridError, Options, Solver};
 use asperity::progress::Silent;
 use asperity::topography::generate::{Process, Seeds, SpectrumOf, SurfaceGenerator};
 use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
 use asperity::{HeightMap, Heights};
 
-use super::{paraboloid, unit_body};
+use super::{bare, paraboloid};
 
 /// Points along a side of the finest grid.
 const FINEST: usize = 512;
@@ -37,7 +37,7 @@ fn coarser(map: &HeightMap, steps: [usize; 2]) -> HeightMap {
 
 /// Logarithms of area and stiffness, and the mean gap over load by stiffness, at each load; with the bounds.
 fn solved(map: &HeightMap, cap: Option<f64>, loads: &[f64]) -> Vec<([f64; 3], GridError)> {
-    let pair = ElasticPair::new(&unit_body(), &unit_body(), None);
+    let pair = bare();
     let solver =
         Solver::new(map, &pair, &Options { boundary: Boundary::Periodic, error: 1e-6, cap }).unwrap();
     let at = |&load: &f64| {
@@ -84,7 +84,7 @@ fn few_errors_exceed_their_bounds() {
 /// The narrower the contact in points and the fewer there are, the larger the bounds; full contact has no border.
 #[test]
 fn bounds_grow_with_the_pixel_and_vanish_without_a_border() {
-    let pair = ElasticPair::new(&unit_body(), &unit_body(), None);
+    let pair = bare();
     let of = |pixels: usize| {
         let (map, _) = paraboloid(3 * pixels, 0.1 / pixels as f64);
         let options = Options { boundary: Boundary::Finite, error: 1e-8, cap: None };

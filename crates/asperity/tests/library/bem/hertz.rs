@@ -2,10 +2,10 @@
 
 use std::f64::consts::PI;
 
-use asperity::bem::{Boundary, ElasticPair, Options, Solver};
+use asperity::bem::{Boundary, Options, Solver};
 use asperity::progress::Silent;
 
-use super::{paraboloid, unit_body};
+use super::{bare, paraboloid};
 
 const RADIUS: f64 = 0.1;
 
@@ -15,7 +15,7 @@ fn errors(pixels: usize) -> [f64; 5] {
     let pixel = RADIUS / pixels as f64;
     let count = 3 * pixels;
     let (map, distances) = paraboloid(count, pixel);
-    let pair = ElasticPair::new(&unit_body(), &unit_body(), None);
+    let pair = bare();
     let options = Options { boundary: Boundary::Finite, error: 1e-10, cap: None };
     let nominal = (count as f64 * pixel).powi(2);
     let contact = Solver::new(&map, &pair, &options)

@@ -10,6 +10,7 @@ mod solver;
 mod tangent;
 mod westergaard;
 
+use asperity::bem::ElasticPair;
 use asperity::topography::generate::{Process, Seeds, SpectrumOf, SurfaceGenerator};
 use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
 use asperity::{HeightMap, Heights, Material};
@@ -17,6 +18,10 @@ use asperity::{HeightMap, Heights, Material};
 /// Two of them have E* = 1 Pa.
 fn unit_body() -> Material {
     Material::new(2.0, 0.0, None, None).unwrap()
+}
+
+fn bare() -> ElasticPair {
+    ElasticPair::new(&unit_body(), &unit_body(), None)
 }
 
 /// A paraboloid of R = 1 on `count` x `count` points at a distance of `pixel`, its tip at height 0 and off the symmetry of the

@@ -9,11 +9,7 @@ use asperity::progress::{Progress, Silent};
 use asperity::{HeightMap, Material};
 use rayon::ThreadPoolBuilder;
 
-use super::{rough, unit_body};
-
-fn bare() -> ElasticPair {
-    ElasticPair::new(&unit_body(), &unit_body(), None)
-}
+use super::{bare, rough, unit_body};
 
 fn elastic(boundary: Boundary, error: f64) -> Options {
     Options { boundary, error, cap: None }
@@ -118,10 +114,15 @@ fn the_same_bits_on_any_number_of_threads() {
         let options = Options { boundary, error: 1e-8, cap };
         let on = |threads| {
             let pool = ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-            let contact = pool
-                .install(|| Solver::new(&map, &pair, &options).unwrap().at_pressure(0.03, &Silent).unwrap());
-            let bits: Vec<u64> = contact.pressures().iter().map(|p| p.to_bits()).collect();
-            (bits, contact.mean_gap().to_bits(), contact.steps)
+            pool.install(|| {
+                let solver = Solver::new(&map, &pair, &options).unwrap();
+                let contact = solver.at_pressure(0.03, &Silent).unwrap();
+                let tangent = solver.tangent(&contact).unwrap();
+                let bits = [contact.pressures(), tangent.pressures()]
+                    .map(|all| all.iter().map(|p| p.to_bits()).collect::<Vec<_>>());
+                let numbers = [contact.mean_gap(), tangent.stiffness()].map(f64::to_bits);
+                (bits, numbers, contact.steps, tangent.steps)
+            })
         };
         let alone = on(1);
         assert!([2, 3, 7].into_iter().all(|threads| on(threads) == alone), "{boundary:?}");

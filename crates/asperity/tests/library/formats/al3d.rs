@@ -2,7 +2,7 @@
 
 use super::damage::assert_no_panic;
 use super::instrument::{assert_heights, stored};
-use super::{NX, NY, PIXEL, in_lines, z};
+use super::{NX, NY, PIXEL, assert_truncated, in_lines, z};
 
 /// Bytes of the magic and of a tag.
 const MAGIC: usize = 17;
@@ -92,32 +92,28 @@ fn bad_al3d_is_refused() {
     for (key, value) in
         [("Cols", "five"), ("Rows", "-4"), ("PixelSizeXMeter", ""), ("DepthImageOffset", "1.5")]
     {
-        let words = format!("has the tag {key} = \"{value}\"; allowed: a number");
-        assert_refused!(Corrupt, words.as_str(), bad(key, value));
+        assert_refused!(Corrupt, bad(key, value), key);
     }
     for key in ["Cols", "Rows", "PixelSizeYMeter", "DepthImageOffset"] {
         let tags = tags(6);
         let kept = tags.iter().filter(|tag| tag.0 != key).map(|(key, value)| (*key, value.as_str()));
-        let words = format!("has no tag {key}");
-        assert_refused!(Corrupt, words.as_str(), of(&kept.collect::<Vec<_>>(), &image));
+        assert_refused!(Corrupt, of(&kept.collect::<Vec<_>>(), &image), key);
     }
-    assert_refused!(Unsupported, "holds no depth image", bad("DepthImageOffset", "0"));
-    assert_refused!(Corrupt, "a map of 0 x 4 points", bad("Cols", "0"));
-    assert_refused!(Corrupt, "a pixel of -1e0 x", bad("PixelSizeXMeter", "-1"));
+    assert_refused!(Unsupported, bad("DepthImageOffset", "0"));
+    assert_refused!(Corrupt, bad("Cols", "0"));
+    assert_refused!(Corrupt, bad("PixelSizeXMeter", "-1"));
     let huge = u64::MAX.to_string();
-    assert_refused!(Corrupt, "claims to hold more numbers", bad("Cols", &huge));
-    assert_refused!(Corrupt, "claims to hold more numbers", bad("DepthImageOffset", &huge));
-    assert_refused!(Corrupt, "is truncated: it ends at", bad("Rows", "1000000"));
-    assert_refused!(Corrupt, "is truncated: it ends at", &of(&[], &[])[..MAGIC + TAG]);
+    assert_refused!(Corrupt, bad("Cols", &huge));
+    assert_refused!(Corrupt, bad("DepthImageOffset", &huge));
+    assert_refused!(Corrupt, bad("Rows", "1000000"));
+    assert_refused!(Corrupt, &of(&[], &[])[..MAGIC + TAG]);
     let mut many = of(&[], &image);
     many[MAGIC + TAG + 20..MAGIC + TAG + 25].copy_from_slice(b"99999");
-    assert_refused!(Corrupt, "is truncated: it ends at", many);
+    assert_refused!(Corrupt, many);
     let mut more = of(&[], &image);
     more[MAGIC + TAG + 20..MAGIC + TAG + 40].copy_from_slice(huge.as_bytes());
-    assert_refused!(Corrupt, "claims to hold more numbers", more);
+    assert_refused!(Corrupt, more);
     // Cut in its numbers, lines are not taken for packed ones.
     let whole = with("Title", "a map", &depth(0.0, 4));
-    for length in MAGIC..MAGIC + TAG * 10 + 4 * NX * NY {
-        assert_refused!(Corrupt, "is truncated", &whole[..length]);
-    }
+    assert_truncated(&whole, MAGIC..MAGIC + TAG * 10 + 4 * NX * NY);
 }

@@ -2,10 +2,8 @@
 
 use super::damage::assert_no_panic;
 use super::instrument::{assert_heights, stored};
-use super::{NX, NY, in_lines, z};
+use super::{NX, NY, PIXEL, in_lines, z};
 use asperity::topography::read::{LengthUnits, ReadOptions, metadata};
-
-const PIXEL: [f64; 2] = [2e-6, 3e-6];
 
 /// A header of these lines behind the size, filled with zeros to a multiple of four bytes, then the numbers.
 fn of(lines: &str) -> Vec<u8> {
@@ -47,17 +45,9 @@ fn bad_gsf_is_refused() {
         let (good, place) = (good(1), String::from_utf8_lossy(&good(1)).find(from).unwrap());
         [&good[..place], to.as_bytes(), &good[place + from.len()..]].concat()
     };
-    assert_refused!(Corrupt, "has no YRes in its header", changed("YRes", "Rows"));
-    assert_refused!(
-        Corrupt,
-        "has XRes = \"many\" in its header; allowed: a number",
-        changed(&format!("XRes = {NX}"), "XRes = many")
-    );
-    assert_refused!(
-        Corrupt,
-        "has no byte 0 at the end of its header",
-        "Gwyddion Simple Field 1.0\nXRes = 3\n"
-    );
-    assert_refused!(Corrupt, "truncated", &good(1)[..good(1).len() - 1]);
+    assert_refused!(Corrupt, changed("YRes", "Rows"));
+    assert_refused!(Corrupt, changed(&format!("XRes = {NX}"), "XRes = many"));
+    assert_refused!(Corrupt, "Gwyddion Simple Field 1.0\nXRes = 3\n");
+    assert_refused!(Corrupt, &good(1)[..good(1).len() - 1]);
     assert_no_panic(&good(2));
 }

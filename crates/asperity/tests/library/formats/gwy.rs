@@ -117,28 +117,24 @@ fn gwy_heights_and_what_a_mask_hides() {
 #[test]
 fn bad_gwy_is_refused() {
     let whole = heights(["m", "nm"]);
-    assert_refused!(Unsupported, "no container of Gwyddion", [b"GWYP".to_vec(), whole.clone()].concat());
-    assert_refused!(Unsupported, "holds no map of heights", of([]));
-    assert_refused!(
-        Unsupported,
-        "no channel of heights; found: \"I\" (A)",
-        of(titled(0, "I", &heights(["m", "A"])))
-    );
-    assert_refused!(Corrupt, "is truncated: it claims 4 bytes", of(named("a", b'i', &[])));
-    assert_refused!(Corrupt, "is truncated: it claims", of(named("a", b'D', &[255; 4])));
-    assert_refused!(Corrupt, "text without an end", of(named("a", b's', b"text")));
-    assert_refused!(Corrupt, "component of type \"z\"", of(named("a", b'z', b"text")));
+    assert_refused!(Unsupported, [b"GWYP".to_vec(), whole.clone()].concat());
+    assert_refused!(Unsupported, of([]));
+    assert_refused!(Unsupported, of(titled(0, "I", &heights(["m", "A"]))));
+    assert_refused!(Corrupt, of(named("a", b'i', &[])));
+    assert_refused!(Corrupt, of(named("a", b'D', &[255; 4])));
+    assert_refused!(Corrupt, of(named("a", b's', b"text")));
+    assert_refused!(Corrupt, of(named("a", b'z', b"text")));
     let mut short = whole.clone();
     let at = short.windows(4).position(|name| name == b"yres").unwrap() + 6;
     short[at] = 3;
-    assert_refused!(Corrupt, "holds 20 numbers for a map of 5 x 3 points", of(titled(0, "", &short)));
+    assert_refused!(Corrupt, of(titled(0, "", &short)));
     let flat = field(["m", "m"], std::iter::empty());
-    assert_refused!(Corrupt, "holds 0 numbers", of(titled(0, "", &flat)));
+    assert_refused!(Corrupt, of(titled(0, "", &flat)));
     let mut huge = flat;
     huge[at..at + 4].fill(255);
-    assert_refused!(Corrupt, "holds 0 numbers", of(titled(0, "", &huge)));
+    assert_refused!(Corrupt, of(titled(0, "", &huge)));
     let objects = named("a", b'O', &[255; 4]);
-    assert_refused!(Corrupt, "text without an end", of(objects));
+    assert_refused!(Corrupt, of(objects));
     // The mask of another map.
     let mut other = mask();
     let at = other.windows(4).position(|name| name == b"xres").unwrap() + 6;

@@ -1,5 +1,6 @@
 //! JPK images.
 
+use super::instrument::{assert_heights, stored};
 use super::tiff::{Value, thumbnail, tiff};
 use super::*;
 
@@ -89,15 +90,7 @@ pub fn image() -> Vec<u8> {
 }
 
 fn assert_jpk(bytes: &[u8], line: impl Fn(usize) -> usize) {
-    let (_folder, path) = file(bytes);
-    let map = height_map(&path, ReadOptions::default()).unwrap();
-    assert_eq!((map.points(), map.offset()), ([NX, NY], OFFSET));
-    assert!(map.pixel().iter().zip(PIXEL).all(|(a, b)| (a / b - 1.0).abs() < 1e-14));
-    for (k, found) in map.heights().iter().enumerate() {
-        let wanted = z(k / NY, line(k % NY));
-        let far = (found + OFFSET - wanted * 1e-9).abs() > 1e-22;
-        assert!(!far && found.is_nan() == wanted.is_nan(), "{k}: {found} {wanted}");
-    }
+    assert_heights(bytes, None, PIXEL, |ix, iy| 1e-9 * z(ix, line(iy)));
 }
 
 #[test]
@@ -105,9 +98,8 @@ fn jpk_of_every_number_type_byte_order_and_packing() {
     macro_rules! check {
         ($($kind:ty, $bits:literal, $format:literal, $missing:expr;)*) => {$(
             for big_endian in [false, true] {
-                let stored = |z: f64| if z.is_nan() { $missing } else { z as $kind };
-                let bytes_of = |z: f64| if big_endian { stored(z).to_be_bytes() } else { stored(z).to_le_bytes() };
-                let picture = Picture::of(big_endian, [$bits, $format], upwards().flat_map(bytes_of).collect());
+                let numbers = upwards().map(|z| if z.is_nan() { $missing as f64 } else { z });
+                let picture = Picture::of(big_endian, [$bits, $format], stored::<$kind>(numbers, big_endian));
                 for method in [1, 8, 32773] {
                     assert_jpk(&bytes(&Picture { method, ..picture.clone() }), |iy| iy);
                 }
@@ -148,27 +140,20 @@ fn bad_jpk_is_refused() {
         change(&mut picture);
         bytes(&picture)
     };
-    assert_refused!(Unsupported, "holds no map of heights", tiff(false, &[grid()]));
-    assert_refused!(
-        Unsupported,
-        "no channel of heights; found: \"Height\" (A)",
-        with(|picture| picture.unit = "A")
-    );
-    let words = "scales its channel \"Height\" by CubicScaling; allowed: LinearScaling";
-    assert_refused!(Unsupported, words, with(|picture| picture.scaling = "CubicScaling"));
-    let words = "has no scale \"nominal\" of its channel \"Height\"";
-    assert_refused!(Corrupt, words, with(|picture| picture.default = "nominal"));
-    assert_refused!(Corrupt, "is a TIFF that cannot be read", with(|picture| picture.method = 4242));
-    assert_refused!(Corrupt, "is a TIFF that cannot be read", with(|picture| picture.numbers.truncate(60)));
+    assert_refused!(Unsupported, tiff(false, &[grid()]));
+    assert_refused!(Unsupported, with(|picture| picture.unit = "A"));
+    assert_refused!(Unsupported, with(|picture| picture.scaling = "CubicScaling"));
+    assert_refused!(Corrupt, with(|picture| picture.default = "nominal"));
+    assert_refused!(Corrupt, with(|picture| picture.method = 4242));
+    assert_refused!(Corrupt, with(|picture| picture.numbers.truncate(60)));
     for (method, width) in [(1, 60_000), (8, 60_000), (8, u32::MAX)] {
         let mut large = Picture { method, ..good() }.directory();
         (large[0].1, large[1].1) = (Value::Long(width), Value::Long(60_000));
-        let words = "x 60000 points, more than its TIFF can hold";
-        assert_refused!(Corrupt, words, tiff(false, &[grid(), large]));
+        assert_refused!(Corrupt, tiff(false, &[grid(), large]), width);
     }
     let mut flat = grid();
     flat.last_mut().unwrap().1 = Value::Double(0.0);
-    assert_refused!(Corrupt, "has a pixel of 2e-6 x 0e0 m", tiff(false, &[flat, good().directory()]));
+    assert_refused!(Corrupt, tiff(false, &[flat, good().directory()]));
 }
 
 /// The strips of a picture are a list, the count of which is a claim.
@@ -180,5 +165,5 @@ fn more_strips_than_the_file_has_bytes_for_are_refused() {
     let place = bytes.windows(8).position(|window| window == entry).unwrap() + 4;
     let mut bytes = bytes;
     bytes[place..place + 4].copy_from_slice(&4_000_000u32.to_le_bytes());
-    assert_refused!(Corrupt, "is truncated: it ends at ", bytes);
+    assert_refused!(Corrupt, bytes);
 }

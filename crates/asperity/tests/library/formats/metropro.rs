@@ -2,7 +2,7 @@
 
 use super::damage::assert_no_panic;
 use super::instrument::{Bytes, assert_heights, read, stored};
-use super::{NX, NY, in_lines, z};
+use super::{NX, NY, assert_truncated, in_lines, z};
 use asperity::topography::read::{LengthUnits, ReadOptions};
 
 /// A phase that marks a missing point.
@@ -87,25 +87,19 @@ fn metropro_heights_of_every_version() {
 
 #[test]
 fn bad_metropro_is_refused() {
-    assert_refused!(
-        Unsupported,
-        "the phase resolution 3; allowed: 0, 1, 2",
-        Dat { resolution: 3, ..DAT }.bytes()
-    );
+    assert_refused!(Unsupported, Dat { resolution: 3, ..DAT }.bytes());
     for size in [[0, 0], [5, 0], [0, 4]] {
-        assert_refused!(Unsupported, "holds intensities only; allowed", Dat { size, ..DAT }.bytes());
+        assert_refused!(Unsupported, Dat { size, ..DAT }.bytes());
     }
-    assert_refused!(Corrupt, "is truncated: it ends at", Dat { size: [u16::MAX; 2], ..DAT }.bytes());
-    assert_refused!(Corrupt, "has heights of inf m x", Dat { scale: f32::INFINITY, ..DAT }.bytes());
-    assert_refused!(Corrupt, "has heights of NaN m x", Dat { scale: f32::NAN, ..DAT }.bytes());
+    assert_refused!(Corrupt, Dat { size: [u16::MAX; 2], ..DAT }.bytes());
+    assert_refused!(Corrupt, Dat { scale: f32::INFINITY, ..DAT }.bytes());
+    assert_refused!(Corrupt, Dat { scale: f32::NAN, ..DAT }.bytes());
     let mut huge = DAT.bytes();
     huge[52..58].fill(255);
     huge[6..10].fill(255);
-    assert_refused!(Corrupt, "is truncated: it ends at", huge);
+    assert_refused!(Corrupt, huge);
     let whole = DAT.bytes();
-    for length in 4..whole.len() {
-        assert_refused!(Corrupt, "is truncated", &whole[..length]);
-    }
+    assert_truncated(&whole, 4..whole.len());
     // The fourth byte is one of three.
     let error = super::refused(Dat { magic: 0x72, ..DAT }.bytes());
     assert!(!error.to_string().contains("phase"), "{error}");

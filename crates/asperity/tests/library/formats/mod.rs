@@ -8,13 +8,13 @@ use asperity::topography::summits::five_point;
 use asperity::topography::{Level, Moments, RoughnessParameters, Rows};
 use std::path::{Path, PathBuf};
 
-/// Asserts that reading bytes fails with this kind of error and this text.
+/// Asserts that reading bytes fails with this kind of error and its message; of several bytes of one expression the value tells which.
 macro_rules! assert_refused {
-    ($kind:ident, $words:expr, $bytes:expr) => {
+    ($kind:ident, $bytes:expr $(, $value:expr)?) => {
+        let input = stringify!($bytes).to_owned() $(+ &format!(" of {:?}", $value))?;
         let error = $crate::formats::refused($bytes);
         assert!(matches!(error, asperity::topography::read::ReadError::$kind { .. }), "{error:?}");
-        let text = error.to_string();
-        assert!(text.contains($words), "{text}");
+        $crate::common::assert_message(module_path!(), &input, &error.to_string());
     };
 }
 
@@ -71,6 +71,15 @@ fn refused(bytes: impl AsRef<[u8]>) -> ReadError {
     let from_head =
         metadata(&path).and_then(|head| Ok(head.pixel(&ReadOptions::default()).or(head.pixel(&given))?));
     from_head.and_then(|_| height_map(&path, ReadOptions::default())).unwrap_err()
+}
+
+/// Asserts that a file is said to be truncated where it ends at these lengths.
+fn assert_truncated(whole: &[u8], lengths: impl Iterator<Item = usize>) {
+    for length in lengths {
+        let error = refused(&whole[..length]);
+        let is_it = matches!(&error, ReadError::Corrupt(text) if text.contains("is truncated"));
+        assert!(is_it, "{length}: {error:?}");
+    }
 }
 
 /// Asserts that `bytes` hold the map above, its heights in units of `unit` and its pixel as given.

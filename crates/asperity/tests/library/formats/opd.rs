@@ -2,7 +2,7 @@
 
 use super::damage::assert_no_panic;
 use super::instrument::{Bytes, Number, assert_heights, filled, read, stored};
-use super::{NX, NY, z};
+use super::{NX, NY, assert_truncated, z};
 use asperity::topography::read::ReadOptions;
 
 /// A pixel of 2 um x 3 um, in single precision.
@@ -101,24 +101,18 @@ fn opd_channels_are_its_arrays() {
 fn bad_opd_is_refused() {
     let good = || array::<f32>("Raw", filled);
     let (size, wave) = (float("Pixel_size", PIXEL_MM), float("Wavelength", WAVE_NM));
-    assert_refused!(Corrupt, "has no block Wavelength", opd(&[good(), size.clone()]));
-    assert_refused!(Corrupt, "has no block Pixel_size", opd(&[good(), wave.clone()]));
-    assert_refused!(Unsupported, "holds no map of heights", opd(&[size.clone(), wave.clone()]));
+    assert_refused!(Corrupt, opd(&[good(), size.clone()]));
+    assert_refused!(Corrupt, opd(&[good(), wave.clone()]));
+    assert_refused!(Unsupported, opd(&[size.clone(), wave.clone()]));
     let picture = array::<u8>("Image", |_, _| 1.0);
-    assert_refused!(Unsupported, "no channel of heights; found: \"Image\" (grey)", with([picture]));
+    assert_refused!(Unsupported, with([picture]));
     let of = |sizes: [u16; 3]| ("Raw", ARRAY, [&sizes.map(u16::to_le_bytes).concat()[..], &[0; 80]].concat());
-    assert_refused!(
-        Unsupported,
-        "numbers of 8 bytes in its block Raw; allowed: 1, 2, 4",
-        with([of([5, 4, 8])])
-    );
-    assert_refused!(Corrupt, "a map of 5 x 0 points", with([of([5, 0, 4])]));
-    assert_refused!(Corrupt, "is truncated: it ends at", with([of([0xffff, 0xffff, 4])]));
-    assert_refused!(Corrupt, "its header ends too early", with([("Raw", ARRAY, vec![5, 0, 4])]));
-    assert_refused!(Corrupt, "a pixel of 0e0 x 0e0 m", opd(&[good(), float("Pixel_size", 0.0), wave]));
-    assert_refused!(Corrupt, "has heights of inf m x a stored number", with([good(), mult(0)]));
+    assert_refused!(Unsupported, with([of([5, 4, 8])]));
+    assert_refused!(Corrupt, with([of([5, 0, 4])]));
+    assert_refused!(Corrupt, with([of([0xffff, 0xffff, 4])]));
+    assert_refused!(Corrupt, with([("Raw", ARRAY, vec![5, 0, 4])]));
+    assert_refused!(Corrupt, opd(&[good(), float("Pixel_size", 0.0), wave]));
+    assert_refused!(Corrupt, with([good(), mult(0)]));
     let whole = with([good()]);
-    for length in 13..whole.len() {
-        assert_refused!(Corrupt, "is truncated", &whole[..length]);
-    }
+    assert_truncated(&whole, 13..whole.len());
 }

@@ -4,7 +4,7 @@ use std::io::Write;
 
 use super::damage::assert_no_panic;
 use super::instrument::{Bytes, Number, assert_heights, filled, read, stored};
-use super::{NX, NY, file, in_lines, z};
+use super::{NX, NY, assert_truncated, file, in_lines, z};
 use asperity::topography::read::{MapFile, ReadOptions};
 
 /// A header and what follows it.
@@ -152,36 +152,25 @@ fn sur_without_a_unit_takes_one() {
 #[test]
 fn bad_sur_is_refused() {
     let with = |change: fn(&mut Sur)| Sur::of::<i16>(false).changed(change).bytes();
-    for (kind, words) in
-        [(4, "profiles"), (14, "force curves"), (18, "a series of pictures"), (21, "spectra")]
-    {
-        let bytes = Sur::of::<i16>(false).changed(|sur| sur.kind = kind).bytes();
-        assert_refused!(Unsupported, format!("holds {words}; allowed: a surface").as_str(), bytes);
+    for kind in [4, 14, 18, 21] {
+        assert_refused!(Unsupported, Sur::of::<i16>(false).changed(|sur| sur.kind = kind).bytes(), kind);
     }
-    assert_refused!(Unsupported, "holds profiles", with(|sur| (sur.kind, sur.size[1]) = (1, 1)));
+    assert_refused!(Unsupported, with(|sur| (sur.kind, sur.size[1]) = (1, 1)));
     assert_heights(with(|sur| sur.kind = 1), None, pixel(), |ix, iy| 1e-9 * (z(ix, iy) + 8.0));
-    assert_refused!(Unsupported, "numbers of 8 bits; allowed: 16, 32", with(|sur| sur.bits = 8));
-    assert_refused!(Corrupt, "has a count of -5 in its header", with(|sur| sur.size[0] = -5));
-    assert_refused!(Corrupt, "a map of 0 x 4 points", with(|sur| sur.size[0] = 0));
-    assert_refused!(Corrupt, "a pixel of 0e0 x", with(|sur| sur.steps[0] = 0.0));
-    assert_refused!(Corrupt, "has heights of", with(|sur| sur.offset = f32::NAN));
-    assert_refused!(
-        Unsupported,
-        "no channel of heights; found: \"Topography\" (V)",
-        with(|sur| sur.units[2] = b"V")
-    );
-    let words = "holds heights without a unit in \"Topography\"";
-    assert_refused!(Options, words, with(|sur| sur.units[2] = b""));
+    assert_refused!(Unsupported, with(|sur| sur.bits = 8));
+    assert_refused!(Corrupt, with(|sur| sur.size[0] = -5));
+    assert_refused!(Corrupt, with(|sur| sur.size[0] = 0));
+    assert_refused!(Corrupt, with(|sur| sur.steps[0] = 0.0));
+    assert_refused!(Corrupt, with(|sur| sur.offset = f32::NAN));
+    assert_refused!(Unsupported, with(|sur| sur.units[2] = b"V"));
+    assert_refused!(Options, with(|sur| sur.units[2] = b""));
     for size in [[i32::MAX; 2], [0x7fff; 2]] {
-        let bytes = Sur::of::<i32>(false).changed(|sur| sur.size = size).bytes();
-        assert_refused!(Corrupt, "is truncated: it ends at", bytes);
+        assert_refused!(Corrupt, Sur::of::<i32>(false).changed(|sur| sur.size = size).bytes(), size);
     }
     let bytes = Sur::of::<i32>(false).changed(|sur| (sur.size, sur.streams) = ([16_000; 2], 1)).bytes();
-    assert_refused!(Corrupt, "to 1024000000 bytes; allowed: at most 200 times", bytes);
+    assert_refused!(Corrupt, bytes);
     let whole = with(|_| ());
-    for length in 12..whole.len() {
-        assert_refused!(Corrupt, "is truncated", &whole[..length]);
-    }
+    assert_truncated(&whole, 12..whole.len());
     let packed = with(|sur| sur.streams = 2);
     let changed = |at: usize, value: u8| {
         let mut bytes = packed.clone();
@@ -189,10 +178,10 @@ fn bad_sur_is_refused() {
         bytes
     };
     let streams = 512 + 7;
-    assert_refused!(Corrupt, "unpacks to 0 bytes; allowed: 40", changed(streams, 0));
-    assert_refused!(Corrupt, "is truncated", changed(streams + 2, 255));
-    assert_refused!(Corrupt, "is damaged: 20 bytes in", changed(streams + 4, 19));
-    assert_refused!(Corrupt, "in 0 packed bytes that should hold 20", changed(streams + 8, 0));
-    assert_refused!(Corrupt, "unpacks to 20 bytes; allowed: 40", changed(streams + 12, 21));
-    assert_refused!(Corrupt, "is damaged: ", changed(streams + 20, 0));
+    assert_refused!(Corrupt, changed(streams, 0));
+    assert_refused!(Corrupt, changed(streams + 2, 255));
+    assert_refused!(Corrupt, changed(streams + 4, 19));
+    assert_refused!(Corrupt, changed(streams + 8, 0));
+    assert_refused!(Corrupt, changed(streams + 12, 21));
+    assert_refused!(Corrupt, changed(streams + 20, 0));
 }

@@ -47,7 +47,7 @@ fn a_header_gives_the_size_and_the_unit() {
             let head = assert_map(&text, ReadOptions::default(), factor, PIXEL);
             assert!(head.has_unit && head.pixel.is_some());
         } else {
-            assert_refused!(TooTall, "holds a height of 1.35e1 m", &text);
+            assert_refused!(TooTall, &text);
         }
         // The same in Latin-1.
         let latin: Vec<u8> =
@@ -82,39 +82,23 @@ fn a_header_gives_the_size_and_the_unit() {
 
 #[test]
 fn bad_text_is_refused_with_its_place() {
-    assert_refused!(Mismatch, "line 1 has \"this\" for a number", "this is no array\n");
-    assert_refused!(
-        Mismatch,
-        "Gwyddion reads most formats and writes .gwy; the Python package SurfaceTopography reads some more and writes X3P: python -m pip",
-        "this is no array\n"
-    );
-    assert_refused!(Mismatch, "SurfaceTopography.read_topography", b"\0\x01\x02\x03 binary");
-    assert_refused!(
-        Mismatch,
-        "line 2 has \"Prose\" for a number",
-        "# Head\nProse, with commas; and 1.5 numbers.\n"
-    );
-    assert_refused!(Mismatch, "begins with \"\\x00\\x01", b"\0\x01\x02\x03 binary");
-    assert_refused!(Corrupt, "is empty", "");
-    assert_refused!(Corrupt, "holds no number", "# only a comment\n");
-    assert_refused!(Corrupt, "holds no number", ",x_um,y_um,z_um\n");
-    assert_refused!(Word, "line 3, column 2: found \"oops\"", "1 2 3 4\n1 2 3 4\n1 oops 3 4\n");
-    assert_refused!(Corrupt, "is ragged: line 3 holds 3 numbers; allowed: 4", "1 2 3 4\n1 2 3 4\n1 2 3\n");
-    assert_refused!(Unsupported, "commas beside", "1,234.5;2,0;3,0\n");
-    assert_refused!(Unsupported, "commas beside", "1, 2 3 4\n1 2 3 4\n1 2 3 4\n");
-    assert_refused!(Unsupported, "commas that may", "0,05,1,10,2,15\n0,05,1,10,2,15\n0,05,1,10,2,15\n");
+    assert_refused!(Mismatch, "this is no array\n");
+    assert_refused!(Mismatch, "this is no array\n");
+    assert_refused!(Mismatch, b"\0\x01\x02\x03 binary");
+    assert_refused!(Mismatch, "# Head\nProse, with commas; and 1.5 numbers.\n");
+    assert_refused!(Mismatch, b"\0\x01\x02\x03 binary");
+    assert_refused!(Corrupt, "");
+    assert_refused!(Corrupt, "# only a comment\n");
+    assert_refused!(Corrupt, ",x_um,y_um,z_um\n");
+    assert_refused!(Word, "1 2 3 4\n1 2 3 4\n1 oops 3 4\n");
+    assert_refused!(Corrupt, "1 2 3 4\n1 2 3 4\n1 2 3\n");
+    assert_refused!(Unsupported, "1,234.5;2,0;3,0\n");
+    assert_refused!(Unsupported, "1, 2 3 4\n1 2 3 4\n1 2 3 4\n");
+    assert_refused!(Unsupported, "0,05,1,10,2,15\n0,05,1,10,2,15\n0,05,1,10,2,15\n");
     let header = |lines: &str| format!("{lines}\n0 1 2\n3 4 5\n0 1 2\n");
-    assert_refused!(Unsupported, "Value units missing", header("# Width: 3 um\n# Height: 3 um"));
-    assert_refused!(
-        Unsupported,
-        "values in \"V\"",
-        header("# Width: 3 um\n# Height: 3 um\n# Value units: V")
-    );
-    assert_refused!(
-        Unsupported,
-        "the Width \"3 ft\"",
-        header("# Width: 3 ft\n# Height: 3 um\n# Value units: m")
-    );
+    assert_refused!(Unsupported, header("# Width: 3 um\n# Height: 3 um"));
+    assert_refused!(Unsupported, header("# Width: 3 um\n# Height: 3 um\n# Value units: V"));
+    assert_refused!(Unsupported, header("# Width: 3 ft\n# Height: 3 um\n# Value units: m"));
 }
 
 #[test]
@@ -129,8 +113,8 @@ fn tabs_before_the_first_numbers_begin_no_cells() {
 #[test]
 fn columns_of_a_profile_are_no_map() {
     let lines: String = (0..20).map(|k| format!("{k} {}\n", k % 7)).collect();
-    assert_refused!(Mismatch, "holds two columns of 20 numbers, a profile; allowed: a height map", &lines);
-    assert_refused!(Mismatch, "holds one column of 20 numbers", lines.replace(' ', "."));
+    assert_refused!(Mismatch, &lines);
+    assert_refused!(Mismatch, lines.replace(' ', "."));
 }
 
 /// Of the lines above a table that is quoted which may hold what is not known.
@@ -186,14 +170,12 @@ fn points_of_a_grid_in_any_order() {
 #[test]
 fn points_of_no_grid_are_refused() {
     let grid = points([0.5, 0.25], |x| x);
-    assert_refused!(Unsupported, "two points at 10 -3", format!("{grid}10 -3 1\n"));
-    assert_refused!(Unsupported, "no equidistant lines along x", format!("{grid}10.17 -3 1\n"));
-    assert_refused!(Unsupported, "all at y = 1", "1 1 0\n2 1 0\n3 1 0\n4 1 0\n");
-    assert_refused!(Unsupported, "more than three in four missing", {
-        (0..100).map(|k| format!("{k} {k} 0\n")).collect::<String>()
-    });
-    assert_refused!(Unsupported, "two points", "0 0 0\n1 1 0\n1e9 1e9 0\n3 3 0\n");
-    assert_refused!(Corrupt, "point 5 of", "0 0 0\n1 0 0\n0 1 0\n1 1 0\nnan 2 0\n");
+    assert_refused!(Unsupported, format!("{grid}10 -3 1\n"));
+    assert_refused!(Unsupported, format!("{grid}10.17 -3 1\n"));
+    assert_refused!(Unsupported, "1 1 0\n2 1 0\n3 1 0\n4 1 0\n");
+    assert_refused!(Unsupported, (0..100).map(|k| format!("{k} {k} 0\n")).collect::<String>());
+    assert_refused!(Unsupported, "0 0 0\n1 1 0\n1e9 1e9 0\n3 3 0\n");
+    assert_refused!(Corrupt, "0 0 0\n1 0 0\n0 1 0\n1 1 0\nnan 2 0\n");
 }
 
 #[test]
@@ -329,12 +311,13 @@ fn matlab(z: f64) -> String {
 #[test]
 fn marks_of_missing_points_are_stated_or_named() {
     let text = lines(" ", "-9999");
-    assert_refused_in_nm("holds the height -9999 at 1 point, far from all other heights", &text);
     let read = |text: &str, missing: Option<Marks>| {
         let (_folder, path) = file(text);
         let file = MapFile { missing, ..MapFile::new(&path, IN_NM) };
         file.height_map().map(|map| RoughnessParameters::new(&map).missing)
     };
+    let error = read(&text, None).unwrap_err();
+    assert!(matches!(error, ReadError::Mark { count: 1, .. }), "{error}");
     assert_eq!(read(&text, marks(&[-9999.0])).unwrap(), 1);
     assert_eq!(read(&text, marks(&[])).unwrap(), 0, "a height");
     // In the unit of the file where the format has one.
@@ -342,15 +325,6 @@ fn marks_of_missing_points_are_stated_or_named() {
     let (_folder, path) = file(format!("{header}{}", lines(" ", "-99.5")));
     let file = MapFile { missing: marks(&[-99.5]), ..MapFile::new(&path, ReadOptions::default()) };
     assert_eq!(RoughnessParameters::new(&file.height_map().unwrap()).missing, 1);
-}
-
-fn assert_refused_in_nm(words: &str, text: &str) {
-    let (_folder, path) = file(text);
-    let error = height_map(&path, IN_NM).unwrap_err();
-    assert!(
-        matches!(error, ReadError::Mark { count: 1, .. }) && error.to_string().starts_with(words),
-        "{error}"
-    );
 }
 
 #[test]

@@ -101,18 +101,14 @@ pub fn thumbnail() -> Vec<(u16, Value)> {
 fn a_picture_holds_no_heights() {
     for big_endian in [false, true] {
         let bytes = tiff(big_endian, &[thumbnail()]);
-        assert_refused!(
-            Unsupported,
-            "is a TIFF picture, which holds grey values or colours, no heights",
-            bytes.clone()
-        );
-        assert_refused!(Corrupt, "is truncated: it ends at ", &bytes[..bytes.len() - 6]);
+        assert_refused!(Unsupported, bytes.clone());
+        assert_refused!(Corrupt, &bytes[..bytes.len() - 6]);
         // The second directory, of nine entries, is its own next one.
         let mut circle = tiff(big_endian, &[thumbnail(), thumbnail()]);
         let end = circle.len() - 4;
         let second = (end - 9 * 12 - 2) as u32;
         circle[end..].copy_from_slice(&if big_endian { second.to_be_bytes() } else { second.to_le_bytes() });
-        assert_refused!(Corrupt, "more entries in the directories of its TIFF", circle);
+        assert_refused!(Corrupt, circle);
     }
-    assert_refused!(Mismatch, "is not a height map", b"II*");
+    assert_refused!(Mismatch, b"II*");
 }

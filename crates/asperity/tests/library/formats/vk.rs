@@ -4,12 +4,11 @@ use std::io::{Cursor, Write};
 
 use super::damage::assert_no_panic;
 use super::instrument::{Bytes, Number, assert_heights, filled, read, stored};
-use super::{NX, NY};
+use super::{NX, NY, PIXEL};
 use asperity::topography::read::ReadOptions;
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
 
-const PIXEL: [f64; 2] = [2e-6, 3e-6];
 /// Heights are not negative: stored from the lowest of the map.
 const LOWEST: f64 = -13.5;
 const STEP: f64 = 250e-9;
@@ -67,15 +66,15 @@ fn vk_heights_of_every_version_and_type() {
 fn vk_errors() {
     let mut bytes = vk::<u16>(4);
     bytes.truncate(bytes.len() - 1);
-    assert_refused!(Corrupt, "is truncated: it ends at", &bytes);
-    assert_refused!(Corrupt, "is truncated: its Vk4File ends too early", packed(6, &bytes));
+    assert_refused!(Corrupt, &bytes);
+    assert_refused!(Corrupt, packed(6, &bytes));
     let place = 12 + 4 * 18 + 320 + 16;
     let mut bytes = vk::<u16>(4);
     bytes[place] = 3;
-    assert_refused!(Unsupported, "holds a picture of 5 x 4 points in 3 bytes; allowed: 40", &bytes);
-    assert_refused!(Corrupt, "is an invalid zip archive", b"VK6 and no archive behind it");
+    assert_refused!(Unsupported, &bytes);
+    assert_refused!(Corrupt, b"VK6 and no archive behind it");
     let bytes = packed(7, &vec![0; 1 << 20]);
-    assert_refused!(Corrupt, "Vk4File unpacks to more than 200 times the bytes of the file", &bytes);
+    assert_refused!(Corrupt, &bytes);
 }
 
 #[test]

