@@ -13,7 +13,7 @@ const FOLDERS: [&str; 7] = [
     "crates/asperity-contact-framework/src",
     "crates/asperity-plot/src",
     "crates/asperity-print/src",
-    "crates/asperity-validation/src",
+    "crates/asperity-evidence/src",
 ];
 
 /// Those of them that numbers follow from, whatever a page says of them.

@@ -30,9 +30,8 @@ pub fn check(planned: &Planned, source: &Source) -> Result<(), InputError> {
     if available == 0 || needed.bytes <= available {
         return Ok(());
     }
-    let smaller = if planned.variant.is_empty() { "" } else { "the same without --huge, " };
     let message = format!(
-        "this needs about {:.1} GB of memory; available: {:.1} GB. Allowed: {smaller}fewer asperities, a smaller map, where it compares models \
+        "this needs about {:.1} GB of memory; available: {:.1} GB. Allowed: fewer asperities, a smaller map, where it compares models \
          on a measured map, robustness = false, or [tiled], which sums a surface of any size at given separations",
         needed.bytes as f64 / 1e9,
         available as f64 / 1e9

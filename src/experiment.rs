@@ -75,14 +75,14 @@ impl Experiment {
     /// # Errors
     /// What keeps it from running, with file, line and key.
     pub fn read(path: &Path) -> Result<Self, InputError> {
-        Self::watched_read(path, false, &Silent)
+        Self::watched_read(path, &Silent)
     }
 
-    /// The same with progress where its files are large, to run also what needs gigabytes if `huge`, where the spec has such a thing.
+    /// The same with progress where its files are large.
     ///
     /// # Errors
     /// As [`Self::read`].
-    pub fn watched_read(path: &Path, huge: bool, progress: &dyn Progress) -> Result<Self, InputError> {
+    pub fn watched_read(path: &Path, progress: &dyn Progress) -> Result<Self, InputError> {
         let spec = SpecFile::read(path, &tables()).map_err(|error| {
             if path.is_file() && is_named_as_map(path) {
                 let name = path.display();
@@ -94,7 +94,7 @@ impl Experiment {
                 error
             }
         })?;
-        Self::of_spec(spec.watched_by(progress), stem_of(path)?, huge)
+        Self::of_spec(spec.watched_by(progress), stem_of(path)?)
     }
 
     /// The same, whose files must lie in the folder `root` (an absolute path without links).
@@ -106,7 +106,7 @@ impl Experiment {
         let text = std::fs::read_to_string(path)
             .map_err(|error| InputError::file(path, format!("cannot be read: {error}")))?;
         let source = Source::file(path, text).confined_to(root);
-        Self::of_spec(SpecFile::parse(source, &tables())?, stem_of(path)?, false)
+        Self::of_spec(SpecFile::parse(source, &tables())?, stem_of(path)?)
     }
 
     /// An experiment from a text, whose report is called `stem`.
@@ -122,7 +122,7 @@ impl Experiment {
     /// # Errors
     /// As [`Self::read`].
     pub fn watched_parse(source: Source, stem: &str, progress: &dyn Progress) -> Result<Self, InputError> {
-        Self::of_spec(SpecFile::parse(source, &tables())?.watched_by(progress), stem.to_owned(), false)
+        Self::of_spec(SpecFile::parse(source, &tables())?.watched_by(progress), stem.to_owned())
     }
 
     /// An experiment from a text, with its comparison where it is one, which can be run to an extent.
@@ -136,16 +136,16 @@ impl Experiment {
     ) -> Result<(Self, Option<Arc<ComparePlan>>), InputError> {
         let spec = SpecFile::parse(source, &tables())?.watched_by(progress);
         if kind(&spec)?.name() != Compare::NAME {
-            return Ok((Self::of_spec(spec, stem.to_owned(), false)?, None));
+            return Ok((Self::of_spec(spec, stem.to_owned())?, None));
         }
-        let plan = Arc::new(<Compare as Kind>::plan(&spec, &spec.required_table(Compare::NAME)?, false)?);
-        let planned = Planned { plan: plan.clone(), divided: None, variant: "" };
+        let plan = Arc::new(<Compare as Kind>::plan(&spec, &spec.required_table(Compare::NAME)?)?);
+        let planned = Planned { plan: plan.clone(), divided: None };
         Ok((Self::new(spec, stem.to_owned(), Compare::NAME, planned)?, Some(plan)))
     }
 
-    fn of_spec(spec: SpecFile, stem: String, huge: bool) -> Result<Self, InputError> {
+    fn of_spec(spec: SpecFile, stem: String) -> Result<Self, InputError> {
         let kind = kind(&spec)?;
-        let planned = kind.plan(&spec, huge)?;
+        let planned = kind.plan(&spec)?;
         let group = spec.group.or(kind.group());
         Ok(Self { group, ..Self::new(spec, stem, kind.name(), planned)? })
     }
@@ -320,7 +320,6 @@ impl Experiment {
     ) -> Result<String, InputError> {
         let mut hash = Sha256::new();
         hash.update(sha256(self.source.text.as_bytes()));
-        hash.update(self.planned.variant);
         for path in self.planned.plan.inputs() {
             let content = match self.source.content_in_memory(&path) {
                 Some(content) => content.sha256(),
@@ -536,10 +535,8 @@ fn kind(spec: &SpecFile) -> Result<&'static dyn AnyKind, InputError> {
         return Err(spec.source.error_at(span.clone(), message));
     }
     if let Some((name, _)) = spec.materials().next().filter(|_| !reads.materials) {
-        let message = format!(
-            "found a material, but [{}] draws its own at random; allowed: no [material.NAME] here",
-            kind.name()
-        );
+        let message =
+            format!("found a material, but [{}] has its own; allowed: no [material.NAME] here", kind.name());
         return Err(spec.source.error_at(name.span(), message));
     }
     Ok(*kind)

@@ -13,29 +13,20 @@ use asperity_contact_framework::AnyKind;
 use asperity_contact_framework::report::digest::DigestRow;
 use asperity_contact_framework::report::table::Schema;
 use asperity_contact_framework::report::table_docs;
-#[cfg(feature = "validation")]
-use asperity_validation::kind::{
-    coverage::IntervalCoverage, precision::Precision, solver_validation::SolverValidation,
-    stability::Stability,
-};
+#[cfg(feature = "evidence")]
+use asperity_evidence::EvidenceKind;
 
-/// What reports may be of: every kind of experiment, those that measure the program itself only with the feature `validation`; last the sweep
-/// over keys of one.
+/// What reports may be of: every kind of experiment, programs that prove what the library claims only with the feature `evidence`; last the
+/// sweep over keys of one.
 pub const REPORTED: &[&dyn AnyKind] = &[
     &causes::Causes,
     &compare::Compare,
-    #[cfg(feature = "validation")]
-    &IntervalCoverage,
+    #[cfg(feature = "evidence")]
+    &EvidenceKind,
     &indentation::Indentation,
     &laws::Laws,
     &limit::Limit,
-    #[cfg(feature = "validation")]
-    &Precision,
     &sampling_interval::SamplingInterval,
-    #[cfg(feature = "validation")]
-    &SolverValidation,
-    #[cfg(feature = "validation")]
-    &Stability,
     &tiled::Tiled,
     &sweep::Sweep,
 ];

@@ -70,7 +70,7 @@ impl Kind for Sweep {
     type Spec = spec::SweepSpec;
     type Plan = SweepPlan;
 
-    fn plan(file: &SpecFile, table: &Spanned<Self::Spec>, _: bool) -> Result<SweepPlan, InputError> {
+    fn plan(file: &SpecFile, table: &Spanned<Self::Spec>) -> Result<SweepPlan, InputError> {
         SweepPlan::new(file, table)
     }
 

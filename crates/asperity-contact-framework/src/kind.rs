@@ -45,9 +45,6 @@ pub trait Kind: Sync {
     /// What it reads besides its table.
     const READS: Reads = Reads { materials: true, surfaces: true };
 
-    /// Whether its page holds measured times, which no second run repeats.
-    const IS_TIMED: bool = false;
-
     /// Where the index lists its reports, unless a spec says something else.
     const GROUP: Option<Group> = None;
 
@@ -57,12 +54,11 @@ pub trait Kind: Sync {
     /// Its plan.
     type Plan: Plan + Send + Sync + 'static;
 
-    /// Reads what the table refers to, and checks everything that can be checked without running it; `huge` includes parts that
-    /// need gigabytes.
+    /// Reads what the table refers to, and checks everything that can be checked without running it.
     ///
     /// # Errors
     /// The first thing that keeps it from running.
-    fn plan(file: &SpecFile, table: &Spanned<Self::Spec>, huge: bool) -> Result<Self::Plan, InputError>;
+    fn plan(file: &SpecFile, table: &Spanned<Self::Spec>) -> Result<Self::Plan, InputError>;
 
     /// A plan with how it may be run.
     fn planned(plan: Self::Plan) -> Planned {
@@ -89,9 +85,6 @@ pub trait AnyKind: Sync {
     /// What it reads besides its table.
     fn reads(&self) -> Reads;
 
-    /// Whether its page holds measured times.
-    fn is_timed(&self) -> bool;
-
     /// Where the index lists its reports, unless a spec says something else.
     fn group(&self) -> Option<Group>;
 
@@ -99,7 +92,7 @@ pub trait AnyKind: Sync {
     ///
     /// # Errors
     /// A table that cannot be read, and as [`Kind::plan`].
-    fn plan(&self, file: &SpecFile, huge: bool) -> Result<Planned, InputError>;
+    fn plan(&self, file: &SpecFile) -> Result<Planned, InputError>;
 
     /// The tables that its reports may hold.
     fn tables(&self) -> Vec<Schema>;
@@ -121,16 +114,12 @@ impl<K: Kind> AnyKind for K {
         K::READS
     }
 
-    fn is_timed(&self) -> bool {
-        K::IS_TIMED
-    }
-
     fn group(&self) -> Option<Group> {
         K::GROUP
     }
 
-    fn plan(&self, file: &SpecFile, huge: bool) -> Result<Planned, InputError> {
-        K::plan(file, &file.required_table::<K::Spec>(K::NAME)?, huge).map(K::planned)
+    fn plan(&self, file: &SpecFile) -> Result<Planned, InputError> {
+        K::plan(file, &file.required_table::<K::Spec>(K::NAME)?).map(K::planned)
     }
 
     fn tables(&self) -> Vec<Schema> {
@@ -234,20 +223,18 @@ pub struct Planned {
     pub plan: Arc<dyn AnyPlan>,
     /// The same, where it can be run in parts.
     pub divided: Option<Arc<dyn AnyDivided>>,
-    /// Distinguishes its report from that of the same spec run in another way; empty if there is only one.
-    pub variant: &'static str,
 }
 
 impl Planned {
     /// A plan that is run as a whole.
     pub fn new(plan: impl AnyPlan + 'static) -> Self {
-        Self { plan: Arc::new(plan), divided: None, variant: "" }
+        Self { plan: Arc::new(plan), divided: None }
     }
 
     /// A plan that can be run in parts.
     pub fn in_parts<P: AnyPlan + AnyDivided + 'static>(plan: P) -> Self {
         let plan = Arc::new(plan);
-        Self { plan: plan.clone(), divided: Some(plan), variant: "" }
+        Self { plan: plan.clone(), divided: Some(plan) }
     }
 }
 

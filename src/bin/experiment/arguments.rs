@@ -24,8 +24,6 @@ pub struct Cli {
     #[arg(long)]
     pub full: bool,
     #[command(flatten)]
-    pub extent: Extent,
-    #[command(flatten)]
     pub options: RunOptions,
     /// Number of threads; default: all cores. Results do not depend on it
     #[arg(long, global = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
@@ -40,8 +38,6 @@ pub enum Command {
         /// Spec files
         #[arg(required = true)]
         files: Vec<PathBuf>,
-        #[command(flatten)]
-        extent: Extent,
         #[command(flatten)]
         options: RunOptions,
         /// Run one part of `[tiled]` specs, such as 3/16, and write it to --parts instead of a report
@@ -73,8 +69,6 @@ pub enum Command {
         /// Spec files
         #[arg(required = true)]
         files: Vec<PathBuf>,
-        #[command(flatten)]
-        extent: Extent,
     },
     /// Write a commented spec that is ready to run
     New {
@@ -332,14 +326,6 @@ impl From<FileArguments> for FileOptions {
     fn from(FileArguments { map, contact, reference }: FileArguments) -> Self {
         Self { contact: ContactOptions { reference, ..contact.into() }, ..map.into() }
     }
-}
-
-/// Extent of a run.
-#[derive(Args)]
-pub struct Extent {
-    /// Include what needs gigabytes of memory: the largest sets of a precision experiment
-    #[arg(long)]
-    pub huge: bool,
 }
 
 /// How to run it.

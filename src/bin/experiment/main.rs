@@ -27,7 +27,7 @@ use asperity_experiment::terminal::Monitor;
 use asperity_experiment::{Experiment, PRINT, PartError, TEMPLATE, write_index};
 use clap::{CommandFactory, Parser};
 
-use arguments::{Cli, Command, Extent, RunOptions};
+use arguments::{Cli, Command, RunOptions};
 use output::{print, print_error, print_text, say};
 use several::{Counts, Done, Place, listed, quick_first};
 use single_file::{unwritten, write_new};
@@ -105,19 +105,19 @@ fn main() -> ExitCode {
 fn perform(cli: Cli) -> Result<(), Failure> {
     match cli.command {
         None => specs_in(Path::new(SPECS)).and_then(|files| {
-            let experiments = read_all(&files, &cli.extent, cli.options.is_quiet())?;
+            let experiments = read_all(&files, cli.options.is_quiet())?;
             let is_run = |experiment: &Experiment| cli.full || !experiment.is_long();
             run(experiments.into_iter().filter(is_run).collect(), &cli.options)
         }),
-        Some(Command::Run { files, extent, options, part: Some(part), parts }) => {
-            run_parts(&files, &extent, &options, part, &parts)
+        Some(Command::Run { files, options, part: Some(part), parts }) => {
+            run_parts(&files, &options, part, &parts)
         }
-        Some(Command::Run { files, extent, options, .. }) => {
-            read_all(&files, &extent, options.is_quiet()).and_then(|experiments| run(experiments, &options))
+        Some(Command::Run { files, options, .. }) => {
+            read_all(&files, options.is_quiet()).and_then(|experiments| run(experiments, &options))
         }
         Some(Command::Merge { files, parts, options }) => merge(&files, &parts, &options),
         Some(Command::List { out }) => list(&out),
-        Some(Command::Check { files, extent }) => check(&files, &extent),
+        Some(Command::Check { files }) => check(&files),
         Some(Command::New { name }) => new(&name),
         Some(Command::Surface { files, arguments, name, save_spec, options }) => {
             surfaces::describe(&files, (*arguments).into(), name.as_deref(), save_spec.as_deref(), &options)
@@ -196,12 +196,12 @@ fn specs_in(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
 }
 
 /// Reads all specs before anything runs: a single invalid one stops the run.
-fn read_all(files: &[PathBuf], extent: &Extent, is_quiet: bool) -> Result<Vec<Experiment>, Failure> {
+fn read_all(files: &[PathBuf], is_quiet: bool) -> Result<Vec<Experiment>, Failure> {
     let mut experiments: Vec<Experiment> = Vec::new();
     let mut errors = Vec::new();
     for file in files {
         let name = file.file_stem().unwrap_or_default().to_string_lossy();
-        match watched(&name, is_quiet, |progress| Experiment::watched_read(file, extent.huge, progress)) {
+        match watched(&name, is_quiet, |progress| Experiment::watched_read(file, progress)) {
             Ok(experiment) if experiments.iter().any(|other| other.stem() == experiment.stem()) => {
                 errors.push(format!(
                     "{}: found a second file called {} in this run, which would write the same report; allowed: each name \
@@ -248,15 +248,9 @@ fn run(mut experiments: Vec<Experiment>, options: &RunOptions) -> Result<(), Fai
 }
 
 /// Runs one part of each spec.
-fn run_parts(
-    files: &[PathBuf],
-    extent: &Extent,
-    options: &RunOptions,
-    part: Part,
-    folder: &Path,
-) -> Result<(), Failure> {
+fn run_parts(files: &[PathBuf], options: &RunOptions, part: Part, folder: &Path) -> Result<(), Failure> {
     interrupt::of_parts(true);
-    for experiment in read_all(files, extent, options.is_quiet())? {
+    for experiment in read_all(files, options.is_quiet())? {
         let start = Instant::now();
         let run = watched(experiment.stem(), options.is_quiet(), |progress| {
             experiment.run_part(part, folder, progress)
@@ -288,7 +282,7 @@ fn run_parts(
 /// Merges the parts of each spec and writes its report.
 fn merge(files: &[PathBuf], folder: &Path, options: &RunOptions) -> Result<(), Failure> {
     let mut store = open_store(options)?;
-    for experiment in read_all(files, &Extent { huge: false }, options.is_quiet())? {
+    for experiment in read_all(files, options.is_quiet())? {
         let start = Instant::now();
         store.check(experiment.stem())?;
         let merged =
@@ -470,9 +464,9 @@ fn list(out: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-fn check(files: &[PathBuf], extent: &Extent) -> Result<(), Failure> {
+fn check(files: &[PathBuf]) -> Result<(), Failure> {
     let mut errors = Vec::new();
-    for experiment in read_all(files, extent, false)? {
+    for experiment in read_all(files, false)? {
         print_text(&experiment.to_string());
         errors.extend(experiment.check().err().map(|error| error.to_string()));
     }

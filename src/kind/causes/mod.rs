@@ -28,7 +28,7 @@ impl Kind for Causes {
     type Spec = spec::CausesSpec;
     type Plan = CausesPlan;
 
-    fn plan(file: &SpecFile, table: &Spanned<Self::Spec>, _: bool) -> Result<CausesPlan, InputError> {
+    fn plan(file: &SpecFile, table: &Spanned<Self::Spec>) -> Result<CausesPlan, InputError> {
         plan::plan(file, table)
     }
 

@@ -43,7 +43,7 @@ impl Kind for Compare {
     type Spec = spec::CompareSpec;
     type Plan = ComparePlan;
 
-    fn plan(file: &SpecFile, table: &Spanned<Self::Spec>, _: bool) -> Result<ComparePlan, InputError> {
+    fn plan(file: &SpecFile, table: &Spanned<Self::Spec>) -> Result<ComparePlan, InputError> {
         plan::plan(file, table)
     }
 

@@ -28,7 +28,7 @@ impl Kind for Indentation {
     type Spec = spec::IndentationSpec;
     type Plan = IndentationPlan;
 
-    fn plan(file: &SpecFile, table: &Spanned<Self::Spec>, _: bool) -> Result<IndentationPlan, InputError> {
+    fn plan(file: &SpecFile, table: &Spanned<Self::Spec>) -> Result<IndentationPlan, InputError> {
         plan::plan(file, table.get_ref())
     }
 

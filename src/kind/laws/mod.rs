@@ -28,7 +28,7 @@ impl Kind for Laws {
     type Spec = spec::LawsSpec;
     type Plan = LawsPlan;
 
-    fn plan(file: &SpecFile, table: &Spanned<Self::Spec>, _: bool) -> Result<LawsPlan, InputError> {
+    fn plan(file: &SpecFile, table: &Spanned<Self::Spec>) -> Result<LawsPlan, InputError> {
         plan::plan(file, table)
     }
 

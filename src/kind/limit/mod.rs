@@ -25,7 +25,7 @@ impl Kind for Limit {
     type Spec = spec::LimitSpec;
     type Plan = LimitPlan;
 
-    fn plan(file: &SpecFile, table: &Spanned<Self::Spec>, _: bool) -> Result<LimitPlan, InputError> {
+    fn plan(file: &SpecFile, table: &Spanned<Self::Spec>) -> Result<LimitPlan, InputError> {
         let raw = table.get_ref();
         let (rough, flat) = (raw.rough.get_ref(), raw.flat.get_ref());
         let pair = [file.body(rough, raw.rough.span())?, file.body(flat, raw.flat.span())?];

@@ -31,7 +31,7 @@ impl Kind for SamplingInterval {
     type Spec = spec::SamplingIntervalSpec;
     type Plan = IntervalPlan;
 
-    fn plan(file: &SpecFile, table: &Spanned<Self::Spec>, _: bool) -> Result<IntervalPlan, InputError> {
+    fn plan(file: &SpecFile, table: &Spanned<Self::Spec>) -> Result<IntervalPlan, InputError> {
         plan::plan(file, table)
     }
 

@@ -30,7 +30,7 @@ impl Kind for Tiled {
     type Spec = spec::TiledSpec;
     type Plan = TiledPlan;
 
-    fn plan(file: &SpecFile, table: &Spanned<Self::Spec>, _: bool) -> Result<TiledPlan, InputError> {
+    fn plan(file: &SpecFile, table: &Spanned<Self::Spec>) -> Result<TiledPlan, InputError> {
         plan::plan(file, table)
     }
 

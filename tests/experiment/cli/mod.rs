@@ -12,7 +12,6 @@ mod heights;
 mod input;
 mod laws;
 mod load;
-mod precision;
 mod reach;
 mod realisations;
 mod sphere;
@@ -360,20 +359,6 @@ fn of_several_specs_the_quick_ones_run_first_and_three_lines_end_the_run() {
     assert!(!index.contains("Reality check</h2>"));
     let glossary = fs::read_to_string(folder.path().join("reports/glossary.md")).unwrap();
     assert!(glossary.contains("| effective contacts |"));
-}
-
-#[test]
-fn what_memory_cannot_hold_is_refused_with_the_way_out() {
-    let folder = tempfile::tempdir().unwrap();
-    let spec =
-        fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("experiments/precision.toml")).unwrap();
-    let spec = spec.replace("[1e7, 1e8]", "[1e12]");
-    fs::write(folder.path().join("precision.toml"), spec).unwrap();
-    let check = |more: &[&str]| experiment(&[&["check", "precision.toml"], more].concat(), folder.path());
-    assert!(check(&[]).status.success());
-    let refused = check(&["--huge"]);
-    assert_eq!(refused.status.code(), Some(2));
-    assert!(text(&refused.stderr).contains("the same without --huge"), "{}", text(&refused.stderr));
 }
 
 #[test]

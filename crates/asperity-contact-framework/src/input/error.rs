@@ -235,12 +235,19 @@ fn is_of_escape(message: &str) -> bool {
 }
 
 /// Keys of earlier versions, and what stands in their place.
-const GONE: [(&str, &str); 2] = [
+const GONE: [(&str, &str); 6] = [
     ("tolerance", "every point of a curve is exact"),
     (
         "tables",
         "tables are CSV, which pandas turns into Parquet by `pd.read_csv(\"curves.csv\").to_parquet(\"curves.parquet\")`",
     ),
+    ("coverage", "`[evidence]` with `name = \"coverage\"` runs this program, which has its own numbers"),
+    ("precision", "`[evidence]` with `name = \"precision\"` runs this program, which has its own numbers"),
+    (
+        "solver-validation",
+        "`[evidence]` with `name = \"solver-validation\"` runs this program, which has its own numbers",
+    ),
+    ("stability", "`[evidence]` with `name = \"stability\"` runs this program, which has its own numbers"),
 ];
 
 /// Message of the parser as what was found and what is allowed.

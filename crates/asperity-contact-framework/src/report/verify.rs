@@ -91,7 +91,12 @@ impl<'a> Report<'a> {
         let kind = kinds.iter().find(|kind| summaries[1]["kind"] == kind.name());
         let mut schemas = kind.map(|kind| kind.tables()).unwrap_or_default();
         schemas.push(Schema::of::<DigestRow>());
-        Ok(Self { name, folders, summaries, schemas, is_timed: kind.is_some_and(|kind| kind.is_timed()) })
+        let has_times = |schema: &Schema| {
+            let is_there = summaries[1]["committed"].get(schema.file).is_some();
+            is_there && schema.columns.iter().any(|heading| heading.unit == "s")
+        };
+        let is_timed = schemas.iter().any(has_times);
+        Ok(Self { name, folders, summaries, schemas, is_timed })
     }
 
     fn differences(&self) -> io::Result<Vec<String>> {

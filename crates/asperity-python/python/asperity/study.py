@@ -230,8 +230,8 @@ def run(
 ) -> Results:
     """Run a spec: a file, or a dictionary with the same keys.
 
-    Numbers are in SI units, texts such as ``"48 nm"`` have their own. All kinds run except those that measure the program
-    itself (precision, stability, interval-coverage, solver-validation), which the program ``experiment`` runs.
+    Numbers are in SI units, texts such as ``"48 nm"`` have their own. All kinds run except ``evidence``, which the program
+    ``experiment`` runs.
 
     Parameters
     ----------

@@ -26,8 +26,8 @@ impl Row for Point {
     }
 }
 
-/// A kind whose page holds no times, and the same with times.
-struct Points<const TIMED: bool>;
+/// A kind whose table holds times.
+struct Points;
 
 struct Never;
 
@@ -67,13 +67,12 @@ impl Outcome for Never {
     }
 }
 
-impl<const TIMED: bool> Kind for Points<TIMED> {
-    const NAME: &'static str = if TIMED { "timed" } else { "points" };
-    const IS_TIMED: bool = TIMED;
+impl Kind for Points {
+    const NAME: &'static str = "points";
     type Spec = bool;
     type Plan = Never;
 
-    fn plan(_: &SpecFile, _: &Spanned<bool>, _: bool) -> Result<Never, InputError> {
+    fn plan(_: &SpecFile, _: &Spanned<bool>) -> Result<Never, InputError> {
         Ok(Never)
     }
 
@@ -82,7 +81,7 @@ impl<const TIMED: bool> Kind for Points<TIMED> {
     }
 }
 
-const KINDS: [&dyn AnyKind; 2] = [&Points::<false>, &Points::<true>];
+const KINDS: [&dyn AnyKind; 1] = [&Points];
 
 /// A folder with one report of some files, all of them committed.
 fn report(kind: &str, facts: &str, files: &[(&str, &str)]) -> tempfile::TempDir {
@@ -199,11 +198,14 @@ fn summaries_are_compared_by_number_and_records_by_column() {
 
 #[test]
 fn pages_and_pictures_out_of_date_are_noticed_except_of_times() {
-    for (kind, differing) in [("points", 2), ("timed", 0)] {
-        let with = |page: &str, picture: &str| report(kind, "{}", &[("report.md", page), ("a.svg", picture)]);
+    let times = ("points.csv", "n,x,difference_x,jump,seconds\n");
+    for (tables, differing) in [(&[][..], 2), (&[times][..], 0)] {
+        let with = |page: &str, picture: &str| {
+            report("points", "{}", &[&[("report.md", page), ("a.svg", picture)], tables].concat())
+        };
         let old = with("area 12.3 %", "M1.25,3");
         assert_eq!(count(&with("area 12.4 %", "M1.26,3"), &old), 0);
-        assert_eq!(count(&with("area 15 %", "M1.5,3"), &old), differing, "{kind}");
+        assert_eq!(count(&with("area 15 %", "M1.5,3"), &old), differing, "{tables:?}");
     }
 }
 
