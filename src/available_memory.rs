@@ -20,9 +20,6 @@ pub fn available_memory() -> u128 {
 }
 
 /// Refuses what memory cannot hold, before anything is allocated.
-///
-/// # Errors
-/// What it needs, what is available, and what needs less.
 pub fn check(planned: &Planned, source: &Source) -> Result<(), InputError> {
     let available = available_memory();
     let needed = planned.plan.memory();

@@ -24,7 +24,6 @@ pub fn difference_unit(compared: ComparedQuantity) -> (&'static str, f64) {
     }
 }
 
-/// The colour of a cause.
 pub fn cause_colour(cause: Cause) -> Colour {
     match cause {
         Cause::Heights => Colour::Heights,
@@ -33,7 +32,6 @@ pub fn cause_colour(cause: Cause) -> Colour {
     }
 }
 
-/// The colour of a regime.
 pub fn regime_colour(regime: Regime) -> Colour {
     match regime {
         Regime::Elastic => Colour::Elastic,

@@ -161,7 +161,6 @@ impl Progress for Monitor {
     }
 }
 
-/// What is shown.
 struct State<'a> {
     steps: [u64; 2],
     stage: &'a str,

@@ -9,9 +9,6 @@ use super::StudyPlan;
 use crate::surface::SurfacePlan;
 
 /// A line for each load that is asked for, on each area that it acts on: the nominal area of the spec, or that of each surface.
-///
-/// # Errors
-/// Those of the writer.
 pub fn describe(plan: &StudyPlan, f: &mut fmt::Formatter) -> fmt::Result {
     let Controls { pressures, forces, .. } = &plan.controls;
     for (area, owner) in areas(plan) {

@@ -36,11 +36,8 @@ use spots::SpottedBodies;
 pub struct StudyKeys<'a> {
     /// Position of the table of the kind.
     pub table: Range<usize>,
-    /// The rough body.
     pub rough: &'a Spanned<RoughBody>,
-    /// The flat.
     pub flat: &'a Spanned<String>,
-    /// The laws.
     pub law: &'a Spanned<Laws>,
     /// A layer on one of the bodies.
     pub layer: Option<&'a LayerSpec>,
@@ -66,7 +63,6 @@ pub struct StudyPlan {
     pub bodies: Bodies,
     /// The rough body and the flat.
     pub pair: [Material; 2],
-    /// The layer on one of them.
     pub layer: Option<Box<LayerPlan>>,
     /// How the layer shears; `None` where its friction is not asked for.
     pub film: Option<Film>,
@@ -76,7 +72,6 @@ pub struct StudyPlan {
     pub law_specs: Vec<ContactLaw>,
     /// The body that the layer is on, the flat where there is none, bare or with each thickness of the layer.
     pub flats: Vec<(Option<f64>, Flat)>,
-    /// The statistical model.
     pub statistical: StatisticalModel,
     /// Its position in the spec, for surfaces that it does not apply to.
     pub statistical_key: Option<Range<usize>>,
@@ -89,7 +84,6 @@ pub struct StudyPlan {
     pub nominal_area: Option<f64>,
     /// Positions of pressures and forces in the spec, for errors about loads out of reach.
     pub load_keys: [Option<Range<usize>>; 2],
-    /// The surfaces.
     pub surfaces: Vec<SurfacePlan>,
     /// Warnings about materials, lengths, loads and separations that are hardly meant.
     pub implausible: Vec<String>,
@@ -106,9 +100,6 @@ impl StudyPlan {
     }
 
     /// Refuses surfaces whose asperities have no positions, of a study with sums; `models` is the key that asks for these, if there is one.
-    ///
-    /// # Errors
-    /// The composite of two populations.
     pub fn check_summed(&self, file: &SpecFile, models: Option<Range<usize>>) -> Result<(), InputError> {
         let Some(composite) = self.surfaces.iter().find(|surface| surface.is_composite()) else {
             return Ok(());
@@ -123,9 +114,6 @@ impl StudyPlan {
     }
 
     /// The same on surfaces of the kind's own, made with ellipses or without.
-    ///
-    /// # Errors
-    /// As [`Self::new`].
     pub fn on(
         file: &SpecFile,
         keys: StudyKeys,
@@ -252,9 +240,6 @@ impl StudyPlan {
     }
 
     /// The bodies with laws and layer, the points of `models`, the loads, the surfaces; a line each.
-    ///
-    /// # Errors
-    /// Those of the writer.
     pub fn describe(&self, models: &[ModelKind], f: &mut fmt::Formatter) -> fmt::Result {
         let laws: Vec<String> = self.law_specs.iter().map(ContactLaw::label).collect();
         writeln!(f, "  {} on {}, law {}", self.bodies.rough, self.bodies.flat, laws.join(", "))?;
@@ -276,9 +261,6 @@ impl StudyPlan {
     }
 
     /// The warnings about bodies, separations and surfaces; a line each.
-    ///
-    /// # Errors
-    /// Those of the writer.
     pub fn warn(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let surfaces = self.surfaces.iter().flat_map(SurfacePlan::implausible);
         let mut warnings = self.implausible.iter().cloned().chain(surfaces);

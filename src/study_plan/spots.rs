@@ -164,7 +164,6 @@ const BREAKDOWN: f64 = 1.0;
 /// The keys of a spec about spots.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct SpotKeys<'a> {
-    /// What conducts.
     pub conductance: Option<&'a Spanned<ConductanceSpec>>,
     /// The shear strength of the interface.
     pub shear_strength: Option<&'a Spanned<ShearStrengthSpec>>,
@@ -241,9 +240,6 @@ impl SpotKeys<'_> {
     }
 
     /// Refuses a medium in the gap of surfaces without a mean plane.
-    ///
-    /// # Errors
-    /// Such a surface.
     pub fn check_gap(&self, file: &SpecFile, surfaces: &[SurfacePlan]) -> Result<(), InputError> {
         let Some(conductance) = self.conductance else { return Ok(()) };
         let has_medium =

@@ -47,7 +47,6 @@ impl Surfaces {
         }
     }
 
-    /// Forgets all.
     pub fn forget(&self) {
         self.entries().clear();
     }

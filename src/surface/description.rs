@@ -19,18 +19,13 @@ use super::{
     SurfaceFactory, SurfacePlan, describe, files_of, inputs, memory, page, rows, section, surfaces, warnings,
 };
 
-/// Surfaces to be described.
 pub struct SurfacesPlan {
     surfaces: Vec<SurfacePlan>,
-    /// The spec.
     file: PathBuf,
 }
 
 impl SurfacesPlan {
     /// All surfaces of a spec.
-    ///
-    /// # Errors
-    /// Why one of them cannot be made.
     pub fn new(spec: &SpecFile) -> Result<Self, InputError> {
         let surfaces = surfaces(spec, None, 0..0, false)?;
         Ok(Self { file: spec.source.path.clone(), surfaces })
@@ -44,8 +39,6 @@ impl fmt::Display for SurfacesPlan {
 }
 
 impl Plan for SurfacesPlan {
-    type Outcome = SurfacesResults;
-
     fn inputs(&self) -> Vec<PathBuf> {
         inputs(&self.surfaces)
     }
@@ -58,7 +51,7 @@ impl Plan for SurfacesPlan {
         0
     }
 
-    fn run(&self, context: &RunContext) -> Result<SurfacesResults, InputError> {
+    fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
         let start = Instant::now();
         let mut timing = Timing::default();
         context.progress.steps(self.surfaces.len() as u64);
@@ -72,11 +65,11 @@ impl Plan for SurfacesPlan {
         }
         timing.total = start.elapsed();
         let papers = seen.iter().flat_map(Surface::papers).collect();
-        Ok(SurfacesResults {
+        Ok(Box::new(SurfacesResults {
             metadata: context.metadata(papers, timing, Some(counter.work())),
             file: self.file.clone(),
             surfaces: seen,
-        })
+        }))
     }
 }
 

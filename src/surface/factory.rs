@@ -213,9 +213,6 @@ impl<'a> SurfaceFactory<'a> {
 
     /// Calls `take` with the map of realisation `realisation` (from 1) after each step of its preparation, in order; of a surface that is
     /// not measured with its map alone, which is not prepared. Where the preparation is found on the map, it is known from then on.
-    ///
-    /// # Errors
-    /// As [`Self::make`], but for what concerns asperities; a surface without a map.
     pub fn each_step(
         &mut self,
         realisation: usize,

@@ -71,7 +71,6 @@ impl<'a> Files<'a> {
         Ok(Arc::unwrap_or_clone(list))
     }
 
-    /// The map in a file.
     pub fn map(&mut self, file: &MapFile, progress: &dyn Progress) -> Result<Arc<dyn Rows>, ReadError> {
         let reading = Reading::map(file);
         let is_needed_again = self.take(&reading);

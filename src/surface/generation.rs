@@ -33,7 +33,6 @@ pub struct Generation {
 /// How a surface is generated.
 #[derive(Debug, Clone)]
 pub enum Way {
-    /// By what it is.
     SurfaceGenerator(SurfaceGenerator),
     /// By what its summits shall be.
     Target {
@@ -60,9 +59,6 @@ const MOST_POINTS: u64 = 1 << 20;
 
 impl Generation {
     /// Resolves the spec at `span`.
-    ///
-    /// # Errors
-    /// The first that makes no surface.
     pub fn new(source: &Source, span: Range<usize>, raw: &GenerateSpec) -> Result<Self, InputError> {
         let points = points(source, raw)?;
         let heights = raw.heights.as_ref().map_or(Heights::GAUSSIAN, |heights| heights.0.clone());
@@ -146,9 +142,6 @@ impl Generation {
 
     /// Makes realisation `realisation` (from 1) of the surface called `name`. `first` is a bandwidth that met the target
     /// before.
-    ///
-    /// # Errors
-    /// A target that is not reached.
     pub fn make(
         &self,
         seed: u64,

@@ -22,7 +22,6 @@ impl SurfacePlan {
         }
     }
 
-    /// The most asperities that it can have.
     pub fn most_asperities(&self) -> u128 {
         /// Four neighbours cannot all be summits.
         const POINTS_PER_SUMMIT: u128 = 2;

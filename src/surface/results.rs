@@ -9,9 +9,7 @@ use asperity::surface::Surface;
 /// Surfaces described, without any contact.
 #[derive(Debug)]
 pub struct SurfacesResults {
-    /// What every experiment has.
     pub metadata: Metadata,
-    /// The spec.
     pub file: PathBuf,
     /// The surfaces, in file order.
     pub surfaces: Vec<Surface>,

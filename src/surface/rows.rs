@@ -35,11 +35,9 @@ pub fn statistics_columns<R>(
 
 /// A realisation of a surface.
 pub struct SurfaceRow<'a> {
-    /// Name of the surface.
     pub name: &'a str,
     /// From 1.
     pub realisation: usize,
-    /// Number of asperities.
     pub asperities: usize,
     /// Nominal area, m^2.
     pub nominal_area: f64,
@@ -459,7 +457,6 @@ impl Row for FitnessRow<'_> {
     }
 }
 
-/// The tables of surfaces.
 pub fn schemas() -> Vec<Schema> {
     vec![
         Schema::of::<SurfaceRow>(),

@@ -28,7 +28,6 @@ use asperity::surface::Preparation;
 #[derive(Debug)]
 pub struct SurfaceTiles {
     division: Division,
-    /// Number of tiles.
     pub count: usize,
 }
 
@@ -40,7 +39,6 @@ enum Division {
     List { blocks: usize },
     /// Rows of a map, and those on either side that filters and plateaus need.
     Map { rows: usize, halo: usize },
-    /// A realisation each.
     Realisations,
 }
 
@@ -153,9 +151,6 @@ impl SurfaceTiles {
     }
 
     /// Opens the surface.
-    ///
-    /// # Errors
-    /// A file that cannot be read.
     pub fn open<'a>(
         &'a self,
         plan: &'a SurfacePlan,

@@ -16,7 +16,6 @@ fn megapascals(load: f64) -> f64 {
     1e-6 * load
 }
 
-/// The numbers of a key with their axis.
 struct KeyAxis {
     axis: Axis,
     /// SI over the unit of the axis.

@@ -40,17 +40,14 @@ pub struct SweepPlan {
 pub struct Variation {
     /// The place of the value of each key.
     pub places: Vec<usize>,
-    /// What it runs.
     pub case: VariedCase,
 }
 
 /// An experiment with other values of some keys.
 pub struct VariedCase {
-    /// The experiment.
     pub experiment: Experiment,
     /// A comparison, which can share surfaces with others.
     pub comparison: Option<Arc<ComparePlan>>,
-    /// Its spec.
     pub text: String,
 }
 
@@ -76,9 +73,6 @@ impl Base {
     }
 
     /// The experiment with other values at some keys.
-    ///
-    /// # Errors
-    /// What keeps it from running, without file and line.
     pub fn with(
         &self,
         progress: &dyn Progress,
@@ -101,9 +95,6 @@ impl Base {
 
 impl SweepPlan {
     /// Reads a sweep and plans all its variations.
-    ///
-    /// # Errors
-    /// The first of them that cannot run, with its values.
     pub fn new(file: &SpecFile, sweep: &Spanned<SweepSpec>) -> Result<Self, InputError> {
         let source = &file.source;
         let at = |key: &str| {
@@ -156,9 +147,6 @@ impl SweepPlan {
     }
 
     /// The experiment with the values of one of its variations, changed further.
-    ///
-    /// # Errors
-    /// What keeps it from running.
     pub fn varied(
         &self,
         progress: &dyn Progress,
@@ -172,9 +160,6 @@ impl SweepPlan {
     }
 
     /// The spec of a variation, as a run by itself takes it.
-    ///
-    /// # Errors
-    /// None of a variation that is planned.
     pub fn spec(&self, places: &[usize]) -> Result<Table, String> {
         let mut table = self.base.table.clone();
         put(&mut table, &self.keys, places)?;

@@ -15,7 +15,6 @@ use super::run::Found;
 use super::values::SweptKey;
 use crate::kind::compare::swept_name;
 
-/// The one table.
 pub const FILE: &str = "sweep.csv";
 /// Meaning of its rows.
 pub const ROWS: &str = "One row for each variation and each row of what the kind has in a sweep: of `[compare]` each surface, law, layer thickness and load, of other kinds the first table of a report. `variation` and a column for each swept key (SI, or as in the spec) come first.";
@@ -27,7 +26,6 @@ pub struct SweepResults {
     pub kind: &'static str,
     pub keys: Vec<SweptKey>,
     pub variations: Vec<Choice>,
-    /// The one table.
     pub table: Table,
     /// Of comparisons, the rows of the table in numbers.
     pub points: Vec<Point>,
@@ -79,7 +77,6 @@ pub struct Compared {
 }
 
 impl Point {
-    /// A quantity here.
     pub fn of(&self, quantity: ComparedQuantity) -> &Compared {
         &self.quantities[quantity as usize]
     }

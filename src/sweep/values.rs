@@ -28,9 +28,6 @@ pub fn is_range(table: &Table) -> bool {
 
 impl SweptKey {
     /// A key with what stands at it.
-    ///
-    /// # Errors
-    /// What is neither a list nor a range.
     pub fn new(name: String, found: &Value) -> Result<Self, String> {
         const ALLOWED: &str = "a list of values such as [\"2 GPa\", \"4 GPa\"], or { from, to, points }";
         let values = match found {
@@ -51,7 +48,6 @@ impl SweptKey {
         Ok(Self { name, values, numbers, dimension })
     }
 
-    /// Its column in tables.
     pub fn heading(&self) -> Heading {
         let unit = match (&self.numbers, self.dimension) {
             (None, _) => "text",
@@ -159,9 +155,6 @@ fn range(table: &Table) -> Result<Vec<Value>, String> {
 }
 
 /// Sets the value at a dotted path.
-///
-/// # Errors
-/// A path through what is no table.
 pub fn set(spec: &mut Table, path: &str, value: Value) -> Result<(), String> {
     let (tables, last) = path.rsplit_once('.').map_or((None, path), |(tables, last)| (Some(tables), last));
     let mut table = spec;

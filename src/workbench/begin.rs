@@ -26,8 +26,8 @@ pub const EXAMPLE: Example = Example {
 pub fn kind(text: &str) -> Option<(String, String)> {
     let table: toml::Table = text.parse().ok()?;
     let title = table.get("title")?.as_str()?.to_owned();
-    let kind = KINDS.iter().find(|kind| table.contains_key(kind.name()))?;
-    Some((kind.name().to_owned(), title))
+    let kind = KINDS.iter().find(|kind| table.contains_key(kind.name))?;
+    Some((kind.name.to_owned(), title))
 }
 
 /// The spec of a measured file or of a list of asperities, and the keys that the file leaves to its user.

@@ -27,7 +27,7 @@ use asperity_workbench::engine::Heights;
 use asperity_workbench::{Engine, Example, Prepared, Refused, SpecText};
 use serde_json::Value;
 
-use crate::experiment::{Experiment, PRINT, write_index};
+use crate::experiment::{Experiment, write_index};
 use crate::surface::Surfaces;
 use contact::Contact;
 use surfaces::surface;
@@ -110,7 +110,7 @@ impl Engine for Workbench {
         store.recover().map_err(|error| failed(&error))?;
         if !store.is_current(experiment.stem(), &key) {
             store.check(experiment.stem()).map_err(|error| failed(&error))?;
-            let report = |results: &dyn Outcome, key: &str| report_folder(results, key, PRINT);
+            let report = |results: &dyn Outcome, key: &str| report_folder(results, key);
             let (report, _) = experiment.run_on(Some(content), None, progress, report).map_err(input)?;
             store.write(&report.map_err(|error| failed(&error))?).map_err(|error| failed(&error))?;
         }

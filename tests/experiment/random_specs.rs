@@ -216,7 +216,7 @@ fn report(experiment: &Experiment, threads: usize) -> Result<Vec<(String, Vec<u8
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
     pool.install(|| {
         let results = experiment.run(&Silent)?;
-        let folder = folder(&*results, "key", None).expect("a report of any results");
+        let folder = folder(&*results, "key").expect("a report of any results");
         let files = folder.files().filter(|(name, _)| *name != "timing.json");
         Ok(files.map(|(name, content)| (name.to_owned(), content.to_vec())).collect())
     })

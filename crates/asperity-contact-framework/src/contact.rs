@@ -20,11 +20,8 @@ pub struct Bodies {
 /// The layer on one of the bodies.
 #[derive(Debug, Clone)]
 pub struct LayerMetadata {
-    /// Name of its material.
     pub name: String,
-    /// Effective-modulus model.
     pub rule: ModulusModel,
-    /// The body that it is on.
     pub on: Body,
     /// Thicknesses, m, ascending; 0 and infinity among them.
     pub thicknesses: Vec<f64>,
@@ -45,7 +42,6 @@ pub struct ContactMetadata {
     pub hardness: Option<f64>,
     /// Whether its electrical and its thermal conductance are asked for.
     pub conducts: [bool; 2],
-    /// The layer on one of them.
     pub layer: Option<LayerMetadata>,
     /// Laws used outside their range of validity, one per line.
     pub caveats: Vec<String>,

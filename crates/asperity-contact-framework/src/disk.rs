@@ -19,9 +19,6 @@ pub fn advice(error: &io::Error) -> &'static str {
 }
 
 /// Whether files can be made in a folder that is there, as far as that can be told without making one.
-///
-/// # Errors
-/// The reason why not.
 #[cfg(target_os = "linux")]
 pub fn check_writable(folder: &Path) -> io::Result<()> {
     use rustix::fs::{Access, access};
@@ -29,9 +26,6 @@ pub fn check_writable(folder: &Path) -> io::Result<()> {
 }
 
 /// Elsewhere only an attempt tells.
-///
-/// # Errors
-/// None.
 #[cfg(not(target_os = "linux"))]
 pub fn check_writable(_: &Path) -> io::Result<()> {
     Ok(())

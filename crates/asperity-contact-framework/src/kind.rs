@@ -1,6 +1,6 @@
 //! What an experiment kind is: one trait for reading a spec's table, one for the plan of a run, one for its results.
 //!
-//! A kind implements [`Kind`], [`Plan`] and [`Outcome`] with its own types; the program keeps any of them as [`AnyKind`] and [`AnyPlan`].
+//! A kind implements [`Kind`], [`Plan`] and [`Outcome`] with its own types; the program keeps any of them as [`RegisteredKind`] and `dyn Plan`.
 
 use std::any::Any;
 use std::fmt;
@@ -15,7 +15,6 @@ use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};
 
 use crate::digest::{hexadecimal, sha256};
-use crate::divided::AnyDivided;
 use crate::group::Group;
 use crate::input::material::MaterialOrigin;
 use crate::input::{InputError, Source, Spanned, SpecFile};
@@ -37,9 +36,8 @@ pub struct Reads {
     pub surfaces: bool,
 }
 
-/// A kind of experiment: what the table `[NAME]` of a spec means. [`AnyKind`] is the same for a registry.
-pub trait Kind: Sync {
-    /// Name of its table.
+/// A kind of experiment: what the table `[NAME]` of a spec means. [`RegisteredKind`] is its entry in a registry.
+pub trait Kind {
     const NAME: &'static str;
 
     /// What it reads besides its table.
@@ -54,14 +52,10 @@ pub trait Kind: Sync {
     /// Its table.
     type Spec: DeserializeOwned + JsonSchema;
 
-    /// Its plan.
-    type Plan: Plan + Send + Sync + 'static;
+    type Plan: Plan + 'static;
 
     /// Reads what the table refers to, and checks everything that can be checked without running it; `huge` includes parts that
     /// need gigabytes.
-    ///
-    /// # Errors
-    /// The first thing that keeps it from running.
     fn plan(file: &SpecFile, table: &Spanned<Self::Spec>, huge: bool) -> Result<Self::Plan, InputError>;
 
     /// A plan with how it may be run.
@@ -78,84 +72,52 @@ pub trait Kind: Sync {
     }
 }
 
-/// A [`Kind`] of any type.
-pub trait AnyKind: Sync {
-    /// Name of its table.
-    fn name(&self) -> &'static str;
-
+/// A [`Kind`] in a registry.
+pub struct RegisteredKind {
+    /// [`Kind::NAME`]
+    pub name: &'static str,
+    /// [`Kind::READS`]
+    pub reads: Reads,
+    /// [`Kind::IS_TIMED`]
+    pub is_timed: bool,
+    /// [`Kind::GROUP`]
+    pub group: Option<Group>,
     /// The JSON schema of its table.
-    fn schema(&self, generator: &mut SchemaGenerator) -> schemars::Schema;
-
-    /// What it reads besides its table.
-    fn reads(&self) -> Reads;
-
-    /// Whether its page holds measured times.
-    fn is_timed(&self) -> bool;
-
-    /// Where the index lists its reports, unless a spec says something else.
-    fn group(&self) -> Option<Group>;
-
-    /// See [`Kind::plan`].
-    ///
-    /// # Errors
-    /// A table that cannot be read, and as [`Kind::plan`].
-    fn plan(&self, file: &SpecFile, huge: bool) -> Result<Planned, InputError>;
-
-    /// The tables that its reports may hold.
-    fn tables(&self) -> Vec<Schema>;
-
-    /// The table of [`Outcome::swept`].
-    fn swept(&self) -> Option<Schema>;
+    pub schema: fn(&mut SchemaGenerator) -> schemars::Schema,
+    /// Reads its table of a spec, and makes a plan of it.
+    pub plan: fn(&SpecFile, bool) -> Result<Planned, InputError>,
+    /// [`Kind::tables`]
+    pub tables: fn() -> Vec<Schema>,
+    /// [`Kind::swept`]
+    pub swept: fn() -> Option<Schema>,
 }
 
-impl<K: Kind> AnyKind for K {
-    fn name(&self) -> &'static str {
-        K::NAME
-    }
-
-    fn schema(&self, generator: &mut SchemaGenerator) -> schemars::Schema {
-        generator.subschema_for::<K::Spec>()
-    }
-
-    fn reads(&self) -> Reads {
-        K::READS
-    }
-
-    fn is_timed(&self) -> bool {
-        K::IS_TIMED
-    }
-
-    fn group(&self) -> Option<Group> {
-        K::GROUP
-    }
-
-    fn plan(&self, file: &SpecFile, huge: bool) -> Result<Planned, InputError> {
-        K::plan(file, &file.required_table::<K::Spec>(K::NAME)?, huge).map(K::planned)
-    }
-
-    fn tables(&self) -> Vec<Schema> {
-        K::tables()
-    }
-
-    fn swept(&self) -> Option<Schema> {
-        K::swept()
+impl RegisteredKind {
+    /// The entry of a kind.
+    pub const fn of<K: Kind>() -> Self {
+        Self {
+            name: K::NAME,
+            reads: K::READS,
+            is_timed: K::IS_TIMED,
+            group: K::GROUP,
+            schema: |generator| generator.subschema_for::<K::Spec>(),
+            plan: |file, huge| K::plan(file, &file.required_table::<K::Spec>(K::NAME)?, huge).map(K::planned),
+            tables: K::tables,
+            swept: K::swept,
+        }
     }
 }
 
 /// The memory that a run needs at its peak.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Memory {
-    /// Bytes.
     pub bytes: u128,
     /// Position in the spec of the largest part of it.
     pub key: Option<Range<usize>>,
 }
 
 /// An experiment that can be run. `Display` prints what it will do, one line per item, for `experiment check`.
-pub trait Plan: fmt::Display {
-    /// Its results.
-    type Outcome: Outcome;
-
+pub trait Plan: fmt::Display + Send + Sync {
     /// The files that it reads, each once.
     fn inputs(&self) -> Vec<PathBuf> {
         Vec::new()
@@ -168,93 +130,55 @@ pub trait Plan: fmt::Display {
     fn work(&self) -> u128;
 
     /// Looks for what a run would refuse, as far as that takes no more than a small part of the run's time.
-    ///
-    /// # Errors
-    /// What a run would refuse.
     fn check(&self, _: &RunContext) -> Result<(), InputError> {
         Ok(())
     }
 
     /// Runs it.
-    ///
-    /// # Errors
-    /// What only a run can find: a map without a summit, a pressure that is not reached.
-    fn run(&self, context: &RunContext) -> Result<Self::Outcome, InputError>;
-}
-
-/// A [`Plan`] of any type.
-pub trait AnyPlan: fmt::Display + Send + Sync {
-    /// See [`Plan::inputs`].
-    fn inputs(&self) -> Vec<PathBuf>;
-
-    /// See [`Plan::memory`].
-    fn memory(&self) -> Memory;
-
-    /// See [`Plan::work`].
-    fn work(&self) -> u128;
-
-    /// See [`Plan::check`].
-    ///
-    /// # Errors
-    /// What a run would refuse.
-    fn check(&self, context: &RunContext) -> Result<(), InputError>;
-
-    /// See [`Plan::run`].
-    ///
-    /// # Errors
-    /// What only a run can find.
     fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError>;
+
+    /// The same, where its tasks can be run by many machines.
+    fn divided(&self) -> Option<&dyn Divided> {
+        None
+    }
 }
 
-impl<P: Plan + Send + Sync> AnyPlan for P {
-    fn inputs(&self) -> Vec<PathBuf> {
-        Plan::inputs(self)
-    }
+/// A plan whose work is divided into tasks. The input alone fixes them, so that results are the same to the bit wherever each runs.
+pub trait Divided {
+    fn tasks(&self) -> usize;
 
-    fn memory(&self) -> Memory {
-        Plan::memory(self)
-    }
+    /// Number of passes over all tasks. A pass needs what all tasks have found in the earlier ones.
+    fn passes(&self) -> usize;
 
-    fn work(&self) -> u128 {
-        Plan::work(self)
-    }
+    /// What pass `earlier.len()` finds in a task (from 0), as JSON, which keeps every bit.
+    fn run_task(
+        &self,
+        context: &RunContext,
+        task: usize,
+        earlier: &[Vec<String>],
+    ) -> Result<String, InputError>;
 
-    fn check(&self, context: &RunContext) -> Result<(), InputError> {
-        Plan::check(self, context)
-    }
-
-    fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
-        Ok(Box::new(Plan::run(self, context)?))
-    }
+    /// The results of a run, from what all tasks have found in all passes.
+    fn results(&self, context: &RunContext, passes: &[Vec<String>]) -> Result<Box<dyn Outcome>, InputError>;
 }
 
 /// A plan with how it may be run.
 pub struct Planned {
-    /// The plan.
-    pub plan: Arc<dyn AnyPlan>,
-    /// The same, where it can be run in parts.
-    pub divided: Option<Arc<dyn AnyDivided>>,
+    pub plan: Arc<dyn Plan>,
     /// Distinguishes its report from that of the same spec run in another way; empty if there is only one.
     pub variant: &'static str,
 }
 
 impl Planned {
-    /// A plan that is run as a whole.
-    pub fn new(plan: impl AnyPlan + 'static) -> Self {
-        Self { plan: Arc::new(plan), divided: None, variant: "" }
-    }
-
-    /// A plan that can be run in parts.
-    pub fn in_parts<P: AnyPlan + AnyDivided + 'static>(plan: P) -> Self {
-        let plan = Arc::new(plan);
-        Self { plan: plan.clone(), divided: Some(plan), variant: "" }
+    /// A plan without variants.
+    pub fn new(plan: impl Plan + 'static) -> Self {
+        Self { plan: Arc::new(plan), variant: "" }
     }
 }
 
 /// Results of a run: metadata, warnings, tables, and the outline of a page. A program that knows the kind can cast it to the
 /// kind's own type through [`Any`].
 pub trait Outcome: Any + Send + Sync {
-    /// What every experiment has.
     fn metadata(&self) -> &Metadata;
 
     /// Warnings about the results, one per line.
@@ -274,9 +198,6 @@ pub trait Outcome: Any + Send + Sync {
     fn page(&self, tables: &Tables) -> Page;
 
     /// What `summary.json` holds besides metadata, warnings and tables.
-    ///
-    /// # Errors
-    /// None that a result can cause.
     fn facts(&self) -> serde_json::Result<Map<String, Value>> {
         Ok(Map::new())
     }
@@ -287,19 +208,15 @@ pub trait Outcome: Any + Send + Sync {
     }
 }
 
-/// See [`RunContext::input_sha256`].
-pub type InputSha256<'a> = dyn Fn() -> Result<String, InputError> + Sync + 'a;
-
 /// What a run needs besides its plan.
 pub struct RunContext<'a> {
-    /// Title of the report.
     pub title: &'a str,
     /// Name of the spec's table of its kind.
     pub kind: &'static str,
     /// Name of the report's folder.
     pub stem: &'a str,
-    /// Gives the SHA-256 of the spec, of how it is run, and of its input files, hexadecimal, or why these cannot be read; it may wait until they are.
-    pub input_sha256: &'a InputSha256<'a>,
+    /// SHA-256 of the spec, of how it is run, and of its input files, hexadecimal.
+    pub input_sha256: &'a str,
     /// The author's notes.
     pub notes: &'a str,
     /// The size of its figures in print; `None` of figures for the page only.
@@ -318,7 +235,6 @@ pub struct RunContext<'a> {
     pub origins: &'a IndexMap<String, MaterialOrigin>,
     /// The spec's text, for errors that only a run can find.
     pub source: &'a Source,
-    /// Whoever watches.
     pub progress: &'a dyn Progress,
     /// The folder in which a run may keep what it has done, to continue if it is killed.
     pub kept: Option<&'a Path>,
@@ -337,7 +253,7 @@ impl RunContext<'_> {
             again: self.again(),
             notes: self.notes.to_owned(),
             spec_sha256: hexadecimal(&sha256(self.source.text.as_bytes())),
-            input_sha256: (self.input_sha256)().unwrap_or_default(),
+            input_sha256: self.input_sha256.to_owned(),
             seed: self.seed,
             figure: self.figure,
             is_long: self.is_long,

@@ -8,7 +8,6 @@ use asperity::work::Work;
 use asperity_plot::Size;
 use indexmap::IndexMap;
 
-/// What every experiment has.
 #[derive(Debug, Clone)]
 pub struct Metadata {
     /// What the report is called.
@@ -48,7 +47,6 @@ pub struct Metadata {
 /// What runs an experiment again.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Again {
-    /// A command.
     Command(String),
     /// The spec itself, which has no file.
     Spec(String),

@@ -41,9 +41,6 @@ impl Budget {
     }
 
     /// Waits for so many bytes.
-    ///
-    /// # Errors
-    /// More than there are.
     pub async fn take(&self, bytes: u128) -> Result<OwnedSemaphorePermit, Refused> {
         let units = u32::try_from(bytes.div_ceil(u128::from(UNIT))).unwrap_or(u32::MAX).max(1);
         if units > self.units {
@@ -221,9 +218,6 @@ pub fn answer(
 }
 
 /// What `work` gives, which ends where its request does.
-///
-/// # Errors
-/// Those of the work; work that was cancelled, failed, or needs more memory than there is.
 pub async fn value<T: Send + 'static>(
     budget: Arc<Budget>,
     bytes: u128,

@@ -29,7 +29,6 @@ static STYLE: LazyLock<String> =
 /// The library for charts, and what makes charts of the figures of reports.
 static CHARTS: LazyLock<String> = LazyLock::new(|| chart_scripts().concat());
 
-/// The page.
 pub fn page() -> Response {
     ([(header::CONTENT_TYPE, "text/html; charset=utf-8")], PAGE).into_response()
 }

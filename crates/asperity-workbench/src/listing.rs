@@ -34,7 +34,6 @@ enum What {
     Report {
         title: String,
         answer: String,
-        /// Whether it has a picture.
         picture: bool,
         page: &'static str,
     },

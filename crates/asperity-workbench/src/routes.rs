@@ -186,7 +186,6 @@ async fn picture(State(app): State<App>, Json(OnePath { path }): Json<OnePath>) 
     .await
 }
 
-/// Heights as numbers.
 fn as_bytes(heights: &Heights) -> Response {
     ([(header::CONTENT_TYPE, "application/octet-stream")], heights.bytes()).into_response()
 }

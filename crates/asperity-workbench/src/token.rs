@@ -37,9 +37,6 @@ pub fn kept(path: &Path) -> io::Result<String> {
 }
 
 /// A new token.
-///
-/// # Errors
-/// A system without random numbers.
 pub fn random() -> io::Result<String> {
     let mut bytes = [0; DIGITS / 2];
     getrandom::fill(&mut bytes).map_err(io::Error::other)?;

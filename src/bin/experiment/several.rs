@@ -65,7 +65,6 @@ pub enum Done {
 pub struct Counts([usize; 3]);
 
 impl Counts {
-    /// Counts one more.
     pub fn add(&mut self, done: Done) {
         self.0[done as usize] += 1;
     }
@@ -90,9 +89,6 @@ impl Counts {
 }
 
 /// A line of a list: name, state of its report, of a long one what it took, title.
-///
-/// # Errors
-/// An input file that cannot be read.
 pub fn listed(experiment: &Experiment, store: &Store) -> Result<String, InputError> {
     let stem = experiment.stem();
     let state = store.state(stem, &experiment.key()?, &experiment.input()?);

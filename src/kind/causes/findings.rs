@@ -7,7 +7,6 @@ use super::results::{CausesResults, GridPoint, QUANTITIES, QuantityAtLoad};
 /// One quantity at one load.
 #[derive(Debug)]
 pub struct Findings {
-    /// What is compared.
     pub quantity: ComparedQuantity,
     /// Indices of law and load.
     pub condition: [usize; 2],
@@ -30,7 +29,6 @@ pub struct Findings {
 pub struct Lead {
     /// `None`: no cause leads.
     pub cause: Option<Cause>,
-    /// Number of points.
     pub points: usize,
     /// Skewnesses at which it leads in every row of the grid.
     pub in_every_row: Vec<f64>,
@@ -97,7 +95,6 @@ pub struct NearerCounts {
 }
 
 impl NearerCounts {
-    /// Of a quantity.
     pub fn new(results: &CausesResults, quantity: ComparedQuantity) -> Self {
         let mut counts = Self::default();
         for condition in results.conditions() {
@@ -130,7 +127,6 @@ pub struct VerdictCounts {
 }
 
 impl VerdictCounts {
-    /// Of a quantity.
     pub fn new(results: &CausesResults, quantity: ComparedQuantity) -> Self {
         let mut counts = Self::default();
         let verdicts = results.conditions().flat_map(|condition| {

@@ -12,13 +12,11 @@ mod spec;
 
 use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 use asperity_contact_framework::report::table::Schema;
-use asperity_contact_framework::{Group, Kind, Reads};
+use asperity_contact_framework::{Group, Kind, Outcome, Reads};
 use asperity_contact_framework::{Memory, Plan, RunContext};
 
 use plan::CausesPlan;
-use results::CausesResults;
 
-/// `[causes]`
 pub struct Causes;
 
 impl Kind for Causes {
@@ -38,8 +36,6 @@ impl Kind for Causes {
 }
 
 impl Plan for CausesPlan {
-    type Outcome = CausesResults;
-
     fn memory(&self) -> Memory {
         Plan::memory(&self.compare)
     }
@@ -48,7 +44,7 @@ impl Plan for CausesPlan {
         self.compare.study.work()
     }
 
-    fn run(&self, context: &RunContext) -> Result<CausesResults, InputError> {
-        run::run(context, self)
+    fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
+        Ok(Box::new(run::run(context, self)?))
     }
 }

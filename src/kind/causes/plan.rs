@@ -46,7 +46,6 @@ pub enum Axis {
 pub struct PointPlan {
     /// Skewness of the surface heights.
     pub skewness: f64,
-    /// Their kurtosis.
     pub kurtosis: f64,
     /// Longest over shortest wavelength; `None` where it follows from the summits.
     pub wavelengths: Option<f64>,
@@ -73,7 +72,6 @@ impl fmt::Display for CausesPlan {
     }
 }
 
-/// Reads `[causes]`.
 pub(super) fn plan(file: &SpecFile, table: &Spanned<CausesSpec>) -> Result<CausesPlan, InputError> {
     let raw = table.get_ref();
     file.spheres_only(&raw.law, "the asperities of [causes] are taken as spheres")?;

@@ -15,9 +15,7 @@ pub const QUANTITIES: [ComparedQuantity; 2] = [ComparedQuantity::Separation, Com
 /// Surfaces of a grid.
 #[derive(Debug)]
 pub struct CausesResults {
-    /// What every experiment has.
     pub metadata: Metadata,
-    /// The bodies.
     pub contact: ContactMetadata,
     /// The laws, as tables name them.
     pub laws: Vec<String>,
@@ -61,8 +59,6 @@ pub struct GridPoint {
 /// Both models on the surfaces of a point.
 #[derive(Debug)]
 pub struct GridSurfaces {
-    /// Points along a side.
-    pub points: usize,
     /// Means over the surfaces.
     pub reached: Reached,
     /// Law by law, load by load.
@@ -74,11 +70,8 @@ pub struct GridSurfaces {
 pub struct Reached {
     /// m.
     pub pixel: f64,
-    /// Number of asperities.
     pub asperities: f64,
-    /// Of the surface heights.
     pub skewness: f64,
-    /// Of the surface heights.
     pub kurtosis: f64,
     /// Nayak's bandwidth parameter.
     pub alpha: f64,
@@ -88,7 +81,6 @@ pub struct Reached {
     pub asperity_skewness: f64,
     /// Standard deviation of the radii over their mean.
     pub radius_cv: f64,
-    /// Correlation of heights and radii.
     pub height_radius_correlation: f64,
     /// Greenwood and Williamson's; 0 where nothing yields.
     pub plasticity_index: f64,
@@ -97,8 +89,6 @@ pub struct Reached {
 /// One law at one load.
 #[derive(Debug)]
 pub struct AtLoad {
-    /// Nominal pressure, Pa.
-    pub load: f64,
     /// The limits of admissible loads that are exceeded on some of the surfaces.
     pub exceeded: Exceeded,
     /// The mean over the surfaces, with the interval of their scatter; `None` where the load is not admissible on one.

@@ -18,7 +18,6 @@ pub struct ContactMap {
     pub heights: HeightMap,
     /// Whether it is in contact in the sum, and not in the reference.
     pub is_of_sum: bool,
-    /// The loads, ascending.
     pub loads: Vec<MapLoad>,
     /// Index of the load at which results are reported.
     pub reported: usize,
@@ -26,7 +25,6 @@ pub struct ContactMap {
     pub patches: MapPatches,
 }
 
-/// One of its loads.
 #[derive(Debug)]
 pub struct MapLoad {
     /// Nominal pressure, Pa.

@@ -19,7 +19,6 @@ pub struct ReadLoads {
     pub law: String,
     /// Thickness of the layer, m; `None` without a layer in the spec.
     pub thickness: Option<f64>,
-    /// The model.
     pub kind: ModelKind,
     /// d/sigma.
     pub separation: f64,

@@ -22,9 +22,7 @@ use crate::surface::{fitness, warnings};
 /// Both models on given surfaces.
 #[derive(Debug)]
 pub struct CompareResults {
-    /// What every experiment has.
     pub metadata: Metadata,
-    /// The bodies.
     pub contact: ContactMetadata,
     /// What is asked of the spots of the contact.
     pub spots: SpotProperties,
@@ -56,7 +54,6 @@ pub struct ReferenceMetadata {
 /// What the command line made of a measured file.
 #[derive(Debug)]
 pub struct Described {
-    /// The file.
     pub file: PathBuf,
     /// The spec that runs the same.
     pub spec: String,

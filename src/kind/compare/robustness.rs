@@ -14,7 +14,6 @@ use crate::surface::SurfaceFactory;
 pub struct Treatments {
     /// Nesting index of the map's own S filter, m.
     own_cut_off: Option<f64>,
-    /// Treatment by treatment.
     treated: Vec<TreatedCases>,
 }
 

@@ -43,9 +43,6 @@ pub fn run(
 }
 
 /// The same within a scope.
-///
-/// # Errors
-/// As [`run`].
 pub fn run_within(
     context: &RunContext,
     compare: &ComparePlan,
@@ -125,9 +122,6 @@ pub struct Ran<T> {
 }
 
 /// Runs a comparison surface by surface, and keeps what `keep` makes of the results on each.
-///
-/// # Errors
-/// The first of `keep`.
 pub fn each_surface<T>(
     context: &RunContext,
     compare: &ComparePlan,
@@ -190,7 +184,6 @@ fn surfaces_within<T>(
     Ok(Ran { results, timing, papers })
 }
 
-/// A comparison under way.
 struct Run<'a> {
     context: &'a RunContext<'a>,
     compare: &'a ComparePlan,
@@ -229,8 +222,6 @@ impl<'a> Run<'a> {
             self.setup.models = &[];
         }
         let setup = self.setup;
-        // Until the input is read, which leaves a thread less, so that the times of the models are theirs.
-        (context.input_sha256)()?;
         let models = self.models(&surface)?;
         let mut first = self.both_models(&surface, &models)?;
         let start = Instant::now();

@@ -13,16 +13,13 @@ use super::results::{CompareResults, SurfaceResults};
 pub struct Series<'a> {
     pub findings: &'a LayerFindings,
     pub subject: String,
-    /// Name of the surface.
     pub surface: &'a str,
     pub stem: String,
     /// Results on the first realisation.
     pub cases: Vec<&'a CaseResults>,
     /// The friction by thickness; empty where it is not asked for.
     pub friction: Vec<&'a FilmFriction>,
-    /// Number of realisations.
     pub realisations: usize,
-    /// What these are.
     pub repeats: &'static str,
     pub modulus: f64,
     pub units: Units,

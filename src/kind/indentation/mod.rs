@@ -14,12 +14,11 @@ use std::path::PathBuf;
 
 use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 use asperity_contact_framework::report::table::Schema;
-use asperity_contact_framework::{Kind, Reads};
+use asperity_contact_framework::{Kind, Outcome, Reads};
 use asperity_contact_framework::{Memory, Plan, RunContext};
 
 use plan::IndentationPlan;
 
-/// `[indentation]`
 pub struct Indentation;
 
 impl Kind for Indentation {
@@ -38,8 +37,6 @@ impl Kind for Indentation {
 }
 
 impl Plan for IndentationPlan {
-    type Outcome = IndentationResults;
-
     fn inputs(&self) -> Vec<PathBuf> {
         self.overlay.iter().map(|overlay| overlay.path.clone()).collect()
     }
@@ -56,7 +53,7 @@ impl Plan for IndentationPlan {
         (CURVES * (self.laws.len() + 1) * self.indentations.len() * self.cases()) as u128
     }
 
-    fn run(&self, context: &RunContext) -> Result<IndentationResults, InputError> {
-        run::run(context, self)
+    fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
+        Ok(Box::new(run::run(context, self)?))
     }
 }

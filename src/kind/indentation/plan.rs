@@ -55,7 +55,6 @@ impl fmt::Display for IndentationPlan {
     }
 }
 
-/// Reads `[indentation]`.
 pub(super) fn plan(file: &SpecFile, raw: &IndentationSpec) -> Result<IndentationPlan, InputError> {
     let body = |name: &Spanned<String>| Ok((name.get_ref().clone(), file.body(name.get_ref(), name.span())?));
     let (ball, flat) = (body(&raw.ball)?, body(&raw.flat)?);

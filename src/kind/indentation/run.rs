@@ -25,7 +25,6 @@ use crate::paper::SphereFigure;
 /// One sphere on layered flats.
 #[derive(Debug)]
 pub struct IndentationResults {
-    /// What every experiment has.
     pub metadata: Metadata,
     /// The bodies of the spec.
     pub materials: IndexMap<String, Material>,
@@ -52,13 +51,10 @@ pub struct IndentationResults {
 /// A layer of one thickness.
 #[derive(Debug)]
 pub struct LayerResults {
-    /// Its material.
     pub name: String,
     /// m.
     pub thickness: f64,
-    /// Its effective-modulus model.
     pub rule: ModulusModel,
-    /// Law by law.
     pub laws: Vec<LawCurves>,
     /// The exact elastic contact at each indentation; `None` where it is too large to be solved.
     pub exact: Vec<Option<ElasticContact>>,
@@ -73,9 +69,7 @@ pub struct LayerResults {
 pub struct LawCurves {
     /// The law, as tables name it.
     pub law: String,
-    /// With the layer.
     pub coated: Curve,
-    /// Without it.
     pub uncoated: Curve,
     /// The flat all of the layer's material.
     pub all_layer: Curve,

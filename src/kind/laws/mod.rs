@@ -14,13 +14,11 @@ use asperity::surface::AnalysisDepth;
 use asperity_contact_framework::Kind;
 use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 use asperity_contact_framework::report::table::Schema;
-use asperity_contact_framework::{Memory, Plan, RunContext};
+use asperity_contact_framework::{Memory, Outcome, Plan, RunContext};
 
 use crate::surface::{inputs, memory};
 use plan::LawsPlan;
-use results::LawsResults;
 
-/// `[laws]`
 pub struct Laws;
 
 impl Kind for Laws {
@@ -38,8 +36,6 @@ impl Kind for Laws {
 }
 
 impl Plan for LawsPlan {
-    type Outcome = LawsResults;
-
     fn inputs(&self) -> Vec<PathBuf> {
         inputs(&self.compare.study.surfaces)
     }
@@ -56,7 +52,7 @@ impl Plan for LawsPlan {
         self.compare.check(context)
     }
 
-    fn run(&self, context: &RunContext) -> Result<LawsResults, InputError> {
-        run::run(context, self)
+    fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
+        Ok(Box::new(run::run(context, self)?))
     }
 }

@@ -68,7 +68,6 @@ impl fmt::Display for LawsPlan {
     }
 }
 
-/// Reads `[laws]`.
 pub(super) fn plan(file: &SpecFile, table: &Spanned<LawsSpec>) -> Result<LawsPlan, InputError> {
     let (raw, span) = (table.get_ref(), table.span());
     let laws = &raw.law.get_ref().0;

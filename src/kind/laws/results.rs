@@ -53,7 +53,6 @@ pub struct LawOnAsperity {
     pub law: String,
     /// Description and range of validity, in one line.
     pub about: &'static str,
-    /// Its papers.
     pub papers: Vec<Paper>,
     /// Whether contacts under it pass from elastic to something else.
     pub is_elastic_plastic: bool,
@@ -66,7 +65,6 @@ pub struct LawOnAsperity {
 /// Effect of contact law and summation method on one realisation of a surface.
 #[derive(Debug)]
 pub struct SurfaceInfluence {
-    /// The surface.
     pub surface: String,
     /// From 1.
     pub realisation: usize,

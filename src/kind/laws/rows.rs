@@ -8,7 +8,6 @@ use asperity::sphere::{Boundary, Point};
 use asperity_contact_framework::columns;
 use asperity_contact_framework::report::table::{Column, Row, Schema, Table};
 
-/// A law.
 pub struct LawRow<'a>(&'a LawOnAsperity);
 
 impl Row for LawRow<'_> {
@@ -266,7 +265,6 @@ pub fn schemas() -> Vec<Schema> {
     schemas
 }
 
-/// The files of [`schemas`].
 pub fn tables(results: &LawsResults) -> Vec<Table> {
     let points = results
         .laws

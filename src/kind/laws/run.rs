@@ -13,9 +13,6 @@ use asperity_contact_framework::RunContext;
 use asperity_contact_framework::input::InputError;
 
 /// Runs it.
-///
-/// # Errors
-/// As a comparison.
 pub fn run(context: &RunContext, laws_plan: &LawsPlan) -> Result<LawsResults, InputError> {
     let counter = Counter::default();
     let mut compare = run_compare(context, &laws_plan.compare, &counter)?;

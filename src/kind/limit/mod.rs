@@ -16,7 +16,6 @@ use crate::model_tables::{CurveRow, PairRow};
 use rows::{ConvergenceRow, SlopeRow};
 use run::LimitPlan;
 
-/// `[limit]`
 pub struct Limit;
 
 impl Kind for Limit {

@@ -10,7 +10,7 @@ use asperity::work::{CountedContact, Counter, Item};
 use asperity_contact_framework::contact::{Bodies, ContactMetadata, contact_metadata, papers_of};
 use asperity_contact_framework::input::InputError;
 use asperity_contact_framework::metadata::{Metadata, Timing};
-use asperity_contact_framework::{Memory, Plan, RunContext, set_memory};
+use asperity_contact_framework::{Memory, Outcome, Plan, RunContext, set_memory};
 
 /// Sets of growing size against their limit.
 pub struct LimitPlan {
@@ -19,7 +19,6 @@ pub struct LimitPlan {
     pub sets: LimitSets,
 }
 
-/// The results.
 #[derive(Debug)]
 pub struct LimitResults {
     pub metadata: Metadata,
@@ -33,8 +32,6 @@ pub struct LimitResults {
 }
 
 impl Plan for LimitPlan {
-    type Outcome = LimitResults;
-
     fn memory(&self) -> Memory {
         let largest = self.sets.counts.iter().copied().max().unwrap_or(0);
         Memory { bytes: set_memory(largest as u128), key: None }
@@ -44,7 +41,7 @@ impl Plan for LimitPlan {
         (self.sets.asperities() * self.laws.len() * self.sets.separations.len()) as u128
     }
 
-    fn run(&self, context: &RunContext) -> Result<LimitResults, InputError> {
+    fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
         let start = Instant::now();
         let Self { bodies, laws, sets } = self;
         let counter = Counter::default();
@@ -71,14 +68,14 @@ impl Plan for LimitPlan {
         let deterministic = total - statistical;
         let timing = Timing { statistical, deterministic, total, ..Timing::default() };
         let population = &sets.population;
-        Ok(LimitResults {
+        Ok(Box::new(LimitResults {
             metadata: context.metadata(papers_of(laws), timing, Some(counter.work())),
             contact: contact_metadata(context.materials, laws, bodies, None),
             plasticity_index: plasticity_index(&*laws[0].contact, population.sigma, population.radius),
             sets: sets.clone(),
             slopes: ErrorSlope::all(&points),
             points,
-        })
+        }))
     }
 }
 

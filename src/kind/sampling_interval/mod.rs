@@ -17,13 +17,11 @@ use asperity::surface::AnalysisDepth;
 use asperity_contact_framework::Kind;
 use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 use asperity_contact_framework::report::table::Schema;
-use asperity_contact_framework::{Memory, Plan, RunContext};
+use asperity_contact_framework::{Memory, Outcome, Plan, RunContext};
 
 use crate::surface::{SurfacePlan, inputs, memory};
 use plan::IntervalPlan;
-use results::IntervalResults;
 
-/// `[sampling-interval]`
 pub struct SamplingInterval;
 
 impl Kind for SamplingInterval {
@@ -41,8 +39,6 @@ impl Kind for SamplingInterval {
 }
 
 impl Plan for IntervalPlan {
-    type Outcome = IntervalResults;
-
     fn inputs(&self) -> Vec<PathBuf> {
         inputs(&self.study.surfaces)
     }
@@ -60,7 +56,7 @@ impl Plan for IntervalPlan {
         self.study.work() * self.scales() as u128
     }
 
-    fn run(&self, context: &RunContext) -> Result<IntervalResults, InputError> {
-        run::run(context, self)
+    fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
+        Ok(Box::new(run::run(context, self)?))
     }
 }

@@ -86,7 +86,6 @@ fn ascending<T>(
     Err(file.source.error_at(list.span(), message))
 }
 
-/// Reads `[sampling-interval]`.
 pub(super) fn plan(
     file: &SpecFile,
     table: &Spanned<SamplingIntervalSpec>,

@@ -16,9 +16,7 @@ pub const QUANTITIES: [ComparedQuantity; 2] = [ComparedQuantity::Separation, Com
 /// The same surfaces at several sampling intervals and under several S filters.
 #[derive(Debug)]
 pub struct IntervalResults {
-    /// What every experiment has.
     pub metadata: Metadata,
-    /// The bodies.
     pub contact: ContactMetadata,
     /// Warnings about inputs that are hardly meant.
     pub implausible: Vec<String>,
@@ -30,7 +28,6 @@ pub struct IntervalResults {
     pub surfaces: Vec<SurfaceResults>,
 }
 
-/// One surface.
 #[derive(Debug)]
 pub struct SurfaceResults {
     /// As it is: at one pixel, with its own filter only.
@@ -63,9 +60,7 @@ impl Variation {
 /// One surface varied in one way.
 #[derive(Debug)]
 pub struct Series {
-    /// Name of the surface.
     pub surface: String,
-    /// What is varied.
     pub variation: Variation,
     /// From the finest.
     pub scales: Vec<Scale>,
@@ -87,13 +82,10 @@ pub struct Scale {
 /// Asperities at one scale, and both models on them at every load.
 #[derive(Debug)]
 pub struct ScaleResults {
-    /// Number of asperities.
     pub count: usize,
-    /// The asperities.
     pub asperities: Asperities,
     /// What separations are measured in, m.
     pub sigma: f64,
-    /// Both models.
     pub case: CaseResults,
     /// All with each block of the map left out; `None` of a map that is too small for blocks.
     pub blocks: Option<BlocksLeftOut>,

@@ -213,7 +213,6 @@ pub fn schemas() -> Vec<Schema> {
     schemas
 }
 
-/// The tables.
 pub fn tables(results: &IntervalResults) -> Vec<Table> {
     let (mut scale_rows, mut gap_rows, mut limit_rows, mut lead_rows) = (vec![], vec![], vec![], vec![]);
     for series in results.surfaces.iter().flat_map(|surface| &surface.series) {

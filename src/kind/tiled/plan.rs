@@ -12,14 +12,11 @@ use crate::surface::{SurfacePlan, SurfaceTiles};
 
 /// Both models on a surface in tiles.
 pub struct TiledPlan {
-    /// Bodies, laws and separations.
     pub study: StudyPlan,
-    /// The tiles of its one surface.
     pub tiles: SurfaceTiles,
 }
 
 impl TiledPlan {
-    /// The surface.
     pub fn surface(&self) -> &SurfacePlan {
         &self.study.surfaces[0]
     }
@@ -35,15 +32,10 @@ impl fmt::Display for TiledPlan {
         write!(f, "{}", self.study)?;
         let count = self.tiles.count;
         let passes = if self.surface().nominal().is_some() { "one pass" } else { "two passes" };
-        writeln!(
-            f,
-            "  {count} tiles, {passes}; a part of them (`experiment run --part 1/{}`) needs the same memory",
-            count.min(16)
-        )
+        writeln!(f, "  {count} tiles, {passes}")
     }
 }
 
-/// Reads `[tiled]`.
 pub(super) fn plan(file: &SpecFile, table: &Spanned<TiledSpec>) -> Result<TiledPlan, InputError> {
     let (raw, span) = (table.get_ref(), table.span());
     let elliptic = raw.law.get_ref().0.iter().find(|law| law.is_elliptic());

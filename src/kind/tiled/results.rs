@@ -9,11 +9,8 @@ use asperity_contact_framework::metadata::Metadata;
 /// Both models on a surface in tiles.
 #[derive(Debug)]
 pub struct TiledResults {
-    /// What every experiment has.
     pub metadata: Metadata,
-    /// The bodies.
     pub contact: ContactMetadata,
-    /// The surface.
     pub surface: TiledSurface,
     /// Law by law, thickness by thickness.
     pub laws: Vec<LawResults>,
@@ -26,9 +23,7 @@ pub struct TiledResults {
 pub struct TiledSurface {
     /// Its name in the spec.
     pub name: String,
-    /// Number of tiles.
     pub tiles: usize,
-    /// Number of asperities.
     pub count: usize,
     /// Nominal area, m^2.
     pub nominal_area: f64,
@@ -47,7 +42,6 @@ pub struct TiledSurface {
 /// Both models under a law.
 #[derive(Debug)]
 pub struct LawResults {
-    /// Name of the law.
     pub law: String,
     /// Thickness of the layer, m; `None` without a layer in the spec.
     pub thickness: Option<f64>,

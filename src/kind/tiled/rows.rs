@@ -72,7 +72,6 @@ impl Row for SeparationRow<'_> {
     }
 }
 
-/// The surface.
 pub fn surface_row(surface: &TiledSurface) -> SurfaceRow<'_> {
     let mean_height = surface.origin + surface.statistics.mean_height;
     SurfaceRow {
@@ -88,7 +87,6 @@ pub fn surface_row(surface: &TiledSurface) -> SurfaceRow<'_> {
     }
 }
 
-/// The tables.
 pub fn tables(results: &TiledResults) -> Vec<Table> {
     let case = |law: &LawResults| RowCase::layered(&results.surface.name, &law.law, law.thickness);
     let modulus = results.contact.reduced_modulus;

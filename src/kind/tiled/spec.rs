@@ -10,7 +10,7 @@ use asperity_contact_framework::input::sweep::LinearSweep;
 use crate::layer::LayerSpec;
 use crate::study_plan::RoughBody;
 
-/// Both models on one surface that may be larger than memory: it is summed tile by tile, in one process or in parts on many machines (docs/clusters.md).
+/// Both models on one surface that may be larger than memory: it is summed tile by tile, in one process or on many machines (docs/clusters.md).
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct TiledSpec {

@@ -143,7 +143,6 @@ fn asperities(page: &mut Page, surface: &Surface, assumed: Option<&asperity::Pop
     page.figure(&format!("{name}-asperities.svg"), figure, &caption);
 }
 
-/// A surface for a terminal.
 pub fn for_terminal(surface: &Surface) -> String {
     let which = match surface.realisations {
         1 => String::new(),

@@ -60,7 +60,7 @@ struct CommonKeys {
     #[serde(default)]
     #[schemars(extend("default" = 0, "examples" = [1]))]
     seed: Whole,
-    /// Figures in a size for print; with the feature `print` of the program as PNG and PDF, too.
+    /// Figures in a size for print.
     #[schemars(extend("x-default" = "SVG as wide as the page", "examples" = [{ "width": "85 mm", "font": "8 pt" }]))]
     figure: Option<FigureSpec>,
     /// Whether `experiment` without a file runs it: always, or only with `--full`.
@@ -110,9 +110,6 @@ impl<'a> SpecFile<'a> {
     }
 
     /// The same of a text.
-    ///
-    /// # Errors
-    /// As [`SpecFile::read`].
     pub fn parse(source: Source, tables: &[&str]) -> Result<Self, InputError> {
         if source.text.len() as u64 > MOST_BYTES {
             let message = format!(
@@ -194,9 +191,6 @@ impl<'a> SpecFile<'a> {
     }
 
     /// The table `name`, which must be present.
-    ///
-    /// # Errors
-    /// As [`SpecFile::table`], and a file without it.
     pub fn required_table<T: DeserializeOwned>(&self, name: &str) -> Result<Spanned<T>, InputError> {
         let missing = || InputError::file(&self.source.path, format!("found no [{name}], which is needed"));
         self.table(name)?.ok_or_else(missing)

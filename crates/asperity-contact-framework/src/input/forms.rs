@@ -71,9 +71,6 @@ impl<'de, T, Item: Deserialize<'de>, Table: Deserialize<'de>> Forms<'_, T, Item,
 }
 
 /// Reads one of some names, for `deserialize_with`: a number is an error that lists them, as another name is.
-///
-/// # Errors
-/// Neither a name nor a number, or none of the names.
 pub fn named<'de, D: Deserializer<'de>, T: DeserializeOwned>(deserializer: D) -> Result<T, D::Error> {
     let read = |name: &str| {
         T::deserialize(StrDeserializer::<serde::de::value::Error>::new(name))
@@ -83,9 +80,6 @@ pub fn named<'de, D: Deserializer<'de>, T: DeserializeOwned>(deserializer: D) ->
 }
 
 /// The same of a key that may be left out.
-///
-/// # Errors
-/// As [`named`].
 pub fn named_or_none<'de, D: Deserializer<'de>, T: DeserializeOwned>(
     deserializer: D,
 ) -> Result<Option<T>, D::Error> {

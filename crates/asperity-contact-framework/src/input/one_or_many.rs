@@ -18,9 +18,6 @@ pub enum OneOrMany<T> {
 
 impl<T> OneOrMany<T> {
     /// Reads one value or a list, of which a message says `expected`.
-    ///
-    /// # Errors
-    /// Neither of both.
     pub fn read<'de, D: Deserializer<'de>>(deserializer: D, expected: &str) -> Result<Self, D::Error>
     where
         T: Deserialize<'de>,
@@ -29,9 +26,6 @@ impl<T> OneOrMany<T> {
     }
 
     /// The values, one at least; `name` is that of a value in a message.
-    ///
-    /// # Errors
-    /// An empty list.
     pub fn at_least_one<E: Error>(self, name: &str) -> Result<Vec<T>, E> {
         match self {
             Self::One(value) => Ok(vec![value]),
@@ -43,9 +37,6 @@ impl<T> OneOrMany<T> {
     }
 
     /// The values along x and along y: one for both, or one for each; `names` is that of values in a message.
-    ///
-    /// # Errors
-    /// A list of another length.
     pub fn along_both<E: Error>(self, names: &str) -> Result<[T; 2], E>
     where
         T: Copy,

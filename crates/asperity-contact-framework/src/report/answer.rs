@@ -18,12 +18,10 @@ pub struct Answer {
     pub lines: Vec<CardLine>,
 }
 
-/// A line of a card.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct CardLine {
     /// Its name for machines.
     pub key: String,
-    /// Its label.
     pub label: String,
     /// What it says, in one text or several, with code between backticks.
     pub texts: Vec<String>,
@@ -38,7 +36,6 @@ impl CardLine {
         Self { key: key.to_owned(), label: label.to_owned(), texts: vec![text.into()] }
     }
 
-    /// Its texts in one.
     pub fn text(&self) -> String {
         self.texts.join(" ")
     }

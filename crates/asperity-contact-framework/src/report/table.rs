@@ -20,11 +20,9 @@ pub type TableError = csv::Error;
 pub enum Value {
     /// A number, which reads back to the same f64.
     Number(f64),
-    /// A count.
     Count(u64),
     /// `true` or `false`.
     Flag(bool),
-    /// A name.
     Text(String),
     /// Names; in CSV separated by semicolons.
     List(Vec<String>),
@@ -160,7 +158,6 @@ pub enum Reading {
     Input,
     /// Rounding errors, with one digit.
     OneDigit,
-    /// Numbers with a sign.
     Signed,
     /// Ratios in percent.
     Percent,
@@ -367,7 +364,6 @@ macro_rules! columns {
 
 /// The rows of one table.
 pub trait Row: Sized {
-    /// Name of its file.
     const FILE: &'static str;
 
     /// Meaning of a row, in one sentence that begins with "One row".
@@ -386,7 +382,6 @@ pub trait Row: Sized {
 /// Documentation of a table.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Schema {
-    /// Name of its file.
     pub file: &'static str,
     /// Meaning of a row.
     pub rows: &'static str,
@@ -484,7 +479,6 @@ impl Table {
         Ok(Self { schema: Schema { columns, ..schema.clone() }, cells, rows: records.len() })
     }
 
-    /// Number of rows.
     pub fn rows(&self) -> usize {
         self.rows
     }
@@ -494,7 +488,6 @@ impl Table {
         self.schema.columns.iter().zip(self.cells.iter().map(Vec::as_slice))
     }
 
-    /// The column of a name.
     pub fn column(&self, name: &str) -> Option<(&Heading, &[Value])> {
         self.columns().find(|(heading, _)| heading.name == name)
     }
@@ -505,9 +498,6 @@ impl Table {
     }
 
     /// As CSV; the header is there also when there are no rows.
-    ///
-    /// # Errors
-    /// See [`TableError`].
     pub fn csv(&self) -> Result<Vec<u8>, TableError> {
         let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
         writer.write_record(self.schema.columns.iter().map(|heading| &heading.name))?;

@@ -35,7 +35,6 @@ pub struct ViewText {
 }
 
 impl<'a> View<'a> {
-    /// All of a table.
     pub(super) fn new(table: &'a Table) -> Self {
         let shown = |(place, heading): (usize, &Heading)| Shown { place, heading: heading.clone() };
         let columns = table.schema.columns.iter().enumerate().map(shown).collect();
@@ -152,7 +151,6 @@ impl<'a> View<'a> {
         self.rows.is_empty()
     }
 
-    /// Number of rows.
     pub fn len(&self) -> usize {
         self.rows.len()
     }

@@ -10,7 +10,8 @@ use asperity::topography::write::{Out, whole_file};
 use asperity_contact_framework::disk::check_writable;
 use clap::{Args, Subcommand};
 
-use super::{Failure, RunOptions, interrupt, say, unwritten, watched};
+use super::single_file::unwritten;
+use super::{Failure, RunOptions, interrupt, say, watched};
 use interface::InterfaceExport;
 use surface::{AsperitiesExport, MapExport, PatchesExport};
 

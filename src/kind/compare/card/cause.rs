@@ -11,7 +11,6 @@ use super::{Card, name};
 pub(super) struct Words {
     /// With the statistics of the surface.
     pub(super) full: String,
-    /// In a sentence.
     pub(super) sentence: String,
     /// In a cell of a table.
     pub(super) short: &'static str,

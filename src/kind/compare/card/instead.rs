@@ -180,7 +180,6 @@ fn tested_on(ranked: &Ranked, ranking: &Ranking) -> &'static str {
     }
 }
 
-/// A statistical model in words.
 fn words(model: &StatisticalModel) -> String {
     if let Some(joint) = model.joint {
         return match joint {

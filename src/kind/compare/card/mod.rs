@@ -83,7 +83,6 @@ impl<'a> Card<'a> {
         }
     }
 
-    /// The lines.
     pub fn lines(&self) -> Vec<CardLine> {
         let result = match self.case.reported_load() {
             _ if self.is_asked() => "Result at your load",
@@ -216,7 +215,6 @@ fn name(quantity: ComparedQuantity) -> &'static str {
     }
 }
 
-/// The names of some quantities.
 fn names(quantities: impl IntoIterator<Item = ComparedQuantity>) -> String {
     listed(&quantities.into_iter().map(|one| name(one).to_owned()).collect::<Vec<_>>())
 }

@@ -16,9 +16,7 @@ pub enum Nearer {
     Sum,
     /// The integral at some of them, the sum at none.
     Integral,
-    /// Each at some of them.
     ByLoad,
-    /// It is undecided at all.
     Undecided,
 }
 

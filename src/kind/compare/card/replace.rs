@@ -66,7 +66,6 @@ impl Card<'_> {
         fitting([intervals, ""].map(|intervals| format!("Such surfaces: {answers}{intervals}.")))
     }
 
-    /// The verdict in each quantity on such surfaces.
     pub(super) fn of_such_surfaces(&self, at: &Difference) -> Vec<(ComparedQuantity, Verdict)> {
         let verdict = |quantity: ComparedQuantity| {
             let estimate = at.estimates[quantity as usize]?;

@@ -41,7 +41,6 @@ impl Answered {
     }
 }
 
-/// The answer on one case.
 pub struct CaseAnswer {
     /// In the order of [`ComparedQuantity::REPORTED`]: the answer and the largest difference, as reported; `None` of a quantity that is not compared.
     pub quantities: ByQuantity<Option<(Answered, Option<f64>)>>,

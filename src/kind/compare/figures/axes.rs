@@ -16,7 +16,6 @@ pub struct Units {
 }
 
 impl Units {
-    /// Those of one surface.
     pub fn new(results: &CompareResults, found: &SurfaceResults) -> Self {
         Self {
             modulus: results.contact.reduced_modulus,
@@ -25,7 +24,6 @@ impl Units {
         }
     }
 
-    /// Loads as ratios.
     pub fn load_ratio(&self) -> Axis {
         Axis::log("load ratio P/(A_nom E*)")
             .or_in("nominal pressure (MPa)", 1e-6 * self.modulus)
@@ -39,7 +37,6 @@ impl Units {
             .or_in("load (N)", 1e6 * self.area)
     }
 
-    /// Separations.
     pub fn separation(&self) -> Axis {
         Axis::linear("separation d/σ").or_in("separation d (nm)", 1e9 * self.sigma)
     }
@@ -52,14 +49,12 @@ impl Units {
 
 /// An axis of loads.
 pub struct Loads {
-    /// The axis.
     pub axis: Axis,
     /// What 1 Pa is on it.
     pub per_pascal: f64,
 }
 
 impl Units {
-    /// Loads as ratios.
     pub fn ratios(&self) -> Loads {
         Loads { axis: self.load_ratio(), per_pascal: self.modulus.recip() }
     }

@@ -14,7 +14,6 @@ pub fn by_load(series: &Series) -> Figure {
     Figure::row(title.clone(), panels_by_load(series).into()).headed(title)
 }
 
-/// The same as panels.
 pub fn panels_by_load(series: &Series) -> [Plot; 2] {
     let (modulus, units) = (series.modulus, series.units);
     let mut separation = Plot::new("Separation", units.load_ratio(), units.separation());

@@ -17,7 +17,6 @@ const TOO_SMALL: Mark = (Colour::Statistical, "− integral too small", "−");
 const OPEN: Mark = (Colour::Neutral, "? cannot be told", "?");
 const UNFIT: Mark = (Colour::Others, "× map not fit", "×");
 
-/// All of them.
 pub const MARKS: [Mark; 5] = [WITHIN, TOO_LARGE, TOO_SMALL, OPEN, UNFIT];
 
 /// The verdicts on several cases at their admissible loads; blank where a load is not admissible. `None` where no load is admissible.

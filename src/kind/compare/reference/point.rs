@@ -19,9 +19,6 @@ pub struct SolvedContact {
 
 impl SolvedContact {
     /// At a nominal pressure (Pa), with its spots to the relative `error`.
-    ///
-    /// # Errors
-    /// Those of the solver.
     pub fn new(
         solver: &Solver,
         spots: &SpotSolver,

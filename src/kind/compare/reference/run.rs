@@ -26,15 +26,11 @@ use crate::surface::SurfacePlan;
 
 /// A surface whose prepared map is solved.
 pub struct ReferenceRun<'a> {
-    /// How.
     pub reference: &'a ReferencePlan,
-    /// The plan of the comparison.
     pub compare: &'a ComparePlan,
-    /// The plan of the surface.
     pub plan: &'a SurfacePlan,
     /// The surface with its asperities.
     pub surface: &'a Surface,
-    /// Its map.
     pub prepared: &'a PreparedMap,
     /// Whether views of a contact are wanted.
     pub is_viewed: bool,
@@ -90,9 +86,6 @@ impl ReferenceRun<'_> {
     }
 
     /// The map that is solved.
-    ///
-    /// # Errors
-    /// Too many missing points.
     fn map(&self, boundary: Boundary) -> Result<Cow<'_, HeightMap>, SolverError> {
         let map = &self.prepared.map;
         let (missing, points) = (missing(map), map.heights().len());
@@ -122,9 +115,6 @@ impl ReferenceRun<'_> {
     }
 
     /// Calls `take` with the map that is solved and one contact on it at each of the nominal `pressures` (Pa).
-    ///
-    /// # Errors
-    /// As [`Self::run`]; the first of `take`.
     pub fn each_contact<E: From<InputError>>(
         &self,
         context: &RunContext,

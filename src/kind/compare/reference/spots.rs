@@ -55,9 +55,6 @@ impl SpotSolver {
     }
 
     /// The spots of `contact`, one of `solver`, solved to the relative `error`.
-    ///
-    /// # Errors
-    /// Those of the solver.
     pub fn solve(
         &self,
         solver: &Solver,

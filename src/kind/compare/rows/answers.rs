@@ -52,7 +52,6 @@ impl Row for AnswerRow<'_> {
     }
 }
 
-/// The rows.
 pub fn rows(results: &CompareResults) -> impl Iterator<Item = AnswerRow<'_>> {
     SurfaceCase::all(results)
         .filter_map(|case| Some(AnswerRow { key: case.key(), answer: CaseAnswer::new(case)? }))

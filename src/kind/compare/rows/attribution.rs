@@ -72,7 +72,6 @@ impl Row for AttributionRow<'_> {
     }
 }
 
-/// The rows.
 pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = AttributionRow<'_>> {
     SurfaceCase::all(results).flat_map(|case| {
         case.verdicts().attribution.iter().flat_map(move |at_load| {

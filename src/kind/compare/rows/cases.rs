@@ -69,7 +69,6 @@ impl Row for CaseRow<'_> {
     }
 }
 
-/// The rows.
 pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = CaseRow<'_>> {
     SurfaceCase::all(results).map(|case| CaseRow {
         key: case.key(),

@@ -34,7 +34,6 @@ impl Row for CorrelationRow<'_> {
     }
 }
 
-/// The rows.
 pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = CorrelationRow<'_>> {
     SurfaceCase::all(results).flat_map(|case| {
         let all = Correlated::all(case).unwrap_or_default().into_iter();

@@ -62,7 +62,6 @@ impl Row for DifferenceRow<'_> {
     }
 }
 
-/// The rows.
 pub(crate) fn rows(results: &CompareResults) -> impl Iterator<Item = DifferenceRow<'_>> {
     SurfaceCase::all(results).flat_map(|case| {
         let verdicts = case.verdicts();

@@ -31,7 +31,6 @@ impl Row for FrictionRow<'_> {
     }
 }
 
-/// The rows.
 pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = FrictionRow<'_>> {
     results.surfaces.iter().flat_map(|surface| {
         let name = &surface.surface.name;

@@ -32,7 +32,6 @@ impl Row for GreenwoodTrippRow<'_> {
     }
 }
 
-/// The rows.
 pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = GreenwoodTrippRow<'_>> {
     SurfaceCase::all(results).flat_map(|case| {
         case.case.greenwood_tripp.iter().map(move |point| GreenwoodTrippRow { key: case.key(), point })

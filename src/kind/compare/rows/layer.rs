@@ -33,7 +33,6 @@ impl Row for ThresholdRow<'_> {
     }
 }
 
-/// The rows of thresholds.
 pub(super) fn thresholds(results: &CompareResults) -> impl Iterator<Item = ThresholdRow<'_>> {
     results.surfaces.iter().flat_map(|surface| {
         let name = &surface.surface.name;
@@ -69,7 +68,6 @@ impl Row for DecreaseRow<'_> {
     }
 }
 
-/// The rows of decreases.
 pub(super) fn decreases(results: &CompareResults) -> impl Iterator<Item = DecreaseRow<'_>> {
     results.surfaces.iter().flat_map(|surface| {
         let name = &surface.surface.name;

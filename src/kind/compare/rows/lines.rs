@@ -39,7 +39,6 @@ impl Row for LineRow<'_> {
     }
 }
 
-/// The rows.
 pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = LineRow<'_>> {
     SurfaceCase::all(results).flat_map(|case| of_case(results, case))
 }

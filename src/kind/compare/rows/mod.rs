@@ -54,10 +54,8 @@ use differences::DifferenceRow;
 use ranking::RankingRow;
 use reference::ReferenceRow;
 
-/// A case with its surface.
 #[derive(Clone, Copy)]
 pub(crate) struct SurfaceCase<'a> {
-    /// Its surface.
     pub(crate) surface: &'a SurfaceResults,
     /// What is known of it.
     pub(crate) case: &'a CaseStudy,

@@ -94,7 +94,6 @@ impl Row for NearerRow<'_> {
     }
 }
 
-/// The rows.
 pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = NearerRow<'_>> {
     SurfaceCase::all(results).flat_map(|case| {
         let verdicts = case.verdicts();

@@ -71,7 +71,6 @@ impl Row for RankingRow<'_> {
     }
 }
 
-/// The rows.
 pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = RankingRow<'_>> {
     SurfaceCase::all(results).flat_map(|case| {
         let alpha = case.surface.surface.map.as_ref().and_then(|map| map.roughness.alpha());

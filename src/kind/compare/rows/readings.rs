@@ -30,7 +30,6 @@ impl Row for ReadingRow {
     }
 }
 
-/// The rows.
 pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = ReadingRow> {
     loads_by_reading(&results.surfaces).into_iter().map(ReadingRow)
 }

@@ -86,7 +86,6 @@ impl Row for ResultRow<'_> {
     }
 }
 
-/// The rows.
 pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = ResultRow<'_>> {
     SurfaceCase::all(results).flat_map(|case| {
         let surface = &case.surface.surface;

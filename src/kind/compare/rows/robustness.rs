@@ -67,7 +67,6 @@ fn with_treatment<'a>(
     })
 }
 
-/// A treatment in words.
 pub fn words(treatment: Treatment) -> String {
     match treatment {
         Treatment::ShortWaves(None) => "no S filter".to_owned(),

@@ -35,7 +35,6 @@ impl Row for SpreadRow<'_> {
     }
 }
 
-/// The rows.
 pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = SpreadRow<'_>> {
     SurfaceCase::all(results)
         .flat_map(|case| case.case.spread.iter().map(move |spread| SpreadRow { key: case.key(), spread }))

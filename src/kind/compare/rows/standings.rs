@@ -69,7 +69,6 @@ impl Row for StandingRow<'_> {
     }
 }
 
-/// The rows.
 pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = StandingRow<'_>> {
     SurfaceCase::all(results).flat_map(|case| {
         let alpha = case.surface.surface.map.as_ref().and_then(|map| map.roughness.alpha());

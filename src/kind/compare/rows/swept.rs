@@ -75,7 +75,6 @@ impl Row for SweptRow<'_> {
     }
 }
 
-/// The columns of one quantity.
 fn of_quantity<'a>(quantity: ComparedQuantity) -> Vec<Column<SweptRow<'a>>> {
     let (short, _, unit, part) = QUANTITIES[quantity as usize];
     let name = |what: &str| swept_name(quantity, what);
@@ -120,7 +119,6 @@ fn of_quantity<'a>(quantity: ComparedQuantity) -> Vec<Column<SweptRow<'a>>> {
     columns.into_iter().map(with_part).collect()
 }
 
-/// The rows.
 pub(crate) fn rows(results: &CompareResults) -> impl Iterator<Item = SweptRow<'_>> {
     SurfaceCase::all(results).flat_map(|case| {
         let reported = case.case.reported_load().map(|at| at.load);

@@ -35,7 +35,6 @@ impl TwoBodiesRow<'_> {
         self.model
     }
 
-    /// What is simplified.
     pub(crate) fn simplification(&self) -> Simplification<'_> {
         self.simplification
     }
@@ -92,7 +91,6 @@ impl Row for TwoBodiesRow<'_> {
 /// Loads that differ by less are the same.
 const SAME: f64 = 1e-6;
 
-/// The rows.
 pub(crate) fn rows(results: &CompareResults) -> Vec<TwoBodiesRow<'_>> {
     let mut rows = Vec::new();
     for pair in SurfaceCase::all(results) {

@@ -12,7 +12,6 @@ use crate::report::answer::CardLine;
 use crate::report::glossary::{self, Explainer};
 
 const STYLE: &str = include_str!("assets/page.css");
-/// The style of charts.
 pub const CHART_STYLE: &str = include_str!("assets/uPlot.min.css");
 const CHART_LICENCE: &str = include_str!("assets/uPlot-LICENSE");
 const CHARTS: &str = include_str!("assets/uPlot.iife.min.js");
@@ -104,7 +103,6 @@ pub(super) fn pieces(title: &str, blocks: &[Block], has_sections: bool) -> Piece
     pieces
 }
 
-/// The texts of a line of a card.
 fn card_text(line: &CardLine, explainer: &mut Explainer) -> String {
     let text = |text: &String| {
         let mut html = String::new();
@@ -315,7 +313,6 @@ fn is_safe(to: &CowStr<'_>) -> bool {
     !scheme.contains(':') || to.starts_with("https://") || to.starts_with("http://")
 }
 
-/// Text as HTML.
 pub fn escape(text: &str) -> String {
     let text = text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
     text.replace('"', "&quot;").replace('\'', "&#39;")

@@ -28,9 +28,7 @@ pub enum Cell {
     AroundCode(String),
     /// Text that leads to a relative address or a web page.
     Link {
-        /// What is shown.
         text: String,
-        /// Where it leads.
         to: String,
     },
 }
@@ -50,7 +48,6 @@ enum Block {
     },
     /// What a reader should know first.
     Lead(String),
-    /// The same as a card.
     Card(Vec<CardLine>),
     /// Any block whose HTML follows from its Markdown.
     Markdown(String),
@@ -129,20 +126,16 @@ pub struct CardPiece {
     pub key: String,
     /// Its label, plain text.
     pub label: String,
-    /// What it says.
     pub html: String,
 }
 
-/// A figure.
 #[derive(Debug, Serialize)]
 pub struct FigurePiece {
-    /// Its name.
     pub id: String,
     /// Its picture; `None` where its data are enough.
     pub svg: Option<String>,
     /// Its content as `page.js` draws it.
     pub data: Option<Box<RawValue>>,
-    /// Its caption.
     pub caption: String,
 }
 

@@ -38,7 +38,6 @@ pub enum StoreError {
         operation: &'static str,
         /// What it was tried on.
         path: PathBuf,
-        /// The system's reason.
         source: io::Error,
     },
     /// A file is where the folder of reports, or a folder above it, should be.
@@ -47,9 +46,7 @@ pub enum StoreError {
     /// The folder of reports, or a folder above it, is a link that leads nowhere.
     #[error("--out: {} is a link to {}, which is not there; allowed: a folder for the reports, new or existing", link.display(), to.display())]
     LeadsNowhere {
-        /// The link.
         link: PathBuf,
-        /// Where it leads.
         to: PathBuf,
     },
     /// Another process holds the lock.
@@ -77,7 +74,6 @@ impl Folder {
         Self { stem: stem.into(), key: key.into(), files: Vec::new() }
     }
 
-    /// Adds a file.
     pub fn file(&mut self, name: impl Into<String>, content: impl Into<Vec<u8>>) -> &mut Self {
         self.files.push((name.into(), content.into()));
         self
@@ -88,7 +84,6 @@ impl Folder {
         self.files.iter().map(|(name, content)| (name.as_str(), content.as_slice()))
     }
 
-    /// Their names.
     pub fn names(&self) -> impl Iterator<Item = &str> {
         self.files.iter().map(|(name, _)| name.as_str())
     }
@@ -99,7 +94,6 @@ impl Folder {
 pub enum State {
     /// Complete, on this input; one that was made here also by this program.
     UpToDate,
-    /// Not there.
     Missing,
     /// The spec, or a file that it names, is another one.
     InputChanged,
@@ -109,7 +103,6 @@ pub enum State {
     Edited,
 }
 
-/// A folder of reports.
 #[derive(Debug)]
 pub struct Store {
     directory: PathBuf,

@@ -38,8 +38,6 @@ impl fmt::Display for Never {
 }
 
 impl Plan for Never {
-    type Outcome = Never;
-
     fn memory(&self) -> Memory {
         Memory::default()
     }
@@ -48,7 +46,7 @@ impl Plan for Never {
         0
     }
 
-    fn run(&self, context: &RunContext) -> Result<Never, InputError> {
+    fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
         Err(InputError::file(&context.source.path, "is not run"))
     }
 }
@@ -82,7 +80,8 @@ impl<const TIMED: bool> Kind for Points<TIMED> {
     }
 }
 
-const KINDS: [&dyn AnyKind; 2] = [&Points::<false>, &Points::<true>];
+const KINDS: [RegisteredKind; 2] =
+    [RegisteredKind::of::<Points<false>>(), RegisteredKind::of::<Points<true>>()];
 
 /// A folder with one report of some files, all of them committed.
 fn report(kind: &str, facts: &str, files: &[(&str, &str)]) -> tempfile::TempDir {

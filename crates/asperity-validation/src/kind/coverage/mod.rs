@@ -10,12 +10,11 @@ mod spec;
 
 use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 use asperity_contact_framework::report::table::Schema;
-use asperity_contact_framework::{Group, Kind, Reads};
+use asperity_contact_framework::{Group, Kind, Outcome, Reads};
 use asperity_contact_framework::{Memory, Plan, RunContext};
 
 use crate::coverage::WINDOWS_PER_MAP;
 use plan::{CasePlan, CoveragePlan};
-use results::CoverageResults;
 
 /// `[coverage]`
 pub struct IntervalCoverage;
@@ -43,8 +42,6 @@ impl Kind for IntervalCoverage {
 }
 
 impl Plan for CoveragePlan {
-    type Outcome = CoverageResults;
-
     fn memory(&self) -> Memory {
         /// The map, its patches, its windows, and what the autocorrelation of one takes.
         const BYTES_PER_POINT: u128 = 48;
@@ -73,7 +70,7 @@ impl Plan for CoveragePlan {
         ((own + spiked) * summits * EVALUATIONS * SEPARATIONS) as u128
     }
 
-    fn run(&self, context: &RunContext) -> Result<CoverageResults, InputError> {
-        run::run(context, self)
+    fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
+        Ok(Box::new(run::run(context, self)?))
     }
 }

@@ -70,8 +70,6 @@ impl Outcome for PrecisionResults {
 }
 
 impl Plan for PrecisionPlan {
-    type Outcome = PrecisionResults;
-
     fn memory(&self) -> Memory {
         /// The map, its half spectrum, and what finding summits takes.
         const BYTES_PER_POINT: u128 = 32;
@@ -89,7 +87,7 @@ impl Plan for PrecisionPlan {
         sums as u128 + self.hertz().map(|points| CONVOLUTIONS * (points as u128).pow(2)).sum::<u128>()
     }
 
-    fn run(&self, context: &RunContext) -> Result<PrecisionResults, InputError> {
-        run::run(context, self)
+    fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
+        Ok(Box::new(run::run(context, self)?))
     }
 }

@@ -12,7 +12,7 @@ mod spec;
 use asperity::bem::Boundary;
 use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 use asperity_contact_framework::report::table::Schema;
-use asperity_contact_framework::{Group, Kind, Reads};
+use asperity_contact_framework::{Group, Kind, Outcome, Reads};
 use asperity_contact_framework::{Memory, Plan, RunContext};
 
 use crate::kind::boundary_elements::contact_memory;
@@ -21,7 +21,6 @@ use crate::solver::grid::{GridCase, GridTask};
 use crate::solver::work::WorkTask;
 use crate::solver::{LAYERED_CASES, sphere_points};
 use plan::SolverPlan;
-use results::SolverResults;
 
 /// `[solver-validation]`
 pub struct SolverValidation;
@@ -43,8 +42,6 @@ impl Kind for SolverValidation {
 }
 
 impl Plan for SolverPlan {
-    type Outcome = SolverResults;
-
     fn memory(&self) -> Memory {
         let spheres = self.hertz.iter().chain(&self.layered);
         let spheres = spheres.map(|&pixels| contact_memory(sphere_points(pixels), Boundary::Finite));
@@ -79,7 +76,7 @@ impl Plan for SolverPlan {
         CONVOLUTIONS * (25 * (points(&self.hertz, 1) + layered) + rough)
     }
 
-    fn run(&self, context: &RunContext) -> Result<SolverResults, InputError> {
-        run::run(context, self)
+    fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
+        Ok(Box::new(run::run(context, self)?))
     }
 }

@@ -10,13 +10,12 @@ mod spec;
 
 use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 use asperity_contact_framework::report::table::Schema;
-use asperity_contact_framework::{Group, Kind, Reads};
+use asperity_contact_framework::{Group, Kind, Outcome, Reads};
 use asperity_contact_framework::{Memory, Plan, RunContext};
 
 use crate::stability::Counts;
 use crate::stability::GroupResults;
 use plan::StabilityPlan;
-use results::StabilityResults;
 
 /// `[stability]`
 pub struct Stability;
@@ -38,8 +37,6 @@ impl Kind for Stability {
 }
 
 impl Plan for StabilityPlan {
-    type Outcome = StabilityResults;
-
     /// The largest set and its ordered copy, on each thread.
     fn memory(&self) -> Memory {
         let largest: u128 = if self.counts.millions > 0 { 1_000_000 } else { 1000 };
@@ -53,7 +50,7 @@ impl Plan for StabilityPlan {
         u128::from(work)
     }
 
-    fn run(&self, context: &RunContext) -> Result<StabilityResults, InputError> {
-        Ok(run::run(context, self))
+    fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
+        Ok(Box::new(run::run(context, self)))
     }
 }
