@@ -1,18 +1,12 @@
 //! What the kinds that study surfaces have in common in their specs: bodies under laws and layers, loads, and surfaces, resolved.
 
-mod errors;
-mod implausible;
-mod layer_check;
 mod loads;
-mod rough_body;
 mod spots;
 mod statistical;
 
-pub use errors::{inapplicable, unreachable_load};
-pub use layer_check::layer_metadata;
-pub use rough_body::RoughBody;
+pub use loads::{inapplicable, unreachable_load};
 pub use spots::{Breakdowns, ConductanceSpec, ShearStrengthSpec, SpotKeys};
-pub use statistical::StatisticalSpec;
+pub use statistical::{RoughBody, StatisticalSpec, layer_metadata};
 
 use std::fmt;
 use std::ops::Range;

@@ -14,14 +14,14 @@ use asperity_contact_framework::metadata::Timing;
 use asperity_contact_framework::progress::Progress;
 use asperity_contact_framework::report::format::{input_quantity, quantity};
 
+use super::cache::{StoredSurface, SurfaceStore};
 use super::files::Files;
 use super::fit::{self, as_written};
 use super::fitness;
 use super::pair::{PairPlan, PreparedPair, greenwood_tripp_caveat};
 use super::plan::{MapPlan, Origin, SurfacePlan};
-use super::read_error::{list_message, spec_message};
+use super::reading::{list_message, spec_message};
 use super::spec::DrawSpec;
-use super::store::{StoredSurface, SurfaceStore};
 use asperity::surface::{AnalysisDepth, Fit, Independence};
 use asperity::surface::{MapFacts, Surface, usual_long_filter};
 use asperity::surface::{NoAsperities, Preparation, Step, SummitSearch};

@@ -14,8 +14,8 @@ use asperity_contact_framework::report::format::quantity;
 
 use super::files::Files;
 use super::fitness;
-use super::pair_spec::PairSpec;
 use super::plan::{Origin, SurfacePlan, Surfaces, named_surface};
+use super::spec::PairSpec;
 
 /// A pair that can be made.
 #[derive(Debug)]

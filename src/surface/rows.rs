@@ -12,7 +12,7 @@ use asperity_contact_framework::report::table::{Column, Row, Schema, Table};
 use indexmap::IndexMap;
 use serde_json::{Map, Value};
 
-use super::fit_rows::FitStepRow;
+use super::fit::FitStepRow;
 use super::fitness;
 use asperity::surface::{GenerationFacts, MapFacts, Remedy, Surface};
 use asperity::topography::fitness::Measure;

@@ -6,10 +6,16 @@ use std::path::Path;
 
 use asperity::topography::read::{LengthUnits, NamedUnits, ReadOptions, UnitOrigin, height_map, metadata};
 use asperity::topography::{Level, thumbnail};
+use asperity::units::Dimension;
+use asperity::{contact_law, material_library};
+use asperity_contact_framework::keys::Default;
+use asperity_contact_framework::report::format::input_quantity;
 use asperity_workbench::engine::Heights;
 use asperity_workbench::{Example, Refused};
+use serde_json::{Map, Value, json};
 
 use super::view;
+use crate::keys::all;
 use crate::kind::KINDS;
 use crate::surface::FileOptions;
 
@@ -119,4 +125,47 @@ mod tests {
         assert_eq!(kind(text).unwrap().0, "compare");
         assert!(EXAMPLE.files.iter().any(|(name, _)| text.contains(&format!("path = \"{name}\""))));
     }
+}
+
+/// Keys by their names, materials, names of laws, units of length.
+pub fn vocabulary() -> Value {
+    let key = |key: &asperity_contact_framework::keys::Key| {
+        let default = match &key.default {
+            Default::Needed => json!("none; it is needed"),
+            Default::Is(text) | Default::Words(text) => json!(text),
+            Default::Open => Value::Null,
+        };
+        let fields = json!({
+            "meaning": key.meaning,
+            "kind": key.kind,
+            "unit": key.unit,
+            "range": key.range,
+            "default": default,
+            "examples": key.examples,
+            "values": key.values,
+        });
+        (key.name(), fields)
+    };
+    let keys: Map<String, Value> = all().iter().map(key).collect();
+    let materials: Vec<Value> = material_library::all()
+        .map(|material| {
+            json!({
+                "name": material.name,
+                "description": material.description,
+                "class": material.class.name(),
+                "young": input_quantity(material.young.value, "Pa"),
+                "poisson": material.poisson.value,
+                "hardness": material.hardness.as_ref().map(|hardness| input_quantity(hardness.value, "Pa")),
+            })
+        })
+        .collect();
+    let laws: Vec<[String; 2]> = contact_law::registry()
+        .iter()
+        .map(|law| {
+            let papers: Vec<&str> = law.papers().iter().map(|paper| paper.short).collect();
+            [law.name(), format!("{}: {}", law.name(), papers.join(", "))]
+        })
+        .collect();
+    let lengths = Dimension::Length.documented();
+    json!({ "keys": keys, "materials": materials, "laws": laws, "lengths": lengths })
 }

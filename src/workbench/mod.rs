@@ -6,13 +6,11 @@
 //! | `contact` | an experiment on its way from a slider to its whole report |
 //! | `view` | results as the page shows them |
 //! | `begin` | the first spec of a file, and the example |
-//! | `vocabulary` | keys, materials and laws |
 
 mod begin;
 mod contact;
 mod surfaces;
 mod view;
-mod vocabulary;
 
 use std::path::Path;
 use std::sync::Arc;
@@ -51,7 +49,7 @@ fn refused(error: &InputError, spec: &SpecText) -> Refused {
 
 impl Engine for Workbench {
     fn vocabulary(&self) -> Value {
-        vocabulary::vocabulary()
+        begin::vocabulary()
     }
 
     fn is_surface(&self, path: &Path) -> bool {

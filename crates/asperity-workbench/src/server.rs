@@ -35,22 +35,13 @@ pub const PORT: u16 = 8642;
 pub enum ServeError {
     /// The folder cannot be used.
     #[error("{}: {error}; allowed: a folder that is there", folder.display())]
-    Folder {
-        folder: PathBuf,
-        error: io::Error,
-    },
+    Folder { folder: PathBuf, error: io::Error },
     /// The port cannot be used.
     #[error("--port {port}: {error}; allowed: a free port, or no --port")]
-    Port {
-        port: u16,
-        error: io::Error,
-    },
+    Port { port: u16, error: io::Error },
     /// The token cannot be kept.
     #[error("{}: {error}; it holds the key of the page, and must be a file that can be read and written", path.display())]
-    Token {
-        path: PathBuf,
-        error: io::Error,
-    },
+    Token { path: PathBuf, error: io::Error },
     /// The system refuses something else.
     #[error("the page cannot be served: {0}")]
     System(#[from] io::Error),

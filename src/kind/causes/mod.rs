@@ -8,7 +8,6 @@ mod process;
 mod results;
 mod rows;
 mod run;
-mod spec;
 
 use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 use asperity_contact_framework::report::table::Schema;
@@ -23,7 +22,7 @@ impl Kind for Causes {
     const NAME: &'static str = "causes";
     const GROUP: Option<Group> = Some(Group::Why);
     const READS: Reads = Reads { materials: true, surfaces: false };
-    type Spec = spec::CausesSpec;
+    type Spec = plan::CausesSpec;
     type Plan = CausesPlan;
 
     fn plan(file: &SpecFile, table: &Spanned<Self::Spec>, _: bool) -> Result<CausesPlan, InputError> {

@@ -11,8 +11,8 @@ use asperity_contact_framework::input::bare::SigmaRange;
 use asperity_contact_framework::input::quantity::{Length, Pure, Quantity};
 use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 
+use super::plan::CausesSpec;
 use super::plan::{Axis, PointPlan};
-use super::spec::CausesSpec;
 use crate::surface::{TargetSpec, Way};
 
 /// Points along a side.

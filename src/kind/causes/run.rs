@@ -53,10 +53,7 @@ pub(super) fn run(context: &RunContext, plan: &CausesPlan) -> Result<CausesResul
 /// What is kept of the results on the surfaces of a point.
 fn surfaces(results: &SurfaceResults, loads: &[f64]) -> GridSurfaces {
     let of_law = |case: &CaseStudy| loads.iter().map(|&load| at_load(case, load)).collect();
-    GridSurfaces {
-        reached: reached(results),
-        at: results.cases.iter().map(of_law).collect(),
-    }
+    GridSurfaces { reached: reached(results), at: results.cases.iter().map(of_law).collect() }
 }
 
 fn reached(results: &SurfaceResults) -> Reached {

@@ -22,8 +22,8 @@ use super::contact_map::{ContactMap, Covered};
 use super::correlations::Formula;
 use super::plan::ComparePlan;
 use super::reference::{ContactView, ReferenceRun};
+use super::results::treatments;
 use super::results::{CompareResults, Described, ReferenceMetadata, SurfaceResults};
-use super::robustness;
 use super::scope::{Scope, thinned};
 use crate::layer::LayerPlan;
 use crate::plausibility;
@@ -264,7 +264,7 @@ impl<'a> Run<'a> {
             self.reference(plan, &surface, prepared.as_ref(), &mut first.cases, &sampled)?;
         let treatments = scope
             .has_everything()
-            .then(|| robustness::treatments(context, compare, &factory, &surface, &first.cases, self.counter))
+            .then(|| treatments(context, compare, &factory, &surface, &first.cases, self.counter))
             .flatten();
         context.progress.step();
         let mut realisations = vec![first];

@@ -2,11 +2,9 @@
 
 mod figures;
 mod outline;
-mod overlay;
 mod plan;
 mod rows;
 mod run;
-mod spec;
 
 pub use run::{IndentationResults, LawCurves, LayerResults};
 
@@ -24,7 +22,7 @@ pub struct Indentation;
 impl Kind for Indentation {
     const NAME: &'static str = "indentation";
     const READS: Reads = Reads { materials: true, surfaces: false };
-    type Spec = spec::IndentationSpec;
+    type Spec = plan::IndentationSpec;
     type Plan = IndentationPlan;
 
     fn plan(file: &SpecFile, table: &Spanned<Self::Spec>, _: bool) -> Result<IndentationPlan, InputError> {

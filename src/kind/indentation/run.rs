@@ -18,7 +18,7 @@ use indexmap::IndexMap;
 use rayon::prelude::*;
 
 use super::plan::IndentationPlan;
-use super::spec::Show;
+use super::plan::Show;
 use crate::layer::LayerPlan;
 use crate::paper::SphereFigure;
 

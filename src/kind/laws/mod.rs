@@ -3,10 +3,8 @@
 mod figures;
 mod outline;
 mod plan;
-mod results;
 mod rows;
 mod run;
-mod spec;
 
 use std::path::PathBuf;
 
@@ -23,7 +21,7 @@ pub struct Laws;
 
 impl Kind for Laws {
     const NAME: &'static str = "laws";
-    type Spec = spec::LawsSpec;
+    type Spec = plan::LawsSpec;
     type Plan = LawsPlan;
 
     fn plan(file: &SpecFile, table: &Spanned<Self::Spec>, _: bool) -> Result<LawsPlan, InputError> {

@@ -1,6 +1,6 @@
 //! The tables of several laws, besides those of a comparison.
 
-use super::results::{LawOnAsperity, LawsResults, SurfaceInfluence};
+use super::run::{LawOnAsperity, LawsResults, SurfaceInfluence};
 use crate::kind::compare::rows;
 use crate::model_tables::limits;
 use asperity::compare::{AtLoad, Dominance, Effect, Group, Measure, ModelKind};

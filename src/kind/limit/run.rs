@@ -8,9 +8,14 @@ use asperity::plasticity_index;
 use asperity::study::LawContact;
 use asperity::work::{CountedContact, Counter, Item};
 use asperity_contact_framework::contact::{Bodies, ContactMetadata, contact_metadata, papers_of};
-use asperity_contact_framework::input::InputError;
+use asperity_contact_framework::input::law::Laws;
+use asperity_contact_framework::input::quantity::{ArealNumberDensity, Length, Pure, Quantity};
+use asperity_contact_framework::input::sweep::{LinearSweep, LogSweep};
+use asperity_contact_framework::input::{InputError, Spanned, Whole};
 use asperity_contact_framework::metadata::{Metadata, Timing};
 use asperity_contact_framework::{Memory, Outcome, Plan, RunContext, set_memory};
+use schemars::JsonSchema;
+use serde::Deserialize;
 
 /// Sets of growing size against their limit.
 pub struct LimitPlan {
@@ -87,4 +92,36 @@ impl fmt::Display for LimitPlan {
         write!(f, "  {draws} random sets and one set at the quantiles for each size, ")?;
         writeln!(f, "{counts:?} asperities")
     }
+}
+
+/// Convergence of the sum to the integral: sets of equal radii and Gaussian heights, of growing size.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct LimitSpec {
+    /// The rough body: the name of a `[material.NAME]` of this file.
+    #[schemars(extend("examples" = ["steel"]))]
+    pub rough: Spanned<String>,
+    /// The smooth flat: the name of a `[material.NAME]` of this file.
+    #[schemars(extend("examples" = ["steel"]))]
+    pub flat: Spanned<String>,
+    /// The micro-contact laws.
+    pub law: Spanned<Laws>,
+    /// Radius of every asperity.
+    #[schemars(extend("examples" = ["20 um"]))]
+    pub radius: Quantity<Length>,
+    /// Standard deviation of the asperity heights.
+    #[schemars(extend("examples" = ["48 nm"]))]
+    pub sigma: Quantity<Length>,
+    /// Asperities per nominal area.
+    #[schemars(extend("examples" = ["6e10 /m^2"]))]
+    pub density: Quantity<ArealNumberDensity>,
+    /// Separations, d/sigma.
+    #[schemars(extend("examples" = [[0, 1, 2]]))]
+    pub separation: LinearSweep,
+    /// Numbers of asperities of the sets.
+    #[schemars(extend("x-range" = "1 to 1e12", "examples" = [{ "from": 100, "to": 1e6, "points": 9 }]))]
+    pub count: Spanned<LogSweep<Pure>>,
+    /// Random sets of each size.
+    #[schemars(extend("x-range" = "2 to 1000", "examples" = [100]))]
+    pub draws: Spanned<Whole>,
 }

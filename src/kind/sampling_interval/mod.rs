@@ -1,14 +1,12 @@
 //! `[sampling-interval]`: the same surfaces at growing sampling intervals and under growing S filters: which results have a limit?
 
 mod figures;
-mod findings;
 mod outline;
 mod plan;
 mod quantity;
 mod results;
 mod rows;
 mod run;
-mod spec;
 mod trend;
 
 use std::path::PathBuf;
@@ -26,7 +24,7 @@ pub struct SamplingInterval;
 
 impl Kind for SamplingInterval {
     const NAME: &'static str = "sampling-interval";
-    type Spec = spec::SamplingIntervalSpec;
+    type Spec = plan::SamplingIntervalSpec;
     type Plan = IntervalPlan;
 
     fn plan(file: &SpecFile, table: &Spanned<Self::Spec>, _: bool) -> Result<IntervalPlan, InputError> {

@@ -5,7 +5,7 @@ use asperity::compare::{Cause, ComparedQuantity, Contributions, Difference, Esti
 use asperity_contact_framework::columns;
 use asperity_contact_framework::report::table::{Column, Row, Schema, Table};
 
-use super::findings::{Gap, gaps, sign};
+use super::results::{Gap, gaps, sign};
 use super::results::{IntervalResults, QUANTITIES, Scale, ScaleResults, Series};
 use super::trend::Trend;
 use crate::model_tables::limits;

@@ -5,7 +5,6 @@ mod plan;
 mod results;
 mod rows;
 mod run;
-mod spec;
 
 use std::path::PathBuf;
 
@@ -24,7 +23,7 @@ pub struct Tiled;
 
 impl Kind for Tiled {
     const NAME: &'static str = "tiled";
-    type Spec = spec::TiledSpec;
+    type Spec = plan::TiledSpec;
     type Plan = TiledPlan;
 
     fn plan(file: &SpecFile, table: &Spanned<Self::Spec>, _: bool) -> Result<TiledPlan, InputError> {

@@ -4,10 +4,14 @@ use std::fmt;
 
 use asperity::compare::Controls;
 use asperity_contact_framework::input::accept::AcceptSpec;
+use asperity_contact_framework::input::law::Laws;
+use asperity_contact_framework::input::sweep::LinearSweep;
 use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
+use schemars::JsonSchema;
+use serde::Deserialize;
 
-use super::spec::TiledSpec;
-use crate::study_plan::{SpotKeys, StudyKeys, StudyPlan};
+use crate::layer::LayerSpec;
+use crate::study_plan::{RoughBody, SpotKeys, StudyKeys, StudyPlan};
 use crate::surface::{SurfacePlan, SurfaceTiles};
 
 /// Both models on a surface in tiles.
@@ -75,4 +79,26 @@ pub(super) fn plan(file: &SpecFile, table: &Spanned<TiledSpec>) -> Result<TiledP
     };
     let tiles = SurfaceTiles::new(surface, &file.source)?;
     Ok(TiledPlan { study, tiles })
+}
+
+/// Both models on one surface that may be larger than memory: it is summed tile by tile, in one process or on many machines (docs/clusters.md).
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct TiledSpec {
+    /// The rough body: the name of a `[material.NAME]` of this file.
+    #[schemars(extend("examples" = ["steel"]))]
+    pub rough: Spanned<RoughBody>,
+    /// The smooth flat: the name of a `[material.NAME]` of this file.
+    #[schemars(extend("examples" = ["steel"]))]
+    pub flat: Spanned<String>,
+    /// The micro-contact laws, of spheres.
+    pub law: Spanned<Laws>,
+    /// A layer on the flat or on the rough body, of one thickness or several.
+    #[schemars(extend("x-default" = "none: both bodies are bare", "examples" = [{ "material": "lead", "thickness": [0, "50 nm", "1 um", "inf"] }]))]
+    pub layer: Option<LayerSpec>,
+    /// Separations at which the sum runs, d/sigma from the mean asperity height; the integral runs there and at the pressures of the sum.
+    pub separation: Spanned<LinearSweep>,
+    /// The surface, by name.
+    #[schemars(extend("x-default" = "the only one of the file", "examples" = ["ground"]))]
+    pub surface: Option<Spanned<String>>,
 }

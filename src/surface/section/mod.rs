@@ -3,7 +3,7 @@
 mod figures;
 
 use crate::surface::fit::keys;
-use crate::surface::fit_rows::{FitStepRow, STEP};
+use crate::surface::fit::{FitStepRow, STEP};
 use crate::surface::rows::{self, FitnessRow, MapRow, ProcessRow, SurfaceRow, TargetRow, TheoryRow};
 use asperity::surface::{MapFacts, Surface};
 use asperity_contact_framework::report::format::{count, percent};

@@ -1,7 +1,7 @@
 //! Results of the models and the reference against load.
 
-use super::axes::{Loads, Units};
 use super::differences::{NOT_ADMISSIBLE, invalid};
+use super::lines::{Loads, Units};
 use crate::presentation::regime_colour;
 use asperity::compare::{
     AdmissibleRange, ComparedQuantity, Comparison, CurvePoint, ModelKind, ReferencePoint,

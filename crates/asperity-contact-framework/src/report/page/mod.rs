@@ -27,10 +27,7 @@ pub enum Cell {
     /// The same, except that text between backticks is code.
     AroundCode(String),
     /// Text that leads to a relative address or a web page.
-    Link {
-        text: String,
-        to: String,
-    },
+    Link { text: String, to: String },
 }
 
 impl<T: Into<String>> From<T> for Cell {

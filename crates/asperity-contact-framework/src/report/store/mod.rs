@@ -45,10 +45,7 @@ pub enum StoreError {
     NotAFolder(PathBuf),
     /// The folder of reports, or a folder above it, is a link that leads nowhere.
     #[error("--out: {} is a link to {}, which is not there; allowed: a folder for the reports, new or existing", link.display(), to.display())]
-    LeadsNowhere {
-        link: PathBuf,
-        to: PathBuf,
-    },
+    LeadsNowhere { link: PathBuf, to: PathBuf },
     /// Another process holds the lock.
     #[error("another run is writing to {}; wait for it to end or choose another --out", .0.display())]
     Busy(PathBuf),
