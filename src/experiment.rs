@@ -227,7 +227,6 @@ impl Experiment {
         self.planned.plan.inputs().iter().map(of).collect()
     }
 
-    /// Name of its report's folder.
     pub fn stem(&self) -> &str {
         &self.stem
     }
@@ -285,7 +284,6 @@ impl Experiment {
         Ok(hexadecimal(&hash.finalize()))
     }
 
-    /// Runs it.
     pub fn run(&self, progress: &dyn Progress) -> Result<Box<dyn Outcome>, InputError> {
         let input = self.watched_input(progress)?;
         self.planned.plan.run(&self.context(&input, progress))
@@ -330,7 +328,6 @@ impl Experiment {
         self.kind
     }
 
-    /// The files that it reads.
     pub(crate) fn inputs(&self) -> Vec<PathBuf> {
         self.planned.plan.inputs()
     }

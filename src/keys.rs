@@ -74,7 +74,6 @@ fn tables() -> Vec<WrittenTable> {
     tables
 }
 
-/// A table with its columns.
 fn table_explanation(WrittenTable { schema, kinds }: &WrittenTable) -> String {
     let longest = |text: fn(&Heading) -> &str| {
         schema.columns.iter().map(|column| text(column).chars().count()).max().unwrap_or_default()

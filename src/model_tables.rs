@@ -10,7 +10,6 @@ use asperity::compare::{
 use asperity::spot::{SpotProperties, SpotQuantity, tube_factor};
 use asperity::{ByRegime, Exceeded, Limit, Response};
 
-/// What a row belongs to.
 #[derive(Debug, Clone)]
 pub(crate) struct RowCase {
     surface: String,
@@ -52,7 +51,6 @@ pub struct CurveRow {
     pub(crate) reduced_modulus: f64,
 }
 
-/// A point of a curve.
 pub(crate) enum AnyPoint {
     /// Of a model, with the limits that one of the models exceeds there.
     Model(CurvePoint, Exceeded),

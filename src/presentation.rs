@@ -4,7 +4,6 @@ use asperity::Regime;
 use asperity::compare::{Cause, ComparedQuantity};
 use asperity_plot::Colour;
 
-/// A quantity in words.
 pub fn quantity_name(compared: ComparedQuantity) -> &'static str {
     match compared {
         ComparedQuantity::Separation => "separation",

@@ -80,7 +80,6 @@ impl Monitor {
         }
     }
 
-    /// Removes the bar.
     pub fn finish(&self) {
         if let Display::Bar(bar) = &self.display {
             bar.finish_and_clear();

@@ -35,7 +35,6 @@ pub fn thickness_words(thickness: f64) -> String {
     }
 }
 
-/// A body in a sentence.
 const fn body_words(body: Body) -> &'static str {
     match body {
         Body::Rough => "the rough body",

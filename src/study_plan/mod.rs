@@ -37,7 +37,6 @@ pub struct StudyKeys<'a> {
     pub layer: Option<&'a LayerSpec>,
     /// What is asked of the spots of the contact.
     pub spots: SpotKeys<'a>,
-    /// The statistical model.
     pub statistical: Option<&'a Spanned<StatisticalSpec>>,
     /// The largest differences between the models that are accepted.
     pub accept: AcceptSpec,
@@ -51,9 +50,7 @@ pub struct StudyKeys<'a> {
     pub load_keys: [Option<Range<usize>>; 2],
 }
 
-/// Both models on given surfaces.
 pub struct StudyPlan {
-    /// Names of the two bodies.
     pub bodies: Bodies,
     /// The rough body and the flat.
     pub pair: [Material; 2],

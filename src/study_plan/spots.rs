@@ -29,9 +29,7 @@ use crate::surface::SurfacePlan;
 /// `conductance = "thermal"`, `["electrical", "thermal"]`, or `{ electrical = { film = "1e-12 ohm m^2" } }`.
 #[derive(Debug, Clone, Default)]
 pub struct ConductanceSpec {
-    /// Electrical conductance.
     electrical: Option<ElectricalSpec>,
-    /// Thermal conductance.
     thermal: Option<ThermalSpec>,
 }
 

@@ -103,7 +103,6 @@ pub trait SurfaceStore: Sync {
     /// The surface of this identity, if it was made before.
     fn get(&self, identity: &str) -> Option<Arc<StoredSurface>>;
 
-    /// Keeps a surface.
     fn put(&self, identity: String, made: StoredSurface);
 }
 

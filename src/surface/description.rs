@@ -29,7 +29,6 @@ pub struct SurfacesPlan {
 }
 
 impl SurfacesPlan {
-    /// All surfaces of a spec.
     pub fn new(spec: &SpecFile) -> Result<Self, InputError> {
         let surfaces = surfaces(spec, None, 0..0, false)?;
         Ok(Self { file: spec.source.path.clone(), surfaces })
@@ -119,12 +118,10 @@ pub fn described_file(folder: &Path) -> Option<PathBuf> {
     serde_json::from_slice::<Report>(&summary).ok().map(|report| report.looked_at)
 }
 
-/// Surfaces described, without any contact.
 #[derive(Debug)]
 pub struct SurfacesResults {
     pub metadata: Metadata,
     pub file: PathBuf,
-    /// The surfaces, in file order.
     pub surfaces: Vec<Surface>,
 }
 

@@ -13,7 +13,6 @@ use asperity::topography::{Filter, HeightPlace};
 use super::fit::reason;
 use super::memory;
 
-/// Caveats that no check states.
 pub fn warnings(map: &MapFacts) -> Vec<String> {
     /// Largest plausible point spacing, m.
     const WIDE: f64 = 1e-3;
@@ -180,7 +179,6 @@ pub fn written(remedy: Remedy) -> String {
     }
 }
 
-/// What a check measures.
 pub fn measured(measure: Measure) -> &'static str {
     match measure {
         Measure::SharedHeight => "share of points of one height",

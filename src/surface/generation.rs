@@ -24,13 +24,11 @@ use asperity_contact_framework::input::{InputError, Source};
 pub struct Generation {
     /// By what it is, or by what its summits shall be.
     pub way: Way,
-    /// What a summit is.
     pub neighbours: Neighbours,
     /// Position of its size, or of its summits, in the spec.
     pub key: Range<usize>,
 }
 
-/// How a surface is generated.
 #[derive(Debug, Clone)]
 pub enum Way {
     SurfaceGenerator(SurfaceGenerator),
@@ -46,7 +44,6 @@ pub enum Way {
 /// A surface and what it was made by.
 pub struct Generated {
     pub map: HeightMap,
-    /// What it was made by.
     pub facts: GenerationFacts,
     /// The bandwidth that met the target, if there is one.
     pub bandwidth: Option<f64>,
@@ -80,7 +77,6 @@ impl Generation {
         Ok(Self { way, neighbours: raw.neighbours, key })
     }
 
-    /// Points along x and y.
     pub fn points(&self) -> [usize; 2] {
         match &self.way {
             Way::SurfaceGenerator(generator) => generator.points,

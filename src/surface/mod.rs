@@ -38,7 +38,6 @@ pub use tiles::{OpenTiles, SurfaceTiles};
 use asperity::surface::Surface;
 use asperity::work::Counter;
 
-/// Warnings of surfaces, by name.
 pub fn warnings<'a>(surfaces: impl IntoIterator<Item = &'a Surface>) -> Vec<String> {
     let of = |surface: &'a Surface| {
         surface.warnings.iter().map(|warning| format!("surface {}: {warning}", surface.name))

@@ -29,7 +29,6 @@ use asperity_contact_framework::input::{InMemory, InputError, Source, SpecFile, 
 /// A surface that can be made.
 #[derive(Debug)]
 pub struct SurfacePlan {
-    /// Its name in the spec.
     pub name: String,
     /// Its position in the spec.
     pub size_key: Range<usize>,
@@ -81,7 +80,6 @@ pub(super) struct MapPlan {
     pub(super) is_held: [bool; 2],
     /// Whether its heights stay on disk.
     pub(super) is_on_disk: bool,
-    /// Whether it continues periodically.
     pub(super) is_periodic: bool,
     pub(super) preparation: Preparation,
     /// What stays of the preparation where the rest of it is found on the map.

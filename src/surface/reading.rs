@@ -120,39 +120,6 @@ fn axes(metadata: &Metadata, pixel: [f64; 2], transpose: bool) -> String {
     )
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use asperity::topography::read::OtherChannel;
-
-    #[test]
-    fn what_is_left_out_is_named() {
-        let words = |header, index_column| left_out(LeftOut { header, index_column, spacing: [None; 2] });
-        assert!(words(Some(3), false).unwrap().starts_with("line 3 of its file names"));
-        assert!(words(Some(1), true).unwrap().ends_with("both hold no heights and are left out."));
-        assert!(words(None, true).unwrap().starts_with("the first column"));
-        assert_eq!(words(None, false), None);
-        let mut channel = ChannelName { name: "Height".to_owned(), others: Vec::new() };
-        assert_eq!(others(&channel), None);
-        let other =
-            |name: &str, unit: &str| OtherChannel { name: name.to_owned(), unit: Some(unit.to_owned()) };
-        channel.others = vec![other("Phase", "deg")];
-        assert_eq!(others(&channel), None);
-        channel.others.extend([other("Sensor", "m"), other("Sensor (2)", "m")]);
-        assert_eq!(
-            others(&channel).unwrap(),
-            "the channel \"Height\" of its file is read; `channel = \"Sensor\"` reads another (of 2)."
-        );
-        let coordinates = LeftOut { header: Some(1), index_column: true, spacing: [Some(0.8), Some(1e-3)] };
-        assert_eq!(
-            left_out(coordinates).unwrap(),
-            "line 1 of its file holds coordinates of the columns, 0.8 apart, and the first column of its file holds coordinates of \
-             the lines, 0.001 apart: both hold no heights and are left out."
-        );
-        assert!(differ([1e-6, 2e-6], 0.01) && !differ([1.0001e-6, 1e-6], 0.01));
-    }
-}
-
 /// What is wrong with a file, and the keys that correct it.
 pub fn spec_message(error: &ReadError) -> String {
     match error {
@@ -222,6 +189,34 @@ pub fn options_message(error: &ReadOptionsError) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity::topography::read::OtherChannel;
+
+    #[test]
+    fn what_is_left_out_is_named() {
+        let words = |header, index_column| left_out(LeftOut { header, index_column, spacing: [None; 2] });
+        assert!(words(Some(3), false).unwrap().starts_with("line 3 of its file names"));
+        assert!(words(Some(1), true).unwrap().ends_with("both hold no heights and are left out."));
+        assert!(words(None, true).unwrap().starts_with("the first column"));
+        assert_eq!(words(None, false), None);
+        let mut channel = ChannelName { name: "Height".to_owned(), others: Vec::new() };
+        assert_eq!(others(&channel), None);
+        let other =
+            |name: &str, unit: &str| OtherChannel { name: name.to_owned(), unit: Some(unit.to_owned()) };
+        channel.others = vec![other("Phase", "deg")];
+        assert_eq!(others(&channel), None);
+        channel.others.extend([other("Sensor", "m"), other("Sensor (2)", "m")]);
+        assert_eq!(
+            others(&channel).unwrap(),
+            "the channel \"Height\" of its file is read; `channel = \"Sensor\"` reads another (of 2)."
+        );
+        let coordinates = LeftOut { header: Some(1), index_column: true, spacing: [Some(0.8), Some(1e-3)] };
+        assert_eq!(
+            left_out(coordinates).unwrap(),
+            "line 1 of its file holds coordinates of the columns, 0.8 apart, and the first column of its file holds coordinates of \
+             the lines, 0.001 apart: both hold no heights and are left out."
+        );
+        assert!(differ([1e-6, 2e-6], 0.01) && !differ([1.0001e-6, 1e-6], 0.01));
+    }
 
     #[test]
     fn keys_are_named_where_they_help() {

@@ -33,7 +33,6 @@ pub fn statistics_columns<R>(
     }
 }
 
-/// A realisation of a surface.
 pub struct SurfaceRow<'a> {
     pub name: &'a str,
     /// From 1.
@@ -41,7 +40,6 @@ pub struct SurfaceRow<'a> {
     pub asperities: usize,
     /// Nominal area, m^2.
     pub nominal_area: f64,
-    /// Statistics of the asperities.
     pub statistics: Statistics,
     /// Of the map that they were found on.
     pub moments: Option<Moments>,

@@ -158,7 +158,6 @@ impl SurfaceTiles {
         }
     }
 
-    /// Opens the surface.
     pub fn open<'a>(
         &'a self,
         plan: &'a SurfacePlan,

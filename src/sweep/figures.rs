@@ -146,7 +146,6 @@ pub fn verdict_map(results: &SweepResults) -> Option<Figure> {
     (!plots.is_empty()).then(|| Figure::column("Verdicts over the swept keys", plots))
 }
 
-/// The tiles of a quantity.
 fn tiles(
     results: &SweepResults,
     shown: &[(usize, &Point)],

@@ -84,7 +84,6 @@ struct Point {
 }
 
 impl Find {
-    /// Checks what is looked for.
     pub fn new(spec: FindSpec, keys: &[SweptKey], combine: Combine, kind: &str) -> Result<Self, String> {
         if kind != Compare::NAME {
             return Err(format!("found [{kind}]; allowed: `find` with [compare]"));

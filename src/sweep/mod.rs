@@ -33,7 +33,6 @@ use results::{ChangeRow, CrossingRow, FILE, ROWS};
 use run::{Found, Run};
 use toml::Table;
 
-/// The name of its table.
 pub const NAME: &str = "sweep";
 
 pub struct Sweep;

@@ -23,7 +23,6 @@ const NOT_VARIED: [&str; 7] = ["title", "notes", "figure", "run", "group", "tabl
 
 /// A sweep that can be run.
 pub struct SweepPlan {
-    /// The keys, in file order.
     pub keys: Vec<SweptKey>,
     /// In order: the last key runs fastest.
     pub variations: Vec<Variation>,
@@ -31,12 +30,10 @@ pub struct SweepPlan {
     pub finds: Vec<Find>,
     /// The name of the kind that runs.
     pub kind: &'static str,
-    /// Its table in a sweep.
     pub schema: Schema,
     base: Base,
 }
 
-/// One choice of values.
 pub struct Variation {
     /// The place of the value of each key.
     pub places: Vec<usize>,
@@ -59,7 +56,6 @@ impl VariedCase {
     }
 }
 
-/// The spec without its sweep.
 #[derive(Clone)]
 pub struct Base {
     table: Table,
@@ -203,7 +199,6 @@ impl SweepPlan {
         Memory { bytes: self.largest() * (self.at_once() as u128 + 1), key: None }
     }
 
-    /// The work of all variations.
     pub fn work(&self) -> u128 {
         self.variations.iter().map(|variation| variation.case.experiment.work()).sum()
     }

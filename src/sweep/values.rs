@@ -8,10 +8,8 @@ use toml::{Table, Value};
 /// The most values of a key, and the most variations.
 pub const MOST: usize = 10_000;
 
-/// A key with its values.
 #[derive(Debug, Clone)]
 pub struct SweptKey {
-    /// Its dotted path.
     pub name: String,
     /// As they stand in a spec, in their order.
     pub values: Vec<Value>,
@@ -65,7 +63,6 @@ impl SweptKey {
         }
     }
 
-    /// A value for people.
     pub fn words(&self, place: usize) -> String {
         self.numbers
             .as_ref()

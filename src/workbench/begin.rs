@@ -90,43 +90,6 @@ fn is_list(file: &Path) -> bool {
     read.is_ok() && ["height", "radius"].iter().all(|name| line.contains(name))
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_file_that_names_heights_and_radii_is_a_list() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("a.csv");
-        std::fs::write(&path, "height,radius\n1e-6,2e-5\n").unwrap();
-        let (text, open) = spec_of(&path, "uploads/a.csv").unwrap();
-        assert!(text.contains("[surface.\"a\".asperities]\nfile = \"uploads/a.csv\"\n"), "{text}");
-        assert_eq!(open, ["nominal-area"]);
-    }
-
-    #[test]
-    fn what_a_file_leaves_open_is_asked_for() {
-        let folder = tempfile::tempdir().unwrap();
-        let open = |name: &str, text: &str| {
-            let path = folder.path().join(name);
-            std::fs::write(&path, text).unwrap();
-            spec_of(&path, name).unwrap().1
-        };
-        let points = "0 0 1\n0 1 2\n0 2 1\n1 0 3\n1 1 1\n1 2 4\n2 0 1\n2 1 5\n2 2 9\n";
-        assert_eq!(open("matrix.txt", "1 2 3 4\n4 5 6 3\n7 8 9 2\n2 1 2 1\n"), ["pixel", "unit"]);
-        assert_eq!(open("points.xyz", points), ["unit.xy", "unit.z"]);
-        assert_eq!(open("unclear.csv", &format!("x [px] y [px] z [um]\n{points}")), ["unit.xy", "unit.z"]);
-        assert!(open("named.csv", &format!("x [um] y [um] z [nm]\n{points}")).is_empty());
-    }
-
-    #[test]
-    fn the_example_runs() {
-        let text = std::str::from_utf8(EXAMPLE.files[0].1).unwrap();
-        assert_eq!(kind(text).unwrap().0, "compare");
-        assert!(EXAMPLE.files.iter().any(|(name, _)| text.contains(&format!("path = \"{name}\""))));
-    }
-}
-
 /// Keys by their names, materials, names of laws, units of length.
 pub fn vocabulary() -> Value {
     let key = |key: &asperity_contact_framework::keys::Key| {
@@ -168,4 +131,41 @@ pub fn vocabulary() -> Value {
         .collect();
     let lengths = Dimension::Length.documented();
     json!({ "keys": keys, "materials": materials, "laws": laws, "lengths": lengths })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_that_names_heights_and_radii_is_a_list() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.csv");
+        std::fs::write(&path, "height,radius\n1e-6,2e-5\n").unwrap();
+        let (text, open) = spec_of(&path, "uploads/a.csv").unwrap();
+        assert!(text.contains("[surface.\"a\".asperities]\nfile = \"uploads/a.csv\"\n"), "{text}");
+        assert_eq!(open, ["nominal-area"]);
+    }
+
+    #[test]
+    fn what_a_file_leaves_open_is_asked_for() {
+        let folder = tempfile::tempdir().unwrap();
+        let open = |name: &str, text: &str| {
+            let path = folder.path().join(name);
+            std::fs::write(&path, text).unwrap();
+            spec_of(&path, name).unwrap().1
+        };
+        let points = "0 0 1\n0 1 2\n0 2 1\n1 0 3\n1 1 1\n1 2 4\n2 0 1\n2 1 5\n2 2 9\n";
+        assert_eq!(open("matrix.txt", "1 2 3 4\n4 5 6 3\n7 8 9 2\n2 1 2 1\n"), ["pixel", "unit"]);
+        assert_eq!(open("points.xyz", points), ["unit.xy", "unit.z"]);
+        assert_eq!(open("unclear.csv", &format!("x [px] y [px] z [um]\n{points}")), ["unit.xy", "unit.z"]);
+        assert!(open("named.csv", &format!("x [um] y [um] z [nm]\n{points}")).is_empty());
+    }
+
+    #[test]
+    fn the_example_runs() {
+        let text = std::str::from_utf8(EXAMPLE.files[0].1).unwrap();
+        assert_eq!(kind(text).unwrap().0, "compare");
+        assert!(EXAMPLE.files.iter().any(|(name, _)| text.contains(&format!("path = \"{name}\""))));
+    }
 }

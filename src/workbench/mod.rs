@@ -30,7 +30,6 @@ use crate::surface::Surfaces;
 use contact::Contact;
 use surfaces::surface;
 
-/// The program behind the workbench.
 #[derive(Default)]
 pub struct Workbench {
     surfaces: Arc<Surfaces>,

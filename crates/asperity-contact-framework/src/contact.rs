@@ -8,12 +8,9 @@ use asperity::law::{Body, Property};
 use asperity::study::LawContact;
 use asperity::{Material, ModulusModel, Paper, literature};
 
-/// The two bodies, by name.
 #[derive(Debug, Clone)]
 pub struct Bodies {
-    /// Material of the rough body.
     pub rough: String,
-    /// Material of the flat.
     pub flat: String,
 }
 
@@ -32,9 +29,7 @@ pub struct LayerMetadata {
 /// The two bodies of a contact.
 #[derive(Debug, Clone)]
 pub struct ContactMetadata {
-    /// The bodies of the spec.
     pub materials: IndexMap<String, Material>,
-    /// Names of the two bodies.
     pub bodies: Bodies,
     /// Reduced modulus of the pair, Pa.
     pub reduced_modulus: f64,
@@ -68,7 +63,6 @@ pub fn papers_of(laws: &[LawContact]) -> Vec<Paper> {
     laws.iter().flat_map(papers_of_law).chain(models).collect()
 }
 
-/// References for one law.
 fn papers_of_law(law: &LawContact) -> Vec<Paper> {
     law.contact.papers().into_iter().chain(law.spec.papers()).collect()
 }

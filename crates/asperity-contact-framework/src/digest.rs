@@ -37,7 +37,6 @@ pub fn watched_sha256_of_file(path: &Path, progress: &dyn Progress) -> std::io::
     }
 }
 
-/// Bytes as lower-case hexadecimal digits.
 pub fn hexadecimal(bytes: &[u8]) -> String {
     bytes.iter().map(|byte| format!("{byte:02x}")).collect()
 }

@@ -9,12 +9,10 @@ use crate::input::schema::{DEFAULT, RANGE, TYPE, UNIT};
 /// What a name chosen by the user stands as.
 const NAME: &str = "NAME";
 
-/// One key of a spec.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Key {
     /// The names from the top, as in `surface.NAME.file.pixel`.
     pub path: Vec<String>,
-    /// What it means, in sentences.
     pub meaning: String,
     /// What kind of value it takes.
     pub kind: String,
@@ -45,7 +43,6 @@ pub enum Default {
 }
 
 impl Key {
-    /// The path as one text.
     pub fn name(&self) -> String {
         self.path.join(".")
     }

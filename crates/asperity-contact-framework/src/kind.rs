@@ -15,9 +15,9 @@ use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};
 
 use crate::digest::{hexadecimal, sha256};
-use crate::group::Group;
 use crate::input::material::MaterialOrigin;
 use crate::input::{InputError, Source, Spanned, SpecFile};
+use crate::metadata::Group;
 use crate::metadata::{Again, Metadata, Timing};
 use crate::progress::Progress;
 use crate::report::Page;
@@ -49,7 +49,6 @@ pub trait Kind {
     /// Where the index lists its reports, unless a spec says something else.
     const GROUP: Option<Group> = None;
 
-    /// Its table.
     type Spec: DeserializeOwned + JsonSchema;
 
     type Plan: Plan + 'static;
@@ -93,7 +92,6 @@ pub struct RegisteredKind {
 }
 
 impl RegisteredKind {
-    /// The entry of a kind.
     pub const fn of<K: Kind>() -> Self {
         Self {
             name: K::NAME,
@@ -134,7 +132,6 @@ pub trait Plan: fmt::Display + Send + Sync {
         Ok(())
     }
 
-    /// Runs it.
     fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError>;
 
     /// The same, where its tasks can be run by many machines.
@@ -170,7 +167,6 @@ pub struct Planned {
 }
 
 impl Planned {
-    /// A plan without variants.
     pub fn new(plan: impl Plan + 'static) -> Self {
         Self { plan: Arc::new(plan), variant: "" }
     }
@@ -213,11 +209,9 @@ pub struct RunContext<'a> {
     pub title: &'a str,
     /// Name of the spec's table of its kind.
     pub kind: &'static str,
-    /// Name of the report's folder.
     pub stem: &'a str,
     /// SHA-256 of the spec, of how it is run, and of its input files, hexadecimal.
     pub input_sha256: &'a str,
-    /// The author's notes.
     pub notes: &'a str,
     /// The size of its figures in print; `None` of figures for the page only.
     pub figure: Option<Size>,

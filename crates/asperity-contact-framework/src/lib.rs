@@ -7,9 +7,7 @@
 
 pub mod contact;
 pub mod digest;
-pub mod disk;
 mod folder;
-mod group;
 pub mod input;
 pub mod kept;
 pub mod keys;
@@ -21,8 +19,8 @@ pub mod report;
 mod summary;
 
 pub use folder::{ReportError, folder};
-pub use group::Group;
 pub use kind::{
     Divided, Kind, Memory, Outcome, Plan, Planned, Reads, RegisteredKind, RunContext, fields, set_memory,
 };
+pub use metadata::Group;
 pub use summary::summary_json;

@@ -6,8 +6,8 @@ use indexmap::IndexMap;
 use serde::Serialize;
 use serde_json::{Map, Value};
 
-use crate::group::Group;
 use crate::kind::Outcome;
+use crate::metadata::Group;
 use crate::metadata::Metadata;
 use crate::report::answer::Answer;
 use crate::report::table::Tables;

@@ -33,7 +33,6 @@ pub fn page() -> Response {
     ([(header::CONTENT_TYPE, "text/html; charset=utf-8")], PAGE).into_response()
 }
 
-/// A file that it loads.
 pub fn asset(name: &str) -> Response {
     let script = "text/javascript; charset=utf-8";
     let (content, media) = match name {

@@ -86,7 +86,6 @@ pub trait Engine: Send + Sync + 'static {
     /// A file that is no map, or whose heights cannot be read without what its user must say.
     fn picture(&self, file: &Path, most: usize) -> Result<Heights, Refused>;
 
-    /// Checks a spec.
     fn prepare(&self, spec: &SpecText) -> Result<Box<dyn Prepared>, Refused>;
 
     /// What the page shows of one surface of a spec.
@@ -117,10 +116,8 @@ pub trait Engine: Send + Sync + 'static {
     fn example(&self) -> Example;
 }
 
-/// Heights of a map.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Heights {
-    /// Points along x and y.
     pub points: [usize; 2],
     /// Their distances, m.
     pub pixel: [f64; 2],

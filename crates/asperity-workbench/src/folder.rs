@@ -13,15 +13,12 @@ use crate::engine::Refused;
 use crate::limits;
 use crate::listing::is_report;
 
-/// Where dropped files are kept.
 pub const UPLOADS: &str = "uploads";
 pub const REPORTS: &str = "reports";
-/// Where the example is put.
 const EXAMPLE: &str = "example";
 /// Begins the name of a file that is not yet whole.
 const PART: &str = ".part-";
 
-/// The folder of the workbench.
 #[derive(Debug, Clone)]
 pub struct Folder {
     root: PathBuf,
@@ -112,7 +109,6 @@ impl Folder {
         Ok(file)
     }
 
-    /// Its absolute path without links.
     pub fn root(&self) -> &Path {
         &self.root
     }
@@ -285,7 +281,6 @@ pub struct Upload {
 }
 
 impl Upload {
-    /// Adds bytes.
     pub fn add(&mut self, bytes: &[u8]) -> Result<(), Refused> {
         self.bytes += bytes.len() as u64;
         if self.bytes > limits::UPLOAD {

@@ -48,7 +48,6 @@ pub struct Shared {
 
 type App = Arc<Shared>;
 
-/// All requests, behind the guard.
 pub fn router(app: App) -> Router {
     let guard = Arc::clone(&app.guard);
     Router::new()

@@ -47,7 +47,6 @@ pub enum ServeError {
     System(#[from] io::Error),
 }
 
-/// A server that is ready.
 pub struct Server {
     runtime: tokio::runtime::Runtime,
     listeners: Vec<TcpListener>,
@@ -110,7 +109,6 @@ impl Server {
         Ok(())
     }
 
-    /// Serves until the program ends.
     pub fn run(self) -> io::Result<()> {
         let Self { runtime, listeners, app, opened, .. } = self;
         runtime.block_on(async {

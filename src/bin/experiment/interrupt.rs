@@ -9,7 +9,6 @@ use asperity::topography::write::Out;
 /// Held while a report is written: an interruption waits for it.
 static WRITING: Mutex<()> = Mutex::new(());
 
-/// Whether a signal has come.
 static HAS_COME: AtomicBool = AtomicBool::new(false);
 
 static WRITTEN: AtomicUsize = AtomicUsize::new(0);
@@ -17,7 +16,6 @@ static WRITTEN: AtomicUsize = AtomicUsize::new(0);
 /// Whether the variations of a sweep are run, of which those that are complete are kept.
 static IS_SWEEP: AtomicBool = AtomicBool::new(false);
 
-/// Whether the workbench is served.
 static IS_WORKBENCH: AtomicBool = AtomicBool::new(false);
 
 /// Added to the number of a signal, the exit code of a program that it ends.

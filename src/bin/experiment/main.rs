@@ -37,7 +37,6 @@ const SPECS: &str = "experiments";
 /// Folder of what long runs have done so far, in that of the reports.
 const KEPT: &str = ".kept";
 
-/// Why a command failed.
 enum Failure {
     /// Invalid input: exit code 2.
     Input(String),
@@ -328,7 +327,6 @@ fn run_and_write(
     Ok(results)
 }
 
-/// Writes the report on results.
 fn write_report(
     experiment: &Experiment,
     place: Place,

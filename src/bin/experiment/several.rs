@@ -33,10 +33,8 @@ pub struct Place {
 }
 
 impl Place {
-    /// That of a single one.
     pub const ALONE: Self = Self { number: 1, of: 1 };
 
-    /// Whether there are no others.
     pub fn is_alone(self) -> bool {
         self.of == 1
     }
@@ -49,14 +47,11 @@ impl fmt::Display for Place {
     }
 }
 
-/// What became of a spec.
 #[derive(Clone, Copy)]
 pub enum Done {
-    /// A report was written.
     Written,
     /// Its report is that of the same spec, files and program.
     Unchanged,
-    /// There is no new report.
     Failed,
 }
 

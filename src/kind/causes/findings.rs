@@ -4,7 +4,6 @@ use asperity::compare::{Cause, ComparedQuantity, Contribution, Contributions, Mo
 
 use super::results::{CausesResults, GridPoint, QUANTITIES, QuantityAtLoad};
 
-/// One quantity at one load.
 #[derive(Debug)]
 pub struct Findings {
     pub quantity: ComparedQuantity,

@@ -15,7 +15,6 @@ use super::plan::CausesSpec;
 use super::plan::{Axis, PointPlan};
 use crate::surface::{TargetSpec, Way};
 
-/// Points along a side.
 const POINTS: [u64; 2] = [64, 4096];
 /// Values along an axis of the grid, and loads.
 const MOST: usize = 32;

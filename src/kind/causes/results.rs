@@ -12,7 +12,6 @@ use super::plan::Axis;
 /// The quantities whose differences are shown.
 pub const QUANTITIES: [ComparedQuantity; 2] = [ComparedQuantity::Separation, ComparedQuantity::Area];
 
-/// Surfaces of a grid.
 #[derive(Debug)]
 pub struct CausesResults {
     pub metadata: Metadata,
@@ -29,7 +28,6 @@ pub struct CausesResults {
     pub common: String,
     /// What the rows of the grid differ in.
     pub axis: Axis,
-    /// Whether the reference was run.
     pub has_reference: bool,
     /// Row by row of the second axis, by skewness.
     pub points: Vec<GridPoint>,
@@ -46,9 +44,7 @@ impl CausesResults {
 /// The surfaces of one point of the grid.
 #[derive(Debug)]
 pub struct GridPoint {
-    /// Skewness asked for.
     pub skewness: f64,
-    /// Kurtosis asked for.
     pub kurtosis: f64,
     /// Longest over shortest wavelength; `None` where it follows from the summits.
     pub wavelengths: Option<f64>,
@@ -59,7 +55,6 @@ pub struct GridPoint {
 /// Both models on the surfaces of a point.
 #[derive(Debug)]
 pub struct GridSurfaces {
-    /// Means over the surfaces.
     pub reached: Reached,
     /// Law by law, load by load.
     pub at: Vec<Vec<AtLoad>>,
@@ -77,7 +72,6 @@ pub struct Reached {
     pub alpha: f64,
     /// Root mean square.
     pub gradient: f64,
-    /// Skewness of the asperity heights.
     pub asperity_skewness: f64,
     /// Standard deviation of the radii over their mean.
     pub radius_cv: f64,
@@ -86,7 +80,6 @@ pub struct Reached {
     pub plasticity_index: f64,
 }
 
-/// One law at one load.
 #[derive(Debug)]
 pub struct AtLoad {
     /// The limits of admissible loads that are exceeded on some of the surfaces.

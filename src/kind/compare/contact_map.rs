@@ -29,13 +29,11 @@ pub struct ContactMap {
 pub struct MapLoad {
     /// Nominal pressure, Pa.
     pub pressure: f64,
-    /// Real over nominal contact area.
     pub area_ratio: f64,
     /// Number of contacts, in the sum.
     pub contacts: Option<usize>,
 }
 
-/// What is in contact.
 #[derive(Debug)]
 pub enum MapPatches {
     /// Few asperities.
@@ -47,7 +45,6 @@ pub enum MapPatches {
     },
     /// Many asperities, or the points of the reference.
     Cells {
-        /// Cells along x and y.
         cells: [usize; 2],
         /// At each load how much of each cell is in contact, of 255, y fastest.
         covered: Vec<Vec<u8>>,

@@ -158,7 +158,6 @@ impl Correlated {
         self.differences.iter().fold(ends, |[low, high], &(_, at, _)| [low.min(at), high.max(at)])
     }
 
-    /// The largest bound.
     pub fn bound(&self) -> f64 {
         self.differences.iter().map(|(.., bound)| *bound).fold(0.0, f64::max)
     }

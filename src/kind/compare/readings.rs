@@ -22,7 +22,6 @@ pub struct ReadLoads {
     pub kind: ModelKind,
     /// d/sigma.
     pub separation: f64,
-    /// Under each reading.
     pub answers: [ReadAnswer; 2],
 }
 
@@ -41,7 +40,6 @@ impl ReadLoads {
         self.answers[1].pressure / self.answers[0].pressure
     }
 
-    /// Whether both answers are valid.
     pub fn is_admissible(&self) -> bool {
         self.answers.iter().all(|answer| answer.is_admissible)
     }

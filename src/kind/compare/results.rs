@@ -25,7 +25,6 @@ use crate::layer::{CoatedSurface, hardness_warning, rule_warning};
 use crate::surface::rows::SurfaceRow;
 use crate::surface::{SurfaceFactory, fitness, warnings};
 
-/// Both models on given surfaces.
 #[derive(Debug)]
 pub struct CompareResults {
     pub metadata: Metadata,
@@ -36,7 +35,6 @@ pub struct CompareResults {
     pub implausible: Vec<String>,
     /// Surface by surface, in file order.
     pub surfaces: Vec<SurfaceResults>,
-    /// Closed results beside the models.
     pub lines: Vec<AnalyticalLine>,
     /// How the reference was run; `None` where none was asked for.
     pub reference: Option<ReferenceMetadata>,
@@ -46,7 +44,6 @@ pub struct CompareResults {
     pub figures_of_paper: Vec<u8>,
 }
 
-/// How the reference was run.
 #[derive(Debug)]
 pub struct ReferenceMetadata {
     /// The relative dual gap that was asked for.

@@ -42,7 +42,6 @@ pub fn run(
     run_within(context, compare, counter, Scope::default())
 }
 
-/// The same within a scope.
 pub fn run_within(
     context: &RunContext,
     compare: &ComparePlan,

@@ -16,7 +16,6 @@ pub struct Series<'a> {
     pub subject: String,
     pub surface: &'a str,
     pub stem: String,
-    /// Results on the first realisation.
     pub cases: Vec<&'a CaseResults>,
     /// The friction by thickness; empty where it is not asked for.
     pub friction: Vec<&'a FilmFriction>,

@@ -22,17 +22,13 @@ use super::plan::Show;
 use crate::layer::LayerPlan;
 use crate::paper::SphereFigure;
 
-/// One sphere on layered flats.
 #[derive(Debug)]
 pub struct IndentationResults {
     pub metadata: Metadata,
-    /// The bodies of the spec.
     pub materials: IndexMap<String, Material>,
-    /// The ball's material.
     pub ball: String,
     /// Of the ball, m.
     pub radius: f64,
-    /// The substrate's material.
     pub flat: String,
     /// E* of the pair without a layer, Pa.
     pub reduced_modulus: f64,
@@ -48,7 +44,6 @@ pub struct IndentationResults {
     pub overlay: Vec<(f64, f64)>,
 }
 
-/// A layer of one thickness.
 #[derive(Debug)]
 pub struct LayerResults {
     pub name: String,
@@ -64,7 +59,6 @@ pub struct LayerResults {
     pub errors: [Vec<ModulusError>; 2],
 }
 
-/// One layer under one law.
 #[derive(Debug)]
 pub struct LawCurves {
     /// The law, as tables name it.
@@ -102,7 +96,6 @@ impl LayerResults {
         areas.chain(exact).fold(0.0, f64::max) / radius
     }
 
-    /// Material and thickness.
     pub fn label(&self) -> String {
         format!("{} {}", self.name, input_quantity(self.thickness, "m"))
     }

@@ -14,7 +14,6 @@ use super::plan::{Critical, LawsPlan};
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
 use crate::kind::compare::run_compare;
 
-/// Runs it.
 pub fn run(context: &RunContext, laws_plan: &LawsPlan) -> Result<LawsResults, InputError> {
     let counter = Counter::default();
     let mut compare = run_compare(context, &laws_plan.compare, &counter)?;
@@ -127,7 +126,6 @@ pub struct LawOnAsperity {
     pub is_elastic_plastic: bool,
     /// Load, area and regime against indentation.
     pub curve: Curve,
-    /// Boundaries between formulas.
     pub boundaries: Vec<Boundary>,
 }
 
@@ -137,7 +135,6 @@ pub struct SurfaceInfluence {
     pub surface: String,
     /// From 1.
     pub realisation: usize,
-    /// The numbers, load by load.
     pub influence: Influence,
     /// Which of the two matters more: one per measure that allows a conclusion.
     pub dominances: Vec<Dominance>,

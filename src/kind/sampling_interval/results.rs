@@ -37,7 +37,6 @@ pub struct SurfaceResults {
 }
 
 named_enum! {
-    /// How a surface is varied.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum Variation {
         /// Every so many points of the map.
@@ -96,7 +95,6 @@ pub struct ScaleResults {
 pub struct BlocksLeftOut {
     /// The asperities; `None` where none is left.
     pub asperities: Vec<Option<Asperities>>,
-    /// Both models, load by load.
     pub models: LeftOut,
 }
 
@@ -176,7 +174,6 @@ impl Series {
 pub struct Gap<'a> {
     /// Sampling interval or nesting index, m.
     pub length: f64,
-    /// Statistical minus deterministic.
     pub difference: Estimate,
     /// Its parts; `None` where too few contacts carry the load.
     pub parts: Option<&'a Contributions>,

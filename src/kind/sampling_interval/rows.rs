@@ -19,7 +19,6 @@ fn series_columns<R>(series: impl Fn(&R) -> &Series + Copy + 'static) -> Vec<Col
     }
 }
 
-/// A surface at one scale.
 pub struct ScaleRow<'a> {
     series: &'a Series,
     scale: &'a Scale,

@@ -21,7 +21,6 @@ pub struct TiledResults {
 /// A surface, from the sums over its tiles.
 #[derive(Debug)]
 pub struct TiledSurface {
-    /// Its name in the spec.
     pub name: String,
     pub tiles: usize,
     pub count: usize,
@@ -31,7 +30,6 @@ pub struct TiledSurface {
     pub origin: f64,
     /// Statistics of all asperities, heights relative to `origin`.
     pub statistics: Statistics,
-    /// Input of the statistical model.
     pub population: Population,
     /// Where separations are measured from, heights relative to `origin`.
     pub plane: ReferencePlane,
@@ -39,7 +37,6 @@ pub struct TiledSurface {
     pub reporting_plane: ReferencePlane,
 }
 
-/// Both models under a law.
 #[derive(Debug)]
 pub struct LawResults {
     pub law: String,

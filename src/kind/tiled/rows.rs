@@ -12,7 +12,6 @@ use crate::surface::rows::SurfaceRow;
 /// Half-width of a 95 % interval in standard errors.
 pub const INTERVAL: f64 = 1.96;
 
-/// Both models at equal separation.
 pub struct SeparationRow<'a> {
     law: &'a LawResults,
     pair: &'a Pair,
@@ -20,7 +19,6 @@ pub struct SeparationRow<'a> {
 }
 
 impl<'a> SeparationRow<'a> {
-    /// The rows of a law.
     pub fn all(law: &'a LawResults) -> impl Iterator<Item = Self> {
         law.at_separations().map(move |(pair, error)| Self { law, pair, error })
     }

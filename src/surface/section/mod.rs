@@ -53,7 +53,6 @@ const CHECK: [&str; 6] = ["check", "measured", "value", "allowed", "result", "se
 /// Columns of the asperities that the height map has too.
 const OF_MAP: [&str; 3] = ["sq_m", "ssk", "sku"];
 
-/// The rows of a surface.
 fn on_surface<'a>(view: View<'a>, name: &str) -> View<'a> {
     view.only("surface", name)
 }

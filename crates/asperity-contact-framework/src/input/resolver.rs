@@ -4,9 +4,9 @@ use std::ops::Range;
 
 use super::error::InputError;
 use super::file::SpecFile;
+use super::forms::Spanned;
 use super::law::Laws;
 use super::quantity::Pure;
-use super::spanned::Spanned;
 use super::sweep::LogSweep;
 use super::whole::Whole;
 use asperity::law::{Body, Property};

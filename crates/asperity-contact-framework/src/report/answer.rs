@@ -7,7 +7,6 @@ use serde::{Deserialize, Serialize};
 /// The words that a sentence, or a text of a card, may have at most.
 pub const MOST_WORDS: usize = 25;
 
-/// The answer of a report.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct Answer {
     /// In one or two sentences.
@@ -31,7 +30,6 @@ impl CardLine {
     /// The key of the line that answers the question of the experiment.
     pub const ANSWER: &str = "answer";
 
-    /// A line of one text.
     pub fn new(key: &str, label: &str, text: impl Into<String>) -> Self {
         Self { key: key.to_owned(), label: label.to_owned(), texts: vec![text.into()] }
     }

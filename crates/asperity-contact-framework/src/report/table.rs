@@ -15,7 +15,6 @@ use super::view::View;
 /// A table that cannot be written: a value that CSV cannot hold.
 pub type TableError = csv::Error;
 
-/// The content of a cell.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Value {
     /// A number, which reads back to the same f64.
@@ -156,10 +155,8 @@ pub enum Reading {
     Plain,
     /// Inputs, with as many digits as the user gave.
     Input,
-    /// Rounding errors, with one digit.
     OneDigit,
     Signed,
-    /// Ratios in percent.
     Percent,
     /// Relative differences in percent, with a sign.
     SignedPercent,
@@ -194,7 +191,6 @@ pub struct Heading {
     pub meaning: String,
     /// What pages call it, without its unit; by default its name.
     pub label: Option<&'static str>,
-    /// How pages show it.
     pub reading: Reading,
     /// The prefix of its unit on pages; `None` where the cells decide.
     pub prefix: Option<&'static str>,
@@ -259,7 +255,6 @@ impl<R> Column<R> {
         Self { heading, value: Rc::new(value) }
     }
 
-    /// The cell of a row.
     pub fn value(&self, row: &R) -> Value {
         (self.value)(row)
     }
@@ -302,7 +297,6 @@ impl<R> Column<R> {
         self.read_as(Reading::Signed)
     }
 
-    /// The same, shown in percent.
     pub fn percent(self) -> Self {
         self.read_as(Reading::Percent)
     }
@@ -337,7 +331,6 @@ impl<R> Column<R> {
         self.compared_by(Comparison::ScaleOf(column.into()))
     }
 
-    /// The same, not compared.
     pub fn ignored(self) -> Self {
         self.compared_by(Comparison::Ignored)
     }
@@ -362,7 +355,6 @@ macro_rules! columns {
     };
 }
 
-/// The rows of one table.
 pub trait Row: Sized {
     const FILE: &'static str;
 
@@ -375,21 +367,17 @@ pub trait Row: Sized {
     /// Whether it has thousands of rows: such a table is not committed, only the sums of its columns (`digest.csv`).
     const IS_LONG: bool = false;
 
-    /// Its columns, in file order.
     fn columns() -> Vec<Column<Self>>;
 }
 
-/// Documentation of a table.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Schema {
     pub file: &'static str,
-    /// Meaning of a row.
     pub rows: &'static str,
     /// The key of its records in `summary.json`.
     pub records: Option<&'static str>,
     /// Whether it has thousands of rows.
     pub is_long: bool,
-    /// Its columns, in file order.
     pub columns: Vec<Heading>,
 }
 
@@ -404,7 +392,6 @@ impl Schema {
 /// A table: its schema and its cells.
 #[derive(Debug, Clone)]
 pub struct Table {
-    /// File and columns.
     pub schema: Schema,
     /// Column by column, as many cells as rows.
     cells: Vec<Vec<Value>>,
@@ -412,7 +399,6 @@ pub struct Table {
 }
 
 impl Table {
-    /// The table of these rows.
     pub fn new<R: Row>(rows: impl IntoIterator<Item = R>) -> Self {
         let columns = R::columns();
         let mut cells: Vec<Vec<Value>> = columns.iter().map(|_| Vec::new()).collect();
@@ -527,17 +513,14 @@ impl IntoIterator for Tables {
     }
 }
 
-/// The tables of a report.
 #[derive(Debug, Clone, Default)]
 pub struct Tables(Vec<Table>);
 
 impl Tables {
-    /// All tables, in their order.
     pub fn new(tables: Vec<Table>) -> Self {
         Self(tables)
     }
 
-    /// All tables, in their order.
     pub fn iter(&self) -> impl Iterator<Item = &Table> {
         self.0.iter()
     }

@@ -14,10 +14,8 @@ pub struct View<'a> {
     rows: Vec<usize>,
 }
 
-/// A column of a view.
 #[derive(Debug, Clone)]
 struct Shown {
-    /// Its place in the table.
     place: usize,
     /// Its heading, which a view may change.
     heading: Heading,
@@ -60,7 +58,6 @@ impl<'a> View<'a> {
         self
     }
 
-    /// The same without some columns.
     #[must_use]
     pub fn without(mut self, names: &[&str]) -> Self {
         let places: Vec<Option<usize>> = names.iter().map(|name| self.place(name)).collect();
@@ -146,7 +143,6 @@ impl<'a> View<'a> {
         self
     }
 
-    /// Whether it has no rows.
     pub fn is_empty(&self) -> bool {
         self.rows.is_empty()
     }
@@ -174,7 +170,6 @@ impl<'a> View<'a> {
         }
     }
 
-    /// The view in words.
     pub fn text(&self) -> ViewText {
         let mut text = ViewText { rows: vec![Vec::new(); self.rows.len()], ..ViewText::default() };
         for Shown { place, heading } in &self.columns {

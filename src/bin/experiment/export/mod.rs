@@ -7,7 +7,7 @@ use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
 use asperity::topography::write::{Out, whole_file};
-use asperity_contact_framework::disk::check_writable;
+use asperity_contact_framework::kept::check_writable;
 use clap::{Args, Subcommand};
 
 use super::single_file::unwritten;

@@ -234,7 +234,7 @@ mod tests {
     use asperity::compare::{Attribution, Contribution};
     use asperity::study::Verdicts;
 
-    use super::super::examples::{estimate, verdicts, with_card};
+    use super::super::tests::{estimate, verdicts, with_card};
     use super::*;
 
     /// Verdicts whose difference in area is divided into these parts of heights, radii and correlation; the separation has their opposites.

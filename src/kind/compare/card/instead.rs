@@ -13,7 +13,6 @@ use super::limit::is_steep;
 use super::{Card, State, name};
 use crate::presentation::difference_unit;
 
-/// The statistical model to use.
 enum Choice<'a> {
     /// The cheapest one within what is accepted in all quantities.
     Within(&'a Ranked),
@@ -218,7 +217,7 @@ mod tests {
     use asperity::compare::{AgainstReference, ReferenceCurve};
     use asperity::study::{LargestErrors, ReferenceVerdicts};
 
-    use super::super::examples::{verdicts, with_case};
+    use super::super::tests::{verdicts, with_case};
     use super::*;
 
     /// A model whose area differs by so much in sample, and held out.

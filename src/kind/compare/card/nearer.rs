@@ -171,7 +171,7 @@ mod tests {
     use asperity::compare::{AgainstReference, Verdict};
     use asperity::study::{Basis, ReferenceVerdicts, Verdicts};
 
-    use super::super::examples::{estimate, verdicts, with_card};
+    use super::super::tests::{estimate, verdicts, with_card};
     use super::*;
 
     const SUM: Option<ModelKind> = Some(ModelKind::Deterministic);

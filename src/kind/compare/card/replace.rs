@@ -141,7 +141,7 @@ fn in_words(answers: &[(ComparedQuantity, Verdict)]) -> String {
 mod tests {
     use asperity::study::Verdicts;
 
-    use super::super::examples::{verdicts, with_card};
+    use super::super::tests::{verdicts, with_card};
     use super::*;
 
     fn texts(verdicts: Verdicts) -> Vec<String> {

@@ -22,7 +22,6 @@ pub enum Answered {
     Open,
     /// No load is admissible.
     Outside,
-    /// The map is not fit.
     Unfit,
 }
 
@@ -173,7 +172,7 @@ fn counted<T: PartialEq>(found: &[T], words: &[(T, &str)]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::examples::verdicts;
+    use super::super::tests::verdicts;
     use super::*;
 
     #[test]

@@ -24,7 +24,6 @@ struct Curve<'a> {
     colour: Colour,
     dash: Dash,
     differences: &'a [Difference],
-    /// Whether its intervals are shown.
     has_intervals: bool,
 }
 

@@ -143,7 +143,6 @@ impl Units {
             .or_in("load (N)", self.modulus * self.area)
     }
 
-    /// Loads in MPa.
     pub fn pressure(&self) -> Axis {
         Axis::log("nominal pressure (MPa)")
             .or_in("load ratio P/(A_nom E*)", 1e6 / self.modulus)
@@ -160,7 +159,6 @@ impl Units {
     }
 }
 
-/// An axis of loads.
 pub struct Loads {
     pub axis: Axis,
     /// What 1 Pa is on it.
@@ -172,7 +170,6 @@ impl Units {
         Loads { axis: self.load_ratio(), per_pascal: self.modulus.recip() }
     }
 
-    /// Loads in MPa.
     pub fn pressures(&self) -> Loads {
         Loads { axis: self.pressure(), per_pascal: 1e-6 }
     }

@@ -104,7 +104,6 @@ fn filled(cells: &[Plot], columns: usize) -> Vec<Plot> {
     cells.iter().cloned().chain((0..blank).map(|_| Plot::blank())).collect()
 }
 
-/// Panels beside each other.
 const COLUMNS: usize = 3;
 
 fn figure(results: &CompareResults, case: SurfaceCase) -> Figure {

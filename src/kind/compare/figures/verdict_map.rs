@@ -42,7 +42,6 @@ pub fn figure(cases: &[(String, &Verdicts)], title: &str) -> Option<Figure> {
 
 /// A panel, with a key for each of the `marks` of the figure.
 fn panel(cases: &[(String, &Verdicts)], quantity: ComparedQuantity, rows: &[Tiles], marks: &[Mark]) -> Plot {
-    /// Height of a row.
     const ROW: f64 = 24.0;
     let loads = cases.iter().flat_map(|(_, verdicts)| &verdicts.differences).map(|at| megapascals(at.load));
     let [low, high] = [loads.clone().fold(f64::INFINITY, f64::min), loads.fold(0.0, f64::max)];
@@ -123,7 +122,7 @@ pub fn named(verdict: &str, difference: f64) -> Option<Mark> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::card::examples::verdicts;
+    use super::super::super::card::tests::verdicts;
     use super::*;
 
     #[test]

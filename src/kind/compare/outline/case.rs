@@ -171,7 +171,6 @@ fn regimes(page: &mut Page, case: SurfaceCase, name: &str, stem: &str, units: Un
     }
 }
 
-/// Inputs of the statistical model.
 pub fn statistical_model(page: &mut Page, surface: &SurfaceResults) {
     let RealisationFacts { population, model, .. } = &surface.realisations[0];
     let shape = population.heights.label().to_string();

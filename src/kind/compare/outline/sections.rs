@@ -124,7 +124,6 @@ fn by_quantity(page: &mut Page, view: &View) {
     }
 }
 
-/// Both models against the reference.
 pub fn reference(page: &mut Page, tables: &Tables) {
     let solved = tables.view::<ReferenceCurveRow>();
     if solved.is_empty() {

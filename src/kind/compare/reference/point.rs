@@ -32,7 +32,6 @@ impl SolvedContact {
         Ok(Self { contact, tangent, spots })
     }
 
-    /// What each block contributes.
     pub fn block_shares(&self, blocks: &Blocks) -> Vec<BlockShare> {
         let sums = self.contact.block_sums(blocks);
         let shares = self.tangent.as_ref().map(|tangent| tangent.block_shares(blocks));

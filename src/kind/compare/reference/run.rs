@@ -33,7 +33,6 @@ pub struct ReferenceRun<'a> {
     pub reference: &'a ReferencePlan,
     pub compare: &'a ComparePlan,
     pub plan: &'a SurfacePlan,
-    /// The surface with its asperities.
     pub surface: &'a Surface,
     pub prepared: &'a PreparedMap,
     /// Whether views of a contact are wanted.
@@ -89,7 +88,6 @@ impl ReferenceRun<'_> {
         Ok((views, all_covered))
     }
 
-    /// The map that is solved.
     fn map(&self, boundary: Boundary) -> Result<Cow<'_, HeightMap>, SolverError> {
         let map = &self.prepared.map;
         let (missing, points) = (missing(map), map.heights().len());
@@ -254,7 +252,6 @@ impl Load {
     }
 }
 
-/// Number of missing points.
 fn missing(map: &HeightMap) -> usize {
     map.heights().iter().filter(|z| z.is_nan()).count()
 }

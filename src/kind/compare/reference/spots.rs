@@ -35,7 +35,6 @@ struct ConductingSpots {
     conductor: OnceCell<Conductor>,
 }
 
-/// Of a solved contact.
 #[derive(Default)]
 pub struct SolvedSpots {
     /// Electrical and thermal.

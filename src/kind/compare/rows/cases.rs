@@ -79,7 +79,6 @@ pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = CaseRow<'_>
     })
 }
 
-/// The answer on one case.
 pub(crate) struct AnswerRow<'a> {
     key: CaseKey<'a>,
     answer: CaseAnswer,
@@ -162,7 +161,6 @@ impl Row for OnMapRow<'_> {
     }
 }
 
-/// The on_map, case by case.
 pub(super) fn on_map(results: &CompareResults) -> impl Iterator<Item = OnMapRow<'_>> {
     SurfaceCase::all(results).flat_map(|case| {
         let is_fit = !case.verdicts().is_blocked;

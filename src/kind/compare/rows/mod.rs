@@ -33,22 +33,18 @@ use verdicts::DifferenceRow;
 #[derive(Clone, Copy)]
 pub(crate) struct SurfaceCase<'a> {
     pub(crate) surface: &'a SurfaceResults,
-    /// What is known of it.
     pub(crate) case: &'a CaseStudy,
 }
 
 impl<'a> SurfaceCase<'a> {
-    /// All cases, surface by surface.
     pub(crate) fn all(results: &'a CompareResults) -> impl Iterator<Item = Self> + Clone {
         results.surfaces.iter().flat_map(Self::on_surface)
     }
 
-    /// The cases of one surface.
     pub(crate) fn on_surface(surface: &'a SurfaceResults) -> impl Iterator<Item = Self> + Clone {
         surface.cases.iter().map(move |case| Self { surface, case })
     }
 
-    /// Results on the first realisation.
     pub(crate) fn first(&self) -> &'a CaseResults {
         self.case.first()
     }
@@ -89,7 +85,6 @@ fn case_columns<R>(key: impl for<'r> Fn(&'r R) -> CaseKey<'r> + Copy + 'static) 
     }
 }
 
-/// The tables of a comparison.
 pub(crate) fn schemas() -> Vec<Schema> {
     let mut schemas = vec![
         Schema::of::<AnswerRow>(),

@@ -13,7 +13,6 @@ use super::{CaseKey, SurfaceCase, case_columns};
 use crate::kind::compare::reference::ElasticCase;
 use crate::kind::compare::results::CompareResults;
 
-/// One model and one quantity.
 pub(crate) struct RankingRow<'a> {
     key: CaseKey<'a>,
     alpha: Option<f64>,
@@ -224,7 +223,7 @@ impl Row for RobustnessRow<'_> {
     }
 }
 
-/// The robustness: case by case, treatment by treatment.
+/// Case by case, treatment by treatment.
 pub(super) fn robustness(results: &CompareResults) -> impl Iterator<Item = RobustnessRow<'_>> {
     SurfaceCase::all(results)
         .flat_map(|case| case.case.treated.iter().flat_map(move |treated| with_treatment(case, treated)))

@@ -12,7 +12,6 @@ use crate::kind::compare::reference::ElasticCase;
 use crate::kind::compare::results::CompareResults;
 use crate::model_tables::RowCase;
 
-/// One load of the reference.
 pub(crate) struct ReferenceRow {
     case: RowCase,
     boundary: &'static str,
@@ -132,7 +131,7 @@ impl Row for ReferenceCurveRow<'_> {
     }
 }
 
-/// The nearer of what was solved.
+/// What was solved, model by model.
 pub(super) fn curves(results: &CompareResults) -> impl Iterator<Item = ReferenceCurveRow<'_>> {
     let refine = results.reference.as_ref().map_or(1, |reference| reference.refine);
     SurfaceCase::all(results).filter(|case| case.first().reference.is_some()).map(move |case| {
@@ -189,7 +188,6 @@ pub(super) fn nearer(results: &CompareResults) -> impl Iterator<Item = NearerRow
     })
 }
 
-/// One correlation of one conductance.
 pub(crate) struct CorrelationRow<'a> {
     key: CaseKey<'a>,
     found: Correlated,

@@ -185,7 +185,6 @@ pub(super) fn cases(
     })
 }
 
-/// One line at one load.
 pub(crate) struct LineRow<'a> {
     key: CaseKey<'a>,
     line: &'static str,

@@ -9,7 +9,6 @@ use super::{CaseKey, SurfaceCase, case_columns};
 use crate::kind::compare::results::CompareResults;
 use crate::model_tables::{ELECTRICAL, FRICTION, REFERENCE, THERMAL, limits};
 
-/// One load of one case.
 pub(crate) struct SweptRow<'a> {
     key: CaseKey<'a>,
     verdicts: &'a Verdicts,

@@ -8,7 +8,6 @@ use super::page::escape_html;
 
 /// Lines of a term, the forms in which it appears in texts, and its meaning.
 const LIST: &str = include_str!("terms.txt");
-/// The style of explained terms.
 pub const STYLE: &str = include_str!("glossary.css");
 const SCRIPT: &str = include_str!("glossary.js");
 
@@ -30,7 +29,6 @@ impl Term {
         Some(Self { name, forms, meaning })
     }
 
-    /// Its name in addresses.
     fn id(&self) -> String {
         let words = self.name.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
         words.collect::<Vec<_>>().join("-")

@@ -14,8 +14,8 @@ use serde_json::{Map, Value};
 
 use super::answer::Answer;
 use super::page::{Cell, Page};
-use crate::group::Group;
 use crate::kind::RegisteredKind;
+use crate::metadata::Group;
 
 /// The program name in `summary.json`.
 pub const PROGRAM: &str = "asperity";
@@ -33,7 +33,6 @@ pub struct Index {
     pub pages: [(&'static str, String); 2],
 }
 
-/// A report in the index.
 #[derive(Deserialize)]
 struct Entry {
     /// Name of its folder.
@@ -87,7 +86,6 @@ impl Entry {
 impl Index {
     pub const FILES: [&'static str; 2] = ["README.md", "index.html"];
 
-    /// Whether there are no reports.
     pub fn is_empty(&self) -> bool {
         self.reports == 0
     }

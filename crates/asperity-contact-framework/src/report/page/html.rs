@@ -134,7 +134,6 @@ pub fn chart_scripts() -> [String; 2] {
     ]
 }
 
-/// The same as two elements.
 pub fn charts() -> String {
     let [library, charts] = chart_scripts();
     format!("<script>\n{library}</script>\n<script>\n{charts}</script>\n")
@@ -148,7 +147,6 @@ pub fn page_style() -> String {
 /// Where the list of sections goes.
 const CONTENTS: &str = "<!-- contents -->\n";
 
-/// The sections with their ids.
 fn contents(sections: &[(String, String)]) -> String {
     if sections.len() <= MOST_UNLISTED {
         return String::new();
@@ -297,7 +295,6 @@ pub fn with_minus(text: &str) -> String {
     shown
 }
 
-/// Inline Markdown as plain text.
 pub(super) fn plain(markdown: &str) -> String {
     let text = |event| match event {
         Event::Text(text) | Event::Code(text) => Some(text.into_string()),

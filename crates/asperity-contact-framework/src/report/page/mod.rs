@@ -88,7 +88,6 @@ impl Drawn {
     }
 }
 
-/// The files of a page.
 #[derive(Debug)]
 pub struct Files {
     /// `report.md`.
@@ -104,11 +103,9 @@ pub struct Files {
 /// A page in pieces of HTML, for a program that shows it as its results come.
 #[derive(Debug, Default, Serialize)]
 pub struct Pieces {
-    /// Its title, plain text.
     pub title: String,
     /// What stands first besides card and figures.
     pub lead: String,
-    /// The lines of its card.
     pub card: Vec<CardPiece>,
     /// The figures before the first folded section.
     pub figures: Vec<FigurePiece>,
@@ -116,12 +113,10 @@ pub struct Pieces {
     pub sections: String,
 }
 
-/// A line of a card.
 #[derive(Debug, Serialize)]
 pub struct CardPiece {
     /// Its name for machines.
     pub key: String,
-    /// Its label, plain text.
     pub label: String,
     pub html: String,
 }

@@ -17,7 +17,7 @@
 mod manifest;
 mod swap;
 
-use crate::disk::{advice, check_writable};
+use crate::kept::{advice, check_writable};
 use manifest::{Kept, MANIFEST, Manifest};
 use rayon::prelude::*;
 use serde::Deserialize;
@@ -36,7 +36,6 @@ pub enum StoreError {
     Io {
         /// What was tried, as in "cannot write".
         operation: &'static str,
-        /// What it was tried on.
         path: PathBuf,
         source: io::Error,
     },
@@ -94,7 +93,6 @@ pub enum State {
     Missing,
     /// The spec, or a file that it names, is another one.
     InputChanged,
-    /// The program is another one.
     ProgramChanged,
     /// A file of it is missing or is another one.
     Edited,
