@@ -6,13 +6,12 @@ use std::path::{Path, PathBuf};
 use sha2::{Digest, Sha256};
 
 /// What a report depends on; tests and examples it does not.
-const FOLDERS: [&str; 7] = [
+const FOLDERS: [&str; 6] = [
     "src",
     "crates/asperity/src",
     "crates/asperity-fft/src",
     "crates/asperity-contact-framework/src",
     "crates/asperity-plot/src",
-    "crates/asperity-print/src",
     "crates/asperity-evidence/src",
 ];
 

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use asperity_contact_framework::folder as report_folder;
 use asperity_contact_framework::progress::Progress;
-use asperity_experiment::{Experiment, PRINT};
+use asperity_experiment::Experiment;
 
 /// Notes when each sign of progress comes.
 struct Recorder(Mutex<Record>);
@@ -78,7 +78,7 @@ fn main() {
         let results = experiment.run(&recorder);
         phase("pages and tables");
         match (key, results) {
-            (Ok(key), Ok(results)) => drop(report_folder(&*results, &key, PRINT).map(|r| r.names().count())),
+            (Ok(key), Ok(results)) => drop(report_folder(&*results, &key).map(|r| r.names().count())),
             (_, Err(error)) => println!("{path}: {error}"),
             (Err(error), _) => println!("{path}: {error}"),
         }

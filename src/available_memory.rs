@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use asperity_contact_framework::Planned;
+use asperity_contact_framework::Plan;
 use asperity_contact_framework::input::{InputError, Source};
 
 /// Bytes; 0 where they are not known.
@@ -20,12 +20,9 @@ pub fn available_memory() -> u128 {
 }
 
 /// Refuses what memory cannot hold, before anything is allocated.
-///
-/// # Errors
-/// What it needs, what is available, and what needs less.
-pub fn check(planned: &Planned, source: &Source) -> Result<(), InputError> {
+pub fn check(plan: &dyn Plan, source: &Source) -> Result<(), InputError> {
     let available = available_memory();
-    let needed = planned.plan.memory();
+    let needed = plan.memory();
     // Without a known limit nothing is refused.
     if available == 0 || needed.bytes <= available {
         return Ok(());

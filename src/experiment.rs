@@ -3,16 +3,14 @@
 use std::any::Any;
 use std::fmt;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 use std::time::SystemTime;
 
 use asperity::Material;
-use asperity::progress::Share;
 use asperity::surface::{AnalysisDepth, Surface};
 use asperity::topography::read::is_named_as_map;
 use asperity::work::Counter;
 use asperity_contact_framework::digest::{hexadecimal, sha256, watched_sha256_of_file};
-use asperity_contact_framework::divided::AnyDivided;
 use asperity_contact_framework::input::material::MaterialOrigin;
 use asperity_contact_framework::input::{InputError, Source, SpecFile};
 use asperity_contact_framework::metadata::Timing;
@@ -20,7 +18,7 @@ use asperity_contact_framework::progress::{Progress, Silent};
 use asperity_contact_framework::report::format::listed;
 use asperity_contact_framework::report::store::{Store, StoreError, is_plain, plain};
 use asperity_contact_framework::report::{Index, MARK};
-use asperity_contact_framework::{AnyKind, Group, InputSha256, Kind, Outcome, Planned, Print, RunContext};
+use asperity_contact_framework::{Divided, Group, Kind, Outcome, Plan, RegisteredKind, RunContext};
 use asperity_plot::Size;
 use indexmap::IndexMap;
 use sha2::{Digest, Sha256};
@@ -38,13 +36,6 @@ const SOURCES: &str = env!("ASPERITY_SOURCES");
 
 /// SHA-256 of the sources of the library that this program was built from.
 pub const LIBRARY: &str = env!("ASPERITY_LIBRARY");
-
-/// Figures as PDF and PNG, where this build has the feature `print`.
-#[cfg(feature = "print")]
-pub const PRINT: Option<Print> = Some(|svg| Ok(asperity_print::files(svg)?));
-/// The same without the feature `print`: figures are SVG.
-#[cfg(not(feature = "print"))]
-pub const PRINT: Option<Print> = None;
 
 /// A commented spec that runs as it stands.
 pub const TEMPLATE: &str = include_str!("template.toml");
@@ -65,23 +56,17 @@ pub struct Experiment {
     seed: u64,
     materials: IndexMap<String, Material>,
     origins: IndexMap<String, MaterialOrigin>,
-    planned: Planned,
+    plan: Arc<dyn Plan>,
     described: Option<PathBuf>,
 }
 
 impl Experiment {
     /// Reads a spec and everything about its files that can be known without running it.
-    ///
-    /// # Errors
-    /// What keeps it from running, with file, line and key.
     pub fn read(path: &Path) -> Result<Self, InputError> {
         Self::watched_read(path, &Silent)
     }
 
     /// The same with progress where its files are large.
-    ///
-    /// # Errors
-    /// As [`Self::read`].
     pub fn watched_read(path: &Path, progress: &dyn Progress) -> Result<Self, InputError> {
         let spec = SpecFile::read(path, &tables()).map_err(|error| {
             if path.is_file() && is_named_as_map(path) {
@@ -98,9 +83,6 @@ impl Experiment {
     }
 
     /// The same, whose files must lie in the folder `root` (an absolute path without links).
-    ///
-    /// # Errors
-    /// As [`Self::read`].
     #[cfg(feature = "serve")]
     pub(crate) fn read_confined(path: &Path, root: &Path) -> Result<Self, InputError> {
         let text = std::fs::read_to_string(path)
@@ -110,51 +92,38 @@ impl Experiment {
     }
 
     /// An experiment from a text, whose report is called `stem`.
-    ///
-    /// # Errors
-    /// As [`Self::read`].
     pub fn parse(source: Source, stem: &str) -> Result<Self, InputError> {
         Self::watched_parse(source, stem, &Silent)
     }
 
     /// The same with progress where its files are large.
-    ///
-    /// # Errors
-    /// As [`Self::read`].
     pub fn watched_parse(source: Source, stem: &str, progress: &dyn Progress) -> Result<Self, InputError> {
         Self::of_spec(SpecFile::parse(source, &tables())?.watched_by(progress), stem.to_owned())
     }
 
     /// An experiment from a text, with its comparison where it is one, which can be run to an extent.
-    ///
-    /// # Errors
-    /// As [`Self::read`].
     pub(crate) fn with_comparison(
         source: Source,
         stem: &str,
         progress: &dyn Progress,
     ) -> Result<(Self, Option<Arc<ComparePlan>>), InputError> {
         let spec = SpecFile::parse(source, &tables())?.watched_by(progress);
-        if kind(&spec)?.name() != Compare::NAME {
+        if kind(&spec)?.name != Compare::NAME {
             return Ok((Self::of_spec(spec, stem.to_owned())?, None));
         }
         let plan = Arc::new(<Compare as Kind>::plan(&spec, &spec.required_table(Compare::NAME)?)?);
-        let planned = Planned { plan: plan.clone(), divided: None };
-        Ok((Self::new(spec, stem.to_owned(), Compare::NAME, planned)?, Some(plan)))
+        Ok((Self::new(spec, stem.to_owned(), Compare::NAME, plan.clone())?, Some(plan)))
     }
 
     fn of_spec(spec: SpecFile, stem: String) -> Result<Self, InputError> {
         let kind = kind(&spec)?;
-        let planned = kind.plan(&spec)?;
-        let group = spec.group.or(kind.group());
-        Ok(Self { group, ..Self::new(spec, stem, kind.name(), planned)? })
+        let plan = (kind.plan)(&spec)?;
+        let group = spec.group.or(kind.group);
+        Ok(Self { group, ..Self::new(spec, stem, kind.name, plan)? })
     }
 
     /// Describes the surfaces of a spec; or that of a measured file with `options`, as in `[surface.NAME.file]`, and compares both
     /// models on it. The report is called `name`, or after the file.
-    ///
-    /// # Errors
-    /// As [`Self::read`].
     pub fn describe(
         path: &Path,
         options: &FileOptions,
@@ -190,18 +159,22 @@ impl Experiment {
             Some(name) => name.to_owned(),
         };
         let spec = spec.watched_by(progress);
-        let planned =
-            if is_spec { Planned::new(SurfacesPlan::new(&spec)?) } else { Planned::new(described(&spec)?) };
-        let described =
-            if is_spec { Some(path.to_owned()) } else { planned.plan.inputs().into_iter().next() };
-        Ok(Self { described, ..Self::new(spec, stem, SURFACES, planned)? })
+        let plan: Arc<dyn Plan> =
+            if is_spec { Arc::new(SurfacesPlan::new(&spec)?) } else { Arc::new(described(&spec)?) };
+        let described = if is_spec { Some(path.to_owned()) } else { plan.inputs().into_iter().next() };
+        Ok(Self { described, ..Self::new(spec, stem, SURFACES, plan)? })
     }
 
-    fn new(spec: SpecFile, stem: String, kind: &'static str, planned: Planned) -> Result<Self, InputError> {
+    fn new(
+        spec: SpecFile,
+        stem: String,
+        kind: &'static str,
+        plan: Arc<dyn Plan>,
+    ) -> Result<Self, InputError> {
         let materials = spec.materials().map(|(name, body)| (name.get_ref().clone(), *body)).collect();
         let origins = spec.origins();
         let SpecFile { source, title, notes, figure, is_long, seed, .. } = spec;
-        available_memory::check(&planned, &source)?;
+        available_memory::check(&*plan, &source)?;
         Ok(Self {
             source,
             stem,
@@ -214,7 +187,7 @@ impl Experiment {
             seed,
             materials,
             origins,
-            planned,
+            plan,
             described: None,
         })
     }
@@ -236,15 +209,14 @@ impl Experiment {
 
     /// An estimate of the work of a run: micro-contacts evaluated.
     pub fn work(&self) -> u128 {
-        self.planned.plan.work()
+        self.plan.work()
     }
 
     /// An estimate of the memory of a run at its peak, bytes.
     pub fn memory(&self) -> u128 {
-        self.planned.plan.memory().bytes
+        self.plan.memory().bytes
     }
 
-    /// Its spec.
     pub(crate) fn path(&self) -> &Path {
         &self.source.path
     }
@@ -255,32 +227,24 @@ impl Experiment {
             let metadata = std::fs::metadata(path).ok()?;
             Some((metadata.modified().ok()?, metadata.len()))
         };
-        self.planned.plan.inputs().iter().map(of).collect()
+        self.plan.inputs().iter().map(of).collect()
     }
 
-    /// Name of its report's folder.
     pub fn stem(&self) -> &str {
         &self.stem
     }
 
-    /// Title of its report.
     pub fn title(&self) -> &str {
         &self.title
     }
 
     /// What its report depends on: its name, the spec, how it is run, its input files and the program's own sources, as a
     /// hexadecimal SHA-256.
-    ///
-    /// # Errors
-    /// An input file that cannot be read.
     pub fn key(&self) -> Result<String, InputError> {
         self.watched_key(&Silent)
     }
 
     /// The same with progress where its files are large.
-    ///
-    /// # Errors
-    /// As [`Self::key`].
     pub fn watched_key(&self, progress: &dyn Progress) -> Result<String, InputError> {
         Ok(self.key_of(&self.watched_input(progress)?))
     }
@@ -291,24 +255,15 @@ impl Experiment {
         hash.update(SOURCES);
         hash.update(sha256(self.stem.as_bytes()));
         hash.update(input);
-        if PRINT.is_some() && self.figure.is_some() {
-            hash.update("PDF");
-        }
         hexadecimal(&hash.finalize())
     }
 
     /// The part of [`Self::key`] that is the same for every build of the program: the spec, how it is run, and its input files.
-    ///
-    /// # Errors
-    /// As [`Self::key`].
     pub fn input(&self) -> Result<String, InputError> {
         self.watched_input(&Silent)
     }
 
     /// The same with progress where its files are large.
-    ///
-    /// # Errors
-    /// As [`Self::key`].
     pub fn watched_input(&self, progress: &dyn Progress) -> Result<String, InputError> {
         self.input_by(|path| watched_sha256_of_file(path, progress))
     }
@@ -320,7 +275,7 @@ impl Experiment {
     ) -> Result<String, InputError> {
         let mut hash = Sha256::new();
         hash.update(sha256(self.source.text.as_bytes()));
-        for path in self.planned.plan.inputs() {
+        for path in self.plan.inputs() {
             let content = match self.source.content_in_memory(&path) {
                 Some(content) => content.sha256(),
                 None => of_file(&path)
@@ -331,51 +286,35 @@ impl Experiment {
         Ok(hexadecimal(&hash.finalize()))
     }
 
-    /// Runs it.
-    ///
-    /// # Errors
-    /// What only a run can find: a map without a summit, a pressure that is not reached.
     pub fn run(&self, progress: &dyn Progress) -> Result<Box<dyn Outcome>, InputError> {
         let input = self.watched_input(progress)?;
-        self.planned.plan.run(&self.context(&|| Ok(input.clone()), progress))
+        self.plan.run(&self.context(&input, progress))
     }
 
-    /// Runs it, where its [`Self::input`] stays the same, and makes something of the results and of its key while the input is
-    /// compared again. An input that is not `known` is found during the run. What it has done is kept in the folder `kept`, and what
-    /// is kept there is not done again.
-    ///
-    /// # Errors
-    /// As of [`Self::run`]; a folder that cannot be written; an input file that is written or removed meanwhile, even where it has the
-    /// same content in the end: by its size and time of change from before the run on, by its content from when that is hashed, at
-    /// the beginning of the run unless it is known.
-    pub fn run_on<T: Send>(
+    /// Runs it, and makes something of the results and of its key, where its input files stay the same. The hash of its
+    /// [`Self::input`] may be `known`. What it has done is kept in the folder `kept`, and what is kept there is not done again.
+    pub fn run_on<T>(
         &self,
         known: Option<String>,
         kept: Option<&Path>,
         progress: &dyn Progress,
-        make: impl FnOnce(&dyn Outcome, &str) -> T + Send,
+        make: impl FnOnce(&dyn Outcome, &str) -> T,
     ) -> Result<(T, Box<dyn Outcome>), InputError> {
         let before = self.modified();
-        let input = known.map_or_else(OnceLock::new, |known| Ok(known).into());
-        let found = || input.get_or_init(|| self.watched_input(&Share { progress, units: 0.0 }));
-        let input_sha256 = || found().clone();
-        let run = || self.planned.plan.run(&RunContext { kept, ..self.context(&input_sha256, progress) });
-        let (results, input) = rayon::join(run, || found().clone());
+        let input = known.map_or_else(|| self.watched_input(progress), Ok)?;
+        let results = self.plan.run(&RunContext { kept, ..self.context(&input, progress) });
         self.check_unchanged(&before)?;
-        let input = input?;
-        let key = self.key_of(&input);
-        let made = || results.map(|results| (make(&*results, &key), results));
-        let (now, made) = rayon::join(|| self.watched_input(progress), made);
-        if now? != input {
-            return Err(InputError::file(&self.source.path, "has an input file that changed; run again"));
-        }
-        made
+        let results = results?;
+        let made = make(&*results, &self.key_of(&input));
+        // What is on a page may be read from a map on the disk.
+        self.check_unchanged(&before)?;
+        Ok((made, results))
     }
 
     /// Refuses input files that have been written or removed since they were `before`.
     pub(crate) fn check_unchanged(&self, before: &[Modified]) -> Result<(), InputError> {
         let changed = self.modified().iter().zip(before).position(|(now, before)| now != before);
-        match changed.and_then(|place| self.planned.plan.inputs().into_iter().nth(place)) {
+        match changed.and_then(|place| self.plan.inputs().into_iter().nth(place)) {
             Some(path) => Err(InputError::file(&path, "changed while it was read; run again")),
             None => Ok(()),
         }
@@ -391,44 +330,36 @@ impl Experiment {
         self.kind
     }
 
-    /// The files that it reads.
     pub(crate) fn inputs(&self) -> Vec<PathBuf> {
-        self.planned.plan.inputs()
+        self.plan.inputs()
     }
 
     /// What it will do, without its file and title.
     pub(crate) fn plan_in_words(&self) -> String {
-        self.planned.plan.to_string()
+        self.plan.to_string()
     }
 
     /// Looks for what a run would refuse, such as a load that a population does not reach, without running it.
-    ///
-    /// # Errors
-    /// What a run would refuse.
     pub fn check(&self) -> Result<(), InputError> {
         // Nothing is written, so that its input needs no name.
-        self.planned.plan.check(&self.context(&|| Ok(String::new()), &Silent))
+        self.plan.check(&self.context("", &Silent))
     }
 
-    /// Its division into tiles.
+    /// Its division into tasks.
     ///
     /// # Errors
     /// An experiment that needs its whole input at once.
-    pub(crate) fn divided(&self) -> Result<&dyn AnyDivided, InputError> {
-        self.planned.divided.as_deref().ok_or_else(|| {
+    pub(crate) fn divided(&self) -> Result<&dyn Divided, InputError> {
+        self.plan.divided().ok_or_else(|| {
             let message = format!(
-                "found [{}], which needs its whole input at once and has no parts; allowed: [tiled], which sums a surface tile by tile, and [sweep]",
+                "found [{}], which needs its whole input at once and has no tasks; allowed: [tiled], which sums a surface tile by tile, and [sweep]",
                 self.kind
             );
             InputError::file(&self.source.path, message)
         })
     }
 
-    pub(crate) fn context<'a>(
-        &'a self,
-        input_sha256: &'a InputSha256<'a>,
-        progress: &'a dyn Progress,
-    ) -> RunContext<'a> {
+    pub(crate) fn context<'a>(&'a self, input_sha256: &'a str, progress: &'a dyn Progress) -> RunContext<'a> {
         let Self { source, stem, title, kind, notes, figure, seed, materials, origins, .. } = self;
         RunContext {
             title,
@@ -463,9 +394,6 @@ pub fn saved_spec(options: &FileOptions, path: &Path, spec: &Path, results: &dyn
 
 /// Makes or reads realisation `realisation` (from 1) of the one surface of a spec without an experiment, with its prepared map
 /// where it has one.
-///
-/// # Errors
-/// What keeps it from being made.
 pub fn make_surface(
     source: Source,
     realisation: usize,
@@ -503,20 +431,21 @@ pub fn write_index(store: &mut Store, out: &Path) -> Result<(), StoreError> {
 
 /// Names of the tables that a spec may contain besides the common keys.
 pub(crate) fn tables() -> Vec<&'static str> {
-    REPORTED.iter().map(|kind| kind.name()).chain([SURFACES]).collect()
+    REPORTED.iter().map(|kind| kind.name).chain([SURFACES]).collect()
 }
 
 /// The tables of some kinds, as a spec has them.
-fn bracketed(is_among: fn(&dyn AnyKind) -> bool) -> Vec<String> {
-    let kinds = KINDS.iter().filter(|kind| is_among(**kind));
-    kinds.map(|kind| format!("[{}]", kind.name())).collect()
+fn bracketed(is_among: fn(&RegisteredKind) -> bool) -> Vec<String> {
+    KINDS.iter().filter(|kind| is_among(kind)).map(|kind| format!("[{}]", kind.name)).collect()
 }
 
 /// The kind of the one experiment that a spec holds.
-fn kind(spec: &SpecFile) -> Result<&'static dyn AnyKind, InputError> {
+fn kind(spec: &SpecFile) -> Result<&'static RegisteredKind, InputError> {
+    let of_name =
+        |wanted: &str| REPORTED.iter().find(|kind| kind.name == wanted).expect("tables are those of kinds");
     // Its variations have the kind that it stands beside.
     if spec.tables().iter().any(|(name, _)| name == sweep::NAME) {
-        return Ok(&sweep::Sweep);
+        return Ok(of_name(sweep::NAME));
     }
     let allowed = format!("exactly one of {}", bracketed(|_| true).join(", "));
     let mut found = spec.tables().iter().filter(|(name, _)| name != SURFACES);
@@ -527,19 +456,19 @@ fn kind(spec: &SpecFile) -> Result<&'static dyn AnyKind, InputError> {
         let message = format!("found a second experiment; allowed: {allowed} per file");
         return Err(spec.source.error_at(second.clone(), message));
     }
-    let kind = KINDS.iter().find(|kind| kind.name() == name).expect("tables are those of kinds");
-    let reads = kind.reads();
+    let kind = of_name(name);
+    let reads = kind.reads;
     if let Some((_, span)) = spec.tables().iter().find(|(name, _)| name == SURFACES && !reads.surfaces) {
-        let users = listed(&bracketed(|kind| kind.reads().surfaces));
+        let users = listed(&bracketed(|kind| kind.reads.surfaces));
         let message = format!("found a surface, which only {users} use; allowed: no [surface.NAME] here");
         return Err(spec.source.error_at(span.clone(), message));
     }
     if let Some((name, _)) = spec.materials().next().filter(|_| !reads.materials) {
         let message =
-            format!("found a material, but [{}] has its own; allowed: no [material.NAME] here", kind.name());
+            format!("found a material, but [{}] has its own; allowed: no [material.NAME] here", kind.name);
         return Err(spec.source.error_at(name.span(), message));
     }
-    Ok(*kind)
+    Ok(kind)
 }
 
 /// What the name of a report does not have, because a file name does not have it on every system.
@@ -578,12 +507,12 @@ pub fn surface_report(path: &Path) -> String {
 impl fmt::Display for Experiment {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         writeln!(f, "{}: {}", self.source.path.display(), self.title)?;
-        write!(f, "{}", self.planned.plan)?;
+        write!(f, "{}", self.plan)?;
         writeln!(
             f,
             "  memory: at most {:.1} MB; work: at most {:.1e} micro-contacts per pass",
-            self.planned.plan.memory().bytes as f64 / 1e6,
-            self.planned.plan.work() as f64
+            self.plan.memory().bytes as f64 / 1e6,
+            self.plan.work() as f64
         )
     }
 }

@@ -4,7 +4,6 @@
 //! spec file -> Experiment (a kind's plan) -> Outcome -> report folder
 //! ```
 #![deny(unsafe_code)]
-#![warn(missing_docs)]
 
 mod available_memory;
 mod experiment;
@@ -15,18 +14,15 @@ mod layer;
 pub mod materials;
 pub mod model_tables;
 mod paper;
-mod parts;
 mod plausibility;
 mod presentation;
 pub mod study_plan;
 pub mod surface;
 pub mod sweep;
+mod tasks;
 #[cfg(feature = "cli")]
 pub mod terminal;
 #[cfg(feature = "serve")]
 pub mod workbench;
 
-pub use experiment::{
-    Experiment, LIBRARY, PRINT, TEMPLATE, make_surface, saved_spec, surface_report, write_index,
-};
-pub use parts::{Merged, PartError, PartRun};
+pub use experiment::{Experiment, LIBRARY, TEMPLATE, make_surface, saved_spec, surface_report, write_index};

@@ -56,7 +56,6 @@ pub fn one_material(name: &str) -> Result<String, String> {
     Ok(text)
 }
 
-/// One value of a material.
 struct Row {
     key: &'static str,
     symbol: &'static str,

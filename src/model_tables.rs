@@ -10,7 +10,6 @@ use asperity::compare::{
 use asperity::spot::{SpotProperties, SpotQuantity, tube_factor};
 use asperity::{ByRegime, Exceeded, Limit, Response};
 
-/// What a row belongs to.
 #[derive(Debug, Clone)]
 pub(crate) struct RowCase {
     surface: String,
@@ -29,7 +28,6 @@ impl RowCase {
         Self { thickness, ..Self::bare(surface, 1, law) }
     }
 
-    /// That of results on a realisation.
     pub(crate) fn from_results(surface: &str, realisation: usize, case: &CaseResults) -> Self {
         Self { thickness: case.thickness, ..Self::bare(surface, realisation, &case.law) }
     }
@@ -53,11 +51,9 @@ pub struct CurveRow {
     pub(crate) reduced_modulus: f64,
 }
 
-/// A point of a curve.
 pub(crate) enum AnyPoint {
     /// Of a model, with the limits that one of the models exceeds there.
     Model(CurvePoint, Exceeded),
-    /// Of the reference.
     Reference(ReferencePoint),
 }
 
@@ -115,7 +111,6 @@ impl CurveRow {
         Self::of_case(&RowCase::bare("", 1, law), comparison, reduced_modulus)
     }
 
-    /// The same of a case.
     pub(crate) fn of_case(case: &RowCase, comparison: &Comparison, reduced_modulus: f64) -> Vec<Self> {
         let row = |point| Self { case: case.clone(), point, reduced_modulus };
         of_models(comparison).map(row).collect()
@@ -269,7 +264,6 @@ impl PairRow {
         ModelValues { model, response, nominal_area: self.nominal_area }
     }
 
-    /// A quantity by one model.
     fn by(&self, model: ModelKind, quantity: &Column<ModelValues>) -> Value {
         quantity.value(&self.answer(model))
     }

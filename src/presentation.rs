@@ -4,7 +4,6 @@ use asperity::Regime;
 use asperity::compare::{Cause, ComparedQuantity};
 use asperity_plot::Colour;
 
-/// A quantity in words.
 pub fn quantity_name(compared: ComparedQuantity) -> &'static str {
     match compared {
         ComparedQuantity::Separation => "separation",
@@ -24,7 +23,6 @@ pub fn difference_unit(compared: ComparedQuantity) -> (&'static str, f64) {
     }
 }
 
-/// The colour of a cause.
 pub fn cause_colour(cause: Cause) -> Colour {
     match cause {
         Cause::Heights => Colour::Heights,
@@ -33,7 +31,6 @@ pub fn cause_colour(cause: Cause) -> Colour {
     }
 }
 
-/// The colour of a regime.
 pub fn regime_colour(regime: Regime) -> Colour {
     match regime {
         Regime::Elastic => Colour::Elastic,

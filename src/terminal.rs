@@ -80,7 +80,6 @@ impl Monitor {
         }
     }
 
-    /// Removes the bar.
     pub fn finish(&self) {
         if let Display::Bar(bar) = &self.display {
             bar.finish_and_clear();
@@ -161,7 +160,6 @@ impl Progress for Monitor {
     }
 }
 
-/// What is shown.
 struct State<'a> {
     steps: [u64; 2],
     stage: &'a str,

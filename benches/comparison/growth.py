@@ -50,8 +50,8 @@ PRESSURES = 'pressure = { from = "1 MPa", to = "100 MPa", points = 11 }\n'
 class Series:
     """A kind of work at growing sizes."""
 
-    def __init__(self, name, unit, sizes, spec, parts=False):
-        self.name, self.unit, self.sizes, self.spec, self.parts = name, unit, sizes, spec, parts
+    def __init__(self, name, unit, sizes, spec):
+        self.name, self.unit, self.sizes, self.spec = name, unit, sizes, spec
 
 
 def population(size):
@@ -84,7 +84,6 @@ SERIES = [
     Series("points of a map", "points along a side", [2**k for k in range(8, 15)], height_map),
     Series("points of the reference", "points along a side", [2**k for k in range(8, 14)], reference),
     Series("realisations of a map of 512 x 512", "realisations", [4**k for k in range(4)], realisations),
-    Series("parts of 10^8 asperities in tiles", "parts", [1, 4, 16, 64], lambda _: tiled(10**8), parts=True),
 ]
 
 
@@ -114,12 +113,8 @@ def measured(series, size, folder):
     if needed > MEMORY:
         return f"{needed / 1e9:.1f} GB needed"
     out = ["--out", str(folder / "out"), "--force", "--quiet"]
-    if not series.parts or size == 1:
-        repeats = 3 if series.sizes.index(size) < 3 else 1
-        return min(run(folder, "run", str(spec), *out) for _ in range(repeats))
-    each = [run(folder, "run", "--part", f"{k}/{size}", str(spec), *out) for k in range(1, size + 1)]
-    each.append(run(folder, "merge", str(spec), *out))
-    return sum(wall for wall, _, _ in each), sum(cpu for _, cpu, _ in each), max(memory for _, _, memory in each)
+    repeats = 3 if series.sizes.index(size) < 3 else 1
+    return min(run(folder, "run", str(spec), *out) for _ in range(repeats))
 
 
 def two(value):
@@ -157,7 +152,7 @@ def draw(all_results, path):
             values = [scale * found[place] for _, found in points]
             panel.loglog(sizes, values, "o-", color="black", markersize=3, linewidth=0.8)
             # A line of slope 1 (2 for points along a side) through the last point.
-            power = 2 if "side" in series.unit else 0 if series.parts else 1
+            power = 2 if "side" in series.unit else 1
             line = [values[-1] * (size / sizes[-1]) ** power for size in sizes]
             # Work that the memory does not depend on has none.
             if values[-1] > 2 * values[0] or scale == 1:

@@ -5,17 +5,14 @@ use std::fmt::Write;
 use super::ExportedFile;
 use super::interface::{InterfaceTable, InterfaceValue, TablePoint};
 
-/// A format of tables.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Format {
     /// Columns separated by commas, with the ends of the intervals.
     Csv,
-    /// Keywords of CalculiX.
     Calculix,
 }
 
 impl Format {
-    /// All of them.
     pub const ALL: [Self; 2] = [Self::Csv, Self::Calculix];
 
     /// The name on the command line.
@@ -35,7 +32,6 @@ impl Format {
     }
 }
 
-/// Units of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum UnitSystem {
     /// m, N, Pa, W, S.
@@ -46,7 +42,6 @@ pub enum UnitSystem {
 }
 
 impl UnitSystem {
-    /// All of them.
     pub const ALL: [Self; 2] = [Self::Si, Self::Mm];
 
     /// The name on the command line.

@@ -17,17 +17,13 @@ use crate::model_tables::limits;
 /// The model that a table is taken from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum TableModel {
-    /// The integral.
     Statistical,
-    /// The sum.
     #[default]
     Deterministic,
-    /// The boundary elements.
     Reference,
 }
 
 impl TableModel {
-    /// All of them.
     pub const ALL: [Self; 3] = [Self::Statistical, Self::Deterministic, Self::Reference];
 
     fn kind(self) -> Option<ModelKind> {
@@ -44,10 +40,8 @@ impl TableModel {
     }
 }
 
-/// What a table holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct InterfaceOptions {
-    /// The model.
     pub model: TableModel,
     /// Whether loads that are not admissible are in it, too, marked.
     pub beyond: bool,

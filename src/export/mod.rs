@@ -25,9 +25,7 @@ pub use surface::{ExportedAsperities, ExportedMap, ExportedSurface};
 /// A file to be written.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ExportedFile {
-    /// Its name.
     pub name: String,
-    /// Its content.
     pub text: String,
 }
 

@@ -58,9 +58,6 @@ pub struct ExportedContact<'a> {
 
 impl ExportedContacts {
     /// Of the comparison in the spec at `path`, at its loads or the one of `options`; or of a measured file with `options`.
-    ///
-    /// # Errors
-    /// What keeps the comparison from being run, one without boundary elements or a load, a choice that there is not.
     pub fn read(
         path: &Path,
         options: &FileOptions,
@@ -128,7 +125,6 @@ impl ExportedContacts {
     ) -> Result<Vec<String>, E> {
         let Some(reference) = self.plan.reference.as_deref() else { return Ok(Vec::new()) };
         let input = self.experiment.watched_input(progress)?;
-        let input = || Ok(input.clone());
         let context = self.experiment.context(&input, progress);
         let plan = self.surface();
         let counter = Counter::default();
@@ -267,9 +263,6 @@ impl ExportedContact<'_> {
     }
 
     /// Contact pressures, numbers of the patches and the heights of the map as the fields of a `.gwy`.
-    ///
-    /// # Errors
-    /// A file that cannot be written.
     pub fn write_gwy(&self, out: &mut dyn Out) -> io::Result<()> {
         let map = |numbers: Vec<f64>| {
             let made = HeightMap::new(self.contact.points(), self.contact.pixel(), numbers, 0.0);
@@ -286,17 +279,11 @@ impl ExportedContact<'_> {
     }
 
     /// Contact pressures in Pa as an array, the first index along x.
-    ///
-    /// # Errors
-    /// A file that cannot be written.
     pub fn write_pressures(&self, out: &mut dyn Out) -> io::Result<()> {
         npy::write(out, self.contact.points(), self.contact.pressures().iter().copied())
     }
 
     /// The number of the patch of each point as an array, 0 out of contact.
-    ///
-    /// # Errors
-    /// A file that cannot be written.
     pub fn write_patches(&self, out: &mut dyn Out) -> io::Result<()> {
         npy::write(out, self.contact.points(), self.numbers())
     }
@@ -306,9 +293,6 @@ impl ExportedContact<'_> {
     }
 
     /// A picture with a pixel for each point, the first y at the top, as instruments show maps: white out of contact, darker by pressure.
-    ///
-    /// # Errors
-    /// A file that cannot be written.
     pub fn write_png(&self, out: &mut dyn Out) -> io::Result<()> {
         let [nx, ny] = self.contact.points();
         let side = |count: usize| {

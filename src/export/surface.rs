@@ -33,9 +33,7 @@ pub struct ExportedSurface {
 pub struct ExportedMap<'a> {
     /// How the names of its files begin.
     pub name: &'a str,
-    /// The step.
     pub step: Step,
-    /// Its heights.
     pub map: &'a dyn Rows,
     /// Where they come from.
     pub notes: &'a [Note],
@@ -201,15 +199,11 @@ fn columns(surface: &Surface, lost: f64) -> Vec<(&'static str, Vec<f64>)> {
 }
 
 impl ExportedAsperities {
-    /// Number of asperities.
     pub fn count(&self) -> usize {
         self.columns.first().map_or(0, |(_, column)| column.len())
     }
 
     /// As a text with a line for each, which a spec reads by `[surface.NAME.asperities]`.
-    ///
-    /// # Errors
-    /// A file that cannot be written.
     pub fn write_csv(&self, out: &mut dyn Out, progress: &dyn Progress) -> std::io::Result<()> {
         let mut count = Count::new(progress, 1.0, self.count() * self.columns.len());
         for (name, text) in &self.notes {
@@ -229,9 +223,6 @@ impl ExportedAsperities {
     }
 
     /// As an array with the columns that a spec reads of one: height, radius, and kx and ky where they are known.
-    ///
-    /// # Errors
-    /// As [`Self::write_csv`].
     pub fn write_npy(&self, out: &mut dyn Out, progress: &dyn Progress) -> std::io::Result<()> {
         let mut count = Count::new(progress, 1.0, self.count());
         let columns: Vec<&Vec<f64>> = self.of_array().map(|(_, column)| column).collect();

@@ -15,13 +15,10 @@ use asperity_contact_framework::report::format::input_quantity;
 /// A layer of one thickness or several.
 #[derive(Debug, Clone)]
 pub struct LayerPlan {
-    /// Name of its material.
     pub name: String,
-    /// Effective-modulus model.
     pub rule: ModulusModel,
     /// Thicknesses, m, ascending; 0 and infinity among them.
     pub thicknesses: Vec<f64>,
-    /// The body that it is on.
     pub on: Body,
     /// The layer in any thickness on its substrate.
     pub coating: Coating,
@@ -38,7 +35,6 @@ pub fn thickness_words(thickness: f64) -> String {
     }
 }
 
-/// A body in a sentence.
 const fn body_words(body: Body) -> &'static str {
     match body {
         Body::Rough => "the rough body",
@@ -48,9 +44,6 @@ const fn body_words(body: Body) -> &'static str {
 
 impl LayerSpec {
     /// Refuses what only `[compare]` asks of a layer.
-    ///
-    /// # Errors
-    /// A shear strength or a breakdown.
     pub fn refuse_shear(&self, source: &Source) -> Result<(), InputError> {
         let span = self.shear_strength.as_ref().map(Spanned::span);
         match span.or_else(|| self.breakdown.as_ref().map(Spanned::span)) {

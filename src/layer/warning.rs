@@ -50,7 +50,6 @@ pub fn hardness_warning(layer: &str, ratios: impl Iterator<Item = (f64, f64)>) -
 /// A rough body that has a layer.
 #[derive(Debug, Clone, Copy)]
 pub struct CoatedSurface<'a> {
-    /// Name of the surface.
     pub name: &'a str,
     /// Mean radius of its asperities, m.
     pub radius: f64,

@@ -1,18 +1,12 @@
 //! What the kinds that study surfaces have in common in their specs: bodies under laws and layers, loads, and surfaces, resolved.
 
-mod errors;
-mod implausible;
-mod layer_check;
 mod loads;
-mod rough_body;
 mod spots;
 mod statistical;
 
-pub use errors::{inapplicable, unreachable_load};
-pub use layer_check::layer_metadata;
-pub use rough_body::RoughBody;
+pub use loads::{inapplicable, unreachable_load};
 pub use spots::{Breakdowns, ConductanceSpec, ShearStrengthSpec, SpotKeys};
-pub use statistical::StatisticalSpec;
+pub use statistical::{RoughBody, StatisticalSpec, layer_metadata};
 
 use std::fmt;
 use std::ops::Range;
@@ -36,17 +30,13 @@ use spots::SpottedBodies;
 pub struct StudyKeys<'a> {
     /// Position of the table of the kind.
     pub table: Range<usize>,
-    /// The rough body.
     pub rough: &'a Spanned<RoughBody>,
-    /// The flat.
     pub flat: &'a Spanned<String>,
-    /// The laws.
     pub law: &'a Spanned<Laws>,
     /// A layer on one of the bodies.
     pub layer: Option<&'a LayerSpec>,
     /// What is asked of the spots of the contact.
     pub spots: SpotKeys<'a>,
-    /// The statistical model.
     pub statistical: Option<&'a Spanned<StatisticalSpec>>,
     /// The largest differences between the models that are accepted.
     pub accept: AcceptSpec,
@@ -60,13 +50,10 @@ pub struct StudyKeys<'a> {
     pub load_keys: [Option<Range<usize>>; 2],
 }
 
-/// Both models on given surfaces.
 pub struct StudyPlan {
-    /// Names of the two bodies.
     pub bodies: Bodies,
     /// The rough body and the flat.
     pub pair: [Material; 2],
-    /// The layer on one of them.
     pub layer: Option<Box<LayerPlan>>,
     /// How the layer shears; `None` where its friction is not asked for.
     pub film: Option<Film>,
@@ -76,7 +63,6 @@ pub struct StudyPlan {
     pub law_specs: Vec<ContactLaw>,
     /// The body that the layer is on, the flat where there is none, bare or with each thickness of the layer.
     pub flats: Vec<(Option<f64>, Flat)>,
-    /// The statistical model.
     pub statistical: StatisticalModel,
     /// Its position in the spec, for surfaces that it does not apply to.
     pub statistical_key: Option<Range<usize>>,
@@ -89,7 +75,6 @@ pub struct StudyPlan {
     pub nominal_area: Option<f64>,
     /// Positions of pressures and forces in the spec, for errors about loads out of reach.
     pub load_keys: [Option<Range<usize>>; 2],
-    /// The surfaces.
     pub surfaces: Vec<SurfacePlan>,
     /// Warnings about materials, lengths, loads and separations that are hardly meant.
     pub implausible: Vec<String>,
@@ -106,9 +91,6 @@ impl StudyPlan {
     }
 
     /// Refuses surfaces whose asperities have no positions, of a study with sums; `models` is the key that asks for these, if there is one.
-    ///
-    /// # Errors
-    /// The composite of two populations.
     pub fn check_summed(&self, file: &SpecFile, models: Option<Range<usize>>) -> Result<(), InputError> {
         let Some(composite) = self.surfaces.iter().find(|surface| surface.is_composite()) else {
             return Ok(());
@@ -123,9 +105,6 @@ impl StudyPlan {
     }
 
     /// The same on surfaces of the kind's own, made with ellipses or without.
-    ///
-    /// # Errors
-    /// As [`Self::new`].
     pub fn on(
         file: &SpecFile,
         keys: StudyKeys,
@@ -252,9 +231,6 @@ impl StudyPlan {
     }
 
     /// The bodies with laws and layer, the points of `models`, the loads, the surfaces; a line each.
-    ///
-    /// # Errors
-    /// Those of the writer.
     pub fn describe(&self, models: &[ModelKind], f: &mut fmt::Formatter) -> fmt::Result {
         let laws: Vec<String> = self.law_specs.iter().map(ContactLaw::label).collect();
         writeln!(f, "  {} on {}, law {}", self.bodies.rough, self.bodies.flat, laws.join(", "))?;
@@ -276,9 +252,6 @@ impl StudyPlan {
     }
 
     /// The warnings about bodies, separations and surfaces; a line each.
-    ///
-    /// # Errors
-    /// Those of the writer.
     pub fn warn(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let surfaces = self.surfaces.iter().flat_map(SurfacePlan::implausible);
         let mut warnings = self.implausible.iter().cloned().chain(surfaces);

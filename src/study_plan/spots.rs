@@ -29,9 +29,7 @@ use crate::surface::SurfacePlan;
 /// `conductance = "thermal"`, `["electrical", "thermal"]`, or `{ electrical = { film = "1e-12 ohm m^2" } }`.
 #[derive(Debug, Clone, Default)]
 pub struct ConductanceSpec {
-    /// Electrical conductance.
     electrical: Option<ElectricalSpec>,
-    /// Thermal conductance.
     thermal: Option<ThermalSpec>,
 }
 
@@ -164,7 +162,6 @@ const BREAKDOWN: f64 = 1.0;
 /// The keys of a spec about spots.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct SpotKeys<'a> {
-    /// What conducts.
     pub conductance: Option<&'a Spanned<ConductanceSpec>>,
     /// The shear strength of the interface.
     pub shear_strength: Option<&'a Spanned<ShearStrengthSpec>>,
@@ -241,9 +238,6 @@ impl SpotKeys<'_> {
     }
 
     /// Refuses a medium in the gap of surfaces without a mean plane.
-    ///
-    /// # Errors
-    /// Such a surface.
     pub fn check_gap(&self, file: &SpecFile, surfaces: &[SurfacePlan]) -> Result<(), InputError> {
         let Some(conductance) = self.conductance else { return Ok(()) };
         let has_medium =

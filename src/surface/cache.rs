@@ -4,8 +4,10 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant, SystemTime};
 
+use asperity::surface::{Preparation, Surface};
+use asperity::topography::Rows;
+
 use super::plan::SurfacePlan;
-use super::store::{StoredSurface, SurfaceStore};
 
 /// Bytes that all surfaces together may keep.
 const MOST_BYTES: usize = 1 << 30;
@@ -47,7 +49,6 @@ impl Surfaces {
         }
     }
 
-    /// Forgets all.
     pub fn forget(&self) {
         self.entries().clear();
     }
@@ -92,4 +93,35 @@ impl SurfaceStore for OfSpec<'_> {
 fn state(path: &Path) -> (PathBuf, Option<(SystemTime, u64)>) {
     let metadata = std::fs::metadata(path).ok();
     (path.to_owned(), metadata.and_then(|metadata| Some((metadata.modified().ok()?, metadata.len()))))
+}
+
+/// Keeps the first realisations of surfaces.
+pub trait SurfaceStore: Sync {
+    /// Everything that a surface is made of: its keys, the seed, and the present state of its files.
+    fn identity(&self, plan: &SurfacePlan) -> String;
+
+    /// The surface of this identity, if it was made before.
+    fn get(&self, identity: &str) -> Option<Arc<StoredSurface>>;
+
+    fn put(&self, identity: String, made: StoredSurface);
+}
+
+/// A surface with what other runs need of how it was made.
+pub struct StoredSurface {
+    /// The surface, with its prepared map.
+    pub surface: Surface,
+    pub(super) raw: Option<Arc<dyn Rows>>,
+    pub(super) fitted: Option<Preparation>,
+    pub(super) bandwidth: Option<f64>,
+}
+
+impl StoredSurface {
+    /// About the bytes that it keeps: its maps and asperities.
+    pub fn bytes(&self) -> usize {
+        /// A height as read, prepared and in the image of a fit; height, radius and curvatures of an asperity.
+        const OF_POINT: usize = 16;
+        const OF_ASPERITY: usize = 64;
+        let points = self.surface.map.as_ref().map_or(0, |map| map.points[0] * map.points[1]);
+        OF_POINT * points + OF_ASPERITY * self.surface.set.count()
+    }
 }

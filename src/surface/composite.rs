@@ -5,8 +5,8 @@ use asperity::surface::BodyAsperities;
 use asperity::{Heights, Population, ReferencePlane, SurfaceHeights, meeting_pairs};
 use asperity_contact_framework::input::{InputError, Source, Spanned};
 
-use super::pair_spec::PairSpec;
 use super::plan::{Origin, SurfacePlan, Surfaces, named_surface};
+use super::spec::PairSpec;
 use super::spec::{DrawSpec, PopulationSpec, SurfaceSpec};
 
 /// Asperities of the composite, of which the integral takes no notice.

@@ -7,28 +7,39 @@ use asperity_contact_framework::input::InputError;
 
 use super::options::{quoted, typed, written};
 
-/// Bodies, layer and load on a measured surface; each as in a spec, materials by their names in the library.
+/// Bodies, layer and load on a measured file, as in a spec.
 #[derive(Debug, Clone, Default, PartialEq)]
+#[cfg_attr(feature = "cli", derive(clap::Args))]
 pub struct ContactOptions {
-    /// The material of both bodies.
+    /// Material of both bodies, a name of the library (`experiment materials`); default: steel-100Cr6
+    #[cfg_attr(feature = "cli", arg(long))]
     pub material: Option<String>,
-    /// That of the rough body.
+    /// Material of the rough body, which the file describes
+    #[cfg_attr(feature = "cli", arg(long))]
     pub rough: Option<String>,
-    /// That of the flat.
+    /// Material of the flat
+    #[cfg_attr(feature = "cli", arg(long))]
     pub flat: Option<String>,
-    /// That of a layer.
+    /// Material of a layer on the flat (or by --layer-on on the rough body), with --thickness
+    #[cfg_attr(feature = "cli", arg(long))]
     pub layer: Option<String>,
-    /// Thickness of the layer.
+    /// Thickness of the layer: "2 um"
+    #[cfg_attr(feature = "cli", arg(long, allow_hyphen_values = true))]
     pub thickness: Option<String>,
-    /// The body that it is on: rough or flat.
+    /// Body that the layer is on: flat, rough; default: flat
+    #[cfg_attr(feature = "cli", arg(long, value_name = "BODY"))]
     pub layer_on: Option<String>,
-    /// A force.
+    /// Force, on --area or else on the map's own area: "5 N"
+    #[cfg_attr(feature = "cli", arg(long, allow_hyphen_values = true))]
     pub load: Option<String>,
-    /// The nominal area that it acts on.
+    /// Nominal area that --load acts on: "4 mm2"
+    #[cfg_attr(feature = "cli", arg(long, allow_hyphen_values = true))]
     pub area: Option<String>,
-    /// A nominal pressure.
+    /// Nominal pressure, instead of --load: "1.25 MPa"
+    #[cfg_attr(feature = "cli", arg(long, allow_hyphen_values = true))]
     pub pressure: Option<String>,
     /// Whether boundary elements run beside both models.
+    #[cfg_attr(feature = "cli", arg(skip))]
     pub reference: bool,
 }
 
@@ -40,9 +51,6 @@ type Line = (String, String);
 
 impl ContactOptions {
     /// Refuses options that contradict each other.
-    ///
-    /// # Errors
-    /// The first of them, as it was typed.
     pub fn check(&self) -> Result<(), InputError> {
         let Self { material, rough, flat, layer, thickness, layer_on, load, area, pressure, .. } = self;
         let is_no_body = |name: &String| Body::ALL.iter().all(|body| body.name() != name.as_str());
@@ -146,7 +154,6 @@ impl ContactOptions {
         self.rough.as_deref().map_or_else(|| self.of_both(), |name| (name, "rough"))
     }
 
-    /// That of the flat.
     fn flat(&self) -> (&str, &'static str) {
         self.flat.as_deref().map_or_else(|| self.of_both(), |name| (name, "flat"))
     }

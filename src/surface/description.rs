@@ -8,29 +8,27 @@ use asperity::surface::{AnalysisDepth, Surface};
 use asperity::work::Counter;
 use asperity_contact_framework::input::{InputError, SpecFile};
 use asperity_contact_framework::metadata::{Metadata, Timing};
-use asperity_contact_framework::report::Page;
+use asperity_contact_framework::report::answer::fitting;
+use asperity_contact_framework::report::format::{count, quantity};
+use asperity_contact_framework::report::page::{Page, escape_around_code};
+use asperity_contact_framework::report::sections;
 use asperity_contact_framework::report::table::{Table, Tables};
 use asperity_contact_framework::{Memory, Outcome, Plan, RunContext};
 use serde_json::{Map, Value, json};
 
-use super::results::SurfacesResults;
 use super::rows::SurfaceRow;
+use super::section::section;
 use super::{
-    SurfaceFactory, SurfacePlan, describe, files_of, inputs, memory, page, rows, section, surfaces, warnings,
+    SurfaceFactory, SurfacePlan, describe, files_of, fitness, inputs, memory, rows, section, surfaces,
+    warnings,
 };
 
-/// Surfaces to be described.
 pub struct SurfacesPlan {
     surfaces: Vec<SurfacePlan>,
-    /// The spec.
     file: PathBuf,
 }
 
 impl SurfacesPlan {
-    /// All surfaces of a spec.
-    ///
-    /// # Errors
-    /// Why one of them cannot be made.
     pub fn new(spec: &SpecFile) -> Result<Self, InputError> {
         let surfaces = surfaces(spec, None, 0..0, false)?;
         Ok(Self { file: spec.source.path.clone(), surfaces })
@@ -44,8 +42,6 @@ impl fmt::Display for SurfacesPlan {
 }
 
 impl Plan for SurfacesPlan {
-    type Outcome = SurfacesResults;
-
     fn inputs(&self) -> Vec<PathBuf> {
         inputs(&self.surfaces)
     }
@@ -58,7 +54,7 @@ impl Plan for SurfacesPlan {
         0
     }
 
-    fn run(&self, context: &RunContext) -> Result<SurfacesResults, InputError> {
+    fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
         let start = Instant::now();
         let mut timing = Timing::default();
         context.progress.steps(self.surfaces.len() as u64);
@@ -72,11 +68,11 @@ impl Plan for SurfacesPlan {
         }
         timing.total = start.elapsed();
         let papers = seen.iter().flat_map(Surface::papers).collect();
-        Ok(SurfacesResults {
+        Ok(Box::new(SurfacesResults {
             metadata: context.metadata(papers, timing, Some(counter.work())),
             file: self.file.clone(),
             surfaces: seen,
-        })
+        }))
     }
 }
 
@@ -94,7 +90,7 @@ impl Outcome for SurfacesResults {
     }
 
     fn page(&self, tables: &Tables) -> Page {
-        page::page(self, tables)
+        page(self, tables)
     }
 
     /// The key `looked_at` is the contract of older reports.
@@ -120,4 +116,58 @@ pub fn described_file(folder: &Path) -> Option<PathBuf> {
     }
     let summary = std::fs::read(folder.join("summary.json")).ok()?;
     serde_json::from_slice::<Report>(&summary).ok().map(|report| report.looked_at)
+}
+
+#[derive(Debug)]
+pub struct SurfacesResults {
+    pub metadata: Metadata,
+    pub file: PathBuf,
+    pub surfaces: Vec<Surface>,
+}
+
+fn page(results: &SurfacesResults, tables: &Tables) -> Page {
+    let mut page = Page::new(&results.metadata.title);
+    page.lead(&escape_around_code(&answer(&results.surfaces)));
+    sections::warnings(&mut page, &results.warnings());
+    for surface in &results.surfaces {
+        let which = match surface.realisations {
+            1 => String::new(),
+            count => format!(", the first of {count} {}", surface.repeats.name()),
+        };
+        page.heading(2, &format!("Surface {}{which}", surface.name));
+        section(&mut page, tables, surface, None);
+        if surface.map.as_ref().is_some_and(|map| map.whole.spectrum.is_none()) {
+            page.paragraph("No spectrum: the map is too large.");
+        }
+    }
+    sections::notes(&mut page, &results.metadata);
+    sections::run_again(&mut page, &results.metadata, None);
+    page.paragraph(&sections::provenance(&results.metadata));
+    sections::sources(&mut page, &results.metadata);
+    page
+}
+
+/// Whether the maps may carry a verdict; of one surface what it is.
+fn answer(surfaces: &[Surface]) -> String {
+    let maps = surfaces.iter().filter(|surface| surface.map.is_some()).count();
+    let unfit: Vec<&Surface> = surfaces.iter().filter(|surface| surface.is_blocked()).collect();
+    let fitness = match (&unfit[..], maps) {
+        (_, 0) => String::new(),
+        ([only], 1) => format!(" {}", fitting(fitness::in_short(only))),
+        ([], 1) => " The map is fit.".to_owned(),
+        ([], _) => " All maps are fit.".to_owned(),
+        (some, maps) => format!(" {} of {maps} maps are not fit.", some.len()),
+    };
+    match surfaces {
+        [Surface { unscattered: Some(reason), .. }] => {
+            format!("Neither model applies: the map {}.{fitness}", fitness::without_advice(reason))
+        }
+        [only] => format!(
+            "{} asperities of mean radius {}, heights with σ = {}.{fitness}",
+            count(only.set.count()),
+            quantity(only.statistics.mean_radius, "m"),
+            quantity(only.statistics.sigma, "m")
+        ),
+        several => format!("{} surfaces.{fitness}", several.len()),
+    }
 }

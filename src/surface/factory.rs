@@ -14,14 +14,14 @@ use asperity_contact_framework::metadata::Timing;
 use asperity_contact_framework::progress::Progress;
 use asperity_contact_framework::report::format::{input_quantity, quantity};
 
+use super::cache::{StoredSurface, SurfaceStore};
 use super::files::Files;
 use super::fit::{self, as_written};
 use super::fitness;
 use super::pair::{PairPlan, PreparedPair, greenwood_tripp_caveat};
 use super::plan::{MapPlan, Origin, SurfacePlan};
-use super::read_error::{list_message, spec_message};
+use super::reading::{list_message, spec_message};
 use super::spec::DrawSpec;
-use super::store::{StoredSurface, SurfaceStore};
 use asperity::surface::{AnalysisDepth, Fit, Independence};
 use asperity::surface::{MapFacts, Surface, usual_long_filter};
 use asperity::surface::{NoAsperities, Preparation, Step, SummitSearch};
@@ -213,9 +213,6 @@ impl<'a> SurfaceFactory<'a> {
 
     /// Calls `take` with the map of realisation `realisation` (from 1) after each step of its preparation, in order; of a surface that is
     /// not measured with its map alone, which is not prepared. Where the preparation is found on the map, it is known from then on.
-    ///
-    /// # Errors
-    /// As [`Self::make`], but for what concerns asperities; a surface without a map.
     pub fn each_step(
         &mut self,
         realisation: usize,

@@ -10,10 +10,9 @@ use asperity::topography::fitness::LARGEST_FLANKS;
 use asperity::topography::generate::FEWEST_LENGTHS;
 use asperity::topography::{Filter, HeightPlace};
 
-use super::filters;
 use super::fit::reason;
+use super::memory;
 
-/// Caveats that no check states.
 pub fn warnings(map: &MapFacts) -> Vec<String> {
     /// Largest plausible point spacing, m.
     const WIDE: f64 = 1e-3;
@@ -158,7 +157,7 @@ fn larger_map(finding: &Finding, map: &MapFacts) -> String {
 fn leaves_waves(finding: &Finding, map: &MapFacts) -> bool {
     let Some(Remedy::LongWaves(l)) = Remedy::new(finding, map) else { return false };
     let made = Filter::new(map.filter.and_then(|filter| filter.s()), Some(l));
-    made.is_ok_and(|filter| filters::check_long(filter, map.points, map.pixel).is_ok())
+    made.is_ok_and(|filter| memory::check_long(filter, map.points, map.pixel).is_ok())
 }
 
 /// Whether so many points stand out that they are no single wrong ones.
@@ -180,7 +179,6 @@ pub fn written(remedy: Remedy) -> String {
     }
 }
 
-/// What a check measures.
 pub fn measured(measure: Measure) -> &'static str {
     match measure {
         Measure::SharedHeight => "share of points of one height",

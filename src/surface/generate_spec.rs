@@ -5,7 +5,7 @@ use serde::Deserialize;
 use serde::de::Deserializer;
 use serde_json::json;
 
-use crate::surface::pixel_spec::PixelSpec;
+use crate::surface::spec::PixelSpec;
 use asperity::topography::generate::{SigmaOf, SpectrumOf};
 use asperity::topography::summits::Neighbours;
 use asperity_contact_framework::input::Spanned;

@@ -24,16 +24,13 @@ use asperity_contact_framework::input::{InputError, Source};
 pub struct Generation {
     /// By what it is, or by what its summits shall be.
     pub way: Way,
-    /// What a summit is.
     pub neighbours: Neighbours,
     /// Position of its size, or of its summits, in the spec.
     pub key: Range<usize>,
 }
 
-/// How a surface is generated.
 #[derive(Debug, Clone)]
 pub enum Way {
-    /// By what it is.
     SurfaceGenerator(SurfaceGenerator),
     /// By what its summits shall be.
     Target {
@@ -47,7 +44,6 @@ pub enum Way {
 /// A surface and what it was made by.
 pub struct Generated {
     pub map: HeightMap,
-    /// What it was made by.
     pub facts: GenerationFacts,
     /// The bandwidth that met the target, if there is one.
     pub bandwidth: Option<f64>,
@@ -60,9 +56,6 @@ const MOST_POINTS: u64 = 1 << 20;
 
 impl Generation {
     /// Resolves the spec at `span`.
-    ///
-    /// # Errors
-    /// The first that makes no surface.
     pub fn new(source: &Source, span: Range<usize>, raw: &GenerateSpec) -> Result<Self, InputError> {
         let points = points(source, raw)?;
         let heights = raw.heights.as_ref().map_or(Heights::GAUSSIAN, |heights| heights.0.clone());
@@ -84,7 +77,6 @@ impl Generation {
         Ok(Self { way, neighbours: raw.neighbours, key })
     }
 
-    /// Points along x and y.
     pub fn points(&self) -> [usize; 2] {
         match &self.way {
             Way::SurfaceGenerator(generator) => generator.points,
@@ -146,9 +138,6 @@ impl Generation {
 
     /// Makes realisation `realisation` (from 1) of the surface called `name`. `first` is a bandwidth that met the target
     /// before.
-    ///
-    /// # Errors
-    /// A target that is not reached.
     pub fn make(
         &self,
         seed: u64,

@@ -1,11 +1,11 @@
-//! Estimates of the memory that surfaces need.
+//! Estimates of the memory that surfaces need, and filters that a map is too coarse for.
 
-use asperity::surface::{AnalysisDepth, MOST_ANALYSED_POINTS};
+use asperity::surface::{AnalysisDepth, MOST_ANALYSED_POINTS, usual_long_filter};
 use asperity::topography::Filter;
+use asperity_contact_framework::report::format::input_quantity;
 use asperity_contact_framework::{Memory, set_memory};
 
 use super::files::is_copied;
-use super::filters;
 use super::plan::{MapPlan, Origin, SurfacePlan};
 
 impl SurfacePlan {
@@ -22,7 +22,6 @@ impl SurfacePlan {
         }
     }
 
-    /// The most asperities that it can have.
     pub fn most_asperities(&self) -> u128 {
         /// Four neighbours cannot all be summits.
         const POINTS_PER_SUMMIT: u128 = 2;
@@ -62,9 +61,7 @@ impl SurfacePlan {
                 let own = match fit {
                     None => preparation.filter.map_or(0, filtering),
                     // The map as it was, and filters that are tried.
-                    Some(_) => {
-                        area(points) * BYTES_PER_HEIGHT + filters::longest(points, pixel).map_or(0, filtering)
-                    }
+                    Some(_) => area(points) * BYTES_PER_HEIGHT + longest(points, pixel).map_or(0, filtering),
                 };
                 let treated = self.short_filter().filter(|_| is_treated).map_or(0, filtering);
                 let is_analysed =
@@ -146,4 +143,44 @@ pub fn memory(surfaces: &[SurfacePlan], depth: AnalysisDepth, is_treated: bool) 
 
 fn area([nx, ny]: [usize; 2]) -> u128 {
     nx as u128 * ny as u128
+}
+
+/// Refuses an L filter that leaves waves of a few points only.
+pub fn check_long(filter: Filter, points: [usize; 2], pixel: [f64; 2]) -> Result<(), String> {
+    /// Of its nesting index, pixels.
+    const FEWEST: f64 = 4.0;
+    let least = FEWEST * pixel[0].max(pixel[1]);
+    let Some(l) = filter.l().filter(|l| *l < least) else { return Ok(()) };
+    let usual = usual_long_filter([0, 1].map(|axis| points[axis] as f64 * pixel[axis]));
+    let is_possible = usual >= least;
+    let [l, apart, least, usual] =
+        [l, pixel[0].max(pixel[1]), least, usual].map(|length| input_quantity(length, "m"));
+    let usually = match is_possible {
+        true => format!("usually a sixth of the shorter side ({usual})"),
+        false => "or none: the map has too few points for one".to_owned(),
+    };
+    Err(format!(
+        "found an L filter of {l}, which removes all waves longer than that and so the roughness: the points are {apart} apart; allowed: \
+         at least {FEWEST} pixels ({least}), {usually}"
+    ))
+}
+
+/// Warns of an S filter that is shorter than any wave of a map.
+pub fn short_caveat(filter: Filter, pixel: [f64; 2]) -> Option<String> {
+    /// Of the shortest wave that a map holds, pixels.
+    const SHORTEST: f64 = 2.0;
+    let shortest = SHORTEST * pixel[0].min(pixel[1]);
+    let s = filter.s().filter(|s| *s < shortest)?;
+    let [s, shortest, enough] = [s, shortest, 2.0 * shortest].map(|length| input_quantity(length, "m"));
+    Some(format!(
+        "its S filter of {s} has hardly any effect: the shortest wave that its points can hold is {shortest} long (two pixels); an S filter \
+         of at least four pixels, {enough}, removes noise."
+    ))
+}
+
+/// Filters as long as any that a fit tries.
+pub fn longest(points: [usize; 2], pixel: [f64; 2]) -> Option<Filter> {
+    const SHORT_PIXELS: f64 = 4.0;
+    let side = [0, 1].map(|axis| points[axis] as f64 * pixel[axis]);
+    Filter::new(Some(SHORT_PIXELS * pixel[0].max(pixel[1])), Some(0.5 * side[0].min(side[1]))).ok()
 }

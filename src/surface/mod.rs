@@ -6,50 +6,38 @@ mod contact_options;
 mod description;
 mod factory;
 mod files;
-mod filters;
 mod fit;
-pub mod fit_rows;
 pub mod fitness;
 mod generate_spec;
 mod generation;
 mod implausible;
-mod map_input;
 mod memory;
 mod options;
-mod page;
 mod pair;
-mod pair_spec;
-mod pixel_spec;
 mod plan;
-pub mod read_error;
 pub mod reading;
-mod results;
 pub mod rows;
 pub mod section;
 mod spec;
-mod store;
 mod tiles;
 
-pub use cache::{OfSpec, Surfaces};
+pub use cache::{OfSpec, StoredSurface, SurfaceStore, Surfaces};
 pub use contact_options::ContactOptions;
 pub use description::{SurfacesPlan, described_file};
 pub use factory::SurfaceFactory;
 pub use files::Files;
-pub use fit::{by_hand, keys};
+pub use fit::{by_hand, fit_records, keys};
 pub use generate_spec::TargetSpec;
 pub use generation::{Generation, Way};
 pub use memory::memory;
 pub use options::{FileOptions, file_name};
-pub use plan::points_per_wave_on;
-pub use plan::{SurfacePlan, beside, curvature_ratio, describe, inputs, surfaces};
+pub use plan::{SurfacePlan, beside, curvature_ratio, describe, inputs, points_per_wave_on, surfaces};
 pub use spec::SurfaceSpec;
-pub use store::{StoredSurface, SurfaceStore};
 pub use tiles::{OpenTiles, SurfaceTiles};
 
 use asperity::surface::Surface;
 use asperity::work::Counter;
 
-/// Warnings of surfaces, by name.
 pub fn warnings<'a>(surfaces: impl IntoIterator<Item = &'a Surface>) -> Vec<String> {
     let of = |surface: &'a Surface| {
         surface.warnings.iter().map(|warning| format!("surface {}: {warning}", surface.name))

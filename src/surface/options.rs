@@ -6,48 +6,66 @@ use asperity_contact_framework::input::{InputError, Source};
 
 use super::contact_options::ContactOptions;
 
-/// Options for a measured file, besides its path; each as in a spec.
+/// Options of a measured file, as in a spec.
 #[derive(Debug, Clone, Default, PartialEq)]
+#[cfg_attr(feature = "cli", derive(clap::Args))]
 pub struct FileOptions {
-    /// A length, or two with a comma between them.
+    /// Pixel size, if the file does not contain it: "0.8 um", or "0.8 um, 0.5 um" along x and y. The first index of a .npy is x;
+    /// in a text x runs along a line and y from line to line
+    #[cfg_attr(feature = "cli", arg(long, allow_hyphen_values = true))]
     pub pixel: Option<String>,
-    /// Unit of the lengths in the file, or two: "xy=um, z=nm".
+    /// Unit of the lengths in the file, if it does not contain it: um, or "xy=um, z=nm" of coordinates and heights
+    #[cfg_attr(feature = "cli", arg(long, allow_hyphen_values = true))]
     pub unit: Option<String>,
-    /// Heights that mark missing points, with commas between them, or "none".
+    /// Heights, in the unit of the file, and words that mark missing points: -9999, or "-9999, void"; none where all are heights
+    #[cfg_attr(feature = "cli", arg(long, allow_hyphen_values = true))]
     pub missing: Option<String>,
-    /// The channel of a file that holds several.
+    /// Channel of a file that holds several, by its name there; default: that of the heights
+    #[cfg_attr(feature = "cli", arg(long, allow_hyphen_values = true))]
     pub channel: Option<String>,
-    /// Whether x and y of the file are exchanged.
+    /// Part of the map to use along x, from and to, from its first point: "10 um, 200 um"
+    #[cfg_attr(feature = "cli", arg(long, allow_hyphen_values = true, value_name = "FROM, TO"))]
+    pub crop_x: Option<String>,
+    /// The same along y
+    #[cfg_attr(feature = "cli", arg(long, allow_hyphen_values = true, value_name = "FROM, TO"))]
+    pub crop_y: Option<String>,
+    /// Exchange x and y of the file; the pixel is then that of the exchanged map
+    #[cfg_attr(feature = "cli", arg(long))]
     pub transpose: bool,
-    /// The part that is used along x and y: from and to with a comma between them.
-    pub crop: [Option<String>; 2],
-    /// Form that is removed.
-    pub level: Option<String>,
-    /// S nesting index.
-    pub s: Option<String>,
-    /// L nesting index.
-    pub l: Option<String>,
-    /// Which neighbours a summit is higher than.
-    pub neighbours: Option<String>,
-    /// Whether the preparation that makes the map fit is searched.
+    /// Find the preparation that makes the map fit: remedies of failed checks, one after the other; options below are kept
+    #[cfg_attr(feature = "cli", arg(long))]
     pub fit: bool,
-    /// What becomes of spikes.
+    /// What becomes of spikes: keep, remove
+    #[cfg_attr(feature = "cli", arg(long, allow_hyphen_values = true, value_name = "keep|remove"))]
     pub outliers: Option<String>,
-    /// The axis along which lines are set to the same mean height.
+    /// Axis along which lines of the scan are set to the same mean height: x, y
+    #[cfg_attr(feature = "cli", arg(long, allow_hyphen_values = true, value_name = "x|y"))]
     pub align_lines: Option<String>,
-    /// Radius of the stylus or tip.
+    /// Radius of the stylus or tip that traced the map, which is eroded: "5 um"
+    #[cfg_attr(feature = "cli", arg(long, allow_hyphen_values = true))]
     pub tip: Option<String>,
-    /// Other keys of the spec, each as PATH=VALUE: `compare.law=hertz`.
+    /// Form to remove: none, mean, plane, quadratic, cubic
+    #[cfg_attr(feature = "cli", arg(long, allow_hyphen_values = true))]
+    pub level: Option<String>,
+    /// S filter (ISO 16610-61), removes shorter wavelengths: "2.5 um"
+    #[cfg_attr(feature = "cli", arg(long, allow_hyphen_values = true))]
+    pub s: Option<String>,
+    /// L filter (ISO 16610-61), removes longer wavelengths: "80 um"
+    #[cfg_attr(feature = "cli", arg(long, allow_hyphen_values = true))]
+    pub l: Option<String>,
+    /// Number of neighbours that a summit must exceed: four, eight
+    #[cfg_attr(feature = "cli", arg(long, allow_hyphen_values = true, value_name = "four|eight"))]
+    pub neighbours: Option<String>,
+    /// Another key of the spec: compare.law=hertz, 'material.PTFE.hardness="50 MPa"'; may be given several times
+    #[cfg_attr(feature = "cli", arg(long, allow_hyphen_values = true, value_name = "KEY=VALUE"))]
     pub set: Vec<String>,
     /// Bodies, layer and load.
+    #[cfg_attr(feature = "cli", arg(skip))]
     pub contact: ContactOptions,
 }
 
 impl FileOptions {
     /// Refuses options that contradict each other.
-    ///
-    /// # Errors
-    /// The first of them, as it was typed.
     pub fn check(&self) -> Result<(), InputError> {
         let is_path = |path: &str| path.starts_with("compare.") || path.starts_with("material.");
         let is_set = |set: &&String| set.split_once('=').is_some_and(|(path, _)| is_path(path));
@@ -57,7 +75,7 @@ impl FileOptions {
                 "found no key of [compare] or [material]; allowed: PATH=VALUE, such as compare.law=hertz or 'material.PTFE.hardness=\"50 MPa\"'",
             ));
         }
-        for (axis, ends) in ["x", "y"].into_iter().zip(&self.crop) {
+        for (axis, ends) in ["x", "y"].into_iter().zip([&self.crop_x, &self.crop_y]) {
             let Some(ends) = ends.as_ref().filter(|ends| ends.split(',').count() != 2) else { continue };
             return Err(InputError::file(
                 Path::new(&typed(&format!("crop-{axis}"), ends)),
@@ -115,7 +133,7 @@ impl FileOptions {
         lines.extend(missing.map(|marks| (format!("missing = {}", numbers(marks)), typed("missing", marks))));
         let channel = self.channel.as_ref();
         lines.extend(channel.map(|name| (format!("channel = {}", quoted(name)), typed("channel", name))));
-        let axes = || ["x", "y"].into_iter().zip(&self.crop);
+        let axes = || ["x", "y"].into_iter().zip([&self.crop_x, &self.crop_y]);
         let given = || axes().filter_map(|(axis, ends)| Some((axis, ends.as_ref()?)));
         if given().next().is_some() {
             let keys: Vec<String> = given()

@@ -14,13 +14,12 @@ use asperity_contact_framework::report::format::quantity;
 
 use super::files::Files;
 use super::fitness;
-use super::pair_spec::PairSpec;
 use super::plan::{Origin, SurfacePlan, Surfaces, named_surface};
+use super::spec::PairSpec;
 
 /// A pair that can be made.
 #[derive(Debug)]
 pub(super) struct PairPlan {
-    /// Both bodies.
     pub(super) bodies: [SurfacePlan; 2],
     /// Whether the second is rotated at random.
     rotates: bool,
@@ -122,7 +121,6 @@ impl PairPlan {
         ([0, 1].map(|axis| count(first, axis).min(count(second, axis))), pixel)
     }
 
-    /// Whether both maps repeat.
     pub(super) fn is_periodic(&self) -> bool {
         self.bodies.iter().all(SurfacePlan::is_periodic)
     }

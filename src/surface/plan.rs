@@ -8,11 +8,11 @@ use std::path::PathBuf;
 use crate::plausibility;
 use crate::surface::composite;
 use crate::surface::files::Reading;
-use crate::surface::filters;
 use crate::surface::generation::Generation;
+use crate::surface::memory;
 use crate::surface::pair::{self, PairPlan};
-use crate::surface::read_error::{list_message, options_message, spec_message};
 use crate::surface::reading;
+use crate::surface::reading::{list_message, options_message, spec_message};
 use crate::surface::spec::{
     DrawSpec, FileSpec, FitSpec, ListSpec, Outliers, PopulationHeights, PopulationSpec, SurfaceSpec,
 };
@@ -29,7 +29,6 @@ use asperity_contact_framework::input::{InMemory, InputError, Source, SpecFile, 
 /// A surface that can be made.
 #[derive(Debug)]
 pub struct SurfacePlan {
-    /// Its name in the spec.
     pub name: String,
     /// Its position in the spec.
     pub size_key: Range<usize>,
@@ -81,7 +80,6 @@ pub(super) struct MapPlan {
     pub(super) is_held: [bool; 2],
     /// Whether its heights stay on disk.
     pub(super) is_on_disk: bool,
-    /// Whether it continues periodically.
     pub(super) is_periodic: bool,
     pub(super) preparation: Preparation,
     /// What stays of the preparation where the rest of it is found on the map.
@@ -304,7 +302,7 @@ impl SurfacePlan {
                     Ok(made)
                 });
                 let made = made.map_err(|error| source.error_at(filter.span(), error))?;
-                filters::check_long(made, points, pixel)
+                memory::check_long(made, points, pixel)
                     .map_err(|message| source.error_at(filter.span(), message))?;
                 Some(made)
             }
@@ -329,7 +327,7 @@ impl SurfacePlan {
         };
         let mut caveats = reading::caveats(&metadata, pixel, &file);
         caveats.extend(in_memory.into_iter().flat_map(|(_, caveats)| caveats.clone()));
-        caveats.extend(filter.and_then(|filter| filters::short_caveat(filter, pixel)));
+        caveats.extend(filter.and_then(|filter| memory::short_caveat(filter, pixel)));
         let fit = raw.fit.map(|FitSpec::Auto| Kept {
             spikes: raw.outliers.is_some(),
             lines: raw.align_lines.is_some(),

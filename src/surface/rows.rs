@@ -12,7 +12,7 @@ use asperity_contact_framework::report::table::{Column, Row, Schema, Table};
 use indexmap::IndexMap;
 use serde_json::{Map, Value};
 
-use super::fit_rows::FitStepRow;
+use super::fit::FitStepRow;
 use super::fitness;
 use asperity::surface::{GenerationFacts, MapFacts, Remedy, Surface};
 use asperity::topography::fitness::Measure;
@@ -33,17 +33,13 @@ pub fn statistics_columns<R>(
     }
 }
 
-/// A realisation of a surface.
 pub struct SurfaceRow<'a> {
-    /// Name of the surface.
     pub name: &'a str,
     /// From 1.
     pub realisation: usize,
-    /// Number of asperities.
     pub asperities: usize,
     /// Nominal area, m^2.
     pub nominal_area: f64,
-    /// Statistics of the asperities.
     pub statistics: Statistics,
     /// Of the map that they were found on.
     pub moments: Option<Moments>,
@@ -456,7 +452,6 @@ impl Row for FitnessRow<'_> {
     }
 }
 
-/// The tables of surfaces.
 pub fn schemas() -> Vec<Schema> {
     vec![
         Schema::of::<SurfaceRow>(),

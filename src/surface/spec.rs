@@ -2,28 +2,23 @@
 
 use std::path::PathBuf;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Deserializer};
-
-use crate::surface::generate_spec::GenerateSpec;
-use crate::surface::map_input::{MapUnitSpec, MissingSpec};
-use crate::surface::pair_spec::PairSpec;
-use crate::surface::pixel_spec::PixelSpec;
 use asperity::Heights;
 use asperity::topography::Level;
 use asperity::topography::fitness::Lines;
 use asperity::topography::read::Crop;
 use asperity::topography::summits::Neighbours;
 use asperity::units::Dimension;
-use asperity_contact_framework::input::Spanned;
-use asperity_contact_framework::input::Whole;
-use asperity_contact_framework::input::bare::{NominalAreaRange, SigmaRange};
+use asperity_contact_framework::input::bare::{NominalAreaRange, PixelRange, SigmaRange};
 use asperity_contact_framework::input::quantity::{
     Area, ArealNumberDensity, Length, NotNegative, Pure, Quantity,
 };
-use asperity_contact_framework::input::schema;
-use asperity_contact_framework::input::{heights, named, named_or_none};
+use asperity_contact_framework::input::{OneOrMany, Spanned, Whole, heights, named, named_or_none, schema};
 use asperity_contact_framework::written_schema;
+use schemars::JsonSchema;
+use serde::{Deserialize, Deserializer};
+
+use crate::surface::files::{MapUnitSpec, MissingSpec};
+use crate::surface::generate_spec::GenerateSpec;
 
 /// One surface: exactly one kind per name.
 #[derive(Debug, Deserialize)]
@@ -307,4 +302,46 @@ pub struct FilterSpec {
     /// Nesting index of the L filter, which removes longer wavelengths.
     #[schemars(extend("examples" = ["80 um"]))]
     pub l: Option<Quantity<Length>>,
+}
+
+/// Two rough bodies, of which each is another surface of the spec: with a height map, or both Gaussian populations.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(
+    deny_unknown_fields,
+    rename_all = "kebab-case",
+    expecting = "a table { a, b, shifts } such as { a = \"ring\", b = \"liner\", shifts = 16 }"
+)]
+pub struct PairSpec {
+    /// The surface of the body whose material is `rough`.
+    #[schemars(extend("examples" = ["ring"]))]
+    pub a: Spanned<String>,
+    /// The surface of the body whose material is `flat`; its x axis is mirrored, since each map is seen from outside its body.
+    #[schemars(extend("examples" = ["liner"]))]
+    pub b: Spanned<String>,
+    /// Number of random relative positions of two maps. Maps that repeat are shifted around their border; of others the overlap counts, at least three
+    /// quarters of the shorter side along each axis.
+    #[schemars(extend("x-range" = "1 to 1000", "default" = 16, "examples" = [16]))]
+    pub shifts: Option<Spanned<Whole>>,
+    /// Whether b is also rotated at random by 0, 90, 180 or 270 degrees.
+    #[serde(default)]
+    #[schemars(extend("default" = false, "examples" = [true]))]
+    pub rotations: bool,
+}
+
+/// One pixel size, or one along x and one along y.
+#[derive(Debug, Clone, Copy)]
+pub struct PixelSpec(pub [f64; 2]);
+
+written_schema!(PixelSpec, |_| schema::one_or_many(
+    schema::quantity::<Length, PixelRange>(),
+    "length, or a list of two: along x and along y"
+));
+
+impl<'de> Deserialize<'de> for PixelSpec {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let expected = "a length such as \"0.8 um\", or a list of two: along x and along y";
+        let sizes =
+            OneOrMany::<Quantity<Length, PixelRange>>::read(deserializer, expected)?.along_both("sizes")?;
+        Ok(Self(sizes.map(|size| size.value())))
+    }
 }

@@ -19,7 +19,7 @@ use asperity_contact_framework::progress::{Progress, Silent};
 use super::factory::SurfaceFactory;
 use super::files::Files;
 use super::plan::{MapPlan, Origin, SurfacePlan};
-use super::read_error::{list_message, spec_message};
+use super::reading::{list_message, spec_message};
 use super::spec::DrawSpec;
 use asperity::surface::AnalysisDepth;
 use asperity::surface::Preparation;
@@ -28,19 +28,25 @@ use asperity::surface::Preparation;
 #[derive(Debug)]
 pub struct SurfaceTiles {
     division: Division,
-    /// Number of tiles.
     pub count: usize,
 }
 
 #[derive(Debug)]
 enum Division {
     /// Blocks of asperities of each realisation.
-    Population { tiles: usize, blocks: usize },
+    Population {
+        tiles: usize,
+        blocks: usize,
+    },
     /// Blocks of rows.
-    List { blocks: usize },
+    List {
+        blocks: usize,
+    },
     /// Rows of a map, and those on either side that filters and plateaus need.
-    Map { rows: usize, halo: usize },
-    /// A realisation each.
+    Map {
+        rows: usize,
+        halo: usize,
+    },
     Realisations,
 }
 
@@ -152,10 +158,6 @@ impl SurfaceTiles {
         }
     }
 
-    /// Opens the surface.
-    ///
-    /// # Errors
-    /// A file that cannot be read.
     pub fn open<'a>(
         &'a self,
         plan: &'a SurfacePlan,

@@ -16,7 +16,6 @@ fn megapascals(load: f64) -> f64 {
     1e-6 * load
 }
 
-/// The numbers of a key with their axis.
 struct KeyAxis {
     axis: Axis,
     /// SI over the unit of the axis.
@@ -147,7 +146,6 @@ pub fn verdict_map(results: &SweepResults) -> Option<Figure> {
     (!plots.is_empty()).then(|| Figure::column("Verdicts over the swept keys", plots))
 }
 
-/// The tiles of a quantity.
 fn tiles(
     results: &SweepResults,
     shown: &[(usize, &Point)],

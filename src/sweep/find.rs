@@ -19,7 +19,6 @@ const TOLERANCE: f64 = 1e-4;
 /// The same of a change of verdict.
 const OF_VERDICT: f64 = 1e-2;
 
-/// What is looked for.
 pub struct Find {
     spec: FindSpec,
     /// The place of its key among those of the sweep.
@@ -41,7 +40,6 @@ enum To {
     Value(Value),
 }
 
-/// One that was found.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Crossing {
     /// The place of its key.
@@ -86,10 +84,6 @@ struct Point {
 }
 
 impl Find {
-    /// Checks what is looked for.
-    ///
-    /// # Errors
-    /// What cannot be found, with what is allowed.
     pub fn new(spec: FindSpec, keys: &[SweptKey], combine: Combine, kind: &str) -> Result<Self, String> {
         if kind != Compare::NAME {
             return Err(format!("found [{kind}]; allowed: `find` with [compare]"));
@@ -139,9 +133,6 @@ impl Find {
     }
 
     /// All places where it holds, for all values of the other keys.
-    ///
-    /// # Errors
-    /// As [`Run::variations`].
     pub fn run(&self, run: &Run) -> Result<Vec<Crossing>, InputError> {
         let keys = &run.plan().keys;
         let numbers = keys[self.key].numbers.as_deref().unwrap_or_default();

@@ -19,33 +19,29 @@ mod run;
 mod spec;
 mod values;
 
-use std::ops::Range;
 use std::path::PathBuf;
 
-use asperity_contact_framework::divided::{Divided, TileResult};
 use asperity_contact_framework::input::{InputError, Source, Spanned, SpecFile};
 use asperity_contact_framework::report::table::{Heading, Schema};
-use asperity_contact_framework::{Kind, Memory, Plan, Planned, RunContext};
+use asperity_contact_framework::{Divided, Kind, Memory, Outcome, Plan, RunContext};
 
 use crate::experiment::tables;
 use crate::kind::KINDS;
 use crate::kind::compare::Compare;
 use plan::SweepPlan;
-use results::{ChangeRow, CrossingRow, FILE, ROWS, SweepResults};
-use run::{Found, Run, as_tiles};
+use results::{ChangeRow, CrossingRow, FILE, ROWS};
+use run::{Found, Run};
 use toml::Table;
 
-/// The name of its table.
 pub const NAME: &str = "sweep";
 
-/// `[sweep]`
 pub struct Sweep;
 
 impl Sweep {
     /// What a sweep has of an experiment of a kind: the columns of the one table.
     fn schema_of(kind: &str) -> Option<Schema> {
-        let kind = KINDS.iter().find(|known| known.name() == kind)?;
-        Some(Schema { file: FILE, rows: ROWS, records: None, is_long: false, ..kind.swept()? })
+        let kind = KINDS.iter().find(|known| known.name == kind)?;
+        Some(Schema { file: FILE, rows: ROWS, records: None, is_long: false, ..(kind.swept)()? })
     }
 }
 
@@ -74,13 +70,9 @@ impl Kind for Sweep {
         SweepPlan::new(file, table)
     }
 
-    fn planned(plan: SweepPlan) -> Planned {
-        Planned::in_parts(plan)
-    }
-
     /// The one table has the columns of the kind that is swept; listed are those of all kinds.
     fn tables() -> Vec<Schema> {
-        tables_of(KINDS.iter().filter_map(|kind| Self::schema_of(kind.name())))
+        tables_of(KINDS.iter().filter_map(|kind| Self::schema_of(kind.name)))
     }
 }
 
@@ -102,8 +94,6 @@ fn tables_of(schemas: impl IntoIterator<Item = Schema>) -> Vec<Schema> {
 }
 
 impl Plan for SweepPlan {
-    type Outcome = SweepResults;
-
     fn inputs(&self) -> Vec<PathBuf> {
         self.inputs()
     }
@@ -116,18 +106,20 @@ impl Plan for SweepPlan {
         self.work()
     }
 
-    fn run(&self, context: &RunContext) -> Result<SweepResults, InputError> {
+    fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
         let run = Run::new(self, context);
         let found = run.variations(0..self.variations.len())?;
-        run.finish(&found)
+        Ok(Box::new(run.finish(&found)?))
+    }
+
+    fn divided(&self) -> Option<&dyn Divided> {
+        Some(self)
     }
 }
 
-/// A tile is a variation.
+/// A task is a variation.
 impl Divided for SweepPlan {
-    type Outcome = SweepResults;
-
-    fn tiles(&self) -> usize {
+    fn tasks(&self) -> usize {
         self.variations.len()
     }
 
@@ -135,19 +127,15 @@ impl Divided for SweepPlan {
         1
     }
 
-    fn pass(
-        &self,
-        context: &RunContext,
-        tiles: Range<usize>,
-        _: &[Vec<TileResult>],
-    ) -> Result<Vec<TileResult>, InputError> {
-        let found = Run::new(self, context).variations(tiles)?;
-        as_tiles(&found).map_err(|error| InputError::file(&context.source.path, error))
+    fn run_task(&self, context: &RunContext, task: usize, _: &[Vec<String>]) -> Result<String, InputError> {
+        let found = Run::new(self, context).variations(task..task + 1)?;
+        serde_json::to_string(&found).map_err(|error| InputError::file(&context.source.path, error))
     }
 
-    fn merge(&self, context: &RunContext, passes: &[Vec<TileResult>]) -> Result<SweepResults, InputError> {
-        let tiles = passes.first().map_or(&[][..], Vec::as_slice);
-        let found: Result<Vec<Found>, _> = tiles.iter().map(TileResult::value).collect();
-        Run::new(self, context).finish(&found.map_err(|error| InputError::file(&context.source.path, error))?)
+    fn results(&self, context: &RunContext, passes: &[Vec<String>]) -> Result<Box<dyn Outcome>, InputError> {
+        let found: Result<Vec<Vec<Found>>, _> =
+            passes.iter().flatten().map(|text| serde_json::from_str(text)).collect();
+        let found = found.map_err(|error| InputError::file(&context.source.path, error))?;
+        Ok(Box::new(Run::new(self, context).finish(&found.concat())?))
     }
 }

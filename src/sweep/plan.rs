@@ -23,7 +23,6 @@ const NOT_VARIED: [&str; 7] = ["title", "notes", "figure", "run", "group", "tabl
 
 /// A sweep that can be run.
 pub struct SweepPlan {
-    /// The keys, in file order.
     pub keys: Vec<SweptKey>,
     /// In order: the last key runs fastest.
     pub variations: Vec<Variation>,
@@ -31,26 +30,21 @@ pub struct SweepPlan {
     pub finds: Vec<Find>,
     /// The name of the kind that runs.
     pub kind: &'static str,
-    /// Its table in a sweep.
     pub schema: Schema,
     base: Base,
 }
 
-/// One choice of values.
 pub struct Variation {
     /// The place of the value of each key.
     pub places: Vec<usize>,
-    /// What it runs.
     pub case: VariedCase,
 }
 
 /// An experiment with other values of some keys.
 pub struct VariedCase {
-    /// The experiment.
     pub experiment: Experiment,
     /// A comparison, which can share surfaces with others.
     pub comparison: Option<Arc<ComparePlan>>,
-    /// Its spec.
     pub text: String,
 }
 
@@ -62,7 +56,6 @@ impl VariedCase {
     }
 }
 
-/// The spec without its sweep.
 #[derive(Clone)]
 pub struct Base {
     table: Table,
@@ -76,9 +69,6 @@ impl Base {
     }
 
     /// The experiment with other values at some keys.
-    ///
-    /// # Errors
-    /// What keeps it from running, without file and line.
     pub fn with(
         &self,
         progress: &dyn Progress,
@@ -101,9 +91,6 @@ impl Base {
 
 impl SweepPlan {
     /// Reads a sweep and plans all its variations.
-    ///
-    /// # Errors
-    /// The first of them that cannot run, with its values.
     pub fn new(file: &SpecFile, sweep: &Spanned<SweepSpec>) -> Result<Self, InputError> {
         let source = &file.source;
         let at = |key: &str| {
@@ -156,9 +143,6 @@ impl SweepPlan {
     }
 
     /// The experiment with the values of one of its variations, changed further.
-    ///
-    /// # Errors
-    /// What keeps it from running.
     pub fn varied(
         &self,
         progress: &dyn Progress,
@@ -172,9 +156,6 @@ impl SweepPlan {
     }
 
     /// The spec of a variation, as a run by itself takes it.
-    ///
-    /// # Errors
-    /// None of a variation that is planned.
     pub fn spec(&self, places: &[usize]) -> Result<Table, String> {
         let mut table = self.base.table.clone();
         put(&mut table, &self.keys, places)?;
@@ -218,7 +199,6 @@ impl SweepPlan {
         Memory { bytes: self.largest() * (self.at_once() as u128 + 1), key: None }
     }
 
-    /// The work of all variations.
     pub fn work(&self) -> u128 {
         self.variations.iter().map(|variation| variation.case.experiment.work()).sum()
     }

@@ -15,19 +15,14 @@ use super::run::Found;
 use super::values::SweptKey;
 use crate::kind::compare::swept_name;
 
-/// The one table.
 pub const FILE: &str = "sweep.csv";
-/// Meaning of its rows.
 pub const ROWS: &str = "One row for each variation and each row of what the kind has in a sweep: of `[compare]` each surface, law, layer thickness and load, of other kinds the first table of a report. `variation` and a column for each swept key (SI, or as in the spec) come first.";
 
-/// What a sweep has found.
 pub struct SweepResults {
     pub metadata: Metadata,
-    /// The kind that was swept.
     pub kind: &'static str,
     pub keys: Vec<SweptKey>,
     pub variations: Vec<Choice>,
-    /// The one table.
     pub table: Table,
     /// Of comparisons, the rows of the table in numbers.
     pub points: Vec<Point>,
@@ -44,7 +39,6 @@ pub struct SweepResults {
 pub struct Choice {
     /// The places of its values.
     pub places: Vec<usize>,
-    /// Its values in words.
     pub words: String,
     /// Why it could not be run.
     pub failure: Option<String>,
@@ -67,7 +61,6 @@ pub struct Point {
     pub quantities: Vec<Compared>,
 }
 
-/// One quantity at one load.
 #[derive(Debug, Clone, Default)]
 pub struct Compared {
     pub statistical: Option<f64>,
@@ -79,7 +72,6 @@ pub struct Compared {
 }
 
 impl Point {
-    /// A quantity here.
     pub fn of(&self, quantity: ComparedQuantity) -> &Compared {
         &self.quantities[quantity as usize]
     }
@@ -127,7 +119,6 @@ pub struct CrossingRow {
 }
 
 impl CrossingRow {
-    /// The value in words.
     pub fn value(&self) -> String {
         self.key.in_words(self.crossing.at())
     }

@@ -8,7 +8,6 @@ use std::time::{Instant, SystemTime};
 use asperity::literature;
 use asperity::work::Counter;
 use asperity_contact_framework::digest::sha256_of_file;
-use asperity_contact_framework::divided::TileResult;
 use asperity_contact_framework::input::InputError;
 use asperity_contact_framework::kept::Kept;
 use asperity_contact_framework::metadata::Timing;
@@ -28,7 +27,6 @@ use crate::surface::{OfSpec, Surfaces};
 pub struct Found {
     /// Its table as CSV; empty where it failed.
     csv: String,
-    /// Its warnings.
     pub warnings: Vec<String>,
     /// The papers that it used, as cited.
     papers: Vec<String>,
@@ -62,7 +60,6 @@ impl Found {
 /// When a file was last written, and its size.
 type State = (SystemTime, u64);
 
-/// A sweep under way.
 pub struct Run<'a> {
     plan: &'a SweepPlan,
     context: &'a RunContext<'a>,
@@ -120,9 +117,6 @@ impl<'a> Run<'a> {
     }
 
     /// What is found in one to an extent, which is kept.
-    ///
-    /// # Errors
-    /// As [`Self::variations`].
     pub fn one(&self, case: &VariedCase, extent: Extent) -> Result<Found, InputError> {
         let before = case.experiment.modified();
         let input = case.experiment.input_by(|path| self.hash(path))?;
@@ -146,8 +140,7 @@ impl<'a> Run<'a> {
 
     fn run(&self, case: &VariedCase, input: &str, extent: Extent) -> Found {
         let progress = OfVariation(self.context.progress);
-        let input = || Ok(input.to_owned());
-        let context = case.experiment.context(&input, &progress);
+        let context = case.experiment.context(input, &progress);
         let outcome: Result<Box<dyn Outcome>, InputError> = match &case.comparison {
             None => case.experiment.run(&progress),
             Some(plan) => {
@@ -176,9 +169,6 @@ impl<'a> Run<'a> {
     }
 
     /// The results, from what was found in all variations.
-    ///
-    /// # Errors
-    /// As [`Self::variations`], and where all variations failed.
     pub fn finish(self, found: &[Found]) -> Result<SweepResults, InputError> {
         let start = Instant::now();
         if let Some(failure) = found.iter().find_map(|one| one.failure.as_ref())
@@ -199,18 +189,11 @@ impl<'a> Run<'a> {
         Ok(SweepResults::new(metadata, self.plan, found, crossings.into_iter().flatten().collect()))
     }
 
-    /// Whoever watches.
     pub fn progress(&self) -> &'a dyn Progress {
         self.context.progress
     }
 
-    /// The plan.
     pub fn plan(&self) -> &SweepPlan {
         self.plan
     }
-}
-
-/// What a part of a run keeps of its variations.
-pub fn as_tiles(found: &[Found]) -> serde_json::Result<Vec<TileResult>> {
-    found.iter().map(TileResult::from_value).collect()
 }

@@ -155,9 +155,6 @@ impl FoundModel {
 
 impl SweepSpec {
     /// How values are combined.
-    ///
-    /// # Errors
-    /// What is neither, with what is allowed.
     pub fn combine(&self) -> Result<Combine, String> {
         let found = self.0.get(COMBINE).cloned();
         found.map_or(Ok(Combine::All), |value| {

@@ -8,10 +8,8 @@ use toml::{Table, Value};
 /// The most values of a key, and the most variations.
 pub const MOST: usize = 10_000;
 
-/// A key with its values.
 #[derive(Debug, Clone)]
 pub struct SweptKey {
-    /// Its dotted path.
     pub name: String,
     /// As they stand in a spec, in their order.
     pub values: Vec<Value>,
@@ -28,9 +26,6 @@ pub fn is_range(table: &Table) -> bool {
 
 impl SweptKey {
     /// A key with what stands at it.
-    ///
-    /// # Errors
-    /// What is neither a list nor a range.
     pub fn new(name: String, found: &Value) -> Result<Self, String> {
         const ALLOWED: &str = "a list of values such as [\"2 GPa\", \"4 GPa\"], or { from, to, points }";
         let values = match found {
@@ -51,7 +46,6 @@ impl SweptKey {
         Ok(Self { name, values, numbers, dimension })
     }
 
-    /// Its column in tables.
     pub fn heading(&self) -> Heading {
         let unit = match (&self.numbers, self.dimension) {
             (None, _) => "text",
@@ -69,7 +63,6 @@ impl SweptKey {
         }
     }
 
-    /// A value for people.
     pub fn words(&self, place: usize) -> String {
         self.numbers
             .as_ref()
@@ -159,9 +152,6 @@ fn range(table: &Table) -> Result<Vec<Value>, String> {
 }
 
 /// Sets the value at a dotted path.
-///
-/// # Errors
-/// A path through what is no table.
 pub fn set(spec: &mut Table, path: &str, value: Value) -> Result<(), String> {
     let (tables, last) = path.rsplit_once('.').map_or((None, path), |(tables, last)| (Some(tables), last));
     let mut table = spec;

@@ -6,10 +6,16 @@ use std::path::Path;
 
 use asperity::topography::read::{LengthUnits, NamedUnits, ReadOptions, UnitOrigin, height_map, metadata};
 use asperity::topography::{Level, thumbnail};
+use asperity::units::Dimension;
+use asperity::{contact_law, material_library};
+use asperity_contact_framework::keys::Default;
+use asperity_contact_framework::report::format::input_quantity;
 use asperity_workbench::engine::Heights;
 use asperity_workbench::{Example, Refused};
+use serde_json::{Map, Value, json};
 
 use super::view;
+use crate::keys::all;
 use crate::kind::KINDS;
 use crate::surface::FileOptions;
 
@@ -26,8 +32,8 @@ pub const EXAMPLE: Example = Example {
 pub fn kind(text: &str) -> Option<(String, String)> {
     let table: toml::Table = text.parse().ok()?;
     let title = table.get("title")?.as_str()?.to_owned();
-    let kind = KINDS.iter().find(|kind| table.contains_key(kind.name()))?;
-    Some((kind.name().to_owned(), title))
+    let kind = KINDS.iter().find(|kind| table.contains_key(kind.name))?;
+    Some((kind.name.to_owned(), title))
 }
 
 /// The spec of a measured file or of a list of asperities, and the keys that the file leaves to its user.
@@ -82,6 +88,49 @@ fn is_list(file: &Path) -> bool {
     let first = begin.split(|byte| *byte == b'\n').next().unwrap_or_default();
     let line = String::from_utf8_lossy(first).to_ascii_lowercase();
     read.is_ok() && ["height", "radius"].iter().all(|name| line.contains(name))
+}
+
+/// Keys by their names, materials, names of laws, units of length.
+pub fn vocabulary() -> Value {
+    let key = |key: &asperity_contact_framework::keys::Key| {
+        let default = match &key.default {
+            Default::Needed => json!("none; it is needed"),
+            Default::Is(text) | Default::Words(text) => json!(text),
+            Default::Open => Value::Null,
+        };
+        let fields = json!({
+            "meaning": key.meaning,
+            "kind": key.kind,
+            "unit": key.unit,
+            "range": key.range,
+            "default": default,
+            "examples": key.examples,
+            "values": key.values,
+        });
+        (key.name(), fields)
+    };
+    let keys: Map<String, Value> = all().iter().map(key).collect();
+    let materials: Vec<Value> = material_library::all()
+        .map(|material| {
+            json!({
+                "name": material.name,
+                "description": material.description,
+                "class": material.class.name(),
+                "young": input_quantity(material.young.value, "Pa"),
+                "poisson": material.poisson.value,
+                "hardness": material.hardness.as_ref().map(|hardness| input_quantity(hardness.value, "Pa")),
+            })
+        })
+        .collect();
+    let laws: Vec<[String; 2]> = contact_law::registry()
+        .iter()
+        .map(|law| {
+            let papers: Vec<&str> = law.papers().iter().map(|paper| paper.short).collect();
+            [law.name(), format!("{}: {}", law.name(), papers.join(", "))]
+        })
+        .collect();
+    let lengths = Dimension::Length.documented();
+    json!({ "keys": keys, "materials": materials, "laws": laws, "lengths": lengths })
 }
 
 #[cfg(test)]

@@ -80,7 +80,7 @@ impl Prepared for Contact {
             pictures: view::MOST_CARDS,
         };
         // Nothing is written, so that its input needs no name.
-        let context = self.experiment.context(&|| Ok(String::new()), progress);
+        let context = self.experiment.context("", progress);
         let results = run_within(&context, compare, &Counter::default(), scope)
             .map_err(|error| refused(&error, &self.spec))?;
         Ok(view::comparison(&results, extent))

@@ -6,13 +6,11 @@
 //! | `contact` | an experiment on its way from a slider to its whole report |
 //! | `view` | results as the page shows them |
 //! | `begin` | the first spec of a file, and the example |
-//! | `vocabulary` | keys, materials and laws |
 
 mod begin;
 mod contact;
 mod surfaces;
 mod view;
-mod vocabulary;
 
 use std::path::Path;
 use std::sync::Arc;
@@ -27,12 +25,11 @@ use asperity_workbench::engine::Heights;
 use asperity_workbench::{Engine, Example, Prepared, Refused, SpecText};
 use serde_json::Value;
 
-use crate::experiment::{Experiment, PRINT, write_index};
+use crate::experiment::{Experiment, write_index};
 use crate::surface::Surfaces;
 use contact::Contact;
 use surfaces::surface;
 
-/// The program behind the workbench.
 #[derive(Default)]
 pub struct Workbench {
     surfaces: Arc<Surfaces>,
@@ -51,7 +48,7 @@ fn refused(error: &InputError, spec: &SpecText) -> Refused {
 
 impl Engine for Workbench {
     fn vocabulary(&self) -> Value {
-        vocabulary::vocabulary()
+        begin::vocabulary()
     }
 
     fn is_surface(&self, path: &Path) -> bool {
@@ -110,7 +107,7 @@ impl Engine for Workbench {
         store.recover().map_err(|error| failed(&error))?;
         if !store.is_current(experiment.stem(), &key) {
             store.check(experiment.stem()).map_err(|error| failed(&error))?;
-            let report = |results: &dyn Outcome, key: &str| report_folder(results, key, PRINT);
+            let report = |results: &dyn Outcome, key: &str| report_folder(results, key);
             let (report, _) = experiment.run_on(Some(content), None, progress, report).map_err(input)?;
             store.write(&report.map_err(|error| failed(&error))?).map_err(|error| failed(&error))?;
         }

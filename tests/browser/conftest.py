@@ -12,7 +12,7 @@ REPORTS = pathlib.Path(os.environ.get("REPORTS", pathlib.Path(__file__).parents[
 
 def pages():
     """All pages of the reports, and those that lead to them."""
-    return [*(REPORTS / name for name in ("index.html", "glossary.html")), *sorted(REPORTS.glob("*/report.html"))]
+    return [REPORTS / "index.html", *sorted(REPORTS.glob("*/report.html"))]
 
 
 def pytest_generate_tests(metafunc):

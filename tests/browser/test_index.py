@@ -110,15 +110,6 @@ def test_a_term_is_explained_on_hover_focus_and_touch(terms):
     meaning.wait_for(state="visible")
 
 
-def test_a_meaning_leads_to_the_glossary(terms):
-    term = terms.locator(".term:visible").first
-    name = term.get_attribute("aria-describedby").removeprefix("term-")
-    term.hover()
-    terms.locator(f"#term-{name} a").click()
-    terms.wait_for_url("**/glossary.html#*")
-    assert terms.locator(f"dt[id='{name}']").is_visible()
-
-
 def test_a_term_is_explained_without_script(open_page, terms):
     """A click opens what it means."""
     from urllib.parse import unquote, urlparse

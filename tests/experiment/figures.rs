@@ -1,9 +1,8 @@
-//! `figure = { width, font }`: figures in the size of a journal, as SVG and in what it is converted to.
+//! `figure = { width, font }`: figures in the size of a journal, as SVG.
 
 use std::fs;
 use std::path::Path;
 
-use asperity_contact_framework::Print;
 use asperity_contact_framework::folder;
 use asperity_contact_framework::progress::Silent;
 use asperity_experiment::Experiment;
@@ -18,9 +17,6 @@ const SPEC: &str = concat!(
     "count = 2000\n"
 );
 
-/// In place of `asperity_print::files`, whose conversions are tested there.
-const PRINT: Print = |svg| Ok(vec![("pdf", svg.as_bytes().to_vec()), ("png", b"png".to_vec())]);
-
 fn spec(folder: &Path, figure: &str) -> std::path::PathBuf {
     let path = folder.join("small.toml");
     fs::write(&path, SPEC.replace("FIGURE", figure)).unwrap();
@@ -31,32 +27,25 @@ fn spec(folder: &Path, figure: &str) -> std::path::PathBuf {
 fn files(figure: &str) -> Vec<(String, Vec<u8>)> {
     let home = tempfile::tempdir().unwrap();
     let experiment = Experiment::read(&spec(home.path(), figure)).unwrap();
-    let report = folder(&*experiment.run(&Silent).unwrap(), "key", Some(PRINT)).unwrap();
+    let report = folder(&*experiment.run(&Silent).unwrap(), "key").unwrap();
     let out = home.path().join("out");
     asperity_contact_framework::report::store::Store::new(&out).write(&report).unwrap();
     report.names().map(|name| (name.to_owned(), fs::read(out.join("small").join(name)).unwrap())).collect()
 }
 
 #[test]
-fn every_figure_is_there_in_the_size_of_print_and_in_all_formats() {
+fn every_figure_is_in_the_size_of_print() {
     let printed = files("figure = { width = \"85 mm\", font = \"8 pt\" }\n");
     let plain = files("");
     // The picture of the index has its own size.
-    let named = |files: &[(String, Vec<u8>)], ending: &str| {
-        files
-            .iter()
-            .filter(|(name, _)| name != "card.svg")
-            .filter(|(name, _)| name.ends_with(ending))
-            .map(|(name, _)| name.replace(ending, ""))
-            .collect::<Vec<_>>()
+    let is_figure = |name: &str| name != "card.svg" && name.ends_with(".svg");
+    let named = |files: &[(String, Vec<u8>)]| {
+        files.iter().map(|(name, _)| name.clone()).filter(|name| is_figure(name)).collect::<Vec<_>>()
     };
-    assert!(named(&plain, ".png").is_empty() && named(&plain, ".pdf").is_empty());
-    let figures = named(&printed, ".svg");
-    assert!(figures.len() >= 3 && figures == named(&plain, ".svg"), "{figures:?}");
-    assert_eq!([named(&printed, ".png"), named(&printed, ".pdf")], [figures.clone(), figures]);
+    let figures = named(&printed);
+    assert!(figures.len() >= 3 && figures == named(&plain), "{figures:?}");
     for (name, content) in &printed {
-        // What is converted is the figure in the size of print.
-        if name.ends_with(".pdf") || name.ends_with(".svg") && name != "card.svg" {
+        if is_figure(name) {
             assert!(String::from_utf8_lossy(content).contains("width=\"85mm\""), "{name}");
         }
     }

@@ -97,7 +97,7 @@ fn loads_of_figure_5_in_the_table() {
 /// A file of the report on `results`.
 fn written(results: IndentationResults, name: &str) -> String {
     let out = tempfile::tempdir().unwrap();
-    let folder = asperity_contact_framework::folder(&results, "key", None).unwrap();
+    let folder = asperity_contact_framework::folder(&results, "key").unwrap();
     report::store::Store::new(out.path()).write(&folder).unwrap();
     fs::read_to_string(out.path().join("sphere").join(name)).unwrap()
 }
@@ -144,7 +144,7 @@ fn an_exact_contact_that_is_too_wide_is_left_out() {
     assert!(solved > 0 && solved < 15);
     assert!(layer.exact[..solved].iter().all(Option::is_some));
     assert_eq!(layer.errors[0].len(), solved);
-    assert!(asperity_contact_framework::folder(&results, "key", None).is_ok());
+    assert!(asperity_contact_framework::folder(&results, "key").is_ok());
     let page = |results: &dyn Outcome| results.outline().markdown();
     assert!(page(&results).contains("rules.svg"));
     // With none at all there is nothing to draw.
@@ -197,6 +197,6 @@ fn measured_points_are_compared_with_the_curve() {
     for law in &results.layers[0].laws {
         assert_eq!(law.at_overlay.len(), 2);
     }
-    let folder = asperity_contact_framework::folder(&results, "key", None).unwrap();
+    let folder = asperity_contact_framework::folder(&results, "key").unwrap();
     assert!(folder.names().any(|name| name == "overlay.csv"));
 }

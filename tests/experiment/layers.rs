@@ -63,7 +63,7 @@ fn compared(flat: &str) -> CompareResults {
 /// The files of a report by name.
 fn written(results: &dyn Outcome, names: &[&str]) -> Vec<String> {
     let out = tempfile::tempdir().unwrap();
-    let folder = asperity_contact_framework::folder(results, "key", None).unwrap();
+    let folder = asperity_contact_framework::folder(results, "key").unwrap();
     Store::new(out.path()).write(&folder).unwrap();
     names.iter().map(|name| std::fs::read_to_string(out.path().join("layers").join(name)).unwrap()).collect()
 }

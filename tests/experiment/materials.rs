@@ -40,7 +40,7 @@ fn a_report_names_the_source_of_each_value_that_is_from_the_library() {
     let keys: Vec<&str> = origins["ball"].sources().iter().map(|(key, _)| *key).collect();
     assert_eq!(keys, ["young", "poisson"], "the hardness is that of the spec");
     assert!(results.outline().markdown().contains("`bronze-CuSn8` of the library"));
-    Store::new(folder.path()).write(&report_folder(&*results, "key", None).unwrap()).unwrap();
+    Store::new(folder.path()).write(&report_folder(&*results, "key").unwrap()).unwrap();
     let summary = fs::read_to_string(folder.path().join("t/summary.json")).unwrap();
     let summary: serde_json::Value = serde_json::from_str(&summary).unwrap();
     let disc = &summary["materials_from_library"]["disc"];

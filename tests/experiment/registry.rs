@@ -32,7 +32,7 @@ fn documents_name_every_height_distribution() {
 
 #[test]
 fn documents_and_messages_name_every_kind() {
-    let names = KINDS.iter().map(|kind| format!("[{}]", kind.name()));
+    let names = KINDS.iter().map(|kind| format!("[{}]", kind.name));
     assert_named(&["docs/specs.md"], names.clone());
     let message = crate::results::run("title = \"t\"\n").err().unwrap();
     let all = names.collect::<Vec<_>>().join(", ");

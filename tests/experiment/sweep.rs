@@ -340,16 +340,3 @@ fn a_failure_is_not_kept() {
     succeeds(folder, &["run", "a.toml", "--out", "out", "--quiet"]);
     assert_eq!(fs::read_dir(folder.join("out/.kept/a")).unwrap().count(), 2);
 }
-
-#[test]
-fn parts_of_a_sweep_merge_to_its_report() {
-    let folder = tempfile::tempdir().unwrap();
-    let folder = folder.path();
-    fs::write(folder.join("a.toml"), spec("seed = [1, 2, 3]")).unwrap();
-    succeeds(folder, &["run", "a.toml", "--out", "whole", "--quiet"]);
-    for part in ["2/2", "1/2"] {
-        succeeds(folder, &["run", "a.toml", "--part", part, "--quiet"]);
-    }
-    succeeds(folder, &["merge", "a.toml", "--out", "merged", "--quiet"]);
-    assert!(report(folder, "whole") == report(folder, "merged"));
-}

@@ -1,9 +1,12 @@
-//! Surfaces in tiles: as one run, in parts, and beside `[compare]` on the same surface.
+//! Surfaces in tiles: as one run, in tasks, and beside `[compare]` on the same surface.
 
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output, Stdio};
-use std::time::{Duration, Instant};
+use std::process::Command;
+
+use asperity_contact_framework::Outcome;
+use asperity_contact_framework::progress::Silent;
+use asperity_experiment::Experiment;
 
 use crate::results::{Row, column, number, rows, typed};
 
@@ -60,28 +63,10 @@ fn folder(spec: &str) -> tempfile::TempDir {
     folder
 }
 
-fn command(folder: &Path, arguments: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_experiment"));
-    command.args(arguments).current_dir(folder);
-    command
-}
-
-fn experiment(folder: &Path, arguments: &[&str]) -> Output {
-    command(folder, arguments).output().unwrap()
-}
-
 fn succeeds(folder: &Path, arguments: &[&str]) {
-    let output = experiment(folder, arguments);
+    let mut command = Command::new(env!("CARGO_BIN_EXE_experiment"));
+    let output = command.args(arguments).current_dir(folder).output().unwrap();
     assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
-}
-
-fn fails(folder: &Path, arguments: &[&str], words: &[&str]) {
-    let output = experiment(folder, arguments);
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert!(!output.status.success() && !message.contains("panicked"), "{arguments:?}: {message}");
-    for words in words {
-        assert!(message.contains(words), "{arguments:?}, without \"{words}\": {message}");
-    }
 }
 
 /// The files of a report, except for what depends on the clock.
@@ -97,106 +82,46 @@ fn report(folder: &Path, out: &str) -> Vec<(String, Vec<u8>)> {
 }
 
 #[test]
-fn parts_on_any_number_of_threads_have_the_bytes_of_one_run() {
+fn any_number_of_threads_gives_the_bytes_of_one() {
     for surface in [POPULATION, LIST, MAP, GENERATED] {
         let folder = folder(&spec("tiled", surface));
         let folder = folder.path();
-        succeeds(folder, &["run", "a.toml", "--out", "whole", "--quiet", "--threads", "2"]);
-        let is_nominal = surface == POPULATION;
-        // In the order 3, 1, 2; the second round does what had to wait.
-        for (part, threads) in [("3/3", "1"), ("1/3", "2"), ("2/3", "3")] {
-            let output = experiment(folder, &["run", "a.toml", "--part", part, "--threads", threads]);
-            let words = String::from_utf8_lossy(&output.stdout);
-            assert!(output.status.success() && words.contains("pass-1-part"));
-            assert_eq!(words.contains("run it again"), !is_nominal && part != "2/3", "{words}");
-        }
-        if !is_nominal {
-            fails(
-                folder,
-                &["merge", "a.toml", "--out", "merged"],
-                &["pass 2 is missing part 1/3", "part 3/3"],
-            );
-            assert!(!folder.join("merged").exists());
-        }
-        for part in ["1/3", "2/3", "3/3"] {
-            succeeds(folder, &["run", "a.toml", "--part", part, "--quiet"]);
-        }
-        succeeds(folder, &["merge", "a.toml", "--out", "merged", "--quiet"]);
-        let (whole, merged) = (report(folder, "whole"), report(folder, "merged"));
-        assert!(whole.len() > 5 && whole == merged, "{surface}");
+        let [one, three] = ["1", "3"].map(|threads| {
+            succeeds(folder, &["run", "a.toml", "--out", threads, "--quiet", "--threads", threads]);
+            report(folder, threads)
+        });
+        assert!(one.len() > 5 && one == three, "{surface}");
     }
 }
 
-/// A process that is killed leaves no part, and its part can be run again.
+/// Tasks in any order, of a tile or of several, and those of the second pass where there is one.
 #[test]
-#[cfg(unix)]
-fn a_killed_part_is_run_again() {
-    let folder = folder(&spec("tiled", &POPULATION.replace("300_000", "3_000_000")));
-    let folder = folder.path();
-    succeeds(folder, &["run", "a.toml", "--out", "whole", "--quiet"]);
-    succeeds(folder, &["run", "a.toml", "--part", "1/3", "--quiet"]);
-    succeeds(folder, &["run", "a.toml", "--part", "3/3", "--quiet"]);
-    let start = Instant::now();
-    let mut child = command(folder, &["run", "a.toml", "--part", "2/3"])
-        .stdout(Stdio::null())
-        .stderr(Stdio::null())
-        .spawn()
-        .unwrap();
-    std::thread::sleep(Duration::from_millis(5));
-    child.kill().unwrap();
-    assert!(!child.wait().unwrap().success(), "it ended by itself within {:?}", start.elapsed());
-    assert_eq!(
-        fs::read_dir(folder.join("parts"))
-            .unwrap()
-            .filter(|entry| { !entry.as_ref().unwrap().file_name().to_string_lossy().starts_with('.') })
-            .count(),
-        2
-    );
-    fails(folder, &["merge", "a.toml", "--out", "merged"], &["pass 1 is missing part 2/3"]);
-    succeeds(folder, &["run", "a.toml", "--part", "2/3", "--quiet"]);
-    succeeds(folder, &["merge", "a.toml", "--out", "merged", "--quiet"]);
-    assert!(report(folder, "whole") == report(folder, "merged"));
-}
-
-#[test]
-fn what_does_not_belong_is_refused() {
-    let folder = folder(&spec("tiled", POPULATION));
-    let folder = folder.path();
-    for part in ["1/2", "2/2"] {
-        succeeds(folder, &["run", "a.toml", "--part", part, "--quiet"]);
+fn tasks_have_the_results_of_one_run() {
+    let several = POPULATION.replace("300_000", "500").replace("realisations = 2", "realisations = 600");
+    for (surface, wanted) in
+        [(POPULATION, [10, 1]), (&several, [200, 1]), (LIST, [10, 2]), (MAP, [24, 2]), (GENERATED, [9, 2])]
+    {
+        let folder = folder(&spec("tiled", surface));
+        let experiment = Experiment::read(&folder.path().join("a.toml")).unwrap();
+        let key = experiment.key().unwrap();
+        let [tasks, passes] = experiment.tasks().unwrap();
+        assert_eq!([tasks, passes], wanted, "{surface}");
+        let mut found: Vec<Vec<String>> = Vec::new();
+        for _ in 0..passes {
+            let pass = (0..tasks).rev().map(|task| experiment.run_task(task, &found, &Silent).unwrap());
+            let mut pass: Vec<String> = pass.collect();
+            pass.reverse();
+            found.push(pass);
+        }
+        let csv = |outcome: &dyn Outcome| {
+            outcome.tables().iter().map(|table| table.csv().unwrap()).collect::<Vec<_>>()
+        };
+        let divided = experiment.results_of_tasks(&found, &key, &Silent).unwrap();
+        assert_eq!(csv(&*divided), csv(&*experiment.run(&Silent).unwrap()), "{surface}");
+        assert!(experiment.results_of_tasks(&found, "of another input", &Silent).is_err());
+        found[0].pop();
+        assert!(experiment.results_of_tasks(&found, &key, &Silent).is_err());
     }
-    // Another number of lanes.
-    let narrow = |arguments: &[&str]| command(folder, arguments).env("ASPERITY_LANES", "1").output().unwrap();
-    let output = narrow(&["merge", "a.toml", "--out", "merged"]);
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert!(!output.status.success() && message.contains("vector registers"), "{message}");
-    // Another spec.
-    fs::write(folder.join("a.toml"), spec("tiled", &POPULATION.replace("300_000", "300_001"))).unwrap();
-    fails(
-        folder,
-        &["merge", "a.toml", "--out", "merged"],
-        &["pass 1 is missing tiles 1 to 10", "2 files of the same spec", "another version of the spec"],
-    );
-    fails(folder, &["run", "a.toml", "--part", "1/11"], &["--part 1/11", "allowed: at most 10 parts"]);
-    fails(folder, &["run", "a.toml", "--part", "3/2"], &["such as 3/16"]);
-    fs::write(folder.join("a.toml"), spec("compare", POPULATION)).unwrap();
-    fails(folder, &["run", "a.toml", "--part", "1/2"], &["[compare]", "allowed: [tiled]"]);
-    fails(folder, &["merge", "a.toml"], &["[compare]", "allowed: [tiled]"]);
-}
-
-/// A changed input file is another input.
-#[test]
-fn parts_of_another_list_are_not_merged() {
-    let folder = folder(&spec("tiled", LIST));
-    let folder = folder.path();
-    for part in ["1/2", "2/2", "1/2"] {
-        succeeds(folder, &["run", "a.toml", "--part", part, "--quiet"]);
-    }
-    let mut list = fs::read(folder.join("list.npy")).unwrap();
-    let last = list.len() - 1;
-    list[last - 2] ^= 1;
-    fs::write(folder.join("list.npy"), list).unwrap();
-    fails(folder, &["merge", "a.toml"], &["pass 1 is missing", "2 files of the same spec"]);
 }
 
 fn curves(folder: &Path, out: &str) -> Vec<Row> {

@@ -1,6 +1,5 @@
 """A run that is ended at any moment leaves each report as it was before or as it is after, and nothing that is in the way."""
 
-import json
 import random
 import shutil
 import signal
@@ -96,39 +95,6 @@ def test_signals_that_mean_nothing_change_nothing(place):
         time.sleep(0.001)
     assert Ended(process).code == 0
     place.is_new_after_next_run()
-
-
-TILED = spec(1, keys=f'radius = "20 um"\nsigma = "48 nm"\ndensity = "6e10 /m^2"\ncount = {300_000 if IS_FULL else 100_000}\n').replace(
-    'pressure = { from = "1 MPa", to = "100 MPa", points = 5 }', "separation = { values = [1, 2, 3] }"
-).replace("[compare]", "[tiled]")
-
-
-def test_parts_at_random_moments(tmp_path):
-    """Files of parts are whole, and a merge after kills is that of a run without them."""
-    (tmp_path / "t.toml").write_text(TILED)
-    whole = run("run", "t.toml", "--out", "whole", cwd=tmp_path)
-    assert whole.code == 0, whole
-    rng = random.Random(5)
-    begin = time.monotonic()
-    assert run("run", "t.toml", "--part", "1/2", "--parts", "first", cwd=tmp_path).code == 0
-    longest = time.monotonic() - begin
-    for trial in range(count(2, 30)):
-        parts = tmp_path / "parts"
-        shutil.rmtree(parts, ignore_errors=True)
-        for _ in range(3):
-            for part in ("1/2", "2/2"):
-                ended_at(rng.uniform(0, longest), signal.SIGKILL, "run", "t.toml", "--part", part, "--parts", parts, cwd=tmp_path)
-                for path in parts.glob("t-*.json"):
-                    json.loads(path.read_text())
-        for _ in range(3):
-            for part in ("1/2", "2/2"):
-                run("run", "t.toml", "--part", part, "--parts", parts, cwd=tmp_path)
-        ended = run("merge", "t.toml", "--parts", parts, "--out", f"merged-{trial}", cwd=tmp_path)
-        assert ended.code == 0, ended
-        assert [path.name for path in parts.iterdir() if path.name.endswith(".new")] == []
-        for name in ("report.md", "curves.csv"):
-            if (tmp_path / "whole/t" / name).exists():
-                assert (tmp_path / f"merged-{trial}/t" / name).read_bytes() == (tmp_path / "whole/t" / name).read_bytes()
 
 
 SWEEP = spec(1) + """

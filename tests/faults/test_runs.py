@@ -62,7 +62,7 @@ def test_a_folder_of_reports_that_is_removed_during_a_run(several):
 
 
 COMMANDS = [
-    "keys", "schema", "columns", "materials", "completions bash", "man", "explain compare.law", "list", "--help", "run --help",
+    "schema", "materials", "completions bash", "explain compare.law", "explain curves.csv", "list", "--help", "run --help",
     "check experiments/a.toml", "run experiments/a.toml --force",
 ]
 

@@ -8,23 +8,17 @@ use asperity::law::{Body, Property};
 use asperity::study::LawContact;
 use asperity::{Material, ModulusModel, Paper, literature};
 
-/// The two bodies, by name.
 #[derive(Debug, Clone)]
 pub struct Bodies {
-    /// Material of the rough body.
     pub rough: String,
-    /// Material of the flat.
     pub flat: String,
 }
 
 /// The layer on one of the bodies.
 #[derive(Debug, Clone)]
 pub struct LayerMetadata {
-    /// Name of its material.
     pub name: String,
-    /// Effective-modulus model.
     pub rule: ModulusModel,
-    /// The body that it is on.
     pub on: Body,
     /// Thicknesses, m, ascending; 0 and infinity among them.
     pub thicknesses: Vec<f64>,
@@ -35,9 +29,7 @@ pub struct LayerMetadata {
 /// The two bodies of a contact.
 #[derive(Debug, Clone)]
 pub struct ContactMetadata {
-    /// The bodies of the spec.
     pub materials: IndexMap<String, Material>,
-    /// Names of the two bodies.
     pub bodies: Bodies,
     /// Reduced modulus of the pair, Pa.
     pub reduced_modulus: f64,
@@ -45,7 +37,6 @@ pub struct ContactMetadata {
     pub hardness: Option<f64>,
     /// Whether its electrical and its thermal conductance are asked for.
     pub conducts: [bool; 2],
-    /// The layer on one of them.
     pub layer: Option<LayerMetadata>,
     /// Laws used outside their range of validity, one per line.
     pub caveats: Vec<String>,
@@ -72,7 +63,6 @@ pub fn papers_of(laws: &[LawContact]) -> Vec<Paper> {
     laws.iter().flat_map(papers_of_law).chain(models).collect()
 }
 
-/// References for one law.
 fn papers_of_law(law: &LawContact) -> Vec<Paper> {
     law.contact.papers().into_iter().chain(law.spec.papers()).collect()
 }

@@ -3,7 +3,6 @@
 use std::time::Instant;
 
 use indexmap::IndexMap;
-use rayon::prelude::*;
 
 use crate::digest::{hexadecimal, sha256};
 use crate::kind::Outcome;
@@ -14,7 +13,7 @@ use crate::report::table::Tables;
 use crate::summary;
 
 /// Endings of the files of a report that version control keeps, besides short tables and `summary.json`.
-const COMMITTED: [&str; 4] = [".md", ".svg", ".pdf", ".png"];
+const COMMITTED: [&str; 2] = [".md", ".svg"];
 
 /// A report that cannot be written down.
 #[derive(Debug, thiserror::Error)]
@@ -22,45 +21,21 @@ pub enum ReportError {
     /// A table.
     #[error("a table cannot be written: {0}")]
     Table(#[from] csv::Error),
-    /// A figure in print.
-    #[error("a figure {0}")]
-    Print(#[from] PrintError),
     /// A summary.
     #[error("a summary cannot be written: {0}")]
     Summary(#[from] serde_json::Error),
 }
 
-/// A figure that cannot be converted.
-pub type PrintError = Box<dyn std::error::Error + Send + Sync>;
-
-/// Makes other files of a figure's SVG: endings of their names, and contents.
-pub type Print = fn(&str) -> Result<Vec<(&'static str, Vec<u8>)>, PrintError>;
-
-/// The complete report on `outcome`; `key` identifies everything that it depends on. Figures in a size for print are also
-/// written as `print` makes them.
-///
-/// # Errors
-/// See [`ReportError`].
-pub fn folder(outcome: &dyn Outcome, key: &str, print: Option<Print>) -> Result<Folder, ReportError> {
+/// The complete report on `outcome`; `key` identifies everything that it depends on.
+pub fn folder(outcome: &dyn Outcome, key: &str) -> Result<Folder, ReportError> {
     let start = Instant::now();
     let mut tables = outcome.tables();
     tables.extend(digest(&tables));
     let tables = Tables::new(tables);
     let page = outcome.page(&tables);
-    let size = outcome.metadata().figure;
-    let files = page.files(size);
+    let files = page.files(outcome.metadata().figure);
     let mut folder = Folder::new(&outcome.metadata().stem, key);
     folder.file("report.md", files.markdown).file("report.html", files.html);
-    if let Some(print) = print.filter(|_| size.is_some()) {
-        let printed: Result<Vec<_>, PrintError> =
-            files.figures.par_iter().map(|(_, svg)| print(svg)).collect();
-        for ((name, _), contents) in files.figures.iter().zip(printed?) {
-            let stem = name.strip_suffix(".svg").unwrap_or(name);
-            for (ending, content) in contents {
-                folder.file(format!("{stem}.{ending}"), content);
-            }
-        }
-    }
     for (name, svg) in files.figures {
         folder.file(name, svg);
     }

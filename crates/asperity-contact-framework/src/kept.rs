@@ -1,13 +1,12 @@
-//! What a long run has done so far, in a folder: one file for each piece, whole or not there, so that a killed run continues.
+//! What a long run has done so far, in a folder: one file for each piece, whole or not there, so that a killed run continues; what a user
+//! can do about a disk that refuses.
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::io::{self, Write};
+use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 use tempfile::NamedTempFile;
-
-use crate::disk::advice;
 
 /// The pieces of one run in a folder.
 #[derive(Debug)]
@@ -60,6 +59,34 @@ impl Kept {
             }
         }
     }
+}
+
+/// The end of a message on `error`, which an operation on the disk gave: what to do next. Empty where nothing is known.
+pub fn advice(error: &io::Error) -> &'static str {
+    match error.kind() {
+        ErrorKind::StorageFull | ErrorKind::QuotaExceeded => {
+            "; free some space or choose another folder, then run again"
+        }
+        ErrorKind::FileTooLarge => "; raise the limit (`ulimit -f`) or choose another folder, then run again",
+        ErrorKind::PermissionDenied | ErrorKind::ReadOnlyFilesystem => {
+            "; allow writing there or choose another folder"
+        }
+        ErrorKind::NotFound => "; it was removed meanwhile: run again",
+        _ => "",
+    }
+}
+
+/// Whether files can be made in a folder that is there, as far as that can be told without making one.
+#[cfg(target_os = "linux")]
+pub fn check_writable(folder: &Path) -> io::Result<()> {
+    use rustix::fs::{Access, access};
+    Ok(access(folder, Access::WRITE_OK | Access::EXEC_OK)?)
+}
+
+/// Elsewhere only an attempt tells.
+#[cfg(not(target_os = "linux"))]
+pub fn check_writable(_: &Path) -> io::Result<()> {
+    Ok(())
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! What an experiment kind is: one trait for reading a spec's table, one for the plan of a run, one for its results.
 //!
-//! A kind implements [`Kind`], [`Plan`] and [`Outcome`] with its own types; the program keeps any of them as [`AnyKind`] and [`AnyPlan`].
+//! A kind implements [`Kind`], [`Plan`] and [`Outcome`] with its own types; the program keeps any of them as [`RegisteredKind`] and `dyn Plan`.
 
 use std::any::Any;
 use std::fmt;
@@ -15,10 +15,9 @@ use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};
 
 use crate::digest::{hexadecimal, sha256};
-use crate::divided::AnyDivided;
-use crate::group::Group;
 use crate::input::material::MaterialOrigin;
 use crate::input::{InputError, Source, Spanned, SpecFile};
+use crate::metadata::Group;
 use crate::metadata::{Again, Metadata, Timing};
 use crate::progress::Progress;
 use crate::report::Page;
@@ -37,9 +36,8 @@ pub struct Reads {
     pub surfaces: bool,
 }
 
-/// A kind of experiment: what the table `[NAME]` of a spec means. [`AnyKind`] is the same for a registry.
-pub trait Kind: Sync {
-    /// Name of its table.
+/// A kind of experiment: what the table `[NAME]` of a spec means. [`RegisteredKind`] is its entry in a registry.
+pub trait Kind {
     const NAME: &'static str;
 
     /// What it reads besides its table.
@@ -48,22 +46,12 @@ pub trait Kind: Sync {
     /// Where the index lists its reports, unless a spec says something else.
     const GROUP: Option<Group> = None;
 
-    /// Its table.
     type Spec: DeserializeOwned + JsonSchema;
 
-    /// Its plan.
-    type Plan: Plan + Send + Sync + 'static;
+    type Plan: Plan + 'static;
 
     /// Reads what the table refers to, and checks everything that can be checked without running it.
-    ///
-    /// # Errors
-    /// The first thing that keeps it from running.
     fn plan(file: &SpecFile, table: &Spanned<Self::Spec>) -> Result<Self::Plan, InputError>;
-
-    /// A plan with how it may be run.
-    fn planned(plan: Self::Plan) -> Planned {
-        Planned::new(plan)
-    }
 
     /// The tables that its reports may hold.
     fn tables() -> Vec<Schema>;
@@ -74,77 +62,48 @@ pub trait Kind: Sync {
     }
 }
 
-/// A [`Kind`] of any type.
-pub trait AnyKind: Sync {
-    /// Name of its table.
-    fn name(&self) -> &'static str;
-
+/// A [`Kind`] in a registry.
+pub struct RegisteredKind {
+    /// [`Kind::NAME`]
+    pub name: &'static str,
+    /// [`Kind::READS`]
+    pub reads: Reads,
+    /// [`Kind::GROUP`]
+    pub group: Option<Group>,
     /// The JSON schema of its table.
-    fn schema(&self, generator: &mut SchemaGenerator) -> schemars::Schema;
-
-    /// What it reads besides its table.
-    fn reads(&self) -> Reads;
-
-    /// Where the index lists its reports, unless a spec says something else.
-    fn group(&self) -> Option<Group>;
-
-    /// See [`Kind::plan`].
-    ///
-    /// # Errors
-    /// A table that cannot be read, and as [`Kind::plan`].
-    fn plan(&self, file: &SpecFile) -> Result<Planned, InputError>;
-
-    /// The tables that its reports may hold.
-    fn tables(&self) -> Vec<Schema>;
-
-    /// The table of [`Outcome::swept`].
-    fn swept(&self) -> Option<Schema>;
+    pub schema: fn(&mut SchemaGenerator) -> schemars::Schema,
+    /// Reads its table of a spec, and makes a plan of it.
+    pub plan: fn(&SpecFile) -> Result<Arc<dyn Plan>, InputError>,
+    /// [`Kind::tables`]
+    pub tables: fn() -> Vec<Schema>,
+    /// [`Kind::swept`]
+    pub swept: fn() -> Option<Schema>,
 }
 
-impl<K: Kind> AnyKind for K {
-    fn name(&self) -> &'static str {
-        K::NAME
-    }
-
-    fn schema(&self, generator: &mut SchemaGenerator) -> schemars::Schema {
-        generator.subschema_for::<K::Spec>()
-    }
-
-    fn reads(&self) -> Reads {
-        K::READS
-    }
-
-    fn group(&self) -> Option<Group> {
-        K::GROUP
-    }
-
-    fn plan(&self, file: &SpecFile) -> Result<Planned, InputError> {
-        K::plan(file, &file.required_table::<K::Spec>(K::NAME)?).map(K::planned)
-    }
-
-    fn tables(&self) -> Vec<Schema> {
-        K::tables()
-    }
-
-    fn swept(&self) -> Option<Schema> {
-        K::swept()
+impl RegisteredKind {
+    pub const fn of<K: Kind>() -> Self {
+        Self {
+            name: K::NAME,
+            reads: K::READS,
+            group: K::GROUP,
+            schema: |generator| generator.subschema_for::<K::Spec>(),
+            plan: |file| Ok(Arc::new(K::plan(file, &file.required_table::<K::Spec>(K::NAME)?)?)),
+            tables: K::tables,
+            swept: K::swept,
+        }
     }
 }
 
 /// The memory that a run needs at its peak.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Memory {
-    /// Bytes.
     pub bytes: u128,
     /// Position in the spec of the largest part of it.
     pub key: Option<Range<usize>>,
 }
 
 /// An experiment that can be run. `Display` prints what it will do, one line per item, for `experiment check`.
-pub trait Plan: fmt::Display {
-    /// Its results.
-    type Outcome: Outcome;
-
+pub trait Plan: fmt::Display + Send + Sync {
     /// The files that it reads, each once.
     fn inputs(&self) -> Vec<PathBuf> {
         Vec::new()
@@ -157,91 +116,40 @@ pub trait Plan: fmt::Display {
     fn work(&self) -> u128;
 
     /// Looks for what a run would refuse, as far as that takes no more than a small part of the run's time.
-    ///
-    /// # Errors
-    /// What a run would refuse.
     fn check(&self, _: &RunContext) -> Result<(), InputError> {
         Ok(())
     }
 
-    /// Runs it.
-    ///
-    /// # Errors
-    /// What only a run can find: a map without a summit, a pressure that is not reached.
-    fn run(&self, context: &RunContext) -> Result<Self::Outcome, InputError>;
-}
-
-/// A [`Plan`] of any type.
-pub trait AnyPlan: fmt::Display + Send + Sync {
-    /// See [`Plan::inputs`].
-    fn inputs(&self) -> Vec<PathBuf>;
-
-    /// See [`Plan::memory`].
-    fn memory(&self) -> Memory;
-
-    /// See [`Plan::work`].
-    fn work(&self) -> u128;
-
-    /// See [`Plan::check`].
-    ///
-    /// # Errors
-    /// What a run would refuse.
-    fn check(&self, context: &RunContext) -> Result<(), InputError>;
-
-    /// See [`Plan::run`].
-    ///
-    /// # Errors
-    /// What only a run can find.
     fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError>;
-}
 
-impl<P: Plan + Send + Sync> AnyPlan for P {
-    fn inputs(&self) -> Vec<PathBuf> {
-        Plan::inputs(self)
-    }
-
-    fn memory(&self) -> Memory {
-        Plan::memory(self)
-    }
-
-    fn work(&self) -> u128 {
-        Plan::work(self)
-    }
-
-    fn check(&self, context: &RunContext) -> Result<(), InputError> {
-        Plan::check(self, context)
-    }
-
-    fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
-        Ok(Box::new(Plan::run(self, context)?))
+    /// The same, where its tasks can be run by many machines.
+    fn divided(&self) -> Option<&dyn Divided> {
+        None
     }
 }
 
-/// A plan with how it may be run.
-pub struct Planned {
-    /// The plan.
-    pub plan: Arc<dyn AnyPlan>,
-    /// The same, where it can be run in parts.
-    pub divided: Option<Arc<dyn AnyDivided>>,
-}
+/// A plan whose work is divided into tasks. The input alone fixes them, so that results are the same to the bit wherever each runs.
+pub trait Divided {
+    fn tasks(&self) -> usize;
 
-impl Planned {
-    /// A plan that is run as a whole.
-    pub fn new(plan: impl AnyPlan + 'static) -> Self {
-        Self { plan: Arc::new(plan), divided: None }
-    }
+    /// Number of passes over all tasks. A pass needs what all tasks have found in the earlier ones.
+    fn passes(&self) -> usize;
 
-    /// A plan that can be run in parts.
-    pub fn in_parts<P: AnyPlan + AnyDivided + 'static>(plan: P) -> Self {
-        let plan = Arc::new(plan);
-        Self { plan: plan.clone(), divided: Some(plan) }
-    }
+    /// What pass `earlier.len()` finds in a task (from 0), as JSON, which keeps every bit.
+    fn run_task(
+        &self,
+        context: &RunContext,
+        task: usize,
+        earlier: &[Vec<String>],
+    ) -> Result<String, InputError>;
+
+    /// The results of a run, from what all tasks have found in all passes.
+    fn results(&self, context: &RunContext, passes: &[Vec<String>]) -> Result<Box<dyn Outcome>, InputError>;
 }
 
 /// Results of a run: metadata, warnings, tables, and the outline of a page. A program that knows the kind can cast it to the
 /// kind's own type through [`Any`].
 pub trait Outcome: Any + Send + Sync {
-    /// What every experiment has.
     fn metadata(&self) -> &Metadata;
 
     /// Warnings about the results, one per line.
@@ -261,9 +169,6 @@ pub trait Outcome: Any + Send + Sync {
     fn page(&self, tables: &Tables) -> Page;
 
     /// What `summary.json` holds besides metadata, warnings and tables.
-    ///
-    /// # Errors
-    /// None that a result can cause.
     fn facts(&self) -> serde_json::Result<Map<String, Value>> {
         Ok(Map::new())
     }
@@ -274,20 +179,14 @@ pub trait Outcome: Any + Send + Sync {
     }
 }
 
-/// See [`RunContext::input_sha256`].
-pub type InputSha256<'a> = dyn Fn() -> Result<String, InputError> + Sync + 'a;
-
 /// What a run needs besides its plan.
 pub struct RunContext<'a> {
-    /// Title of the report.
     pub title: &'a str,
     /// Name of the spec's table of its kind.
     pub kind: &'static str,
-    /// Name of the report's folder.
     pub stem: &'a str,
-    /// Gives the SHA-256 of the spec, of how it is run, and of its input files, hexadecimal, or why these cannot be read; it may wait until they are.
-    pub input_sha256: &'a InputSha256<'a>,
-    /// The author's notes.
+    /// SHA-256 of the spec, of how it is run, and of its input files, hexadecimal.
+    pub input_sha256: &'a str,
     pub notes: &'a str,
     /// The size of its figures in print; `None` of figures for the page only.
     pub figure: Option<Size>,
@@ -305,7 +204,6 @@ pub struct RunContext<'a> {
     pub origins: &'a IndexMap<String, MaterialOrigin>,
     /// The spec's text, for errors that only a run can find.
     pub source: &'a Source,
-    /// Whoever watches.
     pub progress: &'a dyn Progress,
     /// The folder in which a run may keep what it has done, to continue if it is killed.
     pub kept: Option<&'a Path>,
@@ -324,7 +222,7 @@ impl RunContext<'_> {
             again: self.again(),
             notes: self.notes.to_owned(),
             spec_sha256: hexadecimal(&sha256(self.source.text.as_bytes())),
-            input_sha256: (self.input_sha256)().unwrap_or_default(),
+            input_sha256: self.input_sha256.to_owned(),
             seed: self.seed,
             figure: self.figure,
             is_long: self.is_long,

@@ -1,25 +1,23 @@
 //! What every experiment has: title, seed, sources, time and work.
 
-use crate::group::Group;
-use crate::input::material::MaterialOrigin;
 use asperity::Paper;
 pub use asperity::work::Timing;
 use asperity::work::Work;
 use asperity_plot::Size;
 use indexmap::IndexMap;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
-/// What every experiment has.
+use crate::input::material::MaterialOrigin;
+
 #[derive(Debug, Clone)]
 pub struct Metadata {
-    /// What the report is called.
     pub title: String,
     /// Name of the spec's table of its kind.
     pub kind: &'static str,
     /// Name of the spec's file, without its ending.
     pub stem: String,
-    /// What runs it again.
     pub again: Again,
-    /// Notes of the spec's author.
     pub notes: String,
     /// SHA-256 of the spec, hexadecimal.
     pub spec_sha256: String,
@@ -37,19 +35,54 @@ pub struct Metadata {
     pub seed: u64,
     /// The materials whose values are from the library.
     pub origins: IndexMap<String, MaterialOrigin>,
-    /// References for the run.
     pub papers: Vec<Paper>,
-    /// Where the time went.
     pub timing: Timing,
     /// What was done; `None` where that depends on the clock, or is the experiment itself.
     pub work: Option<Work>,
 }
 
-/// What runs an experiment again.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Again {
-    /// A command.
     Command(String),
     /// The spec itself, which has no file.
     Spec(String),
+}
+
+/// What a report is about, by which the index groups reports; one without a group is about its user's surfaces.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Group {
+    /// Figures and surfaces of Pasaribu and Schipper (2005).
+    Paper,
+    /// Layers.
+    Layers,
+    /// Joints: what the contact conducts and how it resists sliding.
+    Joints,
+    /// Contact laws.
+    Laws,
+    /// Why the models differ.
+    Why,
+    /// Both models beside boundary elements.
+    RealityCheck,
+    /// How far to trust the program.
+    Trust,
+}
+
+impl Group {
+    /// All groups, in the order of the index.
+    pub const ALL: [Self; 7] =
+        [Self::Paper, Self::Layers, Self::Joints, Self::Laws, Self::Why, Self::RealityCheck, Self::Trust];
+
+    /// Its heading in the index.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Paper => "The paper",
+            Self::Layers => "Layers",
+            Self::Joints => "Conductance and friction",
+            Self::Laws => "Laws",
+            Self::Why => "Why the models differ",
+            Self::RealityCheck => "Reality check",
+            Self::Trust => "How far to trust the program",
+        }
+    }
 }

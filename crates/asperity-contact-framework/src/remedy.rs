@@ -32,7 +32,6 @@ const fn remedy(
     Remedy { table, key, flag, argument, control, example }
 }
 
-/// All keys that messages advise.
 pub const REMEDIES: [Remedy; 22] = [
     remedy(["file", "pixel"], Some("--pixel"), "pixel", "Pixel size", r#""0.8 um""#),
     remedy(["file", "unit"], Some("--unit"), "unit", "Unit", r#"{ xy = "mm", z = "um" }"#),
@@ -67,7 +66,6 @@ pub const REMEDIES: [Remedy; 22] = [
 /// The models with boundary elements among them.
 const REFERENCE: &str = r#"["statistical", "deterministic", "reference"]"#;
 
-/// Where a message is read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum FrontEnd {
     /// A spec: keys and values stay.
@@ -75,9 +73,7 @@ pub enum FrontEnd {
     Spec,
     /// The command line that describes a measured file.
     Terminal,
-    /// Arguments of the Python package.
     Python,
-    /// The controls of the workbench.
     Workbench,
 }
 
@@ -194,7 +190,6 @@ fn quoted(word: &str) -> String {
     if !word.is_empty() && word.chars().all(is_plain) { word.to_owned() } else { format!("\"{word}\"") }
 }
 
-/// A literal of Python.
 fn python(value: &Value) -> String {
     match value {
         Value::Boolean(true) => "True".to_owned(),

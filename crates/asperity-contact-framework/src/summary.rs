@@ -6,8 +6,8 @@ use indexmap::IndexMap;
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 
-use crate::group::Group;
 use crate::kind::Outcome;
+use crate::metadata::Group;
 use crate::metadata::Metadata;
 use crate::report::answer::Answer;
 use crate::report::table::Tables;
@@ -58,18 +58,12 @@ struct MaterialSummary {
 }
 
 /// `summary.json` of an outcome whose report is not written, without names of files.
-///
-/// # Errors
-/// None that a result can cause.
 pub fn summary_json(outcome: &dyn Outcome, tables: &Tables) -> serde_json::Result<Vec<u8>> {
     summary(outcome, tables, &outcome.page(tables), IndexMap::new(), Vec::new())
 }
 
 /// `summary.json` of an outcome with its tables and page; `committed` are the SHA-256 of the files that version control keeps, `files`
 /// the names of all files of the report.
-///
-/// # Errors
-/// None that a result can cause.
 pub(super) fn summary(
     outcome: &dyn Outcome,
     tables: &Tables,
@@ -149,9 +143,6 @@ struct Times {
 }
 
 /// `timing.json`, given the time that page, tables and figures took.
-///
-/// # Errors
-/// None that a result can cause.
 pub(super) fn timing(metadata: &Metadata, report: Duration) -> serde_json::Result<Vec<u8>> {
     let timing = &metadata.timing;
     serde_json::to_vec_pretty(&Times {

@@ -24,9 +24,7 @@ pub struct Frames {
 /// Patches in the units of both axes, which must be linear and of one unit.
 #[derive(Clone, Debug)]
 pub enum Patches {
-    /// Circles.
     Circles {
-        /// Their centres.
         centres: Vec<(f64, f64)>,
         /// For each frame the radii about the first centres.
         radii: Vec<Vec<f64>>,

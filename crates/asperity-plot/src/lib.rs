@@ -109,7 +109,6 @@ impl Axis {
         Self { names, ..Self::linear("").range(last, -0.5) }
     }
 
-    /// The same with a label.
     pub fn labelled(self, label: impl Into<String>) -> Self {
         Self { label: label.into(), ..self }
     }

@@ -32,7 +32,7 @@ mod _asperity {
     use crate::quantity::si_of_kind;
     #[pymodule_export]
     use crate::spec::{
-        Run, in_arguments, key, merge_tiles, read_spec, register_bits, run, run_tile, tiles, variations,
+        Run, in_arguments, key, read_spec, register_bits, results_of_tasks, run, run_task, tasks, variations,
     };
     #[pymodule_export]
     use crate::surface::{Map, Surface, length_unit, make_surface};

@@ -144,37 +144,40 @@ pub fn variations<'py>(
     found.into_iter().map(both).collect()
 }
 
-/// The number of tiles that a dictionary can be divided into: variations of a sweep, or tiles of a population.
+/// The number of tasks that a run of a dictionary with ``sweep`` or ``tiled`` is divided into, and of passes over them.
 #[pyfunction]
 #[pyo3(signature = (spec, *, name, folder))]
-pub fn tiles(py: Python, spec: &Bound<PyDict>, name: &str, folder: PathBuf) -> PyResult<usize> {
+pub fn tasks(py: Python, spec: &Bound<PyDict>, name: &str, folder: PathBuf) -> PyResult<[usize; 2]> {
     let (source, name) = (source_of(spec, &folder)?, name.to_owned());
-    let work = move |watch: &Watch| Experiment::watched_parse(source, &name, watch)?.tiles();
+    let work = move |watch: &Watch| Experiment::watched_parse(source, &name, watch)?.tasks();
     interruptible(py, work)?.map_err(|error| refuse_input(&error))
 }
 
-/// What one tile finds, as JSON.
+/// What one task finds in the pass after those of ``earlier``, as JSON.
 #[pyfunction]
-#[pyo3(signature = (spec, tile, *, name, folder))]
-pub fn run_tile(
+#[pyo3(signature = (spec, task, earlier, *, name, folder))]
+pub fn run_task(
     py: Python,
     spec: &Bound<PyDict>,
-    tile: usize,
+    task: usize,
+    earlier: Vec<Vec<String>>,
     name: &str,
     folder: PathBuf,
 ) -> PyResult<String> {
     let (source, name) = (source_of(spec, &folder)?, name.to_owned());
-    let work = move |watch: &Watch| Experiment::watched_parse(source, &name, watch)?.run_tile(tile, watch);
+    let work =
+        move |watch: &Watch| Experiment::watched_parse(source, &name, watch)?.run_task(task, &earlier, watch);
     interruptible(py, work)?.map_err(|error| refuse_input(&error))
 }
 
-/// Merges what all tiles have found to the results, and writes them below ``report``.
+/// The results of a run, from what all tasks have found in all passes; written below ``report``. ``key`` is that of before.
 #[pyfunction]
-#[pyo3(signature = (spec, found, *, name, report, folder))]
-pub fn merge_tiles(
+#[pyo3(signature = (spec, passes, *, key, name, report, folder))]
+pub fn results_of_tasks(
     py: Python,
     spec: &Bound<PyDict>,
-    found: Vec<String>,
+    passes: Vec<Vec<String>>,
+    key: String,
     name: &str,
     report: Option<PathBuf>,
     folder: PathBuf,
@@ -182,7 +185,7 @@ pub fn merge_tiles(
     let (source, name) = (source_of(spec, &folder)?, name.to_owned());
     let work = move |watch: &Watch| {
         let experiment = Experiment::watched_parse(source, &name, watch);
-        finish(experiment, report, |experiment| experiment.merge_tiles(&found, watch))
+        finish(experiment, report, |experiment| experiment.results_of_tasks(&passes, &key, watch))
     };
     interruptible(py, work)?
 }
@@ -279,10 +282,10 @@ impl Run {
         warnings: Vec<String>,
         report: Option<PathBuf>,
     ) -> PyResult<Self> {
-        let found = REPORTED.iter().find(|known| known.name() == kind);
+        let found = REPORTED.iter().find(|known| known.name == kind);
         let found =
             found.ok_or_else(|| refuse(format!("found results of {kind}, which this version has not")))?;
-        let schemas = found.tables();
+        let schemas = (found.tables)();
         let table = |(name, content): (Bound<PyAny>, Bound<PyAny>)| {
             let name: String = name.extract()?;
             let schema = schemas.iter().find(|schema| schema.file == name);
@@ -291,7 +294,7 @@ impl Run {
             Ok(Arc::new(Cells::read(schema, &content).map_err(refuse)?))
         };
         let tables: PyResult<Vec<_>> = csv.iter().map(table).collect();
-        Ok(Self { kind: found.name(), tables: tables?, summary, warnings, report, interfaces: None })
+        Ok(Self { kind: found.name, tables: tables?, summary, warnings, report, interfaces: None })
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Parts<'py>)> {
@@ -404,12 +407,7 @@ fn finish(
         None => None,
         Some(directory) => {
             let key = experiment.key().map_err(|error| refuse_input(&error))?;
-            if outcome.metadata().figure.is_some() {
-                return Err(refuse(
-                    "a figure cannot be written as PDF and PNG by this build; allowed: no `figure` in the spec, or the program `experiment`",
-                ));
-            }
-            let made = folder(&*outcome, &key, None).map_err(refuse)?;
+            let made = folder(&*outcome, &key).map_err(refuse)?;
             let mut store = Store::new(&directory);
             store.recover().map_err(|error| file(&error))?;
             store.write(&made).map_err(|error| file(&error))?;

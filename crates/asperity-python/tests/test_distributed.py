@@ -5,6 +5,7 @@ import pickle
 import signal
 
 import asperity
+import numpy
 import pytest
 from asperity.distributed import combinations
 
@@ -178,6 +179,48 @@ def test_a_sweep_on_a_cluster_is_that_of_one_process(spec, client, tmp_path):
     assert done == [(4, 4)]
 
 
+TILED = """
+title = "tiles"
+material.steel = { young = "210 GPa", poisson = 0.3, hardness = "7.6 GPa" }
+surface.S.KIND
+[tiled]
+rough = "steel"
+flat = "steel"
+law = "zmc"
+separation = [2, 1, 0]
+"""
+POPULATION = 'population = { radius = "20 um", sigma = "48 nm", density = "6e10 /m^2", count = 200_000, realisations = 5 }'
+MAP = 'file = { path = "map.npy", pixel = "1 um", level = "none" }'
+
+
+@pytest.mark.parametrize(("surface", "passes"), [(POPULATION, 1), (MAP, 2)])
+def test_tiles_on_a_cluster_are_those_of_one_process(surface, passes, client, tmp_path):
+    """Also where a worker is killed, in the last pass."""
+    numpy.save(tmp_path / "map.npy", 1e-8 * numpy.random.default_rng(1).normal(size=(700, 100)))
+    spec = tmp_path / "tiles.toml"
+    spec.write_text(TILED.replace("KIND", surface))
+    whole = asperity.run(spec, report=tmp_path / "whole")
+    before = client.run(os.getpid)
+    done = []
+
+    def kill_one(count, of):
+        done.append(count)
+        if len(done) == of - 2:
+            os.kill(next(iter(before.values())), signal.SIGKILL)
+
+    tiled = asperity.distributed.sweep(
+        spec, client, report=tmp_path / "tiled", results=tmp_path / "kept", progress=kill_one
+    )
+    assert (tiled.csv, tiled.warnings) == (whole.csv, whole.warnings)
+    assert len(set(done)) == done[-1] + 1 and done[-1] % passes == 0
+    assert len(list((tmp_path / "kept").iterdir())) == done[-1]
+    # What is kept is not run again.
+    all_tasks = done[-1]
+    done.clear()
+    again = asperity.distributed.sweep(spec, results=tmp_path / "kept", progress=lambda count, of: done.append(count))
+    assert again.csv == whole.csv and done[-1] == all_tasks and len(done) == passes
+
+
 def test_the_variations_of_a_sweep_can_be_run_by_themselves(spec):
     spec.write_text(spec.read_text() + SWEEP)
     found = asperity.distributed.map(spec)
@@ -192,5 +235,5 @@ def test_the_variations_of_a_sweep_can_be_run_by_themselves(spec):
 def test_what_is_no_sweep_is_refused(spec):
     with pytest.raises(ValueError, match=r"found no \[sweep\]"):
         asperity.distributed.map(spec)
-    with pytest.raises(ValueError, match=r"has no parts; allowed: .*\[sweep\]"):
+    with pytest.raises(ValueError, match=r"has no tasks; allowed: .*\[sweep\]"):
         asperity.distributed.sweep(spec)

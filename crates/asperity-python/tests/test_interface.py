@@ -551,10 +551,11 @@ def test_a_report_is_written(tmp_path):
     answer = results.answer
     assert list(answer.lines)[:3] == ["result", "answer", "difference"] and answer.sentence == answer.lines["answer"]
     assert str(answer).startswith("Result at your load: 16.7 mN on 0.0167 mm² (1 MPa): ") and len(results.answers) == 1
-    with pytest.raises(ValueError, match="figure"):
-        spec, surfaces = study._spec(CONTACT, asperities())
-        spec["compare"]["pressure"] = 1e6
-        asperity.run({**spec, "figure": {"width": "85 mm", "font": "8 pt"}}, surfaces=surfaces, report=tmp_path)
+    spec, surfaces = study._spec(CONTACT, asperities())
+    spec["compare"]["pressure"] = 1e6
+    results = asperity.run({**spec, "figure": {"width": "85 mm"}}, surfaces=surfaces, report=tmp_path, name="sized")
+    figures = [path for path in results.report.glob("*.svg") if path.name != "card.svg"]
+    assert figures and all('width="85mm"' in path.read_text() for path in figures)
 
 
 def test_numbers_of_a_program_are_si_however_small():

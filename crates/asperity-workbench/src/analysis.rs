@@ -19,20 +19,17 @@ use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 use crate::engine::Refused;
 use crate::limits;
 
-/// Between two events of progress.
 const PERIOD: Duration = Duration::from_millis(100);
 
 /// Memory is given out in units of so many bytes.
 const UNIT: u64 = 1 << 20;
 
-/// The memory that analyses share.
 pub struct Budget {
     units: u32,
     free: Arc<Semaphore>,
 }
 
 impl Budget {
-    /// All that they may use.
     pub fn new(bytes: u64) -> Self {
         let units = u32::try_from(bytes / UNIT)
             .unwrap_or(u32::MAX)
@@ -40,10 +37,6 @@ impl Budget {
         Self { units, free: Arc::new(Semaphore::new(units as usize)) }
     }
 
-    /// Waits for so many bytes.
-    ///
-    /// # Errors
-    /// More than there are.
     pub async fn take(&self, bytes: u128) -> Result<OwnedSemaphorePermit, Refused> {
         let units = u32::try_from(bytes.div_ceil(u128::from(UNIT))).unwrap_or(u32::MAX).max(1);
         if units > self.units {
@@ -96,7 +89,6 @@ impl Watch {
         let _ = self.events.send(Event::default().event(name).data(value.to_string()));
     }
 
-    /// Time since the start.
     pub fn elapsed(&self) -> Duration {
         self.start.elapsed()
     }
@@ -221,9 +213,6 @@ pub fn answer(
 }
 
 /// What `work` gives, which ends where its request does.
-///
-/// # Errors
-/// Those of the work; work that was cancelled, failed, or needs more memory than there is.
 pub async fn value<T: Send + 'static>(
     budget: Arc<Budget>,
     bytes: u128,

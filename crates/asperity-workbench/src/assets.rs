@@ -29,12 +29,10 @@ static STYLE: LazyLock<String> =
 /// The library for charts, and what makes charts of the figures of reports.
 static CHARTS: LazyLock<String> = LazyLock::new(|| chart_scripts().concat());
 
-/// The page.
 pub fn page() -> Response {
     ([(header::CONTENT_TYPE, "text/html; charset=utf-8")], PAGE).into_response()
 }
 
-/// A file that it loads.
 pub fn asset(name: &str) -> Response {
     let script = "text/javascript; charset=utf-8";
     let (content, media) = match name {

@@ -13,7 +13,6 @@ pub struct SpecText {
     pub root: PathBuf,
     /// The folder that its paths are relative to, in the root.
     pub folder: PathBuf,
-    /// Its text.
     pub text: String,
 }
 
@@ -58,9 +57,6 @@ pub trait Prepared: Send + Sync {
     fn stages(&self) -> &'static [Stage];
 
     /// What the page shows of it after a stage.
-    ///
-    /// # Errors
-    /// What only a run can find.
     fn run(&self, stage: Stage, progress: &dyn Progress) -> Result<Value, Refused>;
 }
 
@@ -70,7 +66,6 @@ pub struct Example {
     pub files: &'static [(&'static str, &'static [u8])],
 }
 
-/// The program.
 pub trait Engine: Send + Sync + 'static {
     /// What the page needs once: keys, materials, laws.
     fn vocabulary(&self) -> Value;
@@ -83,9 +78,6 @@ pub trait Engine: Send + Sync + 'static {
 
     /// The spec that a measured file begins with, which names it by `path`, and what the file leaves open: `pixel`, and `unit`, or
     /// `unit.xy` and `unit.z` where it has coordinates.
-    ///
-    /// # Errors
-    /// A file that is no map.
     fn begin(&self, file: &Path, path: &str) -> Result<(String, Vec<String>), Refused>;
 
     /// A small picture of a measured file, whose pixel need not be known: heights, less a plane, at most `most` along an axis.
@@ -94,22 +86,12 @@ pub trait Engine: Send + Sync + 'static {
     /// A file that is no map, or whose heights cannot be read without what its user must say.
     fn picture(&self, file: &Path, most: usize) -> Result<Heights, Refused>;
 
-    /// Checks a spec.
-    ///
-    /// # Errors
-    /// The first key that keeps it from running.
     fn prepare(&self, spec: &SpecText) -> Result<Box<dyn Prepared>, Refused>;
 
     /// What the page shows of one surface of a spec.
-    ///
-    /// # Errors
-    /// Why it cannot be made.
     fn surface(&self, spec: &SpecText, name: &str, progress: &dyn Progress) -> Result<Value, Refused>;
 
     /// The prepared heights of a surface with at most `most` points along an axis, as [`Heights`].
-    ///
-    /// # Errors
-    /// Why it cannot be made, or has no map.
     fn heights(
         &self,
         spec: &SpecText,
@@ -119,9 +101,6 @@ pub trait Engine: Send + Sync + 'static {
     ) -> Result<Heights, Refused>;
 
     /// Runs the spec at `path`, whose files must lie in `root`, and writes its report into `out`; gives the name of its folder.
-    ///
-    /// # Errors
-    /// Why it did not run, or could not be written.
     fn report(
         &self,
         path: &Path,
@@ -137,10 +116,8 @@ pub trait Engine: Send + Sync + 'static {
     fn example(&self) -> Example;
 }
 
-/// Heights of a map.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Heights {
-    /// Points along x and y.
     pub points: [usize; 2],
     /// Their distances, m.
     pub pixel: [f64; 2],

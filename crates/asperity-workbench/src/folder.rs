@@ -13,35 +13,25 @@ use crate::engine::Refused;
 use crate::limits;
 use crate::listing::is_report;
 
-/// Where dropped files are kept.
 pub const UPLOADS: &str = "uploads";
-/// Where reports are written.
 pub const REPORTS: &str = "reports";
-/// Where the example is put.
 const EXAMPLE: &str = "example";
 /// Begins the name of a file that is not yet whole.
 const PART: &str = ".part-";
 
-/// The folder of the workbench.
 #[derive(Debug, Clone)]
 pub struct Folder {
     root: PathBuf,
 }
 
-/// A spec on disk.
 #[derive(Debug, Serialize)]
 pub struct SpecOnDisk {
-    /// Its text.
     pub text: String,
-    /// SHA-256 of the text.
     pub state: String,
 }
 
 impl Folder {
     /// The folder at `path`, in which parts of files of a server that was killed are removed.
-    ///
-    /// # Errors
-    /// No such folder.
     pub fn new(path: &Path) -> io::Result<Self> {
         let root = fs::canonicalize(path)?;
         if !root.is_dir() {
@@ -109,9 +99,6 @@ impl Folder {
 
     /// A page that leads to `address`, for its user's browser alone: the address holds the token, and what a program is started with
     /// everybody on the machine can read.
-    ///
-    /// # Errors
-    /// A folder that cannot be written to.
     pub fn page_that_leads_to(&self, address: &str) -> io::Result<NamedTempFile> {
         let mut file = tempfile::Builder::new().prefix(PART).suffix(".html").tempfile_in(&self.root)?;
         let _ = file.as_file().try_lock();
@@ -122,7 +109,6 @@ impl Folder {
         Ok(file)
     }
 
-    /// Its absolute path without links.
     pub fn root(&self) -> &Path {
         &self.root
     }
@@ -139,18 +125,12 @@ impl Folder {
     }
 
     /// A file in it that is there: no folder, no pipe, which would keep its reader waiting.
-    ///
-    /// # Errors
-    /// As [`Self::existing`].
     pub fn file(&self, path: &str) -> Result<PathBuf, Refused> {
         let whole = self.existing(path)?;
         if whole.is_file() { Ok(whole) } else { Err(Refused::new(format!("{path}: is no file"))) }
     }
 
     /// A folder in it that is there.
-    ///
-    /// # Errors
-    /// As [`Self::existing`].
     pub fn folder(&self, path: &str) -> Result<PathBuf, Refused> {
         let whole = self.existing(path)?;
         if whole.is_dir() { Ok(whole) } else { Err(Refused::new(format!("{path}: is no folder"))) }
@@ -229,9 +209,6 @@ impl Folder {
     }
 
     /// A file to be filled with what is dropped on the page.
-    ///
-    /// # Errors
-    /// A folder that cannot be written to.
     pub fn upload(&self, name: &str) -> Result<Upload, Refused> {
         let refuse = |error: io::Error| Refused::new(format!("{UPLOADS}: cannot be written: {error}"));
         let folder = self.make(UPLOADS).map_err(refuse)?;
@@ -240,9 +217,6 @@ impl Folder {
     }
 
     /// Writes a file of the example, unless it is there; gives its path.
-    ///
-    /// # Errors
-    /// A file that cannot be written.
     pub fn add(&self, name: &str, content: &[u8]) -> Result<String, Refused> {
         let path = format!("{EXAMPLE}/{name}");
         let (below, last) = path.rsplit_once('/').unwrap_or(("", &path));
@@ -307,10 +281,6 @@ pub struct Upload {
 }
 
 impl Upload {
-    /// Adds bytes.
-    ///
-    /// # Errors
-    /// More than are allowed; a disk that is full.
     pub fn add(&mut self, bytes: &[u8]) -> Result<(), Refused> {
         self.bytes += bytes.len() as u64;
         if self.bytes > limits::UPLOAD {
@@ -322,16 +292,12 @@ impl Upload {
             .map_err(|error| Refused::new(format!("{}: cannot be written: {error}", self.name)))
     }
 
-    /// Its name.
     pub fn name(&self) -> &str {
         &self.name
     }
 
     /// Keeps it, if `accept` takes it, under its name, or under one with a number where another file has that; the same file is kept once.
     /// Gives its path from the folder of the workbench.
-    ///
-    /// # Errors
-    /// That of `accept`; a folder that cannot be written to.
     pub fn finish(self, accept: impl FnOnce(&Path) -> Result<(), Refused>) -> Result<String, Refused> {
         accept(self.file.path())?;
         /// Files of one name.

@@ -13,7 +13,6 @@ use axum::response::{Html, IntoResponse, Response};
 
 use crate::token::is_same;
 
-/// Name of the cookie.
 const COOKIE: &str = "asperity-workbench";
 
 /// A year, s: as long as a bookmark is used.

@@ -16,7 +16,6 @@
 //!
 //! The server holds no session: each request brings the whole spec, which is the state of the page.
 #![deny(unsafe_code)]
-#![warn(missing_docs)]
 
 mod allocator;
 mod analysis;

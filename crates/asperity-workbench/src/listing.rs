@@ -11,7 +11,6 @@ use crate::engine::Engine;
 use crate::folder::Folder;
 use crate::limits;
 
-/// What the page lists.
 #[derive(Debug, PartialEq, Serialize)]
 pub struct Entry {
     /// From the folder, with slashes.
@@ -34,7 +33,6 @@ enum What {
     Report {
         title: String,
         answer: String,
-        /// Whether it has a picture.
         picture: bool,
         page: &'static str,
     },

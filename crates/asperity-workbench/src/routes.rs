@@ -48,7 +48,6 @@ pub struct Shared {
 
 type App = Arc<Shared>;
 
-/// All requests, behind the guard.
 pub fn router(app: App) -> Router {
     let guard = Arc::clone(&app.guard);
     Router::new()
@@ -186,7 +185,6 @@ async fn picture(State(app): State<App>, Json(OnePath { path }): Json<OnePath>) 
     .await
 }
 
-/// Heights as numbers.
 fn as_bytes(heights: &Heights) -> Response {
     ([(header::CONTENT_TYPE, "application/octet-stream")], heights.bytes()).into_response()
 }

@@ -17,7 +17,6 @@ use crate::guard::Guard;
 use crate::routes::{Shared, router};
 use crate::{allocator, limits, token};
 
-/// How to serve.
 #[derive(Debug, Clone)]
 pub struct Options {
     /// The folder of maps, specs and reports.
@@ -36,34 +35,18 @@ pub const PORT: u16 = 8642;
 pub enum ServeError {
     /// The folder cannot be used.
     #[error("{}: {error}; allowed: a folder that is there", folder.display())]
-    Folder {
-        /// The folder.
-        folder: PathBuf,
-        /// Why.
-        error: io::Error,
-    },
+    Folder { folder: PathBuf, error: io::Error },
     /// The port cannot be used.
     #[error("--port {port}: {error}; allowed: a free port, or no --port")]
-    Port {
-        /// The port.
-        port: u16,
-        /// Why.
-        error: io::Error,
-    },
+    Port { port: u16, error: io::Error },
     /// The token cannot be kept.
     #[error("{}: {error}; it holds the key of the page, and must be a file that can be read and written", path.display())]
-    Token {
-        /// Its file.
-        path: PathBuf,
-        /// Why.
-        error: io::Error,
-    },
+    Token { path: PathBuf, error: io::Error },
     /// The system refuses something else.
     #[error("the page cannot be served: {0}")]
     System(#[from] io::Error),
 }
 
-/// A server that is ready.
 pub struct Server {
     runtime: tokio::runtime::Runtime,
     listeners: Vec<TcpListener>,
@@ -78,9 +61,6 @@ const START: Duration = Duration::from_secs(60);
 
 impl Server {
     /// Listens on this machine alone, 127.0.0.1 and, where there is such a thing, ::1.
-    ///
-    /// # Errors
-    /// See [`ServeError`].
     pub fn new(options: &Options, engine: Arc<dyn Engine>) -> Result<Self, ServeError> {
         allocator::keep_large_apart();
         let folder = Folder::new(&options.folder)
@@ -129,10 +109,6 @@ impl Server {
         Ok(())
     }
 
-    /// Serves until the program ends.
-    ///
-    /// # Errors
-    /// A listener that fails.
     pub fn run(self) -> io::Result<()> {
         let Self { runtime, listeners, app, opened, .. } = self;
         runtime.block_on(async {

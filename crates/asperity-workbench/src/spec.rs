@@ -5,9 +5,6 @@ use serde_json::Value;
 use crate::engine::Refused;
 
 /// The text of a spec.
-///
-/// # Errors
-/// What TOML does not have.
 pub fn toml_of(spec: &Value) -> Result<String, Refused> {
     if !spec.is_object() {
         return Err(Refused::new("found no spec; allowed: a table of keys"));

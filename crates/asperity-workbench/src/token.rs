@@ -6,7 +6,6 @@ use std::path::{Path, PathBuf};
 
 use etcetera::base_strategy::{BaseStrategy, choose_native_strategy};
 
-/// Digits of a token.
 const DIGITS: usize = 64;
 
 /// Where the token is kept: `asperity/workbench-token` in the configuration folder.
@@ -36,10 +35,6 @@ pub fn kept(path: &Path) -> io::Result<String> {
     Ok(token)
 }
 
-/// A new token.
-///
-/// # Errors
-/// A system without random numbers.
 pub fn random() -> io::Result<String> {
     let mut bytes = [0; DIGITS / 2];
     getrandom::fill(&mut bytes).map_err(io::Error::other)?;

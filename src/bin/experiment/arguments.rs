@@ -4,10 +4,7 @@ use std::path::PathBuf;
 
 use asperity::topography::read::format_names;
 use asperity::units::Dimension;
-use asperity_contact_framework::divided::Part;
-use asperity_experiment::kind::REPORTED;
 use asperity_experiment::surface::{ContactOptions, FileOptions};
-use clap::builder::PossibleValuesParser;
 use clap::{Args, CommandFactory, Parser, Subcommand};
 
 use super::export::Export;
@@ -38,23 +35,6 @@ pub enum Command {
         /// Spec files
         #[arg(required = true)]
         files: Vec<PathBuf>,
-        #[command(flatten)]
-        options: RunOptions,
-        /// Run one part of `[tiled]` specs, such as 3/16, and write it to --parts instead of a report
-        #[arg(long)]
-        part: Option<Part>,
-        /// Folder of parts
-        #[arg(long, default_value = "parts", requires = "part")]
-        parts: PathBuf,
-    },
-    /// Merge the parts of `[tiled]` specs and write a report for each
-    Merge {
-        /// Spec files
-        #[arg(required = true)]
-        files: Vec<PathBuf>,
-        /// Folder of parts
-        #[arg(long, default_value = "parts")]
-        parts: PathBuf,
         #[command(flatten)]
         options: RunOptions,
     },
@@ -110,31 +90,17 @@ pub enum Command {
         #[command(subcommand)]
         what: Export,
     },
-    /// Print a Markdown reference of the report tables: every column with its unit and meaning
-    Columns {
-        /// Only tables of this kind of experiment
-        #[arg(value_parser = PossibleValuesParser::new(REPORTED.iter().map(|kind| kind.name())))]
-        kind: Option<String>,
-    },
-    /// Explain a key of a spec: type, unit, range, default, example
+    /// Explain a key of a spec (type, unit, range, default, example), a table of a report, or a column
     Explain {
-        /// Its name, or its whole path: thickness, compare.layer.thickness
-        key: String,
+        /// Its name: thickness, compare.layer.thickness, curves.csv, area_ratio
+        name: String,
     },
-    /// Print a Markdown reference of all keys of a spec
-    Keys,
     /// Print the JSON schema of a spec, with which editors complete and check keys
     Schema,
     /// Print a script that completes commands and options in a shell
     Completions {
         /// The shell
         shell: clap_complete::Shell,
-    },
-    /// Print the manual page, or write those of all commands into a folder
-    Man {
-        /// Folder for the pages, such as ~/.local/share/man/man1
-        #[arg(long)]
-        out: Option<PathBuf>,
     },
     /// List the materials of the library, each value with its source (Markdown)
     Materials {
@@ -155,98 +121,12 @@ pub enum Command {
 #[derive(Args)]
 pub struct FileArguments {
     #[command(flatten)]
-    map: MapArguments,
+    map: FileOptions,
     #[command(flatten)]
-    contact: ContactArguments,
+    contact: ContactOptions,
     /// Solve the contact of the map by boundary elements too, which know no asperities (seconds to minutes)
     #[arg(long)]
     reference: bool,
-}
-
-/// Options of a measured file, as in a spec.
-#[derive(Args)]
-pub struct MapArguments {
-    /// Pixel size, if the file does not contain it: "0.8 um", or "0.8 um, 0.5 um" along x and y. The first index of a .npy is x;
-    /// in a text x runs along a line and y from line to line
-    #[arg(long, allow_hyphen_values = true)]
-    pixel: Option<String>,
-    /// Unit of the lengths in the file, if it does not contain it: um, or "xy=um, z=nm" of coordinates and heights
-    #[arg(long, allow_hyphen_values = true)]
-    unit: Option<String>,
-    /// Heights, in the unit of the file, and words that mark missing points: -9999, or "-9999, void"; none where all are heights
-    #[arg(long, allow_hyphen_values = true)]
-    missing: Option<String>,
-    /// Channel of a file that holds several, by its name there; default: that of the heights
-    #[arg(long, allow_hyphen_values = true)]
-    channel: Option<String>,
-    /// Part of the map to use along x, from and to, from its first point: "10 um, 200 um"
-    #[arg(long, allow_hyphen_values = true, value_name = "FROM, TO")]
-    crop_x: Option<String>,
-    /// The same along y
-    #[arg(long, allow_hyphen_values = true, value_name = "FROM, TO")]
-    crop_y: Option<String>,
-    /// Exchange x and y of the file; the pixel is then that of the exchanged map
-    #[arg(long)]
-    transpose: bool,
-    /// Find the preparation that makes the map fit: remedies of failed checks, one after the other; options below are kept
-    #[arg(long)]
-    fit: bool,
-    /// What becomes of spikes: keep, remove
-    #[arg(long, allow_hyphen_values = true, value_name = "keep|remove")]
-    outliers: Option<String>,
-    /// Axis along which lines of the scan are set to the same mean height: x, y
-    #[arg(long, allow_hyphen_values = true, value_name = "x|y")]
-    align_lines: Option<String>,
-    /// Radius of the stylus or tip that traced the map, which is eroded: "5 um"
-    #[arg(long, allow_hyphen_values = true)]
-    tip: Option<String>,
-    /// Form to remove: none, mean, plane, quadratic, cubic
-    #[arg(long, allow_hyphen_values = true)]
-    level: Option<String>,
-    /// S filter (ISO 16610-61), removes shorter wavelengths: "2.5 um"
-    #[arg(long, allow_hyphen_values = true)]
-    s: Option<String>,
-    /// L filter (ISO 16610-61), removes longer wavelengths: "80 um"
-    #[arg(long, allow_hyphen_values = true)]
-    l: Option<String>,
-    /// Number of neighbours that a summit must exceed: four, eight
-    #[arg(long, allow_hyphen_values = true, value_name = "four|eight")]
-    neighbours: Option<String>,
-    /// Another key of the spec: compare.law=hertz, 'material.PTFE.hardness="50 MPa"'; may be given several times
-    #[arg(long, allow_hyphen_values = true, value_name = "KEY=VALUE")]
-    set: Vec<String>,
-}
-
-/// Bodies, layer and load on a measured file, as in a spec.
-#[derive(Args)]
-pub struct ContactArguments {
-    /// Material of both bodies, a name of the library (`experiment materials`); default: steel-100Cr6
-    #[arg(long)]
-    material: Option<String>,
-    /// Material of the rough body, which the file describes
-    #[arg(long)]
-    rough: Option<String>,
-    /// Material of the flat
-    #[arg(long)]
-    flat: Option<String>,
-    /// Material of a layer on the flat (or by --layer-on on the rough body), with --thickness
-    #[arg(long)]
-    layer: Option<String>,
-    /// Thickness of the layer: "2 um"
-    #[arg(long, allow_hyphen_values = true)]
-    thickness: Option<String>,
-    /// Body that the layer is on: flat, rough; default: flat
-    #[arg(long, value_name = "BODY")]
-    layer_on: Option<String>,
-    /// Force, on --area or else on the map's own area: "5 N"
-    #[arg(long, allow_hyphen_values = true)]
-    load: Option<String>,
-    /// Nominal area that --load acts on: "4 mm2"
-    #[arg(long, allow_hyphen_values = true)]
-    area: Option<String>,
-    /// Nominal pressure, instead of --load: "1.25 MPa"
-    #[arg(long, allow_hyphen_values = true)]
-    pressure: Option<String>,
 }
 
 /// What is read of measured files.
@@ -282,49 +162,9 @@ pub fn misread(words: &[String]) -> Option<String> {
     Some(format!("{option}: found the option {next}; allowed: a value, see `experiment surface --help`"))
 }
 
-impl From<MapArguments> for FileOptions {
-    fn from(arguments: MapArguments) -> Self {
-        Self {
-            pixel: arguments.pixel,
-            unit: arguments.unit,
-            missing: arguments.missing,
-            channel: arguments.channel,
-            transpose: arguments.transpose,
-            crop: [arguments.crop_x, arguments.crop_y],
-            fit: arguments.fit,
-            outliers: arguments.outliers,
-            align_lines: arguments.align_lines,
-            tip: arguments.tip,
-            level: arguments.level,
-            s: arguments.s,
-            l: arguments.l,
-            neighbours: arguments.neighbours,
-            set: arguments.set,
-            contact: ContactOptions::default(),
-        }
-    }
-}
-
-impl From<ContactArguments> for ContactOptions {
-    fn from(arguments: ContactArguments) -> Self {
-        Self {
-            material: arguments.material,
-            rough: arguments.rough,
-            flat: arguments.flat,
-            layer: arguments.layer,
-            thickness: arguments.thickness,
-            layer_on: arguments.layer_on,
-            load: arguments.load,
-            area: arguments.area,
-            pressure: arguments.pressure,
-            reference: false,
-        }
-    }
-}
-
 impl From<FileArguments> for FileOptions {
     fn from(FileArguments { map, contact, reference }: FileArguments) -> Self {
-        Self { contact: ContactOptions { reference, ..contact.into() }, ..map.into() }
+        Self { contact: ContactOptions { reference, ..contact }, ..map }
     }
 }
 

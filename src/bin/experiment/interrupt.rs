@@ -9,16 +9,13 @@ use asperity::topography::write::Out;
 /// Held while a report is written: an interruption waits for it.
 static WRITING: Mutex<()> = Mutex::new(());
 
-/// Whether a signal has come.
 static HAS_COME: AtomicBool = AtomicBool::new(false);
 
-/// Reports that were written.
 static WRITTEN: AtomicUsize = AtomicUsize::new(0);
 
-/// Whether parts or variations are run, which keep what is complete.
-static HAS_PARTS: AtomicBool = AtomicBool::new(false);
+/// Whether the variations of a sweep are run, of which those that are complete are kept.
+static IS_SWEEP: AtomicBool = AtomicBool::new(false);
 
-/// Whether the workbench is served.
 static IS_WORKBENCH: AtomicBool = AtomicBool::new(false);
 
 /// Added to the number of a signal, the exit code of a program that it ends.
@@ -40,7 +37,6 @@ pub fn handle() {
     let _ = std::thread::Builder::new().spawn(wait);
 }
 
-/// The same.
 #[cfg(not(unix))]
 pub fn handle() {
     const SIGINT: i32 = 2;
@@ -61,14 +57,14 @@ fn end(code: i32) {
         );
         std::process::exit(0);
     }
-    let line = line(WRITTEN.load(Ordering::Relaxed), HAS_PARTS.load(Ordering::Relaxed));
+    let line = line(WRITTEN.load(Ordering::Relaxed), IS_SWEEP.load(Ordering::Relaxed));
     let _ = writeln!(to, "{start}{line}");
     std::process::exit(code);
 }
 
-/// Says whether parts, or variations of a sweep, are run.
-pub fn of_parts(are_run: bool) {
-    HAS_PARTS.store(are_run, Ordering::Relaxed);
+/// Says whether a sweep is run.
+pub fn of_sweep(is_run: bool) {
+    IS_SWEEP.store(is_run, Ordering::Relaxed);
 }
 
 /// Says that the workbench is served, which Ctrl-C ends.
@@ -134,8 +130,8 @@ pub fn count_written() {
     WRITTEN.fetch_add(1, Ordering::Relaxed);
 }
 
-fn line(written: usize, has_parts: bool) -> String {
-    match (written, has_parts) {
+fn line(written: usize, is_sweep: bool) -> String {
+    match (written, is_sweep) {
         (_, true) => "interrupted; what is complete is kept, run the same command to continue".to_owned(),
         (0, false) => "interrupted; nothing was written".to_owned(),
         (1, false) => "interrupted; 1 report was written before, the one under way was not".to_owned(),

@@ -14,32 +14,29 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
 
-use asperity_contact_framework::divided::Part;
 use asperity_contact_framework::input::InputError;
 use asperity_contact_framework::progress::{Progress, Silent};
 use asperity_contact_framework::report::store::{Folder, Store, StoreError};
 use asperity_contact_framework::report::{Index, MARK, verify};
 use asperity_contact_framework::{Outcome, ReportError, folder as report_folder};
-use asperity_experiment::keys::{all_keys, explain, spec_schema};
-use asperity_experiment::kind::{REPORTED, columns};
+use asperity_experiment::keys::{explain, spec_schema};
+use asperity_experiment::kind::REPORTED;
 use asperity_experiment::materials::{all_materials, one_material};
 use asperity_experiment::terminal::Monitor;
-use asperity_experiment::{Experiment, PRINT, PartError, TEMPLATE, write_index};
+use asperity_experiment::{Experiment, TEMPLATE, write_index};
 use clap::{CommandFactory, Parser};
 
 use arguments::{Cli, Command, RunOptions};
 use output::{print, print_error, print_text, say};
 use several::{Counts, Done, Place, listed, quick_first};
-use single_file::{unwritten, write_new};
+use single_file::write_new;
 use surfaces::Answered;
 
-/// Folder of the specs.
 const SPECS: &str = "experiments";
 
 /// Folder of what long runs have done so far, in that of the reports.
 const KEPT: &str = ".kept";
 
-/// Why a command failed.
 enum Failure {
     /// Invalid input: exit code 2.
     Input(String),
@@ -58,15 +55,6 @@ impl From<StoreError> for Failure {
         match error {
             StoreError::NotAFolder(_) | StoreError::LeadsNowhere { .. } => Self::Input(error.to_string()),
             _ => Self::Run(error.to_string()),
-        }
-    }
-}
-
-impl From<PartError> for Failure {
-    fn from(error: PartError) -> Self {
-        match error {
-            PartError::Input(error) => error.into(),
-            PartError::Parts(error) => Self::Run(error.to_string()),
         }
     }
 }
@@ -109,13 +97,9 @@ fn perform(cli: Cli) -> Result<(), Failure> {
             let is_run = |experiment: &Experiment| cli.full || !experiment.is_long();
             run(experiments.into_iter().filter(is_run).collect(), &cli.options)
         }),
-        Some(Command::Run { files, options, part: Some(part), parts }) => {
-            run_parts(&files, &options, part, &parts)
-        }
-        Some(Command::Run { files, options, .. }) => {
+        Some(Command::Run { files, options }) => {
             read_all(&files, options.is_quiet()).and_then(|experiments| run(experiments, &options))
         }
-        Some(Command::Merge { files, parts, options }) => merge(&files, &parts, &options),
         Some(Command::List { out }) => list(&out),
         Some(Command::Check { files }) => check(&files),
         Some(Command::New { name }) => new(&name),
@@ -125,14 +109,8 @@ fn perform(cli: Cli) -> Result<(), Failure> {
         #[cfg(feature = "serve")]
         Some(Command::Serve { folder, port, no_open }) => serve::serve(&folder, port, no_open),
         Some(Command::Export { what }) => what.run(),
-        Some(Command::Columns { kind }) => {
-            print_text(&columns(kind.as_deref()));
-            Ok(())
-        }
-        Some(Command::Explain { key }) => explain(&key).map_err(Failure::Input).map(|text| print_text(&text)),
-        Some(Command::Keys) => {
-            print_text(&all_keys());
-            Ok(())
+        Some(Command::Explain { name }) => {
+            explain(&name).map_err(Failure::Input).map(|text| print_text(&text))
         }
         Some(Command::Schema) => {
             print(format_args!("{:#}", spec_schema()));
@@ -144,14 +122,12 @@ fn perform(cli: Cli) -> Result<(), Failure> {
             print_text(&String::from_utf8_lossy(&script));
             Ok(())
         }
-        Some(Command::Man { out }) => manual(out.as_deref()),
         Some(Command::Materials { name }) => materials(name.as_deref()),
         Some(Command::Verify { fresh, out }) => verify(&fresh, &out),
     }
 }
 
 impl Failure {
-    /// What it says.
     fn message(&self) -> &str {
         match self {
             Self::Input(message) | Self::Run(message) => message,
@@ -245,52 +221,6 @@ fn run(mut experiments: Vec<Experiment>, options: &RunOptions) -> Result<(), Fai
         failure.report();
     }
     Err(last)
-}
-
-/// Runs one part of each spec.
-fn run_parts(files: &[PathBuf], options: &RunOptions, part: Part, folder: &Path) -> Result<(), Failure> {
-    interrupt::of_parts(true);
-    for experiment in read_all(files, options.is_quiet())? {
-        let start = Instant::now();
-        let run = watched(experiment.stem(), options.is_quiet(), |progress| {
-            experiment.run_part(part, folder, progress)
-        })?;
-        let name = format!("{} part {part}", experiment.stem());
-        for path in &run.written {
-            say(options, &format!("{name}: {} written in {} s", path.display(), seconds(start)));
-        }
-        match &run.waits_for {
-            None if run.written.is_empty() => {
-                say(options, &format!("{name} is complete in {}", folder.display()));
-            }
-            None => {}
-            // The others may write theirs at this moment.
-            Some(missing) if run.written.is_empty() => {
-                return Err(Failure::Run(format!(
-                    "{name}: nothing to do yet: {missing}; run this part again once they are there"
-                )));
-            }
-            Some(_) => say(
-                options,
-                &format!("{name}: run it again once pass {} of all parts is there", run.written.len()),
-            ),
-        }
-    }
-    Ok(())
-}
-
-/// Merges the parts of each spec and writes its report.
-fn merge(files: &[PathBuf], folder: &Path, options: &RunOptions) -> Result<(), Failure> {
-    let mut store = open_store(options)?;
-    for experiment in read_all(files, options.is_quiet())? {
-        let start = Instant::now();
-        store.check(experiment.stem())?;
-        let merged =
-            watched(experiment.stem(), options.is_quiet(), |progress| experiment.merge(folder, progress))?;
-        let report = report_folder(&*merged.outcome, &merged.key, PRINT)?;
-        write_report(&experiment, Place::ALONE, &*merged.outcome, &report, &mut store, options, start)?;
-    }
-    update_index(&mut store, options)
 }
 
 /// Runs with a display of progress, unless that is not wanted.
@@ -388,16 +318,15 @@ fn run_and_write(
 ) -> Result<Box<dyn Outcome>, Failure> {
     let start = Instant::now();
     let name = format!("{place}{}", experiment.stem());
-    interrupt::of_parts(experiment.is_sweep());
+    interrupt::of_sweep(experiment.is_sweep());
     let kept = options.out.join(KEPT).join(experiment.stem());
-    let report = |results: &dyn Outcome, key: &str| report_folder(results, key, PRINT);
+    let report = |results: &dyn Outcome, key: &str| report_folder(results, key);
     let run = |progress: &dyn Progress| experiment.run_on(known, Some(&kept), progress, report);
     let (report, results) = watched(&name, options.is_quiet(), run)?;
     write_report(experiment, place, &*results, &report?, store, options, start)?;
     Ok(results)
 }
 
-/// Writes the report on results.
 fn write_report(
     experiment: &Experiment,
     place: Place,
@@ -440,12 +369,6 @@ fn write_report(
             seconds(start)
         ),
     );
-    if results.metadata().figure.is_some() && PRINT.is_none() {
-        say(
-            options,
-            "its figures are SVG; for PDF and PNG as well, run it by `cargo run --release --features print -- run SPEC`",
-        );
-    }
     Ok(())
 }
 
@@ -477,27 +400,6 @@ fn new(name: &Path) -> Result<(), Failure> {
     let path = name.with_extension("toml");
     write_new(&path, TEMPLATE)?;
     print(format_args!("{} written; run it with `experiment run {}`", path.display(), path.display()));
-    Ok(())
-}
-
-/// Prints the manual page, or writes one for each command.
-fn manual(folder: Option<&Path>) -> Result<(), Failure> {
-    let Some(folder) = folder else {
-        let mut page = Vec::new();
-        clap_mangen::Man::new(Cli::command())
-            .render(&mut page)
-            .map_err(|error| Failure::Run(format!("the manual page cannot be made: {error}")))?;
-        print_text(&String::from_utf8_lossy(&page));
-        return Ok(());
-    };
-    std::fs::create_dir_all(folder)
-        .and_then(|()| clap_mangen::generate_to(Cli::command(), folder))
-        .map_err(|error| unwritten(&format!("--out {}", folder.display()), &error))?;
-    print(format_args!(
-        "manual pages written to {}; read them with `man {}/experiment.1`",
-        folder.display(),
-        folder.display()
-    ));
     Ok(())
 }
 

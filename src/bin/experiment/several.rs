@@ -33,10 +33,8 @@ pub struct Place {
 }
 
 impl Place {
-    /// That of a single one.
     pub const ALONE: Self = Self { number: 1, of: 1 };
 
-    /// Whether there are no others.
     pub fn is_alone(self) -> bool {
         self.of == 1
     }
@@ -49,14 +47,11 @@ impl fmt::Display for Place {
     }
 }
 
-/// What became of a spec.
 #[derive(Clone, Copy)]
 pub enum Done {
-    /// A report was written.
     Written,
     /// Its report is that of the same spec, files and program.
     Unchanged,
-    /// There is no new report.
     Failed,
 }
 
@@ -65,7 +60,6 @@ pub enum Done {
 pub struct Counts([usize; 3]);
 
 impl Counts {
-    /// Counts one more.
     pub fn add(&mut self, done: Done) {
         self.0[done as usize] += 1;
     }
@@ -90,9 +84,6 @@ impl Counts {
 }
 
 /// A line of a list: name, state of its report, of a long one what it took, title.
-///
-/// # Errors
-/// An input file that cannot be read.
 pub fn listed(experiment: &Experiment, store: &Store) -> Result<String, InputError> {
     let stem = experiment.stem();
     let state = store.state(stem, &experiment.key()?, &experiment.input()?);

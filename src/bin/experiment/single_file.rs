@@ -4,7 +4,7 @@ use std::fs::{self, File};
 use std::io::{self, ErrorKind, Write};
 use std::path::Path;
 
-use asperity_contact_framework::disk::advice;
+use asperity_contact_framework::kept::advice;
 
 use super::{Failure, interrupt};
 

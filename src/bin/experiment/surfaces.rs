@@ -25,7 +25,6 @@ const COLUMNS: &str = "file,report,error,";
 /// What a report says, for machines.
 #[derive(Deserialize)]
 pub struct Answered {
-    /// The card.
     pub answer: Answer,
     /// The row of `answers.csv` of each case.
     #[serde(default)]

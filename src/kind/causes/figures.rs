@@ -8,7 +8,6 @@ use super::plan::Axis;
 use super::results::{CausesResults, GridPoint, QUANTITIES};
 use crate::presentation::{cause_colour, difference_unit, quantity_name};
 
-/// The rows of the grid.
 fn rows(results: &CausesResults) -> Vec<&[GridPoint]> {
     let same = |a: &GridPoint, b: &GridPoint| match results.axis {
         Axis::Bandwidth => a.wavelengths == b.wavelengths,

@@ -4,10 +4,8 @@ use asperity::compare::{Cause, ComparedQuantity, Contribution, Contributions, Mo
 
 use super::results::{CausesResults, GridPoint, QUANTITIES, QuantityAtLoad};
 
-/// One quantity at one load.
 #[derive(Debug)]
 pub struct Findings {
-    /// What is compared.
     pub quantity: ComparedQuantity,
     /// Indices of law and load.
     pub condition: [usize; 2],
@@ -30,7 +28,6 @@ pub struct Findings {
 pub struct Lead {
     /// `None`: no cause leads.
     pub cause: Option<Cause>,
-    /// Number of points.
     pub points: usize,
     /// Skewnesses at which it leads in every row of the grid.
     pub in_every_row: Vec<f64>,
@@ -97,7 +94,6 @@ pub struct NearerCounts {
 }
 
 impl NearerCounts {
-    /// Of a quantity.
     pub fn new(results: &CausesResults, quantity: ComparedQuantity) -> Self {
         let mut counts = Self::default();
         for condition in results.conditions() {
@@ -130,7 +126,6 @@ pub struct VerdictCounts {
 }
 
 impl VerdictCounts {
-    /// Of a quantity.
     pub fn new(results: &CausesResults, quantity: ComparedQuantity) -> Self {
         let mut counts = Self::default();
         let verdicts = results.conditions().flat_map(|condition| {

@@ -8,24 +8,21 @@ mod process;
 mod results;
 mod rows;
 mod run;
-mod spec;
 
 use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 use asperity_contact_framework::report::table::Schema;
-use asperity_contact_framework::{Group, Kind, Reads};
+use asperity_contact_framework::{Group, Kind, Outcome, Reads};
 use asperity_contact_framework::{Memory, Plan, RunContext};
 
 use plan::CausesPlan;
-use results::CausesResults;
 
-/// `[causes]`
 pub struct Causes;
 
 impl Kind for Causes {
     const NAME: &'static str = "causes";
     const GROUP: Option<Group> = Some(Group::Why);
     const READS: Reads = Reads { materials: true, surfaces: false };
-    type Spec = spec::CausesSpec;
+    type Spec = plan::CausesSpec;
     type Plan = CausesPlan;
 
     fn plan(file: &SpecFile, table: &Spanned<Self::Spec>) -> Result<CausesPlan, InputError> {
@@ -38,8 +35,6 @@ impl Kind for Causes {
 }
 
 impl Plan for CausesPlan {
-    type Outcome = CausesResults;
-
     fn memory(&self) -> Memory {
         Plan::memory(&self.compare)
     }
@@ -48,7 +43,7 @@ impl Plan for CausesPlan {
         self.compare.study.work()
     }
 
-    fn run(&self, context: &RunContext) -> Result<CausesResults, InputError> {
-        run::run(context, self)
+    fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
+        Ok(Box::new(run::run(context, self)?))
     }
 }

@@ -11,11 +11,10 @@ use asperity_contact_framework::input::bare::SigmaRange;
 use asperity_contact_framework::input::quantity::{Length, Pure, Quantity};
 use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 
+use super::plan::CausesSpec;
 use super::plan::{Axis, PointPlan};
-use super::spec::CausesSpec;
 use crate::surface::{TargetSpec, Way};
 
-/// Points along a side.
 const POINTS: [u64; 2] = [64, 4096];
 /// Values along an axis of the grid, and loads.
 const MOST: usize = 32;

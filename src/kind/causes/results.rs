@@ -12,12 +12,9 @@ use super::plan::Axis;
 /// The quantities whose differences are shown.
 pub const QUANTITIES: [ComparedQuantity; 2] = [ComparedQuantity::Separation, ComparedQuantity::Area];
 
-/// Surfaces of a grid.
 #[derive(Debug)]
 pub struct CausesResults {
-    /// What every experiment has.
     pub metadata: Metadata,
-    /// The bodies.
     pub contact: ContactMetadata,
     /// The laws, as tables name them.
     pub laws: Vec<String>,
@@ -31,7 +28,6 @@ pub struct CausesResults {
     pub common: String,
     /// What the rows of the grid differ in.
     pub axis: Axis,
-    /// Whether the reference was run.
     pub has_reference: bool,
     /// Row by row of the second axis, by skewness.
     pub points: Vec<GridPoint>,
@@ -48,9 +44,7 @@ impl CausesResults {
 /// The surfaces of one point of the grid.
 #[derive(Debug)]
 pub struct GridPoint {
-    /// Skewness asked for.
     pub skewness: f64,
-    /// Kurtosis asked for.
     pub kurtosis: f64,
     /// Longest over shortest wavelength; `None` where it follows from the summits.
     pub wavelengths: Option<f64>,
@@ -61,9 +55,6 @@ pub struct GridPoint {
 /// Both models on the surfaces of a point.
 #[derive(Debug)]
 pub struct GridSurfaces {
-    /// Points along a side.
-    pub points: usize,
-    /// Means over the surfaces.
     pub reached: Reached,
     /// Law by law, load by load.
     pub at: Vec<Vec<AtLoad>>,
@@ -74,31 +65,23 @@ pub struct GridSurfaces {
 pub struct Reached {
     /// m.
     pub pixel: f64,
-    /// Number of asperities.
     pub asperities: f64,
-    /// Of the surface heights.
     pub skewness: f64,
-    /// Of the surface heights.
     pub kurtosis: f64,
     /// Nayak's bandwidth parameter.
     pub alpha: f64,
     /// Root mean square.
     pub gradient: f64,
-    /// Skewness of the asperity heights.
     pub asperity_skewness: f64,
     /// Standard deviation of the radii over their mean.
     pub radius_cv: f64,
-    /// Correlation of heights and radii.
     pub height_radius_correlation: f64,
     /// Greenwood and Williamson's; 0 where nothing yields.
     pub plasticity_index: f64,
 }
 
-/// One law at one load.
 #[derive(Debug)]
 pub struct AtLoad {
-    /// Nominal pressure, Pa.
-    pub load: f64,
     /// The limits of admissible loads that are exceeded on some of the surfaces.
     pub exceeded: Exceeded,
     /// The mean over the surfaces, with the interval of their scatter; `None` where the load is not admissible on one.

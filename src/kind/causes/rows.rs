@@ -147,7 +147,6 @@ impl Row for LeadRow<'_> {
     }
 }
 
-/// The tables.
 pub fn tables(results: &CausesResults) -> Vec<Table> {
     let rows = results.points.iter().flat_map(|point| {
         results.conditions().flat_map(move |condition| {

@@ -16,9 +16,6 @@ use crate::kind::compare::each_surface;
 use crate::kind::compare::results::SurfaceResults;
 
 /// Runs it. A point whose surfaces cannot be made, or do not reach a load, has none.
-///
-/// # Errors
-/// None of its own.
 pub(super) fn run(context: &RunContext, plan: &CausesPlan) -> Result<CausesResults, InputError> {
     let start = Instant::now();
     let (counter, study) = (Counter::default(), &plan.compare.study);
@@ -56,11 +53,7 @@ pub(super) fn run(context: &RunContext, plan: &CausesPlan) -> Result<CausesResul
 /// What is kept of the results on the surfaces of a point.
 fn surfaces(results: &SurfaceResults, loads: &[f64]) -> GridSurfaces {
     let of_law = |case: &CaseStudy| loads.iter().map(|&load| at_load(case, load)).collect();
-    GridSurfaces {
-        points: results.surface.map.as_ref().map_or(0, |map| map.points[0]),
-        reached: reached(results),
-        at: results.cases.iter().map(of_law).collect(),
-    }
+    GridSurfaces { reached: reached(results), at: results.cases.iter().map(of_law).collect() }
 }
 
 fn reached(results: &SurfaceResults) -> Reached {
@@ -93,7 +86,6 @@ fn at_load(case: &CaseStudy, load: f64) -> AtLoad {
     let exceeded = on_each.fold(Exceeded::default(), |union, pair| union.union(pair.exceeded()));
     let attribution: Option<&Attribution> = verdicts.attribution.iter().find(|at| at.load == load);
     AtLoad {
-        load,
         exceeded,
         attribution: attribution.filter(|_| exceeded.is_none()).cloned(),
         quantities: QUANTITIES.map(|quantity| quantity_at_load(verdicts, load, quantity, exceeded)),

@@ -18,7 +18,6 @@ pub struct ContactMap {
     pub heights: HeightMap,
     /// Whether it is in contact in the sum, and not in the reference.
     pub is_of_sum: bool,
-    /// The loads, ascending.
     pub loads: Vec<MapLoad>,
     /// Index of the load at which results are reported.
     pub reported: usize,
@@ -26,18 +25,15 @@ pub struct ContactMap {
     pub patches: MapPatches,
 }
 
-/// One of its loads.
 #[derive(Debug)]
 pub struct MapLoad {
     /// Nominal pressure, Pa.
     pub pressure: f64,
-    /// Real over nominal contact area.
     pub area_ratio: f64,
     /// Number of contacts, in the sum.
     pub contacts: Option<usize>,
 }
 
-/// What is in contact.
 #[derive(Debug)]
 pub enum MapPatches {
     /// Few asperities.
@@ -49,7 +45,6 @@ pub enum MapPatches {
     },
     /// Many asperities, or the points of the reference.
     Cells {
-        /// Cells along x and y.
         cells: [usize; 2],
         /// At each load how much of each cell is in contact, of 255, y fastest.
         covered: Vec<Vec<u8>>,

@@ -7,11 +7,9 @@ use asperity::spot::Correlation;
 use super::rows::SurfaceCase;
 use crate::model_tables::REFERENCE;
 
-/// The conductances.
 const CONDUCTANCES: [ComparedQuantity; 2] =
     [ComparedQuantity::ElectricalConductance, ComparedQuantity::ThermalConductance];
 
-/// What is compared.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Formula {
     /// A correlation for an interface without end: against a reference without end, or else the sum.
@@ -28,7 +26,6 @@ impl Formula {
         Self::Cluster,
     ];
 
-    /// The name in tables.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Interface(correlation) => correlation.name(),
@@ -36,7 +33,6 @@ impl Formula {
         }
     }
 
-    /// The name in texts.
     pub const fn label(self) -> &'static str {
         match self {
             Self::Interface(correlation) => correlation.label(),
@@ -44,7 +40,6 @@ impl Formula {
         }
     }
 
-    /// Its source.
     pub const fn paper(self) -> Paper {
         match self {
             Self::Interface(correlation) => correlation.paper(),
@@ -56,9 +51,7 @@ impl Formula {
 /// An formula of a conductance against the reference, or else the sum, on one case.
 #[derive(Debug, Clone)]
 pub struct Correlated {
-    /// The conductance.
     pub quantity: ComparedQuantity,
-    /// The formula.
     pub formula: Formula,
     /// What it is compared with.
     pub against: &'static str,
@@ -71,9 +64,6 @@ pub struct Correlated {
 impl Correlated {
     /// Of each conductance that is asked for and each formula, a cluster only with a reference on a finite map; none under a layer and without a
     /// map.
-    ///
-    /// # Errors
-    /// Why there are none of a bare joint: no admissible load, a film, or a medium in the gap.
     pub fn all(case: SurfaceCase) -> Result<Vec<Self>, &'static str> {
         let compared = |&quantity: &ComparedQuantity| {
             let each = Formula::ALL.into_iter();
@@ -168,7 +158,6 @@ impl Correlated {
         self.differences.iter().fold(ends, |[low, high], &(_, at, _)| [low.min(at), high.max(at)])
     }
 
-    /// The largest bound.
     pub fn bound(&self) -> f64 {
         self.differences.iter().map(|(.., bound)| *bound).fold(0.0, f64::max)
     }

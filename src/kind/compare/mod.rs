@@ -5,14 +5,12 @@ mod contact_map;
 mod correlations;
 pub mod figures;
 mod lines;
-mod names;
 pub mod outline;
 pub mod plan;
 mod reach;
 pub mod readings;
 pub mod reference;
 pub mod results;
-mod robustness;
 pub(crate) mod rows;
 mod run;
 mod scope;
@@ -29,13 +27,11 @@ use std::path::PathBuf;
 use asperity::work::Counter;
 use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 use asperity_contact_framework::report::table::Schema;
-use asperity_contact_framework::{Kind, Memory, Plan, RunContext};
+use asperity_contact_framework::{Kind, Memory, Outcome, Plan, RunContext};
 
 use crate::surface::{inputs, memory};
 use plan::ComparePlan;
-use results::CompareResults;
 
-/// `[compare]`
 pub struct Compare;
 
 impl Kind for Compare {
@@ -57,8 +53,6 @@ impl Kind for Compare {
 }
 
 impl Plan for ComparePlan {
-    type Outcome = CompareResults;
-
     fn inputs(&self) -> Vec<PathBuf> {
         inputs(&self.study.surfaces)
     }
@@ -79,7 +73,7 @@ impl Plan for ComparePlan {
         reach::check(context, self)
     }
 
-    fn run(&self, context: &RunContext) -> Result<CompareResults, InputError> {
-        run::run(context, self, &Counter::default())
+    fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
+        Ok(Box::new(run::run(context, self, &Counter::default())?))
     }
 }

@@ -21,7 +21,6 @@ use crate::surface::SurfacePlan;
 pub struct ComparePlan {
     /// Bodies, laws, loads and surfaces.
     pub study: StudyPlan,
-    /// The models to run.
     pub models: Vec<ModelKind>,
     /// The reference beside them, where one is asked for.
     pub reference: Option<Box<ReferencePlan>>,
@@ -91,7 +90,6 @@ impl fmt::Display for ComparePlan {
     }
 }
 
-/// Reads `[compare]`.
 pub(super) fn plan(file: &SpecFile, table: &Spanned<CompareSpec>) -> Result<ComparePlan, InputError> {
     let raw = table.get_ref();
     if let (Some(area), None, None) = (&raw.nominal_area, &raw.pressure, &raw.force) {
@@ -187,9 +185,6 @@ fn reference_keys(raw: &CompareSpec) -> ReferenceKeys<'_> {
 }
 
 /// Both models on the one surface of `file`, which the command line named and which is described in full.
-///
-/// # Errors
-/// As of any comparison.
 pub fn described(file: &SpecFile) -> Result<ComparePlan, InputError> {
     let plan = plan(file, &file.required_table("compare")?)?;
     let described = plan.study.surfaces.first().and_then(|surface| surface.inputs().into_iter().next());

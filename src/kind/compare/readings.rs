@@ -19,11 +19,9 @@ pub struct ReadLoads {
     pub law: String,
     /// Thickness of the layer, m; `None` without a layer in the spec.
     pub thickness: Option<f64>,
-    /// The model.
     pub kind: ModelKind,
     /// d/sigma.
     pub separation: f64,
-    /// Under each reading.
     pub answers: [ReadAnswer; 2],
 }
 
@@ -42,7 +40,6 @@ impl ReadLoads {
         self.answers[1].pressure / self.answers[0].pressure
     }
 
-    /// Whether both answers are valid.
     pub fn is_admissible(&self) -> bool {
         self.answers.iter().all(|answer| answer.is_admissible)
     }

@@ -6,25 +6,28 @@ use asperity::analytical::AnalyticalLine;
 use asperity::law::Body;
 use asperity::spot::{Joint, SpotProperties};
 use asperity::study::{
-    CaseResults, CaseStudy, DecreaseResults, FilmFriction, LawFindings, RealisationFacts, Threshold,
+    CaseResults, CaseStudy, DecreaseResults, Dependence, FilmFriction, LawFindings, RealisationFacts,
+    Threshold, Treated, TreatedCases, under_treatments,
 };
 use asperity::surface::Surface;
+use asperity::work::Counter;
+use asperity_contact_framework::RunContext;
 use asperity_contact_framework::contact::ContactMetadata;
+use asperity_contact_framework::input::accept::AcceptSpec;
 use asperity_contact_framework::metadata::Metadata;
+use asperity_contact_framework::progress::Progress;
 use asperity_contact_framework::report::format::{percent, quantity};
 
 use super::contact_map::ContactMap;
+use super::plan::ComparePlan;
 use super::reference::{ContactView, ElasticCase};
 use crate::layer::{CoatedSurface, hardness_warning, rule_warning};
 use crate::surface::rows::SurfaceRow;
-use crate::surface::{fitness, warnings};
+use crate::surface::{SurfaceFactory, fitness, warnings};
 
-/// Both models on given surfaces.
 #[derive(Debug)]
 pub struct CompareResults {
-    /// What every experiment has.
     pub metadata: Metadata,
-    /// The bodies.
     pub contact: ContactMetadata,
     /// What is asked of the spots of the contact.
     pub spots: SpotProperties,
@@ -32,7 +35,6 @@ pub struct CompareResults {
     pub implausible: Vec<String>,
     /// Surface by surface, in file order.
     pub surfaces: Vec<SurfaceResults>,
-    /// Closed results beside the models.
     pub lines: Vec<AnalyticalLine>,
     /// How the reference was run; `None` where none was asked for.
     pub reference: Option<ReferenceMetadata>,
@@ -42,7 +44,6 @@ pub struct CompareResults {
     pub figures_of_paper: Vec<u8>,
 }
 
-/// How the reference was run.
 #[derive(Debug)]
 pub struct ReferenceMetadata {
     /// The relative dual gap that was asked for.
@@ -56,7 +57,6 @@ pub struct ReferenceMetadata {
 /// What the command line made of a measured file.
 #[derive(Debug)]
 pub struct Described {
-    /// The file.
     pub file: PathBuf,
     /// The spec that runs the same.
     pub spec: String,
@@ -232,5 +232,48 @@ impl SurfaceResults {
             population: Some(&facts.population)
                 .filter(|_| facts.model.joint.is_none() && self.surface.unscattered.is_none()),
         })
+    }
+}
+
+/// The differences between the models under other treatments of a map.
+pub struct Treatments {
+    /// Nesting index of the map's own S filter, m.
+    own_cut_off: Option<f64>,
+    treated: Vec<TreatedCases>,
+}
+
+/// Compares the models on a surface, which gave `cases`, under other treatments; `None` unless it is a measured map and both models
+/// were run and compared at an admissible load.
+pub fn treatments(
+    context: &RunContext,
+    plan: &ComparePlan,
+    factory: &SurfaceFactory,
+    surface: &Surface,
+    cases: &[CaseResults],
+    counter: &Counter,
+) -> Option<Treatments> {
+    let own = factory.preparation().filter(|_| plan.is_robustness_examined)?;
+    let correlation = surface.map.as_ref()?.correlation;
+    let prepare = |preparation, progress: &dyn Progress| factory.prepared(preparation, correlation, progress);
+    let treated = under_treatments(plan.setup(context), surface, &own, cases, prepare, counter)?;
+    Some(Treatments { own_cut_off: own.filter.and_then(|filter| filter.s()), treated })
+}
+
+impl Treatments {
+    /// Adds the differences to the cases, with the choices that a verdict depends on; gives the nesting index of the map's own S
+    /// filter.
+    pub fn judge(self, cases: &mut [CaseStudy], surface: &Surface, accept: AcceptSpec) -> Option<f64> {
+        let accepted = accept.on(surface.plane.sigma);
+        for (treatment, differences) in self.treated {
+            let mut differences = differences.into_iter();
+            for case in cases.iter_mut() {
+                let differences = differences.next().unwrap_or_default();
+                case.treated.push(Treated { treatment, differences });
+            }
+        }
+        for case in cases {
+            case.dependences = Dependence::all(&case.first().differences, &case.treated, &accepted);
+        }
+        self.own_cut_off
     }
 }

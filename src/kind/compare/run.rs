@@ -22,8 +22,8 @@ use super::contact_map::{ContactMap, Covered};
 use super::correlations::Formula;
 use super::plan::ComparePlan;
 use super::reference::{ContactView, ReferenceRun};
+use super::results::treatments;
 use super::results::{CompareResults, Described, ReferenceMetadata, SurfaceResults};
-use super::robustness;
 use super::scope::{Scope, thinned};
 use crate::layer::LayerPlan;
 use crate::plausibility;
@@ -42,10 +42,6 @@ pub fn run(
     run_within(context, compare, counter, Scope::default())
 }
 
-/// The same within a scope.
-///
-/// # Errors
-/// As [`run`].
 pub fn run_within(
     context: &RunContext,
     compare: &ComparePlan,
@@ -125,9 +121,6 @@ pub struct Ran<T> {
 }
 
 /// Runs a comparison surface by surface, and keeps what `keep` makes of the results on each.
-///
-/// # Errors
-/// The first of `keep`.
 pub fn each_surface<T>(
     context: &RunContext,
     compare: &ComparePlan,
@@ -190,7 +183,6 @@ fn surfaces_within<T>(
     Ok(Ran { results, timing, papers })
 }
 
-/// A comparison under way.
 struct Run<'a> {
     context: &'a RunContext<'a>,
     compare: &'a ComparePlan,
@@ -229,8 +221,6 @@ impl<'a> Run<'a> {
             self.setup.models = &[];
         }
         let setup = self.setup;
-        // Until the input is read, which leaves a thread less, so that the times of the models are theirs.
-        (context.input_sha256)()?;
         let models = self.models(&surface)?;
         let mut first = self.both_models(&surface, &models)?;
         let start = Instant::now();
@@ -273,7 +263,7 @@ impl<'a> Run<'a> {
             self.reference(plan, &surface, prepared.as_ref(), &mut first.cases, &sampled)?;
         let treatments = scope
             .has_everything()
-            .then(|| robustness::treatments(context, compare, &factory, &surface, &first.cases, self.counter))
+            .then(|| treatments(context, compare, &factory, &surface, &first.cases, self.counter))
             .flatten();
         context.progress.step();
         let mut realisations = vec![first];

@@ -22,9 +22,7 @@ pub enum Extent {
 /// What a run does, and what it takes from earlier ones.
 #[derive(Clone, Copy)]
 pub struct Scope<'a> {
-    /// How far it goes.
     pub extent: Extent,
-    /// Surfaces of earlier runs.
     pub store: Option<&'a dyn SurfaceStore>,
     /// Sampling errors that a shorter run of the same spec has found.
     pub samplings: Option<&'a Samplings>,

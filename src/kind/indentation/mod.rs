@@ -2,11 +2,9 @@
 
 mod figures;
 mod outline;
-mod overlay;
 mod plan;
 mod rows;
 mod run;
-mod spec;
 
 pub use run::{IndentationResults, LawCurves, LayerResults};
 
@@ -14,18 +12,17 @@ use std::path::PathBuf;
 
 use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 use asperity_contact_framework::report::table::Schema;
-use asperity_contact_framework::{Kind, Reads};
+use asperity_contact_framework::{Kind, Outcome, Reads};
 use asperity_contact_framework::{Memory, Plan, RunContext};
 
 use plan::IndentationPlan;
 
-/// `[indentation]`
 pub struct Indentation;
 
 impl Kind for Indentation {
     const NAME: &'static str = "indentation";
     const READS: Reads = Reads { materials: true, surfaces: false };
-    type Spec = spec::IndentationSpec;
+    type Spec = plan::IndentationSpec;
     type Plan = IndentationPlan;
 
     fn plan(file: &SpecFile, table: &Spanned<Self::Spec>) -> Result<IndentationPlan, InputError> {
@@ -38,8 +35,6 @@ impl Kind for Indentation {
 }
 
 impl Plan for IndentationPlan {
-    type Outcome = IndentationResults;
-
     fn inputs(&self) -> Vec<PathBuf> {
         self.overlay.iter().map(|overlay| overlay.path.clone()).collect()
     }
@@ -56,7 +51,7 @@ impl Plan for IndentationPlan {
         (CURVES * (self.laws.len() + 1) * self.indentations.len() * self.cases()) as u128
     }
 
-    fn run(&self, context: &RunContext) -> Result<IndentationResults, InputError> {
-        run::run(context, self)
+    fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
+        Ok(Box::new(run::run(context, self)?))
     }
 }

@@ -1,15 +1,21 @@
 //! A sphere on layers: names resolved, measured points read.
 
 use std::fmt;
+use std::path::PathBuf;
 
 use asperity::law::Body;
 use asperity::numeric::is_positive;
 use asperity::{ContactLaw, Inapplicable, Material};
-use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
+use asperity_contact_framework::input::law::Laws;
+use asperity_contact_framework::input::quantity::{Length, Quantity};
+use asperity_contact_framework::input::sweep::LogSweep;
+use asperity_contact_framework::input::{InputError, OneOrMany, Spanned, SpecFile, schema};
+use asperity_contact_framework::written_schema;
+use schemars::JsonSchema;
+use serde::{Deserialize, Deserializer};
 
-use super::overlay::OverlayPlan;
-use super::spec::{IndentationSpec, Show};
-use crate::layer::{LayerPlan, layer};
+use super::figures::OverlayPlan;
+use crate::layer::{LayerPlan, LayerSpec, layer};
 use crate::paper::SphereFigure;
 
 /// One sphere on layered flats.
@@ -55,7 +61,6 @@ impl fmt::Display for IndentationPlan {
     }
 }
 
-/// Reads `[indentation]`.
 pub(super) fn plan(file: &SpecFile, raw: &IndentationSpec) -> Result<IndentationPlan, InputError> {
     let body = |name: &Spanned<String>| Ok((name.get_ref().clone(), file.body(name.get_ref(), name.span())?));
     let (ball, flat) = (body(&raw.ball)?, body(&raw.flat)?);
@@ -164,4 +169,64 @@ fn check_overlay(file: &SpecFile, raw: &IndentationSpec, plan: &IndentationPlan)
         ));
     }
     Ok(())
+}
+
+/// One ball on a layered flat: load, area and regimes, and the error of the effective-modulus models.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct IndentationSpec {
+    /// The ball: the name of a `[material.NAME]` of this file.
+    #[schemars(extend("examples" = ["steel"]))]
+    pub ball: Spanned<String>,
+    /// Radius of the ball.
+    #[schemars(extend("examples" = ["5 mm"]))]
+    pub radius: Quantity<Length>,
+    /// The substrate: the name of a `[material.NAME]` of this file.
+    #[schemars(extend("examples" = ["steel"]))]
+    pub flat: Spanned<String>,
+    /// The layers on the flat, each by itself.
+    #[schemars(extend("examples" = [{ "material": "lead", "thickness": ["1 um", "10 um"] }]))]
+    pub layer: Spanned<Layers>,
+    /// The micro-contact laws.
+    pub law: Spanned<Laws>,
+    /// How far the ball is pressed in, ascending.
+    #[schemars(extend("x-range" = "up to the radius", "examples" = [{ "from": "1 nm", "to": "1 um", "points": 100 }]))]
+    pub indentation: Spanned<LogSweep<Length>>,
+    /// A CSV of your measured points, laid over the curves: the columns indentation in m and load in N. Relative to the spec.
+    #[schemars(extend("x-default" = "none", "examples" = ["points.csv"]))]
+    pub overlay: Option<Spanned<PathBuf>>,
+    /// Axes of the load figure.
+    #[serde(default)]
+    #[schemars(extend("default" = "load", "examples" = ["approach"]))]
+    pub show: Show,
+    /// The figure of Pasaribu and Schipper (2005) that the spec reproduces: the load figure is named after it.
+    #[schemars(extend("x-default" = "none", "examples" = [5]))]
+    pub figure_of_paper: Option<SphereFigure>,
+}
+
+/// Axes of the load figure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Show {
+    /// Load against indentation.
+    #[default]
+    Load,
+    /// Normal approach against load.
+    Approach,
+}
+
+/// One layer or a list of them.
+#[derive(Debug)]
+pub struct Layers(pub Vec<LayerSpec>);
+
+written_schema!(Layers, |generator| schema::one_or_many(
+    generator.subschema_for::<LayerSpec>(),
+    "a layer, or a list of layers; keys as in `compare.layer`"
+));
+
+impl<'de> Deserialize<'de> for Layers {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let expected = "a layer such as { material = \"lead\", thickness = \"1.2 um\" }, or a list of layers";
+        OneOrMany::read(deserializer, expected)?.at_least_one("layer").map(Self)
+    }
 }

@@ -34,7 +34,6 @@ fn case_columns<R>(case: impl for<'r> Fn(&'r R) -> &'r Case<'r> + Copy + 'static
     columns
 }
 
-/// A point of a curve.
 struct CurveRow<'a> {
     case: Case<'a>,
     curve: &'static str,
@@ -235,7 +234,6 @@ fn last_load(curve: &Curve) -> Option<f64> {
     Some(curve.points.last()?.contact.load)
 }
 
-/// The tables in file order.
 pub(super) fn schemas() -> Vec<Schema> {
     vec![
         Schema::of::<CurveRow>(),

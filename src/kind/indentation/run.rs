@@ -18,22 +18,17 @@ use indexmap::IndexMap;
 use rayon::prelude::*;
 
 use super::plan::IndentationPlan;
-use super::spec::Show;
+use super::plan::Show;
 use crate::layer::LayerPlan;
 use crate::paper::SphereFigure;
 
-/// One sphere on layered flats.
 #[derive(Debug)]
 pub struct IndentationResults {
-    /// What every experiment has.
     pub metadata: Metadata,
-    /// The bodies of the spec.
     pub materials: IndexMap<String, Material>,
-    /// The ball's material.
     pub ball: String,
     /// Of the ball, m.
     pub radius: f64,
-    /// The substrate's material.
     pub flat: String,
     /// E* of the pair without a layer, Pa.
     pub reduced_modulus: f64,
@@ -49,16 +44,12 @@ pub struct IndentationResults {
     pub overlay: Vec<(f64, f64)>,
 }
 
-/// A layer of one thickness.
 #[derive(Debug)]
 pub struct LayerResults {
-    /// Its material.
     pub name: String,
     /// m.
     pub thickness: f64,
-    /// Its effective-modulus model.
     pub rule: ModulusModel,
-    /// Law by law.
     pub laws: Vec<LawCurves>,
     /// The exact elastic contact at each indentation; `None` where it is too large to be solved.
     pub exact: Vec<Option<ElasticContact>>,
@@ -68,14 +59,11 @@ pub struct LayerResults {
     pub errors: [Vec<ModulusError>; 2],
 }
 
-/// One layer under one law.
 #[derive(Debug)]
 pub struct LawCurves {
     /// The law, as tables name it.
     pub law: String,
-    /// With the layer.
     pub coated: Curve,
-    /// Without it.
     pub uncoated: Curve,
     /// The flat all of the layer's material.
     pub all_layer: Curve,
@@ -108,7 +96,6 @@ impl LayerResults {
         areas.chain(exact).fold(0.0, f64::max) / radius
     }
 
-    /// Material and thickness.
     pub fn label(&self) -> String {
         format!("{} {}", self.name, input_quantity(self.thickness, "m"))
     }

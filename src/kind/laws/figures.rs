@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::results::{LawOnAsperity, LawsResults};
+use super::run::{LawOnAsperity, LawsResults};
 use asperity::Contact;
 use asperity::compare::{AtLoad, Influence, Measure, ModelKind};
 use asperity::numeric::extremes;

@@ -3,10 +3,8 @@
 mod figures;
 mod outline;
 mod plan;
-mod results;
 mod rows;
 mod run;
-mod spec;
 
 use std::path::PathBuf;
 
@@ -14,18 +12,16 @@ use asperity::surface::AnalysisDepth;
 use asperity_contact_framework::Kind;
 use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 use asperity_contact_framework::report::table::Schema;
-use asperity_contact_framework::{Memory, Plan, RunContext};
+use asperity_contact_framework::{Memory, Outcome, Plan, RunContext};
 
 use crate::surface::{inputs, memory};
 use plan::LawsPlan;
-use results::LawsResults;
 
-/// `[laws]`
 pub struct Laws;
 
 impl Kind for Laws {
     const NAME: &'static str = "laws";
-    type Spec = spec::LawsSpec;
+    type Spec = plan::LawsSpec;
     type Plan = LawsPlan;
 
     fn plan(file: &SpecFile, table: &Spanned<Self::Spec>) -> Result<LawsPlan, InputError> {
@@ -38,8 +34,6 @@ impl Kind for Laws {
 }
 
 impl Plan for LawsPlan {
-    type Outcome = LawsResults;
-
     fn inputs(&self) -> Vec<PathBuf> {
         inputs(&self.compare.study.surfaces)
     }
@@ -56,7 +50,7 @@ impl Plan for LawsPlan {
         self.compare.check(context)
     }
 
-    fn run(&self, context: &RunContext) -> Result<LawsResults, InputError> {
-        run::run(context, self)
+    fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
+        Ok(Box::new(run::run(context, self)?))
     }
 }

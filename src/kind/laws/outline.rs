@@ -11,8 +11,8 @@ use asperity_contact_framework::report::view::View;
 use serde_json::{Map, Value, json};
 
 use super::figures;
-use super::results::{LawsResults, SurfaceInfluence};
 use super::rows::{BoundaryRow, ChoiceRow, DominanceRow, InfluenceRow, LawRow, reported, tables};
+use super::run::{LawsResults, SurfaceInfluence};
 use crate::kind::compare::outline;
 use crate::surface::section;
 
@@ -84,7 +84,6 @@ impl Outcome for LawsResults {
     }
 }
 
-/// Columns of the first view.
 const OVERVIEW: [&str; 8] = [
     "surface",
     "matters_more",
@@ -170,7 +169,6 @@ fn matters_more(dominances: &[Dominance], measure: Measure, surfaces: usize) -> 
     })
 }
 
-/// The figure of one surface.
 fn law_or_model(page: &mut Page, results: &LawsResults, name: &str) {
     let Some(SurfaceInfluence { influence, .. }) = results.first_influence(name) else { return };
     page.figure(
@@ -185,7 +183,6 @@ fn law_or_model(page: &mut Page, results: &LawsResults, name: &str) {
     );
 }
 
-/// The views of one surface.
 fn by_law(page: &mut Page, tables: &Tables, name: &str) {
     for measure in Measure::ALL {
         let title = match measure {

@@ -1,6 +1,6 @@
 //! The tables of several laws, besides those of a comparison.
 
-use super::results::{LawOnAsperity, LawsResults, SurfaceInfluence};
+use super::run::{LawOnAsperity, LawsResults, SurfaceInfluence};
 use crate::kind::compare::rows;
 use crate::model_tables::limits;
 use asperity::compare::{AtLoad, Dominance, Effect, Group, Measure, ModelKind};
@@ -8,7 +8,6 @@ use asperity::sphere::{Boundary, Point};
 use asperity_contact_framework::columns;
 use asperity_contact_framework::report::table::{Column, Row, Schema, Table};
 
-/// A law.
 pub struct LawRow<'a>(&'a LawOnAsperity);
 
 impl Row for LawRow<'_> {
@@ -263,7 +262,6 @@ pub fn schemas() -> Vec<Schema> {
     schemas
 }
 
-/// The files of [`schemas`].
 pub fn tables(results: &LawsResults) -> Vec<Table> {
     let points = results
         .laws

@@ -1,21 +1,19 @@
 //! Running `[laws]`: several laws on one asperity, and on surfaces under both models.
 
-use super::plan::LawsPlan;
-use super::results::{LawOnAsperity, LawsResults, SurfaceInfluence};
-use crate::kind::compare::results::SurfaceResults;
-use crate::kind::compare::run_compare;
+use std::f64::consts::PI;
+
 use asperity::compare::{Difference, Dominance, Influence, Measure, UnderLaw};
-use asperity::sphere::{Curve, boundaries};
-use asperity::study::CaseStudy;
-use asperity::study::LawContact;
+use asperity::sphere::{Boundary, Curve, LARGEST_SLOPE, boundaries};
+use asperity::study::{CaseStudy, LawContact};
 use asperity::work::{CountedContact, Counter};
+use asperity::{Contact, Paper};
 use asperity_contact_framework::RunContext;
 use asperity_contact_framework::input::InputError;
 
-/// Runs it.
-///
-/// # Errors
-/// As a comparison.
+use super::plan::{Critical, LawsPlan};
+use crate::kind::compare::results::{CompareResults, SurfaceResults};
+use crate::kind::compare::run_compare;
+
 pub fn run(context: &RunContext, laws_plan: &LawsPlan) -> Result<LawsResults, InputError> {
     let counter = Counter::default();
     let mut compare = run_compare(context, &laws_plan.compare, &counter)?;
@@ -76,4 +74,68 @@ fn influence(laws: &[LawContact], surface: &SurfaceResults, realisation: usize) 
         differences,
     });
     Influence::new(&under.collect::<Vec<_>>())
+}
+
+/// Several laws on one asperity and on surfaces.
+#[derive(Debug)]
+pub struct LawsResults {
+    /// Both models on the surfaces under every law.
+    pub compare: CompareResults,
+    /// 1/(mean curvature) of the single asperity, m.
+    pub radius: f64,
+    /// Its larger principal curvature over the smaller one.
+    pub curvature_ratio: f64,
+    /// The unit of indentation, load and area.
+    pub critical: Critical,
+    /// Law by law; the others are compared with the first.
+    pub laws: Vec<LawOnAsperity>,
+    /// Surface by surface, realisation by realisation.
+    pub influences: Vec<SurfaceInfluence>,
+}
+
+impl LawsResults {
+    /// The effects on the first realisation of a surface.
+    pub fn first_influence(&self, surface: &str) -> Option<&SurfaceInfluence> {
+        self.influences.iter().find(|influence| influence.surface == surface)
+    }
+
+    /// Whether strains are not small in a contact on the single asperity: a/R is larger than [`LARGEST_SLOPE`].
+    pub fn is_beyond_small_strains(&self, contact: &Contact) -> bool {
+        (contact.area / PI).sqrt() / self.radius > LARGEST_SLOPE
+    }
+
+    /// The smallest indentation (m) of the single asperity at which strains are not small under one of the laws.
+    pub fn end_of_small_strains(&self) -> Option<f64> {
+        let end = |law: &LawOnAsperity| {
+            let mut trace = law.curve.trace.iter();
+            Some(trace.find(|point| self.is_beyond_small_strains(&point.contact))?.indentation)
+        };
+        self.laws.iter().filter_map(end).reduce(f64::min)
+    }
+}
+
+/// The single asperity under one law.
+#[derive(Debug)]
+pub struct LawOnAsperity {
+    /// The law, as tables name it.
+    pub law: String,
+    /// Description and range of validity, in one line.
+    pub about: &'static str,
+    pub papers: Vec<Paper>,
+    /// Whether contacts under it pass from elastic to something else.
+    pub is_elastic_plastic: bool,
+    /// Load, area and regime against indentation.
+    pub curve: Curve,
+    pub boundaries: Vec<Boundary>,
+}
+
+/// Effect of contact law and summation method on one realisation of a surface.
+#[derive(Debug)]
+pub struct SurfaceInfluence {
+    pub surface: String,
+    /// From 1.
+    pub realisation: usize,
+    pub influence: Influence,
+    /// Which of the two matters more: one per measure that allows a conclusion.
+    pub dominances: Vec<Dominance>,
 }

@@ -3,7 +3,6 @@
 mod outline;
 mod rows;
 mod run;
-mod spec;
 
 use asperity::compare::LimitSets;
 use asperity::{Flat, Heights, Population};
@@ -16,13 +15,12 @@ use crate::model_tables::{CurveRow, PairRow};
 use rows::{ConvergenceRow, SlopeRow};
 use run::LimitPlan;
 
-/// `[limit]`
 pub struct Limit;
 
 impl Kind for Limit {
     const NAME: &'static str = "limit";
     const READS: Reads = Reads { materials: true, surfaces: false };
-    type Spec = spec::LimitSpec;
+    type Spec = run::LimitSpec;
     type Plan = LimitPlan;
 
     fn plan(file: &SpecFile, table: &Spanned<Self::Spec>) -> Result<LimitPlan, InputError> {

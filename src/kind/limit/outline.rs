@@ -104,7 +104,6 @@ fn answer(slopes: &[ErrorSlope]) -> String {
     )
 }
 
-/// The errors under one law.
 fn figure(slopes: &[ErrorSlope], quantity: LimitQuantity) -> Figure {
     let panel = |(sampling, slope, label): (HeightSampling, f64, &str)| {
         let axis = Axis::log(format!("relative error of the {}", quantity.name()));

@@ -77,7 +77,6 @@ pub fn tables(results: &LimitResults) -> Vec<Table> {
     tables.into_iter().filter(|table| table.rows() > 0).collect()
 }
 
-/// Every set with the integral.
 fn pairs(results: &LimitResults) -> impl Iterator<Item = PairRow> {
     results.points.iter().flat_map(move |point| {
         let area = point.count as f64 / results.sets.population.density;

@@ -8,9 +8,14 @@ use asperity::plasticity_index;
 use asperity::study::LawContact;
 use asperity::work::{CountedContact, Counter, Item};
 use asperity_contact_framework::contact::{Bodies, ContactMetadata, contact_metadata, papers_of};
-use asperity_contact_framework::input::InputError;
+use asperity_contact_framework::input::law::Laws;
+use asperity_contact_framework::input::quantity::{ArealNumberDensity, Length, Pure, Quantity};
+use asperity_contact_framework::input::sweep::{LinearSweep, LogSweep};
+use asperity_contact_framework::input::{InputError, Spanned, Whole};
 use asperity_contact_framework::metadata::{Metadata, Timing};
-use asperity_contact_framework::{Memory, Plan, RunContext, set_memory};
+use asperity_contact_framework::{Memory, Outcome, Plan, RunContext, set_memory};
+use schemars::JsonSchema;
+use serde::Deserialize;
 
 /// Sets of growing size against their limit.
 pub struct LimitPlan {
@@ -19,7 +24,6 @@ pub struct LimitPlan {
     pub sets: LimitSets,
 }
 
-/// The results.
 #[derive(Debug)]
 pub struct LimitResults {
     pub metadata: Metadata,
@@ -33,8 +37,6 @@ pub struct LimitResults {
 }
 
 impl Plan for LimitPlan {
-    type Outcome = LimitResults;
-
     fn memory(&self) -> Memory {
         let largest = self.sets.counts.iter().copied().max().unwrap_or(0);
         Memory { bytes: set_memory(largest as u128), key: None }
@@ -44,7 +46,7 @@ impl Plan for LimitPlan {
         (self.sets.asperities() * self.laws.len() * self.sets.separations.len()) as u128
     }
 
-    fn run(&self, context: &RunContext) -> Result<LimitResults, InputError> {
+    fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
         let start = Instant::now();
         let Self { bodies, laws, sets } = self;
         let counter = Counter::default();
@@ -71,14 +73,14 @@ impl Plan for LimitPlan {
         let deterministic = total - statistical;
         let timing = Timing { statistical, deterministic, total, ..Timing::default() };
         let population = &sets.population;
-        Ok(LimitResults {
+        Ok(Box::new(LimitResults {
             metadata: context.metadata(papers_of(laws), timing, Some(counter.work())),
             contact: contact_metadata(context.materials, laws, bodies, None),
             plasticity_index: plasticity_index(&*laws[0].contact, population.sigma, population.radius),
             sets: sets.clone(),
             slopes: ErrorSlope::all(&points),
             points,
-        })
+        }))
     }
 }
 
@@ -90,4 +92,36 @@ impl fmt::Display for LimitPlan {
         write!(f, "  {draws} random sets and one set at the quantiles for each size, ")?;
         writeln!(f, "{counts:?} asperities")
     }
+}
+
+/// Convergence of the sum to the integral: sets of equal radii and Gaussian heights, of growing size.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct LimitSpec {
+    /// The rough body: the name of a `[material.NAME]` of this file.
+    #[schemars(extend("examples" = ["steel"]))]
+    pub rough: Spanned<String>,
+    /// The smooth flat: the name of a `[material.NAME]` of this file.
+    #[schemars(extend("examples" = ["steel"]))]
+    pub flat: Spanned<String>,
+    /// The micro-contact laws.
+    pub law: Spanned<Laws>,
+    /// Radius of every asperity.
+    #[schemars(extend("examples" = ["20 um"]))]
+    pub radius: Quantity<Length>,
+    /// Standard deviation of the asperity heights.
+    #[schemars(extend("examples" = ["48 nm"]))]
+    pub sigma: Quantity<Length>,
+    /// Asperities per nominal area.
+    #[schemars(extend("examples" = ["6e10 /m^2"]))]
+    pub density: Quantity<ArealNumberDensity>,
+    /// Separations, d/sigma.
+    #[schemars(extend("examples" = [[0, 1, 2]]))]
+    pub separation: LinearSweep,
+    /// Numbers of asperities of the sets.
+    #[schemars(extend("x-range" = "1 to 1e12", "examples" = [{ "from": 100, "to": 1e6, "points": 9 }]))]
+    pub count: Spanned<LogSweep<Pure>>,
+    /// Random sets of each size.
+    #[schemars(extend("x-range" = "2 to 1000", "examples" = [100]))]
+    pub draws: Spanned<Whole>,
 }

@@ -4,8 +4,8 @@ use asperity::compare::{Cause, ComparedQuantity};
 use asperity_contact_framework::report::format::capitalised;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
 
-use super::findings::{Gap, gaps};
 use super::quantity::Asperities;
+use super::results::{Gap, gaps};
 use super::results::{QUANTITIES, Scale, ScaleResults, Series, SurfaceResults, Variation};
 use crate::presentation::{cause_colour, quantity_name};
 

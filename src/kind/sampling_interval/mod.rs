@@ -1,14 +1,12 @@
 //! `[sampling-interval]`: the same surfaces at growing sampling intervals and under growing S filters: which results have a limit?
 
 mod figures;
-mod findings;
 mod outline;
 mod plan;
 mod quantity;
 mod results;
 mod rows;
 mod run;
-mod spec;
 mod trend;
 
 use std::path::PathBuf;
@@ -17,18 +15,16 @@ use asperity::surface::AnalysisDepth;
 use asperity_contact_framework::Kind;
 use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 use asperity_contact_framework::report::table::Schema;
-use asperity_contact_framework::{Memory, Plan, RunContext};
+use asperity_contact_framework::{Memory, Outcome, Plan, RunContext};
 
 use crate::surface::{SurfacePlan, inputs, memory};
 use plan::IntervalPlan;
-use results::IntervalResults;
 
-/// `[sampling-interval]`
 pub struct SamplingInterval;
 
 impl Kind for SamplingInterval {
     const NAME: &'static str = "sampling-interval";
-    type Spec = spec::SamplingIntervalSpec;
+    type Spec = plan::SamplingIntervalSpec;
     type Plan = IntervalPlan;
 
     fn plan(file: &SpecFile, table: &Spanned<Self::Spec>) -> Result<IntervalPlan, InputError> {
@@ -41,8 +37,6 @@ impl Kind for SamplingInterval {
 }
 
 impl Plan for IntervalPlan {
-    type Outcome = IntervalResults;
-
     fn inputs(&self) -> Vec<PathBuf> {
         inputs(&self.study.surfaces)
     }
@@ -60,7 +54,7 @@ impl Plan for IntervalPlan {
         self.study.work() * self.scales() as u128
     }
 
-    fn run(&self, context: &RunContext) -> Result<IntervalResults, InputError> {
-        run::run(context, self)
+    fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
+        Ok(Box::new(run::run(context, self)?))
     }
 }

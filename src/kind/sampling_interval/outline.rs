@@ -12,8 +12,8 @@ use asperity_contact_framework::{Outcome, fields};
 use serde_json::{Map, Value, json};
 
 use super::figures;
-use super::findings::main_load;
 use super::quantity::TrendQuantity;
+use super::results::main_load;
 use super::results::{IntervalResults, QUANTITIES, Series, SurfaceResults, Variation};
 use super::rows::{GapRow, LeadRow, LimitRow, ScaleRow, tables};
 use super::trend::{Convergence, Trend};

@@ -5,7 +5,7 @@ use asperity::compare::{Cause, ComparedQuantity, Contributions, Difference, Esti
 use asperity_contact_framework::columns;
 use asperity_contact_framework::report::table::{Column, Row, Schema, Table};
 
-use super::findings::{Gap, gaps, sign};
+use super::results::{Gap, gaps, sign};
 use super::results::{IntervalResults, QUANTITIES, Scale, ScaleResults, Series};
 use super::trend::Trend;
 use crate::model_tables::limits;
@@ -19,7 +19,6 @@ fn series_columns<R>(series: impl Fn(&R) -> &Series + Copy + 'static) -> Vec<Col
     }
 }
 
-/// A surface at one scale.
 pub struct ScaleRow<'a> {
     series: &'a Series,
     scale: &'a Scale,
@@ -211,7 +210,6 @@ pub fn schemas() -> Vec<Schema> {
     schemas
 }
 
-/// The tables.
 pub fn tables(results: &IntervalResults) -> Vec<Table> {
     let (mut scale_rows, mut gap_rows, mut limit_rows, mut lead_rows) = (vec![], vec![], vec![], vec![]);
     for series in results.surfaces.iter().flat_map(|surface| &surface.series) {

@@ -46,7 +46,6 @@ named_enum! {
 /// How a quantity changes towards the finest scale.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Trend {
-    /// The quantity.
     pub quantity: TrendQuantity,
     /// Nominal pressure, Pa, of a quantity at a load.
     pub load: Option<f64>,

@@ -4,22 +4,23 @@ use std::fmt;
 
 use asperity::compare::Controls;
 use asperity_contact_framework::input::accept::AcceptSpec;
+use asperity_contact_framework::input::law::Laws;
+use asperity_contact_framework::input::sweep::LinearSweep;
 use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
+use schemars::JsonSchema;
+use serde::Deserialize;
 
-use super::spec::TiledSpec;
-use crate::study_plan::{SpotKeys, StudyKeys, StudyPlan};
+use crate::layer::LayerSpec;
+use crate::study_plan::{RoughBody, SpotKeys, StudyKeys, StudyPlan};
 use crate::surface::{SurfacePlan, SurfaceTiles};
 
 /// Both models on a surface in tiles.
 pub struct TiledPlan {
-    /// Bodies, laws and separations.
     pub study: StudyPlan,
-    /// The tiles of its one surface.
     pub tiles: SurfaceTiles,
 }
 
 impl TiledPlan {
-    /// The surface.
     pub fn surface(&self) -> &SurfacePlan {
         &self.study.surfaces[0]
     }
@@ -35,15 +36,10 @@ impl fmt::Display for TiledPlan {
         write!(f, "{}", self.study)?;
         let count = self.tiles.count;
         let passes = if self.surface().nominal().is_some() { "one pass" } else { "two passes" };
-        writeln!(
-            f,
-            "  {count} tiles, {passes}; a part of them (`experiment run --part 1/{}`) needs the same memory",
-            count.min(16)
-        )
+        writeln!(f, "  {count} tiles, {passes}")
     }
 }
 
-/// Reads `[tiled]`.
 pub(super) fn plan(file: &SpecFile, table: &Spanned<TiledSpec>) -> Result<TiledPlan, InputError> {
     let (raw, span) = (table.get_ref(), table.span());
     let elliptic = raw.law.get_ref().0.iter().find(|law| law.is_elliptic());
@@ -83,4 +79,26 @@ pub(super) fn plan(file: &SpecFile, table: &Spanned<TiledSpec>) -> Result<TiledP
     };
     let tiles = SurfaceTiles::new(surface, &file.source)?;
     Ok(TiledPlan { study, tiles })
+}
+
+/// Both models on one surface that may be larger than memory: it is summed tile by tile, in one process or on many machines (docs/clusters.md).
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct TiledSpec {
+    /// The rough body: the name of a `[material.NAME]` of this file.
+    #[schemars(extend("examples" = ["steel"]))]
+    pub rough: Spanned<RoughBody>,
+    /// The smooth flat: the name of a `[material.NAME]` of this file.
+    #[schemars(extend("examples" = ["steel"]))]
+    pub flat: Spanned<String>,
+    /// The micro-contact laws, of spheres.
+    pub law: Spanned<Laws>,
+    /// A layer on the flat or on the rough body, of one thickness or several.
+    #[schemars(extend("x-default" = "none: both bodies are bare", "examples" = [{ "material": "lead", "thickness": [0, "50 nm", "1 um", "inf"] }]))]
+    pub layer: Option<LayerSpec>,
+    /// Separations at which the sum runs, d/sigma from the mean asperity height; the integral runs there and at the pressures of the sum.
+    pub separation: Spanned<LinearSweep>,
+    /// The surface, by name.
+    #[schemars(extend("x-default" = "the only one of the file", "examples" = ["ground"]))]
+    pub surface: Option<Spanned<String>>,
 }

@@ -9,11 +9,8 @@ use asperity_contact_framework::metadata::Metadata;
 /// Both models on a surface in tiles.
 #[derive(Debug)]
 pub struct TiledResults {
-    /// What every experiment has.
     pub metadata: Metadata,
-    /// The bodies.
     pub contact: ContactMetadata,
-    /// The surface.
     pub surface: TiledSurface,
     /// Law by law, thickness by thickness.
     pub laws: Vec<LawResults>,
@@ -24,11 +21,8 @@ pub struct TiledResults {
 /// A surface, from the sums over its tiles.
 #[derive(Debug)]
 pub struct TiledSurface {
-    /// Its name in the spec.
     pub name: String,
-    /// Number of tiles.
     pub tiles: usize,
-    /// Number of asperities.
     pub count: usize,
     /// Nominal area, m^2.
     pub nominal_area: f64,
@@ -36,7 +30,6 @@ pub struct TiledSurface {
     pub origin: f64,
     /// Statistics of all asperities, heights relative to `origin`.
     pub statistics: Statistics,
-    /// Input of the statistical model.
     pub population: Population,
     /// Where separations are measured from, heights relative to `origin`.
     pub plane: ReferencePlane,
@@ -44,10 +37,8 @@ pub struct TiledSurface {
     pub reporting_plane: ReferencePlane,
 }
 
-/// Both models under a law.
 #[derive(Debug)]
 pub struct LawResults {
-    /// Name of the law.
     pub law: String,
     /// Thickness of the layer, m; `None` without a layer in the spec.
     pub thickness: Option<f64>,

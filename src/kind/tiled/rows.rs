@@ -12,7 +12,6 @@ use crate::surface::rows::SurfaceRow;
 /// Half-width of a 95 % interval in standard errors.
 pub const INTERVAL: f64 = 1.96;
 
-/// Both models at equal separation.
 pub struct SeparationRow<'a> {
     law: &'a LawResults,
     pair: &'a Pair,
@@ -20,7 +19,6 @@ pub struct SeparationRow<'a> {
 }
 
 impl<'a> SeparationRow<'a> {
-    /// The rows of a law.
     pub fn all(law: &'a LawResults) -> impl Iterator<Item = Self> {
         law.at_separations().map(move |(pair, error)| Self { law, pair, error })
     }
@@ -71,7 +69,6 @@ impl Row for SeparationRow<'_> {
     }
 }
 
-/// The surface.
 pub fn surface_row(surface: &TiledSurface) -> SurfaceRow<'_> {
     let mean_height = surface.origin + surface.statistics.mean_height;
     SurfaceRow {
@@ -87,7 +84,6 @@ pub fn surface_row(surface: &TiledSurface) -> SurfaceRow<'_> {
     }
 }
 
-/// The tables.
 pub fn tables(results: &TiledResults) -> Vec<Table> {
     let case = |law: &LawResults| RowCase::layered(&results.surface.name, &law.law, law.thickness);
     let modulus = results.contact.reduced_modulus;

@@ -4,10 +4,9 @@ use std::ops::Range;
 
 use asperity::study::LawContact;
 use asperity::{AsperitySums, Deterministic, MeanRadius, Population, ReferencePlane, Total};
-use asperity_contact_framework::RunContext;
 use asperity_contact_framework::contact;
-use asperity_contact_framework::divided::{Divided, TileResult};
 use asperity_contact_framework::input::InputError;
+use asperity_contact_framework::{Divided, Outcome, RunContext};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
@@ -17,13 +16,17 @@ use crate::plausibility;
 use crate::study_plan::layer_metadata;
 use crate::surface::{OpenTiles, SurfacePlan};
 
-/// What is found in a tile.
+/// What is found in a tile or in several, added in their order.
 #[derive(Serialize, Deserialize)]
 struct TileSums {
     /// In the first pass.
     asperities: Option<AsperitySums>,
     /// Law by law, separation by separation, once the plane that separations are measured from is known.
     totals: Vec<Vec<Total>>,
+    /// Nominal area of each tile, m^2, in the first pass.
+    areas: Vec<f64>,
+    /// Load (N) of each tile, by law and separation.
+    loads: Vec<Vec<f64>>,
 }
 
 impl TileSums {
@@ -34,14 +37,23 @@ impl TileSums {
         for (totals, part) in self.totals.iter_mut().zip(&part.totals) {
             totals.iter_mut().zip(part).for_each(|(total, part)| total.merge(part));
         }
+        self.areas.extend(&part.areas);
+        self.loads.extend(part.loads.iter().cloned());
+    }
+
+    /// Notes area and loads of a tile, whose scatter gives a standard error.
+    fn end_tile(&mut self) {
+        self.areas.extend(self.asperities.map(|sums| sums.nominal_area()));
+        self.loads = vec![self.totals.iter().flatten().map(|total| total.load().total()).collect()];
     }
 }
 
-impl Divided for TiledPlan {
-    type Outcome = TiledResults;
+/// As many tasks at most: what they find is moved and added in their order.
+const MOST_TASKS: usize = 256;
 
-    fn tiles(&self) -> usize {
-        self.tiles.count
+impl Divided for TiledPlan {
+    fn tasks(&self) -> usize {
+        self.tiles.count.div_ceil(self.tiles_per_task())
     }
 
     /// Mean and sigma of a population are known; those of any other set take a pass of their own.
@@ -49,52 +61,85 @@ impl Divided for TiledPlan {
         if self.surface().nominal().is_some() { 1 } else { 2 }
     }
 
+    fn run_task(
+        &self,
+        context: &RunContext,
+        task: usize,
+        earlier: &[Vec<String>],
+    ) -> Result<String, InputError> {
+        let first = earlier.first().map(|first| read(context, first)).transpose()?;
+        let found = self.pass(context, task..task + 1, first.as_deref())?;
+        serde_json::to_string(&found).map_err(|error| unreadable(context, error))
+    }
+
+    fn results(&self, context: &RunContext, passes: &[Vec<String>]) -> Result<Box<dyn Outcome>, InputError> {
+        let passes: Result<Vec<_>, _> = passes.iter().map(|pass| read(context, pass)).collect();
+        Ok(Box::new(self.merged(context, &passes?)?))
+    }
+}
+
+impl TiledPlan {
+    fn tiles_per_task(&self) -> usize {
+        self.tiles.count.div_ceil(MOST_TASKS).max(1)
+    }
+
+    /// Runs all tasks in this process.
+    pub(super) fn run_here(&self, context: &RunContext) -> Result<TiledResults, InputError> {
+        let mut passes: Vec<Vec<TileSums>> = Vec::new();
+        for _ in 0..self.passes() {
+            let found = self.pass(context, 0..self.tasks(), passes.first().map(Vec::as_slice))?;
+            passes.push(found);
+        }
+        self.merged(context, &passes)
+    }
+
+    /// The sums over the tiles of each of some tasks, in the first pass or after it.
     fn pass(
         &self,
         context: &RunContext,
-        tiles: Range<usize>,
-        earlier: &[Vec<TileResult>],
-    ) -> Result<Vec<TileResult>, InputError> {
+        tasks: Range<usize>,
+        first: Option<&[TileSums]>,
+    ) -> Result<Vec<TileSums>, InputError> {
         let open = self.tiles.open(self.surface(), context.source, context.seed, context.progress)?;
-        let plane = match (self.surface().nominal(), earlier.first()) {
+        let plane = match (self.surface().nominal(), first) {
             (Some((_, plane)), _) => Some(plane),
-            (None, Some(first)) => Some(self.whole(context, &read(context, first)?)?.plane),
+            (None, Some(first)) => Some(self.whole(context, first)?.plane),
             (None, None) => None,
         };
-        let name = format!("pass {} of {}", earlier.len() + 1, self.passes());
+        let of_task = self.tiles_per_task();
+        let end = self.tiles.count.min(tasks.end * of_task);
+        let tiles = tasks.start * of_task..end;
+        let name = format!("pass {} of {}", 1 + usize::from(first.is_some()), self.passes());
         context.progress.stage(&name, tiles.len() as f64);
-        let mut results = Vec::new();
-        for first in tiles.clone().step_by(self.tiles.at_once()) {
-            let some = first..tiles.end.min(first + self.tiles.at_once());
-            let progress = some.len() as f64;
-            for found in self.some_tiles(&open, some, earlier.is_empty(), plane)? {
-                results.push(TileResult::from_value(&found).map_err(|error| unreadable(context, error))?);
+        let mut tasks: Vec<TileSums> = Vec::new();
+        for start in tiles.step_by(self.tiles.at_once()) {
+            let some = start..end.min(start + self.tiles.at_once());
+            for (tile, found) in
+                some.clone().zip(self.some_tiles(&open, some.clone(), first.is_none(), plane)?)
+            {
+                match tasks.last_mut().filter(|_| tile % of_task != 0) {
+                    Some(task) => task.merge(&found),
+                    None => tasks.push(found),
+                }
             }
-            context.progress.advance(progress);
+            context.progress.advance(some.len() as f64);
         }
-        Ok(results)
+        Ok(tasks)
     }
 
-    fn merge(&self, context: &RunContext, passes: &[Vec<TileResult>]) -> Result<TiledResults, InputError> {
-        let mut passes = passes.iter().map(|pass| read(context, pass));
-        let first = passes.next().transpose()?.unwrap_or_default();
-        let last = passes.next().transpose()?;
-        let surface = self.whole(context, &first)?;
+    fn merged(&self, context: &RunContext, passes: &[Vec<TileSums>]) -> Result<TiledResults, InputError> {
+        let [first, last] = [passes.first(), passes.last()].map(|pass| pass.map_or(&[][..], Vec::as_slice));
+        let surface = self.whole(context, first)?;
         let points = self.separations().len();
         let totals = vec![vec![Total::default(); points]; self.study.laws.len()];
-        let mut all = TileSums { asperities: None, totals };
-        let mut loads = vec![Vec::new(); points * self.study.laws.len()];
-        for tile in last.as_ref().unwrap_or(&first) {
-            let totals = tile.totals.iter().flatten();
-            loads.iter_mut().zip(totals).for_each(|(loads, total)| loads.push(total.load().total()));
-            all.merge(tile);
-        }
-        let area = |tile: &TileSums| tile.asperities.map_or(0.0, |sums| sums.nominal_area());
-        let areas: Vec<f64> = first.iter().map(area).collect();
+        let mut all = TileSums { asperities: None, totals, areas: Vec::new(), loads: Vec::new() };
+        last.iter().for_each(|task| all.merge(task));
+        let areas: Vec<f64> = first.iter().flat_map(|task| &task.areas).copied().collect();
+        let of_tiles = |place: usize| all.loads.iter().map(|loads| loads[place]).collect::<Vec<f64>>();
         // Quantiles are in the order of their heights: their tiles are no sample.
         let is_sample = !self.surface().is_at_quantiles();
-        let error = |loads: &Vec<f64>| error_of_ratio(loads, &areas).filter(|_| is_sample);
-        let errors: Vec<Option<f64>> = loads.iter().map(error).collect();
+        let error = |place| error_of_ratio(&of_tiles(place), &areas).filter(|_| is_sample);
+        let errors: Vec<Option<f64>> = (0..points * self.study.laws.len()).map(error).collect();
         let laws = self.study.laws.iter().zip(all.totals.iter().zip(errors.chunks(points)));
         let laws = laws.map(|(law, (totals, errors))| {
             LawResults::new(law, self.separations(), &surface, totals, errors.to_vec())
@@ -124,9 +169,7 @@ impl Divided for TiledPlan {
             surface,
         })
     }
-}
 
-impl TiledPlan {
     /// The sums over each of some tiles: their blocks side by side, added in their order, so that no bit depends on the threads.
     fn some_tiles(
         &self,
@@ -148,6 +191,7 @@ impl TiledPlan {
             }
             last = Some(tile);
         }
+        sums.iter_mut().for_each(TileSums::end_tile);
         Ok(sums)
     }
 
@@ -167,13 +211,14 @@ impl TiledPlan {
                 None => sums.add_area(found.nominal_area),
             }
         }
-        let Some(plane) = plane else { return Ok(TileSums { asperities, totals: Vec::new() }) };
+        let sums = |totals| TileSums { asperities, totals, areas: Vec::new(), loads: Vec::new() };
+        let Some(plane) = plane else { return Ok(sums(Vec::new())) };
         let separations: Vec<f64> = self.separations().iter().map(|h| plane.mean + h * plane.sigma).collect();
         let of_law = |law: &LawContact| match &found.set {
             Some(set) => Deterministic::new(&*law.contact, set.spheres(), plane).totals(&separations),
             None => vec![Total::default(); separations.len()],
         };
-        Ok(TileSums { asperities, totals: self.study.laws.iter().map(of_law).collect() })
+        Ok(sums(self.study.laws.iter().map(of_law).collect()))
     }
 
     /// The whole surface, from the first pass.
@@ -216,8 +261,9 @@ impl TiledPlan {
     }
 }
 
-fn read(context: &RunContext, tiles: &[TileResult]) -> Result<Vec<TileSums>, InputError> {
-    tiles.iter().map(|tile| tile.value().map_err(|error| unreadable(context, error))).collect()
+fn read(context: &RunContext, tasks: &[String]) -> Result<Vec<TileSums>, InputError> {
+    let found: Result<Vec<Vec<TileSums>>, _> = tasks.iter().map(|text| serde_json::from_str(text)).collect();
+    found.map(|found| found.into_iter().flatten().collect()).map_err(|error| unreadable(context, error))
 }
 
 fn unreadable(context: &RunContext, error: serde_json::Error) -> InputError {

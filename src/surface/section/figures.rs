@@ -205,7 +205,6 @@ pub fn spectrum(name: &str, whole: &MapOverview) -> Option<Figure> {
     Some(plot.into())
 }
 
-/// The autocorrelation along both axes.
 pub fn autocorrelation(name: &str, found: &Autocorrelation) -> Figure {
     let longest = [&found.along_x, &found.along_y].map(|lags| lags.last().map_or(0.0, |lag| lag.0));
     let (length, unit) = unit(longest[0].max(longest[1]));

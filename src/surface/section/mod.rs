@@ -3,7 +3,7 @@
 mod figures;
 
 use crate::surface::fit::keys;
-use crate::surface::fit_rows::{FitStepRow, STEP};
+use crate::surface::fit::{FitStepRow, STEP};
 use crate::surface::rows::{self, FitnessRow, MapRow, ProcessRow, SurfaceRow, TargetRow, TheoryRow};
 use asperity::surface::{MapFacts, Surface};
 use asperity_contact_framework::report::format::{count, percent};
@@ -53,7 +53,6 @@ const CHECK: [&str; 6] = ["check", "measured", "value", "allowed", "result", "se
 /// Columns of the asperities that the height map has too.
 const OF_MAP: [&str; 3] = ["sq_m", "ssk", "sku"];
 
-/// The rows of a surface.
 fn on_surface<'a>(view: View<'a>, name: &str) -> View<'a> {
     view.only("surface", name)
 }
@@ -143,7 +142,6 @@ fn asperities(page: &mut Page, surface: &Surface, assumed: Option<&asperity::Pop
     page.figure(&format!("{name}-asperities.svg"), figure, &caption);
 }
 
-/// A surface for a terminal.
 pub fn for_terminal(surface: &Surface) -> String {
     let which = match surface.realisations {
         1 => String::new(),

@@ -32,17 +32,6 @@ fn text(bytes: &[u8]) -> String {
     String::from_utf8(bytes.to_vec()).unwrap()
 }
 
-fn specs(kind: &str) -> Vec<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/specs").join(kind);
-    let mut files: Vec<PathBuf> = fs::read_dir(folder)
-        .unwrap()
-        .map(|entry| entry.unwrap().path())
-        .filter(|path| path.extension().is_some_and(|ending| ending == "toml"))
-        .collect();
-    files.sort();
-    files
-}
-
 #[test]
 fn an_export_makes_its_folder_and_refuses_a_file_in_its_place() {
     let folder = tempfile::tempdir().unwrap();
@@ -61,32 +50,6 @@ fn an_export_makes_its_folder_and_refuses_a_file_in_its_place() {
     let output = export("joint.toml");
     assert_eq!(output.status.code(), Some(2));
     assert!(text(&output.stderr).contains("--out joint.toml: "), "{}", text(&output.stderr));
-}
-
-/// Each bad spec begins with comments with the parts of its error message.
-#[test]
-fn every_bad_spec_is_refused_with_its_reason_and_writes_nothing() {
-    let folder = tempfile::tempdir().unwrap();
-    let out = folder.path().join("reports");
-    let files = specs("bad");
-    assert!(files.len() > 70);
-    let mut wrong = Vec::new();
-    for file in files {
-        let spec = fs::read_to_string(&file).unwrap();
-        let wanted = spec.lines().filter_map(|line| line.strip_prefix("# error: "));
-        let output = run(&file, &out, &[]);
-        let message = text(&output.stderr);
-        let name = file.file_name().unwrap().to_str().unwrap().to_owned();
-        let mut missing: Vec<&str> = wanted.filter(|words| !message.contains(words)).collect();
-        if !message.contains(&name) {
-            missing.push("the file's name");
-        }
-        if output.status.code() != Some(2) || !missing.is_empty() || message.contains("panicked") {
-            wrong.push(format!("{name}: exit {:?}, without {missing:?}:\n{message}", output.status.code()));
-        }
-        assert!(!out.exists(), "{name} has written something");
-    }
-    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
 #[test]
@@ -357,8 +320,6 @@ fn of_several_specs_the_quick_ones_run_first_and_three_lines_end_the_run() {
             && place("Laws</h2>") < place("b-small/report.html")
     );
     assert!(!index.contains("Reality check</h2>"));
-    let glossary = fs::read_to_string(folder.path().join("reports/glossary.md")).unwrap();
-    assert!(glossary.contains("| effective contacts |"));
 }
 
 #[test]
@@ -379,17 +340,12 @@ fn an_edited_report_is_kept_with_a_warning() {
 }
 
 #[test]
-fn help_reaches_shells_and_manuals() {
+fn help_reaches_shells_and_editors() {
     let folder = tempfile::tempdir().unwrap();
     for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
         let script = text(&experiment(&["completions", shell], folder.path()).stdout);
         assert!(script.contains("save-spec"), "{shell}: {script}");
     }
-    let page = text(&experiment(&["man"], folder.path()).stdout);
-    assert!(page.contains(".TH experiment") && page.contains("explain"), "{page}");
-    assert!(experiment(&["man", "--out", "man1"], folder.path()).status.success());
-    let surface = fs::read_to_string(folder.path().join("man1/experiment-surface.1")).unwrap();
-    assert!(surface.contains("pixel"), "{surface}");
     let refused = experiment(&["explain", "thicknes"], folder.path());
     assert_eq!(refused.status.code(), Some(2));
     assert!(text(&refused.stderr).contains("thickness"), "{}", text(&refused.stderr));

@@ -8,7 +8,7 @@ use asperity::legible;
 use indexmap::IndexMap;
 use toml::de::{DeTable, DeValue};
 
-use super::in_memory::InMemory;
+use super::file::InMemory;
 use crate::remedy::FrontEnd;
 
 /// What errors call a spec in memory.

@@ -11,7 +11,7 @@ use super::Forms;
 use super::quantity::{Length, Quantity};
 use super::schema::{RANGE, TYPE, UNIT};
 
-/// Figures in print: in this size, with the feature `print` as PNG and PDF, too.
+/// Figures in print: in this size.
 #[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, expecting = "a table such as { width = \"85 mm\", font = \"8 pt\" }")]
 pub struct FigureSpec {

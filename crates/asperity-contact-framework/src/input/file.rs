@@ -1,26 +1,30 @@
 //! The spec file as a whole: what every experiment has, and tables that its kind reads by name.
 
+use std::fmt;
 use std::io::Read;
 use std::ops::Range;
 use std::path::Path;
+use std::sync::Arc;
 
+use asperity::topography::Rows;
+use asperity::{AsperityList, Material};
+use asperity_plot::Size;
 use indexmap::IndexMap;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
+use sha2::{Digest, Sha256};
 use toml::de::{DeTable, DeValue, Deserializer, ValueDeserializer};
 
 use super::error::{InputError, Source};
 use super::figure::FigureSpec;
+use super::forms::Spanned;
 use super::material::{MaterialOrigin, MaterialSpec};
 use super::schema::without_null;
-use super::spanned::Spanned;
 use super::whole::Whole;
-use crate::group::Group;
+use crate::metadata::Group;
 use crate::progress::{Progress, Silent};
-use asperity::Material;
-use asperity_plot::Size;
 
 /// A spec file whose common keys are read; the table of its kind is read by [`SpecFile::table`].
 pub struct SpecFile<'a> {
@@ -60,7 +64,7 @@ struct CommonKeys {
     #[serde(default)]
     #[schemars(extend("default" = 0, "examples" = [1]))]
     seed: Whole,
-    /// Figures in a size for print; with the feature `print` of the program as PNG and PDF, too.
+    /// Figures in a size for print.
     #[schemars(extend("x-default" = "SVG as wide as the page", "examples" = [{ "width": "85 mm", "font": "8 pt" }]))]
     figure: Option<FigureSpec>,
     /// Whether `experiment` without a file runs it: always, or only with `--full`.
@@ -110,9 +114,6 @@ impl<'a> SpecFile<'a> {
     }
 
     /// The same of a text.
-    ///
-    /// # Errors
-    /// As [`SpecFile::read`].
     pub fn parse(source: Source, tables: &[&str]) -> Result<Self, InputError> {
         if source.text.len() as u64 > MOST_BYTES {
             let message = format!(
@@ -194,9 +195,6 @@ impl<'a> SpecFile<'a> {
     }
 
     /// The table `name`, which must be present.
-    ///
-    /// # Errors
-    /// As [`SpecFile::table`], and a file without it.
     pub fn required_table<T: DeserializeOwned>(&self, name: &str) -> Result<Spanned<T>, InputError> {
         let missing = || InputError::file(&self.source.path, format!("found no [{name}], which is needed"));
         self.table(name)?.ok_or_else(missing)
@@ -213,6 +211,51 @@ impl<'a> SpecFile<'a> {
             Some((name.get_ref().clone(), material.origin.clone()?))
         };
         self.materials.iter().filter_map(origin).collect()
+    }
+}
+
+/// What lies in memory instead of a file.
+#[derive(Clone)]
+pub enum InMemory {
+    /// A height map.
+    Map {
+        /// Its heights.
+        rows: Arc<dyn Rows>,
+        /// What a reader should know of how it was read, in words of a spec.
+        caveats: Vec<String>,
+    },
+    /// A list of asperities.
+    List(Arc<AsperityList>),
+}
+
+impl InMemory {
+    /// SHA-256 of its numbers.
+    pub fn sha256(&self) -> [u8; 32] {
+        let mut hash = Sha256::new();
+        let mut add = |values: &[f64]| values.iter().for_each(|value| hash.update(value.to_le_bytes()));
+        match self {
+            Self::Map { rows: map, .. } => {
+                let [nx, ny] = map.points();
+                add(&[nx as f64, ny as f64]);
+                add(&map.pixel());
+                let mut row = vec![0.0; ny];
+                for ix in 0..nx {
+                    map.read(ix, &mut row);
+                    add(&row);
+                }
+            }
+            Self::List(list) => list.columns().for_each(add),
+        }
+        hash.finalize().into()
+    }
+}
+
+impl fmt::Debug for InMemory {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Map { rows, .. } => write!(f, "map of {:?} points", rows.points()),
+            Self::List(list) => write!(f, "list of {} asperities", list.count()),
+        }
     }
 }
 

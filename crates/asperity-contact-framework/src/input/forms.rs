@@ -1,8 +1,12 @@
-//! Values that a spec may write in several forms: as text, as a number, as a list or as a table.
+//! Values that a spec may write in several forms: a text or a number, one or a list, with their positions.
 
+use std::borrow::{Borrow, Cow};
 use std::fmt;
+use std::marker::PhantomData;
+use std::ops::Range;
 
-use serde::de::value::{MapAccessDeserializer, StrDeserializer};
+use schemars::{JsonSchema, Schema, SchemaGenerator};
+use serde::de::value::{F64Deserializer, I64Deserializer, MapAccessDeserializer, StrDeserializer};
 use serde::de::{DeserializeOwned, Error, IgnoredAny, MapAccess, SeqAccess, Unexpected, Visitor};
 use serde::{Deserialize, Deserializer};
 
@@ -71,9 +75,6 @@ impl<'de, T, Item: Deserialize<'de>, Table: Deserialize<'de>> Forms<'_, T, Item,
 }
 
 /// Reads one of some names, for `deserialize_with`: a number is an error that lists them, as another name is.
-///
-/// # Errors
-/// Neither a name nor a number, or none of the names.
 pub fn named<'de, D: Deserializer<'de>, T: DeserializeOwned>(deserializer: D) -> Result<T, D::Error> {
     let read = |name: &str| {
         T::deserialize(StrDeserializer::<serde::de::value::Error>::new(name))
@@ -83,9 +84,6 @@ pub fn named<'de, D: Deserializer<'de>, T: DeserializeOwned>(deserializer: D) ->
 }
 
 /// The same of a key that may be left out.
-///
-/// # Errors
-/// As [`named`].
 pub fn named_or_none<'de, D: Deserializer<'de>, T: DeserializeOwned>(
     deserializer: D,
 ) -> Result<Option<T>, D::Error> {
@@ -128,5 +126,119 @@ impl<'de, T, Item: Deserialize<'de>, Table: Deserialize<'de>> Visitor<'de> for F
     fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<T, A::Error> {
         let read = self.table.ok_or_else(|| A::Error::invalid_type(Unexpected::Map, &self.expected))?;
         read(Table::deserialize(MapAccessDeserializer::new(map))?).map_err(A::Error::custom)
+    }
+}
+
+/// One value, or a list of values.
+#[derive(Debug)]
+pub enum OneOrMany<T> {
+    /// A value that stands alone.
+    One(T),
+    /// A list, which may be empty.
+    Many(Vec<T>),
+}
+
+impl<T> OneOrMany<T> {
+    /// Reads one value or a list, of which a message says `expected`.
+    pub fn read<'de, D: Deserializer<'de>>(deserializer: D, expected: &str) -> Result<Self, D::Error>
+    where
+        T: Deserialize<'de>,
+    {
+        deserializer.deserialize_any(Either { expected, value: PhantomData })
+    }
+
+    /// The values, one at least; `name` is that of a value in a message.
+    pub fn at_least_one<E: Error>(self, name: &str) -> Result<Vec<T>, E> {
+        match self {
+            Self::One(value) => Ok(vec![value]),
+            Self::Many(values) if values.is_empty() => {
+                Err(E::custom(format!("found an empty list; allowed: at least one {name}")))
+            }
+            Self::Many(values) => Ok(values),
+        }
+    }
+
+    /// The values along x and along y: one for both, or one for each; `names` is that of values in a message.
+    pub fn along_both<E: Error>(self, names: &str) -> Result<[T; 2], E>
+    where
+        T: Copy,
+    {
+        match self {
+            Self::One(value) => Ok([value; 2]),
+            Self::Many(values) => <[T; 2]>::try_from(values)
+                .map_err(|values| E::custom(format!("found {} {names}; allowed: one or two", values.len()))),
+        }
+    }
+}
+
+struct Either<'a, T> {
+    expected: &'a str,
+    value: PhantomData<T>,
+}
+
+impl<'de, T: Deserialize<'de>> Visitor<'de> for Either<'_, T> {
+    type Value = OneOrMany<T>;
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(self.expected)
+    }
+    fn visit_str<E: Error>(self, text: &str) -> Result<OneOrMany<T>, E> {
+        T::deserialize(StrDeserializer::new(text)).map(OneOrMany::One)
+    }
+    fn visit_f64<E: Error>(self, value: f64) -> Result<OneOrMany<T>, E> {
+        T::deserialize(F64Deserializer::new(value)).map(OneOrMany::One)
+    }
+    fn visit_i64<E: Error>(self, value: i64) -> Result<OneOrMany<T>, E> {
+        T::deserialize(I64Deserializer::new(value)).map(OneOrMany::One)
+    }
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<OneOrMany<T>, A::Error> {
+        T::deserialize(MapAccessDeserializer::new(map)).map(OneOrMany::One)
+    }
+    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<OneOrMany<T>, A::Error> {
+        let mut values = Vec::new();
+        while let Some(value) = list.next_element()? {
+            values.push(value);
+        }
+        Ok(OneOrMany::Many(values))
+    }
+}
+
+/// [`toml::Spanned`], which a schema describes as the value itself.
+#[derive(Debug, Clone, PartialEq, Eq, Hash, Deserialize)]
+#[serde(transparent)]
+pub struct Spanned<T>(toml::Spanned<T>);
+
+impl<T> Spanned<T> {
+    /// The value.
+    pub fn get_ref(&self) -> &T {
+        self.0.get_ref()
+    }
+
+    /// The value alone.
+    pub fn into_inner(self) -> T {
+        self.0.into_inner()
+    }
+
+    /// Its bytes in the text of the spec.
+    pub fn span(&self) -> Range<usize> {
+        self.0.span()
+    }
+}
+
+impl Borrow<str> for Spanned<String> {
+    fn borrow(&self) -> &str {
+        self.get_ref()
+    }
+}
+
+impl<T: JsonSchema> JsonSchema for Spanned<T> {
+    fn inline_schema() -> bool {
+        true
+    }
+    fn schema_name() -> Cow<'static, str> {
+        T::schema_name()
+    }
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        T::json_schema(generator)
     }
 }

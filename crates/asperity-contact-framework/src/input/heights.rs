@@ -111,9 +111,6 @@ impl<'de> Deserialize<'de> for HeightsSpec {
 }
 
 /// Reads a name of `others` as its value, and a distribution as what `otherwise` makes of it.
-///
-/// # Errors
-/// Neither of both.
 pub fn read_or<'de, T: Clone, D: Deserializer<'de>>(
     deserializer: D,
     others: &[(&str, T)],

@@ -172,9 +172,6 @@ impl<D: Dimension, R: Range> Quantity<D, R> {
     }
 
     /// A value in SI, which an error calls `found`.
-    ///
-    /// # Errors
-    /// A value out of range.
     pub fn checked(value: f64, found: &dyn fmt::Display) -> Result<Self, String> {
         if R::holds(value) {
             return Ok(Self { value, kind: PhantomData });

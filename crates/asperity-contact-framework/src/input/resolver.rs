@@ -4,9 +4,9 @@ use std::ops::Range;
 
 use super::error::InputError;
 use super::file::SpecFile;
+use super::forms::Spanned;
 use super::law::Laws;
 use super::quantity::Pure;
-use super::spanned::Spanned;
 use super::sweep::LogSweep;
 use super::whole::Whole;
 use asperity::law::{Body, Property};
@@ -128,9 +128,6 @@ impl SpecFile<'_> {
     }
 
     /// A whole number from `least` to `most`.
-    ///
-    /// # Errors
-    /// One beyond them; `what` names the unit.
     pub fn whole_within(
         &self,
         found: &Spanned<Whole>,
@@ -181,9 +178,6 @@ impl SpecFile<'_> {
     }
 
     /// Indentations, at least two, the smallest first.
-    ///
-    /// # Errors
-    /// Others.
     pub fn growing<D>(&self, raw: &Spanned<LogSweep<D>>) -> Result<Vec<f64>, InputError> {
         let indentations = &raw.get_ref().values;
         if indentations.len() < 2 || indentations.windows(2).any(|pair| pair[0] >= pair[1]) {

@@ -7,7 +7,6 @@ use serde::{Deserialize, Serialize};
 /// The words that a sentence, or a text of a card, may have at most.
 pub const MOST_WORDS: usize = 25;
 
-/// The answer of a report.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct Answer {
     /// In one or two sentences.
@@ -18,12 +17,10 @@ pub struct Answer {
     pub lines: Vec<CardLine>,
 }
 
-/// A line of a card.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct CardLine {
     /// Its name for machines.
     pub key: String,
-    /// Its label.
     pub label: String,
     /// What it says, in one text or several, with code between backticks.
     pub texts: Vec<String>,
@@ -33,12 +30,10 @@ impl CardLine {
     /// The key of the line that answers the question of the experiment.
     pub const ANSWER: &str = "answer";
 
-    /// A line of one text.
     pub fn new(key: &str, label: &str, text: impl Into<String>) -> Self {
         Self { key: key.to_owned(), label: label.to_owned(), texts: vec![text.into()] }
     }
 
-    /// Its texts in one.
     pub fn text(&self) -> String {
         self.texts.join(" ")
     }

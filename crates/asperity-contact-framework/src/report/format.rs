@@ -1,6 +1,5 @@
 //! Numbers and quantities as people read them. Files for machines carry full digits instead.
 
-/// Significant digits of a result.
 const RESULT_DIGITS: usize = 3;
 /// Most significant digits of an input.
 const INPUT_DIGITS: usize = 6;

@@ -11,8 +11,7 @@
 //! | [`table`] | columns with unit, meaning and value; CSV and records of JSON |
 //! | [`view`] | choices of a table's columns and rows, for people |
 //! | [`digest`] | sums of the columns of long tables, which stand for them where they are not kept |
-//! | `glossary` | the terms of the program, explained where they appear on a page and in a page of their own |
-//! | [`table_docs`] | the documentation of tables |
+//! | `glossary` | the terms of the program, explained where they first appear on a page |
 //! | `index` | the pages that lead to all reports of a folder |
 //! | [`store`] | the only module that writes to disk: a folder is replaced atomically |
 //! | [`verify`] | comparison of new reports with committed ones |
@@ -26,7 +25,6 @@ pub mod page;
 pub mod sections;
 pub mod store;
 pub mod table;
-pub mod table_docs;
 mod text;
 pub mod verify;
 pub mod view;

@@ -15,16 +15,13 @@ use super::view::View;
 /// A table that cannot be written: a value that CSV cannot hold.
 pub type TableError = csv::Error;
 
-/// The content of a cell.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Value {
     /// A number, which reads back to the same f64.
     Number(f64),
-    /// A count.
     Count(u64),
     /// `true` or `false`.
     Flag(bool),
-    /// A name.
     Text(String),
     /// Names; in CSV separated by semicolons.
     List(Vec<String>),
@@ -158,11 +155,8 @@ pub enum Reading {
     Plain,
     /// Inputs, with as many digits as the user gave.
     Input,
-    /// Rounding errors, with one digit.
     OneDigit,
-    /// Numbers with a sign.
     Signed,
-    /// Ratios in percent.
     Percent,
     /// Relative differences in percent, with a sign.
     SignedPercent,
@@ -197,7 +191,6 @@ pub struct Heading {
     pub meaning: String,
     /// What pages call it, without its unit; by default its name.
     pub label: Option<&'static str>,
-    /// How pages show it.
     pub reading: Reading,
     /// The prefix of its unit on pages; `None` where the cells decide.
     pub prefix: Option<&'static str>,
@@ -262,7 +255,6 @@ impl<R> Column<R> {
         Self { heading, value: Rc::new(value) }
     }
 
-    /// The cell of a row.
     pub fn value(&self, row: &R) -> Value {
         (self.value)(row)
     }
@@ -305,7 +297,6 @@ impl<R> Column<R> {
         self.read_as(Reading::Signed)
     }
 
-    /// The same, shown in percent.
     pub fn percent(self) -> Self {
         self.read_as(Reading::Percent)
     }
@@ -340,7 +331,6 @@ impl<R> Column<R> {
         self.compared_by(Comparison::ScaleOf(column.into()))
     }
 
-    /// The same, not compared.
     pub fn ignored(self) -> Self {
         self.compared_by(Comparison::Ignored)
     }
@@ -365,9 +355,7 @@ macro_rules! columns {
     };
 }
 
-/// The rows of one table.
 pub trait Row: Sized {
-    /// Name of its file.
     const FILE: &'static str;
 
     /// Meaning of a row, in one sentence that begins with "One row".
@@ -379,22 +367,17 @@ pub trait Row: Sized {
     /// Whether it has thousands of rows: such a table is not committed, only the sums of its columns (`digest.csv`).
     const IS_LONG: bool = false;
 
-    /// Its columns, in file order.
     fn columns() -> Vec<Column<Self>>;
 }
 
-/// Documentation of a table.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Schema {
-    /// Name of its file.
     pub file: &'static str,
-    /// Meaning of a row.
     pub rows: &'static str,
     /// The key of its records in `summary.json`.
     pub records: Option<&'static str>,
     /// Whether it has thousands of rows.
     pub is_long: bool,
-    /// Its columns, in file order.
     pub columns: Vec<Heading>,
 }
 
@@ -409,7 +392,6 @@ impl Schema {
 /// A table: its schema and its cells.
 #[derive(Debug, Clone)]
 pub struct Table {
-    /// File and columns.
     pub schema: Schema,
     /// Column by column, as many cells as rows.
     cells: Vec<Vec<Value>>,
@@ -417,7 +399,6 @@ pub struct Table {
 }
 
 impl Table {
-    /// The table of these rows.
     pub fn new<R: Row>(rows: impl IntoIterator<Item = R>) -> Self {
         let columns = R::columns();
         let mut cells: Vec<Vec<Value>> = columns.iter().map(|_| Vec::new()).collect();
@@ -484,7 +465,6 @@ impl Table {
         Ok(Self { schema: Schema { columns, ..schema.clone() }, cells, rows: records.len() })
     }
 
-    /// Number of rows.
     pub fn rows(&self) -> usize {
         self.rows
     }
@@ -494,7 +474,6 @@ impl Table {
         self.schema.columns.iter().zip(self.cells.iter().map(Vec::as_slice))
     }
 
-    /// The column of a name.
     pub fn column(&self, name: &str) -> Option<(&Heading, &[Value])> {
         self.columns().find(|(heading, _)| heading.name == name)
     }
@@ -505,9 +484,6 @@ impl Table {
     }
 
     /// As CSV; the header is there also when there are no rows.
-    ///
-    /// # Errors
-    /// See [`TableError`].
     pub fn csv(&self) -> Result<Vec<u8>, TableError> {
         let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
         writer.write_record(self.schema.columns.iter().map(|heading| &heading.name))?;
@@ -537,17 +513,14 @@ impl IntoIterator for Tables {
     }
 }
 
-/// The tables of a report.
 #[derive(Debug, Clone, Default)]
 pub struct Tables(Vec<Table>);
 
 impl Tables {
-    /// All tables, in their order.
     pub fn new(tables: Vec<Table>) -> Self {
         Self(tables)
     }
 
-    /// All tables, in their order.
     pub fn iter(&self) -> impl Iterator<Item = &Table> {
         self.0.iter()
     }

@@ -43,7 +43,6 @@ fn is_same_number(a: &str, b: &str) -> bool {
     !(is_count(a) && is_count(b)) && (x - y).abs() <= 1.01 * step
 }
 
-/// One in the last digit of a number.
 fn last_digit(number: &str) -> f64 {
     let (mantissa, exponent) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
     let decimals = mantissa.split_once('.').map_or(0, |(_, decimals)| decimals.len());

@@ -13,7 +13,7 @@ use serde_json::Value;
 use super::digest::DigestRow;
 use super::table::{Comparison, Heading, Row, Schema};
 use super::text;
-use crate::kind::AnyKind;
+use crate::kind::RegisteredKind;
 use crate::summary::LONG;
 
 /// Relative tolerance of a number.
@@ -27,7 +27,6 @@ const NOT_COMPARED: [&str; 3] = ["committed", "library_sha256", "files"];
 /// What a comparison of two folders found.
 #[derive(Debug, Default)]
 pub struct Verified {
-    /// Differences, one line each.
     pub differences: Vec<String>,
     /// Committed reports of long runs that were not made again.
     pub not_run: Vec<String>,
@@ -37,7 +36,7 @@ pub struct Verified {
 ///
 /// # Errors
 /// A folder or file that cannot be read.
-pub fn verified(fresh: &Path, committed: &Path, kinds: &[&dyn AnyKind]) -> io::Result<Verified> {
+pub fn verified(fresh: &Path, committed: &Path, kinds: &[RegisteredKind]) -> io::Result<Verified> {
     let (mut lines, mut not_run) = (Vec::new(), Vec::new());
     let (new, old) = (reports(fresh)?, reports(committed)?);
     for name in new.symmetric_difference(&old) {
@@ -85,11 +84,11 @@ struct Report<'a> {
 }
 
 impl<'a> Report<'a> {
-    fn read(new: &'a Path, old: &'a Path, name: &'a str, kinds: &[&dyn AnyKind]) -> io::Result<Self> {
+    fn read(new: &'a Path, old: &'a Path, name: &'a str, kinds: &[RegisteredKind]) -> io::Result<Self> {
         let folders = [new, old];
         let summaries = [summary(new)?, summary(old)?];
-        let kind = kinds.iter().find(|kind| summaries[1]["kind"] == kind.name());
-        let mut schemas = kind.map(|kind| kind.tables()).unwrap_or_default();
+        let kind = kinds.iter().find(|kind| summaries[1]["kind"] == kind.name);
+        let mut schemas = kind.map(|kind| (kind.tables)()).unwrap_or_default();
         schemas.push(Schema::of::<DigestRow>());
         let has_times = |schema: &Schema| {
             let is_there = summaries[1]["committed"].get(schema.file).is_some();

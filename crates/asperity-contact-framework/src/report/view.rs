@@ -14,10 +14,8 @@ pub struct View<'a> {
     rows: Vec<usize>,
 }
 
-/// A column of a view.
 #[derive(Debug, Clone)]
 struct Shown {
-    /// Its place in the table.
     place: usize,
     /// Its heading, which a view may change.
     heading: Heading,
@@ -35,7 +33,6 @@ pub struct ViewText {
 }
 
 impl<'a> View<'a> {
-    /// All of a table.
     pub(super) fn new(table: &'a Table) -> Self {
         let shown = |(place, heading): (usize, &Heading)| Shown { place, heading: heading.clone() };
         let columns = table.schema.columns.iter().enumerate().map(shown).collect();
@@ -61,7 +58,6 @@ impl<'a> View<'a> {
         self
     }
 
-    /// The same without some columns.
     #[must_use]
     pub fn without(mut self, names: &[&str]) -> Self {
         let places: Vec<Option<usize>> = names.iter().map(|name| self.place(name)).collect();
@@ -147,12 +143,10 @@ impl<'a> View<'a> {
         self
     }
 
-    /// Whether it has no rows.
     pub fn is_empty(&self) -> bool {
         self.rows.is_empty()
     }
 
-    /// Number of rows.
     pub fn len(&self) -> usize {
         self.rows.len()
     }
@@ -176,7 +170,6 @@ impl<'a> View<'a> {
         }
     }
 
-    /// The view in words.
     pub fn text(&self) -> ViewText {
         let mut text = ViewText { rows: vec![Vec::new(); self.rows.len()], ..ViewText::default() };
         for Shown { place, heading } in &self.columns {

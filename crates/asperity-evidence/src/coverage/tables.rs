@@ -232,7 +232,6 @@ pub struct ProcessRow {
 impl Row for &ProcessRow {
     const FILE: &'static str = "processes.csv";
     const ROWS: &'static str = "One row for each case, a random process, and kind of verdicts: its windows, and how often verdicts of one window (`within` or `beyond` at an admissible load) contradict the mean over all windows.";
-    const RECORDS: Option<&'static str> = Some("processes");
 
     fn columns() -> Vec<Column<Self>> {
         columns! { row: Self =>

@@ -286,7 +286,6 @@ pub(super) fn drawing(grid: &[GridPoint]) -> Drawing {
 impl Row for &GridPoint {
     const FILE: &'static str = "grid.csv";
     const ROWS: &'static str = "One row for each case and coarse grid: errors against 32 points per shortest wave, and the bounds that the reference states.";
-    const RECORDS: Option<&'static str> = Some("grid");
 
     fn columns() -> Vec<Column<Self>> {
         columns! { row: Self =>

@@ -126,7 +126,6 @@ fn not_covered() -> Option<String> {
 impl Row for &GroupResults {
     const FILE: &'static str = "groups.csv";
     const ROWS: &'static str = "One row for each group of cases: the largest errors relative to an evaluation of 32 digits, zero where the result is exact for a separation within rounding of the given one. Empty where the group does not have the quantity.";
-    const RECORDS: Option<&'static str> = Some("groups");
 
     fn columns() -> Vec<Column<Self>> {
         columns! { row: Self =>

@@ -237,12 +237,15 @@ def key(spec: dict[str, Any], *, name: str = "asperity", folder: str | PathLike[
 def variations(
     spec: dict[str, Any], *, folder: str | PathLike[str] = ""
 ) -> list[tuple[dict[str, Any], dict[str, Any]]]: ...
-def tiles(spec: dict[str, Any], *, name: str, folder: str | PathLike[str]) -> int: ...
-def run_tile(spec: dict[str, Any], tile: int, *, name: str, folder: str | PathLike[str]) -> str: ...
-def merge_tiles(
+def tasks(spec: dict[str, Any], *, name: str, folder: str | PathLike[str]) -> tuple[int, int]: ...
+def run_task(
+    spec: dict[str, Any], task: int, earlier: list[list[str]], *, name: str, folder: str | PathLike[str]
+) -> str: ...
+def results_of_tasks(
     spec: dict[str, Any],
-    found: list[str],
+    passes: list[list[str]],
     *,
+    key: str,
     name: str,
     report: str | PathLike[str] | None,
     folder: str | PathLike[str],

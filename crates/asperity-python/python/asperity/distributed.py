@@ -1,4 +1,4 @@
-"""Studies over many machines: variations of a spec on the workers of a Dask cluster.
+"""Studies over many machines: variations of a spec, or tiles of a surface, on the workers of a Dask cluster.
 
 >>> from asperity import distributed
 >>> distributed.combinations({"seed": [1, 2], "compare.law": ["zmc", "hertz"]})[1]
@@ -153,27 +153,32 @@ def sweep(
     results: str | PathLike[str] | None = None,
     progress: Callable[[int, int], None] | None = None,
 ) -> Results:
-    """Run a spec with ``[sweep]``, each variation on one worker of a Dask cluster, and make its one report.
+    """Run a spec with ``[sweep]`` or ``[tiled]`` on the workers of a Dask cluster, and make its one report.
+
+    A worker runs one variation of the sweep, or sums a few neighbouring tiles of the surface. What it finds is a text that keeps every
+    bit; Dask moves it here, where all are added in their order. The spec alone fixes the tiles, so that neither the number of workers nor
+    the loss of one changes a digit. Where the mean height and its standard deviation are not known, as of a map or a list, a first pass
+    over the tiles finds them.
 
     Parameters
     ----------
     spec, client, progress
         As for :func:`map`.
     report : path_like, optional
-        A folder of reports, in which that of the sweep is written.
+        A folder of reports, in which that of the spec is written.
     results : path_like, optional
-        A folder in which what each variation finds is kept as soon as it is there, and not run again.
+        A folder in which what each variation or tile gives is kept as soon as it is there, and not run again.
 
     Returns
     -------
     Results
-        The tables and the answer of the sweep: the same to the bit as of ``asperity.run`` on one machine whose vector registers
+        The tables and the answer: the same to the bit as of ``asperity.run`` on one machine whose vector registers
         are as wide as the workers'.
 
     Raises
     ------
     ValueError
-        A spec without a sweep, or one that cannot run.
+        A spec with neither, or one that cannot run.
 
     Examples
     --------
@@ -190,34 +195,42 @@ def sweep(
     [0.00079, 0.00056]
     """
     base, folder, name = _read(spec)
-    count, key = _asperity.tiles(base, name=name, folder=folder), _asperity.key(base, name=name, folder=folder)
+    key = _asperity.key(base, name=name, folder=folder)
+    count, passes = _asperity.tasks(base, name=name, folder=folder)
     kept = None if results is None else Path(results)
     if kept:
         kept.mkdir(parents=True, exist_ok=True)
-
-    def path(tile: int) -> Path:
-        return kept / f"{name}-{key[:32]}-{_asperity.register_bits()}-{tile + 1}-of-{count}.json"
-
-    found: list[str | None] = [path(tile).read_text() if kept and path(tile).exists() else None for tile in range(count)]
+    found: list[list[str | None]] = []
 
     def report_progress() -> None:
         if progress is not None:
-            progress(sum(tile is not None for tile in found), count)
+            progress(sum(answer is not None for answers in found for answer in answers), passes * count)
 
-    report_progress()
-    missing = {f"{key}-{tile}": (base, tile, name, folder) for tile in range(count) if found[tile] is None}
-    for of_tile, (answer, bits) in _answers(_run_tile, missing, name, client):
-        tile = int(of_tile.rsplit("-", 1)[1])
-        if isinstance(answer, ValueError):
-            raise answer
-        _warn_of_registers(f"variation {tile + 1}", bits)
-        found[tile] = answer
-        if kept:
-            new = path(tile).with_name(f".{path(tile).name}.{os.getpid()}")
-            new.write_text(answer)
-            os.replace(new, path(tile))
+    for number in range(passes):
+        of_pass = f"{name}-{key[:32]}-{_asperity.register_bits()}-pass-{number + 1}"
+        paths = [kept / f"{of_pass}-{task + 1}-of-{count}.json" if kept else None for task in range(count)]
+        earlier = list(found)
+        answers = [path.read_text() if path and path.exists() else None for path in paths]
+        found.append(answers)
         report_progress()
-    return Results(_asperity.merge_tiles(base, found, name=name, report=report, folder=folder))
+        missing = {
+            f"{key}-{number}-{task}": (base, task, earlier, name, folder)
+            for task, answer in enumerate(answers)
+            if answer is None
+        }
+        for of_task, (answer, bits) in _answers(_run_task, missing, name, client):
+            task = missing[of_task][1]
+            if isinstance(answer, ValueError):
+                raise answer
+            _warn_of_registers(f"task {task + 1}", bits)
+            answers[task] = answer
+            path = paths[task]
+            if path:
+                new = path.with_name(f".{path.name}.{os.getpid()}")
+                new.write_text(answer)
+                os.replace(new, path)
+            report_progress()
+    return Results(_asperity.results_of_tasks(base, found, key=key, name=name, report=report, folder=folder))
 
 
 def _read(spec: str | PathLike[str] | Mapping[str, Any]) -> tuple[dict[str, Any], str, str]:
@@ -269,10 +282,12 @@ def _run(spec: dict, name: str, folder: str) -> tuple[Results | ValueError, int]
         return error, _asperity.register_bits()
 
 
-def _run_tile(spec: dict, tile: int, name: str, folder: str) -> tuple[str | ValueError, int]:
-    """A tile on its worker."""
+def _run_task(
+    spec: dict, task: int, earlier: list[list[str]], name: str, folder: str
+) -> tuple[str | ValueError, int]:
+    """A task on its worker."""
     try:
-        return _asperity.run_tile(spec, tile, name=name, folder=folder), _asperity.register_bits()
+        return _asperity.run_task(spec, task, earlier, name=name, folder=folder), _asperity.register_bits()
     except ValueError as error:
         return error, _asperity.register_bits()
 

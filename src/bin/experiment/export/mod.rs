@@ -7,10 +7,11 @@ use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
 use asperity::topography::write::{Out, whole_file};
-use asperity_contact_framework::disk::check_writable;
+use asperity_contact_framework::kept::check_writable;
 use clap::{Args, Subcommand};
 
-use super::{Failure, RunOptions, interrupt, say, unwritten, watched};
+use super::single_file::unwritten;
+use super::{Failure, RunOptions, interrupt, say, watched};
 use interface::InterfaceExport;
 use surface::{AsperitiesExport, MapExport, PatchesExport};
 

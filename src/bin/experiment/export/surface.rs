@@ -13,7 +13,6 @@ use clap::builder::PossibleValuesParser;
 use serde_json::{Map, Value, json};
 
 use super::{Failure, Writer, Writing, say, watched};
-use crate::arguments::{ContactArguments, MapArguments};
 
 /// The surface.
 #[derive(Args)]
@@ -46,7 +45,7 @@ pub struct MapExport {
     #[command(flatten)]
     chosen: Chosen,
     #[command(flatten)]
-    arguments: MapArguments,
+    arguments: FileOptions,
     /// gwy (Gwyddion), x3p (ISO 25178-72), xyz (text) or npy (NumPy, with a .json of pixel and origin beside it)
     #[arg(long, value_parser = PossibleValuesParser::new(FORMATS.map(|format| format.ending)), default_value = "gwy")]
     format: String,
@@ -66,7 +65,7 @@ impl MapExport {
         let Self { chosen, arguments, format, step, writing } = self;
         let format = MapFormat::of_ending(&format).unwrap_or(FORMATS[0]);
         let surface = chosen.read(writing.quiet, |progress| {
-            ExportedSurface::read(&chosen.file, &arguments.into(), &chosen.choice(), progress)
+            ExportedSurface::read(&chosen.file, &arguments, &chosen.choice(), progress)
         })?;
         let writer = writing.begin()?;
         surface.caveats().for_each(|caveat| say(&writer.options, &format!("{}: {caveat}", surface.name())));
@@ -114,7 +113,7 @@ pub struct AsperitiesExport {
     #[command(flatten)]
     chosen: Chosen,
     #[command(flatten)]
-    arguments: MapArguments,
+    arguments: FileOptions,
     /// csv (with places and principal curvatures), or npy (height, radius and principal curvatures, with a .json beside it)
     #[arg(long, value_parser = ["csv", "npy"], default_value = "csv")]
     format: String,
@@ -130,7 +129,7 @@ impl AsperitiesExport {
     pub fn run(self) -> Result<(), Failure> {
         let Self { chosen, arguments, format, writing } = self;
         let surface = chosen.read(writing.quiet, |progress| {
-            ExportedSurface::read(&chosen.file, &arguments.into(), &chosen.choice(), progress)
+            ExportedSurface::read(&chosen.file, &arguments, &chosen.choice(), progress)
         })?;
         let writer = writing.begin()?;
         surface.caveats().for_each(|caveat| say(&writer.options, &format!("{}: {caveat}", surface.name())));
@@ -165,9 +164,9 @@ pub struct PatchesExport {
     #[command(flatten)]
     chosen: Chosen,
     #[command(flatten)]
-    arguments: MapArguments,
+    arguments: FileOptions,
     #[command(flatten)]
-    contact: ContactArguments,
+    contact: ContactOptions,
     /// gwy (pressures, numbers of the patches and heights in one file), or npy (pressures and patches, with a .json beside them); a PNG in
     /// either case
     #[arg(long, value_parser = ["gwy", "npy"], default_value = "gwy")]
@@ -183,7 +182,7 @@ impl PatchesExport {
     /// A comparison that cannot be run, without boundary elements or a load; a file that cannot be written.
     pub fn run(self) -> Result<(), Failure> {
         let Self { chosen, arguments, contact, format, writing } = self;
-        let options = FileOptions { contact: ContactOptions::from(contact), ..arguments.into() };
+        let options = FileOptions { contact, ..arguments };
         let contacts = chosen.read(writing.quiet, |progress| {
             ExportedContacts::read(&chosen.file, &options, &chosen.choice(), progress)
         })?;

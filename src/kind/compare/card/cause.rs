@@ -11,7 +11,6 @@ use super::{Card, name};
 pub(super) struct Words {
     /// With the statistics of the surface.
     pub(super) full: String,
-    /// In a sentence.
     pub(super) sentence: String,
     /// In a cell of a table.
     pub(super) short: &'static str,
@@ -235,7 +234,7 @@ mod tests {
     use asperity::compare::{Attribution, Contribution};
     use asperity::study::Verdicts;
 
-    use super::super::examples::{estimate, verdicts, with_card};
+    use super::super::tests::{estimate, verdicts, with_card};
     use super::*;
 
     /// Verdicts whose difference in area is divided into these parts of heights, radii and correlation; the separation has their opposites.

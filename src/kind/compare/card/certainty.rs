@@ -181,7 +181,7 @@ fn no_model(reason: NotModelled) -> &'static str {
 mod tests {
     use asperity::study::{Treatment, Verdicts};
 
-    use super::super::examples::{verdicts, with_card, with_case};
+    use super::super::tests::{verdicts, with_card, with_case};
     use super::*;
 
     fn text(verdicts: Verdicts) -> Option<String> {

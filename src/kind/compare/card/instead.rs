@@ -13,7 +13,6 @@ use super::limit::is_steep;
 use super::{Card, State, name};
 use crate::presentation::difference_unit;
 
-/// The statistical model to use.
 enum Choice<'a> {
     /// The cheapest one within what is accepted in all quantities.
     Within(&'a Ranked),
@@ -180,7 +179,6 @@ fn tested_on(ranked: &Ranked, ranking: &Ranking) -> &'static str {
     }
 }
 
-/// A statistical model in words.
 fn words(model: &StatisticalModel) -> String {
     if let Some(joint) = model.joint {
         return match joint {
@@ -219,7 +217,7 @@ mod tests {
     use asperity::compare::{AgainstReference, ReferenceCurve};
     use asperity::study::{LargestErrors, ReferenceVerdicts};
 
-    use super::super::examples::{verdicts, with_case};
+    use super::super::tests::{verdicts, with_case};
     use super::*;
 
     /// A model whose area differs by so much in sample, and held out.

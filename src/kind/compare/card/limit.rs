@@ -153,7 +153,7 @@ fn holds(stretches: &[[f64; 2]], load: f64) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::examples::{verdicts, with_card};
+    use super::super::tests::{verdicts, with_card};
     use super::*;
 
     #[test]

@@ -16,8 +16,6 @@
 mod cause;
 mod certainty;
 mod difference;
-#[cfg(test)]
-pub(super) mod examples;
 mod instead;
 mod limit;
 mod nearer;
@@ -25,6 +23,8 @@ mod replace;
 mod result;
 mod row;
 mod spots;
+#[cfg(test)]
+pub(super) mod tests;
 
 pub use nearer::Nearer;
 pub use row::{CaseAnswer, Counts};
@@ -60,13 +60,11 @@ pub struct Card<'a> {
 /// What the load of a card allows to say.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum State {
-    /// The map has faults.
     Unfit,
     /// Asperities interact or strain too much: neither model is for this load.
     NeitherModel,
     /// Too few contacts for a statement about such surfaces; the sum over this one is exact.
     FewContacts,
-    /// Both models may be used.
     Admissible,
 }
 
@@ -83,7 +81,6 @@ impl<'a> Card<'a> {
         }
     }
 
-    /// The lines.
     pub fn lines(&self) -> Vec<CardLine> {
         let result = match self.case.reported_load() {
             _ if self.is_asked() => "Result at your load",
@@ -204,10 +201,8 @@ fn has_interval(at: &Difference) -> bool {
     at.estimates.iter().flatten().any(|one| one.interval().is_some())
 }
 
-/// The question of the card.
 const REPLACE: &str = "May the integral replace the sum?";
 
-/// A quantity on a card.
 fn name(quantity: ComparedQuantity) -> &'static str {
     match quantity {
         ComparedQuantity::Area => "contact area",
@@ -216,7 +211,6 @@ fn name(quantity: ComparedQuantity) -> &'static str {
     }
 }
 
-/// The names of some quantities.
 fn names(quantities: impl IntoIterator<Item = ComparedQuantity>) -> String {
     listed(&quantities.into_iter().map(|one| name(one).to_owned()).collect::<Vec<_>>())
 }

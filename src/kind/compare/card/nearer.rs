@@ -16,9 +16,7 @@ pub enum Nearer {
     Sum,
     /// The integral at some of them, the sum at none.
     Integral,
-    /// Each at some of them.
     ByLoad,
-    /// It is undecided at all.
     Undecided,
 }
 
@@ -173,7 +171,7 @@ mod tests {
     use asperity::compare::{AgainstReference, Verdict};
     use asperity::study::{Basis, ReferenceVerdicts, Verdicts};
 
-    use super::super::examples::{estimate, verdicts, with_card};
+    use super::super::tests::{estimate, verdicts, with_card};
     use super::*;
 
     const SUM: Option<ModelKind> = Some(ModelKind::Deterministic);

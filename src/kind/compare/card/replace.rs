@@ -66,7 +66,6 @@ impl Card<'_> {
         fitting([intervals, ""].map(|intervals| format!("Such surfaces: {answers}{intervals}.")))
     }
 
-    /// The verdict in each quantity on such surfaces.
     pub(super) fn of_such_surfaces(&self, at: &Difference) -> Vec<(ComparedQuantity, Verdict)> {
         let verdict = |quantity: ComparedQuantity| {
             let estimate = at.estimates[quantity as usize]?;
@@ -142,7 +141,7 @@ fn in_words(answers: &[(ComparedQuantity, Verdict)]) -> String {
 mod tests {
     use asperity::study::Verdicts;
 
-    use super::super::examples::{verdicts, with_card};
+    use super::super::tests::{verdicts, with_card};
     use super::*;
 
     fn texts(verdicts: Verdicts) -> Vec<String> {

@@ -45,7 +45,6 @@ impl Card<'_> {
     }
 }
 
-/// A model on a card.
 pub(super) fn model_name(model: Option<ModelKind>) -> &'static str {
     match model {
         Some(ModelKind::Deterministic) => "sum",

@@ -22,7 +22,6 @@ pub enum Answered {
     Open,
     /// No load is admissible.
     Outside,
-    /// The map is not fit.
     Unfit,
 }
 
@@ -41,7 +40,6 @@ impl Answered {
     }
 }
 
-/// The answer on one case.
 pub struct CaseAnswer {
     /// In the order of [`ComparedQuantity::REPORTED`]: the answer and the largest difference, as reported; `None` of a quantity that is not compared.
     pub quantities: ByQuantity<Option<(Answered, Option<f64>)>>,
@@ -174,7 +172,7 @@ fn counted<T: PartialEq>(found: &[T], words: &[(T, &str)]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::examples::verdicts;
+    use super::super::tests::verdicts;
     use super::*;
 
     #[test]

@@ -1,7 +1,7 @@
 //! Results of the models and the reference against load.
 
-use super::axes::{Loads, Units};
 use super::differences::{NOT_ADMISSIBLE, invalid};
+use super::lines::{Loads, Units};
 use crate::presentation::regime_colour;
 use asperity::compare::{
     AdmissibleRange, ComparedQuantity, Comparison, CurvePoint, ModelKind, ReferencePoint,
@@ -41,13 +41,10 @@ pub fn all_loads(case: &CaseResults) -> impl Iterator<Item = f64> + Clone {
 
 /// What figures of one law and thickness have in common.
 pub struct Setting<'a> {
-    /// Both models and the reference.
     pub case: &'a CaseResults,
-    /// The loads that are admissible.
     pub valid: &'a AdmissibleRange,
     /// Of the axes.
     pub units: Units,
-    /// The axis of loads.
     pub loads: Loads,
     /// First and last load that is shown, Pa.
     pub shown: [f64; 2],

@@ -1,9 +1,9 @@
-//! Closed results beside the models.
+//! Axes of a comparison, each in the units in which a reader may want it, and closed results beside the models.
 
 use asperity::analytical::{AnalyticalLine, mean_deflection};
 use asperity::compare::{ModelKind, ReferencePoint};
 use asperity::study::CaseResults;
-use asperity_plot::{Colour, Dash, Layer, Marker};
+use asperity_plot::{Axis, Colour, Dash, Layer, Marker};
 
 use super::curves::{all_loads, curve};
 use super::differences::megapascals;
@@ -115,4 +115,62 @@ pub(super) fn dense(loads: &[f64]) -> Vec<f64> {
     let [Some(first), Some(last)] = [loads.first(), loads.last()] else { return Vec::new() };
     let at = |k: usize| first * (last / first).powf(k as f64 / STEPS as f64);
     (0..=STEPS).map(at).collect()
+}
+
+/// What one unit is in another.
+#[derive(Clone, Copy)]
+pub struct Units {
+    /// E*, Pa.
+    pub modulus: f64,
+    /// Nominal area, m².
+    pub area: f64,
+    /// What separations are measured in, m.
+    pub sigma: f64,
+}
+
+impl Units {
+    pub fn new(results: &CompareResults, found: &SurfaceResults) -> Self {
+        Self {
+            modulus: results.contact.reduced_modulus,
+            area: found.surface.set.nominal_area(),
+            sigma: found.surface.plane.sigma,
+        }
+    }
+
+    pub fn load_ratio(&self) -> Axis {
+        Axis::log("load ratio P/(A_nom E*)")
+            .or_in("nominal pressure (MPa)", 1e-6 * self.modulus)
+            .or_in("load (N)", self.modulus * self.area)
+    }
+
+    pub fn pressure(&self) -> Axis {
+        Axis::log("nominal pressure (MPa)")
+            .or_in("load ratio P/(A_nom E*)", 1e6 / self.modulus)
+            .or_in("load (N)", 1e6 * self.area)
+    }
+
+    pub fn separation(&self) -> Axis {
+        Axis::linear("separation d/σ").or_in("separation d (nm)", 1e9 * self.sigma)
+    }
+
+    /// Differences of separations, called `what`.
+    pub fn separation_difference(&self, what: &str) -> Axis {
+        Axis::linear(format!("{what} (σ)")).or_in(format!("{what} (nm)"), 1e9 * self.sigma)
+    }
+}
+
+pub struct Loads {
+    pub axis: Axis,
+    /// What 1 Pa is on it.
+    pub per_pascal: f64,
+}
+
+impl Units {
+    pub fn ratios(&self) -> Loads {
+        Loads { axis: self.load_ratio(), per_pascal: self.modulus.recip() }
+    }
+
+    pub fn pressures(&self) -> Loads {
+        Loads { axis: self.pressure(), per_pascal: 1e-6 }
+    }
 }

@@ -8,15 +8,15 @@ use asperity_contact_framework::report::format::input_quantity;
 use asperity_contact_framework::report::page::Page;
 use asperity_plot::{Colour, Dash, Figure, Layer, Plot};
 
-use super::axes::Units;
 use super::curves::{Setting, all_loads};
 use super::differences::{between_models, shown_loads};
-use super::{contact_map, curves, lines, paper, verdict_map};
+use super::lines::Units;
+use super::{contact, curves, lines, paper, verdict_map};
 use crate::kind::compare::correlations;
-use crate::kind::compare::names::stem;
 use crate::kind::compare::results::CompareResults;
 use crate::kind::compare::rows::SurfaceCase;
 use crate::kind::compare::series::Series;
+use crate::kind::compare::series::stem;
 
 /// Adds the main figure of one case: that of the paper, or the models against load, and of a measured map the contacts on it.
 pub fn of_case_or_paper(page: &mut Page, results: &CompareResults, case: SurfaceCase, series: &[Series]) {
@@ -30,7 +30,7 @@ pub fn of_case_or_paper(page: &mut Page, results: &CompareResults, case: Surface
 pub(crate) fn of_case_with_map(page: &mut Page, results: &CompareResults, case: SurfaceCase) {
     of_case(page, results, case);
     if let Some(map) = case.surface.contact_map(case.case) {
-        contact_map::add(page, &case.surface.surface.name, map);
+        contact::add(page, &case.surface.surface.name, map);
     }
 }
 
@@ -104,7 +104,6 @@ fn filled(cells: &[Plot], columns: usize) -> Vec<Plot> {
     cells.iter().cloned().chain((0..blank).map(|_| Plot::blank())).collect()
 }
 
-/// Panels beside each other.
 const COLUMNS: usize = 3;
 
 fn figure(results: &CompareResults, case: SurfaceCase) -> Figure {

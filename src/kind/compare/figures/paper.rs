@@ -4,10 +4,10 @@ use asperity::compare::ComparedQuantity;
 use asperity_contact_framework::report::page::Page;
 use asperity_plot::{Figure, Plot};
 
-use super::axes::Units;
 use super::curves::{Setting, all_loads};
 use super::differences::shown_loads;
 use super::layers::panels_by_load;
+use super::lines::Units;
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
 use crate::kind::compare::rows::SurfaceCase;
 use crate::kind::compare::series::Series;

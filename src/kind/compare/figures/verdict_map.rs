@@ -17,7 +17,6 @@ const TOO_SMALL: Mark = (Colour::Statistical, "− integral too small", "−");
 const OPEN: Mark = (Colour::Neutral, "? cannot be told", "?");
 const UNFIT: Mark = (Colour::Others, "× map not fit", "×");
 
-/// All of them.
 pub const MARKS: [Mark; 5] = [WITHIN, TOO_LARGE, TOO_SMALL, OPEN, UNFIT];
 
 /// The verdicts on several cases at their admissible loads; blank where a load is not admissible. `None` where no load is admissible.
@@ -43,7 +42,6 @@ pub fn figure(cases: &[(String, &Verdicts)], title: &str) -> Option<Figure> {
 
 /// A panel, with a key for each of the `marks` of the figure.
 fn panel(cases: &[(String, &Verdicts)], quantity: ComparedQuantity, rows: &[Tiles], marks: &[Mark]) -> Plot {
-    /// Height of a row.
     const ROW: f64 = 24.0;
     let loads = cases.iter().flat_map(|(_, verdicts)| &verdicts.differences).map(|at| megapascals(at.load));
     let [low, high] = [loads.clone().fold(f64::INFINITY, f64::min), loads.fold(0.0, f64::max)];
@@ -124,7 +122,7 @@ pub fn named(verdict: &str, difference: f64) -> Option<Mark> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::card::examples::verdicts;
+    use super::super::super::card::tests::verdicts;
     use super::*;
 
     #[test]

@@ -3,12 +3,10 @@
 //! | module | what it writes |
 //! |---|---|
 //! | `case` | one surface under one law |
-//! | `series` | one surface under one law by layer thickness |
 //! | `sections` | what is shown of all cases together |
 
 mod case;
 mod sections;
-mod series;
 
 pub(crate) use sections::verdicts;
 
@@ -72,8 +70,8 @@ impl Outcome for CompareResults {
         }
         for series in &series {
             page.details(2, &format!("{}: by layer thickness", series.subject), |page| {
-                series::figures(series, page);
-                series::table(series, page, tables);
+                case::figures(series, page);
+                case::table(series, page, tables);
             });
         }
         common::warnings(&mut page, &self.page_warnings());

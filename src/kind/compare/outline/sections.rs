@@ -6,7 +6,7 @@ use asperity_contact_framework::report::page::Page;
 use asperity_contact_framework::report::table::{Reading, Tables};
 use asperity_contact_framework::report::view::View;
 
-use crate::kind::compare::figures::friction;
+use crate::kind::compare::figures::layers;
 use crate::kind::compare::rows::{
     AnswerRow, CaseRow, DecreaseRow, FrictionRow, GreenwoodTrippRow, NearerRow, ReadingRow,
     ReferenceCurveRow, ResultRow, RuleRow, StandingRow, ThresholdRow, TwoBodiesRow, VerdictRow,
@@ -64,7 +64,7 @@ pub fn friction(page: &mut Page, tables: &Tables, series: &[Series]) {
     }
     page.heading(2, "Boundary friction by layer thickness");
     for series in series {
-        if let Some(figure) = friction::by_thickness(series) {
+        if let Some(figure) = layers::friction_by_thickness(series) {
             page.figure(
                 &format!("{}-friction.svg", series.stem),
                 figure,
@@ -124,7 +124,6 @@ fn by_quantity(page: &mut Page, view: &View) {
     }
 }
 
-/// Both models against the reference.
 pub fn reference(page: &mut Page, tables: &Tables) {
     let solved = tables.view::<ReferenceCurveRow>();
     if solved.is_empty() {

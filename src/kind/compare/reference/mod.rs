@@ -4,16 +4,12 @@
 //! |---|---|
 //! | `spec` | `reference = { ... }` |
 //! | `plan` | its loads, the contacts that it solves, time and memory |
-//! | `elastic` | where it is elastic although the law yields |
 //! | `run` | the solver on a realisation of a surface |
 //! | `point` | a contact in the terms of the models, with bounds of its errors |
 //! | `spots` | what its spots conduct, and their friction |
-//! | `cluster` | the spots of the sum on a finite map as a cluster |
 //! | `view` | a part of the contact, and the distribution of pressures |
 //! | `tables` | `reference.csv` |
 
-mod cluster;
-mod elastic;
 pub mod plan;
 mod point;
 mod run;
@@ -21,8 +17,8 @@ mod spec;
 mod spots;
 mod view;
 
-pub use elastic::SMALL_YIELDING;
 pub use plan::{ElasticCase, ReferencePlan, Solution};
 pub use run::ReferenceRun;
+pub use run::SMALL_YIELDING;
 pub use spec::ReferenceSpec;
 pub use view::{ContactView, Part, SummitsInContact, numbered_patches};

@@ -61,7 +61,6 @@ pub struct ElasticCase {
     pub law: String,
     /// Thickness of the layer, m; `None` without a layer in the spec.
     pub thickness: Option<f64>,
-    /// Why.
     pub reason: ElasticReason,
 }
 
@@ -77,7 +76,6 @@ pub enum ElasticReason {
 }
 
 impl ElasticReason {
-    /// The name in tables.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Layer => "layer",
@@ -241,7 +239,6 @@ pub struct Resolved<'a> {
     pub flats: &'a [(Option<f64>, Flat)],
     /// Each law on each of them, the laws changing last.
     pub laws: &'a [LawContact],
-    /// The surfaces.
     pub surfaces: &'a [SurfacePlan],
 }
 

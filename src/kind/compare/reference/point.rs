@@ -19,9 +19,6 @@ pub struct SolvedContact {
 
 impl SolvedContact {
     /// At a nominal pressure (Pa), with its spots to the relative `error`.
-    ///
-    /// # Errors
-    /// Those of the solver.
     pub fn new(
         solver: &Solver,
         spots: &SpotSolver,
@@ -35,7 +32,6 @@ impl SolvedContact {
         Ok(Self { contact, tangent, spots })
     }
 
-    /// What each block contributes.
     pub fn block_shares(&self, blocks: &Blocks) -> Vec<BlockShare> {
         let sums = self.contact.block_sums(blocks);
         let shares = self.tangent.as_ref().map(|tangent| tangent.block_shares(blocks));

@@ -1,11 +1,20 @@
 //! What the contact of the reference conducts, and how it resists sliding.
 
 use std::cell::OnceCell;
+use std::f64::consts::PI;
 
+use asperity::Shape;
 use asperity::bem::{Boundary, Conductor, Contact, Current, Solver, SolverError, Tangent};
+use asperity::compare::ReferencePoint;
 use asperity::progress::Progress;
-use asperity::spot::{Conduction, GapMedium, ShearStrength, SpotProperties, SpotQuantity, SpotValues};
+use asperity::spot::{
+    Conduction, GapMedium, ShearStrength, SpotProperties, SpotQuantity, SpotValues, cluster_conductance,
+};
+use asperity::study::{CaseResults, LawContact};
 use asperity::topography::Blocks;
+
+use super::ReferenceRun;
+use super::view::SumAtLoad;
 
 /// How far inside of the border of a patch that is given, not solved for, the current acts: in pixels (0.11 to 0.17 by the direction of the
 /// border, measured on discs and straight edges).
@@ -26,7 +35,6 @@ struct ConductingSpots {
     conductor: OnceCell<Conductor>,
 }
 
-/// Of a solved contact.
 #[derive(Default)]
 pub struct SolvedSpots {
     /// Electrical and thermal.
@@ -55,9 +63,6 @@ impl SpotSolver {
     }
 
     /// The spots of `contact`, one of `solver`, solved to the relative `error`.
-    ///
-    /// # Errors
-    /// Those of the solver.
     pub fn solve(
         &self,
         solver: &Solver,
@@ -182,5 +187,47 @@ impl SolvedSpots {
 
     fn shear_stress(&self, area_ratio: f64, pressure: f64) -> f64 {
         self.shear.map_or(0.0, |ShearStrength { tau0, alpha }| tau0 * area_ratio + alpha * pressure)
+    }
+}
+
+impl ReferenceRun<'_> {
+    /// The conductances per nominal area, electrical (S/m^2) and thermal (W/(m^2 K)), of the spots of the sum of `case` as a cluster, at each of the
+    /// points of the reference; 0 under a layer, with a film, and where the sum was not run at that load. Empty unless the map is finite and conducts.
+    pub(super) fn clusters(
+        &self,
+        law: &LawContact,
+        case: &CaseResults,
+        boundary: Boundary,
+        points: &[ReferencePoint],
+    ) -> Vec<[f64; 2]> {
+        let asked = law.contact.spot_properties().filter(|asked| asked.conducts());
+        let Some(asked) = asked.filter(|_| boundary == Boundary::Finite) else { return Vec::new() };
+        let is_bare = |conduction: &&Conduction| !conduction.is_layered() && conduction.film() == 0.0;
+        let bare = [&asked.electrical, &asked.thermal].map(|asked| asked.as_ref().filter(is_bare));
+        let at = |point: &ReferencePoint| {
+            let sum = SumAtLoad::new(case, point.pressure)?;
+            bare.iter().any(Option::is_some).then(|| {
+                let spots = self.spots(law, self.surface.plane.mean + sum.separation);
+                let cluster = cluster_conductance(&spots) / self.surface.set.nominal_area();
+                bare.map(|bare| bare.map_or(0.0, |bare| cluster / bare.resistivity()))
+            })
+        };
+        points.iter().map(|point| at(point).unwrap_or_default()).collect()
+    }
+
+    /// The asperities above `flat` (m): radii of the circular spots that conduct as much (m), and places (m).
+    fn spots(&self, law: &LawContact, flat: f64) -> Vec<(f64, [f64; 2])> {
+        let (map, set) = (&self.prepared.map, &self.surface.set);
+        let ellipses = set.ellipses().filter(|_| law.spec.is_elliptic());
+        let spot = |k: usize| {
+            let shape =
+                ellipses.map_or_else(|| Shape::sphere(set.radii()[k]), |ellipses| ellipses[k].shape());
+            let area = law.contact.contact(set.heights()[k] - flat, shape).area;
+            let (position, columns) = (self.prepared.positions[k], map.points()[1]);
+            let place =
+                [(position / columns) as f64 * map.pixel()[0], (position % columns) as f64 * map.pixel()[1]];
+            ((area * shape.spheres / PI).sqrt(), place)
+        };
+        (0..set.count()).filter(|&k| set.heights()[k] > flat).map(spot).collect()
     }
 }

@@ -39,7 +39,6 @@ pub struct Part {
     pub corner: [f64; 2],
     /// Its sides, m.
     pub sides: [f64; 2],
-    /// Points along x and y.
     pub points: [usize; 2],
     /// Contact pressures, Pa, y running fastest.
     pub pressures: Vec<f64>,
@@ -50,7 +49,6 @@ pub struct Part {
 /// The asperities in contact in the sum, and whether the reference touches them.
 #[derive(Debug)]
 pub struct SummitsInContact {
-    /// The law of the sum.
     pub law: String,
     /// Number of asperities in contact on the whole map.
     pub count: usize,

@@ -2,7 +2,7 @@
 
 use asperity::ModulusModel;
 use asperity::compare::ModulusError;
-use asperity::study::{DecreaseResults, Threshold};
+use asperity::study::{DecreaseResults, FilmFriction, Threshold};
 use asperity_contact_framework::columns;
 use asperity_contact_framework::report::table::{Column, Row};
 
@@ -32,7 +32,6 @@ impl Row for ThresholdRow<'_> {
     }
 }
 
-/// The rows of thresholds.
 pub(super) fn thresholds(results: &CompareResults) -> impl Iterator<Item = ThresholdRow<'_>> {
     results.surfaces.iter().flat_map(|surface| {
         let name = &surface.surface.name;
@@ -67,7 +66,6 @@ impl Row for DecreaseRow<'_> {
     }
 }
 
-/// The rows of decreases.
 pub(super) fn decreases(results: &CompareResults) -> impl Iterator<Item = DecreaseRow<'_>> {
     results.surfaces.iter().flat_map(|surface| {
         let name = &surface.surface.name;
@@ -103,4 +101,36 @@ impl<'a> RuleRow<'a> {
             each.flat_map(|(rule, errors)| errors.iter().map(move |error| Self { rule, error }))
         })
     }
+}
+
+/// One law, model, load and breakdown.
+pub(crate) struct FrictionRow<'a> {
+    surface: &'a str,
+    found: &'a FilmFriction,
+}
+
+impl Row for FrictionRow<'_> {
+    const FILE: &'static str = "friction_by_thickness.csv";
+    const ROWS: &'static str = "One row for each surface, law, load, breakdown of the layer and model, on the first realisation: the layer thickness of the smallest coefficient of friction, of those that were run.";
+
+    fn columns() -> Vec<Column<Self>> {
+        columns! { row: Self =>
+            surface["text"] = row.surface, "Name of the surface.";
+            law["text"] = row.found.law.as_str(), "Contact law of an asperity.";
+            pressure_pa["Pa", prefix("M"), label("nominal pressure"), input] = row.found.pressure, "Nominal pressure.";
+            breakdown["1", label("breakdown w/t")] = row.found.breakdown, "Indentation over the thickness from which on a spot has broken through the layer and shears as the interface without it.";
+            model["text"] = row.found.kind.name(), "Model: `statistical` or `deterministic`.";
+            least_at_m["m", label("least at"), thickness] = row.found.least().map(|(thickness, _)| thickness), "Thickness of the smallest coefficient.";
+            least["1", label("least coefficient")] = row.found.least().map(|(_, coefficient)| coefficient), "The coefficient there.";
+            uncoated["1"] = row.found.at(0.0), "Coefficient without the layer; empty where that was not run.";
+            bulk["1"] = row.found.at(f64::INFINITY), "Coefficient on the bulk of the layer's material; empty where that was not run.";
+        }
+    }
+}
+
+pub(super) fn friction(results: &CompareResults) -> impl Iterator<Item = FrictionRow<'_>> {
+    results.surfaces.iter().flat_map(|surface| {
+        let name = &surface.surface.name;
+        surface.friction.iter().map(move |found| FrictionRow { surface: name, found })
+    })
 }

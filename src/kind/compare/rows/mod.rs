@@ -1,46 +1,22 @@
 //! The tables of a comparison besides curves and pairs: a type of rows in each file.
 
-mod answers;
-mod attribution;
 mod cases;
-mod correlations;
-mod curves;
-pub(crate) mod differences;
-mod friction;
-mod greenwood_tripp;
 mod layer;
-mod lines;
-mod nearer;
-mod on_map;
 mod ranking;
-mod readings;
 mod reference;
 mod results;
-mod robustness;
-mod spread;
-mod standings;
 mod swept;
 mod two_bodies;
 mod verdicts;
 
-pub(crate) use answers::{AnswerRow, rows as answers};
-pub(crate) use attribution::AttributionRow;
-pub(crate) use cases::CaseRow;
-pub(crate) use correlations::CorrelationRow;
-pub(crate) use friction::FrictionRow;
-pub(crate) use greenwood_tripp::GreenwoodTrippRow;
-pub(crate) use layer::{DecreaseRow, RuleRow, ThresholdRow};
-pub(crate) use lines::LineRow;
-pub(crate) use nearer::{NearerRow, ReferenceCurveRow};
-pub(crate) use on_map::OnMapRow;
-pub(crate) use readings::ReadingRow;
-pub(crate) use results::{GapRow, ResultRow};
-pub(crate) use robustness::{RobustnessRow, words as treatment_words};
-pub(crate) use spread::SpreadRow;
-pub(crate) use standings::StandingRow;
+pub(crate) use cases::{AnswerRow, CaseRow, OnMapRow, SpreadRow, answers};
+pub(crate) use layer::{DecreaseRow, FrictionRow, RuleRow, ThresholdRow};
+pub(crate) use ranking::{RobustnessRow, StandingRow, words as treatment_words};
+pub(crate) use reference::{CorrelationRow, NearerRow, ReferenceCurveRow};
+pub(crate) use results::{GapRow, LineRow, ReadingRow, ResultRow};
 pub(crate) use swept::{SweptRow, rows as swept, swept_name};
-pub(crate) use two_bodies::{Simplification, TwoBodiesRow, rows as two_bodies};
-pub(crate) use verdicts::VerdictRow;
+pub(crate) use two_bodies::{GreenwoodTrippRow, Simplification, TwoBodiesRow, rows as two_bodies};
+pub(crate) use verdicts::{AttributionRow, VerdictRow};
 
 use asperity::compare::ComparedQuantity;
 use asperity::study::{CaseResults, CaseStudy, Verdicts};
@@ -50,31 +26,25 @@ use asperity_contact_framework::report::table::{Column, Schema, Table};
 use super::results::{CompareResults, SurfaceResults};
 use crate::model_tables::{CAUSES, CurveRow, PairRow, REFERENCE, of_asked_spots};
 use crate::surface::rows as surface_rows;
-use differences::DifferenceRow;
 use ranking::RankingRow;
 use reference::ReferenceRow;
+use verdicts::DifferenceRow;
 
-/// A case with its surface.
 #[derive(Clone, Copy)]
 pub(crate) struct SurfaceCase<'a> {
-    /// Its surface.
     pub(crate) surface: &'a SurfaceResults,
-    /// What is known of it.
     pub(crate) case: &'a CaseStudy,
 }
 
 impl<'a> SurfaceCase<'a> {
-    /// All cases, surface by surface.
     pub(crate) fn all(results: &'a CompareResults) -> impl Iterator<Item = Self> + Clone {
         results.surfaces.iter().flat_map(Self::on_surface)
     }
 
-    /// The cases of one surface.
     pub(crate) fn on_surface(surface: &'a SurfaceResults) -> impl Iterator<Item = Self> + Clone {
         surface.cases.iter().map(move |case| Self { surface, case })
     }
 
-    /// Results on the first realisation.
     pub(crate) fn first(&self) -> &'a CaseResults {
         self.case.first()
     }
@@ -115,7 +85,6 @@ fn case_columns<R>(key: impl for<'r> Fn(&'r R) -> CaseKey<'r> + Copy + 'static) 
     }
 }
 
-/// The tables of a comparison.
 pub(crate) fn schemas() -> Vec<Schema> {
     let mut schemas = vec![
         Schema::of::<AnswerRow>(),
@@ -152,7 +121,7 @@ pub(crate) fn schemas() -> Vec<Schema> {
 /// The tables of one comparison: curves, pairs, verdicts, differences and gaps always, all others where they have rows.
 pub(crate) fn tables(results: &CompareResults) -> Vec<Table> {
     let asked = |table| of_asked_spots(table, &results.spots);
-    let mut pairs = asked(Table::new(curves::pairs(results)));
+    let mut pairs = asked(Table::new(results::pairs(results)));
     if !results.is_attributed() {
         pairs = pairs.without_part(CAUSES);
     }
@@ -160,34 +129,34 @@ pub(crate) fn tables(results: &CompareResults) -> Vec<Table> {
         pairs = pairs.without_part(REFERENCE);
     }
     let mut tables = vec![
-        asked(Table::new(answers::rows(results))),
-        Table::new(on_map::rows(results)),
+        asked(Table::new(cases::answers(results))),
+        Table::new(cases::on_map(results)),
         Table::new(verdicts::rows(results)),
         Table::new(cases::rows(results)),
-        asked(Table::new(curves::curves(results))),
+        asked(Table::new(results::curves(results))),
         pairs,
         Table::new(results::gaps(results)),
-        Table::new(differences::rows(results)),
+        Table::new(verdicts::differences(results)),
     ];
     let optional = [
         asked(Table::new(results::rows(results))),
-        Table::new(spread::rows(results)),
-        Table::new(attribution::rows(results)),
+        Table::new(cases::spread(results)),
+        Table::new(verdicts::attribution(results)),
         Table::new(ranking::rows(results)),
-        Table::new(standings::rows(results)),
+        Table::new(ranking::standings(results)),
         reference::table(results),
-        Table::new(nearer::curves(results)),
-        Table::new(nearer::rows(results)),
-        Table::new(robustness::rows(results)),
+        Table::new(reference::curves(results)),
+        Table::new(reference::nearer(results)),
+        Table::new(ranking::robustness(results)),
         Table::new(layer::thresholds(results)),
         Table::new(layer::decreases(results)),
-        Table::new(friction::rows(results)),
+        Table::new(layer::friction(results)),
         Table::new(RuleRow::all(results)),
-        Table::new(readings::rows(results)),
-        Table::new(lines::rows(results)),
-        Table::new(correlations::rows(results)),
+        Table::new(results::readings(results)),
+        Table::new(results::lines(results)),
+        Table::new(reference::correlations(results)),
         asked(Table::new(two_bodies(results))),
-        Table::new(greenwood_tripp::rows(results)),
+        Table::new(two_bodies::greenwood_tripp(results)),
     ];
     tables.extend(optional.into_iter().filter(|table| table.rows() > 0));
     tables.extend(surface_rows::tables(results.surface_rows()));

@@ -1,15 +1,22 @@
-//! `results.csv`: what the models say at the load; `largest_gaps.csv`: the largest gaps between them.
+//! What each model says: `results.csv`, `largest_gaps.csv`, curves and pairs, `lines.csv` and `readings.csv`.
 
 use asperity::Exceeded;
-use asperity::compare::{ComparedQuantity, Gap, ModelKind};
+use asperity::analytical::AnalyticalLine;
+use asperity::compare::{ComparedQuantity, CurvePoint, Gap, ModelKind, of_each_decade};
 use asperity::spot::tube_factor;
-use asperity::study::ModelResult;
+use asperity::study::{CaseResults, ModelResult, RealisationFacts};
 use asperity_contact_framework::columns;
 use asperity_contact_framework::report::table::{Column, Row};
 
 use super::{CaseKey, SurfaceCase, case_columns};
+use crate::kind::compare::figures::curves::curve;
+use crate::kind::compare::figures::lines::{KINDS, Rough, loads};
+use crate::kind::compare::readings::{ReadLoads, loads_by_reading};
 use crate::kind::compare::results::CompareResults;
-use crate::model_tables::{CONDUCTION, ELECTRICAL, FRICTION, REFERENCE, THERMAL, limits};
+use crate::model_tables::{
+    AnyPoint, CONDUCTION, CurveRow, ELECTRICAL, FRICTION, PairRow, REFERENCE, RowCase, THERMAL, limits,
+    of_models,
+};
 
 /// One model, or the reference, at the load of a spec.
 pub(crate) struct ResultRow<'a> {
@@ -86,7 +93,6 @@ impl Row for ResultRow<'_> {
     }
 }
 
-/// The rows.
 pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = ResultRow<'_>> {
     SurfaceCase::all(results).flat_map(|case| {
         let surface = &case.surface.surface;
@@ -138,4 +144,149 @@ pub(super) fn gaps(results: &CompareResults) -> impl Iterator<Item = GapRow<'_>>
             })
         })
     })
+}
+
+/// The rows of `curves.csv`.
+pub(super) fn curves(results: &CompareResults) -> impl Iterator<Item = CurveRow> {
+    let reduced_modulus = results.contact.reduced_modulus;
+    cases(results).flat_map(move |(case, _, found)| {
+        let reference = found.reference.iter().flat_map(|curve| curve.points.iter().copied());
+        let all = of_models(&found.comparison).chain(reference.map(AnyPoint::Reference));
+        all.map(move |point| CurveRow { case: case.clone(), point, reduced_modulus })
+    })
+}
+
+/// The rows of `comparison.csv`.
+pub(super) fn pairs(results: &CompareResults) -> impl Iterator<Item = PairRow> {
+    cases(results).flat_map(|(case, realisation, found)| {
+        let (nominal_area, plasticity_index) = (realisation.nominal_area, found.plasticity_index);
+        found.comparison.pairs.iter().map(move |&pair| PairRow {
+            case: case.clone(),
+            pair,
+            nominal_area,
+            plasticity_index,
+            attribution: found.attribution_of(&pair).cloned(),
+            reference: found.reference_of(&pair).copied(),
+        })
+    })
+}
+
+/// Every case of every realisation of every surface, in file order.
+pub(super) fn cases(
+    results: &CompareResults,
+) -> impl Iterator<Item = (RowCase, &RealisationFacts, &CaseResults)> {
+    results.surfaces.iter().flat_map(|surface| {
+        surface.realisations.iter().enumerate().flat_map(move |(index, realisation)| {
+            surface.cases.iter().map(move |case| {
+                let results = &case.realisations[index];
+                (RowCase::from_results(&surface.surface.name, index + 1, results), realisation, results)
+            })
+        })
+    })
+}
+
+pub(crate) struct LineRow<'a> {
+    key: CaseKey<'a>,
+    line: &'static str,
+    /// The model whose separation is corrected.
+    model: Option<&'static str>,
+    pressure: f64,
+    area_ratio: Option<f64>,
+    separation: Option<f64>,
+}
+
+impl Row for LineRow<'_> {
+    const FILE: &'static str = "lines.csv";
+    const ROWS: &'static str = "One row for each surface, law, layer thickness, analytical line and load, on the first realisation, for elastic bodies under any law.";
+
+    fn columns() -> Vec<Column<Self>> {
+        let mut columns = case_columns(|row: &Self| row.key);
+        columns.extend(columns! { row: Self =>
+            line["text"] = row.line, "The line: `persson`, A/A_nom = erf(2^0.5 p/(E* g)); `bush-gibson-thomas`, (2 pi)^0.5 p/(E* g), at most 1; or `greenwood-williamson-interacting`, the separation less the mean deflection of the patch. g is the r.m.s. gradient of the prepared map.";
+            model["text"] = row.model, "The model whose separation is corrected for interaction, or the reference, whose separation is that to the undeformed mean plane.";
+            pressure_pa["Pa", prefix("M"), label("nominal pressure")] = row.pressure, "Nominal pressure.";
+            area_ratio["1"] = row.area_ratio, "Real contact area over nominal area.";
+            separation_over_sigma["1"] = row.separation, "Separation over sigma.";
+        });
+        columns
+    }
+}
+
+pub(super) fn lines(results: &CompareResults) -> impl Iterator<Item = LineRow<'_>> {
+    SurfaceCase::all(results).flat_map(|case| of_case(results, case))
+}
+
+fn of_case<'a>(results: &'a CompareResults, case: SurfaceCase<'a>) -> Vec<LineRow<'a>> {
+    /// Loads per decade.
+    const PER_DECADE: f64 = 2.0;
+    /// A load is met to rounding.
+    const ROUNDING: f64 = 1e-9;
+    let Some(rough) = Rough::new(results, case.surface).filter(|_| !results.lines.is_empty()) else {
+        return Vec::new();
+    };
+    let loads: Vec<f64> = match &case.first().reference {
+        Some(curve) => curve.points.iter().map(|point| point.pressure).collect(),
+        None => of_each_decade(loads(case.first()), |&load| load, PER_DECADE),
+    };
+    let row = |line: AnalyticalLine, model, pressure, area_ratio, separation| LineRow {
+        key: case.key(),
+        line: line.name(),
+        model,
+        pressure,
+        area_ratio,
+        separation,
+    };
+    let mut lines = Vec::new();
+    for &line in &results.lines {
+        let area = |load: f64| line.area_ratio(load / rough.modulus, rough.gradient);
+        let areas = loads.iter().filter_map(|&load| Some(row(line, None, load, Some(area(load)?), None)));
+        lines.extend(areas);
+        if line != AnalyticalLine::GreenwoodWilliamsonInteracting {
+            continue;
+        }
+        for kind in KINDS {
+            let is_at_load = |point: &&CurvePoint| {
+                let pressure = point.response.pressure.total();
+                loads.iter().any(|load| (load / pressure - 1.0).abs() < ROUNDING)
+            };
+            let points = curve(&case.first().comparison, kind).into_iter().filter(is_at_load);
+            lines.extend(points.map(|point| {
+                let pressure = point.response.pressure.total();
+                let separation = rough.interacting(point.response.separation_over_sigma, pressure);
+                row(line, Some(kind.name()), pressure, None, Some(separation))
+            }));
+        }
+        let points = case.first().reference.iter().flat_map(|curve| &curve.points);
+        lines.extend(points.filter_map(|point| {
+            Some(row(line, Some(REFERENCE), point.pressure, None, Some(rough.undeformed(point)?)))
+        }));
+    }
+    lines
+}
+
+/// One model at one d/sigma under both readings.
+pub(crate) struct ReadingRow(ReadLoads);
+
+impl Row for ReadingRow {
+    const FILE: &'static str = "readings.csv";
+    const ROWS: &'static str = "One row for each pair of surfaces with the same specified numbers, of which one reads sigma and d as those of the asperities and the other as those of the surface, law, layer thickness, separation and model; pressures are means over the realisations.";
+
+    fn columns() -> Vec<Column<Self>> {
+        columns! { row: Self =>
+            surface_of_asperity_sigma["text", label("asperity reading")] = row.0.surfaces[0].as_str(), "The surface whose sigma is that of the asperities.";
+            surface_of_surface_sigma["text", label("surface reading")] = row.0.surfaces[1].as_str(), "The surface whose sigma is that of the surface.";
+            law["text"] = row.0.law.as_str(), "Contact law of an asperity.";
+            layer_thickness_m["m", label("layer"), thickness] = row.0.thickness, "Thickness of the layer; empty where the spec has no layer.";
+            model["text"] = row.0.kind.name(), "Model: `statistical` or `deterministic`.";
+            separation_over_sigma["1", input] = row.0.separation, "Separation over sigma.";
+            pressure_with_asperity_sigma_pa["Pa", prefix("M"), label("pressure, asperity reading")] = row.0.answers[0].pressure, "Nominal pressure with sigma and d of the asperities.";
+            pressure_with_surface_sigma_pa["Pa", prefix("M"), label("pressure, surface reading")] = row.0.answers[1].pressure, "Nominal pressure with sigma and d of the surface.";
+            ratio["1"] = row.0.ratio(), "The second over the first.";
+            valid["true/false"] = row.0.is_admissible(), "Whether the load is admissible for both models under both readings, in every realisation.";
+        }
+    }
+}
+
+pub(super) fn readings(results: &CompareResults) -> impl Iterator<Item = ReadingRow> {
+    loads_by_reading(&results.surfaces).into_iter().map(ReadingRow)
 }

@@ -9,7 +9,6 @@ use super::{CaseKey, SurfaceCase, case_columns};
 use crate::kind::compare::results::CompareResults;
 use crate::model_tables::{ELECTRICAL, FRICTION, REFERENCE, THERMAL, limits};
 
-/// One load of one case.
 pub(crate) struct SweptRow<'a> {
     key: CaseKey<'a>,
     verdicts: &'a Verdicts,
@@ -75,7 +74,6 @@ impl Row for SweptRow<'_> {
     }
 }
 
-/// The columns of one quantity.
 fn of_quantity<'a>(quantity: ComparedQuantity) -> Vec<Column<SweptRow<'a>>> {
     let (short, _, unit, part) = QUANTITIES[quantity as usize];
     let name = |what: &str| swept_name(quantity, what);
@@ -120,7 +118,6 @@ fn of_quantity<'a>(quantity: ComparedQuantity) -> Vec<Column<SweptRow<'a>>> {
     columns.into_iter().map(with_part).collect()
 }
 
-/// The rows.
 pub(crate) fn rows(results: &CompareResults) -> impl Iterator<Item = SweptRow<'_>> {
     SurfaceCase::all(results).flat_map(|case| {
         let reported = case.case.reported_load().map(|at| at.load);

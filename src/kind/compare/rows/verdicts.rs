@@ -1,14 +1,17 @@
-//! `verdicts.csv`: whether the statistical model may replace the sum.
+//! `verdicts.csv`, `differences.csv` and `attribution.csv`: how far the models are apart, and why.
 
-use asperity::compare::{ModelKind, Stretch};
-use asperity::study::{LeadingCause, StatedCause};
+use asperity::compare::{
+    Attribution, Cause, ComparedQuantity, Contribution, Contributions, Difference, Estimate, ModelKind,
+    Order, Stretch, Verdict,
+};
+use asperity::study::{LeadingCause, StatedCause, Verdicts};
 use asperity_contact_framework::columns;
 use asperity_contact_framework::report::table::{Column, Row};
 
 use super::{CaseKey, SurfaceCase, case_columns};
 use crate::kind::compare::reference::ElasticCase;
 use crate::kind::compare::results::CompareResults;
-use crate::model_tables::REFERENCE;
+use crate::model_tables::{REFERENCE, limits};
 
 /// A stretch of load with one verdict.
 pub(crate) struct VerdictRow<'a> {
@@ -102,4 +105,164 @@ fn of_case<'a>(case: SurfaceCase<'a>, elastic: Option<&'a ElasticCase>) -> Vec<V
         }));
     }
     rows
+}
+
+/// One quantity at one load of one surface under one law and thickness.
+pub(crate) struct DifferenceRow<'a> {
+    key: CaseKey<'a>,
+    verdicts: &'a Verdicts,
+    at_load: &'a Difference,
+    /// m²
+    load_area: f64,
+    /// The model, and what it is compared with.
+    names: [&'static str; 2],
+    quantity: ComparedQuantity,
+    estimate: Estimate,
+}
+
+impl DifferenceRow<'_> {
+    fn end(&self, index: usize) -> Option<f64> {
+        self.estimate.interval().map(|ends| self.quantity.reported(ends[index]))
+    }
+
+    /// `None` where the load is not admissible.
+    fn verdict(&self) -> Option<&'static str> {
+        let verdict = Verdict::from_estimate(&self.estimate, self.verdicts.accepted.band(self.quantity));
+        self.at_load.exceeded().is_none().then(|| self.verdicts.name(verdict))
+    }
+}
+
+impl Row for DifferenceRow<'_> {
+    const FILE: &'static str = "differences.csv";
+    const ROWS: &'static str = "One row for each surface, law, layer thickness, load and quantity, over all realisations: the difference of the statistical from the deterministic model at equal load, on which the verdicts rest; where a reference was run, that of each model from the reference, too.";
+    const IS_LONG: bool = true;
+
+    fn columns() -> Vec<Column<Self>> {
+        let mut columns = case_columns(|row: &Self| row.key);
+        columns.extend(columns! { row: Self =>
+            pressure_pa["Pa", prefix("M")] = row.at_load.load, "Nominal pressure.";
+            force_n["N"] = row.at_load.load * row.load_area, "The same as a force on the area that the load acts on: `nominal-area` of the spec, or that of the surface.";
+            quantity["text"] = row.quantity.name(), "What is compared: `separation`, `area` (real contact area) or `stiffness`.";
+            model["text"] = row.names[0], "The model that is compared: `statistical` or `deterministic`.";
+            against["text"] = row.names[1], "What it is compared with: `deterministic` or `reference`.";
+            difference["1", signed, scale(1.0)] = row.quantity.reported(row.estimate.contrast), "The model minus what it is compared with; of the separation in sigma, of area and stiffness relative to what it is compared with. Over several realisations the mean (of areas and stiffnesses the geometric mean of the ratios).";
+            low["1", signed, scale(1.0)] = row.end(0), "Lower end of the pointwise 95 % interval of the difference; empty where none is claimed.";
+            high["1", signed, scale(1.0)] = row.end(1), "Upper end of the interval.";
+            bound["1"] = row.estimate.bound, "Part of the half-width of the interval that bounds errors of solver and discretisation of the reference, of area and stiffness of the logarithm of the ratio.";
+            standard_error["1"] = row.estimate.error, "Standard error of the difference, of area and stiffness of the logarithm of the ratio; empty where no interval is claimed.";
+            independent_standard_error["1"] = row.estimate.independent_error, "The same for asperities taken as independent draws.";
+            accepted["1"] = row.verdicts.accepted.limit(row.quantity), "The largest difference that is accepted.";
+            verdict["text", verdict] = row.verdict(), "Whether the interval lies inside what is accepted (`within`), outside (`beyond`) or neither (`cannot-tell`); `blocked` where the surface failed a fitness check; empty where the load is not admissible.";
+            effective_contacts["1"] = row.at_load.sharing.map(|sharing| sharing.effective_contacts), "Effective contacts of the deterministic model; over several realisations the mean.";
+            limits["text"] = limits(row.at_load.exceeded()), "Limits of admissible loads that are exceeded, as in `curves.csv`.";
+        });
+        columns
+    }
+}
+
+pub(crate) fn differences(results: &CompareResults) -> impl Iterator<Item = DifferenceRow<'_>> {
+    SurfaceCase::all(results).flat_map(|case| {
+        let verdicts = case.verdicts();
+        let [statistical, deterministic] = [ModelKind::Statistical.name(), ModelKind::Deterministic.name()];
+        let mut compared = vec![([statistical, deterministic], &verdicts.differences)];
+        if let Some(reference) = &verdicts.reference {
+            let [of_statistical, of_deterministic] = &reference.against.models;
+            compared.push(([statistical, REFERENCE], of_statistical));
+            compared.push(([deterministic, REFERENCE], of_deterministic));
+        }
+        compared.into_iter().flat_map(move |(names, differences)| {
+            differences.iter().flat_map(move |at_load| {
+                ComparedQuantity::ALL.into_iter().filter_map(move |quantity| {
+                    let estimate = at_load.estimates[quantity as usize]?;
+                    let load_area = case.surface.load_area;
+                    Some(DifferenceRow {
+                        key: case.key(),
+                        verdicts,
+                        at_load,
+                        load_area,
+                        names,
+                        quantity,
+                        estimate,
+                    })
+                })
+            })
+        })
+    })
+}
+
+/// The contribution of one cause to one quantity at one load.
+pub(crate) struct AttributionRow<'a> {
+    key: CaseKey<'a>,
+    at_load: &'a Attribution,
+    quantity: ComparedQuantity,
+    cause: &'static str,
+    contribution: &'a Contribution,
+    with_other_radius: Option<f64>,
+}
+
+/// The name of the spread of radii and their correlation with the heights together.
+const RADII_TOGETHER: &str = "radii-and-correlation";
+
+impl<'a> AttributionRow<'a> {
+    /// The attribution of a quantity at a load: each cause, and the radii together.
+    fn all(
+        key: CaseKey<'a>,
+        at_load: &'a Attribution,
+        quantity: ComparedQuantity,
+        parts: &'a Contributions,
+    ) -> [Self; 4] {
+        let row = |cause, contribution, causes: &[Cause]| {
+            let with_other_radius =
+                parts.with_other_radius.map(|parts| causes.iter().map(|&cause| parts[cause as usize]).sum());
+            Self { key, at_load, quantity, cause, contribution, with_other_radius }
+        };
+        let of_cause = |cause: Cause| row(cause.name(), parts.of_cause(cause), &[cause]);
+        let [heights, radii, correlation] = Cause::ALL.map(of_cause);
+        let together = row(RADII_TOGETHER, &parts.radii, &[Cause::Radii, Cause::Correlation]);
+        [heights, radii, correlation, together]
+    }
+
+    fn end(&self, index: usize) -> Option<f64> {
+        self.contribution.interval().map(|ends| ends[index])
+    }
+
+    fn in_order(&self, order: Order) -> f64 {
+        self.contribution.by_order[order as usize].contrast
+    }
+}
+
+impl Row for AttributionRow<'_> {
+    const FILE: &'static str = "attribution.csv";
+    const ROWS: &'static str = "One row for each surface, law, layer thickness, load, quantity and cause, over all realisations: what each cause contributes to the difference between the models at equal load. Heights, radii and correlation add up to the difference; the row `radii-and-correlation` holds the last two together; loads that fewer than 30 effective contacts carry, or one contact with more than 10 % of the load, have none.";
+    const IS_LONG: bool = true;
+
+    fn columns() -> Vec<Column<Self>> {
+        let mut columns = case_columns(|row: &Self| row.key);
+        columns.extend(columns! { row: Self =>
+            pressure_pa["Pa"] = row.at_load.load, "Nominal pressure.";
+            quantity["text"] = row.quantity.name(), "What is compared: `separation`, `area` (real contact area) or `stiffness`.";
+            cause["text"] = row.cause, "The cause: `heights` (the heights do not follow the density of the statistical model), `radii` (the radii are not all equal to the mean radius) or `correlation` (heights and radii are correlated; with equal radii, what replacing a sum by its integral leaves); `radii-and-correlation` is the sum of the last two: different radii in the sense of Fig. 3 of Pasaribu and Schipper (2005).";
+            contribution["1", signed, scale(1.0)] = row.contribution.mean.contrast, "Mean contribution over the three orders: of the separation in sigma, of area and stiffness to ln(statistical/deterministic).";
+            low["1", signed, scale(1.0)] = row.end(0), "Lower end of the pointwise 95 % interval of the contribution, which holds the intervals of all three orders; empty where none is claimed.";
+            high["1", signed, scale(1.0)] = row.end(1), "Upper end of the interval.";
+            standard_error["1"] = row.contribution.mean.error, "Standard error of the mean over the orders, from blocks of a map, groups of independent asperities or realisations; empty where no interval is claimed.";
+            heights_radii_correlation["1", signed, scale(1.0)] = row.in_order(Order::HeightsFirst), "Contribution where first the heights, then the radii, then the correlation is changed.";
+            radii_heights_correlation["1", signed, scale(1.0)] = row.in_order(Order::RadiiFirst), "Contribution where first the radii, then the heights, then the correlation is changed.";
+            radii_correlation_heights["1", signed, scale(1.0)] = row.in_order(Order::HeightsLast), "Contribution where first the radii, then the correlation, then the heights are changed.";
+            with_other_mean_radius["1", signed, scale(1.0)] = row.with_other_radius, "Mean contribution over the orders if the statistical model took the other mean radius: 1/(mean curvature) for the arithmetic mean, and the reverse. Empty of nominal populations and elliptic laws.";
+        });
+        columns
+    }
+}
+
+pub(super) fn attribution(results: &CompareResults) -> impl Iterator<Item = AttributionRow<'_>> {
+    SurfaceCase::all(results).flat_map(|case| {
+        case.verdicts().attribution.iter().flat_map(move |at_load| {
+            let quantities = ComparedQuantity::ALL.into_iter();
+            let divided =
+                quantities.filter_map(|quantity| Some((quantity, at_load.contributions(quantity)?)));
+            divided
+                .flat_map(move |(quantity, parts)| AttributionRow::all(case.key(), at_load, quantity, parts))
+        })
+    })
 }

@@ -1,15 +1,13 @@
-//! The terms of the program: a list with meanings, as pages of its own and as explanations where a term first appears on a page.
+//! The terms of the program, explained where they first appear on a page.
 
 use std::sync::LazyLock;
 
 use indexmap::IndexMap;
 
-use super::index::MARK;
-use super::page::{Cell, Page, document, escape_html};
+use super::page::escape_html;
 
 /// Lines of a term, the forms in which it appears in texts, and its meaning.
 const LIST: &str = include_str!("terms.txt");
-/// The style of explained terms.
 pub const STYLE: &str = include_str!("glossary.css");
 const SCRIPT: &str = include_str!("glossary.js");
 
@@ -31,7 +29,6 @@ impl Term {
         Some(Self { name, forms, meaning })
     }
 
-    /// Its name in addresses.
     fn id(&self) -> String {
         let words = self.name.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
         words.collect::<Vec<_>>().join("-")
@@ -51,36 +48,9 @@ impl Term {
     }
 }
 
-/// `glossary.md`.
-pub fn markdown() -> String {
-    let mut page = Page::new("Glossary");
-    let row = |term: &Term| vec![Cell::from(term.name), Cell::AroundCode(term.meaning.to_owned())];
-    page.table(["term", "meaning"], TERMS.iter().map(row));
-    page.paragraph(&format!("{MARK} overwritten by the next run."));
-    page.markdown()
-}
-
 /// The meaning of each term by its id.
 pub fn meanings() -> IndexMap<String, String> {
     TERMS.iter().map(|term| (term.id(), term.meaning.replace('`', ""))).collect()
-}
-
-/// `glossary.html`, with an anchor for each term.
-pub fn html() -> String {
-    let term = |term: &Term| {
-        format!(
-            "<dt id=\"{}\">{}</dt>\n<dd>{}</dd>\n",
-            term.id(),
-            escape_html(term.name),
-            escape_html(&term.meaning.replace('`', ""))
-        )
-    };
-    let terms: String = TERMS.iter().map(term).collect();
-    let body = format!(
-        "<h1>Glossary</h1>\n<p><a href=\"index.html\">All reports</a></p>\n<dl class=\"glossary\">\n{terms}</dl>\n\
-         <p>{MARK} overwritten by the next run.</p>\n"
-    );
-    document("Glossary", &body, STYLE, "")
 }
 
 /// Explains terms where they first appear on a page.
@@ -138,7 +108,7 @@ impl Explainer {
             let term = &TERMS[place];
             let id = term.id();
             format!(
-                "<div class=\"meaning\" popover id=\"term-{id}\">{} <a href=\"../glossary.html#{id}\">Glossary</a></div>\n",
+                "<div class=\"meaning\" popover id=\"term-{id}\">{}</div>\n",
                 escape_html(&term.meaning.replace('`', ""))
             )
         };
@@ -166,7 +136,6 @@ mod tests {
             let words = term.meaning.split_whitespace().count();
             assert!((3..=30).contains(&words), "{}: {words} words", term.name);
             assert!(TERMS[..place].iter().all(|other| other.id() != term.id()), "{}", term.name);
-            assert!(html().contains(&format!("<dt id=\"{}\">", term.id())), "{}", term.name);
         }
     }
 
@@ -180,7 +149,7 @@ mod tests {
         assert!(!explainer.mark("<td>s filter</td>").contains("<button"));
         assert!(
             explainer.meanings().contains("squared load shares")
-                && explainer.meanings().contains("#S-filter")
+                && explainer.meanings().contains("term-S-filter")
         );
         assert!(!explainer.meanings().contains("dual"));
     }

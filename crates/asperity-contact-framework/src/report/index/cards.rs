@@ -18,7 +18,7 @@ pub fn page(entries: &[Entry]) -> String {
     };
     let all: String = groups(entries).enumerate().map(group).collect();
     let body = format!(
-        "<h1>Reports</h1>\n<p>{} reports; <a href=\"glossary.html\">glossary</a>.</p>\n\
+        "<h1>Reports</h1>\n<p>{} reports.</p>\n\
          <form class=\"filter\" hidden>\n{}{}<label>Words <input type=\"search\" id=\"words\"></label>\n\
          <span role=\"status\" id=\"count\"></span>\n</form>\n{all}<p>{MARK} overwritten by the next run.</p>\n",
         entries.len(),

@@ -1,4 +1,4 @@
-//! Index of all reports of a folder: a list in Markdown, cards in HTML, and the glossary.
+//! Index of all reports of a folder: a list in Markdown, cards in HTML.
 //!
 //! | module | what it writes |
 //! |---|---|
@@ -13,10 +13,9 @@ use serde::{Deserialize, Deserializer};
 use serde_json::{Map, Value};
 
 use super::answer::Answer;
-use super::glossary;
 use super::page::{Cell, Page};
-use crate::group::Group;
-use crate::kind::AnyKind;
+use crate::kind::RegisteredKind;
+use crate::metadata::Group;
 
 /// The program name in `summary.json`.
 pub const PROGRAM: &str = "asperity";
@@ -31,11 +30,9 @@ pub const CARD: &str = "card.svg";
 #[derive(Debug)]
 pub struct Index {
     reports: usize,
-    /// File names and contents.
-    pub pages: [(&'static str, String); 4],
+    pub pages: [(&'static str, String); 2],
 }
 
-/// A report in the index.
 #[derive(Deserialize)]
 struct Entry {
     /// Name of its folder.
@@ -87,17 +84,15 @@ impl Entry {
 }
 
 impl Index {
-    /// Names of its pages.
-    pub const FILES: [&'static str; 4] = ["README.md", "index.html", "glossary.md", "glossary.html"];
+    pub const FILES: [&'static str; 2] = ["README.md", "index.html"];
 
-    /// Whether there are no reports.
     pub fn is_empty(&self) -> bool {
         self.reports == 0
     }
 
     /// The index of all reports in `directory`; a report whose summary names no group has that of its kind.
-    pub fn read(directory: &Path, kinds: &[&dyn AnyKind]) -> Self {
-        let group_of = |kind: &str| kinds.iter().find(|one| one.name() == kind)?.group();
+    pub fn read(directory: &Path, kinds: &[RegisteredKind]) -> Self {
+        let group_of = |kind: &str| kinds.iter().find(|one| one.name == kind)?.group;
         let read = |entry: fs::DirEntry| {
             let summary = fs::read(entry.path().join("summary.json")).ok()?;
             let found: Entry = serde_json::from_slice(&summary).ok()?;
@@ -114,13 +109,8 @@ impl Index {
         let folders = fs::read_dir(directory).into_iter().flatten().flatten();
         let mut entries: Vec<Entry> = folders.filter_map(read).collect();
         entries.sort_by(|a, b| a.name.cmp(&b.name));
-        let [list, cards, terms, terms_html] = Self::FILES;
-        let pages = [
-            (list, markdown(&entries)),
-            (cards, cards::page(&entries)),
-            (terms, glossary::markdown()),
-            (terms_html, glossary::html()),
-        ];
+        let [list, cards] = Self::FILES;
+        let pages = [(list, markdown(&entries)), (cards, cards::page(&entries))];
         Self { reports: entries.len(), pages }
     }
 }
@@ -139,7 +129,6 @@ fn groups(entries: &[Entry]) -> impl Iterator<Item = (&'static str, Vec<&Entry>)
 /// The list of reports, for those who read the folder on the web.
 fn markdown(entries: &[Entry]) -> String {
     let mut page = Page::new("Reports");
-    page.paragraph("[Glossary](glossary.md)");
     for (title, entries) in groups(entries) {
         let row = |entry: &&Entry| {
             let link = |text: &str, file: &str| Cell::Link {

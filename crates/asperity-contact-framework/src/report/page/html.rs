@@ -12,7 +12,6 @@ use crate::report::answer::CardLine;
 use crate::report::glossary::{self, Explainer};
 
 const STYLE: &str = include_str!("assets/page.css");
-/// The style of charts.
 pub const CHART_STYLE: &str = include_str!("assets/uPlot.min.css");
 const CHART_LICENCE: &str = include_str!("assets/uPlot-LICENSE");
 const CHARTS: &str = include_str!("assets/uPlot.iife.min.js");
@@ -104,7 +103,6 @@ pub(super) fn pieces(title: &str, blocks: &[Block], has_sections: bool) -> Piece
     pieces
 }
 
-/// The texts of a line of a card.
 fn card_text(line: &CardLine, explainer: &mut Explainer) -> String {
     let text = |text: &String| {
         let mut html = String::new();
@@ -136,7 +134,6 @@ pub fn chart_scripts() -> [String; 2] {
     ]
 }
 
-/// The same as two elements.
 pub fn charts() -> String {
     let [library, charts] = chart_scripts();
     format!("<script>\n{library}</script>\n<script>\n{charts}</script>\n")
@@ -150,7 +147,6 @@ pub fn page_style() -> String {
 /// Where the list of sections goes.
 const CONTENTS: &str = "<!-- contents -->\n";
 
-/// The sections with their ids.
 fn contents(sections: &[(String, String)]) -> String {
     if sections.len() <= MOST_UNLISTED {
         return String::new();
@@ -299,7 +295,6 @@ pub fn with_minus(text: &str) -> String {
     shown
 }
 
-/// Inline Markdown as plain text.
 pub(super) fn plain(markdown: &str) -> String {
     let text = |event| match event {
         Event::Text(text) | Event::Code(text) => Some(text.into_string()),
@@ -315,7 +310,6 @@ fn is_safe(to: &CowStr<'_>) -> bool {
     !scheme.contains(':') || to.starts_with("https://") || to.starts_with("http://")
 }
 
-/// Text as HTML.
 pub fn escape(text: &str) -> String {
     let text = text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
     text.replace('"', "&quot;").replace('\'', "&#39;")

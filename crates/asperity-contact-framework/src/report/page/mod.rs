@@ -27,12 +27,7 @@ pub enum Cell {
     /// The same, except that text between backticks is code.
     AroundCode(String),
     /// Text that leads to a relative address or a web page.
-    Link {
-        /// What is shown.
-        text: String,
-        /// Where it leads.
-        to: String,
-    },
+    Link { text: String, to: String },
 }
 
 impl<T: Into<String>> From<T> for Cell {
@@ -50,7 +45,6 @@ enum Block {
     },
     /// What a reader should know first.
     Lead(String),
-    /// The same as a card.
     Card(Vec<CardLine>),
     /// Any block whose HTML follows from its Markdown.
     Markdown(String),
@@ -94,7 +88,6 @@ impl Drawn {
     }
 }
 
-/// The files of a page.
 #[derive(Debug)]
 pub struct Files {
     /// `report.md`.
@@ -110,11 +103,9 @@ pub struct Files {
 /// A page in pieces of HTML, for a program that shows it as its results come.
 #[derive(Debug, Default, Serialize)]
 pub struct Pieces {
-    /// Its title, plain text.
     pub title: String,
     /// What stands first besides card and figures.
     pub lead: String,
-    /// The lines of its card.
     pub card: Vec<CardPiece>,
     /// The figures before the first folded section.
     pub figures: Vec<FigurePiece>,
@@ -122,27 +113,21 @@ pub struct Pieces {
     pub sections: String,
 }
 
-/// A line of a card.
 #[derive(Debug, Serialize)]
 pub struct CardPiece {
     /// Its name for machines.
     pub key: String,
-    /// Its label, plain text.
     pub label: String,
-    /// What it says.
     pub html: String,
 }
 
-/// A figure.
 #[derive(Debug, Serialize)]
 pub struct FigurePiece {
-    /// Its name.
     pub id: String,
     /// Its picture; `None` where its data are enough.
     pub svg: Option<String>,
     /// Its content as `page.js` draws it.
     pub data: Option<Box<RawValue>>,
-    /// Its caption.
     pub caption: String,
 }
 

@@ -120,7 +120,6 @@ struct Summary {
     files: Vec<String>,
     #[serde(default)]
     input_sha256: String,
-    /// Of a long run.
     library_sha256: Option<String>,
     /// SHA-256 of the files that version control keeps.
     #[serde(default)]

@@ -17,7 +17,7 @@
 mod manifest;
 mod swap;
 
-use crate::disk::{advice, check_writable};
+use crate::kept::{advice, check_writable};
 use manifest::{Kept, MANIFEST, Manifest};
 use rayon::prelude::*;
 use serde::Deserialize;
@@ -36,9 +36,7 @@ pub enum StoreError {
     Io {
         /// What was tried, as in "cannot write".
         operation: &'static str,
-        /// What it was tried on.
         path: PathBuf,
-        /// The system's reason.
         source: io::Error,
     },
     /// A file is where the folder of reports, or a folder above it, should be.
@@ -46,12 +44,7 @@ pub enum StoreError {
     NotAFolder(PathBuf),
     /// The folder of reports, or a folder above it, is a link that leads nowhere.
     #[error("--out: {} is a link to {}, which is not there; allowed: a folder for the reports, new or existing", link.display(), to.display())]
-    LeadsNowhere {
-        /// The link.
-        link: PathBuf,
-        /// Where it leads.
-        to: PathBuf,
-    },
+    LeadsNowhere { link: PathBuf, to: PathBuf },
     /// Another process holds the lock.
     #[error("another run is writing to {}; wait for it to end or choose another --out", .0.display())]
     Busy(PathBuf),
@@ -77,7 +70,6 @@ impl Folder {
         Self { stem: stem.into(), key: key.into(), files: Vec::new() }
     }
 
-    /// Adds a file.
     pub fn file(&mut self, name: impl Into<String>, content: impl Into<Vec<u8>>) -> &mut Self {
         self.files.push((name.into(), content.into()));
         self
@@ -88,7 +80,6 @@ impl Folder {
         self.files.iter().map(|(name, content)| (name.as_str(), content.as_slice()))
     }
 
-    /// Their names.
     pub fn names(&self) -> impl Iterator<Item = &str> {
         self.files.iter().map(|(name, _)| name.as_str())
     }
@@ -99,17 +90,14 @@ impl Folder {
 pub enum State {
     /// Complete, on this input; one that was made here also by this program.
     UpToDate,
-    /// Not there.
     Missing,
     /// The spec, or a file that it names, is another one.
     InputChanged,
-    /// The program is another one.
     ProgramChanged,
     /// A file of it is missing or is another one.
     Edited,
 }
 
-/// A folder of reports.
 #[derive(Debug)]
 pub struct Store {
     directory: PathBuf,

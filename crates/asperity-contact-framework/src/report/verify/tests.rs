@@ -38,8 +38,6 @@ impl fmt::Display for Never {
 }
 
 impl Plan for Never {
-    type Outcome = Never;
-
     fn memory(&self) -> Memory {
         Memory::default()
     }
@@ -48,7 +46,7 @@ impl Plan for Never {
         0
     }
 
-    fn run(&self, context: &RunContext) -> Result<Never, InputError> {
+    fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
         Err(InputError::file(&context.source.path, "is not run"))
     }
 }
@@ -81,7 +79,7 @@ impl Kind for Points {
     }
 }
 
-const KINDS: [&dyn AnyKind; 1] = [&Points];
+const KINDS: [RegisteredKind; 1] = [RegisteredKind::of::<Points>()];
 
 /// A folder with one report of some files, all of them committed.
 fn report(kind: &str, facts: &str, files: &[(&str, &str)]) -> tempfile::TempDir {

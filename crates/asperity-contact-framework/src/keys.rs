@@ -1,22 +1,18 @@
 //! The keys of a spec as documentation lists them, read from its JSON schema.
 
-mod text;
+use std::fmt::Write;
 
 use serde_json::{Map, Value};
 
 use crate::input::schema::{DEFAULT, RANGE, TYPE, UNIT};
 
-pub use text::{explanation, markdown};
-
 /// What a name chosen by the user stands as.
 const NAME: &str = "NAME";
 
-/// One key of a spec.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Key {
     /// The names from the top, as in `surface.NAME.file.pixel`.
     pub path: Vec<String>,
-    /// What it means, in sentences.
     pub meaning: String,
     /// What kind of value it takes.
     pub kind: String,
@@ -41,14 +37,12 @@ pub enum Default {
     Needed,
     /// This value, as TOML.
     Is(String),
-    /// This, in words.
     Words(String),
     /// Nothing is to be said of it.
     Open,
 }
 
 impl Key {
-    /// The path as one text.
     pub fn name(&self) -> String {
         self.path.join(".")
     }
@@ -88,20 +82,47 @@ fn matches(path: &[String], words: &[&str]) -> bool {
         && path.iter().zip(words).all(|(of_path, word)| of_path == word || of_path == NAME)
 }
 
-/// The last words of the paths that resemble `wanted`, the most similar first.
-pub fn similar(keys: &[Key], wanted: &str) -> Vec<String> {
+/// The `words` that resemble `wanted`, the most similar first.
+pub fn similar<'a>(words: impl Iterator<Item = &'a str>, wanted: &str) -> Vec<&'a str> {
     /// Of 1 for the same word.
     const ALIKE: f64 = 0.75;
-    let last = wanted.rsplit('.').next().unwrap_or(wanted);
-    let mut found: Vec<(f64, &str)> = keys
-        .iter()
-        .filter_map(|key| key.path.last())
-        .map(|word| (strsim::jaro_winkler(word, last), word.as_str()))
+    let mut found: Vec<(f64, &str)> = words
+        .map(|word| (strsim::jaro_winkler(word, wanted), word))
         .filter(|(likeness, _)| *likeness >= ALIKE)
         .collect();
     found.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(b.1)));
     found.dedup_by_key(|(_, word)| *word);
-    found.into_iter().take(5).map(|(_, word)| word.to_owned()).collect()
+    found.into_iter().take(5).map(|(_, word)| word).collect()
+}
+
+/// A key in a terminal; of a table also the `below` that stand in it.
+pub fn explanation(key: &Key, below: &[&Key]) -> String {
+    let mut text = format!("{}\n  {}\n", key.name(), key.meaning);
+    let mut row = |name: &str, value: &str| {
+        let _ = writeln!(text, "  {:<9}{value}", format!("{name}:"));
+    };
+    row("type", &key.kind);
+    for (name, value) in [("unit", &key.unit), ("range", &key.range)] {
+        if let Some(value) = value {
+            row(name, value);
+        }
+    }
+    match &key.default {
+        Default::Needed => row("default", "none; it is needed"),
+        Default::Is(default) | Default::Words(default) => row("default", default),
+        Default::Open => {}
+    }
+    for example in &key.examples {
+        row("example", &key.line(example));
+    }
+    for (value, meaning) in &key.values {
+        row("value", &format!("{value}: {meaning}"));
+    }
+    if !below.is_empty() {
+        let names: Vec<&str> = below.iter().filter_map(|key| key.path.last()).map(String::as_str).collect();
+        row("keys", &names.join(", "));
+    }
+    text
 }
 
 fn walk(schema: &Value, path: &mut Vec<String>, keys: &mut Vec<Key>) {
