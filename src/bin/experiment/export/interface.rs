@@ -48,8 +48,7 @@ impl InterfaceExport {
         let model = named(&TableModel::ALL, TableModel::name, &model);
         let units = named(&UnitSystem::ALL, UnitSystem::name, &units);
         let name = spec.file_stem().unwrap_or_default().to_string_lossy();
-        let experiment =
-            watched(&name, writing.quiet, |progress| Experiment::watched_read(&spec, progress))?;
+        let experiment = watched(&name, writing.quiet, |progress| Experiment::watched_read(&spec, progress))?;
         let writer = writing.begin()?;
         // The name of a single case is checked before the run; those of several cases follow from it.
         writer.check([&format!("{}.{}", experiment.stem(), format.ending())])?;
