@@ -91,7 +91,8 @@ fn own() -> Preparation {
 
 /// The five-point summits of a window, which is not checked.
 pub fn summits(window: &HeightMap) -> Result<Surface, NoAsperities> {
-    SummitSearch { depth: AnalysisDepth::Asperities, ..SummitSearch::new(own()) }.surface("window", window)
+    let none = Preparation::none(Neighbours::Four);
+    SummitSearch { depth: AnalysisDepth::Asperities, ..SummitSearch::new(none) }.surface("window", window)
 }
 
 impl WindowTask<'_> {
@@ -103,7 +104,9 @@ impl WindowTask<'_> {
         is_studied: bool,
     ) -> Result<WindowResults, Failed> {
         let (window, others) = (&positions[0], &positions[1..]);
-        let surface = SummitSearch::new(own()).surface(name, window)?;
+        // The bodies of a pair are levelled, their sum is not.
+        let own = if others.is_empty() { own() } else { Preparation::none(Neighbours::Four) };
+        let surface = SummitSearch::new(own).surface(name, window)?;
         let controls = Controls::at_pressures(self.loads.to_vec());
         let statistical = StatisticalModel::default();
         let setup = self.setup(&statistical, &controls);

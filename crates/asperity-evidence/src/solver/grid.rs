@@ -13,7 +13,7 @@ use super::{SelfAffine, plot, rms, unit_pair};
 use crate::program::{Drawing, Evidence, Failed, Form, Program, Task};
 
 /// The surfaces and loads of both forms of `grid-bounds`.
-const SHORT: Grids = Grids { points: 256, realisations: 2, pressures: &[0.02], error: 1e-3 };
+const SHORT: Grids = Grids { points: 256, realisations: 2, pressures: &[0.02], error: 1e-6 };
 const FULL: Grids = Grids { points: 1024, realisations: 60, pressures: &[0.002, 0.006, 0.02], error: 1e-6 };
 
 /// Points of the fine grid per shortest wave.

@@ -31,7 +31,7 @@ const SHORT: Size = Size {
     shares: &[0.3],
     layered: 8,
     ensemble: Ensemble { points: &[200, 240], realisations: 2, pressures: &[0.113, 0.147], error: 1e-3 },
-    grids: Grids { points: 256, realisations: 2, pressures: &[0.02], error: 1e-3 },
+    grids: Grids { points: 256, realisations: 2, pressures: &[0.02], error: 1e-6 },
 };
 
 const FULL: Size = Size {

@@ -17,7 +17,7 @@ fn estimate(contrast: f64, error: Option<f64>, independent_error: Option<f64>) -
     QuantityEstimate { estimate, independent_error, contacts: 100.0, area_ratio: 0.01 }
 }
 
-fn coverage(windows: &[QuantityEstimate]) -> Option<Coverage> {
+fn coverage_of(windows: &[QuantityEstimate]) -> Option<Coverage> {
     Coverage::new("one", 1.0, ComparedQuantity::Area, windows)
 }
 
@@ -30,7 +30,7 @@ fn intervals_that_hold_the_mean_are_counted() {
         estimate(4.0, Some(0.25), Some(0.01)),
         estimate(1.0, None, Some(1.0)),
     ];
-    let coverage = coverage(&windows).unwrap();
+    let coverage = coverage_of(&windows).unwrap();
     assert_eq!((coverage.windows, coverage.truth, coverage.scatter), (4, 2.0, 2f64.sqrt()));
     assert_eq!((coverage.claimed.intervals, coverage.claimed.covered), (3, 2));
     assert_eq!(coverage.claimed.coverage(), Some(2.0 / 3.0));
@@ -40,8 +40,8 @@ fn intervals_that_hold_the_mean_are_counted() {
     assert!((stated - 1.25 / 3.0 / 2f64.sqrt()).abs() < 1e-15);
     // Errors of independent asperities: 0.01 holds at the mean only.
     assert_eq!((coverage.independent.intervals, coverage.independent.covered), (3, 2));
-    assert_eq!(coverage(&windows[..1]), None);
-    let none = coverage(&[estimate(1.0, None, None), estimate(2.0, None, None)]).unwrap();
+    assert_eq!(coverage_of(&windows[..1]), None);
+    let none = coverage_of(&[estimate(1.0, None, None), estimate(2.0, None, None)]).unwrap();
     assert_eq!((none.claimed.coverage(), none.claimed.coverage_error()), (None, None));
     assert_eq!(none.error_over_scatter(&none.independent), None);
 }

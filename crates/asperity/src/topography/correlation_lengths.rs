@@ -10,7 +10,7 @@ const DECAY: f64 = 0.2;
 /// Roughness is patchy where the autocorrelation of the magnitudes of its heights exceeds the square of that of the heights by more
 /// than this, in the mean over lags from two to four correlation lengths. Of a Gaussian surface both are equal within 0.02 (the
 /// autocorrelation of |z| is its square within 0.03 at any value), of transformed heights within 0.03 where the heights hardly
-/// correlate. An amplitude that scatters by a fifth gives 0.06, and the intervals of maps below the limit hold (`[coverage]`).
+/// correlate. An amplitude that scatters by a fifth gives 0.06, and the intervals of maps below the limit hold (`coverage`).
 const PATCHY: f64 = 0.03;
 
 /// Correlation lengths of a map along x and y.

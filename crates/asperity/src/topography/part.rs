@@ -148,7 +148,7 @@ impl Rows for Window<'_> {
 pub const MIN_BLOCKS: usize = 16;
 
 /// The smallest side of a block in correlation lengths: about three of the longest waves of a self-affine surface. The
-/// experiment `[coverage]` shows that intervals from such blocks hold.
+/// experiment `coverage` shows that intervals from such blocks hold.
 pub const BLOCK_LENGTHS: f64 = 9.0;
 
 /// A division of a map of `points` into equal blocks.

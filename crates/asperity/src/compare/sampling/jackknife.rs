@@ -26,7 +26,7 @@ pub fn student_quantile(groups: usize) -> f64 {
 }
 
 /// The same for a standard error from [`jackknife_error`] of contacts: with two thirds of the degrees of freedom, because
-/// the loads of groups that hold few contacts are not Gaussian. The experiment `[coverage]` shows that intervals then hold.
+/// the loads of groups that hold few contacts are not Gaussian. The experiment `coverage` shows that intervals then hold.
 pub fn jackknife_quantile(groups: usize) -> f64 {
     const SHARE: f64 = 2.0 / 3.0;
     quantile(SHARE * groups.saturating_sub(1) as f64)

@@ -98,7 +98,7 @@ impl FittedProcess {
     }
 
     /// By how much the scatter of samples exceeds that of generated surfaces: the map shows its longest waves only in part, the less the fewer
-    /// correlation lengths it holds (`[coverage]`).
+    /// correlation lengths it holds (`coverage`).
     pub fn widening(&self) -> f64 {
         /// Of the geometric mean of 1/lengths along both sides.
         const PER_LENGTH: f64 = 1.4;
