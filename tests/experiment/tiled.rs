@@ -99,7 +99,7 @@ fn any_number_of_threads_gives_the_bytes_of_one() {
 fn tasks_have_the_results_of_one_run() {
     let several = POPULATION.replace("300_000", "500").replace("realisations = 2", "realisations = 600");
     for (surface, wanted) in
-        [(POPULATION, [10, 1]), (&several, [200, 1]), (LIST, [10, 2]), (MAP, [24, 2]), (GENERATED, [9, 2])]
+        [(POPULATION, [10, 1]), (&several, [200, 1]), (LIST, [10, 2]), (MAP, [23, 2]), (GENERATED, [9, 2])]
     {
         let folder = folder(&spec("tiled", surface));
         let experiment = Experiment::read(&folder.path().join("a.toml")).unwrap();

@@ -137,9 +137,34 @@ fn formats() -> String {
     )
 }
 
-/// What is wrong with the options of a file that are not what they seem: another option where a value should be, since values may begin with a
-/// hyphen, as -9999 does; a load after `--force`, which has no value.
+/// Commands and options of earlier versions, and what to use in their place.
+const GONE: [(&str, &str); 5] = [
+    (
+        "merge",
+        "`asperity.distributed.sweep` of the Python package divides a run among machines (docs/clusters.md)",
+    ),
+    (
+        "--part",
+        "`asperity.distributed.sweep` of the Python package divides a run among machines (docs/clusters.md)",
+    ),
+    ("keys", "`experiment explain KEY` explains a key, `experiment schema` prints all"),
+    (
+        "columns",
+        "`experiment explain curves.csv` lists the columns of a table, `experiment explain COLUMN` explains one",
+    ),
+    ("man", "`experiment COMMAND --help` says what a command does"),
+];
+
+/// What is wrong with arguments that are not what they seem: a command or an option that is gone; another option where a value of an option of a
+/// file should be, since values may begin with a hyphen, as -9999 does; a load after `--force`, which has no value.
 pub fn misread(words: &[String]) -> Option<String> {
+    let is_typed = |name: &str| {
+        words.get(1).is_some_and(|word| word == name)
+            || name.starts_with("--") && words.iter().any(|word| word == name)
+    };
+    if let Some((name, instead)) = GONE.into_iter().find(|(name, _)| is_typed(name)) {
+        return Some(format!("{name} is gone: {instead}"));
+    }
     let command = Cli::command();
     // The options of a file are those of `surface` wherever they are.
     let takes_file = |word: &String| ["surface", "export"].contains(&word.as_str());

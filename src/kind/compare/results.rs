@@ -46,8 +46,6 @@ pub struct CompareResults {
 
 #[derive(Debug)]
 pub struct ReferenceMetadata {
-    /// The relative dual gap that was asked for.
-    pub error: f64,
     /// Points along an axis for each of the map's.
     pub refine: usize,
     /// Laws that yield beside an elastic reference.

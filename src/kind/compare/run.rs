@@ -87,11 +87,7 @@ pub fn run_within(
         lines: compare.lines.clone(),
         figures_of_paper: compare.figures_of_paper.clone(),
         reference: compare.reference.as_deref().filter(|_| scope.has_everything()).map(|reference| {
-            ReferenceMetadata {
-                error: reference.error,
-                refine: reference.refine,
-                elastic: reference.elastic.clone(),
-            }
+            ReferenceMetadata { refine: reference.refine, elastic: reference.elastic.clone() }
         }),
         described: described.map(|file| Described { file: file.clone(), spec }),
     })

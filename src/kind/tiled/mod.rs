@@ -17,7 +17,6 @@ use crate::model_tables::{CurveRow, PairRow};
 use crate::surface::inputs;
 use crate::surface::rows::SurfaceRow;
 use plan::TiledPlan;
-pub use results::{LawResults, TiledResults, TiledSurface};
 
 pub struct Tiled;
 

@@ -346,6 +346,17 @@ fn help_reaches_shells_and_editors() {
         let script = text(&experiment(&["completions", shell], folder.path()).stdout);
         assert!(script.contains("save-spec"), "{shell}: {script}");
     }
+    for (arguments, instead) in [
+        (&["columns"][..], "explain curves.csv"),
+        (&["keys"], "experiment schema"),
+        (&["man"], "--help"),
+        (&["merge", "a.toml"], "asperity.distributed.sweep"),
+        (&["run", "a.toml", "--part", "1/2"], "asperity.distributed.sweep"),
+    ] {
+        let refused = experiment(arguments, folder.path());
+        assert_eq!(refused.status.code(), Some(2));
+        assert!(text(&refused.stderr).contains(instead), "{}", text(&refused.stderr));
+    }
     let refused = experiment(&["explain", "thicknes"], folder.path());
     assert_eq!(refused.status.code(), Some(2));
     assert!(text(&refused.stderr).contains("thickness"), "{}", text(&refused.stderr));

@@ -2,11 +2,11 @@
 //!
 //! | module | what it draws |
 //! |---|---|
-//! | `differences` | differences between the models, and from the reference, against load |
+//! | `differences` | differences between the models and from the reference, and their causes, against load |
 //! | `curves` | separation, area, stiffness and regimes against load |
-//! | `layers` | the same by layer thickness |
-//! | `lines` | closed results beside the models |
-//! | `contact` | pressures of the reference |
+//! | `layers` | the same and friction by layer thickness |
+//! | `lines` | axes of a comparison, and closed results beside the models |
+//! | `contact` | pressures of the reference, what is in contact on a map, differences over the S filter |
 //! | `verdict_map` | the verdicts on several cases over load |
 //! | `paper` | figures of Pasaribu and Schipper (2005) |
 //! | `main_figure` | what a page is opened for |

@@ -8,7 +8,6 @@
 //! | `point` | a contact in the terms of the models, with bounds of its errors |
 //! | `spots` | what its spots conduct, and their friction |
 //! | `view` | a part of the contact, and the distribution of pressures |
-//! | `tables` | `reference.csv` |
 
 pub mod plan;
 mod point;
@@ -21,4 +20,4 @@ pub use plan::{ElasticCase, ReferencePlan, Solution};
 pub use run::ReferenceRun;
 pub use run::SMALL_YIELDING;
 pub use spec::ReferenceSpec;
-pub use view::{ContactView, Part, SummitsInContact, numbered_patches};
+pub use view::{ContactView, Part, numbered_patches};
