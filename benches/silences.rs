@@ -65,7 +65,7 @@ fn main() {
         let recorder = Recorder::new();
         let phase = |name: &str| recorder.sign(Some(name));
         phase("plan");
-        let experiment = match Experiment::watched_read(Path::new(&path), false, &recorder) {
+        let experiment = match Experiment::watched_read(Path::new(&path), &recorder) {
             Ok(experiment) => experiment,
             Err(error) => {
                 println!("{path}: {error}");

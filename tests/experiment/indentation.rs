@@ -4,9 +4,6 @@ use std::fs;
 use std::path::Path;
 
 use crate::Report;
-use crate::common::rows;
-use asperity::Material;
-use asperity::compare::ModulusCheck;
 use asperity::sphere::{Curve, DecreasingQuantity};
 use asperity_contact_framework::Outcome;
 use asperity_contact_framework::progress::Silent;

@@ -103,8 +103,6 @@ impl Kind for EvidenceKind {
 }
 
 impl Plan for EvidencePlan {
-    type Outcome = EvidenceResults;
-
     fn memory(&self) -> Memory {
         Memory { bytes: self.form().bytes as u128, key: None }
     }
@@ -113,13 +111,14 @@ impl Plan for EvidencePlan {
         self.form().contacts as u128
     }
 
-    fn run(&self, context: &RunContext) -> Result<EvidenceResults, InputError> {
+    fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
         let start = Instant::now();
         let task = Task { is_full: self.is_full, seed: context.seed, progress: context.progress };
         let evidence =
             (self.program.run)(&task).map_err(|error| InputError::file(&context.source.path, error))?;
         let timing = Timing { total: start.elapsed(), ..Timing::default() };
-        Ok(EvidenceResults { metadata: context.metadata(evidence.papers.clone(), timing, None), evidence })
+        let metadata = context.metadata(evidence.papers.clone(), timing, None);
+        Ok(Box::new(EvidenceResults { metadata, evidence }))
     }
 }
 

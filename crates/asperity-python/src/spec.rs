@@ -381,7 +381,7 @@ pub fn run(
                 .extract()
                 .map_err(|_| refuse("spec: allowed: the path of a spec file, or a dictionary"))?;
             Box::new(move |watch| {
-                let experiment = Experiment::watched_read(&path, false, watch);
+                let experiment = Experiment::watched_read(&path, watch);
                 finish(experiment, report, |experiment| experiment.run(watch))
             })
         }
