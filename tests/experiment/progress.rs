@@ -106,12 +106,12 @@ fn files_are_looked_through_and_compared_with_progress() {
     let folder = tempfile::tempdir().unwrap();
     let path = spec(folder.path());
     let stages = Stages::default();
-    let experiment = Experiment::watched_read(&path, false, &stages).unwrap();
+    let experiment = Experiment::watched_read(&path, &stages).unwrap();
     assert_eq!(experiment.watched_key(&stages).unwrap(), experiment.key().unwrap());
     assert!(stages.signs_within("checking the file") + stages.signs_within("comparing files") > 0);
     for last in 0..stages.signs.into_inner() {
         let stages = Stages { last: Some(last), ..Stages::default() };
-        let work = || Experiment::watched_read(&path, false, &stages)?.watched_key(&stages).map(drop);
+        let work = || Experiment::watched_read(&path, &stages)?.watched_key(&stages).map(drop);
         assert!(catch_unwind(AssertUnwindSafe(work)).unwrap_err().is::<Ended>());
     }
 }

@@ -22,6 +22,7 @@ pub struct BadSpec<'a> {
     /// As it is written in `bad.txt`.
     pub written: &'a str,
     /// Its message, each line after `> `.
+    #[allow(dead_code, reason = "of the test programs only one reads it")]
     pub message: &'a str,
 }
 

@@ -191,7 +191,7 @@ mod tests {
     }
 
     fn told<D: quantity::Dimension, R: Range>(value: f64) -> String {
-        Quantity::<D, R>::bare(value, &value.to_string()).unwrap_err()
+        Quantity::<D, R>::bare(value, &value.to_string()).err().unwrap()
     }
 
     /// Others stand among the bad specs.

@@ -202,16 +202,20 @@ mod tests {
     /// Others stand among the bad specs.
     #[test]
     fn errors_say_what_was_found() {
-        for (words, found) in [
-            ("{ cauchy = {} }", "found the distribution \"cauchy\""),
-            ("{}", "found an empty table"),
-            ("{ gaussian = {}, exponential = {} }", "found two distributions"),
-            ("{ gaussian = { mean = 2 } }", "found the parameter `mean` of gaussian"),
-            ("{ johnson = { skewness = 1 } }", "found no `kurtosis`"),
-            ("{ weibull = { shape = 0.4 } }", "found Weibull shape 0.4"),
+        for (words, found, allowed) in [
+            (
+                "{ cauchy = {} }",
+                "found the distribution \"cauchy\"",
+                "{ johnson = { skewness = -1, kurtosis = 4.5 } }",
+            ),
+            ("{}", "found an empty table", "allowed: \"gaussian\""),
+            ("{ gaussian = {}, exponential = {} }", "found two distributions", "allowed: \"gaussian\""),
+            ("{ gaussian = { mean = 2 } }", "found the parameter `mean` of gaussian", "allowed: none"),
+            ("{ johnson = { skewness = 1 } }", "found no `kurtosis`", "which johnson needs"),
+            ("{ weibull = { shape = 0.4 } }", "found Weibull shape 0.4", "allowed: 0.5 to 20"),
         ] {
             let error = of(words).unwrap_err();
-            assert!(error.contains(found) && error.contains("allowed: "), "{words}: {error}");
+            assert!(error.contains(found) && error.contains(allowed), "{words}: {error}");
         }
     }
 }
