@@ -28,7 +28,10 @@ mod conduction;
 mod contact;
 mod convolution;
 mod descent;
+mod grid_error;
 mod influence;
+mod levels;
+mod missing;
 mod patch;
 mod preconditioner;
 mod projection;
@@ -44,7 +47,8 @@ use crate::named_enum;
 pub use compliance::{ConductingPair, ElasticPair};
 pub use conduction::{Conductor, Current};
 pub use contact::Contact;
-pub use refine::{GridError, refined};
+pub use grid_error::GridError;
+pub use refine::refined;
 pub use solver::{MOST_MISSING, Solver};
 pub use tangent::Tangent;
 
@@ -132,6 +136,9 @@ pub enum SolverError {
     /// Under such a load a point yields less than rounding.
     #[error("mean pressure {0} Pa is lost in rounding; allowed: a larger one, of 1e-12 of E* or more")]
     TooLight(f64),
+    /// No load gives the gap.
+    #[error("mean gap {0} m; allowed: above 0 and below that of the first point in contact")]
+    Gap(f64),
     /// The error did not fall to the one asked for.
     #[error(
         "no convergence at a mean pressure of {pressure} Pa: error {error:.1e} after {steps} steps; asked for: {wanted:.1e}. \

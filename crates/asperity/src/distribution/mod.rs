@@ -9,8 +9,10 @@
 mod exponential;
 mod fitted;
 mod gaussian;
+mod hazard;
 pub mod johnson;
-mod normal;
+mod moments;
+mod normal_quantiles;
 mod smoothed;
 pub mod weibull;
 
@@ -29,8 +31,8 @@ pub use exponential::Exponential;
 pub use fitted::HeightModel;
 pub use gaussian::{Gaussian, gaussian_moment};
 pub use johnson::Johnson;
-pub use normal::Moments;
-pub(crate) use normal::normal_nodes;
+pub use moments::Moments;
+pub(crate) use moments::normal_nodes;
 pub use smoothed::{EqualHeights, Smoothed};
 pub use weibull::Weibull;
 

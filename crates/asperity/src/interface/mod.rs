@@ -1,11 +1,13 @@
 //! The micro-contact of two bodies under a law, which both models sum.
 
+mod averaged;
 mod bare;
 mod batch;
 mod flat;
 mod layered;
 mod with_spots;
 
+pub(crate) use averaged::{AveragedContact, RadiusShare};
 pub use bare::Interface;
 pub(crate) use batch::accumulate_columns;
 pub use flat::Flat;
@@ -172,14 +174,7 @@ pub trait MicroContact: Send + Sync {
         shape: Shape,
         accumulator: &mut Accumulator,
     ) {
-        for (&w, &weight) in indentations.iter().zip(weights) {
-            accumulator.accumulate_weighted(&self.contact(w, shape), weight);
-            if accumulator.wants_spots()
-                && let Some(values) = self.spot_values(w, shape)
-            {
-                accumulator.add_spot(values, weight);
-            }
-        }
+        accumulate_weighted_each(self, indentations, weights, shape, accumulator);
     }
 
     /// Adds the contacts of asperities at `separation` (m, in the frame of their heights) to the accumulator. All
@@ -193,6 +188,24 @@ pub trait MicroContact: Send + Sync {
             {
                 accumulator.add_spot(values, 1.0);
             }
+        }
+    }
+}
+
+/// [`MicroContact::accumulate_weighted`], contact by contact.
+fn accumulate_weighted_each(
+    contact: &(impl MicroContact + ?Sized),
+    indentations: &[f64],
+    weights: &[f64],
+    shape: Shape,
+    accumulator: &mut Accumulator,
+) {
+    for (&w, &weight) in indentations.iter().zip(weights) {
+        accumulator.accumulate_weighted(&contact.contact(w, shape), weight);
+        if accumulator.wants_spots()
+            && let Some(values) = contact.spot_values(w, shape)
+        {
+            accumulator.add_spot(values, weight);
         }
     }
 }

@@ -1,8 +1,7 @@
 //! The separation of a prescribed load.
 
-use super::{Model, Response, descent, separations_of};
+use super::{Model, Response};
 use crate::numeric::parallel;
-use crate::numeric::root::last_reaching;
 
 /// Separations below this are not searched, in sigma.
 pub const LOWEST_SEPARATION: f64 = -10.0;
@@ -87,24 +86,4 @@ pub(super) fn search_missing(
     let missing: Vec<usize> = (0..found.len()).filter(|&k| found[k].is_none()).collect();
     let answers = parallel::map(missing.len(), |k| search(pressures[missing[k]]));
     missing.into_iter().zip(answers).for_each(|(k, answer)| found[k] = answer);
-}
-
-/// For each of the pressures (Pa) the largest separation d/sigma with at least that pressure, of a model without contacts above `highest`:
-/// in steps of a quarter of sigma where it may be reached more than once.
-pub(crate) fn separations_by_descent(
-    model: &impl Model,
-    pressures: &[f64],
-    highest: f64,
-) -> Vec<Option<f64>> {
-    let highest = highest.max(LOWEST_SEPARATION);
-    if !model.may_decrease() {
-        return separations_of(model.last_reaching(pressures, LOWEST_SEPARATION, highest, &[]));
-    }
-    let at = |h: f64| model.respond_without_spots(&[h])[0].pressure.total();
-    let grid = descent(LOWEST_SEPARATION, highest);
-    let mut found = vec![None; pressures.len()];
-    search_missing(&mut found, pressures, |pressure| {
-        grid.windows(2).find_map(|pair| last_reaching(at, pressure, pair[1], pair[0]))
-    });
-    found
 }

@@ -4,6 +4,7 @@ mod bem;
 mod coated;
 mod common;
 mod conformance;
+mod curves;
 mod ellipses;
 mod exact_sphere;
 mod files;

@@ -21,12 +21,10 @@
 //! |---|---|
 //! | `contribution` | what a cause contributes, with its interval; which cause leads |
 //! | `states` | the models of the states |
-//! | `independent` | the sum of every height with every radius, both condensed |
 //! | `at_loads` | the states at the loads of pairs, and the gap divided among the causes |
 
 mod at_loads;
 mod contribution;
-mod independent;
 mod states;
 #[cfg(test)]
 mod tests;
