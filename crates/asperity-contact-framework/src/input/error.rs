@@ -234,21 +234,27 @@ fn is_of_escape(message: &str) -> bool {
     ["escape", "unicode"].iter().any(|word| message.contains(word))
 }
 
-/// Keys of earlier versions, and what stands in their place.
+/// Keys of earlier versions, and what to do instead.
 const GONE: [(&str, &str); 6] = [
-    ("tolerance", "every point of a curve is exact"),
+    ("tolerance", "every point of a curve is exact; leave it out"),
     (
         "tables",
-        "tables are CSV, which pandas turns into Parquet by `pd.read_csv(\"curves.csv\").to_parquet(\"curves.parquet\")`",
+        "tables are CSV, which pandas turns into Parquet by `pd.read_csv(\"curves.csv\").to_parquet(\"curves.parquet\")`; leave it out",
     ),
-    ("coverage", "`[evidence]` with `name = \"coverage\"` runs this program, which has its own numbers"),
-    ("precision", "`[evidence]` with `name = \"precision\"` runs this program, which has its own numbers"),
-    (
-        "solver-validation",
-        "`[evidence]` with `name = \"solver-validation\"` runs this program, which has its own numbers",
-    ),
-    ("stability", "`[evidence]` with `name = \"stability\"` runs this program, which has its own numbers"),
+    ("coverage", EVIDENCE),
+    ("precision", EVIDENCE),
+    ("solver-validation", EVIDENCE),
+    ("stability", EVIDENCE),
 ];
+
+const EVIDENCE: &str =
+    "it is a program with its own numbers; run it by its name in [evidence], such as `name = \"stability\"`";
+
+/// The message of a key of an earlier version.
+pub fn gone(key: &str) -> Option<String> {
+    let (_, instead) = GONE.into_iter().find(|(gone, _)| *gone == key)?;
+    Some(format!("found the key `{key}`, which is gone: {instead}"))
+}
 
 /// Message of the parser as what was found and what is allowed.
 pub fn plain_message(message: &str) -> String {
@@ -280,10 +286,9 @@ pub fn plain_message(message: &str) -> String {
     if let Some(field) = message.strip_prefix("missing field ") {
         return format!("found no {field}, which is needed");
     }
-    for (key, instead) in GONE {
-        if message.starts_with(&format!("unknown field `{key}`")) {
-            return format!("found the key `{key}`, which is gone: {instead}; leave it out");
-        }
+    let unknown = message.strip_prefix("unknown field `").and_then(|rest| rest.split('`').next());
+    if let Some(message) = unknown.and_then(gone) {
+        return message;
     }
     for (begin, found) in [
         ("unknown field ", "found the key "),

@@ -17,7 +17,7 @@ use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 use toml::de::{DeTable, DeValue, Deserializer, ValueDeserializer};
 
-use super::error::{InputError, Source};
+use super::error::{InputError, Source, gone};
 use super::figure::FigureSpec;
 use super::forms::Spanned;
 use super::material::{MaterialOrigin, MaterialSpec};
@@ -94,7 +94,7 @@ enum RunSpec {
 const MOST_BYTES: u64 = 500_000;
 
 /// Names of the fields of [`CommonKeys`].
-const COMMON: [&str; 8] = ["title", "notes", "seed", "figure", "tables", "run", "group", "material"];
+const COMMON: [&str; 7] = ["title", "notes", "seed", "figure", "run", "group", "material"];
 
 impl<'a> SpecFile<'a> {
     /// Reads a spec that may hold, besides the common keys, the tables named in `tables`.
@@ -130,8 +130,8 @@ impl<'a> SpecFile<'a> {
             } else if !COMMON.contains(&name) {
                 let allowed: Vec<String> =
                     COMMON.iter().chain(tables).map(|name| format!("`{name}`")).collect();
-                let message = format!("found the key `{name}`; allowed: {}", allowed.join(", "));
-                return Err(source.error_at(key.span(), message));
+                let unknown = || format!("found the key `{name}`; allowed: {}", allowed.join(", "));
+                return Err(source.error_at(key.span(), gone(name).unwrap_or_else(unknown)));
             }
         }
         found.sort_by_key(|(_, span)| span.start);
