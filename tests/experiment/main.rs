@@ -30,6 +30,7 @@ macro_rules! case_1 {
 }
 
 mod attribution;
+mod bad_specs;
 mod causes;
 mod caveats;
 mod cli;
@@ -49,7 +50,6 @@ mod main_figure;
 mod materials;
 mod pairs;
 mod progress;
-mod random_specs;
 mod ranking;
 mod readings;
 mod reference;

@@ -1,6 +1,6 @@
 """Reports before and after a fault: known-good ones to compare with byte by byte, and the program in a folder of its own.
 
-`FAULTS=full` runs what docs/stability.md states; without it each test is short.
+`FULL=1` runs what docs/stability.md states; without it each test is short.
 """
 
 import hashlib
@@ -13,7 +13,7 @@ import subprocess
 import pytest
 
 PROGRAM = os.environ.get("EXPERIMENT", "experiment")
-IS_FULL = os.environ.get("FAULTS") == "full"
+IS_FULL = os.environ.get("FULL") == "1"
 
 # Of the time that a run took; everything else is the same in every run of a spec.
 TIMED = ("timing.json", "manifest.json")

@@ -3,6 +3,8 @@
 
 mod large;
 mod mutate;
+#[path = "../specs/mod.rs"]
+mod specs;
 mod targets;
 
 use std::path::{Path, PathBuf};
@@ -11,6 +13,7 @@ use std::time::{Duration, Instant};
 
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
+use specs::BadSpec;
 use targets::{MOST_BYTES, Place, TARGETS, Taken, Target};
 
 /// Changed inputs a target; more by the environment variable `FUZZ_RUNS`.
@@ -22,7 +25,7 @@ const HANG: Duration = Duration::from_secs(60);
 fn folders(target: &str) -> (&'static [&'static str], &'static [&'static str]) {
     const FORMATS: &[&str] =
         &["crates/asperity/tests/library/formats/samples", "crates/asperity/tests/library/formats"];
-    const DATA: &[&str] = &["tests/specs/bad/data"];
+    const DATA: &[&str] = &["tests/specs/data"];
     match target {
         "al3d" => (FORMATS, &["al3d"]),
         "bcr" => (FORMATS, &["bcrf"]),
@@ -42,7 +45,7 @@ fn folders(target: &str) -> (&'static [&'static str], &'static [&'static str]) {
         "npy" | "list_npy" => (DATA, &["npy"]),
         "text" => (DATA, &["txt", "csv"]),
         "list" => (DATA, &["csv"]),
-        "spec" => (&["experiments", "tests/specs/bad", "src"], &["toml"]),
+        "spec" => (&["experiments", "src"], &["toml"]),
         _ => (&[], &[]),
     }
 }
@@ -66,7 +69,13 @@ fn inputs(target: &Target) -> Vec<(PathBuf, Vec<u8>)> {
         let bytes = std::fs::read(&path).unwrap();
         (path, bytes)
     };
-    all.into_iter().map(read).filter(|(_, bytes)| bytes.len() <= MOST_BYTES).collect()
+    let mut inputs: Vec<_> = all.into_iter().map(read).collect();
+    if target.name == "spec" {
+        let text = std::fs::read_to_string(root.join("tests/specs/bad.txt")).unwrap();
+        inputs.extend(BadSpec::all(&text).map(|bad| (bad.name.into(), bad.spec().into_bytes())));
+    }
+    inputs.retain(|(_, bytes)| bytes.len() <= MOST_BYTES);
+    inputs
 }
 
 /// Runs inputs of a target, each in the file that a failure names.

@@ -15,6 +15,9 @@ import pytest
 
 PROGRAM = os.environ.get("EXPERIMENT", "experiment")
 
+# What takes long, or is much the same as what is run in the short form.
+full = pytest.mark.skipif(os.environ.get("FULL") != "1", reason="only with FULL=1")
+
 
 def free_port():
     """A port that nobody listens on."""

@@ -13,6 +13,7 @@ import threading
 import time
 
 import pytest
+from conftest import full
 
 SPEC = {
     "title": "t",
@@ -665,7 +666,7 @@ def test_many_requests_at_once_are_answered(server):
     assert found.count(200) == 180 and found.count("done") == 20
 
 
-@pytest.mark.parametrize("path", ["/api/analyse", "/api/surface", "/api/heights", "/api/report"])
+@pytest.mark.parametrize("path", ["/api/analyse", *(pytest.param(f"/api/{name}", marks=full) for name in ("surface", "heights", "report"))])
 def test_what_nobody_waits_for_ends(server, path):
     """The computation of a page that is gone."""
     body = {"spec": long_spec(), "folder": "", "surface": "a", "most": 100, "name": "a"}
@@ -676,6 +677,7 @@ def test_what_nobody_waits_for_ends(server, path):
     assert not (server.folder / "reports").exists()
 
 
+@full
 def test_a_file_that_changes_while_it_is_read_is_read_again(server):
     """What was found in a file is not kept for the one that has taken its place."""
     def text(height):
@@ -753,6 +755,7 @@ def resident(server):
     return int(pages) * os.sysconf("SC_PAGE_SIZE")
 
 
+@full
 def test_memory_returns_after_a_surface_is_closed(server):
     """A map of four million points, shown and closed."""
     side = 2048

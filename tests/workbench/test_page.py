@@ -15,7 +15,7 @@ import pytest
 from axe_playwright_python.sync_playwright import Axe
 from playwright.sync_api import expect, sync_playwright
 
-from conftest import PROGRAM
+from conftest import PROGRAM, full
 
 ROOT = pathlib.Path(__file__).parents[2]
 SURFACES = ROOT / "experiments" / "surfaces"
@@ -222,7 +222,7 @@ def lacking(made, folder, xy=1.0, z=1.0):
     return path
 
 
-@pytest.mark.parametrize("made", ["npy", "txt", "xyz"])
+@pytest.mark.parametrize("made", ["npy", pytest.param("txt", marks=full), pytest.param("xyz", marks=full)])
 def test_each_unit_that_is_chosen_is_used(server, visit, tmp_path, made):
     """The card of the same surface, whatever the unit that its file is in."""
     page = visit(server.address)
@@ -316,6 +316,7 @@ def test_a_rectangle_is_cut_out_and_the_whole_map_comes_back(server, visit, tmp_
     expect(page.locator(".surface .size")).to_contain_text("12 × 20 points")
 
 
+@full
 def test_first_numbers_are_preliminary(server, visit):
     page = visit(server.address)
     page.get_by_role("button", name="Open the example").wait_for()
@@ -431,6 +432,7 @@ def plain_text(html):
     return " ".join(words.split())
 
 
+@full
 def test_the_last_stage_says_what_experiment_run_says(server, tmp_path):
     """Also after another filter, with surfaces and sampling errors that are kept from stage to stage."""
     path = server.post("/api/example", {}).json["path"]
@@ -539,6 +541,7 @@ def test_long_work_is_shown_and_cancelled_and_goes_on(server, visit):
     expect(page.get_by_role("progressbar")).to_be_visible()
 
 
+@full
 def test_a_thousand_changes_in_a_row(server, visit):
     save(server, POPULATION, "population")
     page = visit(server.address)
@@ -565,6 +568,7 @@ def test_a_thousand_changes_in_a_row(server, visit):
     assert key(fresh, "surface", "a", "population", "sigma").input_value() == sigma
 
 
+@full
 def test_eight_tabs_at_once(server, visit):
     save(server, population(server, count=20_000), "population")
     first = visit(server.address)
@@ -656,8 +660,7 @@ def test_a_profile_follows_the_line(server, visit, tmp_path):
     assert line.get_attribute("x1") == line.get_attribute("x2")
 
 
-@pytest.mark.parametrize("width", [1280, 400])
-@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("scheme, width", [("light", 1280), ("dark", 400), pytest.param("light", 400, marks=full), pytest.param("dark", 1280, marks=full)])
 def test_everyone_can_use_it(server, visit, width, scheme):
     """No serious fault by axe, no page wider than the screen, controls reached by the keyboard, the card heard."""
     save(server, POPULATION, "population")
@@ -695,6 +698,7 @@ def test_everyone_can_use_it(server, visit, width, scheme):
     expect(page.locator(".explanation:popover-open")).to_contain_text("surface.a.population.sigma")
 
 
+@full
 def test_the_tutorial_in_the_workbench(server, visit):
     """Part 3 of docs/tutorial.md: its steps, and the numbers that it quotes."""
     tutorial = (ROOT / "docs" / "tutorial.md").read_text().split("# Part 3")[1]
