@@ -26,6 +26,14 @@ fn folder(root: &Path) -> tempfile::TempDir {
     folder
 }
 
+/// A message without the memory of this machine.
+fn of_any_machine(message: &str) -> String {
+    match message.split_once("available: ") {
+        Some((before, after)) => format!("{before}available: ...{}", after.trim_start_matches(|c| c != ' ')),
+        None => message.to_owned(),
+    }
+}
+
 #[test]
 fn every_bad_spec_gets_its_message_and_writes_nothing() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -39,7 +47,7 @@ fn every_bad_spec_gets_its_message_and_writes_nothing() {
         let mut program = Command::new(env!("CARGO_BIN_EXE_experiment"));
         let output =
             program.args(["run", &file, "--out", "reports"]).current_dir(folder.path()).output().unwrap();
-        let message = String::from_utf8(output.stderr).unwrap();
+        let message = of_any_machine(&String::from_utf8(output.stderr).unwrap());
         assert_eq!(output.status.code(), Some(2), "{file}: {message}");
         assert!(message.contains(&file) && !message.contains("panicked"), "{file}: {message}");
         let message = message

@@ -307,7 +307,7 @@ fn of_several_specs_the_quick_ones_run_first_and_three_lines_end_the_run() {
     assert!(listed("c-long").contains("up to date      long, 0 s"), "{}", listed("c-long"));
     let summary = folder.path().join("reports/c-long/summary.json");
     let other =
-        fs::read_to_string(&summary).unwrap().replacen("library_sha256\": \"", "library_sha256\": \"0", 1);
+        fs::read_to_string(&summary).unwrap().replacen("library_sha256\":\"", "library_sha256\":\"0", 1);
     fs::write(&summary, other).unwrap();
     assert!(listed("c-long").contains("edited"));
     fs::remove_file(folder.path().join("reports/c-long/manifest.json")).unwrap();
