@@ -4,7 +4,8 @@
 //! is written by a backend of its own; what the elements have in common is then said once, for the
 //! group, and so is what plotters has no word for: dashes, clipping, joints of lines.
 
-use super::{layer::Dash, style::Size, text};
+use super::style::{Size, dark_rules_of};
+use super::{layer::Dash, text};
 use plotters::backend::{DrawingBackend, SVGBackend};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, FontFamily, FontStyle, FontTransform, RGBColor, ShapeStyle, TextStyle};
@@ -267,14 +268,14 @@ impl Canvas {
         self.body.push_str("</svg>\n");
     }
 
-    /// The whole picture on white, `width` by `height` CSS pixels, or `print` wide. With `rules` for a dark environment it is a
-    /// file; without, part of a page that has them.
+    /// The whole picture on white, `width` by `height` CSS pixels, or `print` wide. A file has rules for a dark environment; a page
+    /// has those of all its figures.
     pub(super) fn finish(
         self,
         title: &str,
         (width, height): (f64, f64),
         print: Option<Size>,
-        rules: Option<&str>,
+        is_file: bool,
     ) -> String {
         let (right, bottom) = units((width, height));
         let size = match print {
@@ -283,7 +284,6 @@ impl Canvas {
                 format!("width=\"{}mm\" height=\"{:.2}mm\"", size.width(), size.width() * height / width)
             }
         };
-        let rules = rules.map_or_else(String::new, |rules| format!("<style>{rules}</style>\n"));
         let mut escaped = String::with_capacity(title.len());
         for c in printable(title).chars() {
             match c {
@@ -293,12 +293,15 @@ impl Canvas {
                 other => escaped.push(other),
             }
         }
+        let paper = format!("<rect width=\"{right}\" height=\"{bottom}\" fill=\"#FFFFFF\"/>\n");
+        let body = paper + &self.body;
+        let rules =
+            if is_file { format!("<style>{}</style>\n", dark_rules_of(&body)) } else { String::new() };
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" {size} \
              viewBox=\"0 0 {right} {bottom}\" stroke-linejoin=\"round\" font-family=\"{}\">\n<title>{escaped}</title>\n{rules}\
-             <rect width=\"{right}\" height=\"{bottom}\" fill=\"#FFFFFF\"/>\n{}</svg>\n",
-            text::FAMILY,
-            self.body
+             {body}</svg>\n",
+            text::FAMILY
         )
     }
 

@@ -5,7 +5,7 @@ use super::joint;
 use super::layer::Layer;
 use super::layout::Layout;
 use super::legend::{self, Legend};
-use super::style::{CARD, LABEL, NARROWEST, NOTE_INK, STEEPEST, Size, WIDTH, dark_rules};
+use super::style::{CARD, LABEL, NARROWEST, NOTE_INK, STEEPEST, Size, WIDTH};
 use super::text::wrap;
 use super::{Arrangement, Plot};
 
@@ -26,8 +26,7 @@ pub(super) fn figure(
         (Arrangement::Grid(columns), _) => row(&mut canvas, plots, Some(columns), width, top),
         _ => column(&mut canvas, plots, width, top),
     };
-    let rules = file.then(dark_rules);
-    canvas.finish(title, (width, height.max(1.0)), print, rules.as_deref())
+    canvas.finish(title, (width, height.max(1.0)), print, file)
 }
 
 /// The SVG text of a plot as wide as a card.
@@ -38,7 +37,7 @@ pub(super) fn card(title: &str, plot: &Plot) -> String {
     let mut canvas = Canvas::default();
     let layout = Layout::new(plot, (width, height.max(ROW * plot.y.names.len() as f64)));
     let bottom = layout.draw(&mut canvas, (0.0, 0.0), layout.margins, layout.head(), true);
-    canvas.finish(title, (width, bottom), None, Some(&dark_rules()))
+    canvas.finish(title, (width, bottom), None, true)
 }
 
 /// Writes the heading of a figure and returns where its plots begin.

@@ -240,12 +240,11 @@ mod tests {
             let uri = field.image(&field.scale().unwrap(), reversed, (2.0, 3.0)).unwrap();
             let (pixels, info) = crate::png::tests::decoded(&uri, png::Transformations::IDENTITY);
             let (wide, high) = (info.width as usize, info.height as usize);
-            // Upper left, upper right, lower left, lower right, as fifths of the largest value.
-            [0, wide - 1, (high - 1) * wide, high * wide - 1]
-                .map(|at| (5.0 * f64::from(pixels[at] - 1) / f64::from(COLOURS - 1)).round())
+            // Upper left, upper right, lower left, lower right: values in ascending order, from 1.
+            [0, wide - 1, (high - 1) * wide, high * wide - 1].map(|at| pixels[at] + 1)
         };
-        assert_eq!(corners((false, false)), [3.0, 4.0, 5.0, 1.0]);
-        assert_eq!(corners((true, false)), [4.0, 3.0, 1.0, 5.0]);
-        assert_eq!(corners((false, true)), [5.0, 1.0, 3.0, 4.0]);
+        assert_eq!(corners((false, false)), [3, 4, 5, 1]);
+        assert_eq!(corners((true, false)), [4, 3, 1, 5]);
+        assert_eq!(corners((false, true)), [5, 1, 3, 4]);
     }
 }

@@ -58,10 +58,24 @@ pub const DARK_COLOURS: [(&str, &str); 9] = [
 
 /// The rules for a dark environment, for pages that hold figures; a figure file has its own.
 pub fn dark_rules() -> String {
-    let rule = |(light, dark): &(&str, &str)| {
-        format!("svg [fill=\"{light}\"]{{fill:{dark}}}svg [stroke=\"{light}\"]{{stroke:{dark}}}")
-    };
-    let rules: String = DARK_COLOURS.iter().map(rule).collect();
+    rules(|_| true)
+}
+
+/// The rules that a figure of these elements needs in a dark environment.
+pub(super) fn dark_rules_of(elements: &str) -> String {
+    rules(|attribute| elements.contains(attribute))
+}
+
+fn rules(is_needed: impl Fn(&str) -> bool) -> String {
+    let mut rules = String::new();
+    for (light, dark) in DARK_COLOURS {
+        for key in ["fill", "stroke"] {
+            let attribute = format!("{key}=\"{light}\"");
+            if is_needed(&attribute) {
+                rules.push_str(&format!("svg [{attribute}]{{{key}:{dark}}}"));
+            }
+        }
+    }
     format!("@media screen and (prefers-color-scheme:dark){{{rules}}}")
 }
 

@@ -446,10 +446,16 @@ fn symbols_have_subscripts() {
 fn a_file_adapts_to_a_dark_environment_and_a_page_does_so_once() {
     let figure = Figure::from(plot().with(Layer::line(wave(9))));
     let file = figure.file(None);
-    assert!(file.contains(&format!("<style>{}</style>", dark_rules())));
-    assert!(
-        file.contains("fill=\"#FFFFFF\"") && dark_rules().contains("svg [fill=\"#FFFFFF\"]{fill:#15181C}")
-    );
+    // Only the rules that it needs, and all of those.
+    let (style, elements) = file.split_once("</style>").unwrap();
+    for (light, dark) in DARK_COLOURS {
+        for key in ["fill", "stroke"] {
+            let attribute = format!("{key}=\"{light}\"");
+            let rule = format!("svg [{attribute}]{{{key}:{dark}}}");
+            assert_eq!(style.contains(&rule), elements.contains(&attribute), "{attribute}");
+        }
+    }
+    assert!(style.contains("svg [fill=\"#FFFFFF\"]{fill:#15181C}") && !style.contains("#882255"));
     assert!(!figure.part_of_page().contains("<style>"));
 }
 
