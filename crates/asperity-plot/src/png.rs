@@ -42,7 +42,7 @@ fn file(
     if !opacities.is_empty() {
         encoder.set_trns(opacities);
     }
-    encoder.set_compression(Compression::High);
+    encoder.set_compression(Compression::Balanced);
     encoder.set_filter(filter);
     let mut writer = encoder.write_header().ok()?;
     writer.write_image_data(indices).ok()?;
