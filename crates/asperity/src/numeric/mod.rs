@@ -4,7 +4,6 @@ pub(crate) mod condensed;
 pub(crate) mod interval;
 pub mod lanes;
 pub(crate) mod levels;
-mod order;
 pub(crate) mod parallel;
 pub(crate) mod power;
 pub mod quadrature;
@@ -16,7 +15,7 @@ pub(crate) mod sum;
 pub(crate) mod table;
 
 pub use interval::Interval;
-pub use order::{decades, extremes, median};
+pub use sort::{decades, extremes, median};
 pub use stream::stream_seed;
 pub use sum::{Sum, in_chunks};
 

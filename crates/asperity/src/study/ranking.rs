@@ -1,9 +1,9 @@
 //! How far each statistical model of a surface is from the sum and from the reference, and what it costs. Models that are fitted to the
 //! asperities are tested on others.
 
-use super::case::CaseStudy;
 use super::held_out::{self, Halves, HeldOut};
-use super::law::LawContact;
+use super::results::CaseStudy;
+use super::setup::LawContact;
 use crate::compare::{
     Accepted, ByQuantity, ComparedQuantity, Pair, ReferenceCurve, ReferencePoint, Repeats, of_each_decade,
 };
@@ -13,10 +13,10 @@ use crate::progress::Progress;
 use crate::work::{CountedContact, Counter};
 use crate::{INTERACTION, Model, Response, reached_at};
 
+use super::models::StatisticalModel;
 use super::models::SurfaceModels;
 use super::results::CaseResults;
 use super::setup::Setup;
-use super::statistical::StatisticalModel;
 use crate::surface::Surface;
 
 /// Loads per decade at which models are compared.

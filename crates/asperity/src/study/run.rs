@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use super::law::LawContact;
+use super::setup::LawContact;
 use crate::compare::{
     Accepted, AgainstReference, CaseSampling, ComparedQuantity, Controls, Difference, Gaps, ModelKind,
     Models, NotReached, compare,
@@ -16,13 +16,13 @@ use crate::work::{CountedContact, Counter};
 use crate::{ContactLaw, Model, plasticity_index};
 
 use super::attribution::attribute;
-use super::case::CaseStudy;
 use super::layer::DecreaseResults;
+use super::models::StatisticalModel;
 use super::models::SurfaceModels;
+use super::results::CaseStudy;
 use super::results::{CaseResults, RealisationFacts, RealisationResults};
 use super::sampling::sampling;
 use super::setup::Setup;
-use super::statistical::StatisticalModel;
 use crate::surface::Surface;
 
 /// Why both models cannot be compared on a surface.

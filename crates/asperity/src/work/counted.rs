@@ -1,4 +1,6 @@
-//! A micro-contact that counts its evaluations.
+//! A micro-contact that counts its evaluations, and the time that work takes.
+
+use std::time::Duration;
 
 use super::{Counter, Item};
 use crate::accumulator::Accumulator;
@@ -112,4 +114,25 @@ impl MicroContact for CountedContact<'_> {
     fn caveat(&self) -> Option<String> {
         self.contact.caveat()
     }
+}
+
+/// Where the time went.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Timing {
+    /// Reading files.
+    pub read: Duration,
+    /// Drawing asperities.
+    pub generate: Duration,
+    /// Levelling, filtering, finding summits.
+    pub summits: Duration,
+    /// The integrals.
+    pub statistical: Duration,
+    /// The sums, ordering included.
+    pub deterministic: Duration,
+    /// Both models again, for sampling errors.
+    pub sampling: Duration,
+    /// The boundary element reference.
+    pub reference: Duration,
+    /// All of it.
+    pub total: Duration,
 }

@@ -1,11 +1,9 @@
 //! Counts of work: contacts evaluated, files read, surfaces made.
 
 mod counted;
-mod timing;
 
 use crate::progress::PIECE;
-pub use counted::CountedContact;
-pub use timing::Timing;
+pub use counted::{CountedContact, Timing};
 
 use std::sync::atomic::{AtomicU64, Ordering};
 

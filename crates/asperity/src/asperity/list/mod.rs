@@ -1,7 +1,6 @@
 //! Reading a list of asperities: a text with the columns `height` and `radius`, or an n x 2 `.npy`; for ellipses,
 //! followed by `kx` and `ky`. A text may have their places `x` and `y` besides.
 
-mod column;
 mod header;
 mod text;
 
@@ -15,8 +14,8 @@ use crate::legible::legible;
 use crate::memory::zeros;
 use crate::npy::{self, NpyError};
 use crate::progress::{Progress, Silent};
-pub use column::ListColumn;
-use column::per_metre;
+pub use header::ListColumn;
+use header::per_metre;
 
 /// An error in reading a list of asperities.
 #[derive(Debug, thiserror::Error)]

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use crate::asperity::{Ascending, Asperities, AsperitySet, Draw, Population};
+use crate::asperity::{Asperities, AsperitySet, ByHeight, Draw, Population};
 use crate::interface::{AveragedContact, MicroContact, RadiusShare, jumps};
 use crate::memory::{collected, filled};
 use crate::model::{Deterministic, Medium, Mixture, Model, ReferencePlane, Statistical, WithMedium};
@@ -116,7 +116,7 @@ struct ByRank {
 }
 
 impl ByRank {
-    fn new(heights: Vec<f64>, by_height: &Ascending, set: &Asperities) -> Self {
+    fn new(heights: Vec<f64>, by_height: &ByHeight, set: &Asperities) -> Self {
         let column = |values: &[f64]| collected(by_height.places().par_iter().map(|&place| values[place]));
         Self { heights, radii: column(set.radii()), spheres: set.spheres().map(column) }
     }
@@ -282,14 +282,7 @@ impl<'a> Rearranged<'a> {
         if bin == 0.0 {
             return AveragedContact::exact(contact, nodes);
         }
-        let all = || {
-            let Inputs { asperities, set, .. } = &self.inputs;
-            if asperities.spheres().is_some() {
-                return ascending(asperities.radii()).into_iter().map(|k| self.share(k)).collect();
-            }
-            let share = 1.0 / asperities.count() as f64;
-            set.by_radius().values().iter().map(|&radius| RadiusShare { radius, share }).collect()
-        };
+        let all = || ascending(self.inputs.asperities.radii()).into_iter().map(|k| self.share(k)).collect();
         AveragedContact::tabulated(contact, nodes, all, 2.0 * bin, self.deepest())
     }
 

@@ -20,7 +20,7 @@ use std::fmt;
 
 use libm::erfc;
 
-use super::normal_quantiles::normal_quantiles;
+use super::normal::normal_quantiles;
 use super::{Entry, Gaussian, HeightDistribution, Heights, Moments};
 use crate::literature::{JOHNSON_1949, Paper};
 use fit::{fit_bounded, fit_unbounded, logistic, lognormal_excess, rate_of, step, unbounded_moments};

@@ -19,7 +19,6 @@ mod bcr;
 mod channel;
 mod columns;
 mod content;
-mod crop;
 mod datx;
 mod error;
 mod exports;
@@ -39,7 +38,6 @@ mod opd;
 mod park;
 mod plu;
 mod sdf;
-mod separation;
 mod source;
 mod sur;
 mod table;
@@ -57,9 +55,8 @@ use channel::{Channel, Channels};
 pub use content::{
     ChannelName, LeftOut, LengthUnits, Measured, Metadata, NamedUnits, OtherChannel, ReadOptions, UnitOrigin,
 };
-pub use crop::Crop;
 pub use error::{ReadError, ReadOptionsError};
-pub use file::{MapFile, Marks};
+pub use file::{Crop, MapFile, Marks};
 pub(super) use gwy::PIXEL as PIXEL_OF_GWY;
 use source::Source;
 
