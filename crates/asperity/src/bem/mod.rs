@@ -29,7 +29,6 @@ mod contact;
 mod convolution;
 mod descent;
 mod influence;
-mod missing;
 mod patch;
 mod preconditioner;
 mod projection;
@@ -133,9 +132,6 @@ pub enum SolverError {
     /// Under such a load a point yields less than rounding.
     #[error("mean pressure {0} Pa is lost in rounding; allowed: a larger one, of 1e-12 of E* or more")]
     TooLight(f64),
-    /// No load gives the gap.
-    #[error("mean gap {0} m; allowed: above 0 and below that of the first point in contact")]
-    Gap(f64),
     /// The error did not fall to the one asked for.
     #[error(
         "no convergence at a mean pressure of {pressure} Pa: error {error:.1e} after {steps} steps; asked for: {wanted:.1e}. \

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::missing::filled;
+use super::active::filled;
 use super::row::RowTransform;
 use super::{Boundary, Contact};
 use crate::memory::zeros;

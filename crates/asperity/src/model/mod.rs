@@ -2,7 +2,6 @@
 
 mod block;
 mod deterministic;
-mod fixed_panels;
 mod greenwood_tripp;
 mod load_control;
 mod mixture;

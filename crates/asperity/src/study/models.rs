@@ -6,6 +6,7 @@ use std::sync::Arc;
 use crate::compare::Inputs;
 use crate::distribution::{HeightModel, HeightsError};
 use crate::model::{Medium, WithMedium};
+use crate::named_enum;
 use crate::numeric::interval::Interval;
 use crate::surface::Surface;
 use crate::topography::joint::JointDensity;
@@ -179,26 +180,20 @@ impl<'a> SurfaceModels<'a> {
     }
 }
 
-/// A joint density of height and curvature over the summits of a Gaussian surface.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Deserialize), serde(rename_all = "kebab-case"))]
-#[cfg_attr(feature = "schemars", derive(schemars::JsonSchema))]
-pub enum JointModel {
-    /// Summits of a continuous isotropic surface (Nayak 1971; Greenwood 2006).
-    NayakGreenwood,
-    /// Five-point summits on the grid of the map (Greenwood 1984).
-    FivePoint,
+named_enum! {
+    /// A joint density of height and curvature over the summits of a Gaussian surface.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    #[cfg_attr(feature = "serde", derive(serde::Deserialize), serde(rename_all = "kebab-case"))]
+    #[cfg_attr(feature = "schemars", derive(schemars::JsonSchema))]
+    pub enum JointModel {
+        /// Summits of a continuous isotropic surface (Nayak 1971; Greenwood 2006).
+        NayakGreenwood = "nayak-greenwood",
+        /// Five-point summits on the grid of the map (Greenwood 1984).
+        FivePoint = "five-point",
+    }
 }
 
 impl JointModel {
-    /// The name in specs and tables.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::NayakGreenwood => "nayak-greenwood",
-            Self::FivePoint => "five-point",
-        }
-    }
-
     /// What it describes, for sentences.
     pub const fn label(self) -> &'static str {
         match self {

@@ -8,6 +8,7 @@ use crate::compare::{
     Accepted, ByQuantity, ComparedQuantity, Pair, ReferenceCurve, ReferencePoint, Repeats, of_each_decade,
 };
 use crate::distribution::HeightsError;
+use crate::named_enum;
 use crate::numeric::parallel;
 use crate::progress::Progress;
 use crate::work::{CountedContact, Counter};
@@ -22,22 +23,14 @@ use crate::surface::Surface;
 /// Loads per decade at which models are compared.
 const PER_DECADE: f64 = 3.0;
 
-/// What a model is compared with.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Against {
-    /// The sum over the asperities.
-    Sum,
-    /// The boundary element reference.
-    Reference,
-}
-
-impl Against {
-    /// The name in tables.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Sum => "deterministic",
-            Self::Reference => "reference",
-        }
+named_enum! {
+    /// What a model is compared with.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Against {
+        /// The sum over the asperities.
+        Sum = "deterministic",
+        /// The boundary element reference.
+        Reference = "reference",
     }
 }
 

@@ -6,50 +6,37 @@ use super::run::study;
 use super::setup::Setup;
 use crate::MeanRadius;
 use crate::compare::{Controls, Difference};
+use crate::named_enum;
 use crate::progress::{Named, Progress};
 use crate::surface::{MapFacts, Preparation, Surface};
 use crate::topography::summits::Neighbours;
 use crate::topography::{Filter, Level};
 use crate::work::Counter;
 
-/// A choice made in the analysis of a map.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Choice {
-    /// The nesting index of the S filter.
-    ShortWaves,
-    /// What a summit is.
-    Summits,
-    /// The mean radius of the statistical model.
-    MeanRadius,
-    /// The form removed.
-    Level,
-    /// Whether spikes, and points that could be some, are removed.
-    Spikes,
-    /// The part of the map.
-    Part,
+named_enum! {
+    /// A choice made in the analysis of a map.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    pub enum Choice {
+        /// The nesting index of the S filter.
+        ShortWaves = "short-wavelength-cut-off",
+        /// What a summit is.
+        Summits = "summits",
+        /// The mean radius of the statistical model.
+        MeanRadius = "mean-radius",
+        /// The form removed.
+        Level = "level",
+        /// Whether spikes, and points that could be some, are removed.
+        Spikes = "spikes",
+        /// The part of the map.
+        Part = "part",
+    }
 }
 
 impl Choice {
-    /// All choices.
-    pub const ALL: [Self; 6] =
-        [Self::ShortWaves, Self::Summits, Self::MeanRadius, Self::Level, Self::Spikes, Self::Part];
-
     /// Whether a verdict depends on the choice already where another treatment leaves it open. Points that may be wrong decide nothing;
     /// other treatments move a difference by parts of its interval on any surface, and halves of a map are other samples.
     pub const fn leaves_open(self) -> bool {
         matches!(self, Self::Spikes)
-    }
-
-    /// The name in summaries.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::ShortWaves => "short-wavelength-cut-off",
-            Self::Summits => "summits",
-            Self::MeanRadius => "mean-radius",
-            Self::Level => "level",
-            Self::Spikes => "spikes",
-            Self::Part => "part",
-        }
     }
 }
 

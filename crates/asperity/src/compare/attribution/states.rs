@@ -239,15 +239,6 @@ impl<'a> Rearranged<'a> {
         Some(of(models.each_ref().map(|model| model as &dyn Model)))
     }
 
-    /// The mean contact pressure (Pa) of the own heights with the own radii, independent of each other, at a separation
-    /// d/sigma from the plane of the sum. More than 256 asperities are condensed: the relative error against the sum over
-    /// every height with every radius is below 2e-7 (1e-6 for `ceb`, whose load jumps by a half; 1e-4 under a layer where the load jumps).
-    pub fn independent_pressure(&self, contact: &dyn MicroContact, separation_over_sigma: f64) -> f64 {
-        self.with_models(contact, &[], |models| {
-            models[Arrangement::Independent as usize].respond(separation_over_sigma).pressure.total()
-        })
-    }
-
     /// The own heights as asperities of one shape. Under a layer all of them: its contacts are not proportional to the number of spheres.
     fn equal_asperities(&self, contact: &dyn MicroContact, shape: Shape) -> EqualAsperities<'_> {
         if !contact.is_layered() {

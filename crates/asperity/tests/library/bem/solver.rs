@@ -1,7 +1,6 @@
 //! What must hold for any map.
 
 use std::f64::consts::{PI, TAU};
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity::analytical::mean_deflection;
@@ -130,16 +129,6 @@ fn the_same_bits_on_any_number_of_threads() {
     }
 }
 
-/// Units of progress.
-#[derive(Default)]
-struct Units(Mutex<f64>);
-
-impl Progress for Units {
-    fn advance(&self, work: f64) {
-        *self.0.lock().unwrap() += work;
-    }
-}
-
 /// Signs of progress.
 #[derive(Default)]
 struct Signs(AtomicUsize);
@@ -170,27 +159,6 @@ fn each_convolution_shows_that_it_goes_on() {
         let each = 5 * SIDE / 16;
         assert!(of_load >= contact.convolutions * each, "{boundary:?}: {of_load}");
         assert!(of_tangent >= tangent.steps * each, "{boundary:?}: {of_tangent}");
-    }
-}
-
-#[test]
-fn a_mean_gap_finds_its_load() {
-    let map = rough([96, 96], 0.8, 0.5, 0.08, 5);
-    for (boundary, cap) in
-        [(Boundary::Periodic, None), (Boundary::Mirrored, Some(0.4)), (Boundary::Finite, None)]
-    {
-        let solver = Solver::new(&map, &bare(), &Options { boundary, error: 1e-10, cap }).unwrap();
-        for load in [1e-4, 0.01, 0.2] {
-            let wanted = solver.at_pressure(load, &Silent).unwrap();
-            let loads = Units::default();
-            let found = solver.at_mean_gap(wanted.mean_gap(), &loads).unwrap();
-            assert!((found.pressure() / load - 1.0).abs() < 1e-6, "{boundary:?}: {load}");
-            let loads = loads.0.into_inner().unwrap();
-            assert!(loads < 14.5, "{boundary:?}: {load}: {loads} loads");
-        }
-        for gap in [-1.0, 0.0, f64::NAN, 1e3] {
-            assert!(matches!(solver.at_mean_gap(gap, &Silent), Err(SolverError::Gap(_))), "{gap}");
-        }
     }
 }
 
