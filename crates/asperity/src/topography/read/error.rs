@@ -132,7 +132,7 @@ pub enum ReadOptionsError {
 pub(super) const MAX_HEIGHT: f64 = 10.0;
 
 pub(super) fn too_large() -> ReadError {
-    ReadError::Corrupt("claims to hold more numbers than any file can".to_owned())
+    corrupt!("claims to hold more numbers than any file can")
 }
 
 /// A text with parts of a file, as a message shows it.

@@ -58,9 +58,9 @@ pub(super) fn gwyddion(text: &str) -> Result<Option<Header>, ReadError> {
             None if found == [None; 3] => return Ok(None),
             None => {
                 let [x, y, z] = found.map(|value| if value.is_some() { "there" } else { "missing" });
-                return Err(ReadError::Unsupported(format!(
+                return Err(unsupported!(
                     "has a header with Width {x}, Height {y}, Value units {z}; allowed: all three, or none"
-                )));
+                ));
             }
         },
     };
@@ -112,9 +112,8 @@ pub(super) fn zygo(text: &str) -> Result<Option<(Header, &str)>, ReadError> {
     let mut sections = text.split("\n#");
     let (Some(head), Some(points), true) = (sections.next(), sections.next(), text.starts_with("Zygo XYZ"))
     else {
-        return Err(ReadError::Unsupported(
+        return Err(unsupported!(
             "is a text of Zygo without points; allowed: \"Zygo XYZ Data File\", or the binary file"
-                .to_owned(),
         ));
     };
     let resolution = head.lines().nth(7).and_then(|line| line.split_whitespace().nth(6)?.parse().ok());

@@ -14,6 +14,17 @@
 //! formats but `.npy` are transposed. The first y is the first line of a text, X3P or SDF, and of instruments the top line of the picture. A
 //! height far from all others, such as -9999, is an error until it is stated whether it marks missing points.
 
+/// The errors of a damaged file, of a content that is not read, and of a file of another kind, with the text of `format!`.
+macro_rules! corrupt {
+    ($($text:tt)*) => { ReadError::Corrupt(std::fmt::format(format_args!($($text)*))) };
+}
+macro_rules! unsupported {
+    ($($text:tt)*) => { ReadError::Unsupported(std::fmt::format(format_args!($($text)*))) };
+}
+macro_rules! mismatch {
+    ($($text:tt)*) => { ReadError::Mismatch(std::fmt::format(format_args!($($text)*))) };
+}
+
 mod al3d;
 mod bcr;
 mod channel;
@@ -120,10 +131,7 @@ impl Format {
             return Err(tags::refused(source));
         }
         let bytes: String = begin.iter().take(12).map(|byte| byte.escape_ascii().to_string()).collect();
-        Err(ReadError::Mismatch(format!(
-            "is not a height map: it begins with \"{bytes}\"; {}",
-            Self::allowed()
-        )))
+        Err(mismatch!("is not a height map: it begins with \"{bytes}\"; {}", Self::allowed()))
     }
 
     /// What is read, and what converts other formats.
@@ -192,10 +200,10 @@ pub fn rows(path: &Path, options: ReadOptions, progress: &dyn Progress) -> Resul
 pub fn existing(path: &Path) -> Result<(), ReadError> {
     let metadata = std::fs::metadata(path)?;
     if !metadata.is_file() {
-        return Err(ReadError::Mismatch("is not a file".to_owned()));
+        return Err(mismatch!("is not a file"));
     }
     if metadata.len() == 0 {
-        return Err(ReadError::Corrupt("is empty".to_owned()));
+        return Err(corrupt!("is empty"));
     }
     Ok(())
 }

@@ -68,11 +68,11 @@ impl Table {
         if let Some(&(number, line)) = lines.first()
             && let Some(word) = labels::first_name(line).filter(|_| !is_row(&cells(line)))
         {
-            return Err(ReadError::Mismatch(format!(
+            return Err(mismatch!(
                 "is not a height map: line {number} has \"{}\" for a number; {}",
                 shortened(word),
                 Format::allowed()
-            )));
+            ));
         }
         let separation = Separation::new(&lines, count(0.1))?;
         if let Some((number, has_corner)) = labels::numbers(&lines, &separation) {
@@ -120,14 +120,14 @@ impl Table {
                 // A number takes two bytes.
                 values.reserve_exact(columns.saturating_mul(rows - 1).min(text.len() / 2));
             } else if found != columns {
-                return Err(ReadError::Corrupt(format!(
-                    "is ragged: line {number} holds {found} numbers; allowed: {columns}, as in its first line",
-                )));
+                return Err(corrupt!(
+                    "is ragged: line {number} holds {found} numbers; allowed: {columns}, as in its first line"
+                ));
             }
         }
         parsed.end();
         if rows == 0 {
-            return Err(ReadError::Corrupt("holds no number".to_owned()));
+            return Err(corrupt!("holds no number"));
         }
         left_out.index_column |= labels::number_lines(&values, columns);
         if left_out.index_column {
@@ -136,7 +136,7 @@ impl Table {
             columns -= 1;
         }
         if values.iter().all(|value| value.is_nan()) {
-            return Err(ReadError::Corrupt("holds no number".to_owned()));
+            return Err(corrupt!("holds no number"));
         }
         Ok(Self { rows, columns, values, named, left_out, heading, begin, precision: precision(digits) })
     }
@@ -342,10 +342,10 @@ impl Separation {
             None
         };
         if let Some(found) = unclear {
-            return Err(ReadError::Unsupported(format!(
+            return Err(unsupported!(
                 "has {found}; allowed: decimal points, or decimal commas with semicolons or tabs between \
                  the numbers"
-            )));
+            ));
         }
         let separator = if semicolon {
             Separator::Character(';')

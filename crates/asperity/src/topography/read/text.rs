@@ -51,10 +51,10 @@ pub(super) fn measured(source: &Source) -> Result<Measured, ReadError> {
     };
     if table.columns < 3 && table.rows > 3 {
         let columns = if table.columns == 1 { "one column" } else { "two columns" };
-        return Err(ReadError::Mismatch(format!(
+        return Err(mismatch!(
             "holds {columns} of {} numbers, a profile; allowed: a height map, as a matrix of numbers or as columns x y z",
             table.rows
-        )));
+        ));
     }
     let is_points = table.columns == 3 && table.rows > 3 && !(is_matrix && header.is_some());
     let mut notes = Vec::new();
