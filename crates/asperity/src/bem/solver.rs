@@ -3,8 +3,7 @@
 use std::borrow::Cow;
 use std::cell::Cell;
 
-use super::active::Points;
-use super::active::filled;
+use super::active::{Points, filled};
 use super::compliance::ElasticPair;
 use super::contact::Contact;
 use super::convolution::Convolution;

@@ -1,8 +1,7 @@
 //! The statistical model: a height density and one mean radius (Zhao, Maietta and Chang 2000).
 
 use super::load_control::{LOWEST_SEPARATION, search_missing};
-use super::weight::{FixedPanels, NEGLIGIBLE, spans};
-use super::weight::{GaussianSurvival, Weight};
+use super::weight::{FixedPanels, GaussianSurvival, NEGLIGIBLE, Weight, spans};
 use super::{Model, ReferencePlane, Response, separations_of};
 use crate::accumulator::{Accumulator, Total};
 use crate::asperity::{Population, Statistics};

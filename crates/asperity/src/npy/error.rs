@@ -83,8 +83,8 @@ pub enum HeaderError {
     #[error("it is not UTF-8 text")]
     Encoding,
     /// The text is not a dictionary.
-    #[error("it is not a Python dictionary from byte {0} on")]
-    Syntax(usize),
+    #[error("it is not a Python dictionary")]
+    Syntax,
     /// An entry of the dictionary is missing.
     #[error("it has no entry '{0}'")]
     Missing(&'static str),

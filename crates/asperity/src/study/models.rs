@@ -6,14 +6,13 @@ use std::sync::Arc;
 use crate::compare::Inputs;
 use crate::distribution::{HeightModel, HeightsError};
 use crate::model::{Medium, WithMedium};
-use crate::named_enum;
 use crate::numeric::interval::Interval;
 use crate::surface::Surface;
 use crate::topography::joint::JointDensity;
 use crate::{
     Asperities, ContactLaw, Deterministic, Ellipse, Ellipses, Heights, MeanRadius, MicroContact, Model,
     Paper, Population, RadiusInContact, ReferencePlane, Shape, Statistical, SummitShape, joint_model,
-    literature,
+    literature, named_enum,
 };
 
 /// A surface with its asperities as the laws of the sums that are asked for see them.

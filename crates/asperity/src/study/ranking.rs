@@ -2,22 +2,18 @@
 //! asperities are tested on others.
 
 use super::held_out::{self, Halves, HeldOut};
-use super::results::CaseStudy;
-use super::setup::LawContact;
+use super::results::{CaseResults, CaseStudy};
+use super::setup::{LawContact, Setup};
 use crate::compare::{
     Accepted, ByQuantity, ComparedQuantity, Pair, ReferenceCurve, ReferencePoint, Repeats, of_each_decade,
 };
 use crate::distribution::HeightsError;
-use crate::named_enum;
 use crate::numeric::parallel;
 use crate::progress::Progress;
 use crate::work::{CountedContact, Counter};
-use crate::{INTERACTION, Model, Response, reached_at};
+use crate::{INTERACTION, Model, Response, named_enum, reached_at};
 
-use super::models::StatisticalModel;
-use super::models::SurfaceModels;
-use super::results::CaseResults;
-use super::setup::Setup;
+use super::models::{StatisticalModel, SurfaceModels};
 use crate::surface::Surface;
 
 /// Loads per decade at which models are compared.

@@ -4,14 +4,13 @@ use super::models::StatisticalModel;
 use super::results::CaseResults;
 use super::run::study;
 use super::setup::Setup;
-use crate::MeanRadius;
 use crate::compare::{Controls, Difference};
-use crate::named_enum;
 use crate::progress::{Named, Progress};
 use crate::surface::{MapFacts, Preparation, Surface};
 use crate::topography::summits::Neighbours;
 use crate::topography::{Filter, Level};
 use crate::work::Counter;
+use crate::{MeanRadius, named_enum};
 
 named_enum! {
     /// A choice made in the analysis of a map.

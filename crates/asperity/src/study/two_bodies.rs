@@ -2,8 +2,7 @@
 
 use super::PointResult;
 use super::results::CaseStudy;
-use super::setup::LawContact;
-use super::setup::Setup;
+use super::setup::{LawContact, Setup};
 use crate::compare::ModelKind;
 use crate::distribution::gaussian_moment;
 use crate::interface::MicroContact;

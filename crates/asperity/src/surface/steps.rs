@@ -2,12 +2,11 @@
 
 use super::NoAsperities;
 use super::search::{Preparation, SummitSearch};
-use crate::HeightMap;
-use crate::named_enum;
 use crate::progress::Progress;
 use crate::topography::fitness::{AlignedLines, Without};
 use crate::topography::tip::{TipReach, WORK, eroded};
 use crate::topography::{Levelled, Rows, Watched, Window};
+use crate::{HeightMap, named_enum};
 
 named_enum! {
     /// A step of the preparation of a map.

@@ -6,7 +6,7 @@ use super::{Counter, Item};
 use crate::accumulator::Accumulator;
 use crate::asperity::Asperities;
 use crate::contact::{Contact, ContactColumns};
-use crate::interface::{LoadBounds, MicroContact, Shapes};
+use crate::interface::{LoadBounds, MicroContact, Shapes, forward};
 use crate::literature::Paper;
 use crate::numeric::interval::Interval;
 use crate::progress::{Progress, Silent};
@@ -44,17 +44,21 @@ impl<'a> CountedContact<'a> {
 }
 
 impl MicroContact for CountedContact<'_> {
+    forward! { contact:
+        fn spot_values(&self, w: f64, shape: Shape) -> Option<SpotValues>;
+        fn spot_properties(&self) -> Option<&SpotProperties>;
+        fn regime_changes(&self, shape: Shape) -> Vec<f64>;
+        fn breakpoints(&self, shape: Shape) -> Vec<f64>;
+        fn may_decrease(&self, shapes: Shapes) -> Vec<Interval>;
+        fn reference_modulus(&self) -> f64;
+        fn reference_hardness(&self) -> f64;
+        fn papers(&self) -> Vec<Paper>;
+        fn caveat(&self) -> Option<String>;
+    }
+
     fn contact(&self, w: f64, shape: Shape) -> Contact {
         self.count(Item::SingleContacts, 1);
         self.contact.contact(w, shape)
-    }
-
-    fn spot_values(&self, w: f64, shape: Shape) -> Option<SpotValues> {
-        self.contact.spot_values(w, shape)
-    }
-
-    fn spot_properties(&self) -> Option<&SpotProperties> {
-        self.contact.spot_properties()
     }
 
     fn load_over(&self, from: f64, to: f64, shape: Shape) -> LoadBounds {
@@ -85,34 +89,6 @@ impl MicroContact for CountedContact<'_> {
 
     fn is_layered(&self) -> bool {
         self.is_layered
-    }
-
-    fn regime_changes(&self, shape: Shape) -> Vec<f64> {
-        self.contact.regime_changes(shape)
-    }
-
-    fn breakpoints(&self, shape: Shape) -> Vec<f64> {
-        self.contact.breakpoints(shape)
-    }
-
-    fn may_decrease(&self, shapes: Shapes) -> Vec<Interval> {
-        self.contact.may_decrease(shapes)
-    }
-
-    fn reference_modulus(&self) -> f64 {
-        self.contact.reference_modulus()
-    }
-
-    fn reference_hardness(&self) -> f64 {
-        self.contact.reference_hardness()
-    }
-
-    fn papers(&self) -> Vec<Paper> {
-        self.contact.papers()
-    }
-
-    fn caveat(&self) -> Option<String> {
-        self.contact.caveat()
     }
 }
 

@@ -1,8 +1,7 @@
 //! Labels of a matrix in a text that are no heights: a line of names or numbers of its columns, and a column of numbers or
 //! names of its lines, as tables of other programs have them.
 
-use super::table::Separation;
-use super::table::{is_missing, significant_digits};
+use super::table::{Separation, is_missing, significant_digits};
 use crate::progress::Count;
 
 /// Fewer in a line may be heights by chance.
