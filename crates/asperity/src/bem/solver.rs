@@ -17,7 +17,7 @@ use crate::literature::{self, Paper};
 use crate::numeric::is_positive;
 use crate::numeric::lanes::Real;
 use crate::numeric::sum::{Terms, sums_over};
-use crate::progress::{Progress, Silent};
+use crate::progress::Progress;
 use crate::topography::HeightMap;
 
 /// Points along the shorter side of a map that is solved without a coarser one.
@@ -238,13 +238,9 @@ impl<'a> Solver<'a> {
     }
 
     /// How `contact`, one of this solver, changes with the load: a linear solution on its points in contact below the cap. `None`
-    /// where there are no such points, and in full contact of a map that repeats, which moves without a change of its gap.
-    pub fn tangent(&self, contact: &Contact) -> Option<Tangent> {
-        self.watched_tangent(contact, &Silent)
-    }
-
-    /// [`Self::tangent`], which shows to `progress` that it goes on.
-    pub fn watched_tangent(&self, contact: &Contact, progress: &dyn Progress) -> Option<Tangent> {
+    /// where there are no such points, and in full contact of a map that repeats, which moves without a change of its gap. Shows to
+    /// `progress` that it goes on.
+    pub fn tangent(&self, contact: &Contact, progress: &dyn Progress) -> Option<Tangent> {
         let Level { points, convolution, stencil, .. } = &self.levels[0];
         if self.boundary != Boundary::Finite && contact.pressures.iter().all(|&p| p > 0.0) {
             return None;

@@ -165,12 +165,8 @@ fn on_surfaces(
     let sample = |number: usize| {
         within.advance(0.0);
         let seed = stream_seed(setup.seed, &format!("generated surface {number} of {}", surface.name));
-        let sample = of_map(
-            Setup { progress: within, ..setup },
-            surface,
-            &process.watched_surface(seed, within),
-            cases,
-        );
+        let sample =
+            of_map(Setup { progress: within, ..setup }, surface, &process.surface(seed, within), cases);
         setup.progress.advance(1.0);
         sample.ok_or(NotModelled::Failed)
     };

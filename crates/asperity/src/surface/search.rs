@@ -522,7 +522,7 @@ fn correlation_of(
 ) -> Option<(CorrelationLengths, Autocorrelation)> {
     /// Points along an axis of the coarse map.
     const MOST: usize = 1024;
-    CorrelationLengths::watched(&thumbnail(map, MOST), mean, progress)
+    CorrelationLengths::from_map(&thumbnail(map, MOST), mean, progress)
 }
 
 #[cfg(test)]

@@ -106,12 +106,8 @@ impl FittedProcess {
     }
 
     /// A surface of the process, of the size of the map and with its missing points, not levelled.
-    pub fn surface(&self, seed: [u8; 32]) -> HeightMap {
-        self.watched_surface(seed, &Silent)
-    }
-
-    /// [`Self::surface`] with progress: one unit of work.
-    pub fn watched_surface(&self, seed: [u8; 32], progress: &dyn Progress) -> HeightMap {
+    /// One unit of work.
+    pub fn surface(&self, seed: [u8; 32], progress: &dyn Progress) -> HeightMap {
         let torus = self.spectrum.points();
         let field = gaussian::watched(&self.spectrum, 1.0, seed, progress);
         let [nx, ny] = self.points;
@@ -257,7 +253,7 @@ mod tests {
 
     fn fit(map: &HeightMap) -> Result<FittedProcess, Unfitted> {
         let roughness = RoughnessParameters::new(map);
-        let (correlation, _) = CorrelationLengths::from_map(map, roughness.moments.mean).unwrap();
+        let (correlation, _) = CorrelationLengths::from_map(map, roughness.moments.mean, &Silent).unwrap();
         FittedProcess::new(map, &roughness.moments, &correlation)
     }
 
@@ -270,7 +266,8 @@ mod tests {
             let process = fit(&map).unwrap();
             let facts = |map: &HeightMap| {
                 let roughness = RoughnessParameters::new(map);
-                let (correlation, _) = CorrelationLengths::from_map(map, roughness.moments.mean).unwrap();
+                let (correlation, _) =
+                    CorrelationLengths::from_map(map, roughness.moments.mean, &Silent).unwrap();
                 let [m0, m2, m4] = roughness.spectral_moments();
                 [m0.sqrt(), m2.sqrt(), m4.sqrt(), correlation.lengths[0] + correlation.lengths[1]]
             };
@@ -278,7 +275,7 @@ mod tests {
             let mut mean = [0.0; 4];
             let mut skewness = 0.0;
             for seed in 0..24 {
-                let surface = Level::Plane.apply(&process.surface([seed; 32])).unwrap();
+                let surface = Level::Plane.apply(&process.surface([seed; 32], &Silent)).unwrap();
                 mean.iter_mut().zip(facts(&surface)).for_each(|(sum, value)| *sum += value / 24.0);
                 skewness += RoughnessParameters::new(&surface).moments.ssk.unwrap() / 24.0;
             }
@@ -296,9 +293,9 @@ mod tests {
         let mut heights = map.into_heights();
         heights[700] = f64::NAN;
         let process = fit(&HeightMap::new([192; 2], [1.0; 2], heights, 0.0).unwrap()).unwrap();
-        let surface = process.surface([1; 32]);
+        let surface = process.surface([1; 32], &Silent);
         assert!(surface.heights().iter().enumerate().all(|(k, z)| z.is_nan() == (k == 700)));
-        let other = process.surface([1; 32]);
+        let other = process.surface([1; 32], &Silent);
         assert!(surface.heights()[..700] == other.heights()[..700]);
     }
 
@@ -319,7 +316,7 @@ mod tests {
             let maps = [map, HeightMap::new([192; 2], [1.0; 2], patchy, 0.0).unwrap()];
             let [plain, patchy] = maps.map(|map| {
                 let process = fit(&map).unwrap();
-                let levelled = |seed| Level::Plane.apply(&process.surface([seed; 32])).unwrap();
+                let levelled = |seed| Level::Plane.apply(&process.surface([seed; 32], &Silent)).unwrap();
                 let generated: Vec<f64> = (0..16).map(|seed| roughness_scatter(&levelled(seed))).collect();
                 let Scatter { mean, deviation } = Scatter::new(&generated);
                 (process.own_scatter() - mean) / deviation

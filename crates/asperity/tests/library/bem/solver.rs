@@ -117,7 +117,7 @@ fn the_same_bits_on_any_number_of_threads() {
             pool.install(|| {
                 let solver = Solver::new(&map, &pair, &options).unwrap();
                 let contact = solver.at_pressure(0.03, &Silent).unwrap();
-                let tangent = solver.tangent(&contact).unwrap();
+                let tangent = solver.tangent(&contact, &Silent).unwrap();
                 let bits = [contact.pressures(), tangent.pressures()]
                     .map(|all| all.iter().map(|p| p.to_bits()).collect::<Vec<_>>());
                 let numbers = [contact.mean_gap(), tangent.stiffness()].map(f64::to_bits);
@@ -152,9 +152,9 @@ fn each_convolution_shows_that_it_goes_on() {
             signs.0.into_inner()
         };
         let contact = solver.at_pressure(0.03, &Silent).unwrap();
-        let tangent = solver.tangent(&contact).unwrap();
+        let tangent = solver.tangent(&contact, &Silent).unwrap();
         let of_load = signs(&|signs| drop(solver.at_pressure(0.03, signs).unwrap()));
-        let of_tangent = signs(&|signs| drop(solver.watched_tangent(&contact, signs).unwrap()));
+        let of_tangent = signs(&|signs| drop(solver.tangent(&contact, signs).unwrap()));
         // Rows there and back, and half as many columns.
         let each = 5 * SIDE / 16;
         assert!(of_load >= contact.convolutions * each, "{boundary:?}: {of_load}");
