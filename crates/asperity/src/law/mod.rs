@@ -329,13 +329,6 @@ pub trait Law: SingleContact + Send + Sync + 'static {
         self.critical_ratios(pair).into_iter().map(|w| load(w * above) / load(w * below)).collect()
     }
 
-    /// The ratio of the areas just above and just below each critical indentation.
-    fn area_jumps(&self, pair: &Pair) -> Vec<f64> {
-        let [below, above] = [1.0 - OFFSET, 1.0 + OFFSET];
-        let area = |w: f64| self.contact(w, 1.0, pair).area;
-        self.critical_ratios(pair).into_iter().map(|w| area(w * above) / area(w * below)).collect()
-    }
-
     /// The highest load (N) at indentations from `from` to `to`, `from < to` (m).
     fn highest_load(&self, from: f64, to: f64, b: f64, pair: &Pair) -> f64 {
         let ends = self.critical_ratios(pair).into_iter().map(|ratio| ratio * b * (1.0 - OFFSET));

@@ -6,12 +6,10 @@
 mod growth;
 mod lines;
 mod spikes;
-mod steps;
 
-pub use growth::CurvatureGrowth;
+pub use growth::{CurvatureGrowth, step_over_drop};
 pub use lines::{AlignedLines, LineOffsets, Lines};
 pub use spikes::{Spikes, Without};
-pub use steps::step_over_drop;
 
 use super::generate::FEWEST_LENGTHS;
 use super::theory::Expected;
