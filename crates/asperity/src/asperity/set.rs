@@ -85,42 +85,23 @@ impl PartialEq for AsperitySet {
 
 /// Values that form no valid set.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[allow(missing_docs)] // The texts say what fields are.
 pub enum SetError {
     /// There must be at least one asperity.
     #[error("no asperity")]
     Empty,
     /// There must be as many heights as radii.
     #[error("{heights} heights but {radii} radii")]
-    Lengths {
-        /// Number of heights.
-        heights: usize,
-        /// Number of radii.
-        radii: usize,
-    },
+    Lengths { heights: usize, radii: usize },
     /// There must be as many heights as ellipses.
     #[error("{heights} heights but {ellipses} ellipses")]
-    Ellipses {
-        /// Number of heights.
-        heights: usize,
-        /// Number of ellipses.
-        ellipses: usize,
-    },
+    Ellipses { heights: usize, ellipses: usize },
     /// Heights must be finite.
     #[error("asperity {index}: height {height} m; allowed: a finite number")]
-    Height {
-        /// Index of the asperity, from 0.
-        index: usize,
-        /// The invalid value, m.
-        height: f64,
-    },
+    Height { index: usize, height: f64 },
     /// Radii must be positive and finite.
     #[error("asperity {index}: radius {radius} m; allowed: positive and finite")]
-    Radius {
-        /// Index of the asperity, from 0.
-        index: usize,
-        /// The invalid value, m.
-        radius: f64,
-    },
+    Radius { index: usize, radius: f64 },
     /// The nominal area must be positive and finite.
     #[error("nominal area {0} m^2; allowed: positive and finite")]
     NominalArea(f64),

@@ -5,8 +5,8 @@ use std::array;
 
 use rayon::prelude::*;
 
-use super::column::Columns;
 use super::compliance::SurfaceResponse;
+use super::row::Columns;
 use super::row::RowTransform;
 use super::{Boundary, influence};
 use crate::memory::{collected, zeros};

@@ -22,7 +22,6 @@
 //! ```
 
 mod active;
-mod column;
 mod compliance;
 mod conduction;
 mod contact;
@@ -31,7 +30,6 @@ mod descent;
 mod influence;
 mod patch;
 mod preconditioner;
-mod projection;
 mod refine;
 mod row;
 mod solver;
@@ -89,18 +87,14 @@ impl Options {
 
 /// A contact that cannot be solved.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[allow(missing_docs)] // The texts say what fields are.
 pub enum SolverError {
     /// At most 1 % of the points may be missing.
     #[error(
         "{missing} of {points} points are missing; allowed for boundary elements: at most 1 %. Use a part of the map (`crop`), or fill \
          the points with the program that wrote it"
     )]
-    Missing {
-        /// Missing points.
-        missing: usize,
-        /// Points of the map.
-        points: usize,
-    },
+    Missing { missing: usize, points: usize },
     /// Heights must differ.
     #[error("all heights are equal; boundary elements need a rough map")]
     Flat,
@@ -123,12 +117,7 @@ pub enum SolverError {
     LayeredConductor,
     /// The mean pressure must be positive and below the cap.
     #[error("mean pressure {pressure} Pa; allowed: above 0 and below the cap of {cap} Pa")]
-    Pressure {
-        /// Pa.
-        pressure: f64,
-        /// Pa.
-        cap: f64,
-    },
+    Pressure { pressure: f64, cap: f64 },
     /// Under such a load a point yields less than rounding.
     #[error("mean pressure {0} Pa is lost in rounding; allowed: a larger one, of 1e-12 of E* or more")]
     TooLight(f64),
@@ -137,14 +126,5 @@ pub enum SolverError {
         "no convergence at a mean pressure of {pressure} Pa: error {error:.1e} after {steps} steps; asked for: {wanted:.1e}. \
          Ask for a larger error"
     )]
-    NotConverged {
-        /// Pa.
-        pressure: f64,
-        /// Error reached.
-        error: f64,
-        /// Steps done.
-        steps: usize,
-        /// Error asked for.
-        wanted: f64,
-    },
+    NotConverged { pressure: f64, error: f64, steps: usize, wanted: f64 },
 }

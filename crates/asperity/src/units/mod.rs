@@ -31,49 +31,39 @@ use table::{
     THERMAL_FILM, Units,
 };
 
+use crate::named_enum;
+
 /// The longest text that may be a quantity.
 const MOST_BYTES: usize = 400;
 
-/// A physical dimension.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Dimension {
-    /// Pressure, modulus or hardness.
-    Pressure,
-    /// Length.
-    Length,
-    /// Area.
-    Area,
-    /// Number per area.
-    ArealNumberDensity,
-    /// Angle.
-    Angle,
-    /// Force.
-    Force,
-    /// Electrical resistivity.
-    Resistivity,
-    /// Thermal conductivity.
-    ThermalConductivity,
-    /// Electrical resistance times area.
-    ElectricalFilm,
-    /// Thermal resistance times area.
-    ThermalFilm,
+named_enum! {
+    /// A physical dimension, by its name in messages.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    pub enum Dimension {
+        /// Pressure, modulus or hardness.
+        Pressure = "pressure",
+        /// m.
+        Length = "length",
+        /// m^2.
+        Area = "area",
+        /// Number per area.
+        ArealNumberDensity = "density",
+        /// rad.
+        Angle = "angle",
+        /// N.
+        Force = "force",
+        /// Electrical resistivity.
+        Resistivity = "resistivity",
+        /// W/(m K).
+        ThermalConductivity = "thermal conductivity",
+        /// Electrical resistance times area.
+        ElectricalFilm = "electrical resistance times area",
+        /// Thermal resistance times area.
+        ThermalFilm = "thermal resistance times area",
+    }
 }
 
 impl Dimension {
-    /// All dimensions.
-    pub const ALL: [Self; 10] = [
-        Self::Pressure,
-        Self::Length,
-        Self::Area,
-        Self::ArealNumberDensity,
-        Self::Angle,
-        Self::Force,
-        Self::Resistivity,
-        Self::ThermalConductivity,
-        Self::ElectricalFilm,
-        Self::ThermalFilm,
-    ];
-
     const fn units(self) -> &'static Units {
         match self {
             Self::Pressure => &PRESSURE,
@@ -87,11 +77,6 @@ impl Dimension {
             Self::ElectricalFilm => &ELECTRICAL_FILM,
             Self::ThermalFilm => &THERMAL_FILM,
         }
-    }
-
-    /// The name in messages.
-    pub const fn name(self) -> &'static str {
-        self.units().name
     }
 
     /// An example of a quantity, such as "210 GPa".

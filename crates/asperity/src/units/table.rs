@@ -4,7 +4,6 @@ use std::f64::consts::PI;
 
 /// The units of a dimension.
 pub(super) struct Units {
-    pub name: &'static str,
     pub example: &'static str,
     pub si_unit: &'static str,
     pub documented: &'static [&'static str],
@@ -33,7 +32,6 @@ pub(super) const PREFIXES: [(&str, i32); 12] = [
 ];
 
 pub(super) const PRESSURE: Units = Units {
-    name: "pressure",
     example: "210 GPa",
     si_unit: "Pa",
     documented: &["Pa", "kPa", "MPa", "GPa", "N/mm^2", "HV", "kgf/mm^2", "bar", "psi", "ksi"],
@@ -54,7 +52,6 @@ pub(super) const PRESSURE: Units = Units {
 };
 
 pub(super) const LENGTH: Units = Units {
-    name: "length",
     example: "1.2 um",
     si_unit: "m",
     documented: &["m", "cm", "mm", "um", "nm", "pm", "Å", "in", "mil"],
@@ -89,7 +86,6 @@ pub(super) const LENGTH: Units = Units {
 };
 
 pub(super) const AREA: Units = Units {
-    name: "area",
     example: "1 mm^2",
     si_unit: "m^2",
     documented: &["m^2", "cm^2", "mm^2", "um^2"],
@@ -100,7 +96,6 @@ pub(super) const AREA: Units = Units {
 
 /// Per any unit of area.
 pub(super) const DENSITY: Units = Units {
-    name: "density",
     example: "6e10 /m^2",
     si_unit: "1/m^2",
     documented: &["/m^2", "/mm^2", "/um^2"],
@@ -110,7 +105,6 @@ pub(super) const DENSITY: Units = Units {
 };
 
 pub(super) const ANGLE: Units = Units {
-    name: "angle",
     example: "30 deg",
     si_unit: "rad",
     documented: &["deg", "rad"],
@@ -126,7 +120,6 @@ pub(super) const ANGLE: Units = Units {
 };
 
 pub(super) const FORCE: Units = Units {
-    name: "force",
     example: "10 N",
     si_unit: "N",
     documented: &["N", "mN", "uN", "kN", "kgf", "lbf"],
@@ -136,7 +129,6 @@ pub(super) const FORCE: Units = Units {
 };
 
 pub(super) const RESISTIVITY: Units = Units {
-    name: "resistivity",
     example: "17 nohm m",
     si_unit: "ohm m",
     documented: &["ohm m", "uohm cm", "nohm m", "ohm mm^2/m"],
@@ -154,7 +146,6 @@ pub(super) const RESISTIVITY: Units = Units {
 };
 
 pub(super) const CONDUCTIVITY: Units = Units {
-    name: "thermal conductivity",
     example: "50 W/(m K)",
     si_unit: "W/(m K)",
     documented: &["W/(m K)", "mW/(m K)"],
@@ -173,7 +164,6 @@ pub(super) const CONDUCTIVITY: Units = Units {
 };
 
 pub(super) const ELECTRICAL_FILM: Units = Units {
-    name: "electrical resistance times area",
     example: "1e-12 ohm m^2",
     si_unit: "ohm m^2",
     documented: &["ohm m^2", "ohm cm^2", "mohm cm^2", "ohm mm^2"],
@@ -189,7 +179,6 @@ pub(super) const ELECTRICAL_FILM: Units = Units {
 };
 
 pub(super) const THERMAL_FILM: Units = Units {
-    name: "thermal resistance times area",
     example: "2 mm^2 K/W",
     si_unit: "m^2 K/W",
     documented: &["m^2 K/W", "cm^2 K/W", "mm^2 K/W"],

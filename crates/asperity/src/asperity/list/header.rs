@@ -1,6 +1,7 @@
 //! The columns of a list, and its header as text: their names, their units, and what separates them.
 
 use super::{ListError, ListOptions, MOST_COLUMNS};
+use crate::named_enum;
 use crate::numeric::{LARGEST, is_positive};
 use crate::units::Dimension;
 
@@ -155,21 +156,23 @@ fn names(text: &str, separator: Separator) -> Vec<(String, Option<String>)> {
     names
 }
 
-/// A column of a list.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ListColumn {
-    /// Height, m.
-    Height,
-    /// Radius, m.
-    Radius,
-    /// One principal curvature, 1/m.
-    Kx,
-    /// The other one, 1/m.
-    Ky,
-    /// Place along x, m.
-    X,
-    /// Place along y, m.
-    Y,
+named_enum! {
+    /// A column of a list, by its name in a header.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum ListColumn {
+        /// Height, m.
+        Height = "height",
+        /// Radius, m.
+        Radius = "radius",
+        /// One principal curvature, 1/m.
+        Kx = "kx",
+        /// The other one, 1/m.
+        Ky = "ky",
+        /// Place along x, m.
+        X = "x",
+        /// Place along y, m.
+        Y = "y",
+    }
 }
 
 impl ListColumn {
@@ -179,25 +182,9 @@ impl ListColumn {
     /// Those that a text may have besides, both or neither.
     pub(super) const PLACES: [Self; 2] = [Self::X, Self::Y];
 
-    /// Number of all columns.
-    pub(super) const COUNT: usize = 6;
-
-    /// The name in a header.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Height => "height",
-            Self::Radius => "radius",
-            Self::Kx => "kx",
-            Self::Ky => "ky",
-            Self::X => "x",
-            Self::Y => "y",
-        }
-    }
-
     /// The column of this name, in any case.
     pub(super) fn named(name: &str) -> Option<Self> {
-        let mut all = Self::OF_ARRAY.iter().copied().chain(Self::PLACES);
-        all.find(|column| column.name().eq_ignore_ascii_case(name))
+        Self::ALL.into_iter().find(|column| column.name().eq_ignore_ascii_case(name))
     }
 
     const fn is_length(self) -> bool {

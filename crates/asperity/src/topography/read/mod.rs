@@ -4,7 +4,7 @@
 //! | module | format | |
 //! |---|---|---|
 //! | `npy` | NumPy array, whole or row by row | heights only |
-//! | `text`, `xyz`, `exports` | matrix of numbers, with or without the header of a program; three columns of numbers | one map |
+//! | `text`, `xyz` | matrix of numbers, with or without the header of a program; three columns of numbers | one map |
 //! | `nanoscope_text` | what Nanoscope exports as text | a list of channels |
 //! | `x3p`, `sdf` | ISO 25178-72, ISO 25178-71 | one map, with pixel and unit |
 //! | `al3d`, `bcr`, `datx`, `gsf`, `gwy`, `ibw`, `jpk`, `metropro`, `nanoscope`, `nid`, `opd`, `park`, `plu`, `sur`, `vk` | files of instruments and of Gwyddion | a list of channels, with pixel and unit, of which the heights are chosen, or one by its name |
@@ -28,11 +28,9 @@ macro_rules! mismatch {
 mod al3d;
 mod bcr;
 mod channel;
-mod columns;
 mod content;
 mod datx;
 mod error;
-mod exports;
 mod file;
 mod gsf;
 mod gwy;

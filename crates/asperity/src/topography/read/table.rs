@@ -2,10 +2,10 @@
 
 use std::borrow::Cow;
 
+use super::Format;
 use super::content::{LeftOut, NamedUnits};
 use super::error::{ReadError, shortened};
 use super::labels::{self, Coordinates};
-use super::{Format, columns};
 use crate::progress::{Count, Progress};
 
 /// Words for a missing point, in any case; besides what C prints for NaN, such as 1.#QNAN, and stars, strokes or question marks alone.
@@ -46,19 +46,19 @@ impl Table {
         found.end();
         let above = begin(&lines).map_or(0, |begin| {
             let is_label = |above: &usize| {
-                columns::are_named(lines[*above].1) || labels::names(&lines[*above..], count(0.0)).is_some()
+                labels::are_named(lines[*above].1) || labels::names(&lines[*above..], count(0.0)).is_some()
             };
             let label = begin.checked_sub(1).filter(is_label);
             label.unwrap_or_else(|| first_like(&lines[..begin], cells(lines[begin].1).len()))
         });
         let heading = lines.drain(..above).map(|(_, line)| line.to_owned()).collect();
         let begin = lines.first().map_or(0, |(line, _)| *line);
-        let named = columns::units(text, lines.first().copied());
+        let named = labels::units(text, lines.first().copied());
         let mut left_out = LeftOut::default();
         if let Some(&(_, line)) = lines.first()
-            && columns::are_named(line)
+            && labels::are_named(line)
         {
-            left_out.index_column = columns::have_index(line);
+            left_out.index_column = labels::have_index(line);
             lines.remove(0);
         } else if let Some((number, has_corner)) = labels::names(&lines, count(0.1)) {
             left_out = LeftOut { header: Some(number), index_column: has_corner, ..LeftOut::default() };

@@ -355,7 +355,7 @@ fn bodies_that_a_law_says_nothing_of_are_refused() {
             Ok(_) => Ok(()),
             Err(error @ Inapplicable::Lacking { property, body, .. }) => {
                 let words = error.to_string();
-                assert!(words.contains(property.key()) && words.contains(&entry.label), "{words}");
+                assert!(words.contains(property.name()) && words.contains(&entry.label), "{words}");
                 Err((property, body))
             }
             Err(error) => panic!("{}: {error}", entry.label),
