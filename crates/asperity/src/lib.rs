@@ -109,7 +109,7 @@ pub mod work;
 
 pub use accumulator::{Accumulator, ContactSums, Total};
 pub use asperity::{
-    Ascending, Asperities, AsperityList, AsperitySet, AsperitySums, Draw, Ellipse, Ellipses, Ellipticity,
+    Asperities, AsperityList, AsperitySet, AsperitySums, ByHeight, Draw, Ellipse, Ellipses, Ellipticity,
     ListColumn, ListError, ListOptions, Ordered, Population, RadiiAbove, STREAM, SetError, Statistics,
     SurfaceHeights, SurfaceHeightsError,
 };

@@ -56,24 +56,6 @@ fn advise<T>(list: &Vec<T>) {
 #[cfg(not(target_os = "linux"))]
 fn advise<T>(_: &Vec<T>) {}
 
-/// Prefetches values that will be needed soon, where the processor has an instruction for it.
-#[inline]
-pub fn prefetch(values: &[f64]) {
-    /// Values per cache line.
-    const LINE: usize = 8;
-    #[cfg(target_arch = "x86_64")]
-    for line in values.chunks(LINE) {
-        use std::arch::x86_64::{_MM_HINT_T1, _mm_prefetch};
-        // SAFETY: a prefetch reads nothing and is valid for any address.
-        #[allow(unsafe_code)]
-        unsafe {
-            _mm_prefetch::<_MM_HINT_T1>(line.as_ptr().cast());
-        }
-    }
-    #[cfg(not(target_arch = "x86_64"))]
-    let _ = (values, LINE);
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -69,7 +69,7 @@ impl SpecFile<'_> {
             return self.source.error_at(laws.span(), format!("found {error}"));
         };
         let name = if *body == Some(Body::Flat) { flat } else { rough };
-        let key = property.key();
+        let key = property.name();
         let message = match body {
             Some(_) => format!(
                 "found no `{key}` in [material.{name}], which law {law} needs there; allowed: {key} = \"...\" with a unit of \

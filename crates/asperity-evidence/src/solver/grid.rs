@@ -125,7 +125,7 @@ impl Grids {
         let sample = |&pressure: &f64| -> Result<Option<Sample>, Failed> {
             let contact = solver.at_pressure(pressure, &Silent)?;
             let bounds = GridError::new(&contact);
-            let Some(tangent) = solver.tangent(&contact) else { return Ok(None) };
+            let Some(tangent) = solver.tangent(&contact, &Silent) else { return Ok(None) };
             let stiffness = tangent.stiffness();
             Ok(Some([
                 [contact.area_ratio().ln(), bounds.area],

@@ -4,7 +4,6 @@ use std::ops::Range;
 
 use super::SetError;
 use super::set::far_origin;
-use crate::memory::prefetch;
 use crate::numeric::interval::Interval;
 use crate::shape::Shape;
 
@@ -98,14 +97,6 @@ impl<'a> Asperities<'a> {
             radii: &self.radii[range.clone()],
             spheres: self.spheres.map(|spheres| &spheres[range]),
             ..*self
-        }
-    }
-
-    /// Prefetches the asperities of an index range, clipped to those that exist.
-    pub(crate) fn prefetch(&self, range: Range<usize>) {
-        let range = range.start.min(self.count())..range.end.min(self.count());
-        for values in [Some(self.heights), Some(self.radii), self.spheres].into_iter().flatten() {
-            prefetch(&values[range.clone()]);
         }
     }
 

@@ -6,9 +6,9 @@ use std::sync::{Arc, OnceLock};
 use pulp::Arch;
 use rayon::prelude::*;
 
-use super::ascending::{OnDemand, Staying, Whole};
-use super::{Ascending, Asperities, Ellipse, RadiiAbove};
-use crate::distribution::{EqualHeights, Heights};
+use super::by_height::means_above;
+use super::{Asperities, ByHeight, Ellipse, RadiiAbove};
+use crate::distribution::{EqualHeights, Heights, Smoothed};
 use crate::memory::collected;
 use crate::numeric::interval::Interval;
 use crate::numeric::parallel::once;
@@ -19,7 +19,15 @@ use crate::numeric::{LARGEST, is_positive};
 pub struct AsperitySet {
     source: Source,
     nominal_area: f64,
-    on_demand: OnDemand,
+    found: Arc<Found>,
+}
+
+/// What follows from a set, found when it is first asked for.
+#[derive(Debug, Default)]
+struct Found {
+    by_height: OnceLock<ByHeight>,
+    means_above: OnceLock<Vec<f64>>,
+    smoothed: OnceLock<Result<Heights, EqualHeights>>,
 }
 
 /// Where the columns of a set are from.
@@ -28,7 +36,7 @@ enum Source {
     /// They are there.
     Own(Arc<Columns>),
     /// All but some of another set, copied when they are first looked at: often the number of asperities is enough.
-    Rest { all: Arc<Columns>, of_all: OnDemand, left_out: Places, columns: Arc<OnceLock<Columns>> },
+    Rest { all: Arc<Columns>, of_all: Arc<Found>, left_out: Places, columns: Arc<OnceLock<Columns>> },
 }
 
 /// Different places in a set: a part of a list.
@@ -54,13 +62,19 @@ struct Columns {
 impl Columns {
     /// Those of all asperities but some at different places.
     fn excluding(&self, places: &[usize]) -> Self {
-        let staying = Staying::new(self.heights.len(), places);
+        let mut stays = vec![true; self.heights.len()];
+        places.iter().for_each(|&place| stays[place] = false);
         Self {
-            heights: staying.of(&self.heights),
-            radii: staying.of(&self.radii),
-            ellipses: self.ellipses.as_ref().map(|all| staying.of(all)),
+            heights: of_those(&self.heights, &stays),
+            radii: of_those(&self.radii, &stays),
+            ellipses: self.ellipses.as_ref().map(|all| of_those(all, &stays)),
         }
     }
+}
+
+/// The values of those that stay.
+fn of_those<T: Copy>(values: &[T], stays: &[bool]) -> Vec<T> {
+    values.iter().zip(stays).filter(|(_, stays)| **stays).map(|(value, _)| *value).collect()
 }
 
 impl PartialEq for AsperitySet {
@@ -71,42 +85,23 @@ impl PartialEq for AsperitySet {
 
 /// Values that form no valid set.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[allow(missing_docs)] // The texts say what fields are.
 pub enum SetError {
     /// There must be at least one asperity.
     #[error("no asperity")]
     Empty,
     /// There must be as many heights as radii.
     #[error("{heights} heights but {radii} radii")]
-    Lengths {
-        /// Number of heights.
-        heights: usize,
-        /// Number of radii.
-        radii: usize,
-    },
+    Lengths { heights: usize, radii: usize },
     /// There must be as many heights as ellipses.
     #[error("{heights} heights but {ellipses} ellipses")]
-    Ellipses {
-        /// Number of heights.
-        heights: usize,
-        /// Number of ellipses.
-        ellipses: usize,
-    },
+    Ellipses { heights: usize, ellipses: usize },
     /// Heights must be finite.
     #[error("asperity {index}: height {height} m; allowed: a finite number")]
-    Height {
-        /// Index of the asperity, from 0.
-        index: usize,
-        /// The invalid value, m.
-        height: f64,
-    },
+    Height { index: usize, height: f64 },
     /// Radii must be positive and finite.
     #[error("asperity {index}: radius {radius} m; allowed: positive and finite")]
-    Radius {
-        /// Index of the asperity, from 0.
-        index: usize,
-        /// The invalid value, m.
-        radius: f64,
-    },
+    Radius { index: usize, radius: f64 },
     /// The nominal area must be positive and finite.
     #[error("nominal area {0} m^2; allowed: positive and finite")]
     NominalArea(f64),
@@ -173,7 +168,7 @@ impl AsperitySet {
     }
 
     fn of_columns(columns: Columns, nominal_area: f64) -> Self {
-        Self { source: Source::Own(Arc::new(columns)), nominal_area, on_demand: OnDemand::default() }
+        Self { source: Source::Own(Arc::new(columns)), nominal_area, found: Arc::default() }
     }
 
     fn columns(&self) -> &Columns {
@@ -243,29 +238,22 @@ impl AsperitySet {
         Asperities::new(self.heights(), self.radii(), None, self.nominal_area)
     }
 
-    /// The asperities in the order of their heights (m), sorted once.
-    pub fn by_height(&self) -> &Ascending {
-        self.on_demand.by_height(self.heights(), self.whole())
-    }
-
-    /// The asperities in the order of their radii (m), sorted once.
-    pub fn by_radius(&self) -> &Ascending {
-        self.on_demand.by_radius(self.radii(), self.whole())
-    }
-
-    /// The set that this one is the rest of.
-    fn whole(&self) -> Option<Whole<'_>> {
-        match &self.source {
+    /// The asperities in the order of their heights (m), sorted once: of the rest of a set from that of the whole where it is known.
+    pub fn by_height(&self) -> &ByHeight {
+        let of_whole = || match &self.source {
             Source::Own(_) => None,
             Source::Rest { of_all, left_out, .. } => {
-                Some(Whole { found: of_all, left_out: left_out.as_slice() })
+                Some(of_all.by_height.get()?.without(left_out.as_slice()))
             }
-        }
+        };
+        once(&self.found.by_height, || of_whole().unwrap_or_else(|| ByHeight::new(self.heights())))
     }
 
     /// The mean radius of the asperities above a height.
     pub fn radii_above(&self) -> RadiiAbove<'_> {
-        self.on_demand.radii_above(self.by_height(), self.radii())
+        let by_height = self.by_height();
+        let means = once(&self.found.means_above, || means_above(by_height, self.radii()));
+        RadiiAbove::new(by_height, means)
     }
 
     /// The heights as a smoothed density.
@@ -273,7 +261,8 @@ impl AsperitySet {
     /// # Errors
     /// Heights that are all equal.
     pub fn smoothed_heights(&self) -> Result<Heights, EqualHeights> {
-        self.on_demand.smoothed(self.by_height())
+        let smoothed = || Smoothed::of_ascending(self.by_height().values()).map(Heights::new);
+        once(&self.found.smoothed, smoothed).clone()
     }
 
     /// Number of asperities.
@@ -296,8 +285,8 @@ impl AsperitySet {
             Source::Rest { .. } => Arc::new(self.columns().clone()),
         };
         let is_set = left_out.part.len() < self.count() && nominal_area > 0.0;
-        let source = Source::Rest { all, of_all: self.on_demand.clone(), left_out, columns: Arc::default() };
-        is_set.then(|| Self { source, nominal_area, on_demand: OnDemand::default() })
+        let source = Source::Rest { all, of_all: self.found.clone(), left_out, columns: Arc::default() };
+        is_set.then(|| Self { source, nominal_area, found: Arc::default() })
     }
 
     /// The asperities at some places, on a positive nominal area (m^2); `None` if there is none.

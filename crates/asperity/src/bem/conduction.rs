@@ -8,7 +8,7 @@ use super::patch::{PatchGrid, PatchResponse};
 use super::preconditioner::Stencil;
 use super::tangent::{Tangent, block_shares};
 use super::{Boundary, SolverError};
-use crate::progress::{Progress, Silent};
+use crate::progress::Progress;
 use crate::topography::Blocks;
 
 /// Steps after which the currents are given up: 9 to 25 are usual.
@@ -72,24 +72,15 @@ impl Conductor {
         })
     }
 
-    /// The current through the points in contact of `contact`, also those that yield. `None` without contact, and in full contact of a
-    /// map that repeats, which conducts without a constriction.
-    pub fn current(&self, contact: &Contact) -> Option<Current> {
-        self.watched_current(contact, &Silent)
-    }
-
-    /// [`Self::current`], which shows to `progress` that it goes on.
-    pub fn watched_current(&self, contact: &Contact, progress: &dyn Progress) -> Option<Current> {
+    /// The current through the points in contact of `contact`, also those that yield; shows to `progress` that it goes on. `None` without
+    /// contact, and in full contact of a map that repeats, which conducts without a constriction.
+    pub fn current(&self, contact: &Contact, progress: &dyn Progress) -> Option<Current> {
         debug_assert_eq!(self.points, contact.points);
-        self.watched_through(&|k| contact.pressures[k] > 0.0, progress)
+        self.through(&|k| contact.pressures[k] > 0.0, progress)
     }
 
     /// The current through the points for which `is_spot` holds; see [`Self::current`].
-    pub fn through(&self, is_spot: &(dyn Fn(usize) -> bool + Sync)) -> Option<Current> {
-        self.watched_through(is_spot, &Silent)
-    }
-
-    fn watched_through(
+    pub fn through(
         &self,
         is_spot: &(dyn Fn(usize) -> bool + Sync),
         progress: &dyn Progress,

@@ -5,11 +5,10 @@ use std::array;
 
 use rayon::prelude::*;
 
-use super::Boundary;
-use super::column::Columns;
 use super::compliance::SurfaceResponse;
-use super::influence;
+use super::row::Columns;
 use super::row::RowTransform;
+use super::{Boundary, influence};
 use crate::memory::{collected, zeros};
 use crate::progress::Progress;
 use asperity_fft::{Complex, Number};

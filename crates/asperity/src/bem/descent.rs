@@ -19,7 +19,7 @@ use rayon::prelude::*;
 use super::active::{Points, members};
 use super::convolution::Convolution;
 use super::preconditioner::Stencil;
-use super::projection::project;
+use super::preconditioner::project;
 use crate::memory::zeros;
 use crate::progress::Progress;
 

@@ -22,19 +22,14 @@
 //! ```
 
 mod active;
-mod column;
 mod compliance;
 mod conduction;
 mod contact;
 mod convolution;
 mod descent;
-mod grid_error;
 mod influence;
-mod levels;
-mod missing;
 mod patch;
 mod preconditioner;
-mod projection;
 mod refine;
 mod row;
 mod solver;
@@ -47,8 +42,7 @@ use crate::named_enum;
 pub use compliance::{ConductingPair, ElasticPair};
 pub use conduction::{Conductor, Current};
 pub use contact::Contact;
-pub use grid_error::GridError;
-pub use refine::refined;
+pub use refine::{GridError, refined};
 pub use solver::{MOST_MISSING, Solver};
 pub use tangent::Tangent;
 
@@ -93,18 +87,14 @@ impl Options {
 
 /// A contact that cannot be solved.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[allow(missing_docs)] // The texts say what fields are.
 pub enum SolverError {
     /// At most 1 % of the points may be missing.
     #[error(
         "{missing} of {points} points are missing; allowed for boundary elements: at most 1 %. Use a part of the map (`crop`), or fill \
          the points with the program that wrote it"
     )]
-    Missing {
-        /// Missing points.
-        missing: usize,
-        /// Points of the map.
-        points: usize,
-    },
+    Missing { missing: usize, points: usize },
     /// Heights must differ.
     #[error("all heights are equal; boundary elements need a rough map")]
     Flat,
@@ -127,31 +117,14 @@ pub enum SolverError {
     LayeredConductor,
     /// The mean pressure must be positive and below the cap.
     #[error("mean pressure {pressure} Pa; allowed: above 0 and below the cap of {cap} Pa")]
-    Pressure {
-        /// Pa.
-        pressure: f64,
-        /// Pa.
-        cap: f64,
-    },
+    Pressure { pressure: f64, cap: f64 },
     /// Under such a load a point yields less than rounding.
     #[error("mean pressure {0} Pa is lost in rounding; allowed: a larger one, of 1e-12 of E* or more")]
     TooLight(f64),
-    /// No load gives the gap.
-    #[error("mean gap {0} m; allowed: above 0 and below that of the first point in contact")]
-    Gap(f64),
     /// The error did not fall to the one asked for.
     #[error(
         "no convergence at a mean pressure of {pressure} Pa: error {error:.1e} after {steps} steps; asked for: {wanted:.1e}. \
          Ask for a larger error"
     )]
-    NotConverged {
-        /// Pa.
-        pressure: f64,
-        /// Error reached.
-        error: f64,
-        /// Steps done.
-        steps: usize,
-        /// Error asked for.
-        wanted: f64,
-    },
+    NotConverged { pressure: f64, error: f64, steps: usize, wanted: f64 },
 }

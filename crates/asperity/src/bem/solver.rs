@@ -3,24 +3,21 @@
 use std::borrow::Cow;
 use std::cell::Cell;
 
-use rayon::prelude::*;
-
-use super::active::Points;
+use super::active::{Points, filled};
 use super::compliance::ElasticPair;
 use super::contact::Contact;
 use super::convolution::Convolution;
 use super::descent::{Descent, Grid, Target};
-use super::levels::{coarser, coarser_points, finer};
-use super::missing::filled;
 use super::patch::PatchGrid;
 use super::preconditioner::Stencil;
+use super::refine::{coarser, coarser_points, finer};
 use super::tangent::Tangent;
 use super::{Boundary, Options, SolverError};
 use crate::literature::{self, Paper};
 use crate::numeric::is_positive;
 use crate::numeric::lanes::Real;
 use crate::numeric::sum::{Terms, sums_over};
-use crate::progress::{Progress, Silent};
+use crate::progress::Progress;
 use crate::topography::HeightMap;
 
 /// Points along the shorter side of a map that is solved without a coarser one.
@@ -41,15 +38,6 @@ const COARSE_PROGRESS: f64 = 0.3;
 /// The largest part of missing points that are interpolated.
 pub const MOST_MISSING: f64 = 0.01;
 
-/// Loads at which a given mean gap is searched for.
-const SEARCHES: usize = 60;
-
-/// The load at which that search begins, over E*.
-const FIRST_LOAD: f64 = 1e-3;
-
-/// Ratio of loads until that of a given mean gap lies between two of them.
-const BRACKET: f64 = 8.0;
-
 /// The contact of one height map with a flat body, at any number of loads.
 pub struct Solver<'a> {
     /// The map, then every second point of it, and so on.
@@ -69,8 +57,6 @@ struct Level<'a> {
     heights: Cow<'a, [f64]>,
     /// Mean and standard deviation, m.
     moments: [f64; 2],
-    /// m.
-    highest: f64,
     convolution: Convolution,
     stencil: Stencil,
 }
@@ -86,7 +72,6 @@ impl<'a> Level<'a> {
         Self {
             points,
             moments: moments(&heights),
-            highest: heights.par_iter().copied().reduce(|| f64::NEG_INFINITY, f64::max),
             heights,
             convolution: Convolution::new(points, pixel, pair, boundary),
             stencil: Stencil::new(pixel, pair, 0.0),
@@ -253,13 +238,9 @@ impl<'a> Solver<'a> {
     }
 
     /// How `contact`, one of this solver, changes with the load: a linear solution on its points in contact below the cap. `None`
-    /// where there are no such points, and in full contact of a map that repeats, which moves without a change of its gap.
-    pub fn tangent(&self, contact: &Contact) -> Option<Tangent> {
-        self.watched_tangent(contact, &Silent)
-    }
-
-    /// [`Self::tangent`], which shows to `progress` that it goes on.
-    pub fn watched_tangent(&self, contact: &Contact, progress: &dyn Progress) -> Option<Tangent> {
+    /// where there are no such points, and in full contact of a map that repeats, which moves without a change of its gap. Shows to
+    /// `progress` that it goes on.
+    pub fn tangent(&self, contact: &Contact, progress: &dyn Progress) -> Option<Tangent> {
         let Level { points, convolution, stencil, .. } = &self.levels[0];
         if self.boundary != Boundary::Finite && contact.pressures.iter().all(|&p| p > 0.0) {
             return None;
@@ -274,51 +255,6 @@ impl<'a> Solver<'a> {
         };
         let response = grid.respond(&Tangent::patch(contact), self.error, STEPS)?;
         Some(Tangent::new(contact, response))
-    }
-
-    /// The contact at a mean gap (m) that is positive and below that of a single point in contact, by a search over
-    /// the pressure: some ten loads. One unit of progress for each of them.
-    ///
-    /// # Errors
-    /// No convergence at one of the loads, or no load with this gap.
-    pub fn at_mean_gap(&self, gap: f64, progress: &dyn Progress) -> Result<Contact, SolverError> {
-        let unreachable = || SolverError::Gap(gap);
-        let Level { moments: [mean, deviation], highest, .. } = self.levels[0];
-        // The highest point touches before it is pressed.
-        if !is_positive(gap) || gap >= highest - mean {
-            return Err(unreachable());
-        }
-        let tolerance = self.error * deviation;
-        // Ends of the bracket: ln(pressure), and how far the gap there exceeds the one that is looked for.
-        let mut ends: [Option<[f64; 2]>; 2] = [None; 2];
-        let mut last_side = None;
-        let mut log = (FIRST_LOAD * self.reduced_modulus).min(0.5 * self.cap).ln();
-        for _ in 0..SEARCHES {
-            let contact = self.at_pressure(log.exp(), progress).map_err(|error| match error {
-                SolverError::Pressure { .. } => unreachable(),
-                other => other,
-            })?;
-            let excess = contact.mean_gap - gap;
-            if excess.abs() <= tolerance {
-                return Ok(contact);
-            }
-            let side = usize::from(excess < 0.0);
-            let has_repeated = last_side.replace(side) == Some(side);
-            ends[side] = Some([log, excess]);
-            log = match &mut ends {
-                [Some(low), Some(high)] => {
-                    // The Illinois rule: an end that stays twice in a row counts half.
-                    let other = if side == 0 { &mut *high } else { &mut *low };
-                    if has_repeated {
-                        other[1] *= 0.5;
-                    }
-                    low[0] + (high[0] - low[0]) * low[1] / (low[1] - high[1])
-                }
-                [Some(_), None] => (log + BRACKET.ln()).min(0.5 * (log + self.cap.ln())),
-                _ => log - BRACKET.ln(),
-            };
-        }
-        Err(unreachable())
     }
 
     /// The sources of the method; of the perfectly plastic limit with a cap.

@@ -213,24 +213,16 @@ impl Estimate {
     }
 }
 
-/// What several results on a surface are of, and how sure their mean is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Repeats {
-    /// Independent surfaces of a process: their scatter is the error.
-    #[default]
-    Realisations,
-    /// The same two bodies at several relative positions. They share their heights: the error of the first alone, by its blocks, holds what
-    /// other bodies would change, and more than the mean has of it; the scatter over the positions is added.
-    Shifts,
-}
-
-impl Repeats {
-    /// What they are called.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Realisations => "realisations",
-            Self::Shifts => "relative positions",
-        }
+named_enum! {
+    /// What several results on a surface are of, and how sure their mean is.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    pub enum Repeats {
+        /// Independent surfaces of a process: their scatter is the error.
+        #[default]
+        Realisations = "realisations",
+        /// The same two bodies at several relative positions. They share their heights: the error of the first alone, by its blocks, holds what
+        /// other bodies would change, and more than the mean has of it; the scatter over the positions is added.
+        Shifts = "relative positions",
     }
 }
 

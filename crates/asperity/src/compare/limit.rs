@@ -9,11 +9,9 @@ use crate::contact::Contact;
 use crate::contact_law::ContactLaw;
 use crate::distribution::gaussian_moment;
 use crate::interface::MicroContact;
-use crate::model::{Deterministic, Model, ReferencePlane, Response, Statistical};
+use crate::model::{Deterministic, MIN_CONTACTS, Model, ReferencePlane, Response, Statistical};
 use crate::named_enum;
 use crate::shape::Shape;
-
-use crate::model::MIN_CONTACTS;
 
 /// Sets of asperities of growing size.
 #[derive(Debug, Clone)]

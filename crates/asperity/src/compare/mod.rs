@@ -12,7 +12,6 @@ mod nearness;
 mod on_map;
 mod reference;
 mod sampling;
-mod slope;
 mod spread;
 #[cfg(test)]
 pub(crate) mod tests;
@@ -39,8 +38,7 @@ pub use reference::{BlockShare, ReferenceCurve, ReferencePoint};
 pub use sampling::{
     Division, GROUPS, Generated, NotModelled, OneStep, jackknife_error, jackknife_quantile, student_quantile,
 };
-pub use slope::{ErrorSlope, SlopeFit};
-pub use spread::{Realisation, Scatter, Spread, spread};
+pub use spread::{ErrorSlope, Realisation, Scatter, SlopeFit, Spread, spread};
 pub use threshold::threshold;
 pub use validity::{AdmissibleRange, PointCounts};
 pub use verdict::{Accepted, Stretch, Verdict};

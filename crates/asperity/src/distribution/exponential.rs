@@ -6,7 +6,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, Exp1};
 use statrs::distribution::{ContinuousCDF, Exp};
 
-use super::hazard::{PANELS, log_hazard};
+use super::normal::{PANELS, log_hazard};
 use super::{Entry, Exponent, FOLDINGS, FOLDINGS_PER_PANEL, HeightDistribution, Heights, whole_panels};
 use crate::literature::{GREENWOOD_WILLIAMSON_1966, Paper};
 use crate::numeric::lanes::Real;

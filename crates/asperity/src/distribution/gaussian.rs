@@ -5,7 +5,7 @@ use std::fmt;
 
 use libm::erfc;
 
-use super::normal_quantiles::normal_quantiles;
+use super::normal::normal_quantiles;
 use super::{
     Entry, Exponent, FOLDINGS, FOLDINGS_PER_BELL, FOLDINGS_PER_PANEL, HeightDistribution, Heights,
     whole_panels,

@@ -9,10 +9,8 @@
 mod exponential;
 mod fitted;
 mod gaussian;
-mod hazard;
 pub mod johnson;
-mod moments;
-mod normal_quantiles;
+mod normal;
 mod smoothed;
 pub mod weibull;
 
@@ -31,8 +29,8 @@ pub use exponential::Exponential;
 pub use fitted::HeightModel;
 pub use gaussian::{Gaussian, gaussian_moment};
 pub use johnson::Johnson;
-pub use moments::Moments;
-pub(crate) use moments::normal_nodes;
+pub use normal::Moments;
+pub(crate) use normal::normal_nodes;
 pub use smoothed::{EqualHeights, Smoothed};
 pub use weibull::Weibull;
 

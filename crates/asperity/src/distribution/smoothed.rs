@@ -8,7 +8,7 @@ use std::sync::OnceLock;
 use libm::erfc;
 use statrs::distribution::ContinuousCDF;
 
-use super::normal_quantiles::normal_quantiles;
+use super::normal::normal_quantiles;
 use super::{FOLDINGS, HeightDistribution};
 use crate::literature::{Paper, SILVERMAN_1986};
 use crate::numeric::condensed::{Node, condensed};

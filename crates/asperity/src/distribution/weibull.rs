@@ -4,7 +4,7 @@ use std::fmt;
 
 use statrs::function::gamma::gamma;
 
-use super::hazard::{PANELS, log_hazard};
+use super::normal::{PANELS, log_hazard};
 use super::{Entry, FOLDINGS, FOLDINGS_PER_PANEL, HeightDistribution, Heights, whole_panels};
 use crate::literature::{Paper, WEIBULL_1951};
 

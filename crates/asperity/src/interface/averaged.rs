@@ -127,6 +127,13 @@ impl<'a> AveragedContact<'a> {
 }
 
 impl MicroContact for AveragedContact<'_> {
+    forward! { contact:
+        fn spot_properties(&self) -> Option<&SpotProperties>;
+        fn reference_modulus(&self) -> f64;
+        fn reference_hardness(&self) -> f64;
+        fn papers(&self) -> Vec<Paper>;
+    }
+
     fn contact(&self, w: f64, shape: Shape) -> Contact {
         let [load, area, stiffness] = self.sums(w).map(|sum| sum * shape.spheres);
         Contact { area, load, stiffness, regime: Regime::Elastic }
@@ -136,10 +143,6 @@ impl MicroContact for AveragedContact<'_> {
         self.spot_properties()?;
         let [_, _, _, spots @ ..]: Sums = self.sums(w).map(|sum| sum * shape.spheres);
         Some(spots)
-    }
-
-    fn spot_properties(&self) -> Option<&SpotProperties> {
-        self.contact.spot_properties()
     }
 
     fn contacts(&self, indentations: &[f64], shape: Shape) -> ContactColumns {
@@ -223,18 +226,6 @@ impl MicroContact for AveragedContact<'_> {
             }
         };
         LoadBounds::any(highest * shape.spheres)
-    }
-
-    fn reference_modulus(&self) -> f64 {
-        self.contact.reference_modulus()
-    }
-
-    fn reference_hardness(&self) -> f64 {
-        self.contact.reference_hardness()
-    }
-
-    fn papers(&self) -> Vec<Paper> {
-        self.contact.papers()
     }
 }
 

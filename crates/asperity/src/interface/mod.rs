@@ -1,5 +1,15 @@
 //! The micro-contact of two bodies under a law, which both models sum.
 
+/// Methods of a [`MicroContact`] that are those of the one in a field.
+macro_rules! forward {
+    ($field:ident: $(fn $name:ident(&self $(, $argument:ident: $type:ty)*) -> $out:ty;)*) => {$(
+        fn $name(&self $(, $argument: $type)*) -> $out {
+            self.$field.$name($($argument),*)
+        }
+    )*};
+}
+pub(crate) use forward;
+
 mod averaged;
 mod bare;
 mod batch;

@@ -28,8 +28,15 @@ impl WithSpots {
 }
 
 impl MicroContact for WithSpots {
-    fn contact(&self, w: f64, shape: Shape) -> Contact {
-        self.contact.contact(w, shape)
+    forward! { contact:
+        fn contact(&self, w: f64, shape: Shape) -> Contact;
+        fn regime_changes(&self, shape: Shape) -> Vec<f64>;
+        fn may_decrease(&self, shapes: Shapes) -> Vec<Interval>;
+        fn load_over(&self, from: f64, to: f64, shape: Shape) -> LoadBounds;
+        fn reference_modulus(&self) -> f64;
+        fn reference_hardness(&self) -> f64;
+        fn caveat(&self) -> Option<String>;
+        fn is_layered(&self) -> bool;
     }
 
     fn spot_values(&self, w: f64, shape: Shape) -> Option<SpotValues> {
@@ -68,10 +75,6 @@ impl MicroContact for WithSpots {
         }
     }
 
-    fn regime_changes(&self, shape: Shape) -> Vec<f64> {
-        self.contact.regime_changes(shape)
-    }
-
     fn breakpoints(&self, shape: Shape) -> Vec<f64> {
         let mut all = self.contact.breakpoints(shape);
         all.extend(self.properties.jumps());
@@ -79,32 +82,8 @@ impl MicroContact for WithSpots {
         all
     }
 
-    fn may_decrease(&self, shapes: Shapes) -> Vec<Interval> {
-        self.contact.may_decrease(shapes)
-    }
-
-    fn load_over(&self, from: f64, to: f64, shape: Shape) -> LoadBounds {
-        self.contact.load_over(from, to, shape)
-    }
-
-    fn reference_modulus(&self) -> f64 {
-        self.contact.reference_modulus()
-    }
-
-    fn reference_hardness(&self) -> f64 {
-        self.contact.reference_hardness()
-    }
-
     fn papers(&self) -> Vec<Paper> {
         [self.contact.papers(), self.properties.papers()].concat()
-    }
-
-    fn caveat(&self) -> Option<String> {
-        self.contact.caveat()
-    }
-
-    fn is_layered(&self) -> bool {
-        self.contact.is_layered()
     }
 }
 

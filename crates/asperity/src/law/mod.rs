@@ -128,22 +128,14 @@ impl<N: Real> Pairs<N> {
 /// Relative distance from a boundary at which both of its sides are evaluated: above the rounding of the boundary.
 const OFFSET: f64 = 8.0 * f64::EPSILON;
 
-/// A property of a body, by its key in a spec.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Property {
-    /// `hardness`
-    Hardness,
-    /// `yield-strength`
-    YieldStrength,
-}
-
-impl Property {
-    /// The key in specs.
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::Hardness => "hardness",
-            Self::YieldStrength => "yield-strength",
-        }
+named_enum! {
+    /// A property of a body, by its key in a spec.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    pub enum Property {
+        /// Indentation hardness.
+        Hardness = "hardness",
+        /// The 0.2 % proof stress.
+        YieldStrength = "yield-strength",
     }
 }
 
@@ -173,39 +165,28 @@ impl Body {
 
 /// Bodies to which a law does not apply.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[allow(missing_docs)] // The texts say what fields are.
 pub enum Inapplicable {
     /// A property that the law needs is unknown.
-    #[error("no {}, which law {law} needs of {}", property.key(), match body {
+    #[error("no {}, which law {law} needs of {}", property.name(), match body {
         Some(Body::Rough) => "the rough body",
         Some(Body::Flat) => "the flat body",
         None => "one of the two bodies at least",
     })]
     Lacking {
-        /// Name of the law.
         law: &'static str,
-        /// The missing property.
         property: Property,
-        /// The body without it; `None` if neither has it and at least one must.
+        /// `None` if neither has it and at least one must.
         body: Option<Body>,
     },
     /// The pair is outside the range of the law.
     #[error("a yield strength of {ratio:.3} E*, beyond the range of law {law}; allowed: at most {most} E*")]
-    TooStrong {
-        /// Name of the law.
-        law: &'static str,
-        /// Yield strength over reduced modulus.
-        ratio: f64,
-        /// The largest that is allowed.
-        most: f64,
-    },
+    TooStrong { law: &'static str, ratio: f64, most: f64 },
     /// The law is not defined for a layer of finite thickness.
     #[error(
         "law {law} under a layer: it is defined for homogeneous bodies only; allowed: no layer, or thicknesses of 0 and \"inf\""
     )]
-    Layer {
-        /// Name of the law.
-        law: &'static str,
-    },
+    Layer { law: &'static str },
 }
 
 impl Inapplicable {
@@ -327,13 +308,6 @@ pub trait Law: SingleContact + Send + Sync + 'static {
         let [below, above] = [1.0 - OFFSET, 1.0 + OFFSET];
         let load = |w: f64| self.contact(w, 1.0, pair).load;
         self.critical_ratios(pair).into_iter().map(|w| load(w * above) / load(w * below)).collect()
-    }
-
-    /// The ratio of the areas just above and just below each critical indentation.
-    fn area_jumps(&self, pair: &Pair) -> Vec<f64> {
-        let [below, above] = [1.0 - OFFSET, 1.0 + OFFSET];
-        let area = |w: f64| self.contact(w, 1.0, pair).area;
-        self.critical_ratios(pair).into_iter().map(|w| area(w * above) / area(w * below)).collect()
     }
 
     /// The highest load (N) at indentations from `from` to `to`, `from < to` (m).

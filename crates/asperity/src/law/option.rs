@@ -34,29 +34,15 @@ impl LawOption {
 
 /// An option that cannot be set.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[allow(missing_docs)] // The texts say what fields are.
 pub enum OptionError {
     /// The value is out of the option's range.
     #[error("{option} {value}; allowed: {allowed}")]
-    OutOfRange {
-        /// The option.
-        option: &'static str,
-        /// The value that was given.
-        value: f64,
-        /// The range in words.
-        allowed: &'static str,
-    },
+    OutOfRange { option: &'static str, value: f64, allowed: &'static str },
     /// The law has other options.
     #[error("the key `{option}`; allowed: {allowed}")]
-    Unknown {
-        /// The name that was given.
-        option: String,
-        /// The options of the law.
-        allowed: String,
-    },
+    Unknown { option: String, allowed: String },
     /// The law has no options.
     #[error("the option `{option}`; allowed: none, as this law has no options")]
-    NoOptions {
-        /// The name that was given.
-        option: String,
-    },
+    NoOptions { option: String },
 }

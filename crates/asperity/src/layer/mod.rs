@@ -7,15 +7,14 @@
 //! | `modulus` | nu_eff and E_eff by the paper's model or in series (Eqs. 14, 15) |
 //! | `hardness` | H_eff (Eq. 16) |
 
-mod coating;
 pub mod exact_sphere;
 mod hardness;
 mod modulus;
 mod weights;
 
-pub use coating::Coating;
 pub use modulus::ModulusModel;
 
+use crate::interface::Flat;
 use crate::literature::{self, Paper};
 use crate::material::Material;
 use crate::numeric::interval::Interval;
@@ -212,5 +211,35 @@ impl LayeredFlat {
     pub fn hardness_scales(&self) -> Vec<f64> {
         let depths = self.hardness.as_ref().map(EffectiveHardness::scales).unwrap_or_default();
         depths.into_iter().map(|depth| depth / self.inverse_thickness).collect()
+    }
+}
+
+/// A layer on a substrate: what does not depend on its thickness is found once.
+#[derive(Debug, Clone)]
+pub struct Coating {
+    /// Material of the layer.
+    pub material: Material,
+    substrate: Material,
+    /// The layer, 1 m thick, on its substrate.
+    layered: LayeredFlat,
+}
+
+impl Coating {
+    /// A layer of `material` on `substrate`.
+    ///
+    /// # Errors
+    /// Materials that the effective hardness cannot be computed of.
+    pub fn new(material: Material, substrate: Material, rule: ModulusModel) -> Result<Self, LayerError> {
+        let layered = LayeredFlat::new(&material, &substrate, 1.0, rule)?;
+        Ok(Self { material, substrate, layered })
+    }
+
+    /// The substrate with the layer in a thickness (m) on it: the substrate alone at 0, the layer alone at infinity.
+    ///
+    /// # Errors
+    /// A thickness that is neither positive nor 0.
+    pub fn flat(&self, thickness: f64) -> Result<Flat, LayerError> {
+        let layered = || self.layered.with_thickness(thickness);
+        Flat::in_thickness(&self.material, &self.substrate, thickness, layered)
     }
 }

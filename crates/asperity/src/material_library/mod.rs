@@ -15,10 +15,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod ceramics;
-mod metals;
-mod polymers;
-mod references;
+mod table;
 
 use crate::material::{Material, MaterialError};
 use crate::named_enum;
@@ -81,13 +78,23 @@ pub struct LibraryMaterial {
 }
 
 impl LibraryMaterial {
-    /// The same with a thermal conductivity (W/(m K)), and a resistivity (ohm m) of what conducts electrically.
-    pub(crate) const fn conducting(
-        self,
-        thermal_conductivity: Option<Sourced>,
-        resistivity: Option<Sourced>,
+    const fn new(
+        class: Class,
+        [name, description]: [&'static str; 2],
+        young: Sourced,
+        poisson: Sourced,
     ) -> Self {
-        Self { thermal_conductivity, resistivity, ..self }
+        Self {
+            name,
+            description,
+            class,
+            young,
+            poisson,
+            hardness: None,
+            yield_strength: None,
+            resistivity: None,
+            thermal_conductivity: None,
+        }
     }
 
     /// The body with these properties.
@@ -103,7 +110,7 @@ impl LibraryMaterial {
 
 /// All materials: metals, then ceramics, then polymers.
 pub fn all() -> impl Iterator<Item = &'static LibraryMaterial> {
-    metals::METALS.iter().chain(ceramics::CERAMICS).chain(polymers::POLYMERS)
+    table::METALS.iter().chain(table::CERAMICS).chain(table::POLYMERS)
 }
 
 /// The material called `name`, in upper or lower case.

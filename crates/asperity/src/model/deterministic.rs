@@ -1,11 +1,9 @@
 //! The deterministic model: a sum over the individual asperities (Pasaribu and Schipper 2005, Eqs. 1, 13).
 
-use std::cell::Cell;
 use std::sync::OnceLock;
 
 use super::block::{Block, Levels};
 use super::load_control::{LOWEST_SEPARATION, search_missing};
-use super::sparse::SparseSubset;
 use super::{Medium, Model, ReferencePlane, Response, responses_at, separations_of};
 use crate::accumulator::{Accumulator, Total};
 use crate::asperity::{Asperities, Ordered};
@@ -86,18 +84,6 @@ fn shapes_of(asperities: &Asperities<'_>) -> Shapes {
     Shapes { radii: asperities.radius_range(), spheres: asperities.sphere_range() }
 }
 
-/// Scratch buffers of one task.
-#[derive(Default)]
-struct Workspace {
-    block: Block,
-    accumulators: Vec<Accumulator>,
-}
-
-thread_local! {
-    /// Reused between sums: allocation takes a tenth of the time of a million asperities.
-    static WORKSPACE: Cell<Option<Box<Workspace>>> = const { Cell::new(None) };
-}
-
 /// The largest number of blocks per task.
 const BLOCKS_PER_TASK: usize = 16;
 
@@ -144,16 +130,7 @@ impl<'a> Deterministic<'a> {
         for some in order.chunks(Levels::MOST) {
             let descending: Vec<f64> = some.iter().map(|&k| separations[k]).collect();
             let levels = Levels::new(&descending);
-            let lowest = descending[descending.len() - 1];
-            let found = match SparseSubset::above(lowest, &self.asperities) {
-                // Blocks almost without contacts are not processed separation by separation.
-                Some(few) => {
-                    let few = Deterministic::new(self.contact, few.asperities(), self.plane);
-                    few.descend(&levels, wants_spots)
-                }
-                None => self.descend(&levels, wants_spots),
-            };
-            for (&k, total) in some.iter().zip(found) {
+            for (&k, total) in some.iter().zip(self.descend(&levels, wants_spots)) {
                 totals[k] = total;
             }
         }
@@ -166,30 +143,21 @@ impl<'a> Deterministic<'a> {
         let blocks = count.div_ceil(Block::MOST);
         let per_task = Block::MOST * blocks.div_ceil(TASKS).clamp(1, BLOCKS_PER_TASK);
         let part = |task: usize| -> Vec<Total> {
-            let mut workspace = WORKSPACE.take().unwrap_or_default();
-            let Workspace { block, accumulators } = &mut *workspace;
-            accumulators.clear();
-            accumulators.resize(levels.separations().len(), Accumulator::empty(wants_spots));
+            let mut block = Block::default();
+            let mut accumulators = vec![Accumulator::empty(wants_spots); levels.separations().len()];
             let end = count.min((task + 1) * per_task);
             for start in (task * per_task..end).step_by(Block::MOST) {
-                let next = end.min(start + Block::MOST);
-                let asperities = self.asperities.part(start..next);
-                // Prefetches the next block, a part at each separation.
-                let ahead = self.asperities.part(next..end.min(next + Block::MOST));
-                let piece = ahead.count().div_ceil(levels.separations().len());
+                let asperities = self.asperities.part(start..end.min(start + Block::MOST));
                 block.fill(asperities, levels);
-                let each = levels.separations().iter().zip(&mut *accumulators);
+                let each = levels.separations().iter().zip(&mut accumulators);
                 for (level, (&separation, accumulator)) in each.enumerate() {
-                    ahead.prefetch(level * piece..(level + 1) * piece);
                     let touching = block.above(level, &asperities);
                     if touching.count() > 0 {
                         self.contact.accumulate(touching, separation, accumulator);
                     }
                 }
             }
-            let totals = accumulators.iter().map(Accumulator::total).collect();
-            WORKSPACE.set(Some(workspace));
-            totals
+            accumulators.iter().map(Accumulator::total).collect()
         };
         let parts = parallel::map(count.div_ceil(per_task), part);
         let mut totals = vec![Total::empty(wants_spots); levels.separations().len()];

@@ -1,10 +1,16 @@
-//! A statistical model of several classes of asperities: the weighted sum of their integrals.
+//! A statistical model of several classes of asperities, the weighted sum of their integrals: that of a joint density of height and
+//! curvature.
 
 use super::load_control::{LOWEST_SEPARATION, search_missing};
 use super::{Model, ReferencePlane, Response, Statistical, descent, separations_of};
+use crate::asperity::Population;
 use crate::contact::ByRegime;
+use crate::distribution::Heights;
+use crate::interface::MicroContact;
 use crate::numeric::parallel;
 use crate::numeric::root::last_reaching;
+use crate::shape::Shape;
+use crate::topography::joint::{JointDensity, SummitClass};
 
 /// Classes of asperities, each with its share of all, which report separations from one plane.
 pub(crate) struct Mixture<'a> {
@@ -73,4 +79,49 @@ impl Model for Mixture<'_> {
         search_missing(&mut found, pressures, |pressure| self.search(pressure, highest));
         found
     }
+}
+
+/// The radius of the contact of a summit with two principal curvatures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SummitShape {
+    /// A sphere of radius 1/(k1 k2)^.5 (Greenwood 2006).
+    GeometricMean,
+    /// A sphere of radius 2/(k1 + k2), as in the deterministic model.
+    ArithmeticMean,
+    /// An elliptic paraboloid.
+    Ellipse,
+}
+
+impl SummitShape {
+    fn shape(self, class: &SummitClass) -> Shape {
+        let [larger, smaller] = class.curvatures;
+        let mean = 0.5 * (larger + smaller);
+        match self {
+            Self::GeometricMean => Shape::sphere((larger * smaller).sqrt().recip()),
+            Self::ArithmeticMean => Shape::sphere(mean.recip()),
+            Self::Ellipse => Shape::ellipse(mean, larger / smaller),
+        }
+    }
+}
+
+/// The integral of a micro-contact over a joint density of height and curvature: that over the heights of each class of summits,
+/// added up. Separations are measured from and in units of `plane`, whose mean is relative to the mean plane of the surface, m.
+pub fn joint_model<'a>(
+    contact: &'a dyn MicroContact,
+    joint: &JointDensity,
+    shape: SummitShape,
+    plane: ReferencePlane,
+) -> impl Model + 'a {
+    let class = |class: &SummitClass| {
+        let shape = shape.shape(class);
+        let population = Population {
+            radius: shape.radius,
+            sigma: class.sd,
+            density: joint.density,
+            heights: Heights::GAUSSIAN,
+        };
+        let plane = ReferencePlane { mean: plane.mean - class.height, ..plane };
+        (class.share, Statistical::of_shape(contact, population, shape).reported_from(plane))
+    };
+    Mixture::new(joint.classes.iter().map(class).collect())
 }

@@ -2,16 +2,11 @@
 
 mod block;
 mod deterministic;
-mod fixed_panels;
 mod greenwood_tripp;
-mod joint;
 mod load_control;
-mod medium;
 mod mixture;
-mod plane;
 mod radius_in_contact;
 mod response;
-mod sparse;
 mod statistical;
 mod validity;
 mod weight;
@@ -19,14 +14,12 @@ mod weight;
 pub use deterministic::Deterministic;
 pub(crate) use greenwood_tripp::power_law;
 pub use greenwood_tripp::{GreenwoodTrippError, meeting_pairs};
-pub use joint::{SummitShape, joint_model};
 pub use load_control::{LOWEST_SEPARATION, Reached, Unreachable, at_pressure, at_pressures, reached_at};
-pub use medium::Medium;
-pub(crate) use medium::WithMedium;
 pub(crate) use mixture::Mixture;
-pub use plane::ReferencePlane;
+pub use mixture::{SummitShape, joint_model};
 pub use radius_in_contact::RadiusInContact;
-pub use response::{Response, SamplingError};
+pub(crate) use response::WithMedium;
+pub use response::{Medium, ReferencePlane, Response, SamplingError};
 pub use statistical::{MeanRadius, Statistical};
 pub use validity::{
     Exceeded, INTERACTION, LARGE_STRAIN_SHARE, LARGEST_LOAD_SHARE, Limit, LoadSharing, MIN_CONTACTS,

@@ -1,46 +1,36 @@
 //! The statistical model: a height density and one mean radius (Zhao, Maietta and Chang 2000).
 
-use super::fixed_panels::{FixedPanels, NEGLIGIBLE, spans};
 use super::load_control::{LOWEST_SEPARATION, search_missing};
-use super::weight::{GaussianSurvival, Weight};
+use super::weight::{FixedPanels, GaussianSurvival, NEGLIGIBLE, Weight, spans};
 use super::{Model, ReferencePlane, Response, separations_of};
 use crate::accumulator::{Accumulator, Total};
 use crate::asperity::{Population, Statistics};
 use crate::interface::{MicroContact, accumulate_columns, jumps};
+use crate::named_enum;
 use crate::numeric::lanes::{Real, Work, run};
 use crate::numeric::parallel;
 use crate::numeric::quadrature::{NODES, Piece, Variable, pieces};
 use crate::numeric::root::last_reaching;
 use crate::shape::Shape;
 
-/// The mean radius used by the statistical model.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Deserialize))]
-#[cfg_attr(feature = "schemars", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
-pub enum MeanRadius {
-    /// The arithmetic mean (Pasaribu and Schipper 2005, Table 1).
-    #[default]
-    Arithmetic,
-    /// 1/(mean curvature).
-    InverseMeanCurvature,
-    /// The arithmetic mean of the asperities in contact, at each separation.
-    InContact,
+named_enum! {
+    /// The mean radius used by the statistical model.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+    #[cfg_attr(feature = "serde", derive(serde::Deserialize))]
+    #[cfg_attr(feature = "schemars", derive(schemars::JsonSchema))]
+    #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+    pub enum MeanRadius {
+        /// The arithmetic mean (Pasaribu and Schipper 2005, Table 1).
+        #[default]
+        Arithmetic = "arithmetic",
+        /// 1/(mean curvature).
+        InverseMeanCurvature = "inverse-mean-curvature",
+        /// The arithmetic mean of the asperities in contact, at each separation.
+        InContact = "in-contact",
+    }
 }
 
 impl MeanRadius {
-    /// All of them.
-    pub const ALL: [Self; 3] = [Self::Arithmetic, Self::InverseMeanCurvature, Self::InContact];
-
-    /// The name in specs and tables.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Arithmetic => "arithmetic",
-            Self::InverseMeanCurvature => "inverse-mean-curvature",
-            Self::InContact => "in-contact",
-        }
-    }
-
     /// The other convention for one mean radius.
     pub const fn other(self) -> Self {
         match self {

@@ -3,6 +3,7 @@
 
 use super::Response;
 use crate::accumulator::Total;
+use crate::named_enum;
 
 /// The smallest number of effective contacts: with fewer, the sum depends on a few of the highest asperities.
 pub const MIN_CONTACTS: f64 = 30.0;
@@ -41,32 +42,18 @@ impl LoadSharing {
     }
 }
 
-/// A limit of admissible loads.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Limit {
-    /// At least [`MIN_CONTACTS`] effective contacts.
-    FewContacts,
-    /// At most [`LARGEST_LOAD_SHARE`] of the load in one contact.
-    DominantContact,
-    /// An area ratio of at most [`INTERACTION`].
-    Interaction,
-    /// At most [`LARGE_STRAIN_SHARE`] of the load in contacts at large strain.
-    LargeStrain,
-}
-
-impl Limit {
-    /// All limits.
-    pub const ALL: [Self; 4] =
-        [Self::FewContacts, Self::DominantContact, Self::Interaction, Self::LargeStrain];
-
-    /// The name in tables of a result beyond the limit.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::FewContacts => "few-contacts",
-            Self::DominantContact => "dominant-contact",
-            Self::Interaction => "interaction",
-            Self::LargeStrain => "large-strain",
-        }
+named_enum! {
+    /// A limit of admissible loads.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Limit {
+        /// At least [`MIN_CONTACTS`] effective contacts.
+        FewContacts = "few-contacts",
+        /// At most [`LARGEST_LOAD_SHARE`] of the load in one contact.
+        DominantContact = "dominant-contact",
+        /// An area ratio of at most [`INTERACTION`].
+        Interaction = "interaction",
+        /// At most [`LARGE_STRAIN_SHARE`] of the load in contacts at large strain.
+        LargeStrain = "large-strain",
     }
 }
 

@@ -6,6 +6,7 @@ use crate::legible::legible;
 
 /// An error in reading a `.npy` file. Texts are predicates without the file name: "is empty".
 #[derive(Debug, thiserror::Error)]
+#[allow(missing_docs)] // The texts say what fields are.
 pub enum NpyError {
     /// The file cannot be opened or read.
     #[error("cannot be read: {0}")]
@@ -35,26 +36,10 @@ pub enum NpyError {
     #[error(
         "is truncated: its header says {rows} x {columns} numbers in {bytes} bytes, {found} bytes are there"
     )]
-    Truncated {
-        /// Length along the first index, according to the header.
-        rows: u64,
-        /// Length along the second index, according to the header.
-        columns: u64,
-        /// Bytes that these numbers take.
-        bytes: u64,
-        /// Bytes after the header.
-        found: u64,
-    },
+    Truncated { rows: u64, columns: u64, bytes: u64, found: u64 },
     /// The file goes on after its last number.
     #[error("holds {extra} bytes after its {rows} x {columns} numbers; allowed: one array and nothing else")]
-    Trailing {
-        /// Length along the first index, according to the header.
-        rows: u64,
-        /// Length along the second index, according to the header.
-        columns: u64,
-        /// Bytes after the last number.
-        extra: u64,
-    },
+    Trailing { rows: u64, columns: u64, extra: u64 },
     /// The file was cut after its header had been checked.
     #[error("became shorter while it was read; run again once it is written")]
     Shortened,
@@ -83,8 +68,8 @@ pub enum HeaderError {
     #[error("it is not UTF-8 text")]
     Encoding,
     /// The text is not a dictionary.
-    #[error("it is not a Python dictionary from byte {0} on")]
-    Syntax(usize),
+    #[error("it is not a Python dictionary")]
+    Syntax,
     /// An entry of the dictionary is missing.
     #[error("it has no entry '{0}'")]
     Missing(&'static str),

@@ -5,7 +5,6 @@ use std::io::Read;
 use std::path::Path;
 
 use super::error::{HeaderError, MAX_HEADER_BYTES, NpyError};
-use super::literal::Literal;
 use crate::numeric::stored::NumberType;
 
 /// The first bytes of a `.npy` file.
@@ -44,16 +43,19 @@ impl Header {
         let mut text = Vec::new();
         file.take(begin.text_length).read_to_end(&mut text)?;
         let text = std::str::from_utf8(&text).map_err(|_| HeaderError::Encoding)?;
-        let entries = Literal::dictionary(text).map_err(HeaderError::Syntax)?;
+        let entries = entries(text).ok_or(HeaderError::Syntax)?;
         let entry = |key: &'static str| {
-            let found = entries.iter().find(|(name, _)| name == key).map(|(_, value)| value);
+            let found = entries.iter().find(|(name, _)| *name == key).map(|(_, value)| *value);
             found.ok_or(HeaderError::Missing(key))
         };
+        let wrong = |entry, allowed| HeaderError::Entry { entry, allowed };
         let (number_type, big_endian) = number_type(entry("descr")?)?;
-        let Literal::Bool(fortran_order) = *entry("fortran_order")? else {
-            return Err(HeaderError::Entry { entry: "fortran_order", allowed: "True or False" }.into());
+        let fortran_order = match entry("fortran_order")? {
+            "True" => true,
+            "False" => false,
+            _ => return Err(wrong("fortran_order", "True or False").into()),
         };
-        let shape = shape(entry("shape")?)?;
+        let shape = lengths(entry("shape")?).ok_or(wrong("shape", "a tuple of whole numbers"))?;
         let data_start = begin.text_start + begin.text_length;
         let [rows, columns] = checked_shape(shape, number_type, length.saturating_sub(data_start))?;
         Ok(Self { rows, columns, number_type, big_endian, fortran_order, data_start })
@@ -109,11 +111,9 @@ impl Beginning {
 }
 
 /// The type of the numbers, and whether they are big-endian.
-fn number_type(descr: &Literal) -> Result<(NumberType, bool), NpyError> {
+fn number_type(descr: &str) -> Result<(NumberType, bool), NpyError> {
     use NumberType::{F32, F64, I8, I16, I32, I64, U8, U16, U32, U64};
-    let Literal::Text(name) = descr else {
-        return Err(NpyError::NumberType("of records".to_owned()));
-    };
+    let name = unquoted(descr).ok_or_else(|| NpyError::NumberType("of records".to_owned()))?;
     let number_type = match name.trim_start_matches(['<', '>', '|']) {
         "u1" => U8,
         "u2" => U16,
@@ -136,11 +136,53 @@ fn number_type(descr: &Literal) -> Result<(NumberType, bool), NpyError> {
     }
 }
 
-fn shape(shape: &Literal) -> Result<Vec<u64>, HeaderError> {
-    let fault = HeaderError::Entry { entry: "shape", allowed: "a tuple of whole numbers" };
-    let Literal::Sequence(lengths) = shape else { return Err(fault) };
-    let length = |length: &Literal| if let Literal::Integer(length) = length { *length } else { None };
-    lengths.iter().map(length).collect::<Option<_>>().ok_or(fault)
+/// The keys of a Python dictionary with the texts of their values; `None` of another text.
+fn entries(text: &str) -> Option<Vec<(&str, &str)>> {
+    let inner = text.trim().strip_prefix('{')?.strip_suffix('}')?;
+    let entries = parts(inner, ',')?.into_iter().filter(|entry| !entry.is_empty());
+    let pair = |entry| match parts(entry, ':')?[..] {
+        [key, value] => Some((unquoted(key)?, value)),
+        _ => None,
+    };
+    entries.map(pair).collect()
+}
+
+/// The parts of a text between separators that are in no string and no bracket; `None` where one of these does not end.
+fn parts(text: &str, separator: char) -> Option<Vec<&str>> {
+    let (mut parts, mut start, mut depth) = (Vec::new(), 0, 0_usize);
+    let (mut quote, mut is_escaped) = (None, false);
+    for (at, character) in text.char_indices() {
+        match quote {
+            Some(_) if is_escaped => is_escaped = false,
+            Some(end) if character == end => quote = None,
+            Some(_) => is_escaped = character == '\\',
+            None if "'\"".contains(character) => quote = Some(character),
+            None if "([{".contains(character) => depth += 1,
+            None if ")]}".contains(character) => depth = depth.checked_sub(1)?,
+            None if character == separator && depth == 0 => {
+                parts.push(text[start..at].trim());
+                start = at + separator.len_utf8();
+            }
+            None => {}
+        }
+    }
+    parts.push(text[start..].trim());
+    (depth == 0 && quote.is_none()).then_some(parts)
+}
+
+/// The text of a Python string.
+fn unquoted(text: &str) -> Option<&str> {
+    ['\'', '"'].into_iter().find_map(|quote| text.strip_prefix(quote)?.strip_suffix(quote))
+}
+
+/// The lengths in a tuple, which has a comma, or in a list.
+fn lengths(shape: &str) -> Option<Vec<u64>> {
+    let tuple = shape.strip_prefix('(').and_then(|rest| rest.strip_suffix(')'));
+    let inner = tuple.or_else(|| shape.strip_prefix('[')?.strip_suffix(']'))?;
+    let mut lengths: Vec<&str> = inner.split(',').map(str::trim).collect();
+    let is_closed = lengths.pop_if(|last| last.is_empty()).is_some();
+    let is_sequence = tuple.is_none() || is_closed || lengths.len() > 1;
+    lengths.into_iter().map(|length| length.parse().ok()).collect::<Option<_>>().filter(|_| is_sequence)
 }
 
 /// Rows and columns of an array whose numbers are in `found` bytes.

@@ -9,7 +9,6 @@
 
 mod error;
 mod header;
-mod literal;
 mod on_disk;
 
 use std::fs::File;

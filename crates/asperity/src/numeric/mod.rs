@@ -4,21 +4,20 @@ pub(crate) mod condensed;
 pub(crate) mod interval;
 pub mod lanes;
 pub(crate) mod levels;
-mod order;
 pub(crate) mod parallel;
 pub(crate) mod power;
 pub mod quadrature;
 pub(crate) mod root;
 pub(crate) mod sort;
 pub(crate) mod stored;
-mod stream;
 pub(crate) mod sum;
 pub(crate) mod table;
 
 pub use interval::Interval;
-pub use order::{decades, extremes, median};
-pub use stream::stream_seed;
+pub use sort::{decades, extremes, median};
 pub use sum::{Sum, in_chunks};
+
+use sha2::{Digest, Sha256};
 
 /// The largest magnitude of any input: loads computed from such numbers, their squares and sums neither overflow nor
 /// underflow.
@@ -42,6 +41,14 @@ pub fn two_digits(value: f64) -> f64 {
 pub fn two_digits_up(value: f64) -> f64 {
     let nearest = two_digits(value);
     if nearest < value { two_digits(nearest + 10f64.powf(value.log10().floor() - 1.0)) } else { nearest }
+}
+
+/// The seed of one stream of random numbers: it depends on a seed and on what is drawn, not on what else is drawn.
+pub fn stream_seed(seed: u64, what: &str) -> [u8; 32] {
+    let mut hash = Sha256::new();
+    hash.update(seed.to_le_bytes());
+    hash.update(what);
+    hash.finalize().into()
 }
 
 #[cfg(test)]

@@ -3,18 +3,16 @@
 //!
 //! | module | content |
 //! |---|---|
-//! | `conduction` | electrical and thermal conductance of a spot, with a film on it or a layer under it |
-//! | `correlation` | correlations in use for the conductance of joints |
+//! | `conduction` | electrical and thermal conductance of a spot, with a film on it or a layer under it; correlations in use for joints |
 //! | `layered` | a circular spot on a layer |
 //! | `shear` | shear force of a spot under boundary friction; its tangential stiffness |
 
 mod conduction;
-mod correlation;
 mod layered;
 mod shear;
 
 pub use conduction::{Conduction, ConductionError, GapMedium, cluster_conductance, tube_factor};
-pub use correlation::{Correlation, Joint};
+pub use conduction::{Correlation, Joint};
 pub use layered::{LAYER_RATIOS, LayerFactor};
 pub use shear::{BrokenFilm, Shear, ShearStrength, Tangential};
 

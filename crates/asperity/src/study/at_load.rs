@@ -1,7 +1,6 @@
 //! The results of a case at one load: what the models, and the reference, say there.
 
-use super::case::CaseStudy;
-use super::results::CaseResults;
+use super::results::{CaseResults, CaseStudy};
 use crate::Response;
 use crate::compare::{
     ByQuantity, ComparedQuantity, ContactResult, CurvePoint, Difference, ModelKind, ReferencePoint, Scatter,

@@ -1,11 +1,9 @@
 //! Fitted statistical models on asperities that they were not taken from: the other half of a surface, or its other realisations.
 
-use super::law::LawContact;
-use super::models::SurfaceModels;
+use super::models::{StatisticalModel, SurfaceModels};
 use super::ranking::{BuiltModel, LargestErrors, Ranking, errors, ranked_pairs, responses};
 use super::results::CaseResults;
-use super::setup::Setup;
-use super::statistical::StatisticalModel;
+use super::setup::{LawContact, Setup};
 use crate::Response;
 use crate::compare::{ByQuantity, Division, Pair};
 use crate::numeric::{parallel, stream_seed};

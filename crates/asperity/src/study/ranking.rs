@@ -1,9 +1,9 @@
 //! How far each statistical model of a surface is from the sum and from the reference, and what it costs. Models that are fitted to the
 //! asperities are tested on others.
 
-use super::case::CaseStudy;
 use super::held_out::{self, Halves, HeldOut};
-use super::law::LawContact;
+use super::results::{CaseResults, CaseStudy};
+use super::setup::{LawContact, Setup};
 use crate::compare::{
     Accepted, ByQuantity, ComparedQuantity, Pair, ReferenceCurve, ReferencePoint, Repeats, of_each_decade,
 };
@@ -11,33 +11,22 @@ use crate::distribution::HeightsError;
 use crate::numeric::parallel;
 use crate::progress::Progress;
 use crate::work::{CountedContact, Counter};
-use crate::{INTERACTION, Model, Response, reached_at};
+use crate::{INTERACTION, Model, Response, named_enum, reached_at};
 
-use super::models::SurfaceModels;
-use super::results::CaseResults;
-use super::setup::Setup;
-use super::statistical::StatisticalModel;
+use super::models::{StatisticalModel, SurfaceModels};
 use crate::surface::Surface;
 
 /// Loads per decade at which models are compared.
 const PER_DECADE: f64 = 3.0;
 
-/// What a model is compared with.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Against {
-    /// The sum over the asperities.
-    Sum,
-    /// The boundary element reference.
-    Reference,
-}
-
-impl Against {
-    /// The name in tables.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Sum => "deterministic",
-            Self::Reference => "reference",
-        }
+named_enum! {
+    /// What a model is compared with.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Against {
+        /// The sum over the asperities.
+        Sum = "deterministic",
+        /// The boundary element reference.
+        Reference = "reference",
     }
 }
 

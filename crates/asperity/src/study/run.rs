@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use super::law::LawContact;
+use super::setup::{LawContact, Setup};
 use crate::compare::{
     Accepted, AgainstReference, CaseSampling, ComparedQuantity, Controls, Difference, Gaps, ModelKind,
     Models, NotReached, compare,
@@ -11,18 +11,14 @@ use crate::distribution::HeightsError;
 use crate::numeric::interval::Interval;
 use crate::progress::Silent;
 use crate::sphere::{Curve, boundaries};
-use crate::work::Timing;
-use crate::work::{CountedContact, Counter};
+use crate::work::{CountedContact, Counter, Timing};
 use crate::{ContactLaw, Model, plasticity_index};
 
 use super::attribution::attribute;
-use super::case::CaseStudy;
 use super::layer::DecreaseResults;
-use super::models::SurfaceModels;
-use super::results::{CaseResults, RealisationFacts, RealisationResults};
+use super::models::{StatisticalModel, SurfaceModels};
+use super::results::{CaseResults, CaseStudy, RealisationFacts, RealisationResults};
 use super::sampling::sampling;
-use super::setup::Setup;
-use super::statistical::StatisticalModel;
 use crate::surface::Surface;
 
 /// Why both models cannot be compared on a surface.

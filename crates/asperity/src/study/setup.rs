@@ -1,12 +1,10 @@
-//! What both models are run with.
+//! What both models are run with: a law on two bodies, loads, and what is asked for.
 
-use super::law::LawContact;
-use crate::ContactLaw;
+use super::models::StatisticalModel;
 use crate::compare::{Controls, ModelKind};
 use crate::progress::Progress;
 use crate::surface::Surface;
-
-use super::statistical::StatisticalModel;
+use crate::{ContactLaw, Flat, Inapplicable, Material, MicroContact};
 
 /// What both models are run with on a surface.
 #[derive(Clone, Copy)]
@@ -44,5 +42,28 @@ impl Setup<'_> {
     /// Whether both models are run, so that they can be compared.
     pub fn has_both_models(&self) -> bool {
         [ModelKind::Statistical, ModelKind::Deterministic].iter().all(|kind| self.models.contains(kind))
+    }
+}
+
+/// A law and the micro-contact that it makes of the two bodies.
+pub struct LawContact {
+    /// Name in tables and plots.
+    pub label: String,
+    /// Thickness of the layer, m; `None` without a layer.
+    pub thickness: Option<f64>,
+    /// The micro-contact.
+    pub contact: Box<dyn MicroContact>,
+    /// The law with its options.
+    pub spec: ContactLaw,
+}
+
+impl LawContact {
+    /// A law between a rough body and a flat without a layer.
+    ///
+    /// # Errors
+    /// Materials without a property that the law needs.
+    pub fn bare(law: ContactLaw, rough: &Material, flat: &Material) -> Result<Self, Inapplicable> {
+        let contact = law.interface(rough, &Flat::Bare(*flat))?;
+        Ok(Self { label: law.label(), thickness: None, contact, spec: law })
     }
 }

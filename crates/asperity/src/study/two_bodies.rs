@@ -1,9 +1,8 @@
 //! What is usual for two rough bodies in place of their sum.
 
 use super::PointResult;
-use super::case::CaseStudy;
-use super::law::LawContact;
-use super::setup::Setup;
+use super::results::CaseStudy;
+use super::setup::{LawContact, Setup};
 use crate::compare::ModelKind;
 use crate::distribution::gaussian_moment;
 use crate::interface::MicroContact;

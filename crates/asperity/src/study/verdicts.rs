@@ -5,8 +5,7 @@ use crate::compare::{
     Support, Verdict,
 };
 
-use super::reference::ReferenceVerdicts;
-use super::results::CaseResults;
+use super::results::{CaseResults, ReferenceVerdicts};
 use crate::surface::{Independence, Surface};
 
 /// Whether the statistical model may be used instead of the sum, at which loads.

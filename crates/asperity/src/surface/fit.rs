@@ -79,6 +79,11 @@ pub struct FitStep {
 }
 
 impl FitStep {
+    /// One that was not even tried.
+    fn refused(before: Finding, remedy: Option<Remedy>, reason: NotApplied) -> Self {
+        Self { before, remedy, after: None, check_after: None, sq_ratio: None, not_applied: Some(reason) }
+    }
+
     /// Whether another step is about the same check and setting.
     fn is_of_same(&self, other: &Self) -> bool {
         let same = |a: &Option<Remedy>, b: &Option<Remedy>| {
@@ -153,14 +158,7 @@ impl Fit {
             .map(|finding| {
                 let not_applied =
                     if finding.is_of_units() { NotApplied::Units } else { NotApplied::NoRemedy };
-                FitStep {
-                    before: *finding,
-                    remedy: None,
-                    after: None,
-                    check_after: None,
-                    sq_ratio: None,
-                    not_applied: Some(not_applied),
-                }
+                FitStep::refused(*finding, None, not_applied)
             })
             .collect();
         steps.extend(left);
@@ -217,26 +215,11 @@ impl State<'_> {
                 break;
             }
         }
-        let none = FitStep {
-            before,
-            remedy: Some(remedy),
-            after: None,
-            check_after: None,
-            sq_ratio: None,
-            not_applied: Some(NotApplied::NoRemedy),
-        };
-        last.unwrap_or(none)
+        last.unwrap_or_else(|| FitStep::refused(before, Some(remedy), NotApplied::NoRemedy))
     }
 
     fn try_one(&mut self, before: Finding, remedy: Remedy) -> FitStep {
-        let refused = |reason| FitStep {
-            before,
-            remedy: Some(remedy),
-            after: None,
-            check_after: None,
-            sq_ratio: None,
-            not_applied: Some(reason),
-        };
+        let refused = |reason| FitStep::refused(before, Some(remedy), reason);
         if self.kept.forbids(remedy) {
             return refused(NotApplied::Kept);
         }

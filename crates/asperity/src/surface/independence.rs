@@ -2,6 +2,7 @@
 
 use crate::HeightMap;
 use crate::compare::Division;
+use crate::progress::Silent;
 use crate::topography::summits::Summits;
 use crate::topography::{Autocorrelation, Blocks, CorrelationLengths, MIN_BLOCKS, Rows, TooSmall};
 
@@ -142,7 +143,7 @@ impl PlaceGrid {
         let heights = sums.into_iter().map(|(sum, count)| sum / count).collect();
         let pixel = [0, 1].map(|axis| self.pixel[axis] * self.points[axis] as f64 / self.cells[axis] as f64);
         let found = HeightMap::new(self.cells, pixel, heights, f64::EPSILON).ok();
-        let found = found.and_then(|map| Autocorrelation::from_map(&map, mean));
+        let found = found.and_then(|map| Autocorrelation::from_map(&map, mean, &Silent));
         found.as_ref().map_or(CorrelationLengths::NONE, CorrelationLengths::from_autocorrelation)
     }
 }

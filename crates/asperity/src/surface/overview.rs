@@ -95,8 +95,8 @@ impl MapOverview {
         // One for the copy, one for the spectrum, two for the autocorrelation.
         progress.stage("spectrum and autocorrelation", if is_close { 4.0 } else { 2.0 });
         let (map, mean) = (HeightMap::from_rows(map), roughness.moments.mean);
-        whole.autocorrelation = if is_close { Autocorrelation::watched(&map, mean, progress) } else { None };
-        whole.spectrum = Some(RadialSpectrum::watched(map, mean, progress));
+        whole.autocorrelation = if is_close { Autocorrelation::from_map(&map, mean, progress) } else { None };
+        whole.spectrum = Some(RadialSpectrum::from_map(map, mean, progress));
         whole
     }
 }

@@ -24,6 +24,7 @@ use super::{
 
 /// A map on which no asperities are found.
 #[derive(Debug, Clone, thiserror::Error)]
+#[allow(missing_docs)] // The texts say what fields are.
 pub enum NoAsperities {
     /// A form that the map does not determine.
     #[error(transparent)]
@@ -39,20 +40,10 @@ pub enum NoAsperities {
         "keeps {kept:.1e} of the variance of its heights after an L filter of {l:.4e} m, which is shorter than its waves (mean \
              wavelength {wavelength:.4e} m); allowed: a longer L filter, or none"
     )]
-    LongFilter {
-        /// The L nesting index, m.
-        l: f64,
-        /// Share of the variance of heights that is left.
-        kept: f64,
-        /// Mean wavelength of the map before the filter, by slopes and curvatures, m.
-        wavelength: f64,
-    },
+    LongFilter { l: f64, kept: f64, wavelength: f64 },
     /// No tested point is higher than its neighbours.
     #[error("has no summit: none of its {tested} tested points is higher than its neighbours")]
-    NoSummit {
-        /// Number of tested points.
-        tested: usize,
-    },
+    NoSummit { tested: usize },
     /// One summit, or none because no point could be one.
     #[error(
         "has {} on {} x {} points{}: two of different heights are the least, a comparison needs hundreds; allowed: {}",
@@ -60,23 +51,13 @@ pub enum NoAsperities {
         points[0], points[1], missing_share(*missing, *points),
         if *missing == 0 { "a larger map" } else { "a larger map, or one with fewer missing points (a summit has none beside it)" },
     )]
-    FewSummits {
-        /// Number of summits.
-        summits: usize,
-        /// Points along x and y.
-        points: [usize; 2],
-        /// Number of missing points.
-        missing: usize,
-    },
+    FewSummits { summits: usize, points: [usize; 2], missing: usize },
     /// Summits whose heights are equal but for rounding.
     #[error(
         "has {summits} summits that are equally high: separations are measured in their standard deviation; allowed: summits of \
              different heights"
     )]
-    EqualHeights {
-        /// Number of summits.
-        summits: usize,
-    },
+    EqualHeights { summits: usize },
     /// A file that another program has made shorter since it was opened.
     #[error("became shorter while it was read; run again once it is written")]
     Shortened,
@@ -522,7 +503,7 @@ fn correlation_of(
 ) -> Option<(CorrelationLengths, Autocorrelation)> {
     /// Points along an axis of the coarse map.
     const MOST: usize = 1024;
-    CorrelationLengths::watched(&thumbnail(map, MOST), mean, progress)
+    CorrelationLengths::from_map(&thumbnail(map, MOST), mean, progress)
 }
 
 #[cfg(test)]

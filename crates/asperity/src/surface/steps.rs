@@ -2,50 +2,28 @@
 
 use super::NoAsperities;
 use super::search::{Preparation, SummitSearch};
-use crate::HeightMap;
 use crate::progress::Progress;
 use crate::topography::fitness::{AlignedLines, Without};
 use crate::topography::tip::{TipReach, WORK, eroded};
 use crate::topography::{Levelled, Rows, Watched, Window};
+use crate::{HeightMap, named_enum};
 
-/// A step of the preparation of a map.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Step {
-    /// None yet: the map as it was measured, or generated.
-    Measured,
-    /// Spikes became missing points.
-    SpikesRemoved,
-    /// Lines of the scan were set to the same mean height.
-    LinesAligned,
-    /// What the tip of the instrument added was eroded.
-    Eroded,
-    /// The form was removed.
-    Levelled,
-    /// Filters were applied.
-    Filtered,
-}
-
-impl Step {
-    /// All of them, in order.
-    pub const ALL: [Self; 6] = [
-        Self::Measured,
-        Self::SpikesRemoved,
-        Self::LinesAligned,
-        Self::Eroded,
-        Self::Levelled,
-        Self::Filtered,
-    ];
-
-    /// The name in commands and files.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Measured => "measured",
-            Self::SpikesRemoved => "spikes-removed",
-            Self::LinesAligned => "lines-aligned",
-            Self::Eroded => "eroded",
-            Self::Levelled => "levelled",
-            Self::Filtered => "filtered",
-        }
+named_enum! {
+    /// A step of the preparation of a map.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Step {
+        /// None yet: the map as it was measured, or generated.
+        Measured = "measured",
+        /// Spikes became missing points.
+        SpikesRemoved = "spikes-removed",
+        /// Lines of the scan were set to the same mean height.
+        LinesAligned = "lines-aligned",
+        /// What the tip of the instrument added was eroded.
+        Eroded = "eroded",
+        /// The form was removed.
+        Levelled = "levelled",
+        /// Filters were applied.
+        Filtered = "filtered",
     }
 }
 

@@ -8,7 +8,7 @@ use super::fourier::{analyse, change_waves, columns, weight, with_small_factors}
 use super::spectrum::GridSpectrum;
 use super::{Boundary, HeightMap, Rows};
 use crate::numeric::parallel::{self, for_each_row};
-use crate::progress::{Progress, Silent};
+use crate::progress::Progress;
 
 /// Radially averaged power spectral density C(q), normalised so that its integral over the plane of wave vectors is the
 /// variance of the heights.
@@ -73,13 +73,8 @@ impl Rings {
 
 impl RadialSpectrum {
     /// The spectrum of a map about its `mean` (m). A Hann window is applied to an open map; missing points are replaced
-    /// by the mean.
-    pub fn from_map(map: HeightMap, mean: f64) -> Self {
-        Self::watched(map, mean, &Silent)
-    }
-
-    /// [`Self::from_map`] with progress: one unit of work.
-    pub fn watched(map: HeightMap, mean: f64, progress: &dyn Progress) -> Self {
+    /// by the mean. One unit of work.
+    pub fn from_map(map: HeightMap, mean: f64, progress: &dyn Progress) -> Self {
         let points = map.points();
         let rings = Rings::new(points, map.pixel());
         let window = [0, 1].map(|axis| match map.boundary() {
@@ -153,12 +148,6 @@ pub struct Autocorrelation {
 }
 
 impl Autocorrelation {
-    /// The autocorrelation of the present points, about their `mean` (m). On an open map only pairs of points within
-    /// the map are included. `None` for a flat map.
-    pub fn from_map(map: &HeightMap, mean: f64) -> Option<Self> {
-        Self::watched(map, mean, &Silent)
-    }
-
     /// Str; of a map on which the autocorrelation does not decay along an axis, as on grooves along it, the largest value that Str can
     /// have: Sal over half of the side along that axis. `None` where it decays in no direction.
     pub fn largest_aspect(&self) -> Option<f64> {
@@ -171,8 +160,9 @@ impl Autocorrelation {
         self.aspect.or_else(|| Some(self.length? / longest?))
     }
 
-    /// [`Self::from_map`] with progress: two units of work, four on a map with missing points.
-    pub fn watched(map: &HeightMap, mean: f64, progress: &dyn Progress) -> Option<Self> {
+    /// The autocorrelation of the present points, about their `mean` (m). On an open map only pairs of points within
+    /// the map are included. `None` for a flat map. Two units of work, four on a map with missing points.
+    pub fn from_map(map: &HeightMap, mean: f64, progress: &dyn Progress) -> Option<Self> {
         let points = map.points();
         let boundary = map.boundary();
         let padded = points.map(|count| padded(count, boundary));
@@ -351,6 +341,7 @@ fn bilinear(rho: &impl Fn(isize, isize) -> f64, place: [f64; 2]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::progress::Silent;
     use crate::topography::Moments;
     use crate::topography::generate::gaussian;
     use crate::topography::spectrum::{Lay, Spectrum, SpectrumShape};
@@ -373,7 +364,7 @@ mod tests {
         let mut reached = vec![0.0; asked.rings.len()];
         for seed in 0..20 {
             let map = surface(shape, Lay::default(), seed).0;
-            for (sum, ring) in reached.iter_mut().zip(RadialSpectrum::from_map(map, 0.0).rings) {
+            for (sum, ring) in reached.iter_mut().zip(RadialSpectrum::from_map(map, 0.0, &Silent).rings) {
                 *sum += ring.1 / 20.0;
             }
         }
@@ -397,7 +388,8 @@ mod tests {
         let mut found = [0.0; 2];
         for seed in 0..20 {
             let of =
-                Autocorrelation::from_map(&surface(SpectrumShape::Gaussian(3.0), lay, seed).0, 0.0).unwrap();
+                Autocorrelation::from_map(&surface(SpectrumShape::Gaussian(3.0), lay, seed).0, 0.0, &Silent)
+                    .unwrap();
             found[0] += of.length.unwrap() / 20.0;
             found[1] += of.aspect.unwrap() / 20.0;
         }
@@ -413,13 +405,16 @@ mod tests {
         let groove = |k: usize| 20.0 * (TAU * (k / POINTS[1]) as f64 / 16.0).sin();
         let heights = roughness.iter().enumerate().map(|(k, z)| z + groove(k)).collect();
         let map = HeightMap::new(POINTS, PIXEL, heights, 0.0).unwrap();
-        let found = Autocorrelation::from_map(&map, Moments::from_rows(&map).mean).unwrap();
+        let found = Autocorrelation::from_map(&map, Moments::from_rows(&map).mean, &Silent).unwrap();
         assert_eq!(found.aspect, None);
         let bound = found.largest_aspect().unwrap();
         assert!((bound / (found.length.unwrap() / 80.0) - 1.0).abs() < 1e-12 && bound < 0.1, "{bound}");
-        let isotropic =
-            Autocorrelation::from_map(&surface(SpectrumShape::Gaussian(3.0), Lay::default(), 1).0, 0.0)
-                .unwrap();
+        let isotropic = Autocorrelation::from_map(
+            &surface(SpectrumShape::Gaussian(3.0), Lay::default(), 1).0,
+            0.0,
+            &Silent,
+        )
+        .unwrap();
         assert_eq!(isotropic.largest_aspect(), isotropic.aspect);
     }
 
@@ -445,7 +440,7 @@ mod tests {
             }
             sum / count
         };
-        let found = Autocorrelation::from_map(&map, mean).unwrap();
+        let found = Autocorrelation::from_map(&map, mean, &Silent).unwrap();
         for lag in [1, 5, 40, 128] {
             let exact = covariance(lag) / covariance(0);
             assert!((found.along_x[lag].1 - exact).abs() < 1e-12, "{lag}");
@@ -461,7 +456,7 @@ mod tests {
             let open = HeightMap::new(POINTS, PIXEL, map.heights().to_vec(), 0.0).unwrap();
             for (found, map) in found.iter_mut().zip([map, open]) {
                 let mean = Moments::from_rows(&map).mean;
-                let rings = RadialSpectrum::from_map(map, mean).rings;
+                let rings = RadialSpectrum::from_map(map, mean, &Silent).rings;
                 *found += rings[rings.len() - 10..].iter().map(|ring| ring.1 / 80.0).sum::<f64>();
             }
         }
@@ -500,7 +495,7 @@ mod tests {
         let holed = |k: usize, z: f64| if k % 41 == 7 || k > 40_000 { f64::NAN } else { z };
         let heights = open.heights().iter().enumerate().map(|(k, &z)| holed(k, z)).collect();
         for map in [&periodic, &open, &HeightMap::new(POINTS, PIXEL, heights, 0.0).unwrap()] {
-            let wanted = Autocorrelation::from_map(map, 0.1).unwrap();
+            let wanted = Autocorrelation::from_map(map, 0.1, &Silent).unwrap();
             let found = along_axes(map, &|z| z - 0.1, &Silent).unwrap();
             for (found, wanted) in found.iter().zip([&wanted.along_x, &wanted.along_y]) {
                 assert_eq!(found.len(), wanted.len());

@@ -2,7 +2,7 @@
 
 use super::correlation::along_axes;
 use super::{Autocorrelation, HeightMap};
-use crate::progress::{Progress, Silent};
+use crate::progress::Progress;
 
 /// The correlation length is the lag at which the autocorrelation has decayed to this value.
 const DECAY: f64 = 0.2;
@@ -27,13 +27,9 @@ impl CorrelationLengths {
     pub const NONE: Self = Self { lengths: [f64::INFINITY; 2], patches: None };
 
     /// Of the present points of a map about their `mean` (m), with the autocorrelation of the heights; `None` for a flat map.
-    pub fn from_map(map: &HeightMap, mean: f64) -> Option<(Self, Autocorrelation)> {
-        Self::watched(map, mean, &Silent)
-    }
-
-    /// [`Self::from_map`] with progress: four units of work, six on a map with missing points.
-    pub fn watched(map: &HeightMap, mean: f64, progress: &dyn Progress) -> Option<(Self, Autocorrelation)> {
-        let heights = Autocorrelation::watched(map, mean, progress)?;
+    /// Four units of work, six on a map with missing points.
+    pub fn from_map(map: &HeightMap, mean: f64, progress: &dyn Progress) -> Option<(Self, Autocorrelation)> {
+        let heights = Autocorrelation::from_map(map, mean, progress)?;
         let lengths = Self::from_autocorrelation(&heights);
         let patches = magnitudes(map, mean, progress).and_then(|of| lengths.patches(&heights, &of));
         Some((Self { patches, ..lengths }, heights))
@@ -120,6 +116,7 @@ impl Excess {
 mod tests {
     use super::*;
     use crate::numeric::stream_seed;
+    use crate::progress::Silent;
     use crate::topography::generate::gaussian;
     use crate::topography::spectrum::{Lay, Spectrum, SpectrumShape};
 
@@ -136,7 +133,7 @@ mod tests {
 
     fn patches(heights: Vec<f64>) -> Option<[f64; 2]> {
         let map = HeightMap::new(POINTS, [1.0; 2], heights, 0.0).unwrap();
-        CorrelationLengths::from_map(&map, 0.0).unwrap().0.patches
+        CorrelationLengths::from_map(&map, 0.0, &Silent).unwrap().0.patches
     }
 
     /// Heights whose amplitude varies as exp(`modulation` f), f with the correlation `length`.

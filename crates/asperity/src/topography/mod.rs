@@ -18,7 +18,6 @@
 //! | [`fitness`] | whether a map may carry a verdict: spikes, form, lines, steps, resolution |
 //! | [`generate`], [`spectrum`] | random rough surfaces and their spectra |
 
-mod blocks;
 mod correlation;
 mod correlation_lengths;
 mod filter;
@@ -50,13 +49,12 @@ use crate::npy;
 use crate::numeric::is_positive;
 use crate::numeric::parallel::for_each_row;
 use crate::numeric::sum::CHUNK;
-pub use blocks::{BLOCK_LENGTHS, Blocks, MIN_BLOCKS, TooSmall};
 pub use correlation::{Autocorrelation, RadialSpectrum};
 pub use correlation_lengths::CorrelationLengths;
 pub use filter::{Filter, FilterError};
 pub use level::{Form, Level, Levelled, Undetermined};
 pub use pair::{LEAST_OVERLAP, PairError, Placement, RoughPair};
-pub use part::{Sampled, Window, thumbnail};
+pub use part::{BLOCK_LENGTHS, Blocks, MIN_BLOCKS, Sampled, TooSmall, Window, thumbnail};
 pub use quantisation::{HeightPlace, Quantisation, SHARED, SharedHeight};
 pub use roughness::{Drops, Moments, RoughnessParameters};
 pub use rows::{Boundary, Continued, Rows, Strip, Watched, strips};

@@ -39,6 +39,7 @@ const SAME_PIXEL: f64 = 1e-9;
 
 /// Two maps that make no pair.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[allow(missing_docs)] // The texts say what fields are.
 pub enum PairError {
     /// Maps that repeat must do so in the same way.
     #[error(
@@ -46,22 +47,12 @@ pub enum PairError {
              least that does not repeat",
         points[0][0], points[0][1], micrometres(pixel[0]), points[1][0], points[1][1], micrometres(pixel[1])
     )]
-    Periods {
-        /// Points of both along x and y.
-        points: [[usize; 2]; 2],
-        /// Their pixels along x, m.
-        pixel: [f64; 2],
-    },
+    Periods { points: [[usize; 2]; 2], pixel: [f64; 2] },
     /// Only square grids fall on themselves when they are turned by 90 degrees.
     #[error(
         "found a grid of {} x {} points of {} x {} µm to rotate; allowed: square pixels, and of maps that repeat as many points along both axes", points[0], points[1], micrometres(pixel[0]), micrometres(pixel[1])
     )]
-    NotSquare {
-        /// Points along x and y.
-        points: [usize; 2],
-        /// Pixel, m.
-        pixel: [f64; 2],
-    },
+    NotSquare { points: [usize; 2], pixel: [f64; 2] },
     /// A finer map cannot be filtered to the coarser grid.
     #[error(transparent)]
     Filter(#[from] FilterError),

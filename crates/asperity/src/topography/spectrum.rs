@@ -69,6 +69,7 @@ impl Default for Lay {
 
 /// Invalid parameters of a spectrum, or a grid that does not resolve it.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[allow(missing_docs)] // The texts say what fields are.
 pub enum SpectrumError {
     /// A Hurst exponent outside 0 to 1.
     #[error("found a Hurst exponent of {0}; allowed: 0 to 1")]
@@ -77,23 +78,13 @@ pub enum SpectrumError {
     #[error(
         "found a roll-off at {roll_off:.3e} m and a cut-off at {cut_off:.3e} m; allowed: a roll-off wavelength that is at least the cut-off's"
     )]
-    Order {
-        /// The longest wavelength of the power law, m.
-        roll_off: f64,
-        /// The shortest wavelength, m.
-        cut_off: f64,
-    },
+    Order { roll_off: f64, cut_off: f64 },
     /// Roll-offs in descending order, or a weight outside 0 to 1.
     #[error(
         "found roll-offs at {:.3e} m and {:.3e} m and a weight of {weight}; allowed: the shorter first, a weight of 0 to 1",
         roll_offs[0], roll_offs[1]
     )]
-    Between {
-        /// Longest wavelengths of both power laws, m.
-        roll_offs: [f64; 2],
-        /// Weight of the second.
-        weight: f64,
-    },
+    Between { roll_offs: [f64; 2], weight: f64 },
     /// A length that is not positive and finite.
     #[error("found a length of {0} m; allowed: positive and finite")]
     Length(f64),
@@ -102,36 +93,17 @@ pub enum SpectrumError {
     Elongation(f64),
     /// The grid does not resolve the shortest wave.
     #[error("found a cut-off at {cut_off:.3e} m on pixels of {pixel:.3e} m; allowed: at least two pixels")]
-    BelowPixel {
-        /// The shortest wavelength along an axis, m.
-        cut_off: f64,
-        /// The pixel along it, m.
-        pixel: f64,
-    },
+    BelowPixel { cut_off: f64, pixel: f64 },
     /// The grid does not resolve the correlation length.
     #[error(
         "found a correlation length of {length:.3e} m on pixels of {pixel:.3e} m; allowed: at least a pixel"
     )]
-    Unresolved {
-        /// The correlation length along an axis, m.
-        length: f64,
-        /// The pixel along it, m.
-        pixel: f64,
-    },
+    Unresolved { length: f64, pixel: f64 },
     /// The map is too small for the longest wave.
     #[error(
         "found a {what} of {length:.3e} m along a side of {size:.3e} m; allowed: at most {part} of the side"
     )]
-    TooLong {
-        /// Roll-off or correlation length.
-        what: &'static str,
-        /// The length, m.
-        length: f64,
-        /// The map's shorter side, m.
-        size: f64,
-        /// The fraction of the side that is allowed.
-        part: &'static str,
-    },
+    TooLong { what: &'static str, length: f64, size: f64, part: &'static str },
 }
 
 impl Spectrum {

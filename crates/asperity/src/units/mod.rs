@@ -13,8 +13,8 @@
 //! | electrical resistance times area | ohm m^2, ohm cm^2, mohm cm^2, ohm mm^2 | ohm m^2 |
 //! | thermal resistance times area | m^2 K/W, cm^2 K/W, mm^2 K/W | m^2 K/W |
 //!
-//! Pa, m^2 and N take every SI prefix, m those from pico to kilo, in symbols or in words (`megapascals`), and common units
-//! of other systems are supported (`psi`, `in`, `lbf`). `u` may be `µ`, `^2` may be `²` or `2` (`mm2`), and `/m^2` may be `1/m^2` or `m⁻²`.
+//! SI units take prefixes from pico to tera, m those up to kilo. `u` may be `µ`, `^2` may be `²` or `2` (`mm2`), and `/m^2` may be `1/m^2`
+//! or `m⁻²`.
 //!
 //! ```
 //! use asperity::units::Dimension;
@@ -28,52 +28,42 @@ mod table;
 
 use table::{
     ANGLE, AREA, CONDUCTIVITY, DENSITY, ELECTRICAL_FILM, FORCE, LENGTH, PREFIXES, PRESSURE, RESISTIVITY,
-    THERMAL_FILM, Unit, Units,
+    THERMAL_FILM, Units,
 };
+
+use crate::named_enum;
 
 /// The longest text that may be a quantity.
 const MOST_BYTES: usize = 400;
 
-/// A physical dimension.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Dimension {
-    /// Pressure, modulus or hardness.
-    Pressure,
-    /// Length.
-    Length,
-    /// Area.
-    Area,
-    /// Number per area.
-    ArealNumberDensity,
-    /// Angle.
-    Angle,
-    /// Force.
-    Force,
-    /// Electrical resistivity.
-    Resistivity,
-    /// Thermal conductivity.
-    ThermalConductivity,
-    /// Electrical resistance times area.
-    ElectricalFilm,
-    /// Thermal resistance times area.
-    ThermalFilm,
+named_enum! {
+    /// A physical dimension, by its name in messages.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    pub enum Dimension {
+        /// Pressure, modulus or hardness.
+        Pressure = "pressure",
+        /// m.
+        Length = "length",
+        /// m^2.
+        Area = "area",
+        /// Number per area.
+        ArealNumberDensity = "density",
+        /// rad.
+        Angle = "angle",
+        /// N.
+        Force = "force",
+        /// Electrical resistivity.
+        Resistivity = "resistivity",
+        /// W/(m K).
+        ThermalConductivity = "thermal conductivity",
+        /// Electrical resistance times area.
+        ElectricalFilm = "electrical resistance times area",
+        /// Thermal resistance times area.
+        ThermalFilm = "thermal resistance times area",
+    }
 }
 
 impl Dimension {
-    /// All dimensions.
-    pub const ALL: [Self; 10] = [
-        Self::Pressure,
-        Self::Length,
-        Self::Area,
-        Self::ArealNumberDensity,
-        Self::Angle,
-        Self::Force,
-        Self::Resistivity,
-        Self::ThermalConductivity,
-        Self::ElectricalFilm,
-        Self::ThermalFilm,
-    ];
-
     const fn units(self) -> &'static Units {
         match self {
             Self::Pressure => &PRESSURE,
@@ -87,11 +77,6 @@ impl Dimension {
             Self::ElectricalFilm => &ELECTRICAL_FILM,
             Self::ThermalFilm => &THERMAL_FILM,
         }
-    }
-
-    /// The name in messages.
-    pub const fn name(self) -> &'static str {
-        self.units().name
     }
 
     /// An example of a quantity, such as "210 GPa".
@@ -144,31 +129,27 @@ impl Dimension {
             return area_of_density(unit).and_then(|area| Self::Area.canonical_factor(&area)).map(f64::recip);
         }
         let units = self.units();
-        let known = |found: &Unit| (found.0 == unit || found.1 == unit || found.2 == unit).then_some(found.3);
-        units.prefixed(unit).or_else(|| units.others.iter().copied().flatten().find_map(known))
+        let known = units.others.iter().find(|(spelling, _)| *spelling == unit);
+        units.prefixed(unit).or(known.map(|&(_, factor)| factor))
     }
 }
 
-/// The area unit of a density unit: "mm^2" for "/mm^2", "1/mm^2" and "mm^-2", "acre" for "per acre".
+/// The area unit of a density unit: "mm^2" for "/mm^2", "1/mm^2" and "mm^-2".
 fn area_of_density(unit: &str) -> Option<String> {
     if let Some(length) = unit.strip_suffix("^-2") {
         return Some(format!("{length}^2"));
     }
-    let area = ["/", "1/", "per "].iter().find_map(|per| unit.strip_prefix(per));
+    let area = ["/", "1/"].iter().find_map(|per| unit.strip_prefix(per));
     area.map(str::to_owned)
 }
 
 impl Units {
-    /// The SI value of one `unit` if it is the SI unit, with or without a prefix, as a symbol or a word.
+    /// The SI value of one `unit` if it is the SI unit, with or without a prefix.
     fn prefixed(&self, unit: &str) -> Option<f64> {
-        let base = self.prefixed.as_ref()?;
-        let symbol = unit.strip_suffix(base.symbol);
-        let word =
-            || unit.strip_suffix('s').unwrap_or(unit).strip_suffix(base.word)?.strip_prefix(base.before);
-        let found = |prefix: &&(&str, &str, i32)| symbol == Some(prefix.0) || word() == Some(prefix.1);
-        let (.., exponent) =
-            PREFIXES.iter().find(found).filter(|(.., exponent)| base.prefixes.contains(exponent))?;
-        Some(power_of_ten(exponent * base.power))
+        let prefix = unit.strip_suffix(self.si_unit).filter(|_| self.power > 0)?;
+        let (_, exponent) =
+            PREFIXES.iter().find(|(symbol, exponent)| *symbol == prefix && *exponent <= self.largest)?;
+        Some(power_of_ten(exponent * self.power))
     }
 }
 

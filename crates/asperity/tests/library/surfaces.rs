@@ -332,7 +332,7 @@ fn a_surface_of_other_heights_has_the_autocorrelation_that_was_asked_for() {
             let mut mean = [0.0; 20];
             for seed in 1..=24 {
                 let map = surface([512; 2], [pixel; 2], process.clone(), seed);
-                let found = Autocorrelation::from_map(&map, 0.0).unwrap();
+                let found = Autocorrelation::from_map(&map, 0.0, &Silent).unwrap();
                 for (k, sum) in mean.iter_mut().enumerate() {
                     *sum += (found.along_x[k].1 + found.along_y[k].1) / 48.0;
                 }
@@ -381,8 +381,8 @@ fn the_same_bits_on_any_number_of_threads() {
             format!("{:?} {:?}", RoughnessParameters::new(&map), RoughnessParameters::new(&levelled)),
             five_point(&map),
             five_point(&levelled),
-            Autocorrelation::from_map(&levelled, 0.0),
-            RadialSpectrum::from_map(map.clone(), 0.0),
+            Autocorrelation::from_map(&levelled, 0.0, &Silent),
+            RadialSpectrum::from_map(map.clone(), 0.0, &Silent),
             RadialSpectrum::prescribed(&spectrum, map.pixel(), SIGMA, &Silent),
             map,
             gaussian(&spectrum, 1.0, [3; 32]),

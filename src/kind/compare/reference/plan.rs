@@ -389,7 +389,7 @@ fn refuse_cap(
         if softer_hardness(resolved.bare, flat).is_infinite() {
             let message = format!(
                 "found \"hardness\", but no `{}` in {}; allowed: cap = \"none\", or hardness = \"...\" with a unit of pressure in a material",
-                Property::Hardness.key(),
+                Property::Hardness.name(),
                 materials(bodies[0], bodies[1])
             );
             return Err(file.source.error_at(span, message));

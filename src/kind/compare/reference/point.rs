@@ -27,7 +27,7 @@ impl SolvedContact {
         progress: &dyn Progress,
     ) -> Result<Self, SolverError> {
         let contact = solver.at_pressure(pressure, progress)?;
-        let tangent = solver.watched_tangent(&contact, progress);
+        let tangent = solver.tangent(&contact, progress);
         let spots = spots.solve(solver, &contact, tangent.as_ref(), error, progress)?;
         Ok(Self { contact, tangent, spots })
     }

@@ -107,7 +107,7 @@ impl ConductingSpots {
             // Nobody else has set it.
             let _ = self.conductor.set(conductor);
         }
-        Ok(self.conductor.get().and_then(|conductor| conductor.watched_current(contact, progress)))
+        Ok(self.conductor.get().and_then(|conductor| conductor.current(contact, progress)))
     }
 }
 

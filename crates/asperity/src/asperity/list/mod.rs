@@ -1,7 +1,6 @@
 //! Reading a list of asperities: a text with the columns `height` and `radius`, or an n x 2 `.npy`; for ellipses,
 //! followed by `kx` and `ky`. A text may have their places `x` and `y` besides.
 
-mod column;
 mod header;
 mod text;
 
@@ -15,11 +14,12 @@ use crate::legible::legible;
 use crate::memory::zeros;
 use crate::npy::{self, NpyError};
 use crate::progress::{Progress, Silent};
-pub use column::ListColumn;
-use column::per_metre;
+pub use header::ListColumn;
+use header::per_metre;
 
 /// An error in reading a list of asperities.
 #[derive(Debug, thiserror::Error)]
+#[allow(missing_docs)] // The texts say what fields are.
 pub enum ListError {
     /// The file cannot be opened or read.
     #[error("cannot be read: {0}")]
@@ -29,14 +29,7 @@ pub enum ListError {
     Npy(#[from] NpyError),
     /// The `.npy` array has too few or too many columns.
     #[error("holds an array of shape {rows} x {columns}; allowed: n x {}, with the columns {}", needed.len(), ListColumn::names(needed))]
-    Shape {
-        /// Rows found.
-        rows: usize,
-        /// Columns found.
-        columns: usize,
-        /// The columns that are needed.
-        needed: &'static [ListColumn],
-    },
+    Shape { rows: usize, columns: usize, needed: &'static [ListColumn] },
     /// A column is missing.
     #[error(
         "has no column `{}` (found: {}); allowed: a header line with the columns {}",
@@ -44,60 +37,28 @@ pub enum ListError {
         legible(found, 200),
         ListColumn::names(needed)
     )]
-    Column {
-        /// The column that is missing.
-        column: ListColumn,
-        /// The header that was found.
-        found: String,
-        /// The columns that are needed.
-        needed: &'static [ListColumn],
-    },
+    Column { column: ListColumn, found: String, needed: &'static [ListColumn] },
     /// The header names more columns than a list has.
     #[error("line {line} names more than {MOST_COLUMNS} columns; allowed: at most {MOST_COLUMNS}")]
-    Wide {
-        /// The line of the header, from 1.
-        line: usize,
-    },
+    Wide { line: usize },
     /// The first line holds numbers.
     #[error(
         "line {line} holds numbers, but no line before it names the columns; allowed: a header line with the columns {}",
         ListColumn::names(needed)
     )]
-    NoHeader {
-        /// The line of the first row, from 1.
-        line: usize,
-        /// The columns that are needed.
-        needed: &'static [ListColumn],
-    },
+    NoHeader { line: usize, needed: &'static [ListColumn] },
     /// The header names a column twice.
     #[error(
         "line {line} names the column `{}` twice, as columns {} and {}; allowed: once",
         column.name(), places[0], places[1]
     )]
-    Duplicate {
-        /// The column.
-        column: ListColumn,
-        /// The line of the header, from 1.
-        line: usize,
-        /// Its two places in the header, from 1.
-        places: [usize; 2],
-    },
+    Duplicate { column: ListColumn, line: usize, places: [usize; 2] },
     /// The header gives a column a unit that is not supported.
     #[error("line {line}: the column `{}` has the unit \"{}\"; allowed: {}", column.name(), legible(unit, 40), column.allowed_units())]
-    Unit {
-        /// The column.
-        column: ListColumn,
-        /// The line of the header, from 1.
-        line: usize,
-        /// The unit found.
-        unit: String,
-    },
+    Unit { column: ListColumn, line: usize, unit: String },
     /// Both the header and the options give a unit.
     #[error("holds units in its header, line {line}; allowed: leave unit out")]
-    UnitHeld {
-        /// The line of the header, from 1.
-        line: usize,
-    },
+    UnitHeld { line: usize },
     /// A row has more or fewer cells than the header.
     #[error(
         "line {line} holds {found} value{} (\"{}\"); allowed: {allowed}, as in the header, line {header}{}",
@@ -106,17 +67,11 @@ pub enum ListError {
         if *may_be_decimal_commas { "; with decimal commas the values must be separated by semicolons or tabs" } else { "" }
     )]
     Ragged {
-        /// The line, from 1.
         line: usize,
-        /// Number of cells found.
         found: usize,
-        /// Number of columns in the header.
         allowed: usize,
-        /// The line of the header, from 1.
         header: usize,
-        /// Beginning of the line.
         text: String,
-        /// Whether decimal commas between commas explain the number of cells.
         may_be_decimal_commas: bool,
     },
     /// Decimal points and decimal commas in one file.
@@ -124,25 +79,13 @@ pub enum ListError {
         "holds a decimal point in line {point} and a decimal comma in line {comma}; allowed: one of them in all lines, and \
          no separators of thousands"
     )]
-    DecimalMarks {
-        /// The line of the first decimal point, from 1.
-        point: usize,
-        /// The line of the first decimal comma, from 1.
-        comma: usize,
-    },
+    DecimalMarks { point: usize, comma: usize },
     /// The text is encoded in UTF-16.
     #[error("is a text in UTF-16; allowed: UTF-8 or Latin-1")]
     Encoding,
     /// A cell holds no number, or one out of range.
     #[error("{place}, column `{}`: found {}; allowed: {}", column.name(), legible(found, 60), column.allowed())]
-    Cell {
-        /// The row or line of the file.
-        place: String,
-        /// The column.
-        column: ListColumn,
-        /// The text found.
-        found: String,
-    },
+    Cell { place: String, column: ListColumn, found: String },
     /// The list has no row.
     #[error("has no asperity: the list has no rows")]
     Empty,
@@ -169,7 +112,7 @@ impl ListOptions {
 }
 
 /// The values of each [`ListColumn`], per asperity; empty if not requested.
-type Columns = [Vec<f64>; ListColumn::COUNT];
+type Columns = [Vec<f64>; ListColumn::ALL.len()];
 
 /// A list of asperities as read from a file.
 #[derive(Debug, Clone, PartialEq)]

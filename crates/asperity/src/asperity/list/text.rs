@@ -28,7 +28,7 @@ pub(super) fn rows(
     let mut header: Option<Header> = None;
     let mut comment: Option<(usize, String)> = None;
     let mut marks = DecimalMarks::default();
-    let mut values = vec![0.0; ListColumn::COUNT];
+    let mut values = vec![0.0; ListColumn::ALL.len()];
     let mut count = 0;
     for line in 1.. {
         bytes.clear();

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use crate::asperity::{Ascending, Asperities, AsperitySet, Draw, Population};
+use crate::asperity::{Asperities, AsperitySet, ByHeight, Draw, Population};
 use crate::interface::{AveragedContact, MicroContact, RadiusShare, jumps};
 use crate::memory::{collected, filled};
 use crate::model::{Deterministic, Medium, Mixture, Model, ReferencePlane, Statistical, WithMedium};
@@ -116,7 +116,7 @@ struct ByRank {
 }
 
 impl ByRank {
-    fn new(heights: Vec<f64>, by_height: &Ascending, set: &Asperities) -> Self {
+    fn new(heights: Vec<f64>, by_height: &ByHeight, set: &Asperities) -> Self {
         let column = |values: &[f64]| collected(by_height.places().par_iter().map(|&place| values[place]));
         Self { heights, radii: column(set.radii()), spheres: set.spheres().map(column) }
     }
@@ -239,15 +239,6 @@ impl<'a> Rearranged<'a> {
         Some(of(models.each_ref().map(|model| model as &dyn Model)))
     }
 
-    /// The mean contact pressure (Pa) of the own heights with the own radii, independent of each other, at a separation
-    /// d/sigma from the plane of the sum. More than 256 asperities are condensed: the relative error against the sum over
-    /// every height with every radius is below 2e-7 (1e-6 for `ceb`, whose load jumps by a half; 1e-4 under a layer where the load jumps).
-    pub fn independent_pressure(&self, contact: &dyn MicroContact, separation_over_sigma: f64) -> f64 {
-        self.with_models(contact, &[], |models| {
-            models[Arrangement::Independent as usize].respond(separation_over_sigma).pressure.total()
-        })
-    }
-
     /// The own heights as asperities of one shape. Under a layer all of them: its contacts are not proportional to the number of spheres.
     fn equal_asperities(&self, contact: &dyn MicroContact, shape: Shape) -> EqualAsperities<'_> {
         if !contact.is_layered() {
@@ -282,14 +273,7 @@ impl<'a> Rearranged<'a> {
         if bin == 0.0 {
             return AveragedContact::exact(contact, nodes);
         }
-        let all = || {
-            let Inputs { asperities, set, .. } = &self.inputs;
-            if asperities.spheres().is_some() {
-                return ascending(asperities.radii()).into_iter().map(|k| self.share(k)).collect();
-            }
-            let share = 1.0 / asperities.count() as f64;
-            set.by_radius().values().iter().map(|&radius| RadiusShare { radius, share }).collect()
-        };
+        let all = || ascending(self.inputs.asperities.radii()).into_iter().map(|k| self.share(k)).collect();
         AveragedContact::tabulated(contact, nodes, all, 2.0 * bin, self.deepest())
     }
 

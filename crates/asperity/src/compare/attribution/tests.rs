@@ -102,7 +102,9 @@ fn error_of_product(contact: &dyn MicroContact, count: usize) -> f64 {
     let rearranged = Rearranged::new(inputs(&set));
     let plane = inputs(&set).plane;
     let error = |&h: &f64| {
-        let found = rearranged.independent_pressure(contact, h);
+        let found = rearranged.with_models(contact, &[], |models| {
+            models[Arrangement::Independent as usize].respond(h).pressure.total()
+        });
         (found / product(contact, &set, plane.mean + h * plane.sigma) - 1.0).abs()
     };
     [0.5, 1.5, 2.5].iter().map(error).fold(0.0, f64::max)

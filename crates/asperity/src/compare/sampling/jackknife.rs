@@ -1,6 +1,9 @@
-//! Standard errors from estimates with each group left out.
+//! Standard errors from estimates with each group left out, or from surfaces of a process that was fitted to the map.
 
 use statrs::distribution::{ContinuousCDF, StudentsT};
+
+use crate::compare::{ComparedQuantity, Scatter, State};
+use crate::topography::generate::Unfitted;
 
 /// The standard error of an estimate `full` from the estimates without each group, `shares` of the area that the groups
 /// hold: the jackknife for groups of unequal size (Busing, Meijer and van der Leeden 1999, Statistics and Computing 9, 3,
@@ -32,6 +35,52 @@ pub fn jackknife_quantile(groups: usize) -> f64 {
 fn quantile(freedom: f64) -> f64 {
     let student = StudentsT::new(0.0, 1.0, freedom);
     student.map_or(f64::INFINITY, |student| student.inverse_cdf(0.975))
+}
+
+/// Why no model-based interval is given.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum NotModelled {
+    /// No process is fitted to the map.
+    Unfitted(Unfitted),
+    /// The roughness varies over the map more than over generated surfaces.
+    Patchy,
+    /// A generated surface on which the models cannot be run.
+    Failed,
+}
+
+/// Both models at the same loads on surfaces of a process that was fitted to a map.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Generated {
+    /// On each surface, at each load, the statistical and the deterministic model; `None` where one has no contact.
+    pub states: Vec<Vec<Option<[State; 2]>>>,
+    /// By how much the scatter of samples exceeds theirs: the long waves of the process are estimated from the map itself, and its amplitude
+    /// does not vary from place to place.
+    pub widening: f64,
+}
+
+/// Standard deviations of the generated surfaces by which the difference on the map may lie off their mean without being a misfit: of Gaussian
+/// surfaces a quarter of the maps exceed them in the area, and hardly any in separation and stiffness.
+const EXPECTED_GAP: f64 = 2.0;
+
+impl Generated {
+    /// The standard error of the `contrast` of the map at the load of index `load`, and the half-width of its 95 % interval in standard errors;
+    /// `None` where a surface has no contact.
+    ///
+    /// A process that does not reproduce the contrast of its own map is not trusted with its scatter: what the contrast lies off the mean of the
+    /// surfaces beyond two standard deviations is added (squares).
+    pub fn error(&self, quantity: ComparedQuantity, contrast: f64, load: usize) -> Option<(f64, f64)> {
+        let contrasts = self.contrasts(quantity, load)?;
+        let Scatter { mean, deviation } = Scatter::new(&contrasts);
+        let misfit = ((contrast - mean).powi(2) - (EXPECTED_GAP * deviation).powi(2)).max(0.0).sqrt();
+        Some(((self.widening * deviation).hypot(misfit), student_quantile(contrasts.len())))
+    }
+
+    fn contrasts(&self, quantity: ComparedQuantity, load: usize) -> Option<Vec<f64>> {
+        let of_surface = |states: &Vec<Option<[State; 2]>>| {
+            states[load].map(|[integral, sum]| integral[quantity as usize] - sum[quantity as usize])
+        };
+        self.states.iter().map(of_surface).collect()
+    }
 }
 
 #[cfg(test)]
@@ -69,5 +118,19 @@ mod tests {
         assert_eq!([student_quantile(1), jackknife_quantile(1)], [f64::INFINITY; 2]);
         // 10 degrees of freedom.
         assert!((jackknife_quantile(16) - 2.228_138_852).abs() < 1e-8);
+    }
+
+    /// Of contrasts 1, 2, 3 the mean is 2, the standard deviation 1: at 2 there is no misfit, at 5 one of sqrt(9 - 4).
+    #[test]
+    fn the_error_is_the_widened_scatter_and_the_misfit() {
+        let state = |separation: f64| [separation, 0.0, 0.0, 0.0, 0.0, 0.0];
+        let states = |integral: f64| vec![Some([state(integral), state(1.0)]), None];
+        let generated = Generated { states: [2.0, 3.0, 4.0].map(states).to_vec(), widening: 1.5 };
+        let of = |contrast: f64| generated.error(ComparedQuantity::Separation, contrast, 0).unwrap();
+        let (error, quantile) = of(2.0);
+        assert!((error - 1.5).abs() < 1e-15 && (quantile - 4.302_652_7).abs() < 1e-6, "{error} {quantile}");
+        assert!((of(5.0).0 - (2.25f64 + 5.0).sqrt()).abs() < 1e-14);
+        assert_eq!(generated.error(ComparedQuantity::Area, 0.0, 0).unwrap().0, 0.0);
+        assert_eq!(generated.error(ComparedQuantity::Separation, 2.0, 1), None, "a surface without contact");
     }
 }

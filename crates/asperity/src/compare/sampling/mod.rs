@@ -4,16 +4,13 @@
 //! |---|---|
 //! | `division` | groups of asperities: blocks of a map, or groups of independent draws |
 //! | `one_step` | both models at equal load with a group left out |
-//! | `generated` | both models on surfaces of a process that was fitted to the map |
-//! | `jackknife` | standard error from estimates with each group left out; Student's quantiles |
+//! | `jackknife` | standard error from estimates with each group left out, or from surfaces of a process fitted to the map; Student's quantiles |
 
 mod division;
-mod generated;
 mod jackknife;
 mod one_step;
 
 pub use division::{Division, GROUPS};
-pub use generated::{Generated, NotModelled};
-pub use jackknife::{jackknife_error, jackknife_quantile, student_quantile};
+pub use jackknife::{Generated, NotModelled, jackknife_error, jackknife_quantile, student_quantile};
 pub use one_step::OneStep;
 pub(super) use one_step::{moved, slopes, state};

@@ -20,7 +20,7 @@ use std::fmt;
 
 use libm::erfc;
 
-use super::normal_quantiles::normal_quantiles;
+use super::normal::normal_quantiles;
 use super::{Entry, Gaussian, HeightDistribution, Heights, Moments};
 use crate::literature::{JOHNSON_1949, Paper};
 use fit::{fit_bounded, fit_unbounded, logistic, lognormal_excess, rate_of, step, unbounded_moments};
@@ -67,63 +67,35 @@ enum Curve {
 
 /// No curve of the system has the requested skewness and kurtosis.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[allow(missing_docs)] // The texts say what fields are.
 pub enum MomentsError {
     /// Infinite or not a number.
     #[error("skewness {skewness}, kurtosis {kurtosis}: allowed are finite numbers")]
-    NotFinite {
-        /// The requested value.
-        skewness: f64,
-        /// The requested value.
-        kurtosis: f64,
-    },
+    NotFinite { skewness: f64, kurtosis: f64 },
     /// No distribution has these moments (Pearson's inequality).
     #[error(
         "skewness {skewness}, kurtosis {kurtosis}: no heights have them; \
          a kurtosis is at least skewness^2 + 1 = {bound}"
     )]
-    Impossible {
-        /// The requested value.
-        skewness: f64,
-        /// The requested value.
-        kurtosis: f64,
-        /// skewness^2 + 1.
-        bound: f64,
-    },
+    Impossible { skewness: f64, kurtosis: f64, bound: f64 },
     /// Too close to the bound.
     #[error(
         "skewness {skewness}, kurtosis {kurtosis}: the heights are nearly on two levels; \
          allowed at this skewness is a kurtosis from {least:.6} to {}", LARGEST[1]
     )]
-    TwoLevels {
-        /// The requested value.
-        skewness: f64,
-        /// The requested value.
-        kurtosis: f64,
-        /// The smallest kurtosis that can be fitted.
-        least: f64,
-    },
+    TwoLevels { skewness: f64, kurtosis: f64, least: f64 },
     /// Beyond [`LARGEST`].
     #[error(
         "skewness {skewness}, kurtosis {kurtosis}: beyond the supported range; \
          allowed are a skewness from -{0} to {0} and a kurtosis up to {1}", LARGEST[0], LARGEST[1]
     )]
-    Extreme {
-        /// The requested value.
-        skewness: f64,
-        /// The requested value.
-        kurtosis: f64,
-    },
+    Extreme { skewness: f64, kurtosis: f64 },
     /// The check of a fit failed.
     #[error(
         "the fit reaches mean {}, standard deviation {}, skewness {}, kurtosis {} instead of 0, 1, {}, {}",
         found.mean, found.sd, found.skewness, found.kurtosis, requested[0], requested[1]
     )]
-    NotReached {
-        /// The requested skewness and kurtosis.
-        requested: [f64; 2],
-        /// Moments of the fitted map.
-        found: Moments,
-    },
+    NotReached { requested: [f64; 2], found: Moments },
 }
 
 /// Heights of Johnson's system, of zero mean and unit standard deviation.

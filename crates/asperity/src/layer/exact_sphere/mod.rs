@@ -4,14 +4,12 @@
 //! reduces to one integral equation of the second kind for g (Perriot and Barthel 2004). Relative error 1e-12 for
 //! moduli in the ratio 1:1000 to 1000:1, the tested range.
 
-mod convolution;
 mod influence;
 mod kernel;
-mod state;
 
 use crate::literature::{self, Paper};
 use crate::material::Material;
-use state::State;
+use influence::State;
 
 pub(crate) use influence::Influence;
 pub(crate) use kernel::Kernel;

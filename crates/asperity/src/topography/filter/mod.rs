@@ -19,26 +19,17 @@ pub struct Filter {
 
 /// Invalid nesting indices.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[allow(missing_docs)] // The texts say what fields are.
 pub enum FilterError {
     /// At least one index is required.
     #[error("found no nesting index; allowed: s, l, or both")]
     Missing,
     /// The S index must be below the L index.
     #[error("found s = {s:.4e} m and l = {l:.4e} m; allowed: s below l")]
-    Order {
-        /// The S index, m.
-        s: f64,
-        /// The L index, m.
-        l: f64,
-    },
+    Order { s: f64, l: f64 },
     /// An index must not exceed the map.
     #[error("found a nesting index of {index:.4e} m on a map of {:.4e} x {:.4e} m; allowed: at most its shorter side", size[0], size[1])]
-    TooLarge {
-        /// The index, m.
-        index: f64,
-        /// Size of the map, m.
-        size: [f64; 2],
-    },
+    TooLarge { index: f64, size: [f64; 2] },
 }
 
 impl Filter {

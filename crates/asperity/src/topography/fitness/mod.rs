@@ -6,12 +6,10 @@
 mod growth;
 mod lines;
 mod spikes;
-mod steps;
 
-pub use growth::CurvatureGrowth;
+pub use growth::{CurvatureGrowth, step_over_drop};
 pub use lines::{AlignedLines, LineOffsets, Lines};
 pub use spikes::{Spikes, Without};
-pub use steps::step_over_drop;
 
 use super::generate::FEWEST_LENGTHS;
 use super::theory::Expected;
@@ -51,70 +49,50 @@ named_enum! {
     }
 }
 
-/// The number that a check compares with its threshold.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Measure {
-    /// Share of the points that have one height exactly, far more than have those next to it.
-    SharedHeight,
-    /// Number of spikes.
-    Spikes,
-    /// Share of the variance of heights that the next higher polynomial explains.
-    FormShare,
-    /// Magnitude of the correlation of slopes along x and along y.
-    SlopeCorrelation,
-    /// Texture aspect ratio Str.
-    AspectRatio,
-    /// Share of line offsets in the variance of second differences across lines.
-    LineOffsets,
-    /// Height step, or what a filter leaves of it, over the median drop from a summit to its neighbours.
-    StepOverDrop,
-    /// log2 of the ratio of the r.m.s. curvatures at S filters of two and of four pixels.
-    CurvatureGrowth,
-    /// The same, held against the growth on any self-affine surface.
-    NoiseGrowth,
-    /// By how much it exceeds that at S filters of four and of eight pixels.
-    GrowthRise,
-    /// Density of summits over that of a Gaussian surface with the same differences between neighbours.
-    DensityOverTheory,
-    /// The same of their mean curvature.
-    CurvatureOverTheory,
-    /// Mean radius of the summits, of all or of the highest, over that of the tip.
-    RadiusOverTip,
-    /// Share of points higher than the tip can have traced.
-    Untraced,
-    /// Correlation length of the heights over the side of the map: geometric mean over both axes.
-    LengthOverSide,
-    /// Root mean square slope.
-    Slope,
-    /// The same, held against the smallest that a surface can have.
-    LeastSlope,
-    /// Nominal area, m^2.
-    NominalArea,
+named_enum! {
+    /// The number that a check compares with its threshold.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Measure {
+        /// Share of the points that have one height exactly, far more than have those next to it.
+        SharedHeight = "shared-height-share",
+        /// Number of spikes.
+        Spikes = "spikes",
+        /// Share of the variance of heights that the next higher polynomial explains.
+        FormShare = "form-share-of-variance",
+        /// Magnitude of the correlation of slopes along x and along y.
+        SlopeCorrelation = "slope-correlation",
+        /// Texture aspect ratio Str.
+        AspectRatio = "str",
+        /// Share of line offsets in the variance of second differences across lines.
+        LineOffsets = "line-offset-share-of-variance",
+        /// Height step, or what a filter leaves of it, over the median drop from a summit to its neighbours.
+        StepOverDrop = "step-over-drop",
+        /// log2 of the ratio of the r.m.s. curvatures at S filters of two and of four pixels.
+        CurvatureGrowth = "curvature-growth",
+        /// The same, held against the growth on any self-affine surface.
+        NoiseGrowth = "curvature-growth",
+        /// By how much it exceeds that at S filters of four and of eight pixels.
+        GrowthRise = "curvature-growth-rise",
+        /// Density of summits over that of a Gaussian surface with the same differences between neighbours.
+        DensityOverTheory = "density-over-theory",
+        /// The same of their mean curvature.
+        CurvatureOverTheory = "curvature-over-theory",
+        /// Mean radius of the summits, of all or of the highest, over that of the tip.
+        RadiusOverTip = "summit-radius-over-tip",
+        /// Share of points higher than the tip can have traced.
+        Untraced = "untraced-share",
+        /// Correlation length of the heights over the side of the map: geometric mean over both axes.
+        LengthOverSide = "correlation-length-over-side",
+        /// Root mean square slope.
+        Slope = "rms-slope",
+        /// The same, held against the smallest that a surface can have.
+        LeastSlope = "rms-slope",
+        /// Nominal area, m^2.
+        NominalArea = "nominal-area-m2",
+    }
 }
 
 impl Measure {
-    /// The name in tables and summaries.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::SharedHeight => "shared-height-share",
-            Self::Spikes => "spikes",
-            Self::FormShare => "form-share-of-variance",
-            Self::SlopeCorrelation => "slope-correlation",
-            Self::AspectRatio => "str",
-            Self::LineOffsets => "line-offset-share-of-variance",
-            Self::StepOverDrop => "step-over-drop",
-            Self::CurvatureGrowth | Self::NoiseGrowth => "curvature-growth",
-            Self::GrowthRise => "curvature-growth-rise",
-            Self::DensityOverTheory => "density-over-theory",
-            Self::CurvatureOverTheory => "curvature-over-theory",
-            Self::RadiusOverTip => "summit-radius-over-tip",
-            Self::Untraced => "untraced-share",
-            Self::LengthOverSide => "correlation-length-over-side",
-            Self::Slope | Self::LeastSlope => "rms-slope",
-            Self::NominalArea => "nominal-area-m2",
-        }
-    }
-
     const fn limit(self) -> Limit {
         use Limit::{AtLeast, AtMost, Factor};
         match self {

@@ -1,14 +1,19 @@
 //! A random process fitted to a map: surfaces of its own autocorrelation and height distribution, of its size and with its missing points.
+//! How much the roughness of a map varies from place to place, whatever its heights are distributed like, tells where such a process fails.
 
 use std::f64::consts::PI;
+
+use statrs::distribution::{ContinuousCDF, Normal};
 
 use super::super::correlation::pairs;
 use super::super::fourier::with_small_factors;
 use super::super::height_transform::Distortion;
 use super::super::spectrum::GridSpectrum;
 use super::super::{Boundary, CorrelationLengths, HeightMap, Moments, Rows};
+use super::gaussian;
 use super::own_heights::OwnHeights;
-use super::{gaussian, roughness_scatter};
+use crate::compare::Scatter;
+use crate::numeric::extremes;
 use crate::numeric::parallel::for_each_row;
 use crate::progress::{Progress, Silent};
 
@@ -101,12 +106,8 @@ impl FittedProcess {
     }
 
     /// A surface of the process, of the size of the map and with its missing points, not levelled.
-    pub fn surface(&self, seed: [u8; 32]) -> HeightMap {
-        self.watched_surface(seed, &Silent)
-    }
-
-    /// [`Self::surface`] with progress: one unit of work.
-    pub fn watched_surface(&self, seed: [u8; 32], progress: &dyn Progress) -> HeightMap {
+    /// One unit of work.
+    pub fn surface(&self, seed: [u8; 32], progress: &dyn Progress) -> HeightMap {
         let torus = self.spectrum.points();
         let field = gaussian::watched(&self.spectrum, 1.0, seed, progress);
         let [nx, ny] = self.points;
@@ -170,10 +171,69 @@ fn lag_window(lag: f64) -> f64 {
     bump(1.0 - u) / (bump(u) + bump(1.0 - u))
 }
 
+/// How much the mean square slope of the blocks of a map (four along each side) scatters: standard deviation over mean. Short waves are so many in
+/// a block that it scatters little unless their amplitude varies. The slopes are those of the normal scores of the heights, because slopes of a
+/// transformed Gaussian surface vary with the height. Not a number for a flat map.
+pub fn roughness_scatter(map: &HeightMap) -> f64 {
+    const ALONG: usize = 4;
+    let ([nx, ny], pixel) = (map.points(), map.pixel());
+    let Some(scores) = normal_scores(map) else { return f64::NAN };
+    let mut sums = [(0.0, 0usize); ALONG * ALONG];
+    for (ix, row) in scores.chunks(ny).enumerate() {
+        let next = scores.get((ix + 1) * ny..(ix + 2) * ny);
+        for (iy, g) in row.iter().enumerate() {
+            let (sum, count) = &mut sums[ix * ALONG / nx * ALONG + iy * ALONG / ny];
+            let along_x = next.map(|next| (next[iy] - g) / pixel[0]);
+            let along_y = row.get(iy + 1).map(|after| (after - g) / pixel[1]);
+            for slope in along_x.into_iter().chain(along_y).filter(|slope| !slope.is_nan()) {
+                *sum += slope * slope;
+                *count += 1;
+            }
+        }
+    }
+    let blocks: Vec<f64> =
+        sums.iter().filter(|(_, count)| *count > 0).map(|(sum, count)| sum / *count as f64).collect();
+    let Scatter { mean, deviation } = Scatter::new(&blocks);
+    deviation / mean
+}
+
+/// The standard normal quantile at the share of heights below each height, linear between equal steps of height; `None` of a flat map. Missing
+/// points stay so.
+fn normal_scores(map: &HeightMap) -> Option<Vec<f64>> {
+    const STEPS: usize = 4096;
+    let heights = map.heights();
+    let [lowest, highest] = extremes(heights.iter().copied().filter(|z| !z.is_nan()))?;
+    let per_height = STEPS as f64 / (highest - lowest);
+    if !per_height.is_finite() {
+        return None;
+    }
+    let mut counts = [0u32; STEPS];
+    for z in heights.iter().filter(|z| !z.is_nan()) {
+        counts[(((z - lowest) * per_height) as usize).min(STEPS - 1)] += 1;
+    }
+    let present: u32 = counts.iter().sum();
+    let normal = Normal::standard();
+    let of_count = |below: u32| normal.inverse_cdf((f64::from(below) + 0.5) / (f64::from(present) + 1.0));
+    let mut below = 0;
+    let mut ends = vec![of_count(0)];
+    ends.extend(counts.iter().map(|count| {
+        below += count;
+        of_count(below)
+    }));
+    let mut scores = heights.to_vec();
+    for_each_row(&mut scores, map.points()[1], &|_, row| {
+        for z in row.iter_mut().filter(|z| !z.is_nan()) {
+            let place = (*z - lowest) * per_height;
+            let step = (place as usize).min(STEPS - 1);
+            *z = ends[step] + (place - step as f64) * (ends[step + 1] - ends[step]);
+        }
+    });
+    Some(scores)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::compare::Scatter;
     use crate::distribution::{Heights, Johnson};
     use crate::topography::generate::{Process, Seeds, SpectrumOf, SurfaceGenerator};
     use crate::topography::spectrum::{Lay, Spectrum, SpectrumShape};
@@ -193,7 +253,7 @@ mod tests {
 
     fn fit(map: &HeightMap) -> Result<FittedProcess, Unfitted> {
         let roughness = RoughnessParameters::new(map);
-        let (correlation, _) = CorrelationLengths::from_map(map, roughness.moments.mean).unwrap();
+        let (correlation, _) = CorrelationLengths::from_map(map, roughness.moments.mean, &Silent).unwrap();
         FittedProcess::new(map, &roughness.moments, &correlation)
     }
 
@@ -206,7 +266,8 @@ mod tests {
             let process = fit(&map).unwrap();
             let facts = |map: &HeightMap| {
                 let roughness = RoughnessParameters::new(map);
-                let (correlation, _) = CorrelationLengths::from_map(map, roughness.moments.mean).unwrap();
+                let (correlation, _) =
+                    CorrelationLengths::from_map(map, roughness.moments.mean, &Silent).unwrap();
                 let [m0, m2, m4] = roughness.spectral_moments();
                 [m0.sqrt(), m2.sqrt(), m4.sqrt(), correlation.lengths[0] + correlation.lengths[1]]
             };
@@ -214,7 +275,7 @@ mod tests {
             let mut mean = [0.0; 4];
             let mut skewness = 0.0;
             for seed in 0..24 {
-                let surface = Level::Plane.apply(&process.surface([seed; 32])).unwrap();
+                let surface = Level::Plane.apply(&process.surface([seed; 32], &Silent)).unwrap();
                 mean.iter_mut().zip(facts(&surface)).for_each(|(sum, value)| *sum += value / 24.0);
                 skewness += RoughnessParameters::new(&surface).moments.ssk.unwrap() / 24.0;
             }
@@ -232,9 +293,9 @@ mod tests {
         let mut heights = map.into_heights();
         heights[700] = f64::NAN;
         let process = fit(&HeightMap::new([192; 2], [1.0; 2], heights, 0.0).unwrap()).unwrap();
-        let surface = process.surface([1; 32]);
+        let surface = process.surface([1; 32], &Silent);
         assert!(surface.heights().iter().enumerate().all(|(k, z)| z.is_nan() == (k == 700)));
-        let other = process.surface([1; 32]);
+        let other = process.surface([1; 32], &Silent);
         assert!(surface.heights()[..700] == other.heights()[..700]);
     }
 
@@ -255,12 +316,32 @@ mod tests {
             let maps = [map, HeightMap::new([192; 2], [1.0; 2], patchy, 0.0).unwrap()];
             let [plain, patchy] = maps.map(|map| {
                 let process = fit(&map).unwrap();
-                let levelled = |seed| Level::Plane.apply(&process.surface([seed; 32])).unwrap();
+                let levelled = |seed| Level::Plane.apply(&process.surface([seed; 32], &Silent)).unwrap();
                 let generated: Vec<f64> = (0..16).map(|seed| roughness_scatter(&levelled(seed))).collect();
                 let Scatter { mean, deviation } = Scatter::new(&generated);
                 (process.own_scatter() - mean) / deviation
             });
             assert!(plain < 2.0 && patchy > 4.0, "{heights}: {plain} {patchy}");
         }
+    }
+
+    fn map(heights: Vec<f64>) -> HeightMap {
+        HeightMap::new([200; 2], [1.0; 2], heights, 0.0).unwrap()
+    }
+
+    /// Of quantiles of a distribution they are those of the normal one; missing points and levels do no harm.
+    #[test]
+    fn scores_are_normal_whatever_the_heights() {
+        let normal = Normal::standard();
+        let share = |k: usize| (k as f64 + 0.5) / 40_000.0;
+        let exponential = |k: usize| if k == 7 { f64::NAN } else { -(1.0 - share(k)).ln() };
+        let scores = normal_scores(&map((0..40_000).map(exponential).collect())).unwrap();
+        assert!(scores[7].is_nan());
+        for k in [400, 20_000, 39_000, 39_990] {
+            assert!((scores[k] - normal.inverse_cdf(share(k))).abs() < 0.01, "{k}: {}", scores[k]);
+        }
+        let levels = normal_scores(&map((0..40_000).map(|k| f64::from(k % 3)).collect())).unwrap();
+        assert!(levels.iter().all(|g| g.is_finite()));
+        assert!(roughness_scatter(&map(vec![1.0; 40_000])).is_nan());
     }
 }

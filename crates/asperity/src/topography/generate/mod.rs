@@ -3,12 +3,10 @@
 mod fitted;
 mod gaussian;
 mod own_heights;
-mod roughness_scatter;
 mod target;
 
-pub use fitted::{FEWEST_LENGTHS, FittedProcess, Unfitted};
+pub use fitted::{FEWEST_LENGTHS, FittedProcess, Unfitted, roughness_scatter};
 pub use gaussian::gaussian;
-pub use roughness_scatter::roughness_scatter;
 pub use target::{Reached, SigmaOf, Target, TargetGenerator, Unreachable};
 
 use std::sync::atomic::{AtomicUsize, Ordering};

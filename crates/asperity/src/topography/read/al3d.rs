@@ -24,15 +24,13 @@ impl Tags {
     fn text(&self, key: &str) -> Result<String, ReadError> {
         let mut places = (0..self.0.bytes.len() / TAG).map(|k| k * TAG);
         let found = places.find(|&at| self.0.text(at, 20).is_ok_and(|found| found == key));
-        let at = found.ok_or_else(|| ReadError::Corrupt(format!("has no tag {key}")))?;
+        let at = found.ok_or_else(|| corrupt!("has no tag {key}"))?;
         self.0.text(at + 20, 30)
     }
 
     fn number<T: std::str::FromStr>(&self, key: &str) -> Result<T, ReadError> {
         let text = self.text(key)?;
-        text.parse().map_err(|_| {
-            ReadError::Corrupt(format!("has the tag {key} = \"{}\"; allowed: a number", shortened(&text)))
-        })
+        text.parse().map_err(|_| corrupt!("has the tag {key} = \"{}\"; allowed: a number", shortened(&text)))
     }
 }
 
@@ -44,7 +42,7 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
     let tags = Tags(source.fields(begin, bytes)?);
     let start: u64 = tags.number("DepthImageOffset")?;
     if start == 0 {
-        return Err(ReadError::Unsupported("holds no depth image".to_owned()));
+        return Err(unsupported!("holds no depth image"));
     }
     let points: [u64; 2] = [tags.number("Cols")?, tags.number("Rows")?];
     // Lines begin at multiples of eight bytes, unless what follows the image says that they do not.

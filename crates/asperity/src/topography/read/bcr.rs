@@ -48,19 +48,15 @@ impl Header {
 
     pub(super) fn number<T: std::str::FromStr>(&self, key: &str) -> Result<Option<T>, ReadError> {
         let number = |text: &str| {
-            text.parse().map_err(|_| {
-                ReadError::Corrupt(format!(
-                    "has {key} = \"{}\" in its header; allowed: a number",
-                    shortened(text)
-                ))
-            })
+            text.parse()
+                .map_err(|_| corrupt!("has {key} = \"{}\" in its header; allowed: a number", shortened(text)))
         };
         self.text(key).map(number).transpose()
     }
 
     /// A number of points, without which there is no map.
     pub(super) fn needed(&self, key: &str) -> Result<u64, ReadError> {
-        self.number(key)?.ok_or_else(|| ReadError::Corrupt(format!("has no {key} in its header")))
+        self.number(key)?.ok_or_else(|| corrupt!("has no {key} in its header"))
     }
 
     /// The unit of a key, nm where there is none. No current is stored, so that "A" is the ångström.
@@ -83,9 +79,7 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
     let mark = if source.begin().starts_with(b"\xff\xfe") { 2 } else { 0 };
     let characters = Header(begin).number("headersize")?.unwrap_or(HEADER);
     if characters > MOST {
-        return Err(ReadError::Corrupt(format!(
-            "has a header of {characters} characters; allowed: at most {MOST}"
-        )));
+        return Err(corrupt!("has a header of {characters} characters; allowed: at most {MOST}"));
     }
     let start = mark + width * characters;
     let header = Header(decoded(&source.bytes(0, start)?).0);

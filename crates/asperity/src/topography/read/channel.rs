@@ -172,18 +172,17 @@ impl Channel {
     fn check(&self, source: &Source) -> Result<[usize; 2], ReadError> {
         let [nx, ny] = self.points;
         if nx == 0 || ny == 0 {
-            return Err(ReadError::Corrupt(format!(
-                "holds a map of {nx} x {ny} points; allowed: at least 1"
-            )));
+            return Err(corrupt!("holds a map of {nx} x {ny} points; allowed: at least 1"));
         }
         if let Some([x, y]) = self.pixel.filter(|pixel| !pixel.iter().all(|&size| is_positive(size))) {
-            return Err(ReadError::Corrupt(format!("has a pixel of {x:e} x {y:e} m; allowed: positive")));
+            return Err(corrupt!("has a pixel of {x:e} x {y:e} m; allowed: positive"));
         }
         if !(self.factor.is_finite() && self.offset.is_finite()) {
-            return Err(ReadError::Corrupt(format!(
+            return Err(corrupt!(
                 "has heights of {:e} m x a stored number + {:e} m; allowed: finite",
-                self.factor, self.offset
-            )));
+                self.factor,
+                self.offset
+            ));
         }
         if let Numbers::Stored(stored) = &self.numbers {
             let (.., bytes) = self.lengths(stored).ok_or_else(too_large)?;
@@ -215,10 +214,7 @@ impl Channel {
             }
         };
         if values.len() != count {
-            return Err(ReadError::Corrupt(format!(
-                "holds {} numbers for a map of {nx} x {ny} points",
-                values.len()
-            )));
+            return Err(corrupt!("holds {} numbers for a map of {nx} x {ny} points", values.len()));
         }
         source.count(0.5 * (1.0 - UNPACKED), count).pieces(&mut values, |piece| {
             for value in piece {
@@ -261,7 +257,7 @@ impl Channels {
         number_equal_names(&mut all);
         let names = || all.iter().map(|channel| channel.listed().to_string()).collect::<Vec<_>>().join(", ");
         let Some(nearest) = (0..all.len()).min_by_key(|&k| all[k].distance()) else {
-            return Err(ReadError::Unsupported("holds no map of heights".to_owned()));
+            return Err(unsupported!("holds no map of heights"));
         };
         let refused = |reason: String| Err(ReadError::Channel { reason, found: names() });
         let chosen = match wanted.map(|wanted| (wanted, named(&all, wanted.trim()))) {
@@ -273,9 +269,7 @@ impl Channels {
             Quantity::Other(unit) if wanted.is_some() => {
                 refused(format!("holds \"{}\" in {unit}, which is no height", all[chosen].name))
             }
-            Quantity::Other(_) => {
-                Err(ReadError::Unsupported(format!("holds no channel of heights; found: {}", names())))
-            }
+            Quantity::Other(_) => Err(unsupported!("holds no channel of heights; found: {}", names())),
             Quantity::Length | Quantity::Unknown => Ok(Self { all, chosen }),
         }
     }

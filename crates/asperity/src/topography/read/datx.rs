@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use hdf5_pure::{AttrValue, DType, Dataset, File, FormatError, ReadSeekSource};
 
-use super::channel::{Channel, Numbers, Quantity, UNPACKED};
+use super::channel::{Channel, Numbers, Quantity, UNPACKED, length};
 use super::error::{ReadError, too_large};
 use super::source::Source;
 use super::{Format, Reader};
@@ -50,7 +50,7 @@ impl<S: hdf5_pure::Source> hdf5_pure::Source for Bounded<S> {
 }
 
 fn damaged(error: impl std::fmt::Display) -> ReadError {
-    ReadError::Corrupt(format!("cannot be read as HDF5: {error}"))
+    corrupt!("cannot be read as HDF5: {error}")
 }
 
 type Attributes = HashMap<String, AttrValue>;
@@ -67,15 +67,7 @@ fn text<'a>(attributes: &'a Attributes, name: &str) -> Option<&'a str> {
 
 /// A unit of length as Zygo names it, m.
 fn metres(unit: &str) -> Option<f64> {
-    Some(match unit.trim().to_ascii_lowercase().as_str() {
-        "meters" => 1.0,
-        "centimeters" => 1e-2,
-        "millimeters" => 1e-3,
-        "micrometers" => 1e-6,
-        "nanometers" => 1e-9,
-        "angstroms" => 1e-10,
-        _ => return super::channel::length(unit),
-    })
+    length(unit).or_else(|| length(&unit.to_ascii_lowercase()))
 }
 
 fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
@@ -84,9 +76,7 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
     let file = File::from_source(Bounded { source: reader, left: left.into() }).map_err(damaged)?;
     let data = file.group("Data").and_then(|data| Ok((data.group("Surface")?, data.group("Intensity"))));
     let Ok((surface, intensity)) = data else {
-        return Err(ReadError::Unsupported(
-            "is an HDF5 file without the group Data/Surface; allowed: files of Zygo".to_owned(),
-        ));
+        return Err(unsupported!("is an HDF5 file without the group Data/Surface; allowed: files of Zygo"));
     };
     let mut measured = Vec::new();
     if let Ok(groups) = file.group("Attributes").and_then(|group| group.iter_groups()) {
@@ -100,7 +90,7 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
             group.map(|group| group.iter_datasets()).transpose().map_err(damaged)?.into_iter().flatten()
         {
             if channels.len() == MOST_DATASETS {
-                return Err(ReadError::Corrupt(format!("holds more than {MOST_DATASETS} surfaces")));
+                return Err(corrupt!("holds more than {MOST_DATASETS} surfaces"));
             }
             channels.push(channel(source, name, dataset, &measured)?);
         }
@@ -116,10 +106,7 @@ fn channel(
 ) -> Result<Channel, ReadError> {
     let shape = dataset.shape().map_err(damaged)?;
     let [lines, samples] = shape[..] else {
-        return Err(ReadError::Unsupported(format!(
-            "holds a {name} of {} dimensions; allowed: 2",
-            shape.len()
-        )));
+        return Err(unsupported!("holds a {name} of {} dimensions; allowed: 2", shape.len()));
     };
     // Chunks are unpacked whole.
     let chunk = dataset.chunk_shape().map_err(damaged)?.unwrap_or_default();
@@ -128,19 +115,19 @@ fn channel(
         whole(lines, 0).zip(whole(samples, 1)).and_then(|(lines, samples)| lines.checked_mul(samples));
     let unpacked = count.and_then(|count| count.checked_mul(8)).ok_or_else(too_large)?;
     if unpacked / MOST_UNPACKED > source.length() {
-        return Err(ReadError::Corrupt(format!(
+        return Err(corrupt!(
             "claims {samples} x {lines} points in {} bytes; allowed: at most {MOST_UNPACKED} times the bytes of the file",
             source.length()
-        )));
+        ));
     }
     let kind = match dataset.dtype().map_err(damaged)? {
         DType::F32 => NumberType::F32,
         DType::F64 => NumberType::F64,
         DType::I8 | DType::I16 | DType::I32 | DType::U8 | DType::U16 | DType::U32 => NumberType::I32,
         other => {
-            return Err(ReadError::Unsupported(format!(
+            return Err(unsupported!(
                 "holds a {name} of the type {other}; allowed: floats and integers of up to 32 bits"
-            )));
+            ));
         }
     };
     let attributes = dataset.attrs().map_err(damaged)?;
@@ -150,9 +137,8 @@ fn channel(
         // Of light that goes there and back, and at an angle.
         Some(unit) if unit.eq_ignore_ascii_case("Fringes") => {
             let needed = |key: &str| {
-                number(&attributes, key).ok_or_else(|| {
-                    ReadError::Corrupt(format!("has heights in fringes and no attribute \"{key}\""))
-                })
+                number(&attributes, key)
+                    .ok_or_else(|| corrupt!("has heights in fringes and no attribute \"{key}\""))
             };
             let scale = needed("Interferometric Scale Factor")? * needed("Obliquity Factor")?;
             (needed("Wavelength")? * scale, Quantity::Length)
@@ -213,10 +199,7 @@ fn check_chunks(source: &Source, dataset: &Dataset) -> Result<(), ReadError> {
     let placed: BTreeSet<&[u64]> =
         chunks.iter().map(|chunk| &*chunk.offset).filter(|offset| is_placed(offset)).collect();
     if placed.len() as u64 != needed || chunks.len() != placed.len() {
-        return Err(ReadError::Corrupt(format!(
-            "is damaged: {} of the {needed} chunks of its heights are there",
-            placed.len()
-        )));
+        return Err(corrupt!("is damaged: {} of the {needed} chunks of its heights are there", placed.len()));
     }
     chunks.iter().try_for_each(|chunk| source.check(chunk.address, chunk.storage_size))
 }

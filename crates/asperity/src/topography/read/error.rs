@@ -8,6 +8,7 @@ use crate::topography::MapError;
 
 /// An error in reading a map. Texts are predicates without the file name: "is empty".
 #[derive(Debug, thiserror::Error)]
+#[allow(missing_docs)] // The texts say what fields are.
 pub enum ReadError {
     /// The file cannot be opened or read.
     #[error("cannot be read: {0}")]
@@ -23,34 +24,16 @@ pub enum ReadError {
         "line {line}, column {column}: found \"{}\"; allowed: a number, or NaN, BAD or nothing for a missing point",
         shown(word)
     )]
-    Word {
-        /// Line number, from 1.
-        line: usize,
-        /// Number in the line, from 1.
-        column: usize,
-        /// The word.
-        word: String,
-    },
+    Word { line: usize, column: usize, word: String },
     /// The channel that is named is not there, or holds no heights.
     #[error("{}; allowed: {}", shown(reason), shown(found))]
-    Channel {
-        /// What is wrong with it.
-        reason: String,
-        /// The channels of the file.
-        found: String,
-    },
+    Channel { reason: String, found: String },
     /// Words mark missing points of a file of numbers.
     #[error("is {format}, which holds numbers only; allowed: numbers for its missing points")]
-    NoWords {
-        /// Name of the format.
-        format: &'static str,
-    },
+    NoWords { format: &'static str },
     /// A channel is named of a file that holds one map.
     #[error("is {format}, which holds one map; allowed: leave channel out")]
-    NoChannels {
-        /// Name of the format.
-        format: &'static str,
-    },
+    NoChannels { format: &'static str },
     /// The content is inconsistent or damaged.
     #[error("{}", shown(.0))]
     Corrupt(String),
@@ -62,41 +45,20 @@ pub enum ReadError {
     Map(#[from] MapError),
     /// A height too large for a rough surface.
     #[error("holds a height of {tallest:e} m; allowed: at most {MAX_HEIGHT} m")]
-    TooTall {
-        /// The largest height, m.
-        tallest: f64,
-    },
+    TooTall { tallest: f64 },
     /// A height far from all others, which marks missing points.
     #[error(
         "holds the height {value} at {count} {}, far from all other heights ({low} to {high}): a mark of missing points?",
         if *count == 1 { "point" } else { "points" }
     )]
-    Mark {
-        /// The height, in the unit of the file.
-        value: f64,
-        /// At how many points it stands.
-        count: usize,
-        /// The lowest of the other heights, in the unit of the file.
-        low: f64,
-        /// The highest of the other heights.
-        high: f64,
-    },
+    Mark { value: f64, count: usize, low: f64, high: f64 },
     /// A part that is not within the map.
     #[error(
         "is {side:e} m long along {axis}, and the part from {:e} to {:e} m is not within it or holds fewer than three points, \
          {pixel:e} m apart",
         ends[0], ends[1]
     )]
-    Crop {
-        /// x or y.
-        axis: &'static str,
-        /// Ends of the part, m.
-        ends: [f64; 2],
-        /// Length of the map, m.
-        side: f64,
-        /// Distance of its points, m.
-        pixel: f64,
-    },
+    Crop { axis: &'static str, ends: [f64; 2], side: f64, pixel: f64 },
     /// The options leave open what the file does not state.
     #[error(transparent)]
     Options(#[from] ReadOptionsError),
@@ -132,7 +94,7 @@ pub enum ReadOptionsError {
 pub(super) const MAX_HEIGHT: f64 = 10.0;
 
 pub(super) fn too_large() -> ReadError {
-    ReadError::Corrupt("claims to hold more numbers than any file can".to_owned())
+    corrupt!("claims to hold more numbers than any file can")
 }
 
 /// A text with parts of a file, as a message shows it.

@@ -22,7 +22,7 @@ const MOST: u64 = 1 << 16;
 fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
     let begin = source.at_most(0, MOST)?;
     let end = begin.iter().position(|&byte| byte == 0);
-    let end = end.ok_or_else(|| ReadError::Corrupt("has no byte 0 at the end of its header".to_owned()))?;
+    let end = end.ok_or_else(|| corrupt!("has no byte 0 at the end of its header"))?;
     let header = Header(String::from_utf8_lossy(&begin[..end]).into_owned());
     let points = [header.needed("XRes")?, header.needed("YRes")?];
     let lateral = length(header.text("XYUnits").unwrap_or_default());

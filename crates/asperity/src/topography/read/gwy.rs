@@ -75,9 +75,7 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
         Ok(true)
     })?;
     if !is_container {
-        return Err(ReadError::Unsupported(
-            "holds no container of Gwyddion; allowed: GwyContainer".to_owned(),
-        ));
+        return Err(unsupported!("holds no container of Gwyddion; allowed: GwyContainer"));
     }
     let mut channels = Vec::new();
     for (number, Found { title, data, mask, pixel }) in found {
@@ -104,9 +102,7 @@ fn masked(data: &Field, mask: &Field) -> Numbers {
     let unpacked = move |source: &Source| {
         if points != others {
             let [[nx, ny], [mx, my]] = [points, others];
-            return Err(ReadError::Corrupt(format!(
-                "has a mask of {mx} x {my} points on a map of {nx} x {ny} points"
-            )));
+            return Err(corrupt!("has a mask of {mx} x {my} points on a map of {nx} x {ny} points"));
         }
         // Both arrays were found to be this long.
         let bytes = points[0] * points[1] * F64.bytes();
@@ -154,10 +150,7 @@ impl Field {
         })?;
         let [nx, ny] = field.points;
         if is_field && count != nx.checked_mul(ny) {
-            return Err(ReadError::Corrupt(format!(
-                "holds {} numbers for a map of {nx} x {ny} points",
-                count.unwrap_or(0)
-            )));
+            return Err(corrupt!("holds {} numbers for a map of {nx} x {ny} points", count.unwrap_or(0)));
         }
         Ok(is_field.then_some(field))
     }
@@ -190,11 +183,11 @@ impl Place {
         match self.at.checked_add(count).filter(|&at| at <= self.end) {
             Some(at) => self.at = at,
             None => {
-                return Err(ReadError::Corrupt(format!(
+                return Err(corrupt!(
                     "is truncated: it claims {count} bytes at byte {}, where {} are left",
                     self.at,
                     self.end - self.at
-                )));
+                ));
             }
         }
         Ok(())
@@ -223,7 +216,7 @@ impl Place {
         self.forward(bytes.len() as u64)?;
         match bytes.pop() {
             Some(0) => Ok(String::from_utf8_lossy(&bytes).into_owned()),
-            _ => Err(ReadError::Corrupt(format!("has a text without an end before byte {}", self.at))),
+            _ => Err(corrupt!("has a text without an end before byte {}", self.at)),
         }
     }
 
@@ -285,11 +278,11 @@ impl Place {
                 }
                 Ok(())
             }
-            _ => Err(ReadError::Corrupt(format!(
+            _ => Err(corrupt!(
                 "has a component of type \"{}\" before byte {}; allowed: b, c, i, q, d, s, o, C, I, Q, D, S, O",
                 kind.escape_ascii(),
                 self.at
-            ))),
+            )),
         }
     }
 }

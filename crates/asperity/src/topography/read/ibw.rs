@@ -134,7 +134,7 @@ fn number_type(code: u64) -> Result<NumberType, ReadError> {
                 _ if code & 1 == 1 => "complex numbers".to_owned(),
                 _ => format!("numbers of type {code}"),
             };
-            return Err(ReadError::Unsupported(format!("holds {found}; allowed: real numbers")));
+            return Err(unsupported!("holds {found}; allowed: real numbers"));
         }
     })
 }

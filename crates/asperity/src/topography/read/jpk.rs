@@ -44,9 +44,7 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
         let Some(([nx, ny], kind)) = tags.grey(picture)? else { continue };
         let most = tags.most_bytes(picture)?;
         if nx.saturating_mul(ny).saturating_mul(kind.bytes()) > most {
-            return Err(ReadError::Corrupt(format!(
-                "claims a picture of {nx} x {ny} points, more than its TIFF can hold"
-            )));
+            return Err(corrupt!("claims a picture of {nx} x {ny} points, more than its TIFF can hold"));
         }
         let Some(mut name) = tags.text(picture, FULL_NAME)?.or(tags.text(picture, NAME)?) else { continue };
         let scale = Scale::of(&tags, picture, &name)?;
@@ -98,15 +96,13 @@ impl Scale {
                 Some("LinearScaling") => [factor.unwrap_or(1.0), offset.unwrap_or(0.0)],
                 Some("NullScaling") | None => [1.0, 0.0],
                 Some(other) => {
-                    return Err(ReadError::Unsupported(format!(
+                    return Err(unsupported!(
                         "scales its channel \"{name}\" by {other}; allowed: LinearScaling, NullScaling"
-                    )));
+                    ));
                 }
             };
             return Ok(Self { factor, offset, unit, marks_missing: encoder.ends_with("WithValidity") });
         }
-        Err(ReadError::Corrupt(format!(
-            "has no scale \"{wanted}\" of its channel \"{name}\", which it says to be the default"
-        )))
+        Err(corrupt!("has no scale \"{wanted}\" of its channel \"{name}\", which it says to be the default"))
     }
 }

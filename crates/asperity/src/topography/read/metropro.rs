@@ -29,13 +29,11 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
         1 => 32_768.0,
         2 => 131_072.0,
         found => {
-            return Err(ReadError::Unsupported(format!(
-                "has the phase resolution {found}; allowed: 0, 1, 2"
-            )));
+            return Err(unsupported!("has the phase resolution {found}; allowed: 0, 1, 2"));
         }
     };
     if points.contains(&0) {
-        return Err(ReadError::Unsupported("holds intensities only; allowed: a file with phases".to_owned()));
+        return Err(unsupported!("holds intensities only; allowed: a file with phases"));
     }
     let float = |at: usize| header.number(at, F32);
     let (scale, wavelength, obliquity) = (float(164)?, float(168)?, float(176)?);

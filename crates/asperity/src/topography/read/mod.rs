@@ -4,7 +4,7 @@
 //! | module | format | |
 //! |---|---|---|
 //! | `npy` | NumPy array, whole or row by row | heights only |
-//! | `text`, `xyz`, `exports` | matrix of numbers, with or without the header of a program; three columns of numbers | one map |
+//! | `text`, `xyz` | matrix of numbers, with or without the header of a program; three columns of numbers | one map |
 //! | `nanoscope_text` | what Nanoscope exports as text | a list of channels |
 //! | `x3p`, `sdf` | ISO 25178-72, ISO 25178-71 | one map, with pixel and unit |
 //! | `al3d`, `bcr`, `datx`, `gsf`, `gwy`, `ibw`, `jpk`, `metropro`, `nanoscope`, `nid`, `opd`, `park`, `plu`, `sur`, `vk` | files of instruments and of Gwyddion | a list of channels, with pixel and unit, of which the heights are chosen, or one by its name |
@@ -14,15 +14,23 @@
 //! formats but `.npy` are transposed. The first y is the first line of a text, X3P or SDF, and of instruments the top line of the picture. A
 //! height far from all others, such as -9999, is an error until it is stated whether it marks missing points.
 
+/// The errors of a damaged file, of a content that is not read, and of a file of another kind, with the text of `format!`.
+macro_rules! corrupt {
+    ($($text:tt)*) => { ReadError::Corrupt(std::fmt::format(format_args!($($text)*))) };
+}
+macro_rules! unsupported {
+    ($($text:tt)*) => { ReadError::Unsupported(std::fmt::format(format_args!($($text)*))) };
+}
+macro_rules! mismatch {
+    ($($text:tt)*) => { ReadError::Mismatch(std::fmt::format(format_args!($($text)*))) };
+}
+
 mod al3d;
 mod bcr;
 mod channel;
-mod columns;
 mod content;
-mod crop;
 mod datx;
 mod error;
-mod exports;
 mod file;
 mod gsf;
 mod gwy;
@@ -39,7 +47,6 @@ mod opd;
 mod park;
 mod plu;
 mod sdf;
-mod separation;
 mod source;
 mod sur;
 mod table;
@@ -57,9 +64,8 @@ use channel::{Channel, Channels};
 pub use content::{
     ChannelName, LeftOut, LengthUnits, Measured, Metadata, NamedUnits, OtherChannel, ReadOptions, UnitOrigin,
 };
-pub use crop::Crop;
 pub use error::{ReadError, ReadOptionsError};
-pub use file::{MapFile, Marks};
+pub use file::{Crop, MapFile, Marks};
 pub(super) use gwy::PIXEL as PIXEL_OF_GWY;
 use source::Source;
 
@@ -123,10 +129,7 @@ impl Format {
             return Err(tags::refused(source));
         }
         let bytes: String = begin.iter().take(12).map(|byte| byte.escape_ascii().to_string()).collect();
-        Err(ReadError::Mismatch(format!(
-            "is not a height map: it begins with \"{bytes}\"; {}",
-            Self::allowed()
-        )))
+        Err(mismatch!("is not a height map: it begins with \"{bytes}\"; {}", Self::allowed()))
     }
 
     /// What is read, and what converts other formats.
@@ -195,10 +198,10 @@ pub fn rows(path: &Path, options: ReadOptions, progress: &dyn Progress) -> Resul
 pub fn existing(path: &Path) -> Result<(), ReadError> {
     let metadata = std::fs::metadata(path)?;
     if !metadata.is_file() {
-        return Err(ReadError::Mismatch("is not a file".to_owned()));
+        return Err(mismatch!("is not a file"));
     }
     if metadata.len() == 0 {
-        return Err(ReadError::Corrupt("is empty".to_owned()));
+        return Err(corrupt!("is empty"));
     }
     Ok(())
 }

@@ -41,8 +41,7 @@ impl<'a> Section<'a> {
     }
 
     fn needed(&self, key: &str) -> Result<&'a str, ReadError> {
-        self.get(key)
-            .ok_or_else(|| ReadError::Corrupt(format!("has an image without \"{key}\" in its header")))
+        self.get(key).ok_or_else(|| corrupt!("has an image without \"{key}\" in its header"))
     }
 
     /// The first word of a value as a number.
@@ -54,7 +53,7 @@ impl<'a> Section<'a> {
 }
 
 fn not_a_number(key: &str, value: &str) -> ReadError {
-    ReadError::Corrupt(format!("has \"{key}: {}\" in its header; allowed: a number", shortened(value)))
+    corrupt!("has \"{key}: {}\" in its header; allowed: a number", shortened(value))
 }
 
 fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
@@ -69,23 +68,19 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
         );
     }
     if begin.split(|&byte| byte == b'\n').next().is_some_and(|line| !line.ends_with(b"\r")) {
-        return Err(ReadError::Corrupt(
+        return Err(corrupt!(
             "has lost the carriage returns of its header, as when it is copied as a text, which damages its numbers; allowed: the \
              file as the instrument wrote it"
-                .to_owned(),
         ));
     }
     let header: String = source.at_most(0, HEADER)?.into_iter().map(char::from).collect();
     let Some((header, _)) = header.split_once("\\*File list end") else {
-        return Err(ReadError::Corrupt("is truncated: its header has no \"\\*File list end\"".to_owned()));
+        return Err(corrupt!("is truncated: its header has no \"\\*File list end\""));
     };
     let sections = sections(header);
     let images: Vec<_> = sections.iter().filter(|section| section.is_image()).collect();
     if images.len() > MOST_IMAGES {
-        return Err(ReadError::Corrupt(format!(
-            "claims {} images; allowed: at most {MOST_IMAGES}",
-            images.len()
-        )));
+        return Err(corrupt!("claims {} images; allowed: at most {MOST_IMAGES}", images.len()));
     }
     let mut channels = Vec::new();
     for image in &images {
@@ -132,8 +127,8 @@ impl Section<'_> {
 fn channel(source: &Source, image: &Section, sections: &[Section]) -> Result<Channel, ReadError> {
     let scale = image.get("Z scale").filter(|scale| scale.starts_with('V'));
     let (Some(title), Some(scale)) = (image.get("Image Data"), scale) else {
-        return Err(ReadError::Unsupported(
-            "has an image without \"@2:Image Data\" and \"@2:Z scale\"; allowed: files of version 4.3 or later".to_owned(),
+        return Err(unsupported!(
+            "has an image without \"@2:Image Data\" and \"@2:Z scale\"; allowed: files of version 4.3 or later"
         ));
     };
     // S [Sens] "Name"
@@ -145,7 +140,7 @@ fn channel(source: &Source, image: &Section, sections: &[Section]) -> Result<Cha
     let pixel_bytes = match image.count("Bytes/pixel")? {
         bytes @ (2 | 4) => bytes,
         bytes => {
-            return Err(ReadError::Unsupported(format!("holds numbers of {bytes} bytes; allowed: 2, 4")));
+            return Err(unsupported!("holds numbers of {bytes} bytes; allowed: 2, 4"));
         }
     };
     let claimed = [image.count("Samps/line")?, image.count("Number of lines")?];
@@ -160,9 +155,9 @@ fn channel(source: &Source, image: &Section, sections: &[Section]) -> Result<Cha
     let Some(&(points, bytes)) = sizes.as_flattened().iter().find(|&&size| bytes(size) == Some(length))
     else {
         let [nx, ny] = claimed;
-        return Err(ReadError::Corrupt(format!(
+        return Err(corrupt!(
             "has {length} bytes for the {nx} x {ny} points of \"{name}\"; allowed: 2 or 4 bytes a point"
-        )));
+        ));
     };
     let start = image.count("Data offset")?;
     // Where bytes are lost, all that follows has moved.

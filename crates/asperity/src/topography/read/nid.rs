@@ -27,7 +27,7 @@ struct Section<'a>(&'a str, HashMap<&'a str, &'a str>);
 impl Section<'_> {
     fn text(&self, key: &str) -> Result<&str, ReadError> {
         let Self(name, entries) = self;
-        let missing = || ReadError::Corrupt(format!("has no {key} in its section [{name}]"));
+        let missing = || corrupt!("has no {key} in its section [{name}]");
         entries.get(key).copied().ok_or_else(missing)
     }
 
@@ -35,7 +35,7 @@ impl Section<'_> {
         let text = self.text(key)?;
         text.parse().map_err(|_| {
             let (name, text) = (self.0, shortened(text));
-            ReadError::Corrupt(format!("has {key}={text} in its section [{name}]; allowed: a number"))
+            corrupt!("has {key}={text} in its section [{name}]; allowed: a number")
         })
     }
 
@@ -50,13 +50,11 @@ impl Section<'_> {
             ("16", _) => U16,
             ("32", _) => U32,
             _ => {
-                return Err(ReadError::Unsupported(format!(
-                    "holds numbers of {bits} bits; allowed: 8, 16, 32"
-                )));
+                return Err(unsupported!("holds numbers of {bits} bits; allowed: 8, 16, 32"));
             }
         };
         if mode != "Binary" {
-            return Err(ReadError::Unsupported(format!("holds numbers as {mode}; allowed: Binary")));
+            return Err(unsupported!("holds numbers as {mode}; allowed: Binary"));
         }
         Ok((kind, self.text("SaveOrder")? != "Intel"))
     }
@@ -65,7 +63,7 @@ impl Section<'_> {
 fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
     let mut bytes = source.at_most(0, MOST)?;
     let end = bytes.windows(MARK.len()).position(|window| window == MARK);
-    let end = end.ok_or_else(|| ReadError::Corrupt("is truncated: no #! ends its text".to_owned()))?;
+    let end = end.ok_or_else(|| corrupt!("is truncated: no #! ends its text"))?;
     bytes.truncate(end);
     let text = text(bytes, source.count(0.0, end));
     let mut sections: HashMap<&str, Section> = HashMap::new();
@@ -92,7 +90,7 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
             let bytes = points[0].checked_mul(points[1]).and_then(|count| count.checked_mul(kind.bytes()));
             start = bytes.and_then(|bytes| bytes.checked_add(start)).ok_or_else(super::error::too_large)?;
             if channels.len() == MOST_CHANNELS {
-                return Err(ReadError::Corrupt(format!("holds more than {MOST_CHANNELS} channels")));
+                return Err(corrupt!("holds more than {MOST_CHANNELS} channels"));
             }
             if points[1] > 1 && section.text("Dim1Unit").is_ok_and(|unit| length(unit).is_some()) {
                 channels.push(image(section, points, kind, numbers)?);

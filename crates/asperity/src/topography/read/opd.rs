@@ -48,9 +48,8 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
         Some(block) => fields(block)?.number(0, kind).map(Some),
         None => Ok(None),
     };
-    let needed = |name: &str| {
-        number(name, F32)?.ok_or_else(|| ReadError::Corrupt(format!("has no block {name} in its directory")))
-    };
+    let needed =
+        |name: &str| number(name, F32)?.ok_or_else(|| corrupt!("has no block {name} in its directory"));
     // In mm and nm.
     let (pixel, wavelength) = (1e-3 * needed("Pixel_size")?, 1e-9 * needed("Wavelength")?);
     let aspect = number("Aspect", F32)?.unwrap_or(1.0);
@@ -77,10 +76,10 @@ fn array(block: &Block, fields: &Fields) -> Result<Channel, ReadError> {
         2 => (I16, 32_766.0),
         4 => (F32, 1e38),
         bytes => {
-            return Err(ReadError::Unsupported(format!(
+            return Err(unsupported!(
                 "holds numbers of {bytes} bytes in its block {}; allowed: 1, 2, 4",
                 block.name
-            )));
+            ));
         }
     };
     Ok(Channel {

@@ -32,32 +32,27 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
     let magic = tags.number(0, MAGIC)?.unwrap_or(0.0) as u64;
     let version = tags.number(0, VERSION)?.unwrap_or(0.0) as u64;
     if magic != 0x0e03_1301 || ![0x0100_0001, 0x0100_0002].contains(&version) {
-        return Err(ReadError::Unsupported(format!(
-            "is a Park TIFF of version {version:x}; allowed: 1000001, 1000002"
-        )));
+        return Err(unsupported!("is a Park TIFF of version {version:x}; allowed: 1000001, 1000002"));
     }
     let bytes = tags.bytes(0, HEADER, KIND as u64 + 4)?.unwrap_or_default();
     let needed = if version == 0x0100_0001 { HEADER_BYTES } else { KIND + 4 };
     if bytes.len() < needed {
-        return Err(ReadError::Corrupt(format!(
-            "has a header of {} bytes; allowed: at least {needed}",
-            bytes.len()
-        )));
+        return Err(corrupt!("has a header of {} bytes; allowed: at least {needed}", bytes.len()));
     }
     let header = Fields { bytes, big_endian: false };
     let kind_of_image = header.count(0, U32)?;
     if kind_of_image != 0 || tags.length(0, CURVES).is_some() {
         let what = if kind_of_image == 1 { "a line profile" } else { "force curves or other curves" };
-        return Err(ReadError::Unsupported(format!(
+        return Err(unsupported!(
             "holds {what} of a Park instrument, no height map; allowed: a file of an image"
-        )));
+        ));
     }
     let kind = match if version == 0x0100_0001 { 0 } else { header.count(KIND, U32)? } {
         0 => I16,
         1 => I32,
         2 => F32,
         other => {
-            return Err(ReadError::Unsupported(format!("holds numbers of type {other}; allowed: 0, 1, 2")));
+            return Err(unsupported!("holds numbers of type {other}; allowed: 0, 1, 2"));
         }
     };
     let number = |at: usize| header.number(at, F64);
@@ -67,10 +62,10 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
     let length = tags.length(0, DATA).unwrap_or(0);
     let [nx, ny] = points;
     if nx.saturating_mul(ny).saturating_mul(kind.bytes()) != length {
-        return Err(ReadError::Corrupt(format!(
+        return Err(corrupt!(
             "holds {length} bytes for a map of {nx} x {ny} points of {} bytes",
             kind.bytes()
-        )));
+        ));
     }
     source.check(0, length)?;
     // The fast axis of the scan is y.

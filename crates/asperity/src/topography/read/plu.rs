@@ -46,7 +46,7 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
         _ => "an unknown measurement",
     };
     if !kind.is_empty() {
-        return Err(ReadError::Unsupported(format!("holds {kind}; allowed: a topography")));
+        return Err(unsupported!("holds {kind}; allowed: a topography"));
     }
     let pixel = [header.number(PIXEL, F32)? * MICRON, header.number(PIXEL + 4, F32)? * MICRON];
     let mut channels = Vec::new();
@@ -72,7 +72,7 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
         .first()
         .is_some_and(|first| [4, 0].map(|at| header.count(SIZES + at, U32).ok()) == first.points.map(Some));
     if !is_same {
-        return Err(ReadError::Corrupt("has other sizes in its header than before its heights".to_owned()));
+        return Err(corrupt!("has other sizes in its header than before its heights"));
     }
     Ok(channels)
 }

@@ -51,9 +51,10 @@ fn is_sdf(begin: &[u8]) -> bool {
 /// The type of a `DataType`.
 fn stored(code: u8) -> Result<NumberType, ReadError> {
     use NumberType::{F32, F64, I8, I16, I32, U8, U16, U32};
-    [U8, U16, U32, F32, I8, I16, I32, F64].get(usize::from(code)).copied().ok_or_else(|| {
-        ReadError::Unsupported(format!("holds numbers of the DataType {code}; allowed: 0 to 7"))
-    })
+    [U8, U16, U32, F32, I8, I16, I32, F64]
+        .get(usize::from(code))
+        .copied()
+        .ok_or_else(|| unsupported!("holds numbers of the DataType {code}; allowed: 0 to 7"))
 }
 
 /// Whether a number marks a missing point: the smallest number of the type, or the largest if `greatest` or if the type
@@ -138,13 +139,13 @@ enum Body {
 fn open(source: &Source) -> Result<(Checked, Body), ReadError> {
     let begin = source.begin();
     let (Some(kind), Some(version)) = (begin.first(), begin.get(1..8)) else {
-        return Err(ReadError::Mismatch("is not an SDF file: it is too short".to_owned()));
+        return Err(mismatch!("is not an SDF file: it is too short"));
     };
     if !VERSIONS.contains(&version) {
-        return Err(ReadError::Unsupported(format!(
+        return Err(unsupported!(
             "is an SDF file of the version {}; allowed: ISO-1.0, ISO-2.0, BCR-1.0",
             version.escape_ascii()
-        )));
+        ));
     }
     let greatest = version == b"BCR-1.0";
     if kind.eq_ignore_ascii_case(&b'a') {
@@ -154,7 +155,7 @@ fn open(source: &Source) -> Result<(Checked, Body), ReadError> {
         let text = without_comments(&text, count());
         let mut parts = text.splitn(3, '*');
         let (Some(header), Some(numbers)) = (parts.next(), parts.next()) else {
-            return Err(ReadError::Corrupt("is truncated: no * ends its header".to_owned()));
+            return Err(corrupt!("is truncated: no * ends its header"));
         };
         let checked = Fields::of_text(header)?.check(greatest)?;
         // The shortest number and its separator.
@@ -165,8 +166,8 @@ fn open(source: &Source) -> Result<(Checked, Body), ReadError> {
     }
     let wide = version == b"ISO-2.0";
     let head_length = HEAD as u64 + if wide { 4 } else { 0 };
-    let fields = Fields::of_binary(begin, wide)
-        .ok_or_else(|| ReadError::Corrupt("is truncated: it ends within its header".to_owned()))?;
+    let fields =
+        Fields::of_binary(begin, wide).ok_or_else(|| corrupt!("is truncated: it ends within its header"))?;
     let checked = fields.check(greatest)?;
     let body = source.length().saturating_sub(head_length);
     let bytes = checked.count.checked_mul(checked.stored.bytes()).filter(|&bytes| bytes <= body);
@@ -194,7 +195,7 @@ fn is_olympus(begin: &[u8]) -> bool {
 }
 
 fn truncated(count: u64, found: &str) -> ReadError {
-    ReadError::Corrupt(format!("is truncated: its header says {count} points, {found} are there"))
+    corrupt!("is truncated: its header says {count} points, {found} are there")
 }
 
 impl Fields {
@@ -218,11 +219,11 @@ impl Fields {
         fn field<T: std::str::FromStr>(header: &str, key: &str) -> Result<T, ReadError> {
             let mut entries = header.lines().filter_map(|line| line.split_once('='));
             let Some((_, value)) = entries.find(|(name, _)| name.trim().eq_ignore_ascii_case(key)) else {
-                return Err(ReadError::Corrupt(format!("has no {key} in its header; allowed: {FIELDS}")));
+                return Err(corrupt!("has no {key} in its header; allowed: {FIELDS}"));
             };
             value.trim().parse().map_err(|_| {
                 let found = shortened(value);
-                ReadError::Corrupt(format!("has {key} = \"{found}\"; allowed: a number"))
+                corrupt!("has {key} = \"{found}\"; allowed: a number")
             })
         }
         // BCR-1.0 may write a name instead of a code.
@@ -232,10 +233,7 @@ impl Fields {
             let named = names.iter().position(|&name| name == word).and_then(|code| u8::try_from(code).ok());
             named.or_else(|| word.parse().ok()).ok_or_else(|| {
                 let found = shortened(&word);
-                ReadError::Unsupported(format!(
-                    "has {key} = \"{found}\"; allowed: its code, or {}",
-                    names.join(", ")
-                ))
+                unsupported!("has {key} = \"{found}\"; allowed: its code, or {}", names.join(", "))
             })
         };
         Ok(Self {
@@ -251,9 +249,8 @@ impl Fields {
     }
 
     fn check(&self, greatest: bool) -> Result<Checked, ReadError> {
-        let unsupported = |what: &str, code: u8| {
-            Err(ReadError::Unsupported(format!("has the {what} {code}; allowed: 0 (none)")))
-        };
+        let unsupported =
+            |what: &str, code: u8| Err(unsupported!("has the {what} {code}; allowed: 0 (none)"));
         if self.compression > 0 {
             return unsupported("Compression", self.compression);
         }
@@ -262,19 +259,18 @@ impl Fields {
         }
         let stored = stored(self.data_type)?;
         if self.points == 0 || self.profiles == 0 {
-            return Err(ReadError::Corrupt(format!(
+            return Err(corrupt!(
                 "holds no point: NumPoints = {}, NumProfiles = {}; allowed: at least 2",
-                self.points, self.profiles
-            )));
+                self.points,
+                self.profiles
+            ));
         }
         if self.profiles == 1 {
-            return Err(ReadError::Unsupported("holds a single profile; allowed: surfaces".to_owned()));
+            return Err(unsupported!("holds a single profile; allowed: surfaces"));
         }
         for (key, scale) in [("Xscale", self.x_scale), ("Yscale", self.y_scale), ("Zscale", self.z_scale)] {
             if !is_positive(scale) {
-                return Err(ReadError::Corrupt(format!(
-                    "has {key} = {scale:e}; allowed: positive and finite, in metres"
-                )));
+                return Err(corrupt!("has {key} = {scale:e}; allowed: positive and finite, in metres"));
             }
         }
         let size = |count: u64| usize::try_from(count).ok();
@@ -298,16 +294,13 @@ fn text_values(numbers: &str, count: u64, mut counted: Count) -> Result<Vec<f64>
         }
         word.parse().map_err(|_| {
             let found = shortened(word);
-            ReadError::Corrupt(format!("number {place}: found \"{found}\"; allowed: a number, BAD or NaN"))
+            corrupt!("number {place}: found \"{found}\"; allowed: a number, BAD or NaN")
         })
     };
     let values: Vec<f64> = (1..).zip(numbers.split_whitespace()).map(value).collect::<Result<_, _>>()?;
     counted.end();
     if values.len() as u64 > count {
-        return Err(ReadError::Corrupt(format!(
-            "holds {} numbers; allowed: {count}, as its header says",
-            values.len()
-        )));
+        return Err(corrupt!("holds {} numbers; allowed: {count}, as its header says", values.len()));
     }
     Ok(values)
 }

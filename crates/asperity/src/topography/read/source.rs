@@ -61,10 +61,10 @@ impl<'a> Source<'a> {
     pub(super) fn check(&self, start: u64, count: u64) -> Result<(), ReadError> {
         match start.checked_add(count).ok_or_else(too_large)? {
             end if end <= self.length => Ok(()),
-            end => Err(ReadError::Corrupt(format!(
+            end => Err(corrupt!(
                 "is truncated: it ends at {} bytes, and its header claims at least {end}",
                 self.length
-            ))),
+            )),
         }
     }
 
@@ -130,7 +130,7 @@ pub(super) struct Fields {
 
 impl Fields {
     fn slice(&self, at: usize, count: usize) -> Result<&[u8], ReadError> {
-        let end = || ReadError::Corrupt("is truncated: its header ends too early".to_owned());
+        let end = || corrupt!("is truncated: its header ends too early");
         self.bytes.get(at..).and_then(|rest| rest.get(..count)).ok_or_else(end)
     }
 
@@ -145,9 +145,7 @@ impl Fields {
     pub(super) fn count(&self, at: usize, kind: NumberType) -> Result<u64, ReadError> {
         let value = self.number(at, kind)?;
         if value < 0.0 {
-            return Err(ReadError::Corrupt(format!(
-                "has a count of {value} in its header; allowed: at least 0"
-            )));
+            return Err(corrupt!("has a count of {value} in its header; allowed: at least 0"));
         }
         Ok(value as u64)
     }
@@ -191,10 +189,10 @@ pub(super) fn check_packed(what: &str, packed: u64, unpacked: u64) -> Result<(),
     /// Bytes of heights that are read however far they were packed.
     const SMALL: u64 = 8 << 20;
     if unpacked > SMALL && unpacked / MAX_COMPRESSION > packed {
-        return Err(ReadError::Corrupt(format!(
+        return Err(corrupt!(
             "holds no measured heights: {what} unpacks from {packed} to {unpacked} bytes; allowed: at most {MAX_COMPRESSION} times as \
              many, as heights have noise"
-        )));
+        ));
     }
     Ok(())
 }
@@ -238,10 +236,7 @@ pub(super) fn read_counted(
 /// Unpacks `count` bytes of a zlib stream.
 pub(super) fn inflated(packed: &[u8], count: u64, counted: &mut Count) -> Result<Vec<u8>, ReadError> {
     let corrupt = |found: &dyn std::fmt::Display| {
-        ReadError::Corrupt(format!(
-            "is damaged: {found} in {} packed bytes that should hold {count}",
-            packed.len()
-        ))
+        corrupt!("is damaged: {found} in {} packed bytes that should hold {count}", packed.len())
     };
     // The caller has checked the count.
     let bytes = Vec::with_capacity(usize::try_from(count + 1).map_err(|_| too_large())?);

@@ -43,12 +43,12 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
         let object = match Object::read(source, start) {
             Ok(object) if object.is_known() => object,
             _ if start > 0 => break,
-            Ok(_) => return Err(ReadError::Corrupt("has no header of an object".to_owned())),
+            Ok(_) => return Err(corrupt!("has no header of an object")),
             Err(error) => return Err(error),
         };
         let unread = unread(object.header.count(18, U16)?, object.points[1]);
         if !unread.is_empty() {
-            return Err(ReadError::Unsupported(format!("holds {unread}; allowed: a surface")));
+            return Err(unsupported!("holds {unread}; allowed: a surface"));
         }
         start = object.end().ok_or_else(too_large)?;
         channels.push(object.channel()?);
@@ -74,7 +74,7 @@ impl Object {
             16.0 => I16,
             32.0 => I32,
             bits => {
-                return Err(ReadError::Unsupported(format!("holds numbers of {bits} bits; allowed: 16, 32")));
+                return Err(unsupported!("holds numbers of {bits} bits; allowed: 16, 32"));
             }
         };
         let zones = header.count(334, U16)? + header.count(336, U16)?;
@@ -154,7 +154,7 @@ fn unpacked(source: &Source, start: u64, bytes: u64, big_endian: bool) -> Result
         start += packed;
     }
     if all.len() as u64 != bytes {
-        return Err(ReadError::Corrupt(format!("unpacks to {} bytes; allowed: {bytes}", all.len())));
+        return Err(corrupt!("unpacks to {} bytes; allowed: {bytes}", all.len()));
     }
     count.end();
     Ok(all)

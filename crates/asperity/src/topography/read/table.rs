@@ -3,11 +3,9 @@
 use std::borrow::Cow;
 
 use super::Format;
-use super::columns;
 use super::content::{LeftOut, NamedUnits};
 use super::error::{ReadError, shortened};
 use super::labels::{self, Coordinates};
-use super::separation::Separation;
 use crate::progress::{Count, Progress};
 
 /// Words for a missing point, in any case; besides what C prints for NaN, such as 1.#QNAN, and stars, strokes or question marks alone.
@@ -48,19 +46,19 @@ impl Table {
         found.end();
         let above = begin(&lines).map_or(0, |begin| {
             let is_label = |above: &usize| {
-                columns::are_named(lines[*above].1) || labels::names(&lines[*above..], count(0.0)).is_some()
+                labels::are_named(lines[*above].1) || labels::names(&lines[*above..], count(0.0)).is_some()
             };
             let label = begin.checked_sub(1).filter(is_label);
             label.unwrap_or_else(|| first_like(&lines[..begin], cells(lines[begin].1).len()))
         });
         let heading = lines.drain(..above).map(|(_, line)| line.to_owned()).collect();
         let begin = lines.first().map_or(0, |(line, _)| *line);
-        let named = columns::units(text, lines.first().copied());
+        let named = labels::units(text, lines.first().copied());
         let mut left_out = LeftOut::default();
         if let Some(&(_, line)) = lines.first()
-            && columns::are_named(line)
+            && labels::are_named(line)
         {
-            left_out.index_column = columns::have_index(line);
+            left_out.index_column = labels::have_index(line);
             lines.remove(0);
         } else if let Some((number, has_corner)) = labels::names(&lines, count(0.1)) {
             left_out = LeftOut { header: Some(number), index_column: has_corner, ..LeftOut::default() };
@@ -70,11 +68,11 @@ impl Table {
         if let Some(&(number, line)) = lines.first()
             && let Some(word) = labels::first_name(line).filter(|_| !is_row(&cells(line)))
         {
-            return Err(ReadError::Mismatch(format!(
+            return Err(mismatch!(
                 "is not a height map: line {number} has \"{}\" for a number; {}",
                 shortened(word),
                 Format::allowed()
-            )));
+            ));
         }
         let separation = Separation::new(&lines, count(0.1))?;
         if let Some((number, has_corner)) = labels::numbers(&lines, &separation) {
@@ -122,14 +120,14 @@ impl Table {
                 // A number takes two bytes.
                 values.reserve_exact(columns.saturating_mul(rows - 1).min(text.len() / 2));
             } else if found != columns {
-                return Err(ReadError::Corrupt(format!(
-                    "is ragged: line {number} holds {found} numbers; allowed: {columns}, as in its first line",
-                )));
+                return Err(corrupt!(
+                    "is ragged: line {number} holds {found} numbers; allowed: {columns}, as in its first line"
+                ));
             }
         }
         parsed.end();
         if rows == 0 {
-            return Err(ReadError::Corrupt("holds no number".to_owned()));
+            return Err(corrupt!("holds no number"));
         }
         left_out.index_column |= labels::number_lines(&values, columns);
         if left_out.index_column {
@@ -138,7 +136,7 @@ impl Table {
             columns -= 1;
         }
         if values.iter().all(|value| value.is_nan()) {
-            return Err(ReadError::Corrupt("holds no number".to_owned()));
+            return Err(corrupt!("holds no number"));
         }
         Ok(Self { rows, columns, values, named, left_out, heading, begin, precision: precision(digits) })
     }
@@ -279,4 +277,110 @@ fn precision(digits: usize) -> f64 {
 pub(super) fn significant_digits(word: &str) -> usize {
     let mantissa = word.split(['e', 'E']).next().unwrap_or_default();
     mantissa.chars().filter(char::is_ascii_digit).skip_while(|&digit| digit == '0').count()
+}
+
+/// The separator of numbers.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Separator {
+    Character(char),
+    Blanks,
+}
+
+/// How lines are divided into numbers. The separator is the first of semicolon, tab, blank and comma that occurs. Commas are decimal commas
+/// if another separator is used, every comma is between two digits, and there is no decimal point; ambiguous texts are rejected.
+pub(super) struct Separation {
+    separator: Separator,
+    decimal_comma: bool,
+    /// Whether every line ends with a separator, which then adds no number.
+    trailing: bool,
+}
+
+impl Separation {
+    /// That of lines, each with its number; `count` is of their bytes.
+    pub fn new(lines: &[(usize, &str)], mut count: Count) -> Result<Self, ReadError> {
+        let (mut semicolon, mut blank_gap, mut tab_gap, mut point) = (false, false, false, false);
+        let (mut commas, mut commas_in_digits, mut leading_zero) = (0u64, 0u64, false);
+        for (_, line) in lines {
+            count.add(line.len() + 1);
+            let line = line.trim();
+            point |= line.contains('.');
+            semicolon |= line.contains(';');
+            let (mut before, mut gap, mut tab) = (None::<char>, false, false);
+            let mut rest = line.chars().peekable();
+            while let Some(character) = rest.next() {
+                if character == ' ' || character == '\t' {
+                    (gap, tab) = (true, tab || character == '\t');
+                    continue;
+                }
+                let beside_separator = matches!(character, ',' | ';') || matches!(before, Some(',' | ';'));
+                if gap && !beside_separator {
+                    (blank_gap, tab_gap) = (blank_gap || !tab, tab_gap || tab);
+                }
+                if character == ',' {
+                    commas += 1;
+                    let follows_digit = !gap && before.is_some_and(|before| before.is_ascii_digit());
+                    if follows_digit && rest.peek().is_some_and(char::is_ascii_digit) {
+                        commas_in_digits += 1;
+                    }
+                }
+                leading_zero |= before == Some(',')
+                    && !gap
+                    && character == '0'
+                    && rest.peek().is_some_and(char::is_ascii_digit);
+                (before, gap, tab) = (Some(character), false, false);
+            }
+        }
+        count.end();
+        let other = semicolon || blank_gap || tab_gap;
+        let unclear = if commas == 0 {
+            None
+        } else if other && (point || commas_in_digits < commas) {
+            Some("commas beside other separators or decimal points")
+        } else if !other && !point && leading_zero {
+            Some("commas that may separate numbers or decimals")
+        } else {
+            None
+        };
+        if let Some(found) = unclear {
+            return Err(unsupported!(
+                "has {found}; allowed: decimal points, or decimal commas with semicolons or tabs between \
+                 the numbers"
+            ));
+        }
+        let separator = if semicolon {
+            Separator::Character(';')
+        } else if tab_gap && !blank_gap {
+            Separator::Character('\t')
+        } else if other || commas == 0 {
+            Separator::Blanks
+        } else {
+            Separator::Character(',')
+        };
+        let trailing = match separator {
+            Separator::Character(character) => {
+                lines.iter().all(|(_, line)| line.trim_end_matches(' ').ends_with(character))
+            }
+            Separator::Blanks => false,
+        };
+        Ok(Self { separator, decimal_comma: other && commas > 0, trailing })
+    }
+
+    /// The words of a line, without quotes.
+    pub fn words<'a>(&self, line: &'a str) -> Box<dyn Iterator<Item = &'a str> + 'a> {
+        match self.separator {
+            Separator::Blanks => Box::new(line.split_whitespace().map(|word| word.trim_matches('"'))),
+            Separator::Character(character) => {
+                let line = line.trim_matches(' ');
+                let line = if self.trailing { line.strip_suffix(character).unwrap_or(line) } else { line };
+                Box::new(line.split(character).map(|word| word.trim().trim_matches('"')))
+            }
+        }
+    }
+
+    /// The number of a word: NaN of a mark of a missing point, `None` of other words.
+    pub fn value(&self, word: &str) -> Option<f64> {
+        let parsed =
+            if self.decimal_comma { word.replace(',', ".").parse::<f64>() } else { word.parse::<f64>() };
+        parsed.ok().or_else(|| is_missing(word).then_some(f64::NAN))
+    }
 }

@@ -51,11 +51,11 @@ fn damaged(error: TiffError) -> ReadError {
         TiffError::IoError(error) if error.kind() != std::io::ErrorKind::UnexpectedEof => {
             ReadError::Io(error)
         }
-        TiffError::IoError(_) => ReadError::Corrupt("is truncated: its TIFF ends too early".to_owned()),
+        TiffError::IoError(_) => corrupt!("is truncated: its TIFF ends too early"),
         TiffError::LimitsExceeded => {
-            ReadError::Corrupt("claims a larger picture than its TIFF can hold".to_owned())
+            corrupt!("claims a larger picture than its TIFF can hold")
         }
-        _ => ReadError::Corrupt(format!("is a TIFF that cannot be read: {error}")),
+        _ => corrupt!("is a TIFF that cannot be read: {error}"),
     }
 }
 
@@ -86,11 +86,9 @@ impl Directory {
         let fields = |start, count| Ok::<_, ReadError>(Fields { big_endian, ..source.fields(start, count)? });
         let count = fields(at, 2)?.count(0, U16)?;
         let length = count * ENTRY;
-        *left = left.checked_sub(length.max(ENTRY)).ok_or_else(|| {
-            ReadError::Corrupt(
-                "has more entries in the directories of its TIFF than bytes for them".to_owned(),
-            )
-        })?;
+        *left = left
+            .checked_sub(length.max(ENTRY))
+            .ok_or_else(|| corrupt!("has more entries in the directories of its TIFF than bytes for them"))?;
         let directory = fields(at + 2, length + 4)?;
         let mut entries = BTreeMap::new();
         for place in (0..length as usize).step_by(ENTRY as usize) {

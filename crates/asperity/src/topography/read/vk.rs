@@ -55,7 +55,7 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
             .ok()
             .zip(start.checked_add(count).and_then(|end| usize::try_from(end).ok()));
         let part = range.and_then(|(start, end)| bytes.get(start..end));
-        part.ok_or_else(|| ReadError::Corrupt(format!("is truncated: its {INNER} ends too early")))
+        part.ok_or_else(|| corrupt!("is truncated: its {INNER} ends too early"))
     };
     let fields = |start, count| Ok(Fields { bytes: part(start, count)?.to_vec(), big_endian: false });
     let numbers = |start: u64, kind: NumberType, count: u64| {
@@ -70,8 +70,7 @@ fn channels(source: &Source) -> Result<Vec<Channel>, ReadError> {
 
 /// The file within the archive.
 fn inner(source: &Source) -> Result<Vec<u8>, ReadError> {
-    let damaged =
-        |error: &dyn std::fmt::Display| ReadError::Corrupt(format!("is an invalid zip archive: {error}"));
+    let damaged = |error: &dyn std::fmt::Display| corrupt!("is an invalid zip archive: {error}");
     let mut archive = ZipArchive::new(source.reader()?).map_err(|error| damaged(&error))?;
     let entry = archive.by_name(INNER).map_err(|error| damaged(&error))?;
     let most = source.length().saturating_mul(MAX_COMPRESSION);
@@ -118,10 +117,11 @@ fn pictures(
         // What the compression of a picture says is not used.
         let stored = sizes.count(16, U32)?;
         if stored != bytes {
-            return Err(ReadError::Unsupported(format!(
+            return Err(unsupported!(
                 "holds a picture of {} x {} points in {stored} bytes; allowed: {bytes}",
-                points[0], points[1]
-            )));
+                points[0],
+                points[1]
+            ));
         }
         let numbers = numbers(start + SIZES + PALETTE, kind, bytes)?;
         let channel = Channel { pixel: Some(pixel), ..Channel::new(name, points, numbers) };

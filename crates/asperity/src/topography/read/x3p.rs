@@ -152,10 +152,7 @@ impl<'a> Archive<'a> {
     /// The index of the entry `name`, whose length must be `bytes`.
     fn sized(&mut self, name: &str, bytes: u64) -> Result<usize, ReadError> {
         let index = self.find(name).ok_or_else(|| {
-            ReadError::Corrupt(format!(
-                "links to {name}, which is not in the archive; found: {}",
-                self.names()
-            ))
+            corrupt!("links to {name}, which is not in the archive; found: {}", self.names())
         })?;
         let (found, packed) = {
             let entry = self.0.by_index_raw(index).map_err(of_zip)?;
@@ -163,9 +160,7 @@ impl<'a> Archive<'a> {
         };
         if found != bytes {
             let kind = if found < bytes { "is truncated" } else { "is inconsistent" };
-            return Err(ReadError::Corrupt(format!(
-                "{kind}: {name} holds {found} bytes; allowed: {bytes}, as {MAIN} says"
-            )));
+            return Err(corrupt!("{kind}: {name} holds {found} bytes; allowed: {bytes}, as {MAIN} says"));
         }
         check_packed(name, packed.min(self.2.length()), found)?;
         Ok(index)
@@ -184,10 +179,10 @@ impl<'a> Archive<'a> {
             .map_err(of_io)?;
         count.end();
         if content.len() as u64 > most {
-            return Err(ReadError::Unsupported(format!(
+            return Err(unsupported!(
                 "holds {} of more than {most} bytes; allowed: at most {most}, heights in a binary file",
                 self.0.name_for_index(index).and_then(Result::ok).as_deref().unwrap_or("an entry")
-            )));
+            ));
         }
         Ok(content)
     }
@@ -197,11 +192,11 @@ impl<'a> Archive<'a> {
         let index = self.sized(&link.name, bytes)?;
         let content = self.content(index, bytes, 0.7 * work)?;
         if content.len() as u64 != bytes {
-            return Err(ReadError::Corrupt(format!(
+            return Err(corrupt!(
                 "is truncated: {} holds {} bytes; allowed: {bytes}",
                 link.name,
                 content.len()
-            )));
+            ));
         }
         let count = self.2.count(0.3 * work, content.len());
         check_md5(&link.name, &content, link.md5.as_deref(), count)?;
@@ -211,10 +206,7 @@ impl<'a> Archive<'a> {
     fn main(&mut self) -> Result<Main, ReadError> {
         let index = self.find(MAIN).ok_or_else(|| {
             let unpack = if self.names().to_lowercase().contains(".x3p") { "; unpack it first" } else { "" };
-            ReadError::Mismatch(format!(
-                "is a zip archive without {MAIN}, not an X3P file; found: {}{unpack}",
-                self.names()
-            ))
+            mismatch!("is a zip archive without {MAIN}, not an X3P file; found: {}{unpack}", self.names())
         })?;
         let content = self.content(index, MAX_XML_BYTES, 0.0)?;
         // Its check sum is in a separate file: "1234... *main.xml"; some programs write that of the heights there.
@@ -232,13 +224,13 @@ impl<'a> Archive<'a> {
             .unwrap_or_else(|error| error.into_bytes().iter().map(|&byte| char::from(byte)).collect());
         let text = text.trim_start_matches('\u{feff}');
         if has_many_attributes(text) {
-            return Err(ReadError::Corrupt(format!(
+            return Err(corrupt!(
                 "has more than {MAX_ATTRIBUTES} attributes of an element, or namespaces, in {MAIN}"
-            )));
+            ));
         }
         let options = ParsingOptions { nodes_limit: MAX_NODES, ..ParsingOptions::default() };
         let document = Document::parse_with_options(text, options)
-            .map_err(|error| ReadError::Corrupt(format!("holds a {MAIN} that is not XML: {error}")))?;
+            .map_err(|error| corrupt!("holds a {MAIN} that is not XML: {error}"))?;
         let mut main = Main::parse(document.root_element())?;
         // Programs that edit main.xml leave its check sum as it was. The heights have one of their own, without which nothing vouches for them.
         if let Err(error) = checked {
@@ -276,27 +268,25 @@ fn check_md5(name: &str, content: &[u8], wanted: Option<&str>, mut count: Count)
     if found.eq_ignore_ascii_case(wanted) {
         return Ok(());
     }
-    Err(ReadError::Corrupt(format!(
-        "is damaged: {name} has the MD5 sum {found}; allowed: {wanted}, as the file says"
-    )))
+    Err(corrupt!("is damaged: {name} has the MD5 sum {found}; allowed: {wanted}, as the file says"))
 }
 
 fn of_zip(error: ZipError) -> ReadError {
     match error {
         ZipError::Io(error) => of_io(error),
         ZipError::UnsupportedArchive(reason) => {
-            ReadError::Unsupported(format!("uses an unsupported zip feature: {reason}"))
+            unsupported!("uses an unsupported zip feature: {reason}")
         }
-        error => ReadError::Corrupt(format!("is an invalid zip archive: {error}")),
+        error => corrupt!("is an invalid zip archive: {error}"),
     }
 }
 
 fn of_io(error: std::io::Error) -> ReadError {
     match error.kind() {
         ErrorKind::UnexpectedEof | ErrorKind::InvalidData | ErrorKind::InvalidInput | ErrorKind::Other => {
-            ReadError::Corrupt(format!("is an invalid zip archive: {error}"))
+            corrupt!("is an invalid zip archive: {error}")
         }
-        ErrorKind::Unsupported => ReadError::Unsupported(format!("uses an unsupported zip feature: {error}")),
+        ErrorKind::Unsupported => unsupported!("uses an unsupported zip feature: {error}"),
         _ => ReadError::Io(error),
     }
 }
@@ -313,7 +303,7 @@ fn text_at<'a>(node: Node<'a, 'a>, path: &[&str]) -> Option<&'a str> {
 }
 
 fn missing(path: &[&str]) -> ReadError {
-    ReadError::Corrupt(format!("has no {} in {MAIN}", path.join("/")))
+    corrupt!("has no {} in {MAIN}", path.join("/"))
 }
 
 fn needed<'a>(node: Node<'a, 'a>, path: &[&str]) -> Result<&'a str, ReadError> {
@@ -323,17 +313,17 @@ fn needed<'a>(node: Node<'a, 'a>, path: &[&str]) -> Result<&'a str, ReadError> {
 /// A finite number, or `default` if it is missing.
 fn number(node: Node, path: &[&str], default: Option<f64>) -> Result<f64, ReadError> {
     let Some(text) = text_at(node, path) else { return default.ok_or_else(|| missing(path)) };
-    text.parse().ok().filter(|value: &f64| value.abs() <= LARGEST).ok_or_else(|| {
-        ReadError::Corrupt(format!("has {} = \"{text}\" in {MAIN}; allowed: a finite number", path.join("/")))
-    })
+    text.parse()
+        .ok()
+        .filter(|value: &f64| value.abs() <= LARGEST)
+        .ok_or_else(|| corrupt!("has {} = \"{text}\" in {MAIN}; allowed: a finite number", path.join("/")))
 }
 
 fn size(node: Node, axis: &str) -> Result<u64, ReadError> {
     let path = ["MatrixDimension", axis];
     let text = needed(node, &path)?;
-    text.parse().map_err(|_| {
-        ReadError::Corrupt(format!("has {} = \"{text}\" in {MAIN}; allowed: a whole number", path.join("/")))
-    })
+    text.parse()
+        .map_err(|_| corrupt!("has {} = \"{text}\" in {MAIN}; allowed: a whole number", path.join("/")))
 }
 
 impl Main {
@@ -346,7 +336,7 @@ impl Main {
         let part = |name| {
             child(root, name).ok_or_else(|| {
                 let root = root.tag_name().name();
-                ReadError::Mismatch(format!("is not an X3P file: its {MAIN}, of {root}, has no {name}"))
+                mismatch!("is not an X3P file: its {MAIN}, of {root}, has no {name}")
             })
         };
         let (header, data) = (part("Record1")?, part("Record3")?);
@@ -356,10 +346,7 @@ impl Main {
                 return Ok(());
             };
             let found = shortened(found);
-            Err(ReadError::Unsupported(format!(
-                "has {} = {found}; allowed: {allowed}, which is {meaning}",
-                path.join("/")
-            )))
+            Err(unsupported!("has {} = {found}; allowed: {allowed}, which is {meaning}", path.join("/")))
         };
         only(&["FeatureType"], "SUR", "a surface")?;
         only(&["Axes", "CX", "AxisType"], "I", "an even spacing")?;
@@ -367,20 +354,18 @@ impl Main {
         only(&["Axes", "CZ", "AxisType"], "A", "a height for each point")?;
         let (nx, ny, layers) = (size(data, "SizeX")?, size(data, "SizeY")?, size(data, "SizeZ")?);
         if layers != 1 {
-            return Err(ReadError::Unsupported(format!("holds {layers} layers; allowed: one")));
+            return Err(unsupported!("holds {layers} layers; allowed: one"));
         }
         let mut pixel = [0.0; 2];
         for (size, axis) in pixel.iter_mut().zip(["CX", "CY"]) {
             *size = number(header, &["Axes", axis, "Increment"], None)?;
             if !is_positive(*size) {
-                return Err(ReadError::Corrupt(format!(
-                    "has Axes/{axis}/Increment = {size:e}; allowed: positive, in metres"
-                )));
+                return Err(corrupt!("has Axes/{axis}/Increment = {size:e}; allowed: positive, in metres"));
             }
         }
         let increment = number(header, &["Axes", "CZ", "Increment"], Some(1.0))?;
         if increment == 0.0 {
-            return Err(ReadError::Corrupt("has Axes/CZ/Increment = 0; allowed: other than zero".to_owned()));
+            return Err(corrupt!("has Axes/CZ/Increment = 0; allowed: other than zero"));
         }
         let offset = number(header, &["Axes", "CZ", "Offset"], Some(0.0))?;
         let stored = match text_at(header, &["Axes", "CZ", "DataType"]).unwrap_or("D") {
@@ -390,9 +375,7 @@ impl Main {
             "D" => NumberType::F64,
             found => {
                 let found = shortened(found);
-                return Err(ReadError::Unsupported(format!(
-                    "has Axes/CZ/DataType = {found}; allowed: I, L, F, D"
-                )));
+                return Err(unsupported!("has Axes/CZ/DataType = {found}; allowed: I, L, F, D"));
             }
         };
         let count = nx.checked_mul(ny).ok_or_else(too_large)?;
@@ -428,16 +411,16 @@ fn listed(list: Node, count: u64) -> Result<Vec<f64>, ReadError> {
         }
         text.parse().map_err(|_| {
             let found = shortened(text);
-            ReadError::Corrupt(format!("Datum {place}: found \"{found}\"; allowed: a number, or nothing"))
+            corrupt!("Datum {place}: found \"{found}\"; allowed: a number, or nothing")
         })
     };
     let values: Vec<f64> = (1..).zip(data).map(value).collect::<Result<_, _>>()?;
     if values.len() as u64 != count {
         let kind = if (values.len() as u64) < count { "is truncated" } else { "is inconsistent" };
-        return Err(ReadError::Corrupt(format!(
+        return Err(corrupt!(
             "{kind}: its DataList holds {} heights; allowed: {count}, as MatrixDimension says",
             values.len()
-        )));
+        ));
     }
     Ok(values)
 }

@@ -42,9 +42,7 @@ impl Grid {
             Some([axis(&nx, &dx)?, axis(&ny, &dy)?])
         });
         axes.map(|axes| Some(Self { axes })).ok_or_else(|| {
-            ReadError::Corrupt(format!(
-                "has the grid \"{stated}\"; allowed: such as \"128 x 96 points, 8e-7 x 8e-7\", or no line of this name"
-            ))
+            corrupt!("has the grid \"{stated}\"; allowed: such as \"128 x 96 points, 8e-7 x 8e-7\", or no line of this name")
         })
     }
 }
@@ -63,10 +61,10 @@ pub(super) fn measured(
     for (row, point) in (1..).zip(points) {
         checked.add(1);
         if let Some(found) = point[..2].iter().find(|value| value.is_nan() || value.abs() > LARGEST) {
-            return Err(ReadError::Corrupt(format!(
+            return Err(corrupt!(
                 "point {row} of {}: found the coordinate {found}; allowed: a finite number",
                 points.len()
-            )));
+            ));
         }
     }
     checked.end();
@@ -114,11 +112,11 @@ pub(super) fn measured(
 }
 
 fn no_grid(found: &str) -> ReadError {
-    ReadError::Unsupported(format!(
+    unsupported!(
         "holds three columns that are no points x y z of a regular grid: {found}; allowed: every point \
          within {TOLERANCE} of a pixel of a line, one point a place (or a matrix of heights that is not \
          three wide)"
-    ))
+    )
 }
 
 /// Equidistant lines of a grid.

@@ -2,10 +2,10 @@
 //!
 //! | module | format | what it holds besides heights |
 //! |---|---|---|
-//! | `npy` | NumPy array | |
+//! | `npy`, here | NumPy array of float64, the first index is x | |
 //! | `x3p` | ISO 25178-72 | pixel, unit, offset, notes |
 //! | [`gwy`] | Gwyddion | pixel, unit, notes; several fields of any unit |
-//! | `xyz` | columns x y z as text | pixel, unit, notes |
+//! | `xyz`, here | columns x y z as text, in metres, x fastest; missing points are left out | pixel, unit, notes |
 //!
 //! Read back by [`read`](super::read) a map has the same heights, missing points and pixel, to the bit. Heights are those of [`Rows`], in
 //! metres: an [offset](Rows::offset) that is kept apart is lost in all formats but X3P. The first y is the first line of an X3P and a `.gwy`
@@ -13,9 +13,7 @@
 //! by row, and take 64 MB at most; to write it is a unit of work for whoever watches the map.
 
 mod gwy;
-mod npy;
 mod x3p;
-mod xyz;
 
 use std::fs::File;
 use std::io::{self, BufWriter, Seek, Write};
@@ -23,6 +21,7 @@ use std::path::Path;
 
 use super::Rows;
 use crate::memory::zeros;
+use crate::npy;
 pub use gwy::{GwyField, gwy};
 
 /// What is said of a map: a name, such as "Preparation", and a text.
@@ -43,7 +42,7 @@ pub trait Out: Write + Seek {}
 impl<T: Write + Seek> Out for T {}
 
 /// All formats.
-pub static FORMATS: [&MapFormat; 4] = [&npy::FORMAT, &x3p::FORMAT, &gwy::FORMAT, &xyz::FORMAT];
+pub static FORMATS: [&MapFormat; 4] = [&NPY, &x3p::FORMAT, &gwy::FORMAT, &XYZ];
 
 impl MapFormat {
     /// The format whose files end in `ending`, in any case.
@@ -161,4 +160,36 @@ fn one_line(text: &str) -> String {
 
 fn too_large(what: &str) -> io::Error {
     io::Error::new(io::ErrorKind::InvalidInput, what.to_owned())
+}
+
+const NPY: MapFormat = MapFormat { ending: "npy", holds_notes: false, write: write_npy };
+
+fn write_npy(out: &mut dyn Out, map: &dyn Rows, _: &[Note]) -> io::Result<()> {
+    let [nx, ny] = map.points();
+    let row = |ix| {
+        let mut row = zeros(ny);
+        map.read(ix, &mut row);
+        map.progress().advance((nx as f64).recip());
+        row
+    };
+    npy::write(out, [nx, ny], (0..nx).flat_map(row))
+}
+
+const XYZ: MapFormat = MapFormat { ending: "xyz", holds_notes: true, write: write_xyz };
+
+fn write_xyz(out: &mut dyn Out, map: &dyn Rows, notes: &[Note]) -> io::Result<()> {
+    let ([nx, ny], [dx, dy]) = (map.points(), map.pixel());
+    for (name, text) in notes {
+        writeln!(out, "# {name}: {}", one_line(text))?;
+    }
+    // The reader takes the grid from this line: coordinates are multiples of the pixel, rounded.
+    writeln!(out, "# Grid: {nx} x {ny} points, {dx:e} x {dy:e}")?;
+    writeln!(out, "# x [m] y [m] z [m]")?;
+    let mut iy = 0;
+    each_line(map, |line| {
+        let y = iy as f64 * dy;
+        iy += 1;
+        let mut present = line.iter().enumerate().filter(|(_, z)| !z.is_nan());
+        present.try_for_each(|(ix, z)| writeln!(out, "{:e} {y:e} {z:e}", ix as f64 * dx))
+    })
 }

@@ -25,7 +25,7 @@ fn of_spot(points: [usize; 2], pixel: f64, film: f64, is_spot: impl Fn([f64; 2])
         [(k / ny) as f64 - 0.5 * nx as f64 - 0.317, (k % ny) as f64 - 0.5 * ny as f64 + 0.171]
             .map(|x| x * pixel)
     };
-    let current = conductor.through(&|k| is_spot(place(k))).unwrap();
+    let current = conductor.through(&|k| is_spot(place(k)), &Silent).unwrap();
     assert!(current.densities().iter().all(|&density| density >= 0.0), "no current flows back");
     current.conductance() * (nx * ny) as f64 * pixel * pixel
 }
@@ -86,7 +86,7 @@ fn neighbours_of_an_interface_share_the_flow() {
         let is_spot = |k: usize| {
             ((k / count) as f64 - middle - 0.317).hypot((k % count) as f64 - middle + 0.171) <= 8.0
         };
-        (conductor.through(&is_spot).unwrap().conductance() * (count * count) as f64).recip()
+        (conductor.through(&is_spot, &Silent).unwrap().conductance() * (count * count) as f64).recip()
     };
     let [near, far] = [160, 320].map(resistance);
     let expected = 3.900_265 / PI * (1.0 / 160.0 - 1.0 / 320.0);
@@ -112,7 +112,7 @@ fn layers_between_their_limits() {
         let pair = ConductingPair::new(0.3, 1.0, layer);
         let conductor = Conductor::new([96, 96], [1.0; 2], Boundary::Mirrored, &pair, film, ERROR).unwrap();
         let is_spot = |k: usize| ((k / 96) as f64 - 40.3).hypot((k % 96) as f64 - 50.1) <= 8.0;
-        conductor.through(&is_spot).unwrap().conductance().recip()
+        conductor.through(&is_spot, &Silent).unwrap().conductance().recip()
     };
     let bare = of(None, 0.0);
     assert!((of(Some((1.0, 5.0)), 0.0) / bare - 1.0).abs() < 1e-12);
@@ -148,7 +148,7 @@ fn a_layer_under_a_spot() {
     let resistance = |layer: Option<(f64, f64)>| {
         let pair = ConductingPair::new(1e-9, 1.0, layer);
         let conductor = Conductor::new([COUNT; 2], [1.0; 2], Boundary::Periodic, &pair, 0.0, ERROR).unwrap();
-        let of_lattice = (conductor.through(&is_spot).unwrap().conductance() * area).recip();
+        let of_lattice = (conductor.through(&is_spot, &Silent).unwrap().conductance() * area).recip();
         // The layer lies under the uniform flow, too.
         of_lattice
             + lattice
@@ -178,8 +178,8 @@ fn conductance_is_the_stiffness_of_an_elastic_contact() {
         let conductor = Conductor::new(map.points(), map.pixel(), boundary, &conducting, 0.0, 1e-11).unwrap();
         for load in [0.01, 0.1] {
             let contact = solver.at_pressure(load, &Silent).unwrap();
-            let stiffness = solver.tangent(&contact).unwrap().stiffness_of_approach();
-            let current = conductor.current(&contact).unwrap();
+            let stiffness = solver.tangent(&contact, &Silent).unwrap().stiffness_of_approach();
+            let current = conductor.current(&contact, &Silent).unwrap();
             let ratio = current.conductance() * pair.reduced_modulus() * 2.0 / stiffness;
             assert!((ratio - 1.0).abs() < 1e-8, "{}: {ratio}", boundary.name());
             let shares = current.block_shares(&Blocks { points: map.points(), counts: [4, 4] });
@@ -200,8 +200,8 @@ fn spots_that_yield_conduct() {
     let conducting = ConductingPair::new(1.0, 1.0, None);
     let conductor =
         Conductor::new(map.points(), map.pixel(), Boundary::Periodic, &conducting, 0.0, 1e-9).unwrap();
-    let conductance = conductor.current(&contact).unwrap().conductance();
-    assert!(conductance > 1.2 * solver.tangent(&contact).unwrap().stiffness());
+    let conductance = conductor.current(&contact, &Silent).unwrap().conductance();
+    assert!(conductance > 1.2 * solver.tangent(&contact, &Silent).unwrap().stiffness());
 }
 
 /// Full contact conducts without a constriction; no contact does not conduct.
@@ -210,7 +210,7 @@ fn full_contact_and_none() {
     let of = |is_spot: bool| {
         let conductor =
             Conductor::new([16, 16], [1.0; 2], Boundary::Periodic, &unit_pair(), 0.0, ERROR).unwrap();
-        conductor.through(&move |_| is_spot).map(|current| current.conductance())
+        conductor.through(&move |_| is_spot, &Silent).map(|current| current.conductance())
     };
     assert_eq!((of(true), of(false)), (None, None));
 }

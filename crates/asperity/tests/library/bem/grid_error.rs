@@ -42,7 +42,7 @@ fn solved(map: &HeightMap, cap: Option<f64>, loads: &[f64]) -> Vec<([f64; 3], Gr
         Solver::new(map, &pair, &Options { boundary: Boundary::Periodic, error: 1e-6, cap }).unwrap();
     let at = |&load: &f64| {
         let contact = solver.at_pressure(load, &Silent).unwrap();
-        let stiffness = solver.tangent(&contact).unwrap().stiffness();
+        let stiffness = solver.tangent(&contact, &Silent).unwrap().stiffness();
         let values = [contact.area_ratio().ln(), contact.mean_gap() * stiffness / load, stiffness.ln()];
         (values, GridError::new(&contact))
     };

@@ -1,7 +1,6 @@
 //! What must hold for any map.
 
 use std::f64::consts::{PI, TAU};
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity::analytical::mean_deflection;
@@ -118,7 +117,7 @@ fn the_same_bits_on_any_number_of_threads() {
             pool.install(|| {
                 let solver = Solver::new(&map, &pair, &options).unwrap();
                 let contact = solver.at_pressure(0.03, &Silent).unwrap();
-                let tangent = solver.tangent(&contact).unwrap();
+                let tangent = solver.tangent(&contact, &Silent).unwrap();
                 let bits = [contact.pressures(), tangent.pressures()]
                     .map(|all| all.iter().map(|p| p.to_bits()).collect::<Vec<_>>());
                 let numbers = [contact.mean_gap(), tangent.stiffness()].map(f64::to_bits);
@@ -127,16 +126,6 @@ fn the_same_bits_on_any_number_of_threads() {
         };
         let alone = on(1);
         assert!([2, 3, 7].into_iter().all(|threads| on(threads) == alone), "{boundary:?}");
-    }
-}
-
-/// Units of progress.
-#[derive(Default)]
-struct Units(Mutex<f64>);
-
-impl Progress for Units {
-    fn advance(&self, work: f64) {
-        *self.0.lock().unwrap() += work;
     }
 }
 
@@ -163,34 +152,13 @@ fn each_convolution_shows_that_it_goes_on() {
             signs.0.into_inner()
         };
         let contact = solver.at_pressure(0.03, &Silent).unwrap();
-        let tangent = solver.tangent(&contact).unwrap();
+        let tangent = solver.tangent(&contact, &Silent).unwrap();
         let of_load = signs(&|signs| drop(solver.at_pressure(0.03, signs).unwrap()));
-        let of_tangent = signs(&|signs| drop(solver.watched_tangent(&contact, signs).unwrap()));
+        let of_tangent = signs(&|signs| drop(solver.tangent(&contact, signs).unwrap()));
         // Rows there and back, and half as many columns.
         let each = 5 * SIDE / 16;
         assert!(of_load >= contact.convolutions * each, "{boundary:?}: {of_load}");
         assert!(of_tangent >= tangent.steps * each, "{boundary:?}: {of_tangent}");
-    }
-}
-
-#[test]
-fn a_mean_gap_finds_its_load() {
-    let map = rough([96, 96], 0.8, 0.5, 0.08, 5);
-    for (boundary, cap) in
-        [(Boundary::Periodic, None), (Boundary::Mirrored, Some(0.4)), (Boundary::Finite, None)]
-    {
-        let solver = Solver::new(&map, &bare(), &Options { boundary, error: 1e-10, cap }).unwrap();
-        for load in [1e-4, 0.01, 0.2] {
-            let wanted = solver.at_pressure(load, &Silent).unwrap();
-            let loads = Units::default();
-            let found = solver.at_mean_gap(wanted.mean_gap(), &loads).unwrap();
-            assert!((found.pressure() / load - 1.0).abs() < 1e-6, "{boundary:?}: {load}");
-            let loads = loads.0.into_inner().unwrap();
-            assert!(loads < 14.5, "{boundary:?}: {load}: {loads} loads");
-        }
-        for gap in [-1.0, 0.0, f64::NAN, 1e3] {
-            assert!(matches!(solver.at_mean_gap(gap, &Silent), Err(SolverError::Gap(_))), "{gap}");
-        }
     }
 }
 

@@ -19,7 +19,7 @@ fn error(map: &HeightMap, load: f64) -> f64 {
     let solver = Solver::new(map, &pair, &options(Boundary::Finite, 1e-10, None)).unwrap();
     let nominal = (3.0 * RADIUS).powi(2);
     let contact = solver.at_pressure(load / nominal, &Silent).unwrap();
-    nominal * solver.tangent(&contact).unwrap().stiffness_of_approach() / (2.0 * RADIUS) - 1.0
+    nominal * solver.tangent(&contact, &Silent).unwrap().stiffness_of_approach() / (2.0 * RADIUS) - 1.0
 }
 
 /// Hertz: 2 a E*.
@@ -70,7 +70,7 @@ fn it_is_the_derivative_by_the_load() {
         let solver = Solver::new(&map, pair, &options(boundary, 1e-12, cap)).unwrap();
         for p in [0.002, 0.01, 0.05, 0.15] {
             let at = |factor: f64| solver.at_pressure(factor * p, &Silent).unwrap();
-            let tangent = solver.tangent(&at(1.0)).unwrap();
+            let tangent = solver.tangent(&at(1.0), &Silent).unwrap();
             let [low, high] = [at(1.0 - STEP), at(1.0 + STEP)];
             let slope = |of: fn(&Contact) -> f64| (of(&high) - of(&low)) / (2.0 * STEP * p);
             let gap = -slope(Contact::mean_gap) * tangent.stiffness() - 1.0;
@@ -96,7 +96,7 @@ fn the_error_of_the_solver_hardly_counts() {
             let [coarse, fine] = [1e-6, 1e-12].map(|error| {
                 let solver = Solver::new(&map, &pair, &options(boundary, error, None)).unwrap();
                 let contact = solver.at_pressure(p, &Silent).unwrap();
-                (solver.tangent(&contact).unwrap(), contact.steps)
+                (solver.tangent(&contact, &Silent).unwrap(), contact.steps)
             });
             let error = (coarse.0.stiffness_of_approach() / fine.0.stiffness_of_approach()).ln();
             assert!(error.abs() < 1e-6 && coarse.0.error < 1e-6, "{boundary:?} {p}: {error:e}");
@@ -112,7 +112,7 @@ fn blocks_share_an_increase_of_the_load() {
     let blocks = Blocks { points: map.points(), counts: [3, 2] };
     let solver = Solver::new(&map, &pair, &options(Boundary::Periodic, 1e-9, Some(0.4))).unwrap();
     let at = |p: f64| solver.at_pressure(p, &Silent).unwrap();
-    let tangent = solver.tangent(&at(0.05)).unwrap();
+    let tangent = solver.tangent(&at(0.05), &Silent).unwrap();
     let shares = tangent.block_shares(&blocks);
     assert!((shares.iter().sum::<f64>() - 1.0).abs() < 1e-12, "{shares:?}");
     let [low, high] = [0.0499, 0.0501].map(|p| at(p).block_sums(&blocks));
@@ -127,7 +127,7 @@ fn there_is_none_in_full_contact_and_where_no_point_may_change() {
     let map = rough([64, 64], 0.8, 0.9, 0.1, 4);
     let tangent = |boundary: Boundary, cap: Option<f64>, p: f64| {
         let solver = Solver::new(&map, &pair, &options(boundary, 1e-9, cap)).unwrap();
-        solver.tangent(&solver.at_pressure(p, &Silent).unwrap()).map(|tangent| tangent.stiffness())
+        solver.tangent(&solver.at_pressure(p, &Silent).unwrap(), &Silent).map(|tangent| tangent.stiffness())
     };
     for boundary in [Boundary::Periodic, Boundary::Mirrored] {
         assert!(tangent(boundary, None, 50.0).is_none() && tangent(boundary, None, 0.5).is_some());

@@ -90,6 +90,7 @@ pub struct Reached {
 
 /// A target that cannot be met.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[allow(missing_docs)] // The texts say what fields are.
 pub enum Unreachable {
     /// The product is outside the range found.
     #[error(
@@ -97,43 +98,20 @@ pub enum Unreachable {
          {least:.5} (a ratio of roll-off to cut-off of {from:.3}) to {most:.5} (of {to:.3}); allowed: a product in this range, or \
          other heights, another Hurst exponent, another cut-off-pixels or more points"
     )]
-    Product {
-        /// The prescribed product.
-        product: f64,
-        /// The smallest product found.
-        least: f64,
-        /// Its ratio of roll-off to cut-off wavelength.
-        from: f64,
-        /// The largest product found.
-        most: f64,
-        /// Its ratio of roll-off to cut-off wavelength.
-        to: f64,
-    },
+    Product { product: f64, least: f64, from: f64, most: f64, to: f64 },
     /// The product jumps across the prescribed value.
     #[error(
         "density * radius * sigma = {product:.5} lies in a jump, from {below:.5} to {above:.5}: the map holds too few summits; \
          allowed: more points"
     )]
-    Jump {
-        /// The prescribed product.
-        product: f64,
-        /// The nearest product below.
-        below: f64,
-        /// The nearest product above.
-        above: f64,
-    },
+    Jump { product: f64, below: f64, above: f64 },
     /// The map is too small for a bandwidth above 1.
     #[error(
         "found {} x {} points; allowed with summits: more than {least} along each axis, so that four waves of the cut-off, and longer \
          ones, fit (fewer with a smaller cut-off-pixels or elongation)",
         points[0], points[1]
     )]
-    TooFewPoints {
-        /// Points along x and y.
-        points: [usize; 2],
-        /// The number of points that must be exceeded.
-        least: usize,
-    },
+    TooFewPoints { points: [usize; 2], least: usize },
     /// A spectrum that the grid does not resolve.
     #[error(transparent)]
     Spectrum(#[from] SpectrumError),
