@@ -200,7 +200,10 @@ pub const GRID_BOUNDS: Program = Program {
 };
 
 fn run(task: &Task) -> Result<Evidence, Failed> {
-    let grid = solved(if task.is_full { &FULL } else { &SHORT }, task)?;
+    let grids = if task.is_full { &FULL } else { &SHORT };
+    task.progress.stage("grids", (GridCase::ALL.len() * grids.realisations) as f64);
+    let seed = |realisation: usize| task.stream_seed(&format!("solver grid {realisation}"));
+    let grid = grid_errors(grids, seed, task.progress)?;
     Ok(Evidence {
         claim: claim(&grid),
         warnings: warnings(&grid),
@@ -210,13 +213,6 @@ fn run(task: &Task) -> Result<Evidence, Failed> {
         papers: vec![literature::POLONSKY_KEER_1999, literature::YASTREBOV_2017],
         ..Evidence::default()
     })
-}
-
-/// The grids of a task, with its progress and its random numbers.
-pub(super) fn solved(grids: &Grids, task: &Task) -> Result<Vec<GridPoint>, Failed> {
-    task.progress.stage("grids", (GridCase::ALL.len() * grids.realisations) as f64);
-    let seed = |realisation: usize| task.stream_seed(&format!("solver grid {realisation}"));
-    grid_errors(grids, seed, task.progress)
 }
 
 const QUANTITIES: [&str; 3] = ["area", "separation", "stiffness"];
@@ -237,7 +233,7 @@ fn exceeded(grid: &[GridPoint]) -> [f64; 3] {
 }
 
 /// How many errors exceed the bounds that the reference states, on average.
-pub(super) fn claim(grid: &[GridPoint]) -> String {
+fn claim(grid: &[GridPoint]) -> String {
     let contacts: usize = grid.iter().map(|point| point.contacts).sum();
     let parts = exceeded(grid).into_iter();
     let part = parts.fold(0.0, f64::max);
@@ -249,7 +245,7 @@ pub(super) fn claim(grid: &[GridPoint]) -> String {
 }
 
 /// Bounds that too many errors exceed, a line each.
-pub(super) fn warnings(grid: &[GridPoint]) -> Vec<String> {
+fn warnings(grid: &[GridPoint]) -> Vec<String> {
     let parts = QUANTITIES.into_iter().zip(exceeded(grid)).filter(|(_, part)| *part > MAY_EXCEED);
     let line = |(quantity, part): (&str, f64)| {
         let (part, allowed) = (percent(part), percent(MAY_EXCEED));
@@ -259,7 +255,7 @@ pub(super) fn warnings(grid: &[GridPoint]) -> Vec<String> {
 }
 
 /// The share of the contacts whose errors exceed their bounds, against points per shortest wave on the coarser axis.
-pub(super) fn drawing(grid: &[GridPoint]) -> Drawing {
+fn drawing(grid: &[GridPoint]) -> Drawing {
     const MARKERS: [Marker; 5] =
         [Marker::Circle, Marker::Square, Marker::Triangle, Marker::Cross, Marker::Ring];
     let panel = |(quantity, name): (usize, &str)| {

@@ -22,6 +22,7 @@ named_enum! {
         Sinusoid = "sinusoid",
         FullContact = "full-contact",
         LayeredSphere = "layered-sphere",
+        Ensemble = "ensemble",
     }
 }
 
@@ -34,6 +35,8 @@ named_enum! {
         RawArea = "raw-area",
         /// The same, corrected for the border.
         Area = "area",
+        /// Points in contact, extrapolated to infinitely many.
+        LimitArea = "extrapolated-area",
         PeakPressure = "peak-pressure",
         /// Root mean square of the error of the pressures over that of the pressures.
         Pressures = "pressures",
@@ -47,7 +50,7 @@ named_enum! {
 pub struct Benchmark {
     pub problem: Problem,
     pub case: String,
-    /// Points per contact radius or per wavelength.
+    /// Points per contact radius or per wavelength; of the ensemble along a side.
     pub points: usize,
     pub quantity: BenchmarkQuantity,
     /// The exact value; `None` of a norm of an error.
@@ -67,15 +70,15 @@ impl Benchmark {
     }
 }
 
-struct Case {
-    problem: Problem,
-    name: String,
-    points: usize,
+pub(super) struct Case {
+    pub(super) problem: Problem,
+    pub(super) name: String,
+    pub(super) points: usize,
 }
 
 impl Case {
     /// A quantity: its exact and computed value (`None` of a norm of an error), its error, and the largest that is allowed.
-    fn benchmark(
+    pub(super) fn benchmark(
         &self,
         quantity: BenchmarkQuantity,
         values: Option<[f64; 2]>,

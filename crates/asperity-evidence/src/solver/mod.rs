@@ -6,7 +6,7 @@
 //! |---|---|
 //! | `known` | paraboloids on a half-space (Hertz) and on a bonded layer, waves in partial and in full contact |
 //! | `surfaces` | self-affine surfaces of a given r.m.s. gradient |
-//! | `ensemble` | area and gap of a published ensemble |
+//! | `ensemble` | areas of a published ensemble |
 //! | `grid` | errors by the grid against the bounds that are stated; the program `grid-bounds` |
 //! | `validation` | the program `solver-validation` |
 
