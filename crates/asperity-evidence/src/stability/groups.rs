@@ -155,10 +155,6 @@ impl Counts {
             CheckKind::Load => self.loads,
         }
     }
-
-    pub fn total(&self) -> u64 {
-        Group::ALL.into_iter().map(|group| self.in_group(group)).sum()
-    }
 }
 
 #[derive(Debug, Clone)]
