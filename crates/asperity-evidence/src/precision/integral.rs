@@ -14,8 +14,8 @@ use quad_rs::{Integrable, IntegratorConfig, integrate_real};
 
 use super::timing::{Candidate, medians};
 use super::{Cost, Point, Problem, SHIPPED};
+use crate::Failed;
 use crate::exact::{self, Bodies, Exact, Integral};
-use crate::program::Failed;
 use crate::wide::Wide;
 use asperity::distribution::Gaussian;
 use asperity::{HeightDistribution, MicroContact, Model, Population, Shape, Statistical};

@@ -8,9 +8,9 @@ pub mod sum;
 mod timing;
 
 use crate::exact::{Bodies, CoveredLaw};
-use crate::program::{Drawing, Evidence, Failed, Form, Program, Task};
 use crate::solver::{BenchmarkQuantity, hertz};
 use crate::wide::{Wide, relative_error};
+use crate::{Drawing, Evidence, Failed, Form, Program, Task};
 use asperity::{Heights, Material, Population, literature, named_enum};
 use asperity_contact_framework::columns;
 use asperity_contact_framework::report::format::{count, number, one_digit, quantity};

@@ -18,12 +18,6 @@ const SEPARATIONS: [f64; 2] = [4.0, 0.0];
 /// Number of separations, which the shipped sum evaluates together.
 const POINTS: usize = 10;
 
-/// One term after the other.
-const NAIVE: &str = "naive";
-
-/// The same with the rounding error of every addition kept.
-const COMPENSATED: &str = "compensated";
-
 /// A random set and the contact that its asperities make.
 struct RandomSet<'a> {
     contact: &'a dyn MicroContact,
@@ -44,13 +38,14 @@ impl RandomSet<'_> {
         }
     }
 
-    /// Area (m^2) and load (N) at one separation.
+    /// Area (m^2) and load (N) at one separation, one term after the other.
     fn naive(&self, h: f64) -> [f64; 2] {
         let mut sums = [0.0; 2];
         self.each(h, |[area, load]| sums = [sums[0] + area, sums[1] + load]);
         sums
     }
 
+    /// The same with the rounding error of every addition kept.
     fn compensated(&self, h: f64) -> [f64; 2] {
         let mut sums = [Sum::default(); 2];
         self.each(h, |[area, load]| {
@@ -104,7 +99,7 @@ pub fn sums(
         evaluations: None,
         cost: Cost::new(seconds, &values, &exact),
     };
-    Ok([NAIVE, COMPENSATED, SHIPPED].into_iter().zip(medians(&methods)).map(point).collect())
+    Ok(["naive", "compensated", SHIPPED].into_iter().zip(medians(&methods)).map(point).collect())
 }
 
 #[cfg(test)]

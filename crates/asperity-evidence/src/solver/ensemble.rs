@@ -11,7 +11,7 @@ use asperity::progress::{Progress, Silent};
 
 use super::known::{Benchmark, BenchmarkQuantity, Case, Problem};
 use super::{SelfAffine, unit_pair};
-use crate::program::Failed;
+use crate::Failed;
 
 /// p/E*, and the part of the nominal area that is in contact.
 pub const PUBLISHED: [[f64; 2]; 8] = [
@@ -43,32 +43,27 @@ const ENSEMBLE: SelfAffine = SelfAffine {
 const WITHIN: f64 = 0.05;
 const ERRORS: f64 = 2.0;
 
-#[derive(Debug, Clone, Copy)]
-pub struct Ensemble {
-    /// Points along a side, ascending, at least two.
-    pub points: &'static [usize],
-    pub realisations: usize,
-    pub published: &'static [[f64; 2]],
-    /// Relative dual gap.
-    pub error: f64,
-}
+/// Relative dual gap.
+const DUAL_GAP: f64 = 1e-6;
 
-/// Areas of surfaces of the published ensemble on each grid, and extrapolated from the two finest, surface by surface: linearly in the
+/// Areas of surfaces of the published ensemble on grids of ascending `points` along a side, and extrapolated from the two finest, surface by surface: linearly in the
 /// pixel, with which the error of counted areas falls. One unit of progress for each pressure of each map.
 pub fn ensemble(
-    of: &Ensemble,
+    points: &[usize],
+    realisations: usize,
+    published: &[[f64; 2]],
     seed: impl Fn(usize) -> [u8; 32],
     progress: &dyn Progress,
 ) -> Result<Vec<Benchmark>, Failed> {
     let pair = unit_pair()?;
-    let options = Options { boundary: Boundary::Periodic, error: of.error, cap: None };
+    let options = Options { boundary: Boundary::Periodic, error: DUAL_GAP, cap: None };
     // Counted and corrected areas by grid, pressure and surface.
-    let mut areas = vec![vec![Vec::<[f64; 2]>::new(); of.published.len()]; of.points.len()];
-    for realisation in 0..of.realisations {
-        for (areas, &points) in areas.iter_mut().zip(of.points) {
+    let mut areas = vec![vec![Vec::<[f64; 2]>::new(); published.len()]; points.len()];
+    for realisation in 0..realisations {
+        for (areas, &points) in areas.iter_mut().zip(points) {
             let map = ENSEMBLE.surface(points, seed(realisation))?;
             let solver = Solver::new(&map, &pair, &options)?;
-            for (areas, [pressure, _]) in areas.iter_mut().zip(of.published) {
+            for (areas, [pressure, _]) in areas.iter_mut().zip(published) {
                 let contact = solver.at_pressure(*pressure, &Silent)?;
                 areas.push([contact.raw_area_ratio(), contact.area_ratio()]);
                 progress.advance(1.0);
@@ -76,23 +71,26 @@ pub fn ensemble(
         }
     }
     let mut benchmarks = Vec::new();
-    let ([.., coarse, fine], [.., few, many]) = (&areas[..], of.points) else { return Ok(benchmarks) };
-    let share = (*many as f64 / *few as f64 - 1.0).recip();
-    for (k, &[pressure, published]) in of.published.iter().enumerate() {
-        let case = |points| Case { problem: Problem::Ensemble, name: format!("p = {pressure} E*"), points };
-        let benchmark = |points: usize, quantity, area: f64, allowed| {
-            case(points).benchmark(quantity, Some([published, area]), area / published - 1.0, allowed)
-        };
-        for (&points, areas) in of.points.iter().zip(&areas) {
-            let [counted, corrected] =
-                [0, 1].map(|which| mean_and_error(areas[k].iter().map(|area| area[which])));
-            benchmarks.push(benchmark(points, BenchmarkQuantity::RawArea, counted[0], None));
-            benchmarks.push(benchmark(points, BenchmarkQuantity::Area, corrected[0], None));
+    let mut add = |points, quantity, k: usize, area: f64, error: Option<f64>| {
+        let [pressure, published] = published[k];
+        let case = Case { problem: Problem::Ensemble, name: format!("p = {pressure} E*"), points };
+        let allowed = error.map(|error| WITHIN + ERRORS * error / published);
+        benchmarks.push(case.benchmark(quantity, Some([published, area]), area / published - 1.0, allowed));
+    };
+    for (&points, areas) in points.iter().zip(&areas) {
+        for (k, areas) in areas.iter().enumerate() {
+            for (which, quantity) in [(0, BenchmarkQuantity::RawArea), (1, BenchmarkQuantity::Area)] {
+                let [area, _] = mean_and_error(areas.iter().map(|area| area[which]));
+                add(points, quantity, k, area, None);
+            }
         }
+    }
+    let ([.., coarse, fine], [.., few, many]) = (&areas[..], points) else { return Ok(benchmarks) };
+    let share = (*many as f64 / *few as f64 - 1.0).recip();
+    for (k, (coarse, fine)) in coarse.iter().zip(fine).enumerate() {
         let limit = |(coarse, fine): (&[f64; 2], &[f64; 2])| fine[0] + share * (fine[0] - coarse[0]);
-        let [limit, error] = mean_and_error(coarse[k].iter().zip(&fine[k]).map(limit));
-        let allowed = WITHIN + ERRORS * error / published;
-        benchmarks.push(benchmark(*many, BenchmarkQuantity::LimitArea, limit, Some(allowed)));
+        let [limit, error] = mean_and_error(coarse.iter().zip(fine).map(limit));
+        add(*many, BenchmarkQuantity::LimitArea, k, limit, Some(error));
     }
     Ok(benchmarks)
 }

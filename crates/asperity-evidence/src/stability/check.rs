@@ -70,22 +70,11 @@ pub enum Failure {
     Unsettled,
 }
 
-type Checked = Result<Vec<Deviation>, Failure>;
+pub type Checked = Result<Vec<Deviation>, Failure>;
 
-#[derive(Debug, Clone)]
-pub struct CheckedCase {
-    pub case: Case,
-    pub outcome: Checked,
-}
-
-pub(super) fn check(case: Case) -> CheckedCase {
-    let contact = case.bodies.contact().map_err(|error| Failure::Refused(error.to_string()));
-    let outcome = contact.and_then(|contact| deviations(&case, &*contact));
-    CheckedCase { case, outcome }
-}
-
-fn deviations(case: &Case, contact: &dyn MicroContact) -> Checked {
-    let exact = Exact::new(&case.bodies);
+pub(super) fn check(case: &Case) -> Checked {
+    let contact = case.bodies.contact().map_err(|error| Failure::Refused(error.to_string()))?;
+    let (exact, contact) = (Exact::new(&case.bodies), &*contact);
     match &case.input {
         CaseInput::Contact { w, radius } if case.group == Group::Denormals => {
             denormal_contact(&exact, contact, *w, *radius)

@@ -1,11 +1,5 @@
 //! Numerical error of `f64`: thousands of random and adversarial cases over the whole range of representable inputs, each checked by an
 //! evaluation of about 32 digits that shares nothing with the models but the equations.
-//!
-//! | file | what lives there |
-//! |---|---|
-//! | `groups` | the groups of cases, how far each may be off, and how far it is |
-//! | `cases` | the cases themselves, each from the seed, its group and its number |
-//! | `check` | error of a result |
 
 mod cases;
 mod check;
@@ -15,10 +9,10 @@ pub use cases::{Layout, SetParameters};
 pub use groups::{CheckKind, CheckedQuantity, Counts, Group, GroupResults, WorstCase, check_group};
 
 use crate::exact::{CoveredLaw, density_of};
-use crate::program::{Drawing, Evidence, Failed, Form, Program, Task};
+use crate::{Drawing, Evidence, Failed, Form, Program, Task};
 use asperity::contact_law::registry;
 use asperity::distribution::{Entry, REGISTRY};
-use asperity::{ContactLaw, Paper, literature};
+use asperity::{ContactLaw, literature};
 use asperity_contact_framework::columns;
 use asperity_contact_framework::report::format::{count, listed, one_digit};
 use asperity_contact_framework::report::table::{Column, Row, Schema, Table};
@@ -39,15 +33,6 @@ pub const STABILITY: Program = Program {
     run,
 };
 
-/// Papers on the layer.
-const PAPERS: [Paper; 5] = [
-    literature::PASARIBU_SCHIPPER_2005,
-    literature::GAO_CHIU_LEE_1992,
-    literature::SWAIN_MENCIK_1994,
-    literature::SONG_PHARR_1999,
-    literature::BHATTACHARYA_NIX_1988,
-];
-
 fn run(task: &Task) -> Result<Evidence, Failed> {
     let counts = if task.is_full { FULL } else { SHORT };
     let progress = task.progress;
@@ -60,8 +45,14 @@ fn run(task: &Task) -> Result<Evidence, Failed> {
         progress.step();
         results
     });
-    let worst =
-        groups.iter().flat_map(|group| group.worst.iter().map(move |worst| WorstRow { group, worst }));
+    let worst = groups.iter().flat_map(|group| group.worst.iter().map(move |worst| WorstRow(group, worst)));
+    let of_layers = [
+        literature::PASARIBU_SCHIPPER_2005,
+        literature::GAO_CHIU_LEE_1992,
+        literature::SWAIN_MENCIK_1994,
+        literature::SONG_PHARR_1999,
+        literature::BHATTACHARYA_NIX_1988,
+    ];
     let method = "Method: [stability](../../docs/stability.md).".to_owned();
     Ok(Evidence {
         claim: claim(&groups),
@@ -70,7 +61,7 @@ fn run(task: &Task) -> Result<Evidence, Failed> {
         tables: vec![Table::new(&groups), Table::new(worst)],
         hidden: WorstRow::FILE,
         set_up: not_covered().into_iter().chain([method]).collect(),
-        papers: registry().iter().flat_map(ContactLaw::papers).chain(PAPERS).collect(),
+        papers: registry().iter().flat_map(ContactLaw::papers).chain(of_layers).collect(),
     })
 }
 
@@ -165,10 +156,7 @@ impl Row for &GroupResults {
 }
 
 /// The errors of one quantity over the cases of a group.
-pub struct WorstRow<'a> {
-    group: &'a GroupResults,
-    worst: &'a WorstCase,
-}
+pub struct WorstRow<'a>(&'a GroupResults, &'a WorstCase);
 
 impl Row for WorstRow<'_> {
     const FILE: &'static str = "stability.csv";
@@ -177,18 +165,18 @@ impl Row for WorstRow<'_> {
 
     fn columns() -> Vec<Column<Self>> {
         columns! { row: Self =>
-            kind["text"] = row.group.group.kind().name(), "What is evaluated: `single contact`, `sum`, `integral` or `load control`.";
-            group["text"] = row.group.group.name(), "Group of cases.";
-            quantity["text"] = row.worst.quantity.name(), "Quantity whose error is given.";
-            cases["count"] = row.group.cases, "Cases checked.";
-            failures["count"] = row.group.failures.len(), "Cases that failed or could not be checked.";
-            median_error["1", one_digit, ignored] = row.worst.median, "Median of the errors.";
-            worst_error["1", one_digit, ignored] = row.worst.checked, "Error of the case closest to its bound; zero where the result is exact for a separation within rounding of the given one.";
-            bound["1", one_digit] = row.group.group.bound(row.worst.quantity), "Bound of the error under most laws.";
-            plain_error["1", one_digit, ignored] = row.worst.error, "Largest error, the rounding of the separation included.";
-            worst_bound["1", label("bound of the worst case"), one_digit, ignored] = row.worst.bound(), "Bound of the case closest to its bound, which a narrow elastic-plastic transition makes larger.";
-            worst_scene["count", label("worst case"), ignored] = row.worst.case.index, "Number of that case within its group.";
-            worst_inputs["text", ignored] = row.worst.case.inputs(), "Every input of that case, to run it again.";
+            kind["text"] = row.0.group.kind().name(), "What is evaluated: `single contact`, `sum`, `integral` or `load control`.";
+            group["text"] = row.0.group.name(), "Group of cases.";
+            quantity["text"] = row.1.quantity.name(), "Quantity whose error is given.";
+            cases["count"] = row.0.cases, "Cases checked.";
+            failures["count"] = row.0.failures.len(), "Cases that failed or could not be checked.";
+            median_error["1", one_digit, ignored] = row.1.median, "Median of the errors.";
+            worst_error["1", one_digit, ignored] = row.1.checked, "Error of the case closest to its bound; zero where the result is exact for a separation within rounding of the given one.";
+            bound["1", one_digit] = row.0.group.bound(row.1.quantity), "Bound of the error under most laws.";
+            plain_error["1", one_digit, ignored] = row.1.error, "Largest error, the rounding of the separation included.";
+            worst_bound["1", label("bound of the worst case"), one_digit, ignored] = row.1.bound(), "Bound of the case closest to its bound, which a narrow elastic-plastic transition makes larger.";
+            worst_scene["count", label("worst case"), ignored] = row.1.case.index, "Number of that case within its group.";
+            worst_inputs["text", ignored] = row.1.case.inputs(), "Every input of that case, to run it again.";
         }
     }
 }
