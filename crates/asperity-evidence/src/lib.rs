@@ -11,14 +11,17 @@
 pub mod coverage;
 pub mod exact;
 pub mod precision;
-mod program;
 pub mod solver;
 pub mod stability;
 pub mod wide;
 
+use std::error::Error;
 use std::fmt;
 use std::time::Instant;
 
+use asperity::Paper;
+use asperity::numeric::stream_seed;
+use asperity::progress::Progress;
 use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 use asperity_contact_framework::metadata::{Metadata, Timing};
 use asperity_contact_framework::report::Page;
@@ -26,12 +29,10 @@ use asperity_contact_framework::report::format::capitalised;
 use asperity_contact_framework::report::sections;
 use asperity_contact_framework::report::table::{Schema, Table, Tables};
 use asperity_contact_framework::{Group, Kind, Memory, Outcome, Plan, Reads, RunContext};
+use asperity_plot::Figure;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-pub use program::{Drawing, Evidence, Failed, Form, Program, Task};
-
-/// All programs.
 pub const PROGRAMS: [Program; 6] = [
     coverage::COVERAGE,
     coverage::COVERAGE_OF_SMALL_MAPS,
@@ -41,7 +42,69 @@ pub const PROGRAMS: [Program; 6] = [
     stability::STABILITY,
 ];
 
-/// `[evidence]`
+/// What keeps a program from its end.
+pub type Failed = Box<dyn Error + Send + Sync>;
+
+/// A program that `[evidence]` names.
+#[derive(Debug, Clone, Copy)]
+pub struct Program {
+    pub name: &'static str,
+    /// The short one, and the full one.
+    pub forms: [Form; 2],
+    pub tables: fn() -> Vec<Schema>,
+    pub run: fn(&Task) -> Result<Evidence, Failed>,
+}
+
+/// What one form of a program does, and about what it needs.
+#[derive(Debug, Clone, Copy)]
+pub struct Form {
+    pub about: &'static str,
+    /// Memory at its peak.
+    pub bytes: f64,
+    /// Micro-contacts that take about as long.
+    pub contacts: f64,
+}
+
+impl Form {
+    pub const fn new(about: &'static str, bytes: f64, contacts: f64) -> Self {
+        Self { about, bytes, contacts }
+    }
+}
+
+pub struct Task<'a> {
+    pub is_full: bool,
+    pub seed: u64,
+    pub progress: &'a dyn Progress,
+}
+
+impl Task<'_> {
+    pub fn stream_seed(&self, what: &str) -> [u8; 32] {
+        stream_seed(self.seed, what)
+    }
+}
+
+#[derive(Debug, Default)]
+pub struct Evidence {
+    /// The first sentences of the page.
+    pub claim: String,
+    pub warnings: Vec<String>,
+    /// The first is that of the claim.
+    pub drawings: Vec<Drawing>,
+    pub tables: Vec<Table>,
+    /// A file that the page does not show.
+    pub hidden: &'static str,
+    /// Paragraphs on what was run.
+    pub set_up: Vec<String>,
+    pub papers: Vec<Paper>,
+}
+
+#[derive(Debug)]
+pub struct Drawing {
+    pub file: &'static str,
+    pub figure: Figure,
+    pub caption: String,
+}
+
 pub struct EvidenceKind;
 
 /// A program that proves what Asperity claims of itself.
@@ -59,18 +122,13 @@ pub struct EvidenceSpec {
 #[derive(Debug, Clone, Copy)]
 pub struct EvidencePlan {
     program: Program,
+    form: Form,
     is_full: bool,
-}
-
-impl EvidencePlan {
-    fn form(&self) -> Form {
-        self.program.forms[usize::from(self.is_full)]
-    }
 }
 
 impl fmt::Display for EvidencePlan {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        writeln!(f, "  {}: {}", self.program.name, self.form().about)
+        writeln!(f, "  {}: {}", self.program.name, self.form.about)
     }
 }
 
@@ -88,7 +146,7 @@ impl Kind for EvidenceKind {
             let allowed = PROGRAMS.map(|program| program.name).join(", ");
             file.source.error_at(name.span(), format!("found \"{}\"; allowed: {allowed}", name.get_ref()))
         })?;
-        Ok(EvidencePlan { program, is_full: *full })
+        Ok(EvidencePlan { program, form: program.forms[usize::from(*full)], is_full: *full })
     }
 
     fn tables() -> Vec<Schema> {
@@ -104,11 +162,11 @@ impl Kind for EvidenceKind {
 
 impl Plan for EvidencePlan {
     fn memory(&self) -> Memory {
-        Memory { bytes: self.form().bytes as u128, key: None }
+        Memory { bytes: self.form.bytes as u128, key: None }
     }
 
     fn work(&self) -> u128 {
-        self.form().contacts as u128
+        self.form.contacts as u128
     }
 
     fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {

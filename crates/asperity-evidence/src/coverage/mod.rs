@@ -1,10 +1,4 @@
 //! Coverage of 95 % intervals: how often the interval that one map gives holds the mean over many maps of one process, the truth.
-//!
-//! | file | content |
-//! |---|---|
-//! | `process` | windows of an endless rough surface, and the loads at which they are examined |
-//! | `window` | one window as the library treats a measured map: both models with intervals, verdicts, other treatments |
-//! | `tables` | how often intervals hold the truth, and verdicts are wrong |
 
 mod process;
 mod tables;
@@ -14,7 +8,7 @@ pub use process::EndlessProcess;
 pub use tables::{Coverage, IntervalCount, VerdictCount, upper_limit};
 pub use window::{QuantityEstimate, WindowResults, WindowTask, WindowVerdict};
 
-use crate::program::{Drawing, Evidence, Failed, Form, Program, Task};
+use crate::{Drawing, Evidence, Failed, Form, Program, Task};
 use asperity::compare::{ByQuantity, ComparedQuantity, Verdict};
 use asperity::contact_law::named;
 use asperity::distribution::Johnson;

@@ -7,7 +7,7 @@ use asperity::topography::{Level, RoughPair};
 use asperity::{Deterministic, HeightMap, MicroContact, Model};
 
 use super::window::summits;
-use crate::program::Failed;
+use crate::Failed;
 
 /// Windows of one map.
 pub const WINDOWS_PER_MAP: usize = 4;

@@ -16,7 +16,7 @@ use asperity::topography::summits::Neighbours;
 use asperity::topography::{CorrelationLengths, Level};
 use asperity::work::{Counter, Timing};
 
-use crate::program::Failed;
+use crate::Failed;
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct QuantityEstimate {

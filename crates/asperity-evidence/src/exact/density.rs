@@ -2,6 +2,7 @@
 
 use std::sync::LazyLock;
 
+use super::ends;
 use crate::wide::{PI, Wide};
 use asperity::Heights;
 
@@ -114,7 +115,7 @@ impl Window {
         (self.density.steepness)(self.separation + x)
     }
 
-    /// The square root of the largest value: the value itself would be denormal where the result is not.
+    /// The square root of the largest value.
     pub fn root_of_peak(&self) -> Wide {
         (self.peak * 0.5).exp()
     }
@@ -122,17 +123,5 @@ impl Window {
 
 /// Where `holds` ends on the way from `from`, where it holds, to `to`; `to` where it holds there too.
 fn place(holds: impl Fn(Wide) -> bool, from: Wide, to: Wide) -> Wide {
-    if holds(to) || from == to {
-        return to;
-    }
-    let (mut inside, mut outside) = (from, to);
-    for _ in 0..60 {
-        let middle = (inside + outside) * 0.5;
-        if holds(middle) {
-            inside = middle;
-        } else {
-            outside = middle;
-        }
-    }
-    outside
+    if holds(to) || from == to { to } else { ends(holds, from, to, 60)[1] }
 }

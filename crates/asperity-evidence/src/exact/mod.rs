@@ -1,11 +1,4 @@
 //! Results in about 32 digits, from the equations of docs/theory.md: no formula, table or quadrature is shared with the models.
-//!
-//! | file | what lives there |
-//! |---|---|
-//! | `laws` | the laws that are covered, one table |
-//! | `layer` | the effective properties of a layered flat (Pasaribu and Schipper 2005, Eqs. 14-20) |
-//! | `density` | the height densities that are covered, one table |
-//! | `total` | sums over asperities, and integrals over a height density by the tanh-sinh rule |
 
 mod density;
 mod laws;
@@ -132,18 +125,12 @@ impl Exact {
         let (compliance, flat) = match &self.flat {
             ExactFlat::Homogeneous { compliance, yield_limits } => (*compliance, *yield_limits),
             ExactFlat::Layered(layer) => {
-                let effective = layer.effective(w, (shape.spheres * shape.radius * w).sqrt());
-                (
-                    effective.compliance,
-                    (self.law.twin.yield_limits)(effective.poisson, effective.hardness, None),
-                )
+                let contact_radius = (shape.spheres * shape.radius * w).sqrt();
+                let (compliance, poisson, hardness) = layer.effective(w, contact_radius);
+                (compliance, (self.law.twin.yield_limits)(poisson, hardness, None))
             }
         };
         EffectivePair { modulus: (self.rough_compliance + compliance).recip(), rough: self.rough, flat }
-    }
-
-    fn beside(&self) -> f64 {
-        if matches!(self.flat, ExactFlat::Layered(_)) { BESIDE_LAYERED } else { BESIDE }
     }
 
     /// (w/b) (E*/onset)^2; `None` where nothing yields.
@@ -153,16 +140,12 @@ impl Exact {
     }
 
     fn branch(&self, w: Wide, shape: &Shape) -> Branch {
-        let effective = self.effective(w, shape);
-        let flat_yields_first = effective.flat_has_smaller(|yield_limits| yield_limits.onset);
-        let range = Self::place(w, shape, &effective, flat_yields_first)
-            .map_or(0, |u| self.boundaries.iter().filter(|&&boundary| u >= boundary).count());
-        Branch { range, flat_yields_first, flat_is_weaker: effective.flat_has_smaller(|r| r.strength) }
+        self.branches(w, shape, -1.0)[0]
     }
 
-    /// The branch at `w`, and those within rounding of a boundary.
-    fn branches(&self, w: Wide, shape: &Shape) -> Vec<Branch> {
-        let near = |place: Wide, boundary: Wide| (place - boundary).abs() <= boundary * self.beside();
+    /// The branch at `w`, and those whose boundary is relatively nearer than `beside`.
+    fn branches(&self, w: Wide, shape: &Shape, beside: f64) -> Vec<Branch> {
+        let near = |place: Wide, boundary: Wide| (place - boundary).abs() <= boundary * beside;
         let effective = self.effective(w, shape);
         let sides = |of: fn(&YieldLimits) -> Wide| match (&effective.rough, &effective.flat) {
             (Some(rough), Some(flat)) if near(of(flat), of(rough)) => vec![false, true],
@@ -199,11 +182,6 @@ impl Exact {
         (shape.spheres * area, shape.spheres * load, regime)
     }
 
-    fn contact_by(&self, w: Wide, shape: &Shape, branch: Branch) -> Contact {
-        let (area, load, regime) = self.answer(w, shape, branch);
-        Contact { area, load, stiffness: self.stiffness_by(w, shape, branch), regime }
-    }
-
     /// dP/dw by central differences of the fourth order, with the formula held: good to 1e-24.
     fn stiffness_by(&self, w: Wide, shape: &Shape, branch: Branch) -> Wide {
         const STEP: f64 = 1e-6;
@@ -215,7 +193,13 @@ impl Exact {
     /// The contact at `w` (m); next to a boundary between two formulas, both.
     pub fn contacts(&self, w: f64, shape: &Shape) -> Vec<Contact> {
         let w = Wide::new(w);
-        self.branches(w, shape).into_iter().map(|branch| self.contact_by(w, shape, branch)).collect()
+        let contact = |branch: Branch| {
+            let (area, load, regime) = self.answer(w, shape, branch);
+            Contact { area, load, stiffness: self.stiffness_by(w, shape, branch), regime }
+        };
+        let is_layered = matches!(self.flat, ExactFlat::Layered(_));
+        let beside = if is_layered { BESIDE_LAYERED } else { BESIDE };
+        self.branches(w, shape, beside).into_iter().map(contact).collect()
     }
 }
 
@@ -253,16 +237,12 @@ impl Shape {
         let wanted = Wide::new(ratio).ln();
         // ln(ratio) decreases as v = ln(1 - m) grows, by 3/4 at a circle to 1.
         let value = |v: Wide| {
-            let [k, e] = complete(v.exp());
             let minor = v.exp();
+            let [k, e] = complete(minor);
             ((e / minor - k) / (k - e)).ln() - wanted
         };
-        let (mut low, mut high) = (-wanted * 4.0 / 3.0 - 1e-3, -wanted / 2.0);
-        for _ in 0..40 {
-            let middle = (low + high) * 0.5;
-            if value(middle) > Wide::ZERO { low = middle } else { high = middle }
-        }
-        let (mut before, mut now) = (low, high);
+        let (low, high) = (-wanted * 4.0 / 3.0 - 1e-3, -wanted / 2.0);
+        let [mut before, mut now] = ends(|v| value(v) > Wide::ZERO, low, high, 40);
         let (mut of_before, mut of_now) = (value(before), value(now));
         for _ in 0..6 {
             let change = of_now - of_before;
@@ -278,6 +258,15 @@ impl Shape {
         let half = PI / (k * 2.0);
         Self { radius: k * e * 4.0 / (PI * PI * mean_curvature), spheres: half * half / minor.sqrt() }
     }
+}
+
+/// Places on both sides of where `holds` ends on the way from `inside`, where it holds, to `outside`, by so many bisections.
+fn ends(holds: impl Fn(Wide) -> bool, mut inside: Wide, mut outside: Wide, steps: usize) -> [Wide; 2] {
+    for _ in 0..steps {
+        let middle = (inside + outside) * 0.5;
+        if holds(middle) { inside = middle } else { outside = middle }
+    }
+    [inside, outside]
 }
 
 /// K(m) and E(m), given 1 - m, by the arithmetic-geometric mean.

@@ -4,7 +4,7 @@
 //! law is.
 
 use super::density::{Density, Window, density_of};
-use super::{Branch, Exact, ExactFlat, Shape};
+use super::{Exact, ExactFlat, Shape, ends};
 use crate::wide::{Wide, integral};
 use asperity::Population;
 use rayon::prelude::*;
@@ -47,7 +47,7 @@ pub struct Total {
 }
 
 impl Total {
-    pub(super) const NONE: Self = Self {
+    const NONE: Self = Self {
         contacts: Wide::ZERO,
         area: [Wide::ZERO; 3],
         load: [Wide::ZERO; 3],
@@ -63,18 +63,7 @@ impl Total {
         self.load[0] + self.load[1] + self.load[2]
     }
 
-    /// The same, each part times a factor.
-    pub fn times(self, factor: Wide) -> Self {
-        Self {
-            contacts: self.contacts * factor,
-            area: self.area.map(|area| area * factor),
-            load: self.load.map(|load| load * factor),
-            stiffness: self.stiffness * factor,
-            squares: self.squares,
-        }
-    }
-
-    pub(super) fn plus(mut self, other: &Self) -> Self {
+    fn plus(mut self, other: &Self) -> Self {
         for regime in 0..3 {
             self.area[regime] += other.area[regime];
             self.load[regime] += other.load[regime];
@@ -158,7 +147,12 @@ impl Exact {
                 self.answer(w, shape, self.branch(w, shape)).1 * window.relative(x) * Wide::new(sign);
         }
         total.stiffness /= of.sigma;
-        Some(total.times(Wide::new(of.density)).times(window.root_of_peak()).times(window.root_of_peak()))
+        // The largest density itself would be denormal where the result is not.
+        for factor in [Wide::new(of.density), window.root_of_peak(), window.root_of_peak()] {
+            let parts = total.area.iter_mut().chain(&mut total.load);
+            parts.chain([&mut total.contacts, &mut total.stiffness]).for_each(|part| *part *= factor);
+        }
+        Some(total)
     }
 
     /// Boundaries between formulas, as x = w/sigma up to `end`.
@@ -180,7 +174,7 @@ impl Exact {
             let to = end * ratio.powi(k);
             let behind = branch(to);
             while before != behind {
-                from = last_of(before, from, to, &branch);
+                from = ends(|x| branch(x) == before, from, to, 110)[1];
                 found.push(from);
                 before = branch(from * (Wide::ONE + 1e-28));
             }
@@ -188,23 +182,6 @@ impl Exact {
         }
         found
     }
-}
-
-/// Where the branch that holds at `from` ends, another holding at `to`.
-fn last_of(held: Branch, from: Wide, to: Wide, branch: &impl Fn(Wide) -> Branch) -> Wide {
-    let (mut low, mut high) = (from, to);
-    for _ in 0..110 {
-        let middle = (low + high) * 0.5;
-        if branch(middle) == held {
-            low = middle
-        } else {
-            high = middle
-        }
-        if (high - low).hi() <= 1e-30 * high.hi() {
-            break;
-        }
-    }
-    high
 }
 
 #[cfg(test)]

@@ -13,87 +13,44 @@ use gauss_quad::GaussLegendre;
 use quad_rs::{Integrable, IntegratorConfig, integrate_real};
 
 use super::timing::{Candidate, medians};
-use super::{Case, Cost};
+use super::{Cost, Point, Problem, SHIPPED};
+use crate::Failed;
 use crate::exact::{self, Bodies, Exact, Integral};
 use crate::wide::Wide;
 use asperity::distribution::Gaussian;
-use asperity::{ContactError, HeightDistribution, MicroContact, Model, Shape, Statistical};
+use asperity::{HeightDistribution, MicroContact, Model, Population, Shape, Statistical};
 
+/// Gauss-Legendre (gauss-quad) with so many nodes per piece.
+const LEGENDRE: &str = "gauss-legendre";
 const ORDERS: [usize; 13] = [2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128];
 
+/// Adaptive Gauss-Kronrod (quad-rs) within a relative tolerance of area and load.
+const KRONROD: &str = "gauss-kronrod";
 const TOLERANCES: [f64; 6] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
-
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Rule {
-    /// Gauss-Legendre (gauss-quad) with so many nodes per piece.
-    Legendre(usize),
-    /// Adaptive Gauss-Kronrod (quad-rs) within a relative tolerance of area and load.
-    Kronrod(f64),
-    Shipped,
-}
-
-impl Rule {
-    /// All rules, those of one name together and the fastest first.
-    fn all() -> impl Iterator<Item = Self> {
-        let (legendre, kronrod) = (ORDERS.map(Self::Legendre), TOLERANCES.map(Self::Kronrod));
-        legendre.into_iter().chain(kronrod).chain([Self::Shipped])
-    }
-
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Legendre(_) => "gauss-legendre, split and substituted",
-            Self::Kronrod(_) => "gauss-kronrod, split and substituted",
-            Self::Shipped => "shipped",
-        }
-    }
-
-    /// Nodes per piece, where they are fixed.
-    pub const fn order(self) -> Option<usize> {
-        if let Self::Legendre(order) = self { Some(order) } else { None }
-    }
-
-    pub const fn tolerance(self) -> Option<f64> {
-        if let Self::Kronrod(tolerance) = self { Some(tolerance) } else { None }
-    }
-}
-
-#[derive(Debug, Clone, PartialEq)]
-pub struct IntegralPoint {
-    pub case: &'static str,
-    pub rule: Rule,
-    /// Contacts evaluated, in the mean of the separations; `None` of the shipped rule, which does not report it.
-    pub evaluations: Option<f64>,
-    /// Per separation.
-    pub cost: Cost,
-}
 
 /// Area ratio and pressure, and how many contacts were evaluated.
 type Evaluated = ([f64; 2], usize);
 
-/// Nodes and weights on [-1, 1].
-type Nodes = Vec<(f64, f64)>;
-
-/// One micro-contact and one population.
-struct Problem<'a> {
+/// One micro-contact over one population.
+struct Integrand<'a> {
     contact: &'a dyn MicroContact,
-    shape: Shape,
-    sigma: f64,
-    density: f64,
+    population: &'a Population,
     /// In units of sigma, ascending.
     breakpoints: Vec<f64>,
 }
 
-impl Problem<'_> {
+impl Integrand<'_> {
     /// Area and load at the indentation `x` in sigma.
     #[inline]
     fn values(&self, x: f64) -> [f64; 2] {
-        let contact = self.contact.contact(x * self.sigma, self.shape);
+        let Population { radius, sigma, .. } = *self.population;
+        let contact = self.contact.contact(x * sigma, Shape::sphere(radius));
         [contact.area, contact.load]
     }
 
     /// Area and load at the indentation `s`^2, times the density relative to that at the flat.
     #[inline]
-    fn integrand(&self, h: f64, s: f64) -> [f64; 2] {
+    fn at(&self, h: f64, s: f64) -> [f64; 2] {
         let x = s * s;
         let density = 2.0 * s * (-Gaussian.exponent(h, x)).exp();
         self.values(x).map(|value| density * value)
@@ -106,6 +63,11 @@ impl Problem<'_> {
         once(start).chain(between).chain(once(end)).map(f64::sqrt)
     }
 
+    fn scale(&self, h: f64) -> f64 {
+        self.population.density * Gaussian.scale(h)
+    }
+
+    /// By nodes and weights on [-1, 1].
     fn legendre(&self, nodes: &[(f64, f64)], h: f64) -> Evaluated {
         let (mut sums, mut evaluations) = ([0.0; 2], 0);
         let mut ends = self.ends(h);
@@ -113,17 +75,15 @@ impl Problem<'_> {
         for to in ends {
             let half = 0.5 * (to - from);
             for (x, weight) in nodes {
-                let [area, load] = self.integrand(h, from + half * (1.0 + x));
+                let [area, load] = self.at(h, from + half * (1.0 + x));
                 sums = [sums[0] + half * weight * area, sums[1] + half * weight * load];
             }
             evaluations += nodes.len();
             from = to;
         }
-        let scale = self.density * Gaussian.scale(h);
-        (sums.map(|sum| sum * scale), evaluations)
+        (sums.map(|sum| sum * self.scale(h)), evaluations)
     }
 
-    /// By quad-rs; `None` where it gives up.
     fn kronrod(&self, tolerance: f64, h: f64) -> Option<Evaluated> {
         /// Evaluations before it gives up.
         const MOST: usize = 100_000;
@@ -135,16 +95,16 @@ impl Problem<'_> {
             .with_minimum_segment_width(f64::MIN_POSITIVE)
             .with_max_function_evalutions(MOST)
             .with_tolerance_window(1);
-        let output = integrate_real(Above { problem: self, h, unit }, self.ends(h).collect(), config).ok()?;
-        let scale = self.density * Gaussian.scale(h);
-        let values = [output.integral.re * unit[0] * scale, output.integral.im * unit[1] * scale];
-        Some((values, output.evaluations))
+        let above = Above { integrand: self, h, unit };
+        let output = integrate_real(above, self.ends(h).collect(), config).ok()?;
+        let values = [output.integral.re * unit[0], output.integral.im * unit[1]];
+        Some((values.map(|value| value * self.scale(h)), output.evaluations))
     }
 }
 
 /// Area and load above the flat, as the integrand of quad-rs.
 struct Above<'a> {
-    problem: &'a Problem<'a>,
+    integrand: &'a Integrand<'a>,
     h: f64,
     unit: [f64; 2],
 }
@@ -155,98 +115,92 @@ impl Integrable for Above<'_> {
     type Output = Complex<f64>;
 
     fn integrand(&self, s: &f64) -> Complex<f64> {
-        let [area, load] = self.problem.integrand(self.h, *s);
+        let [area, load] = self.integrand.at(self.h, *s);
         Complex::new(area / self.unit[0], load / self.unit[1])
     }
 }
 
-/// Runs every rule on a population at `separations` (d/sigma, at least one); `None` where the reference does not settle.
+/// A rule at all separations; `None` where it gives up.
+fn over<'a>(
+    separations: &'a [f64],
+    rule: impl Fn(f64) -> Option<Evaluated> + 'a,
+) -> Candidate<'a, Option<Vec<Evaluated>>> {
+    Box::new(move || separations.iter().map(|&h| rule(black_box(h))).collect())
+}
+
+/// Runs every rule on a population at `separations` (d/sigma, at least one).
 pub fn integrals(
     bodies: &Bodies,
-    case: &Case,
+    case: &'static str,
+    population: &Population,
     separations: &[f64],
-) -> Result<Option<Vec<IntegralPoint>>, ContactError> {
-    let (contact, population) = (&*bodies.contact()?, case.population());
+) -> Result<Vec<Point>, Failed> {
+    let contact = &*bodies.contact()?;
+    let (exact, sphere) = (Exact::new(bodies), exact::Shape::sphere(population.radius));
     let reference = |&separation: &f64| {
-        let integral = Integral::new(&population, separation)?;
-        let total = Exact::new(bodies).integral(&integral, &exact::Shape::sphere(case.radius))?;
+        let total = exact.integral(&Integral::new(population, separation)?, &sphere)?;
         Some([total.total_area(), total.total_load()])
     };
     let exact: Option<Vec<[Wide; 2]>> = separations.iter().map(reference).collect();
-    let Some(exact) = exact else { return Ok(None) };
-    let shape = Shape::sphere(case.radius);
-    let problem = Problem {
-        contact,
-        shape,
-        sigma: case.sigma,
-        density: case.density,
-        breakpoints: contact.breakpoints(shape).into_iter().map(|w| w / case.sigma).collect(),
-    };
+    let exact = exact.ok_or("the reference integral does not settle in 32 digits")?;
+    let breakpoints = contact.breakpoints(Shape::sphere(population.radius));
+    let breakpoints = breakpoints.into_iter().map(|w| w / population.sigma).collect();
+    let integrand = &Integrand { contact, population, breakpoints };
     let shipped = Statistical::new(contact, population.clone());
-    let nodes = |rule: Rule| {
-        let order = rule.order().and_then(NonZeroUsize::new);
-        order.map_or_else(Vec::new, |order| GaussLegendre::new(order).as_node_weight_pairs().to_vec())
-    };
-    let evaluate = |rule: Rule, nodes: &[(f64, f64)], h: f64| match rule {
-        Rule::Legendre(_) => Some(problem.legendre(nodes, h)),
-        Rule::Kronrod(tolerance) => problem.kronrod(tolerance, h),
-        Rule::Shipped => {
-            let response = shipped.respond(h);
-            Some(([response.area_ratio.total(), response.pressure.total()], 0))
-        }
-    };
-    // Rules with a result at every separation.
-    let mut evaluated: Vec<(Rule, Nodes, Vec<Evaluated>)> = Vec::new();
-    for rule in Rule::all() {
-        let nodes = nodes(rule);
-        let results: Option<_> = separations.iter().map(|&h| evaluate(rule, &nodes, h)).collect();
-        evaluated.extend(results.map(|results| (rule, nodes, results)));
+    // Those of one name together and the fastest first.
+    let (mut rules, mut candidates) = (Vec::new(), Vec::new());
+    for order in ORDERS.into_iter().filter_map(NonZeroUsize::new) {
+        let nodes = GaussLegendre::new(order).as_node_weight_pairs().to_vec();
+        rules.push((LEGENDRE, Some(order.get() as f64)));
+        candidates.push(over(separations, move |h| Some(integrand.legendre(&nodes, h))));
     }
-    let mut candidates: Vec<Candidate> = Vec::new();
-    for (rule, nodes, _) in &evaluated {
-        let evaluate = &evaluate;
-        candidates.push(Box::new(move || {
-            for &h in separations {
-                black_box(evaluate(*rule, nodes, black_box(h)));
-            }
-        }));
+    for tolerance in TOLERANCES {
+        rules.push((KRONROD, Some(tolerance)));
+        candidates.push(over(separations, move |h| integrand.kronrod(tolerance, h)));
     }
-    let seconds = medians(&mut candidates);
-    let points = evaluated.iter().zip(seconds).map(|((rule, _, results), seconds)| {
+    rules.push((SHIPPED, None));
+    candidates.push(over(separations, |h| {
+        let response = shipped.respond(h);
+        Some(([response.area_ratio.total(), response.pressure.total()], 0))
+    }));
+    let measured = medians(&candidates);
+    let points = rules.into_iter().zip(measured).filter_map(|((method, effort), (results, seconds))| {
+        let results = results?;
         let values: Vec<[f64; 2]> = results.iter().map(|(values, _)| *values).collect();
         let count: usize = results.iter().map(|(_, count)| count).sum();
-        IntegralPoint {
-            case: case.name,
-            rule: *rule,
-            evaluations: (count > 0).then(|| count as f64 / separations.len() as f64),
-            cost: Cost::new(seconds, &values, &exact),
-        }
+        let evaluations = (count > 0).then(|| count as f64 / separations.len() as f64);
+        let cost = Cost::new(seconds, &values, &exact);
+        Some(Point { problem: Problem::Integral, case, method, effort, evaluations, cost })
     });
-    Ok(Some(points.collect()))
+    Ok(points.collect())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::exact::CoveredLaw;
+    use crate::precision::CASES;
     use asperity::Material;
 
     #[test]
     fn rules_are_as_exact_as_they_should_be() {
         let steel = Material::new(210e9, 0.3, Some(7.6e9), None).unwrap();
         let bodies = Bodies { law: CoveredLaw::zmc(), rough: steel, flat: steel, layer: None };
-        let case = Case { name: "one", radius: 2e-5, sigma: 4.8e-8, density: 6e10 };
-        let points = integrals(&bodies, &case, &[-1.0, 0.0, 2.0]).unwrap().unwrap();
-        let error = |rule: Rule| points.iter().find(|point| point.rule == rule).unwrap().cost.error();
-        assert!(error(Rule::Legendre(8)) > 100.0 * error(Rule::Legendre(24)));
-        assert!(error(Rule::Legendre(64)) < 1e-13);
+        let (case, population) = &CASES[0];
+        let points = integrals(&bodies, case, population, &[-1.0, 0.0, 2.0]).unwrap();
+        let error = |method: &str, effort: Option<f64>| {
+            let point = points.iter().find(|point| point.method == method && point.effort == effort);
+            point.unwrap().cost.error()
+        };
+        assert!(error(LEGENDRE, Some(8.0)) > 100.0 * error(LEGENDRE, Some(24.0)));
+        assert!(error(LEGENDRE, Some(64.0)) < 1e-13);
         for tolerance in TOLERANCES {
-            assert!(error(Rule::Kronrod(tolerance)) < tolerance);
+            assert!(error(KRONROD, Some(tolerance)) < tolerance);
         }
-        assert!(error(Rule::Shipped) < 1e-13);
+        assert!(error(SHIPPED, None) < 1e-13);
         assert_eq!(points.len(), ORDERS.len() + TOLERANCES.len() + 1);
         assert!(points.iter().all(|point| point.cost.error().is_finite() && point.cost.seconds > 0.0));
         let shipped = points.last().unwrap();
-        assert!(shipped.rule == Rule::Shipped && shipped.evaluations.is_none());
+        assert!(shipped.method == SHIPPED && shipped.evaluations.is_none());
     }
 }

@@ -4,11 +4,12 @@
 //! results.
 
 use super::timing::{Candidate, medians};
-use super::{Case, Cost};
+use super::{Cost, Point, Problem, SHIPPED};
 use crate::wide::Wide;
 use asperity::numeric::Sum;
 use asperity::{
-    AsperitySet, Deterministic, Draw, MicroContact, Model, ReferencePlane, Response, SetError, Shape,
+    AsperitySet, Deterministic, Draw, MicroContact, Model, Population, ReferencePlane, Response, SetError,
+    Shape,
 };
 
 /// Separations are spread evenly from the first to the last of these, d/sigma.
@@ -17,45 +18,14 @@ const SEPARATIONS: [f64; 2] = [4.0, 0.0];
 /// Number of separations, which the shipped sum evaluates together.
 const POINTS: usize = 10;
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Method {
-    /// One term after the other.
-    Naive,
-    /// The same with the rounding error of every addition kept.
-    Compensated,
-    /// The deterministic model: compensated, in vector registers, all separations at once.
-    Shipped,
-}
-
-impl Method {
-    pub const ALL: [Self; 3] = [Self::Naive, Self::Compensated, Self::Shipped];
-
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Naive => "naive",
-            Self::Compensated => "compensated",
-            Self::Shipped => "shipped",
-        }
-    }
-}
-
-#[derive(Debug, Clone, PartialEq)]
-pub struct SumPoint {
-    pub case: &'static str,
-    pub method: Method,
-    pub asperities: usize,
-    /// Per separation.
-    pub cost: Cost,
-}
-
 /// A random set and the contact that its asperities make.
-struct Problem<'a> {
+struct RandomSet<'a> {
     contact: &'a dyn MicroContact,
     set: AsperitySet,
     sigma: f64,
 }
 
-impl Problem<'_> {
+impl RandomSet<'_> {
     /// Hands over area and load of each asperity above the flat at `h` = d/sigma.
     #[inline]
     fn each(&self, h: f64, mut add: impl FnMut([f64; 2])) {
@@ -68,13 +38,14 @@ impl Problem<'_> {
         }
     }
 
-    /// Area (m^2) and load (N) at one separation.
+    /// Area (m^2) and load (N) at one separation, one term after the other.
     fn naive(&self, h: f64) -> [f64; 2] {
         let mut sums = [0.0; 2];
         self.each(h, |[area, load]| sums = [sums[0] + area, sums[1] + load]);
         sums
     }
 
+    /// The same with the rounding error of every addition kept.
     fn compensated(&self, h: f64) -> [f64; 2] {
         let mut sums = [Sum::default(); 2];
         self.each(h, |[area, load]| {
@@ -84,6 +55,7 @@ impl Problem<'_> {
         sums.map(|sum| sum.value())
     }
 
+    /// The deterministic model: compensated, in vector registers, all separations at once.
     fn shipped(&self, separations: &[f64]) -> Vec<[f64; 2]> {
         let plane = ReferencePlane { mean: 0.0, sigma: self.sigma };
         let model = Deterministic::new(self.contact, self.set.spheres(), plane);
@@ -99,58 +71,53 @@ impl Problem<'_> {
         self.each(h, |[area, load]| sums = [sums[0] + area, sums[1] + load]);
         sums
     }
-
-    fn evaluate(&self, method: Method, separations: &[f64]) -> Vec<[f64; 2]> {
-        match method {
-            Method::Naive => separations.iter().map(|&h| self.naive(h)).collect(),
-            Method::Compensated => separations.iter().map(|&h| self.compensated(h)).collect(),
-            Method::Shipped => self.shipped(separations),
-        }
-    }
 }
 
 /// Runs every method on a random set of `count` asperities, the shipped one on the threads of the pool that it is called in.
 pub fn sums(
     contact: &dyn MicroContact,
-    case: &Case,
+    case: &'static str,
+    population: &Population,
     count: usize,
     seed: [u8; 32],
-) -> Result<Vec<SumPoint>, SetError> {
-    let set = case.population().set(count, Draw::Random(seed))?;
-    let problem = Problem { contact, set, sigma: case.sigma };
+) -> Result<Vec<Point>, SetError> {
+    let set = RandomSet { contact, set: population.set(count, Draw::Random(seed))?, sigma: population.sigma };
     let [from, to] = SEPARATIONS;
     let separation = |k: usize| from + (to - from) * k as f64 / (POINTS - 1) as f64;
     let separations: Vec<f64> = (0..POINTS).map(separation).collect();
-    let exact: Vec<[Wide; 2]> = separations.iter().map(|&h| problem.exact(h)).collect();
-    let mut values = Method::ALL.map(|_| Vec::new());
-    let mut candidates: Vec<Candidate> = Vec::new();
-    for (method, values) in Method::ALL.into_iter().zip(&mut values) {
-        let (problem, separations) = (&problem, &separations);
-        candidates.push(Box::new(move || *values = problem.evaluate(method, separations)));
-    }
-    let seconds = medians(&mut candidates);
-    drop(candidates);
-    let points = Method::ALL.into_iter().zip(&values).zip(seconds).map(|((method, values), seconds)| {
-        SumPoint { case: case.name, method, asperities: count, cost: Cost::new(seconds, values, &exact) }
-    });
-    Ok(points.collect())
+    let exact: Vec<[Wide; 2]> = separations.iter().map(|&h| set.exact(h)).collect();
+    let methods: [Candidate<Vec<[f64; 2]>>; 3] = [
+        Box::new(|| separations.iter().map(|&h| set.naive(h)).collect()),
+        Box::new(|| separations.iter().map(|&h| set.compensated(h)).collect()),
+        Box::new(|| set.shipped(&separations)),
+    ];
+    let point = |(method, (values, seconds)): (&'static str, (Vec<[f64; 2]>, f64))| Point {
+        problem: Problem::Sum,
+        case,
+        method,
+        effort: Some(count as f64),
+        evaluations: None,
+        cost: Cost::new(seconds, &values, &exact),
+    };
+    Ok(["naive", "compensated", SHIPPED].into_iter().zip(medians(&methods)).map(point).collect())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::precision::CASES;
     use asperity::{Interface, Material, Zmc};
 
     #[test]
     fn what_loses_digits_and_what_does_not() {
         let steel = Material::new(210e9, 0.3, Some(7.6e9), None).unwrap();
         let contact = Interface::bare(Zmc::default(), &steel, &steel).unwrap();
-        let case = Case { name: "one", radius: 2e-5, sigma: 4.8e-8, density: 6e10 };
-        let points = sums(&contact, &case, 30_000, [5; 32]).unwrap();
+        let (case, population) = &CASES[0];
+        let points = sums(&contact, case, population, 30_000, [5; 32]).unwrap();
         let [naive, compensated, shipped] = &points[..] else { panic!("{points:?}") };
-        let error = |point: &SumPoint| point.cost.error();
+        let error = |point: &Point| point.cost.error();
         assert!(error(compensated) < 3e-16 && error(shipped) < 1e-15);
         assert!(error(naive) > 3.0 * error(compensated) && error(naive) < 1e-12);
-        assert!(points.iter().all(|point| point.cost.seconds > 0.0 && point.asperities == 30_000));
+        assert!(points.iter().all(|point| point.cost.seconds > 0.0 && point.effort == Some(30_000.0)));
     }
 }

@@ -1,10 +1,11 @@
 //! Seconds, as medians of runs made in alternation.
 
+use std::hint::black_box;
 use std::time::Instant;
 
 use asperity::numeric::median;
 
-pub type Candidate<'a> = Box<dyn FnMut() + 'a>;
+pub type Candidate<'a, T> = Box<dyn Fn() -> T + 'a>;
 
 /// Shortest duration of a measurement, s, which makes the overhead of clock and loop negligible.
 const SHORTEST: f64 = 1e-3;
@@ -15,14 +16,16 @@ const LONG: [f64; 2] = [2e-2, 2.0];
 /// Runs of each candidate, of those that take long, and of those that take longer still.
 const RUNS: [usize; 3] = [5, 3, 1];
 
-/// The median time of a call of each candidate, s. All are run in turn, again and again, so that what disturbs
-/// the machine for a while disturbs all alike.
-pub fn medians(candidates: &mut [Candidate]) -> Vec<f64> {
+/// What each candidate gives, and the median time of a call of it, s. All are run in turn, again and again, so that what disturbs the
+/// machine for a while disturbs all alike.
+pub fn medians<T>(candidates: &[Candidate<T>]) -> Vec<(T, f64)> {
     let mut times = vec![Vec::new(); candidates.len()];
     // The first call of a short one fetches code and data; the second determines the number of calls per measurement.
-    let mut calls = Vec::new();
-    for (candidate, times) in candidates.iter_mut().zip(&mut times) {
-        let first = seconds(candidate, 1);
+    let (mut results, mut calls) = (Vec::new(), Vec::new());
+    for (candidate, times) in candidates.iter().zip(&mut times) {
+        let start = Instant::now();
+        results.push(candidate());
+        let first = start.elapsed().as_secs_f64();
         if first > LONG[0] {
             times.push(first);
             calls.push((1, RUNS[1 + usize::from(first > LONG[1])] - 1));
@@ -32,19 +35,20 @@ pub fn medians(candidates: &mut [Candidate]) -> Vec<f64> {
         }
     }
     for run in 0..RUNS[0] {
-        for ((candidate, &(calls, runs)), times) in candidates.iter_mut().zip(&calls).zip(&mut times) {
+        for ((candidate, &(calls, runs)), times) in candidates.iter().zip(&calls).zip(&mut times) {
             if run < runs {
                 times.push(seconds(candidate, calls));
             }
         }
     }
-    times.iter_mut().map(|times| median(times).unwrap_or(f64::NAN)).collect()
+    let medians = times.iter_mut().map(|times| median(times).unwrap_or(f64::NAN));
+    results.into_iter().zip(medians).collect()
 }
 
-fn seconds(candidate: &mut Candidate, calls: usize) -> f64 {
+fn seconds<T>(candidate: &Candidate<T>, calls: usize) -> f64 {
     let start = Instant::now();
     for _ in 0..calls {
-        candidate();
+        black_box(candidate());
     }
     start.elapsed().as_secs_f64() / calls as f64
 }
@@ -52,17 +56,14 @@ fn seconds(candidate: &mut Candidate, calls: usize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::hint::black_box;
 
     #[test]
     fn more_work_takes_more_time() {
-        let work = |terms: u64| -> Candidate {
-            Box::new(move || {
-                black_box((0..black_box(terms)).fold(0.0, |sum: f64, k| (sum + k as f64).sqrt()));
-            })
+        let work = |terms: u64| -> Candidate<f64> {
+            Box::new(move || (0..black_box(terms)).fold(0.0, |sum: f64, k| (sum + k as f64).sqrt()))
         };
         // A thousand times as much: no other work on the machine makes up for that.
-        let found = medians(&mut [work(1_000), work(1_000_000)]);
-        assert!(found[1] > found[0] && found[0] > 0.0, "{found:?}");
+        let found = medians(&[work(1_000), work(1_000_000)]);
+        assert!(found[1].1 > found[0].1 && found[0].1 > 0.0 && found[1].0 > found[0].0, "{found:?}");
     }
 }

@@ -2,15 +2,15 @@
 
 use asperity::HeightMap;
 use asperity::bem::{Boundary, GridError, Options, Solver};
+use asperity::literature;
 use asperity::progress::{Progress, Silent};
-use asperity::{literature, named_enum};
 use asperity_contact_framework::columns;
 use asperity_contact_framework::report::format::{capitalised, percent};
 use asperity_contact_framework::report::table::{Column, Row, Schema, Table};
 use asperity_plot::{Axis, Colour, Figure, Layer, Marker};
 
 use super::{SelfAffine, plot, rms, unit_pair};
-use crate::program::{Drawing, Evidence, Failed, Form, Program, Task};
+use crate::{Drawing, Evidence, Failed, Form, Program, Task};
 
 /// The surfaces and loads of both forms of `grid-bounds`.
 const SHORT: Grids = Grids { points: 256, realisations: 2, pressures: &[0.02], error: 1e-6 };
@@ -19,41 +19,33 @@ const FULL: Grids = Grids { points: 1024, realisations: 60, pressures: &[0.002, 
 /// Points of the fine grid per shortest wave.
 const FINE: usize = 32;
 
-const ELONGATION: f64 = 3.0;
-
-/// The cap over E* g.
-const CAP: f64 = 0.2;
-
 /// The part of the contacts whose error may exceed its bound.
 pub const MAY_EXCEED: f64 = 0.05;
 
 /// Points per shortest wave along x and y: square pixels, and pixels elongated along either axis.
 pub const GRIDS: [[usize; 2]; 7] = [[8, 8], [4, 4], [2, 2], [8, 2], [2, 8], [16, 4], [4, 16]];
 
-named_enum! {
-    /// The surfaces and their contact.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-    pub enum GridCase {
-        Isotropic = "isotropic",
-        Elongated = "elongated",
-        Mirrored = "mirrored",
-        MirroredElongated = "mirrored elongated",
-        Capped = "capped",
-    }
+/// Surfaces and their contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GridCase {
+    pub name: &'static str,
+    boundary: Boundary,
+    elongation: f64,
+    /// Over E* g.
+    cap: Option<f64>,
 }
 
-impl GridCase {
-    const fn boundary(self) -> Boundary {
-        match self {
-            Self::Mirrored | Self::MirroredElongated => Boundary::Mirrored,
-            Self::Isotropic | Self::Elongated | Self::Capped => Boundary::Periodic,
-        }
-    }
-
-    const fn elongation(self) -> f64 {
-        if matches!(self, Self::Elongated | Self::MirroredElongated) { ELONGATION } else { 1.0 }
-    }
-}
+pub const CASES: [GridCase; 5] = {
+    const ISOTROPIC: GridCase =
+        GridCase { name: "isotropic", boundary: Boundary::Periodic, elongation: 1.0, cap: None };
+    [
+        ISOTROPIC,
+        GridCase { name: "elongated", elongation: 3.0, ..ISOTROPIC },
+        GridCase { name: "mirrored", boundary: Boundary::Mirrored, ..ISOTROPIC },
+        GridCase { name: "mirrored elongated", boundary: Boundary::Mirrored, elongation: 3.0, ..ISOTROPIC },
+        GridCase { name: "capped", cap: Some(0.2), ..ISOTROPIC },
+    ]
+};
 
 #[derive(Debug, Clone, Copy)]
 pub struct Grids {
@@ -102,25 +94,10 @@ pub struct GridPoint {
 type Sample = [[f64; 2]; 3];
 
 impl Grids {
-    /// The surfaces of a case; g = 1.
-    fn process(&self, case: GridCase) -> SelfAffine {
-        // A little longer than 32 points: two points per wave are just more than enough.
-        let cut_off = 1.04 * FINE as f64 / self.points as f64;
-        SelfAffine {
-            side: 1.0,
-            hurst: 0.8,
-            roll_off: 0.25,
-            cut_off,
-            gradient: 1.0,
-            elongation: case.elongation(),
-        }
-    }
-
     /// `None` where no point may change its pressure.
     fn samples(&self, map: &HeightMap, case: GridCase, height: f64) -> Result<Vec<Option<Sample>>, Failed> {
         let pair = unit_pair()?;
-        let cap = (case == GridCase::Capped).then_some(CAP);
-        let options = Options { boundary: case.boundary(), error: self.error, cap };
+        let options = Options { boundary: case.boundary, error: self.error, cap: case.cap };
         let solver = Solver::new(map, &pair, &options)?;
         let sample = |&pressure: &f64| -> Result<Option<Sample>, Failed> {
             let contact = solver.at_pressure(pressure, &Silent)?;
@@ -144,10 +121,15 @@ pub fn grid_errors(
     progress: &dyn Progress,
 ) -> Result<Vec<GridPoint>, Failed> {
     let mut points = Vec::new();
-    for case in GridCase::ALL {
+    // A little longer than 32 points: two points per wave are just more than enough.
+    let cut_off = 1.04 * FINE as f64 / grids.points as f64;
+    for case in CASES {
+        let elongation = case.elongation;
+        let process =
+            SelfAffine { side: 1.0, hurst: 0.8, roll_off: 0.25, cut_off, gradient: 1.0, elongation };
         let mut contacts: Vec<[Vec<[f64; 2]>; 3]> = vec![Default::default(); GRIDS.len()];
         for realisation in 0..grids.realisations {
-            let surface = grids.process(case).surface(2 * grids.points, seed(realisation))?;
+            let surface = process.surface(2 * grids.points, seed(realisation))?;
             let fine = centres(&surface, case, [1, 1])?;
             let height = rms(fine.heights());
             let exact = grids.samples(&fine, case, height)?;
@@ -179,7 +161,7 @@ pub fn grid_errors(
 /// of all sizes fill the same rectangle, which heights at their centres need points between those of the fine grid.
 fn centres(surface: &HeightMap, case: GridCase, steps: [usize; 2]) -> Result<HeightMap, Failed> {
     let [nx, ny] = surface.points();
-    let part = if case.boundary() == Boundary::Mirrored { 2 } else { 1 };
+    let part = if case.boundary == Boundary::Mirrored { 2 } else { 1 };
     let points = [nx / (2 * part * steps[0]), ny / (2 * part * steps[1])];
     let centre = |pixel: usize, axis: usize| (2 * pixel + 1) * steps[axis];
     let row = |i: usize| (0..points[1]).map(move |j| surface.heights()[centre(i, 0) * ny + centre(j, 1)]);
@@ -200,7 +182,10 @@ pub const GRID_BOUNDS: Program = Program {
 };
 
 fn run(task: &Task) -> Result<Evidence, Failed> {
-    let grid = solved(if task.is_full { &FULL } else { &SHORT }, task)?;
+    let grids = if task.is_full { &FULL } else { &SHORT };
+    task.progress.stage("grids", (CASES.len() * grids.realisations) as f64);
+    let seed = |realisation: usize| task.stream_seed(&format!("solver grid {realisation}"));
+    let grid = grid_errors(grids, seed, task.progress)?;
     Ok(Evidence {
         claim: claim(&grid),
         warnings: warnings(&grid),
@@ -212,20 +197,7 @@ fn run(task: &Task) -> Result<Evidence, Failed> {
     })
 }
 
-/// The grids of a task, with its progress and its random numbers.
-pub(super) fn solved(grids: &Grids, task: &Task) -> Result<Vec<GridPoint>, Failed> {
-    task.progress.stage("grids", (GridCase::ALL.len() * grids.realisations) as f64);
-    let seed = |realisation: usize| task.stream_seed(&format!("solver grid {realisation}"));
-    grid_errors(grids, seed, task.progress)
-}
-
 const QUANTITIES: [&str; 3] = ["area", "separation", "stiffness"];
-
-impl GridPoint {
-    fn part(&self, quantity: usize) -> f64 {
-        self.checks[quantity].exceeded as f64 / self.contacts as f64
-    }
-}
 
 /// The part of all contacts whose error of each quantity exceeds its bound.
 fn exceeded(grid: &[GridPoint]) -> [f64; 3] {
@@ -237,7 +209,7 @@ fn exceeded(grid: &[GridPoint]) -> [f64; 3] {
 }
 
 /// How many errors exceed the bounds that the reference states, on average.
-pub(super) fn claim(grid: &[GridPoint]) -> String {
+fn claim(grid: &[GridPoint]) -> String {
     let contacts: usize = grid.iter().map(|point| point.contacts).sum();
     let parts = exceeded(grid).into_iter();
     let part = parts.fold(0.0, f64::max);
@@ -249,7 +221,7 @@ pub(super) fn claim(grid: &[GridPoint]) -> String {
 }
 
 /// Bounds that too many errors exceed, a line each.
-pub(super) fn warnings(grid: &[GridPoint]) -> Vec<String> {
+fn warnings(grid: &[GridPoint]) -> Vec<String> {
     let parts = QUANTITIES.into_iter().zip(exceeded(grid)).filter(|(_, part)| *part > MAY_EXCEED);
     let line = |(quantity, part): (&str, f64)| {
         let (part, allowed) = (percent(part), percent(MAY_EXCEED));
@@ -259,18 +231,19 @@ pub(super) fn warnings(grid: &[GridPoint]) -> Vec<String> {
 }
 
 /// The share of the contacts whose errors exceed their bounds, against points per shortest wave on the coarser axis.
-pub(super) fn drawing(grid: &[GridPoint]) -> Drawing {
+fn drawing(grid: &[GridPoint]) -> Drawing {
     const MARKERS: [Marker; 5] =
         [Marker::Circle, Marker::Square, Marker::Triangle, Marker::Cross, Marker::Ring];
     let panel = |(quantity, name): (usize, &str)| {
         let points = Axis::log("points per shortest wave").range(1.6, 10.0);
         let plot = plot(&capitalised(name), points, Axis::linear("errors beyond their bound (%)"));
         let plot = plot.with_zero().with(Layer::at_y(100.0 * MAY_EXCEED, "allowed of all"));
-        GridCase::ALL.into_iter().zip(MARKERS).enumerate().fold(plot, |plot, (k, (case, marker))| {
+        CASES.into_iter().zip(MARKERS).enumerate().fold(plot, |plot, (k, (case, marker))| {
             let of_case = grid.iter().filter(|point| point.case == case);
-            let places = of_case
-                .map(|point| (point.points[0].min(point.points[1]) as f64, 100.0 * point.part(quantity)));
-            plot.with(Layer::points(places, marker).coloured(Colour::Series(k)).named(case.name()))
+            let exceeded = |point: &GridPoint| point.checks[quantity].exceeded as f64 / point.contacts as f64;
+            let places =
+                of_case.map(|point| (point.points[0].min(point.points[1]) as f64, 100.0 * exceeded(point)));
+            plot.with(Layer::points(places, marker).coloured(Colour::Series(k)).named(case.name))
         })
     };
     let panels = QUANTITIES.into_iter().enumerate().map(panel);
@@ -289,7 +262,7 @@ impl Row for &GridPoint {
 
     fn columns() -> Vec<Column<Self>> {
         columns! { row: Self =>
-            grid_case["text", label("surfaces")] = row.case.name(), "Surfaces and contact: `isotropic`, `elongated` (lengths along x three times those along y), a quarter of such a surface `mirrored`, or `capped` (isotropic, pressures up to 0.2 E* g).";
+            grid_case["text", label("surfaces")] = row.case.name, "Surfaces and contact: `isotropic`, `elongated` (lengths along x three times those along y), a quarter of such a surface `mirrored`, or `capped` (isotropic, pressures up to 0.2 E* g).";
             points_per_wave_x["count", label("points per wave, x")] = row.points[0], "Points along x per shortest wave; of elongated surfaces per shortest wave across the lay.";
             points_per_wave_y["count", label("y")] = row.points[1], "The same along y.";
             contacts["count"] = row.contacts, "Surfaces times loads.";

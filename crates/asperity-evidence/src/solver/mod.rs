@@ -1,14 +1,6 @@
 //! The boundary element solver against closed forms, exact solutions and a published ensemble.
 //!
 //! Lengths, moduli and pressures are in units in which E* = 1 wherever the problem leaves the choice.
-//!
-//! | module | contents |
-//! |---|---|
-//! | `known` | paraboloids on a half-space (Hertz) and on a bonded layer, waves in partial and in full contact |
-//! | `surfaces` | self-affine surfaces of a given r.m.s. gradient |
-//! | `ensemble` | area and gap of a published ensemble |
-//! | `grid` | errors by the grid against the bounds that are stated; the program `grid-bounds` |
-//! | `validation` | the program `solver-validation` |
 
 pub mod ensemble;
 pub mod grid;
@@ -26,7 +18,7 @@ pub use validation::SOLVER_VALIDATION;
 
 use asperity::bem::ElasticPair;
 use asperity::{Material, MaterialError};
-use asperity_plot::{Axis, Colour, Layer, Legend, Marker, Plot};
+use asperity_plot::{Axis, Legend, Plot};
 
 /// Half-spaces with E* = 1.
 fn unit_pair() -> Result<ElasticPair, MaterialError> {
@@ -40,10 +32,4 @@ fn rms(heights: &[f64]) -> f64 {
 
 fn plot(title: &str, x: Axis, y: Axis) -> Plot {
     Plot::new(title, x, y).legend(Legend::Below).height(300.0)
-}
-
-/// A line with a marker at each point.
-fn with_series(plot: Plot, points: Vec<(f64, f64)>, colour: Colour, name: &str) -> Plot {
-    plot.with(Layer::line(points.clone()).coloured(colour).named(name))
-        .with(Layer::points(points, Marker::Circle).coloured(colour).named(name))
 }

@@ -3,11 +3,11 @@
 use std::f64::consts::TAU;
 
 use asperity::topography::generate::{Process, Seeds, SpectrumOf, SurfaceGenerator};
-use asperity::topography::spectrum::{Lay, Spectrum, SpectrumError, SpectrumShape};
+use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
 use asperity::{HeightMap, Heights};
 use asperity_fft::{Complex64, FftDirection};
 
-use crate::program::Failed;
+use crate::Failed;
 
 /// A self-affine Gaussian process on a square.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,8 +25,10 @@ pub struct SelfAffine {
 }
 
 impl SelfAffine {
-    fn generator(&self, points: usize) -> Result<SurfaceGenerator, SpectrumError> {
-        let Self { side, hurst, roll_off, cut_off, elongation, .. } = *self;
+    /// The surface of `seed`, of zero mean: amplitudes and phases of its waves are random. On another number of points it is
+    /// the same surface.
+    pub fn surface(&self, points: usize, seed: [u8; 32]) -> Result<HeightMap, Failed> {
+        let Self { side, hurst, roll_off, cut_off, gradient, elongation } = *self;
         let shape = SpectrumShape::SelfAffine { hurst, roll_off, cut_off };
         let process = Process {
             spectrum: Spectrum::new(shape, Lay { elongation, ..Lay::default() })?,
@@ -35,14 +37,10 @@ impl SelfAffine {
             heights: Heights::GAUSSIAN,
         };
         let pixel = [side / points as f64; 2];
-        Ok(SurfaceGenerator { points: [points; 2], pixel, process, plateau: None })
-    }
-
-    /// The surface of `seed`, of zero mean: amplitudes and phases of its waves are random. On another number of points it is
-    /// the same surface.
-    pub fn surface(&self, points: usize, seed: [u8; 32]) -> Result<HeightMap, Failed> {
-        let (map, _) = self.generator(points)?.surface(Seeds { process: seed, plateau: seed })?;
-        let factor = self.gradient / rms_gradient(&map);
+        let generator = SurfaceGenerator { points: [points; 2], pixel, process, plateau: None };
+        generator.check()?;
+        let (map, _) = generator.surface(Seeds { process: seed, plateau: seed })?;
+        let factor = gradient / rms_gradient(&map);
         let heights = map.heights().iter().map(|z| factor * z).collect();
         Ok(HeightMap::new(map.points(), map.pixel(), heights, 0.0)?.periodic())
     }
@@ -50,29 +48,21 @@ impl SelfAffine {
 
 /// Root mean square of the gradient of a periodic map, by its waves: that of the surface, not of its differences.
 fn rms_gradient(map: &HeightMap) -> f64 {
-    let [nx, ny] = map.points();
-    let heights = map.heights();
-    let along = |count: usize, pixel: f64, line: &dyn Fn(usize, usize) -> f64, lines: usize| {
-        let forward = asperity_fft::complex(count, FftDirection::Forward);
-        let mut scratch = vec![Complex64::default(); forward.get_inplace_scratch_len()];
-        let mut waves = vec![Complex64::default(); count];
-        let unit = TAU / (count as f64 * pixel);
-        let mut square = 0.0;
-        for of_line in 0..lines {
-            waves.iter_mut().enumerate().for_each(|(k, wave)| *wave = Complex64::new(line(of_line, k), 0.0));
-            forward.process_with_scratch(&mut waves, &mut scratch);
-            let slopes = waves
-                .iter()
-                .enumerate()
-                .map(|(k, wave)| (unit * k.min(count - k) as f64).powi(2) * wave.norm_sqr());
-            square += slopes.sum::<f64>();
-        }
-        square / (lines as f64 * (count as f64).powi(2))
-    };
-    let [dx, dy] = map.pixel();
-    let x = along(nx, dx, &|j, i| heights[i * ny + j], ny);
-    let y = along(ny, dy, &|i, j| heights[i * ny + j], nx);
-    (x + y).sqrt()
+    let ([nx, ny], [dx, dy]) = (map.points(), map.pixel());
+    let x = (0..ny).map(|j| square_of_slopes((0..nx).map(|i| map.heights()[i * ny + j]), dx));
+    let y = (0..nx).map(|i| square_of_slopes((0..ny).map(|j| map.heights()[i * ny + j]), dy));
+    let mean = |sum: f64, lines: usize, count: usize| sum / (lines as f64 * (count as f64).powi(2));
+    (mean(x.sum(), ny, nx) + mean(y.sum(), nx, ny)).sqrt()
+}
+
+/// The squares of the slopes of the waves of a line that repeats, added up.
+fn square_of_slopes(heights: impl Iterator<Item = f64>, pixel: f64) -> f64 {
+    let mut waves: Vec<Complex64> = heights.map(|z| Complex64::new(z, 0.0)).collect();
+    let count = waves.len();
+    asperity_fft::complex(count, FftDirection::Forward).process(&mut waves);
+    let unit = TAU / (count as f64 * pixel);
+    let slope = |(k, wave): (usize, &Complex64)| (unit * k.min(count - k) as f64).powi(2) * wave.norm_sqr();
+    waves.iter().enumerate().map(slope).sum()
 }
 
 #[cfg(test)]

@@ -1,5 +1,7 @@
 //! Cases: random ones over the whole representable range, and adversarial groups.
 
+use std::iter::repeat_n;
+
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -11,7 +13,6 @@ use asperity::{Heights, Material, ModulusModel, Population, Shape, reduced_modul
 
 #[derive(Debug, Clone)]
 pub struct Case {
-    /// Its group.
     pub group: Group,
     pub index: u64,
     pub bodies: Bodies,
@@ -40,7 +41,6 @@ pub enum CaseInput {
     LoadOfSum(SetParameters, f64),
 }
 
-/// Layout of the heights of a set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Layout {
     Gaussian,
@@ -55,7 +55,6 @@ pub enum Layout {
 /// A set by a few numbers; its heights and radii are drawn from `seed`.
 #[derive(Debug, Clone, Copy)]
 pub struct SetParameters {
-    /// Layout of the heights.
     pub heights: Layout,
     pub count: usize,
     /// Of the heights, m.
@@ -119,10 +118,6 @@ impl CaseRng {
     }
 }
 
-pub(super) struct CaseFactory {
-    pub(super) seed: [u8; 32],
-}
-
 pub const SEPARATIONS: [f64; 2] = [-20.0, 37.0];
 pub const RADIUS_OVER_SIGMA: [f64; 2] = [1e-3, 1e9];
 pub const HARDNESS_OVER_MODULUS: [f64; 2] = [1e-6, 1.0];
@@ -137,134 +132,133 @@ const FEW: [f64; 2] = [1.0, 300.0];
 /// Y/E* that every law takes.
 const STRONGEST: f64 = 0.06;
 
-impl CaseFactory {
-    /// The case `index` of a group: it depends on the seed, the group and the index alone.
-    pub(super) fn case(&self, group: Group, index: u64) -> Case {
-        let mut seed = self.seed;
-        for (byte, of) in seed.iter_mut().zip(group.name().bytes()) {
-            *byte ^= of;
-        }
-        let mut rng = ChaCha8Rng::from_seed(seed);
-        rng.set_stream(index);
-        let mut rng = CaseRng(rng);
-        let bodies = Self::bodies(&mut rng, group);
-        let input = Self::input(&mut rng, group, &bodies);
-        let (bodies, input) = meet(&mut rng, group, bodies, input);
-        Case { group, index, bodies, input }
+/// The case `index` of a group: it depends on the seed, the group and the index alone.
+pub(super) fn case(mut seed: [u8; 32], group: Group, index: u64) -> Case {
+    for (byte, of) in seed.iter_mut().zip(group.name().bytes()) {
+        *byte ^= of;
     }
+    let mut rng = ChaCha8Rng::from_seed(seed);
+    rng.set_stream(index);
+    let mut rng = CaseRng(rng);
+    let bodies = bodies(&mut rng, group);
+    let input = input(&mut rng, group, &bodies);
+    let (bodies, input) = meet(&mut rng, group, bodies, input);
+    Case { group, index, bodies, input }
+}
 
-    fn bodies(rng: &mut CaseRng, group: Group) -> Bodies {
-        let layered = group.is_layered();
-        let law = if group == Group::Ellipses { law_of_ellipses(rng) } else { law(rng, layered) };
-        let young = rng.ratio(YOUNG);
-        let body = |rng: &mut CaseRng| {
-            let young = (young * rng.ratio([1e-3, 1e3])).clamp(YOUNG[0], YOUNG[1]);
-            unyielding(young, rng.between(0.0, 0.4999))
+fn bodies(rng: &mut CaseRng, group: Group) -> Bodies {
+    let layered = group.is_layered();
+    let law = if group == Group::Ellipses { law_of_ellipses(rng) } else { law(rng, layered) };
+    let young = rng.ratio(YOUNG);
+    let body = |rng: &mut CaseRng| {
+        let young = (young * rng.ratio([1e-3, 1e3])).clamp(YOUNG[0], YOUNG[1]);
+        match Material::new(young, rng.between(0.0, 0.4999), None, None) {
+            Ok(body) => body,
+            Err(_) => unreachable!("both are within their ranges"),
+        }
+    };
+    let (rough, flat, layer) = (body(rng), body(rng), body(rng));
+    let modulus = reduced_modulus(&rough, &flat);
+    let hardness = modulus * rng.ratio(HARDNESS_OVER_MODULUS);
+    let harden = |rng: &mut CaseRng, body: Material| {
+        let hardness = (hardness * rng.ratio([1e-2, 1e2]))
+            .clamp(modulus * HARDNESS_OVER_MODULUS[0], modulus * HARDNESS_OVER_MODULUS[1]);
+        let strength = match law.chosen().law().yields_by() {
+            Some(Property::YieldStrength) => Some((hardness / 2.8).min(STRONGEST * modulus)),
+            _ => rng.chance(0.5).then(|| hardness / rng.between(2.0, 4.0)),
         };
-        let (rough, flat, layer) = (body(rng), body(rng), body(rng));
-        let modulus = reduced_modulus(&rough, &flat);
-        let hardness = modulus * rng.ratio(HARDNESS_OVER_MODULUS);
-        let harden = |rng: &mut CaseRng, body: Material| {
-            let hardness = (hardness * rng.ratio([1e-2, 1e2]))
-                .clamp(modulus * HARDNESS_OVER_MODULUS[0], modulus * HARDNESS_OVER_MODULUS[1]);
-            let strength = match law.chosen().law().yields_by() {
-                Some(Property::YieldStrength) => Some((hardness / 2.8).min(STRONGEST * modulus)),
-                _ => rng.chance(0.5).then(|| hardness / rng.between(2.0, 4.0)),
+        Material::new(body.young(), body.poisson(), Some(hardness), strength).unwrap_or(body)
+    };
+    let alone = rng.below(8);
+    let rough = if alone == 0 { rough } else { harden(rng, rough) };
+    let (flat, layer) = if alone == 1 { (flat, layer) } else { (harden(rng, flat), harden(rng, layer)) };
+    let layer = layered.then(|| Layer {
+        material: layer,
+        thickness: rng.ratio(THICKNESSES),
+        rule: ModulusModel::ALL[rng.below(2)],
+    });
+    Bodies { law, rough, flat, layer }
+}
+
+fn input(rng: &mut CaseRng, group: Group, bodies: &Bodies) -> CaseInput {
+    let sigma = rng.ratio(SIGMA);
+    let radius = sigma * rng.ratio(RADIUS_OVER_SIGMA);
+    let heights = if group == Group::OtherHeights { other_heights(rng) } else { Heights::GAUSSIAN };
+    let population = Population { radius, sigma, density: CROWDING / (radius * sigma), heights };
+    let [nearest, furthest] = SEPARATIONS;
+    let within = |rng: &mut CaseRng, from: f64, to: f64| {
+        rng.between(from.clamp(nearest, furthest), to.clamp(nearest, furthest))
+    };
+    let set = |rng: &mut CaseRng, heights: Layout| SetParameters {
+        heights,
+        count: rng.ratio(FEW).round() as usize,
+        mean: 0.0,
+        sigma,
+        radius,
+        seed: rng.0.random::<u64>(),
+    };
+    match group {
+        Group::Contacts | Group::LayeredContacts | Group::Boundaries | Group::LayeredBoundaries => {
+            CaseInput::Contact { w: indentation(rng, bodies, radius), radius }
+        }
+        Group::Scales => CaseInput::Contact { w: radius * rng.ratio([1e-12, 1.0]), radius },
+        Group::Ellipses => CaseInput::Ellipse {
+            w: radius * rng.ratio([1e-12, 1.0]),
+            mean_curvature: radius.recip(),
+            ratio: if rng.chance(0.1) { 1.0 + rng.ratio([1e-15, 1e-3]) } else { rng.ratio([1.0, 1e12]) },
+        },
+        Group::Denormals => {
+            let w = if rng.chance(0.2) {
+                f64::from_bits(rng.below(20) as u64 + 1)
+            } else {
+                f64::MIN_POSITIVE * rng.ratio([1e-15, 1e15])
             };
-            Material::new(body.young(), body.poisson(), Some(hardness), strength).unwrap_or(body)
-        };
-        let alone = rng.below(8);
-        let rough = if alone == 0 { rough } else { harden(rng, rough) };
-        let (flat, layer) = if alone == 1 { (flat, layer) } else { (harden(rng, flat), harden(rng, layer)) };
-        let layer = layered.then(|| Layer {
-            material: layer,
-            thickness: rng.ratio(THICKNESSES),
-            rule: ModulusModel::ALL[rng.below(2)],
-        });
-        Bodies { law, rough, flat, layer }
-    }
-
-    fn input(rng: &mut CaseRng, group: Group, bodies: &Bodies) -> CaseInput {
-        let sigma = rng.ratio(SIGMA);
-        let radius = sigma * rng.ratio(RADIUS_OVER_SIGMA);
-        let heights = if group == Group::OtherHeights { other_heights(rng) } else { Heights::GAUSSIAN };
-        let population = Population { radius, sigma, density: CROWDING / (radius * sigma), heights };
-        let [nearest, furthest] = SEPARATIONS;
-        let within = |rng: &mut CaseRng, from: f64, to: f64| {
-            rng.between(from.clamp(nearest, furthest), to.clamp(nearest, furthest))
-        };
-        let set = |rng: &mut CaseRng, heights: Layout| SetParameters {
-            heights,
-            count: rng.ratio(FEW).round() as usize,
-            mean: 0.0,
-            sigma,
-            radius,
-            seed: rng.0.random::<u64>(),
-        };
-        match group {
-            Group::Contacts | Group::LayeredContacts | Group::Boundaries | Group::LayeredBoundaries => {
-                CaseInput::Contact { w: Self::indentation(rng, bodies, radius), radius }
-            }
-            Group::Scales => CaseInput::Contact { w: radius * rng.ratio([1e-12, 1.0]), radius },
-            Group::Ellipses => CaseInput::Ellipse {
-                w: radius * rng.ratio([1e-12, 1.0]),
-                mean_curvature: radius.recip(),
-                ratio: if rng.chance(0.1) { 1.0 + rng.ratio([1e-15, 1e-3]) } else { rng.ratio([1.0, 1e12]) },
-            },
-            Group::Denormals => {
-                let w = if rng.chance(0.2) {
-                    f64::from_bits(rng.below(20) as u64 + 1)
-                } else {
-                    f64::MIN_POSITIVE * rng.ratio([1e-15, 1e15])
-                };
-                CaseInput::Contact { w, radius }
-            }
-            Group::Sums | Group::LayeredSums => {
-                CaseInput::Sum(set(rng, Layout::Gaussian), within(rng, -3.0, 3.0))
-            }
-            Group::OneAsperity => CaseInput::Sum(
-                SetParameters { count: 1, ..set(rng, Layout::Equal) },
-                -rng.ratio([1e-12, 20.0]),
-            ),
-            Group::Offset => {
-                let sign = if rng.chance(0.5) { 1.0 } else { -1.0 };
-                let mean = sign * sigma * rng.ratio([1.0, 1e8]);
-                CaseInput::Sum(SetParameters { mean, ..set(rng, Layout::Gaussian) }, within(rng, -3.0, 2.0))
-            }
-            Group::Line => CaseInput::Sum(set(rng, Layout::Line), within(rng, -4.0, 3.0)),
-            Group::Touching => CaseInput::Sum(set(rng, Layout::Touching), within(rng, -4.0, 4.0)),
-            Group::Equal => CaseInput::Sum(set(rng, Layout::Equal), -rng.ratio([1e-6, 20.0])),
-            Group::MillionEqual => CaseInput::Sum(
-                SetParameters { count: 1_000_000, ..set(rng, Layout::Equal) },
-                -rng.ratio([1e-3, 20.0]),
-            ),
-            Group::MillionLine => CaseInput::Sum(
-                SetParameters { count: 1_000_000, ..set(rng, Layout::Line) },
-                within(rng, -4.0, 3.0),
-            ),
-            Group::Integrals | Group::LayeredIntegrals | Group::OtherHeights => {
-                CaseInput::Integral(population, within(rng, -10.0, 20.0))
-            }
-            Group::Deep => CaseInput::Integral(population, within(rng, -20.0, -10.0)),
-            Group::Tail => CaseInput::Integral(population, within(rng, 20.0, 35.0)),
-            Group::Last => CaseInput::Integral(population, within(rng, 35.0, 37.0)),
-            Group::Vanishing => CaseInput::Integral(population, rng.between(37.0, 40.0)),
-            Group::LoadsOfIntegrals => CaseInput::LoadOfIntegral(population, within(rng, -8.0, 20.0)),
-            Group::LoadsOfSums => CaseInput::LoadOfSum(set(rng, Layout::Gaussian), within(rng, -4.0, 2.0)),
+            CaseInput::Contact { w, radius }
         }
-    }
-
-    /// From far below to far above where the pair of `bodies` begins to yield.
-    fn indentation(rng: &mut CaseRng, bodies: &Bodies, radius: f64) -> f64 {
-        let modulus = reduced_modulus(&bodies.rough, &bodies.flat);
-        let hardness =
-            [bodies.rough, bodies.flat].iter().filter_map(Material::hardness).fold(f64::INFINITY, f64::min);
-        if hardness.is_finite() && rng.chance(0.7) {
-            let strain = hardness / modulus;
-            radius * strain * strain * rng.ratio([1e-3, 1e6])
-        } else {
-            radius * rng.ratio([1e-15, 10.0])
+        Group::Sums | Group::LayeredSums => {
+            CaseInput::Sum(set(rng, Layout::Gaussian), within(rng, -3.0, 3.0))
         }
+        Group::OneAsperity => {
+            CaseInput::Sum(SetParameters { count: 1, ..set(rng, Layout::Equal) }, -rng.ratio([1e-12, 20.0]))
+        }
+        Group::Offset => {
+            let sign = if rng.chance(0.5) { 1.0 } else { -1.0 };
+            let mean = sign * sigma * rng.ratio([1.0, 1e8]);
+            CaseInput::Sum(SetParameters { mean, ..set(rng, Layout::Gaussian) }, within(rng, -3.0, 2.0))
+        }
+        Group::Line => CaseInput::Sum(set(rng, Layout::Line), within(rng, -4.0, 3.0)),
+        Group::Touching => CaseInput::Sum(set(rng, Layout::Touching), within(rng, -4.0, 4.0)),
+        Group::Equal => CaseInput::Sum(set(rng, Layout::Equal), -rng.ratio([1e-6, 20.0])),
+        Group::MillionEqual => CaseInput::Sum(
+            SetParameters { count: 1_000_000, ..set(rng, Layout::Equal) },
+            -rng.ratio([1e-3, 20.0]),
+        ),
+        Group::MillionLine => CaseInput::Sum(
+            SetParameters { count: 1_000_000, ..set(rng, Layout::Line) },
+            within(rng, -4.0, 3.0),
+        ),
+        Group::Integrals | Group::LayeredIntegrals | Group::OtherHeights => {
+            CaseInput::Integral(population, within(rng, -10.0, 20.0))
+        }
+        Group::Deep => CaseInput::Integral(population, within(rng, -20.0, -10.0)),
+        Group::Tail => CaseInput::Integral(population, within(rng, 20.0, 35.0)),
+        Group::Last => CaseInput::Integral(population, within(rng, 35.0, 37.0)),
+        Group::Vanishing => CaseInput::Integral(population, rng.between(37.0, 40.0)),
+        Group::LoadsOfIntegrals => CaseInput::LoadOfIntegral(population, within(rng, -8.0, 20.0)),
+        Group::LoadsOfSums => CaseInput::LoadOfSum(set(rng, Layout::Gaussian), within(rng, -4.0, 2.0)),
+    }
+}
+
+/// From far below to far above where the pair of `bodies` begins to yield.
+fn indentation(rng: &mut CaseRng, bodies: &Bodies, radius: f64) -> f64 {
+    let modulus = reduced_modulus(&bodies.rough, &bodies.flat);
+    let hardness =
+        [bodies.rough, bodies.flat].iter().filter_map(Material::hardness).fold(f64::INFINITY, f64::min);
+    if hardness.is_finite() && rng.chance(0.7) {
+        let strain = hardness / modulus;
+        radius * strain * strain * rng.ratio([1e-3, 1e6])
+    } else {
+        radius * rng.ratio([1e-15, 10.0])
     }
 }
 
@@ -277,15 +271,8 @@ fn other_heights(rng: &mut CaseRng) -> Heights {
 
 /// Any law by its weight; ZMC in place of a law without layers.
 fn law(rng: &mut CaseRng, layered: bool) -> CoveredLaw {
-    let total = TWINS.iter().map(|twin| twin.weight).sum();
-    let mut drawn = rng.below(total);
-    let twin = TWINS.iter().find(|twin| match drawn.checked_sub(twin.weight) {
-        Some(rest) => {
-            drawn = rest;
-            false
-        }
-        None => true,
-    });
+    let mut twins = TWINS.iter().flat_map(|twin| repeat_n(twin, twin.weight));
+    let twin = twins.nth(rng.below(TWINS.iter().map(|twin| twin.weight).sum()));
     let law = twin.and_then(|twin| CoveredLaw::named(twin.name));
     let law = law.filter(|law| !layered || law.chosen().supports_layers());
     with_options(rng, law.unwrap_or_else(CoveredLaw::zmc))
@@ -308,14 +295,6 @@ fn with_options(rng: &mut CaseRng, law: CoveredLaw) -> CoveredLaw {
     let options: Vec<(&str, f64)> =
         onset.into_iter().chain([("transition-ratio", transition_ratio)]).collect();
     law.with_options(&options).unwrap_or(law)
-}
-
-/// A body of properties that are within their ranges.
-fn unyielding(young: f64, poisson: f64) -> Material {
-    match Material::new(young, poisson, None, None) {
-        Ok(body) => body,
-        Err(_) => unreachable!("both are within their ranges"),
-    }
 }
 
 /// Moves an indentation to within 1e-15 of a boundary, or a thickness to where the weights turn.

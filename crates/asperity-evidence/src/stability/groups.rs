@@ -1,7 +1,7 @@
 //! The groups of cases with their error bounds, and the largest errors of each.
 
-use super::cases::{Case, CaseFactory};
-use super::check::{CheckedCase, Deviation, Failure, check};
+use super::cases::{Case, case};
+use super::check::{Checked, Deviation, Failure, check};
 use crate::exact::CoveredLaw;
 use asperity::named_enum;
 use asperity::progress::Progress;
@@ -110,34 +110,29 @@ impl Group {
 
     /// Largest relative error allowed for a quantity, before the factor of a narrow transition; without a layer, under laws in closed form.
     pub fn bound(self, quantity: CheckedQuantity) -> f64 {
-        self.bound_of_slope(quantity, self.is_layered())
+        // The slope of a table has fewer digits.
+        let is_slope = quantity == CheckedQuantity::Stiffness && self.is_layered();
+        if is_slope { SLOPE_OF_TABLE } else { self.bound_in_closed_form() }
     }
 
     /// The same under a law.
     pub fn bound_under(self, quantity: CheckedQuantity, law: &CoveredLaw) -> f64 {
-        let has_tables = self.is_layered() || law.twin.has_tables;
-        self.bound_of_slope(quantity, has_tables) * (law.twin.steepness)(law.chosen())
-    }
-
-    /// A stiffness that is the slope of a table has fewer digits.
-    const fn bound_of_slope(self, quantity: CheckedQuantity, has_tables: bool) -> f64 {
-        match quantity {
-            CheckedQuantity::Stiffness if has_tables => 1e-11,
-            _ => self.bound_in_closed_form(),
-        }
+        let is_slope = quantity == CheckedQuantity::Stiffness && law.twin.has_tables;
+        let bound = if is_slope { SLOPE_OF_TABLE } else { self.bound(quantity) };
+        bound * (law.twin.steepness)(law.chosen())
     }
 }
+
+/// Error allowed in a stiffness that is the slope of a table.
+const SLOPE_OF_TABLE: f64 = 1e-11;
 
 /// Cases of each group, by what they evaluate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Counts {
     /// Of each group of single contacts; a quarter of it under a layer.
     pub contacts: u64,
-    /// Of each group of sums.
     pub sums: u64,
-    /// Of each group of integrals.
     pub integrals: u64,
-    /// Of each group of load control.
     pub loads: u64,
     /// Of each group of a million asperities.
     pub millions: u64,
@@ -154,10 +149,6 @@ impl Counts {
             CheckKind::Integral => self.integrals,
             CheckKind::Load => self.loads,
         }
-    }
-
-    pub fn total(&self) -> u64 {
-        Group::ALL.into_iter().map(|group| self.in_group(group)).sum()
     }
 }
 
@@ -176,7 +167,6 @@ impl GroupResults {
         self.worst.iter().find(|worst| worst.quantity == quantity).map(|worst| worst.largest)
     }
 
-    /// Whether every quantity of every case is within its bound.
     pub fn is_within_bounds(&self) -> bool {
         self.failures.is_empty() && self.worst.iter().all(WorstCase::is_within_bound)
     }
@@ -211,21 +201,19 @@ pub struct WorstCase {
 }
 
 impl WorstCase {
-    /// Largest error allowed in the case.
     pub fn bound(&self) -> f64 {
         self.case.group.bound_under(self.quantity, &self.case.bodies.law)
     }
 
-    /// Whether the error is a number within its bound.
     pub fn is_within_bound(&self) -> bool {
         self.checked <= self.bound()
     }
 
     /// Of one quantity over the cases of a group; `None` where no case has it.
-    fn among(cases: &[CheckedCase], quantity: CheckedQuantity) -> Option<Self> {
-        let deviations = cases.iter().flat_map(|CheckedCase { case, outcome }| {
-            outcome.iter().flatten().map(move |deviation| (deviation, case))
-        });
+    fn among(cases: &[(Case, Checked)], quantity: CheckedQuantity) -> Option<Self> {
+        let deviations = cases
+            .iter()
+            .flat_map(|(case, checked)| checked.iter().flatten().map(move |deviation| (deviation, case)));
         let mut all: Vec<(&Deviation, &Case)> =
             deviations.filter(|(deviation, _)| deviation.quantity == quantity).collect();
         all.sort_by(|(a, _), (b, _)| a.checked.total_cmp(&b.checked));
@@ -247,18 +235,18 @@ impl WorstCase {
 
 /// Checks `count` cases of one group, each a unit of work for `progress`.
 pub fn check_group(group: Group, count: u64, seed: [u8; 32], progress: &dyn Progress) -> GroupResults {
-    let factory = CaseFactory { seed };
     let check = |index| {
-        let checked = check(factory.case(group, index));
+        let case = case(seed, group, index);
+        let checked = check(&case);
         progress.advance(1.0);
-        checked
+        (case, checked)
     };
-    let checked: Vec<CheckedCase> = (0..count).into_par_iter().map(check).collect();
+    let checked: Vec<(Case, Checked)> = (0..count).into_par_iter().map(check).collect();
     let worst = CheckedQuantity::ALL.into_iter().filter_map(|quantity| WorstCase::among(&checked, quantity));
     GroupResults {
         group,
         cases: count,
         worst: worst.collect(),
-        failures: checked.into_iter().filter_map(|case| Some((case.case, case.outcome.err()?))).collect(),
+        failures: checked.into_iter().filter_map(|(case, checked)| Some((case, checked.err()?))).collect(),
     }
 }

@@ -1,63 +1,42 @@
 //! Numerical error of `f64`: thousands of random and adversarial cases over the whole range of representable inputs, each checked by an
 //! evaluation of about 32 digits that shares nothing with the models but the equations.
-//!
-//! | file | what lives there |
-//! |---|---|
-//! | `groups` | the groups of cases, how far each may be off, and how far it is |
-//! | `cases` | the cases themselves, each from the seed, its group and its number |
-//! | `check` | error of a result |
-//! | `maps` | errors over a plane |
 
 mod cases;
 mod check;
 mod groups;
-mod maps;
 
 pub use cases::{Layout, SetParameters};
 pub use groups::{CheckKind, CheckedQuantity, Counts, Group, GroupResults, WorstCase, check_group};
-pub use maps::maps;
 
 use crate::exact::{CoveredLaw, density_of};
-use crate::program::{Evidence, Failed, Form, Program, Task};
+use crate::{Drawing, Evidence, Failed, Form, Program, Task};
 use asperity::contact_law::registry;
 use asperity::distribution::{Entry, REGISTRY};
-use asperity::{ContactLaw, Paper, literature};
+use asperity::{ContactLaw, literature};
 use asperity_contact_framework::columns;
 use asperity_contact_framework::report::format::{count, listed, one_digit};
 use asperity_contact_framework::report::table::{Column, Row, Schema, Table};
+use asperity_plot::{Axis, Colour, Layer, Marker, Plot};
 use check::Failure;
-use maps::Map;
 
 /// Cases of each group; of the full form the last digit of an error is better known.
 const SHORT: Counts = Counts { contacts: 1000, sums: 200, integrals: 250, loads: 50, millions: 2 };
 const FULL: Counts = Counts { contacts: 20_000, sums: 4000, integrals: 5000, loads: 1000, millions: 10 };
 
-/// Cells per side of an error map.
-const CELLS: usize = 48;
-
 pub const STABILITY: Program = Program {
     name: "stability",
     forms: [
-        Form::new("8,004 cases in 25 groups, and error maps", 4e8, 5.31e7),
-        Form::new("160,020 cases in 25 groups, and error maps", 4e8, 9.32e8),
+        Form::new("8,004 cases in 25 groups", 4e8, 5e7),
+        Form::new("160,020 cases in 25 groups", 4e8, 9.3e8),
     ],
-    tables: || vec![Schema::of::<&GroupResults>(), Schema::of::<WorstRow>(), Schema::of::<CellRow>()],
+    tables: || vec![Schema::of::<&GroupResults>(), Schema::of::<WorstRow>()],
     run,
 };
-
-/// Papers on the layer.
-const PAPERS: [Paper; 5] = [
-    literature::PASARIBU_SCHIPPER_2005,
-    literature::GAO_CHIU_LEE_1992,
-    literature::SWAIN_MENCIK_1994,
-    literature::SONG_PHARR_1999,
-    literature::BHATTACHARYA_NIX_1988,
-];
 
 fn run(task: &Task) -> Result<Evidence, Failed> {
     let counts = if task.is_full { FULL } else { SHORT };
     let progress = task.progress;
-    progress.steps(Group::ALL.len() as u64 + 1);
+    progress.steps(Group::ALL.len() as u64);
     let seed = task.stream_seed("stability");
     let groups = Group::ALL.map(|group| {
         let count = counts.in_group(group);
@@ -66,21 +45,23 @@ fn run(task: &Task) -> Result<Evidence, Failed> {
         progress.step();
         results
     });
-    progress.stage("maps of the error", 1.0);
-    let maps = maps(CELLS, progress);
-    progress.step();
-    let worst =
-        groups.iter().flat_map(|group| group.worst.iter().map(move |worst| WorstRow { group, worst }));
-    let cells = maps.iter().flat_map(Map::rows);
+    let worst = groups.iter().flat_map(|group| group.worst.iter().map(move |worst| WorstRow(group, worst)));
+    let of_layers = [
+        literature::PASARIBU_SCHIPPER_2005,
+        literature::GAO_CHIU_LEE_1992,
+        literature::SWAIN_MENCIK_1994,
+        literature::SONG_PHARR_1999,
+        literature::BHATTACHARYA_NIX_1988,
+    ];
     let method = "Method: [stability](../../docs/stability.md).".to_owned();
     Ok(Evidence {
         claim: claim(&groups),
         warnings: groups.iter().filter_map(warning).collect(),
-        drawings: maps.iter().map(Map::drawing).collect(),
-        tables: vec![Table::new(&groups), Table::new(worst), Table::new(cells)],
+        drawings: vec![drawing(&groups)],
+        tables: vec![Table::new(&groups), Table::new(worst)],
         hidden: WorstRow::FILE,
         set_up: not_covered().into_iter().chain([method]).collect(),
-        papers: registry().iter().flat_map(ContactLaw::papers).chain(PAPERS).collect(),
+        papers: registry().iter().flat_map(ContactLaw::papers).chain(of_layers).collect(),
     })
 }
 
@@ -123,6 +104,32 @@ fn not_covered() -> Option<String> {
         .then(|| format!("Not covered, because there is no evaluation in 32 digits: {}.", listed(&names)))
 }
 
+/// The largest errors of each group, and their bound.
+fn drawing(groups: &[GroupResults]) -> Drawing {
+    /// Smaller errors are shown at this value.
+    const FLOOR: f64 = 1e-17;
+    let names = Axis::named(Group::ALL.map(|group| group.name().to_owned()));
+    let error = Axis::log("largest relative error").range(FLOOR / 2.0, 2e-11);
+    let plot = Plot::new("Errors against 32 digits", error, names).height(560.0);
+    let places = |of: &dyn Fn(&GroupResults) -> Option<f64>| -> Vec<(f64, f64)> {
+        let values = groups.iter().enumerate();
+        values.filter_map(|(k, group)| Some((of(group)?.max(FLOOR), k as f64))).collect()
+    };
+    let bounds = places(&|group| Some(group.group.bound(CheckedQuantity::Load)));
+    let plot = plot.with(Layer::points(bounds, Marker::Cross).coloured(Colour::Neutral).named("bound"));
+    let plot = CheckedQuantity::ALL.into_iter().enumerate().fold(plot, |plot, (k, quantity)| {
+        let points = Layer::points(places(&|group| group.largest_error(quantity)), Marker::Circle);
+        plot.with(points.coloured(Colour::Series(k)).named(quantity.name()))
+    });
+    Drawing {
+        file: "stability.svg",
+        figure: plot.into(),
+        caption: "Largest error of each quantity in each group of cases, and the bound of the group; of stiffnesses that are slopes of \
+                  tables it is 1e-11. Smaller errors are shown at 1e-17."
+            .to_owned(),
+    }
+}
+
 impl Row for &GroupResults {
     const FILE: &'static str = "groups.csv";
     const ROWS: &'static str = "One row for each group of cases: the largest errors relative to an evaluation of 32 digits, zero where the result is exact for a separation within rounding of the given one. Empty where the group does not have the quantity.";
@@ -149,10 +156,7 @@ impl Row for &GroupResults {
 }
 
 /// The errors of one quantity over the cases of a group.
-pub struct WorstRow<'a> {
-    group: &'a GroupResults,
-    worst: &'a WorstCase,
-}
+pub struct WorstRow<'a>(&'a GroupResults, &'a WorstCase);
 
 impl Row for WorstRow<'_> {
     const FILE: &'static str = "stability.csv";
@@ -161,40 +165,18 @@ impl Row for WorstRow<'_> {
 
     fn columns() -> Vec<Column<Self>> {
         columns! { row: Self =>
-            kind["text"] = row.group.group.kind().name(), "What is evaluated: `single contact`, `sum`, `integral` or `load control`.";
-            group["text"] = row.group.group.name(), "Group of cases.";
-            quantity["text"] = row.worst.quantity.name(), "Quantity whose error is given.";
-            cases["count"] = row.group.cases, "Cases checked.";
-            failures["count"] = row.group.failures.len(), "Cases that failed or could not be checked.";
-            median_error["1", one_digit, ignored] = row.worst.median, "Median of the errors.";
-            worst_error["1", one_digit, ignored] = row.worst.checked, "Error of the case closest to its bound; zero where the result is exact for a separation within rounding of the given one.";
-            bound["1", one_digit] = row.group.group.bound(row.worst.quantity), "Bound of the error under most laws.";
-            plain_error["1", one_digit, ignored] = row.worst.error, "Largest error, the rounding of the separation included.";
-            worst_bound["1", label("bound of the worst case"), one_digit, ignored] = row.worst.bound(), "Bound of the case closest to its bound, which a narrow elastic-plastic transition makes larger.";
-            worst_scene["count", label("worst case"), ignored] = row.worst.case.index, "Number of that case within its group.";
-            worst_inputs["text", ignored] = row.worst.case.inputs(), "Every input of that case, to run it again.";
-        }
-    }
-}
-
-/// A cell of a map of errors.
-pub struct CellRow {
-    map: &'static str,
-    position: [f64; 2],
-    error: f64,
-}
-
-impl Row for CellRow {
-    const FILE: &'static str = "maps.csv";
-    const ROWS: &'static str = "One row for each cell of each map of errors.";
-    const IS_LONG: bool = true;
-
-    fn columns() -> Vec<Column<Self>> {
-        columns! { row: Self =>
-            map["text"] = row.map, "Map; the report names its quantity and axes.";
-            x["1"] = row.position[0], "Position along x, as a common logarithm where the axis says so.";
-            y["1"] = row.position[1], "Position along y, likewise.";
-            cell_error["1", ignored] = Some(row.error).filter(|error| error.is_finite()), "Relative error; empty where the evaluation of 32 digits does not converge.";
+            kind["text"] = row.0.group.kind().name(), "What is evaluated: `single contact`, `sum`, `integral` or `load control`.";
+            group["text"] = row.0.group.name(), "Group of cases.";
+            quantity["text"] = row.1.quantity.name(), "Quantity whose error is given.";
+            cases["count"] = row.0.cases, "Cases checked.";
+            failures["count"] = row.0.failures.len(), "Cases that failed or could not be checked.";
+            median_error["1", one_digit, ignored] = row.1.median, "Median of the errors.";
+            worst_error["1", one_digit, ignored] = row.1.checked, "Error of the case closest to its bound; zero where the result is exact for a separation within rounding of the given one.";
+            bound["1", one_digit] = row.0.group.bound(row.1.quantity), "Bound of the error under most laws.";
+            plain_error["1", one_digit, ignored] = row.1.error, "Largest error, the rounding of the separation included.";
+            worst_bound["1", label("bound of the worst case"), one_digit, ignored] = row.1.bound(), "Bound of the case closest to its bound, which a narrow elastic-plastic transition makes larger.";
+            worst_scene["count", label("worst case"), ignored] = row.1.case.index, "Number of that case within its group.";
+            worst_inputs["text", ignored] = row.1.case.inputs(), "Every input of that case, to run it again.";
         }
     }
 }

@@ -1,15 +1,17 @@
 //! Comparisons of the boundary element solver, on coarse grids.
 
 use asperity::progress::Silent;
-use asperity_evidence::solver::ensemble::{Ensemble, EnsemblePoint, PUBLISHED, ensemble};
-use asperity_evidence::solver::grid::{GRIDS, GridCase, Grids, MAY_EXCEED, grid_errors};
-use asperity_evidence::solver::{Benchmark, LAYERED_CASES, full_contact, hertz, layered, partial_contact};
+use asperity_evidence::solver::ensemble::{PUBLISHED, ensemble};
+use asperity_evidence::solver::grid::{CASES, GRIDS, Grids, MAY_EXCEED, grid_errors};
+use asperity_evidence::solver::{
+    Benchmark, BenchmarkQuantity, LAYERED_CASES, full_contact, hertz, layered, partial_contact,
+};
 
 fn assert_within(benchmarks: &[Benchmark]) {
     assert!(!benchmarks.is_empty());
     for benchmark in benchmarks {
         assert!(benchmark.is_within(), "{benchmark:?}");
-        if let Some((exact, computed)) = benchmark.exact.zip(benchmark.computed) {
+        if let Some([exact, computed]) = benchmark.values {
             let is_difference = benchmark.problem.name() == "sinusoid";
             let error = if is_difference { computed - exact } else { computed / exact - 1.0 };
             assert_eq!(benchmark.error, error, "{benchmark:?}");
@@ -46,25 +48,23 @@ fn bounds_are_near_the_errors() {
 
 #[test]
 fn areas_of_the_ensemble_are_near_the_published_ones() {
-    let task = Ensemble { points: &[256, 512], realisations: 2, pressures: &[0.065, 0.147], error: 1e-5 };
-    let results = ensemble(&task, |realisation| [realisation as u8; 32], &Silent).unwrap();
-    assert_eq!((results.points.len(), results.extrapolated.len()), (4, 2));
-    for limit in &results.extrapolated {
-        assert!(limit.difference().unwrap().mean.abs() < 0.06, "{limit:?}");
-        assert!((limit.area.mean / limit.raw_area.mean - 1.0).abs() < 0.01, "{limit:?}");
-        let on_grid = |points: usize| {
+    use BenchmarkQuantity::{Area, LimitArea, RawArea};
+    let benchmarks = ensemble(&[256, 512], 2, &PUBLISHED[5..7], |k| [k as u8; 32], &Silent).unwrap();
+    assert_within(&benchmarks);
+    assert_eq!(benchmarks.len(), 2 * (2 * 2 + 1));
+    for limit in benchmarks.iter().filter(|benchmark| benchmark.quantity == LimitArea) {
+        let of = |points: usize, quantity: BenchmarkQuantity| {
             let is_it =
-                |point: &&EnsemblePoint| point.points == Some(points) && point.pressure == limit.pressure;
-            results.points.iter().find(is_it).unwrap()
+                |one: &&Benchmark| (&one.case, one.points, one.quantity) == (&limit.case, points, quantity);
+            benchmarks.iter().find(is_it).unwrap().values.unwrap()[1]
         };
+        let [coarse, fine] = [256, 512].map(|points| of(points, RawArea));
+        let linear = 2.0 * fine - coarse;
+        assert!((of(512, LimitArea) - linear).abs() < 1e-14 && limit.allowed.unwrap() > 0.05, "{limit:?}");
         // Counting points overestimates the area, less so on finer grids.
-        let [coarse, fine] = [256, 512].map(on_grid);
-        assert!(coarse.raw_area.mean > fine.raw_area.mean && fine.raw_area.mean > limit.raw_area.mean);
-        assert!(fine.area.mean < fine.raw_area.mean);
+        assert!(coarse > fine && fine > linear && of(512, Area) < fine, "{limit:?}");
     }
-    assert!(
-        PUBLISHED.windows(2).all(|pair| pair[0].pressure < pair[1].pressure && pair[0].area < pair[1].area)
-    );
+    assert!(PUBLISHED.windows(2).all(|pair| pair[0][0] < pair[1][0] && pair[0][1] < pair[1][1]));
 }
 
 /// The long form is the experiment `grid-bounds`.
@@ -72,7 +72,7 @@ fn areas_of_the_ensemble_are_near_the_published_ones() {
 fn few_errors_by_the_grid_exceed_their_bounds() {
     let task = Grids { points: 512, realisations: 3, pressures: &[0.004, 0.02], error: 1e-6 };
     let found = grid_errors(&task, |realisation| [realisation as u8 + 40; 32], &Silent).unwrap();
-    assert_eq!(found.len(), GridCase::ALL.len() * GRIDS.len());
+    assert_eq!(found.len(), CASES.len() * GRIDS.len());
     let contacts: usize = found.iter().map(|point| point.contacts).sum();
     assert_eq!(contacts, found.len() * 6);
     for quantity in 0..3 {
