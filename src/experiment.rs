@@ -23,13 +23,12 @@ use asperity_plot::Size;
 use indexmap::IndexMap;
 use sha2::{Digest, Sha256};
 
-use crate::available_memory;
-use crate::kind::compare::plan::described;
+use crate::kind::compare::Compare;
+use crate::kind::compare::plan::{ComparePlan, described};
 use crate::kind::compare::results::CompareResults;
-use crate::kind::compare::{Compare, plan::ComparePlan};
 use crate::kind::{KINDS, REPORTED, SURFACES};
 use crate::surface::{FileOptions, SurfaceFactory, SurfacesPlan, by_hand, files_of, surfaces};
-use crate::sweep;
+use crate::{available_memory, sweep};
 
 /// SHA-256 of the sources that this program was built from.
 const SOURCES: &str = env!("ASPERITY_SOURCES");

@@ -1,14 +1,13 @@
 //! The tables of both models that several kinds have: `curves.csv` and `comparison.csv`.
 
-use asperity::study::CaseResults;
-use asperity_contact_framework::columns;
-use asperity_contact_framework::report::table::{Column, Heading, Row, Table, Value};
-
 use asperity::compare::{
     Attribution, Cause, ComparedQuantity, Comparison, CurvePoint, ModelKind, Pair, ReferencePoint,
 };
 use asperity::spot::{SpotProperties, SpotQuantity, tube_factor};
+use asperity::study::CaseResults;
 use asperity::{ByRegime, Exceeded, Limit, Response};
+use asperity_contact_framework::columns;
+use asperity_contact_framework::report::table::{Column, Heading, Row, Table, Value};
 
 #[derive(Debug, Clone)]
 pub(crate) struct RowCase {

@@ -2,14 +2,12 @@
 
 use std::fmt;
 
+use asperity_contact_framework::input::{OneOrMany, schema};
+use asperity_contact_framework::report::format::listed;
+use asperity_contact_framework::written_schema;
 use serde::de::{Error, Visitor};
 use serde::{Deserialize, Deserializer};
 use serde_json::json;
-
-use asperity_contact_framework::input::OneOrMany;
-use asperity_contact_framework::input::schema;
-use asperity_contact_framework::report::format::listed;
-use asperity_contact_framework::written_schema;
 
 /// What a figure of the paper shows, `what`, as the title of one in a report.
 pub fn title(figure: u8, what: &str) -> String {

@@ -4,14 +4,13 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use asperity::HeightMap;
 use asperity::bem::Contact;
 use asperity::compare::Control;
-use asperity::npy;
 use asperity::surface::{AnalysisDepth, Step};
 use asperity::topography::write::{GwyField, Note, Out, gwy};
 use asperity::units::Dimension;
 use asperity::work::Counter;
+use asperity::{HeightMap, npy};
 use asperity_contact_framework::input::{InputError, Source};
 use asperity_contact_framework::metadata::Timing;
 use asperity_contact_framework::progress::Progress;

@@ -2,13 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use asperity::Ellipse;
-use asperity::npy;
 use asperity::progress::Count;
 use asperity::surface::{AnalysisDepth, Preparation, Step, Surface};
 use asperity::topography::write::{Note, Out};
 use asperity::topography::{Boundary, Rows};
 use asperity::work::Counter;
+use asperity::{Ellipse, npy};
 use asperity_contact_framework::input::{InputError, Source, SpecFile};
 use asperity_contact_framework::metadata::Timing;
 use asperity_contact_framework::progress::{Progress, Silent};

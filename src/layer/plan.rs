@@ -2,15 +2,13 @@
 
 use std::fmt;
 
-use crate::layer::spec::LayerSpec;
 use asperity::law::Body;
 use asperity::layer::Coating;
 use asperity::{LayerError, Material, ModulusModel};
-use asperity_contact_framework::input::InputError;
-use asperity_contact_framework::input::{Source, Spanned};
-
-use asperity_contact_framework::input::SpecFile;
+use asperity_contact_framework::input::{InputError, Source, Spanned, SpecFile};
 use asperity_contact_framework::report::format::input_quantity;
+
+use crate::layer::spec::LayerSpec;
 
 /// A layer of one thickness or several.
 #[derive(Debug, Clone)]

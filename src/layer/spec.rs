@@ -1,18 +1,16 @@
 //! `layer = { material = "lead", thickness = [0, "50 nm", "inf"] }`: the layer on the flat, or with `on = "rough"` on the
 //! rough body.
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Deserializer};
-use serde_json::json;
-
 use asperity::law::Body;
 use asperity::{ModulusModel, units};
 use asperity_contact_framework::input::bare::{ThicknessOrNone, ThicknessRange};
 use asperity_contact_framework::input::quantity::{Length, Quantity};
-use asperity_contact_framework::input::schema;
 use asperity_contact_framework::input::sweep::LogSweep;
-use asperity_contact_framework::input::{Forms, Spanned};
+use asperity_contact_framework::input::{Forms, Spanned, schema};
 use asperity_contact_framework::written_schema;
+use schemars::JsonSchema;
+use serde::{Deserialize, Deserializer};
+use serde_json::json;
 
 use crate::study_plan::{Breakdowns, ShearStrengthSpec};
 

@@ -4,10 +4,6 @@ mod loads;
 mod spots;
 mod statistical;
 
-pub use loads::{inapplicable, unreachable_load};
-pub use spots::{Breakdowns, ConductanceSpec, ShearStrengthSpec, SpotKeys};
-pub use statistical::{RoughBody, StatisticalSpec, layer_metadata};
-
 use std::fmt;
 use std::ops::Range;
 
@@ -20,11 +16,14 @@ use asperity_contact_framework::contact::Bodies;
 use asperity_contact_framework::input::accept::AcceptSpec;
 use asperity_contact_framework::input::law::Laws;
 use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
+pub use loads::{inapplicable, unreachable_load};
+use spots::SpottedBodies;
+pub use spots::{Breakdowns, ConductanceSpec, ShearStrengthSpec, SpotKeys};
+pub use statistical::{RoughBody, StatisticalSpec, layer_metadata};
 
 use crate::layer::{LayerPlan, LayerSpec, layer};
 use crate::plausibility;
 use crate::surface::{SurfacePlan, describe, surfaces};
-use spots::SpottedBodies;
 
 /// The tables and keys of a spec that a study needs.
 pub struct StudyKeys<'a> {

@@ -2,11 +2,6 @@
 
 use std::ops::Range;
 
-use schemars::JsonSchema;
-use serde::de::Error;
-use serde::{Deserialize, Deserializer};
-use serde_json::json;
-
 use asperity::spot::{
     Conduction, ConductionError, GapMedium, Shear, ShearStrength, SpotProperties, Tangential,
 };
@@ -19,9 +14,12 @@ use asperity_contact_framework::input::material::{RESISTIVITY, THERMAL_CONDUCTIV
 use asperity_contact_framework::input::quantity::{
     ElectricalFilm, Length, NotNegative, Positive, Pressure, Pure, Quantity, ThermalConductivity, ThermalFilm,
 };
-use asperity_contact_framework::input::schema;
-use asperity_contact_framework::input::{Forms, InputError, OneOrMany, Spanned, SpecFile};
+use asperity_contact_framework::input::{Forms, InputError, OneOrMany, Spanned, SpecFile, schema};
 use asperity_contact_framework::written_schema;
+use schemars::JsonSchema;
+use serde::de::Error;
+use serde::{Deserialize, Deserializer};
+use serde_json::json;
 
 use crate::layer::{LayerPlan, LayerSpec};
 use crate::surface::SurfacePlan;

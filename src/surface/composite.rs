@@ -6,8 +6,7 @@ use asperity::{Heights, Population, ReferencePlane, SurfaceHeights, meeting_pair
 use asperity_contact_framework::input::{InputError, Source, Spanned};
 
 use super::plan::{Origin, SurfacePlan, Surfaces, named_surface};
-use super::spec::PairSpec;
-use super::spec::{DrawSpec, PopulationSpec, SurfaceSpec};
+use super::spec::{DrawSpec, PairSpec, PopulationSpec, SurfaceSpec};
 
 /// Asperities of the composite, of which the integral takes no notice.
 const COUNT: usize = 1 << 16;

@@ -5,6 +5,10 @@ use std::time::Instant;
 
 use asperity::compare::Repeats;
 use asperity::numeric::stream_seed;
+use asperity::surface::{
+    AnalysisDepth, Fit, Independence, MapFacts, NoAsperities, Preparation, Step, SummitSearch, Surface,
+    usual_long_filter,
+};
 use asperity::topography::{Continued, CorrelationLengths, Filter, Rows};
 use asperity::work::{Counter, Item};
 use asperity::{AsperityList, Draw, Ellipse, Ellipticity, Statistics};
@@ -22,9 +26,6 @@ use super::pair::{PairPlan, PreparedPair, greenwood_tripp_caveat};
 use super::plan::{MapPlan, Origin, SurfacePlan};
 use super::reading::{list_message, spec_message};
 use super::spec::DrawSpec;
-use asperity::surface::{AnalysisDepth, Fit, Independence};
-use asperity::surface::{MapFacts, Surface, usual_long_filter};
-use asperity::surface::{NoAsperities, Preparation, Step, SummitSearch};
 
 /// Makes or reads the realisations of a surface.
 pub struct SurfaceFactory<'a> {

@@ -185,10 +185,11 @@ pub fn fit_records(surface: &Surface) -> Value {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use asperity::surface::FoundSpikes;
     use asperity::topography::Level;
     use asperity::topography::summits::Neighbours;
+
+    use super::*;
 
     #[test]
     fn found_keys_replace_those_of_the_spec() {

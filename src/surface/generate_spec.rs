@@ -1,22 +1,20 @@
 //! `[surface.NAME.generate]`: a random rough surface.
 
+use asperity::topography::generate::{SigmaOf, SpectrumOf};
+use asperity::topography::summits::Neighbours;
+use asperity_contact_framework::input::bare::SigmaRange;
+use asperity_contact_framework::input::heights::HeightsSpec;
+use asperity_contact_framework::input::quantity::{
+    Angle, ArealNumberDensity, Finite, Length, Pure, Quantity,
+};
+use asperity_contact_framework::input::{OneOrMany, Spanned, Whole, schema};
+use asperity_contact_framework::written_schema;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use serde::de::Deserializer;
 use serde_json::json;
 
 use crate::surface::spec::PixelSpec;
-use asperity::topography::generate::{SigmaOf, SpectrumOf};
-use asperity::topography::summits::Neighbours;
-use asperity_contact_framework::input::Spanned;
-use asperity_contact_framework::input::bare::SigmaRange;
-use asperity_contact_framework::input::heights::HeightsSpec;
-use asperity_contact_framework::input::quantity::{
-    Angle, ArealNumberDensity, Finite, Length, Pure, Quantity,
-};
-use asperity_contact_framework::input::schema;
-use asperity_contact_framework::input::{OneOrMany, Whole};
-use asperity_contact_framework::written_schema;
 
 /// A random rough surface: either pixel, sigma and the lengths of its spectrum, or what its summits shall be.
 #[derive(Debug, Deserialize, JsonSchema)]

@@ -3,9 +3,6 @@
 use std::f64::consts::TAU;
 use std::ops::Range;
 
-use crate::surface::generate_spec::{
-    CorrelationSpec, GenerateSpec, PlateauSpec, SelfAffineSpec, SpectrumSpec,
-};
 use asperity::numeric::stream_seed;
 use asperity::progress::Progress;
 use asperity::surface::GenerationFacts;
@@ -15,9 +12,12 @@ use asperity::topography::generate::{
 use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
 use asperity::topography::summits::Neighbours;
 use asperity::{HeightMap, Heights};
-use asperity_contact_framework::input::Spanned;
 use asperity_contact_framework::input::quantity::{Angle, Finite, Quantity};
-use asperity_contact_framework::input::{InputError, Source};
+use asperity_contact_framework::input::{InputError, Source, Spanned};
+
+use crate::surface::generate_spec::{
+    CorrelationSpec, GenerateSpec, PlateauSpec, SelfAffineSpec, SpectrumSpec,
+};
 
 /// How a random surface is made.
 #[derive(Debug, Clone)]

@@ -21,6 +21,8 @@ pub mod section;
 mod spec;
 mod tiles;
 
+use asperity::surface::Surface;
+use asperity::work::Counter;
 pub use cache::{OfSpec, StoredSurface, SurfaceStore, Surfaces};
 pub use contact_options::ContactOptions;
 pub use description::{SurfacesPlan, described_file};
@@ -34,9 +36,6 @@ pub use options::{FileOptions, file_name};
 pub use plan::{SurfacePlan, beside, curvature_ratio, describe, inputs, points_per_wave_on, surfaces};
 pub use spec::SurfaceSpec;
 pub use tiles::{OpenTiles, SurfaceTiles};
-
-use asperity::surface::Surface;
-use asperity::work::Counter;
 
 pub fn warnings<'a>(surfaces: impl IntoIterator<Item = &'a Surface>) -> Vec<String> {
     let of = |surface: &'a Surface| {

@@ -1,30 +1,28 @@
 //! The surfaces of an experiment: planned from the spec, then made or read.
 
-use indexmap::IndexMap;
 use std::fmt;
 use std::ops::Range;
 use std::path::PathBuf;
 
-use crate::plausibility;
-use crate::surface::composite;
-use crate::surface::files::Reading;
-use crate::surface::generation::Generation;
-use crate::surface::memory;
-use crate::surface::pair::{self, PairPlan};
-use crate::surface::reading;
-use crate::surface::reading::{list_message, options_message, spec_message};
-use crate::surface::spec::{
-    DrawSpec, FileSpec, FitSpec, ListSpec, Outliers, PopulationHeights, PopulationSpec, SurfaceSpec,
-};
 use asperity::surface::{BodyAsperities, Kept, MapFacts, Preparation};
 use asperity::topography::read::{MapFile, Metadata, ReadError, ReadOptions, ReadOptionsError, UnitOrigin};
 use asperity::topography::{Boundary, Filter, Level, read};
 use asperity::{
     AsperityList, Heights, ListError, ListOptions, MapError, Population, ReferencePlane, SurfaceHeights,
 };
-use asperity_contact_framework::input::Spanned;
 use asperity_contact_framework::input::quantity::{Length, Pure, Quantity};
-use asperity_contact_framework::input::{InMemory, InputError, Source, SpecFile, Whole};
+use asperity_contact_framework::input::{InMemory, InputError, Source, Spanned, SpecFile, Whole};
+use indexmap::IndexMap;
+
+use crate::plausibility;
+use crate::surface::files::Reading;
+use crate::surface::generation::Generation;
+use crate::surface::pair::{self, PairPlan};
+use crate::surface::reading::{list_message, options_message, spec_message};
+use crate::surface::spec::{
+    DrawSpec, FileSpec, FitSpec, ListSpec, Outliers, PopulationHeights, PopulationSpec, SurfaceSpec,
+};
+use crate::surface::{composite, memory, reading};
 
 /// A surface that can be made.
 #[derive(Debug)]

@@ -1,7 +1,8 @@
 //! The tables of surfaces: their asperities, height maps, fitness checks, theory, and how random ones were generated.
 
+use asperity::surface::{GenerationFacts, MapFacts, Remedy, Surface};
 use asperity::topography::Moments;
-use asperity::topography::fitness::Finding;
+use asperity::topography::fitness::{Finding, Measure};
 use asperity::topography::generate::{Process, SigmaOf, SpectrumOf};
 use asperity::topography::spectrum::SpectrumShape;
 use asperity::topography::theory::Expected;
@@ -14,8 +15,6 @@ use serde_json::{Map, Value};
 
 use super::fit::FitStepRow;
 use super::fitness;
-use asperity::surface::{GenerationFacts, MapFacts, Remedy, Surface};
-use asperity::topography::fitness::Measure;
 
 /// The statistics of asperities: each is a column here, and a field of [`Statistics`].
 pub fn statistics_columns<R>(

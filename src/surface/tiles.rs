@@ -5,6 +5,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use asperity::numeric::stream_seed;
+use asperity::surface::{AnalysisDepth, Preparation};
 use asperity::topography::read::ReadError;
 use asperity::topography::summits::{Detail, find_in_rows};
 use asperity::topography::{Filter, HeightMap, Level, Rows, Window};
@@ -21,8 +22,6 @@ use super::files::Files;
 use super::plan::{MapPlan, Origin, SurfacePlan};
 use super::reading::{list_message, spec_message};
 use super::spec::DrawSpec;
-use asperity::surface::AnalysisDepth;
-use asperity::surface::Preparation;
 
 /// How a surface is divided into tiles. The input alone fixes it.
 #[derive(Debug)]

@@ -1,6 +1,7 @@
 //! Where a quantity is a given one, or a verdict changes, between the values of a key.
 
 use asperity::compare::ComparedQuantity;
+use asperity_contact_framework::Kind;
 use asperity_contact_framework::input::InputError;
 use asperity_contact_framework::report::format::input_number;
 use asperity_contact_framework::report::table::{Table as Rows, Value as Cell};
@@ -11,7 +12,6 @@ use super::run::Run;
 use super::spec::{Combine, FindSpec, FoundModel};
 use super::values::{SweptKey, as_text, set};
 use crate::kind::compare::{Compare, Extent, swept_name};
-use asperity_contact_framework::Kind;
 
 /// A crossing is known to this part of its value.
 const TOLERANCE: f64 = 1e-4;

@@ -24,14 +24,14 @@ use std::path::PathBuf;
 use asperity_contact_framework::input::{InputError, Source, Spanned, SpecFile};
 use asperity_contact_framework::report::table::{Heading, Schema};
 use asperity_contact_framework::{Divided, Kind, Memory, Outcome, Plan, RunContext};
-
-use crate::experiment::tables;
-use crate::kind::KINDS;
-use crate::kind::compare::Compare;
 use plan::SweepPlan;
 use results::{ChangeRow, CrossingRow, FILE, ROWS};
 use run::{Found, Run};
 use toml::Table;
+
+use crate::experiment::tables;
+use crate::kind::KINDS;
+use crate::kind::compare::Compare;
 
 pub const NAME: &str = "sweep";
 

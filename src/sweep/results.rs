@@ -6,7 +6,6 @@ use asperity::compare::ComparedQuantity;
 use asperity_contact_framework::columns;
 use asperity_contact_framework::metadata::Metadata;
 use asperity_contact_framework::report::table::{Column, Heading, Row, Table, Value as Cell};
-
 use indexmap::IndexMap;
 
 use super::find::{Crossing, verdict_in_words};

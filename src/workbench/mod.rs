@@ -23,12 +23,12 @@ use asperity_contact_framework::report::store::Store;
 use asperity_contact_framework::{Outcome, folder as report_folder};
 use asperity_workbench::engine::Heights;
 use asperity_workbench::{Engine, Example, Prepared, Refused, SpecText};
+use contact::Contact;
 use serde_json::Value;
+use surfaces::surface;
 
 use crate::experiment::{Experiment, write_index};
 use crate::surface::Surfaces;
-use contact::Contact;
-use surfaces::surface;
 
 #[derive(Default)]
 pub struct Workbench {

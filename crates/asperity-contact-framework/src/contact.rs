@@ -1,12 +1,11 @@
 //! The bodies of an experiment and its laws, as reports describe them.
 
-use indexmap::IndexMap;
-use serde::Serialize;
-
 use asperity::compare::ModulusFindings;
 use asperity::law::{Body, Property};
 use asperity::study::LawContact;
 use asperity::{Material, ModulusModel, Paper, literature};
+use indexmap::IndexMap;
+use serde::Serialize;
 
 #[derive(Debug, Clone)]
 pub struct Bodies {

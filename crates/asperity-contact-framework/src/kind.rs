@@ -8,6 +8,10 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use asperity::numeric::stream_seed;
+use asperity::work::Work;
+use asperity::{Material, Paper};
+use asperity_plot::Size;
 use indexmap::IndexMap;
 use schemars::{JsonSchema, SchemaGenerator};
 use serde::Serialize;
@@ -17,15 +21,10 @@ use serde_json::{Map, Value};
 use crate::digest::{hexadecimal, sha256};
 use crate::input::material::MaterialOrigin;
 use crate::input::{InputError, Source, Spanned, SpecFile};
-use crate::metadata::Group;
-use crate::metadata::{Again, Metadata, Timing};
+use crate::metadata::{Again, Group, Metadata, Timing};
 use crate::progress::Progress;
 use crate::report::Page;
 use crate::report::table::{Schema, Table, Tables};
-use asperity::numeric::stream_seed;
-use asperity::work::Work;
-use asperity::{Material, Paper};
-use asperity_plot::Size;
 
 /// Tables of a spec that a kind reads besides its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -2,17 +2,16 @@
 
 use std::time::Duration;
 
+use asperity::work::Work;
 use indexmap::IndexMap;
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 
 use crate::kind::Outcome;
-use crate::metadata::Group;
-use crate::metadata::Metadata;
+use crate::metadata::{Group, Metadata};
 use crate::report::answer::Answer;
 use crate::report::table::Tables;
 use crate::report::{PROGRAM, Page};
-use asperity::work::Work;
 
 #[derive(Serialize)]
 struct Summary<'a> {

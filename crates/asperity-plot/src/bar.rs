@@ -1,7 +1,5 @@
 //! The colour bar: what the colours of a field, or of ordered lines, mean.
 
-use super::Axis;
-use super::axes;
 use super::canvas::{Align, Canvas, Rect, Spot, Stroke, Type};
 use super::colour::order_palette;
 use super::png::encode;
@@ -10,6 +8,7 @@ use super::scale::Scale;
 use super::style::{INK, LABEL, TICK};
 use super::text::{shrunk, width};
 use super::ticks::Tick;
+use super::{Axis, axes};
 
 /// From the frame to the bar.
 const GAP: f64 = 16.0;

@@ -4,10 +4,13 @@
 //! is written by a backend of its own; what the elements have in common is then said once, for the
 //! group, and so is what plotters has no word for: dashes, clipping, joints of lines.
 
-use super::{layer::Dash, style::Size, text};
 use plotters::backend::{DrawingBackend, SVGBackend};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, FontFamily, FontStyle, FontTransform, RGBColor, ShapeStyle, TextStyle};
+
+use super::layer::Dash;
+use super::style::Size;
+use super::text;
 
 const UNITS: f64 = 3.0;
 

@@ -1,7 +1,8 @@
 //! The palette: safe for colour-blind readers (Okabe and Ito 2008), with fixed roles.
 
-use super::Spread;
 use plotters::style::RGBColor;
+
+use super::Spread;
 
 /// The colour of a layer, by its role.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,13 +1,12 @@
 //! Puts a figure together.
 
 use super::canvas::{Align, Canvas, Type};
-use super::joint;
 use super::layer::Layer;
 use super::layout::Layout;
 use super::legend::{self, Legend};
 use super::style::{CARD, LABEL, NARROWEST, NOTE_INK, STEEPEST, Size, WIDTH, dark_rules};
 use super::text::wrap;
-use super::{Arrangement, Plot};
+use super::{Arrangement, Plot, joint};
 
 /// The SVG text of a figure, `print` wide or as wide as a page. A `file` has its own rules for a dark environment.
 pub(super) fn figure(

@@ -1,7 +1,8 @@
 //! Patches on a map that change with something, such as contacts with the load.
 
-use serde::Serialize;
 use std::fmt::Write;
+
+use serde::Serialize;
 
 use super::axes::Frame as Axes;
 use super::canvas::Canvas;

@@ -1,5 +1,7 @@
 //! Labels of reference lines, regions and points.
 
+use plotters::style::RGBColor;
+
 use super::axes::Frame;
 use super::canvas::{Align, Canvas, Rect, Type};
 use super::layer::{Direction, Layer, Shape};
@@ -7,7 +9,6 @@ use super::marks;
 use super::place::Taken;
 use super::style::{NOTE_INK, ON_DARK, ON_LIGHT, PAPER, TICK};
 use super::text::{fit, shrunk, width};
-use plotters::style::RGBColor;
 
 /// Writes the label of a region, reference or note where it covers least.
 pub(super) fn draw_label(canvas: &mut Canvas, frame: &Frame, layer: &Layer, taken: &mut Taken) {

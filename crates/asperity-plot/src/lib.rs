@@ -53,17 +53,16 @@ mod text;
 mod thin;
 mod ticks;
 
+use bar::Bar;
 pub use colour::{Colour, ColourMap, series_colours};
 pub use data::FigureData;
 pub use frames::{Frames, Patches};
 pub use layer::{Dash, Layer, Marker};
+use layer::{Direction, Shape};
 pub use legend::Legend;
 pub use raster::Raster;
-pub use style::{DARK_COLOURS, Size, dark_rules};
-
-use bar::Bar;
-use layer::{Direction, Shape};
 use scale::Scale;
+pub use style::{DARK_COLOURS, Size, dark_rules};
 
 /// How values are spread along an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,5 +1,7 @@
 //! The layers on the page.
 
+use std::collections::HashSet;
+
 use super::axes::Frame;
 use super::canvas::{Canvas, Rect, Spot, Stroke};
 use super::clip::clip;
@@ -8,7 +10,6 @@ use super::place::{PITCH, Taken};
 use super::style::{LINE, REFERENCE};
 use super::thin::thin;
 use super::{Raster, Spread};
-use std::collections::HashSet;
 
 /// Half the size of a marker.
 const RADIUS: f64 = 3.2;

@@ -1,6 +1,7 @@
 //! Positions and labels of the ticks of an axis.
 
-use super::{Spread, scale::Scale};
+use super::Spread;
+use super::scale::Scale;
 
 /// One division of an axis; minor ones have no label.
 #[derive(Clone, Debug, PartialEq)]

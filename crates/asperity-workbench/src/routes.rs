@@ -29,12 +29,11 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::analysis::{Budget, Watch, answer, value};
-use crate::assets;
 use crate::engine::{Engine, Heights, Refused, SpecText, Stage};
 use crate::folder::{Folder, REPORTS, is_plain, too_large};
 use crate::guard::{self, Guard};
-use crate::limits;
 use crate::spec::{json_of, python_of, toml_of};
+use crate::{assets, limits};
 
 /// What all requests share. Nothing in it belongs to one page.
 pub struct Shared {

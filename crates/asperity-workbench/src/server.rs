@@ -7,7 +7,6 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use tempfile::NamedTempFile;
-
 use tokio::net::TcpListener;
 
 use crate::analysis::Budget;

@@ -14,6 +14,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
 
+use arguments::{Cli, Command, RunOptions};
 use asperity_contact_framework::input::InputError;
 use asperity_contact_framework::progress::{Progress, Silent};
 use asperity_contact_framework::report::store::{Folder, Store, StoreError};
@@ -25,8 +26,6 @@ use asperity_experiment::materials::{all_materials, one_material};
 use asperity_experiment::terminal::Monitor;
 use asperity_experiment::{Experiment, TEMPLATE, write_index};
 use clap::{CommandFactory, Parser};
-
-use arguments::{Cli, Command, RunOptions};
 use output::{print, print_error, print_text, say};
 use several::{Counts, Done, Place, listed, quick_first};
 use single_file::write_new;

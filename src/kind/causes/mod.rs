@@ -11,9 +11,7 @@ mod run;
 
 use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 use asperity_contact_framework::report::table::Schema;
-use asperity_contact_framework::{Group, Kind, Outcome, Reads};
-use asperity_contact_framework::{Memory, Plan, RunContext};
-
+use asperity_contact_framework::{Group, Kind, Memory, Outcome, Plan, Reads, RunContext};
 use plan::CausesPlan;
 
 pub struct Causes;

@@ -17,20 +17,19 @@ mod scope;
 mod series;
 pub mod spec;
 
-pub(crate) use figures::verdict_map;
-pub(crate) use rows::swept_name;
-pub use run::{each_surface, run as run_compare, run_within};
-pub use scope::{Extent, Samplings, Scope};
-
 use std::path::PathBuf;
 
 use asperity::work::Counter;
 use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 use asperity_contact_framework::report::table::Schema;
 use asperity_contact_framework::{Kind, Memory, Outcome, Plan, RunContext};
+pub(crate) use figures::verdict_map;
+use plan::ComparePlan;
+pub(crate) use rows::swept_name;
+pub use run::{each_surface, run as run_compare, run_within};
+pub use scope::{Extent, Samplings, Scope};
 
 use crate::surface::{inputs, memory};
-use plan::ComparePlan;
 
 pub struct Compare;
 

@@ -1,13 +1,5 @@
 //! `[compare]`: both models on the same surfaces, and the reference beside them.
 
-use schemars::JsonSchema;
-use serde::Deserialize;
-use serde_json::json;
-
-use super::reference::ReferenceSpec;
-use crate::layer::LayerSpec;
-use crate::paper::SurfaceFigures;
-use crate::study_plan::{RoughBody, StatisticalSpec};
 use asperity::analytical::AnalyticalLine;
 use asperity::compare::ModelKind;
 use asperity_contact_framework::input::Spanned;
@@ -17,8 +9,14 @@ use asperity_contact_framework::input::law::Laws;
 use asperity_contact_framework::input::quantity::{Area, Force, Pressure, Quantity};
 use asperity_contact_framework::input::sweep::{LinearSweep, LogSweep};
 use asperity_contact_framework::written_schema;
+use schemars::JsonSchema;
+use serde::Deserialize;
+use serde_json::json;
 
-use crate::study_plan::{ConductanceSpec, ShearStrengthSpec};
+use super::reference::ReferenceSpec;
+use crate::layer::LayerSpec;
+use crate::paper::SurfaceFigures;
+use crate::study_plan::{ConductanceSpec, RoughBody, ShearStrengthSpec, StatisticalSpec};
 
 /// Both models on the same surfaces, and the reference beside them: may the integral replace the sum?
 #[derive(Debug, Deserialize, JsonSchema)]

@@ -6,16 +6,13 @@ mod plan;
 mod rows;
 mod run;
 
-pub use run::{IndentationResults, LawCurves, LayerResults};
-
 use std::path::PathBuf;
 
 use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 use asperity_contact_framework::report::table::Schema;
-use asperity_contact_framework::{Kind, Outcome, Reads};
-use asperity_contact_framework::{Memory, Plan, RunContext};
-
+use asperity_contact_framework::{Kind, Memory, Outcome, Plan, Reads, RunContext};
 use plan::IndentationPlan;
+pub use run::{IndentationResults, LawCurves, LayerResults};
 
 pub struct Indentation;
 

@@ -222,10 +222,11 @@ fn set_up(page: &mut Page, results: &IndentationResults) {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use asperity::compare::ModulusFindings;
     use asperity::sphere::Curve;
     use asperity::{Contact, Regime};
+
+    use super::*;
 
     fn layer(worst: Option<f64>) -> LayerResults {
         let error = |ratio| ModulusError { contact_ratio: 0.71, indentation_ratio: 0.5, ratio };

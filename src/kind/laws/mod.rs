@@ -9,13 +9,12 @@ mod run;
 use std::path::PathBuf;
 
 use asperity::surface::AnalysisDepth;
-use asperity_contact_framework::Kind;
 use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 use asperity_contact_framework::report::table::Schema;
-use asperity_contact_framework::{Memory, Outcome, Plan, RunContext};
+use asperity_contact_framework::{Kind, Memory, Outcome, Plan, RunContext};
+use plan::LawsPlan;
 
 use crate::surface::{inputs, memory};
-use plan::LawsPlan;
 
 pub struct Laws;
 

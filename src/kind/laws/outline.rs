@@ -239,8 +239,9 @@ fn on_asperity(page: &mut Page, results: &LawsResults, tables: &Tables) {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use asperity::compare::{Effect, Group};
+
+    use super::*;
 
     fn dominance(law: f64, summation: f64, error: Option<f64>) -> Dominance {
         let effect = |mean| Effect { mean, largest: mean, at: 1.0 };

@@ -1,12 +1,13 @@
 //! The tables of several laws, besides those of a comparison.
 
-use super::run::{LawOnAsperity, LawsResults, SurfaceInfluence};
-use crate::kind::compare::rows;
-use crate::model_tables::limits;
 use asperity::compare::{AtLoad, Dominance, Effect, Group, Measure, ModelKind};
 use asperity::sphere::{Boundary, Point};
 use asperity_contact_framework::columns;
 use asperity_contact_framework::report::table::{Column, Row, Schema, Table};
+
+use super::run::{LawOnAsperity, LawsResults, SurfaceInfluence};
+use crate::kind::compare::rows;
+use crate::model_tables::limits;
 
 pub struct LawRow<'a>(&'a LawOnAsperity);
 

@@ -10,10 +10,10 @@ use asperity_contact_framework::contact::Bodies;
 use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 use asperity_contact_framework::report::table::Schema;
 use asperity_contact_framework::{Kind, Reads};
-
-use crate::model_tables::{CurveRow, PairRow};
 use rows::{ConvergenceRow, SlopeRow};
 use run::LimitPlan;
+
+use crate::model_tables::{CurveRow, PairRow};
 
 pub struct Limit;
 

@@ -129,8 +129,9 @@ fn figure(slopes: &[ErrorSlope], quantity: LimitQuantity) -> Figure {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use asperity::compare::SlopeFit;
+
+    use super::*;
 
     #[test]
     fn the_answer_is_the_largest_deviation_of_each_sampling() {

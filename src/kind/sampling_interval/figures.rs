@@ -5,8 +5,7 @@ use asperity_contact_framework::report::format::capitalised;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
 
 use super::quantity::Asperities;
-use super::results::{Gap, gaps};
-use super::results::{QUANTITIES, Scale, ScaleResults, Series, SurfaceResults, Variation};
+use super::results::{Gap, QUANTITIES, Scale, ScaleResults, Series, SurfaceResults, Variation, gaps};
 use crate::presentation::{cause_colour, quantity_name};
 
 const MICRO: f64 = 1e6;

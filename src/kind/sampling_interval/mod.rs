@@ -12,13 +12,12 @@ mod trend;
 use std::path::PathBuf;
 
 use asperity::surface::AnalysisDepth;
-use asperity_contact_framework::Kind;
 use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 use asperity_contact_framework::report::table::Schema;
-use asperity_contact_framework::{Memory, Outcome, Plan, RunContext};
+use asperity_contact_framework::{Kind, Memory, Outcome, Plan, RunContext};
+use plan::IntervalPlan;
 
 use crate::surface::{SurfacePlan, inputs, memory};
-use plan::IntervalPlan;
 
 pub struct SamplingInterval;
 

@@ -13,8 +13,7 @@ use serde_json::{Map, Value, json};
 
 use super::figures;
 use super::quantity::TrendQuantity;
-use super::results::main_load;
-use super::results::{IntervalResults, QUANTITIES, Series, SurfaceResults, Variation};
+use super::results::{IntervalResults, QUANTITIES, Series, SurfaceResults, Variation, main_load};
 use super::rows::{GapRow, LeadRow, LimitRow, ScaleRow, tables};
 use super::trend::{Convergence, Trend};
 use crate::presentation::quantity_name;

@@ -1,8 +1,7 @@
 //! The quantities that are followed over the sampling interval.
 
-use asperity::Statistics;
 use asperity::compare::{Accepted, ComparedQuantity, State};
-use asperity::named_enum;
+use asperity::{Statistics, named_enum};
 
 named_enum! {
     /// A quantity of the asperities, or of both models at a load.

@@ -5,8 +5,7 @@ use asperity::compare::{Cause, ComparedQuantity, Contributions, Difference, Esti
 use asperity_contact_framework::columns;
 use asperity_contact_framework::report::table::{Column, Row, Schema, Table};
 
-use super::results::{Gap, gaps, sign};
-use super::results::{IntervalResults, QUANTITIES, Scale, ScaleResults, Series};
+use super::results::{Gap, IntervalResults, QUANTITIES, Scale, ScaleResults, Series, gaps, sign};
 use super::trend::Trend;
 use crate::model_tables::limits;
 use crate::surface::rows::{self as surface, SurfaceRow};

@@ -3,12 +3,11 @@
 use std::time::Instant;
 
 use asperity::compare::{CaseSampling, Division, LeftOut};
-use asperity::plasticity_index;
 use asperity::study::{Setup, StudyError, study};
 use asperity::surface::{AnalysisDepth, Independence, Surface};
 use asperity::topography::{Filter, FilterError, Rows, Sampled, Watched};
 use asperity::work::Counter;
-use asperity::{AsperitySet, HeightMap, Statistics, literature};
+use asperity::{AsperitySet, HeightMap, Statistics, literature, plasticity_index};
 use asperity_contact_framework::RunContext;
 use asperity_contact_framework::contact::{contact_metadata, papers_of};
 use asperity_contact_framework::input::InputError;

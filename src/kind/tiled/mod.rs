@@ -12,11 +12,11 @@ use asperity::Total;
 use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 use asperity_contact_framework::report::table::Schema;
 use asperity_contact_framework::{Divided, Kind, Memory, Outcome, Plan, RunContext};
+use plan::TiledPlan;
 
 use crate::model_tables::{CurveRow, PairRow};
 use crate::surface::inputs;
 use crate::surface::rows::SurfaceRow;
-use plan::TiledPlan;
 
 pub struct Tiled;
 

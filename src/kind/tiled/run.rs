@@ -4,9 +4,8 @@ use std::ops::Range;
 
 use asperity::study::LawContact;
 use asperity::{AsperitySums, Deterministic, MeanRadius, Population, ReferencePlane, Total};
-use asperity_contact_framework::contact;
 use asperity_contact_framework::input::InputError;
-use asperity_contact_framework::{Divided, Outcome, RunContext};
+use asperity_contact_framework::{Divided, Outcome, RunContext, contact};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 

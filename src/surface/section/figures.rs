@@ -1,7 +1,6 @@
 //! Figures of a surface.
 
-use asperity::surface::MapOverview;
-use asperity::surface::Surface;
+use asperity::surface::{MapOverview, Surface};
 use asperity::topography::{Autocorrelation, RadialSpectrum};
 use asperity::{HeightMap, Heights, Population};
 use asperity_plot::{Axis, Colour, ColourMap, Dash, Figure, Layer, Marker, Plot, Raster};

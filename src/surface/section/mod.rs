@@ -2,15 +2,15 @@
 
 mod figures;
 
-use crate::surface::fit::keys;
-use crate::surface::fit::{FitStepRow, STEP};
-use crate::surface::rows::{self, FitnessRow, MapRow, ProcessRow, SurfaceRow, TargetRow, TheoryRow};
 use asperity::surface::{MapFacts, Surface};
 use asperity_contact_framework::report::format::{count, percent};
 use asperity_contact_framework::report::page::Page;
 use asperity_contact_framework::report::table::Tables;
 use asperity_contact_framework::report::view::View;
 pub use figures::{nth, radii_against_heights, unit as length_unit};
+
+use crate::surface::fit::{FitStepRow, STEP, keys};
+use crate::surface::rows::{self, FitnessRow, MapRow, ProcessRow, SurfaceRow, TargetRow, TheoryRow};
 
 /// Adds views and figures of a surface to a page, those that most readers want first; `assumed` is the population of the statistical
 /// model.

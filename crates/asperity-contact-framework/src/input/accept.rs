@@ -2,11 +2,10 @@
 
 use std::fmt;
 
+use asperity::compare::Accepted;
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer};
 use serde_json::json;
-
-use asperity::compare::Accepted;
 
 use super::Forms;
 use super::quantity::{Length, Quantity};

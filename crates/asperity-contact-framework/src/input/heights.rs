@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use asperity::Heights;
+use asperity::distribution::{Entry, REGISTRY};
 use serde::Deserialize;
 use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, Visitor};
 use serde_json::{Map, Value, json};
@@ -9,8 +11,6 @@ use serde_json::{Map, Value, json};
 use super::Forms;
 use super::quantity::{Finite, Pure, Quantity};
 use super::schema::{self, TYPE};
-use asperity::Heights;
-use asperity::distribution::{Entry, REGISTRY};
 
 /// A height distribution.
 #[derive(Debug, Clone, PartialEq)]

@@ -2,6 +2,9 @@
 
 use std::fmt;
 
+use asperity::ContactLaw;
+use asperity::contact_law::{named, registry};
+use asperity::law::{LawOption, OptionError};
 use serde::Deserialize;
 use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, Visitor};
 use serde_json::{Map, Value, json};
@@ -9,9 +12,6 @@ use serde_json::{Map, Value, json};
 use crate::input::OneOrMany;
 use crate::input::quantity::{Finite, Pure, Quantity};
 use crate::input::schema::{self, RANGE, TYPE};
-use asperity::ContactLaw;
-use asperity::contact_law::{named, registry};
-use asperity::law::{LawOption, OptionError};
 
 /// One law, or a list of distinct laws.
 #[derive(Debug, Clone, PartialEq)]

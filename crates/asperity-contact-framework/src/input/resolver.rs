@@ -2,6 +2,10 @@
 
 use std::ops::Range;
 
+use asperity::law::{Body, Property};
+use asperity::study::LawContact;
+use asperity::{ContactLaw, Flat, Inapplicable, Material};
+
 use super::error::InputError;
 use super::file::SpecFile;
 use super::forms::Spanned;
@@ -9,9 +13,6 @@ use super::law::Laws;
 use super::quantity::Pure;
 use super::sweep::LogSweep;
 use super::whole::Whole;
-use asperity::law::{Body, Property};
-use asperity::study::LawContact;
-use asperity::{ContactLaw, Flat, Inapplicable, Material};
 
 /// Names of two materials for an error, or of the one used for both bodies.
 pub fn materials(rough: &str, flat: &str) -> String {

@@ -2,9 +2,10 @@
 
 use std::fmt;
 
-use super::schema::{RANGE, TYPE};
 use serde::de::{Deserialize, Deserializer, Error, Visitor};
 use serde_json::json;
+
+use super::schema::{RANGE, TYPE};
 
 /// A whole number from zero on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

@@ -9,11 +9,11 @@ use std::path::{Path, PathBuf};
 use asperity::topography::write::{Out, whole_file};
 use asperity_contact_framework::kept::check_writable;
 use clap::{Args, Subcommand};
+use interface::InterfaceExport;
+use surface::{AsperitiesExport, MapExport, PatchesExport};
 
 use super::single_file::unwritten;
 use super::{Failure, RunOptions, interrupt, say, watched};
-use interface::InterfaceExport;
-use surface::{AsperitiesExport, MapExport, PatchesExport};
 
 /// What is exported.
 #[derive(Subcommand)]

@@ -26,9 +26,6 @@ mod spots;
 #[cfg(test)]
 pub(super) mod tests;
 
-pub use nearer::Nearer;
-pub use row::{CaseAnswer, Counts};
-
 use asperity::Limit;
 use asperity::compare::{ComparedQuantity, Difference};
 use asperity::numeric::{two_digits, two_digits_up};
@@ -36,6 +33,8 @@ use asperity::study::{Basis, CaseStudy, Verdicts};
 use asperity::surface::{MapFacts, Surface};
 use asperity_contact_framework::report::answer::{CardLine, fitting};
 use asperity_contact_framework::report::format::{listed, number, quantity};
+pub use nearer::Nearer;
+pub use row::{CaseAnswer, Counts};
 
 use super::correlations::Correlated;
 use super::rows::SurfaceCase;

@@ -1,8 +1,5 @@
 //! Results of the models and the reference against load.
 
-use super::differences::{NOT_ADMISSIBLE, invalid};
-use super::lines::{Loads, Units};
-use crate::presentation::regime_colour;
 use asperity::compare::{
     AdmissibleRange, ComparedQuantity, Comparison, CurvePoint, ModelKind, ReferencePoint,
 };
@@ -10,6 +7,10 @@ use asperity::study::CaseResults;
 use asperity::{Limit, Regime};
 use asperity_contact_framework::report::format::capitalised;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
+
+use super::differences::{NOT_ADMISSIBLE, invalid};
+use super::lines::{Loads, Units};
+use crate::presentation::regime_colour;
 
 /// Half-width of a band in standard errors: 95 % of all samples lie within.
 const BAND: f64 = 1.96;

@@ -15,8 +15,7 @@ use super::{contact, curves, lines, paper, verdict_map};
 use crate::kind::compare::correlations;
 use crate::kind::compare::results::CompareResults;
 use crate::kind::compare::rows::SurfaceCase;
-use crate::kind::compare::series::Series;
-use crate::kind::compare::series::stem;
+use crate::kind::compare::series::{Series, stem};
 
 /// Adds the main figure of one case: that of the paper, or the models against load, and of a measured map the contacts on it.
 pub fn of_case_or_paper(page: &mut Page, results: &CompareResults, case: SurfaceCase, series: &[Series]) {

@@ -8,8 +8,6 @@
 mod case;
 mod sections;
 
-pub(crate) use sections::verdicts;
-
 use asperity::compare::{ComparedQuantity, ModelKind};
 use asperity::law::Body;
 use asperity::study::{FilmFriction, Shortcut};
@@ -21,6 +19,7 @@ use asperity_contact_framework::report::format::{input_quantity, listed, number,
 use asperity_contact_framework::report::page::Page;
 use asperity_contact_framework::report::sections as common;
 use asperity_contact_framework::report::table::{Table, Tables};
+pub(crate) use sections::verdicts;
 use serde_json::{Map, Value, json};
 
 use super::card::{Card, CaseAnswer, Counts};

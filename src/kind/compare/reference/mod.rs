@@ -17,7 +17,6 @@ mod spots;
 mod view;
 
 pub use plan::{ElasticCase, ReferencePlan, Solution};
-pub use run::ReferenceRun;
-pub use run::SMALL_YIELDING;
+pub use run::{ReferenceRun, SMALL_YIELDING};
 pub use spec::ReferenceSpec;
 pub use view::{ContactView, Part, numbered_patches};

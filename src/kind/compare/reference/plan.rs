@@ -10,8 +10,7 @@ use asperity::law::Property;
 use asperity::spot::SpotProperties;
 use asperity::study::LawContact;
 use asperity::{Flat, Material, softer_hardness};
-use asperity_contact_framework::input::Spanned;
-use asperity_contact_framework::input::{InputError, SpecFile, Whole, materials};
+use asperity_contact_framework::input::{InputError, Spanned, SpecFile, Whole, materials};
 use asperity_contact_framework::report::format::{number, quantity};
 
 use super::spec::{CapSpec, ReferenceSpec};

@@ -1,12 +1,10 @@
 //! `reference = { ... }` in `[compare]`.
 
+use asperity::bem::Boundary;
+use asperity_contact_framework::input::quantity::{Pure, Quantity};
+use asperity_contact_framework::input::{Spanned, Whole};
 use schemars::JsonSchema;
 use serde::Deserialize;
-
-use asperity::bem::Boundary;
-use asperity_contact_framework::input::Spanned;
-use asperity_contact_framework::input::Whole;
-use asperity_contact_framework::input::quantity::{Pure, Quantity};
 
 /// How the boundary element reference is run; each key may be left out.
 #[derive(Debug, Clone, Default, Deserialize, JsonSchema)]

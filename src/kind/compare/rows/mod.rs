@@ -9,26 +9,25 @@ mod swept;
 mod two_bodies;
 mod verdicts;
 
-pub(crate) use cases::{AnswerRow, CaseRow, OnMapRow, SpreadRow, answers};
-pub(crate) use layer::{DecreaseRow, FrictionRow, RuleRow, ThresholdRow};
-pub(crate) use ranking::{RobustnessRow, StandingRow, words as treatment_words};
-pub(crate) use reference::{CorrelationRow, NearerRow, ReferenceCurveRow};
-pub(crate) use results::{GapRow, LineRow, ReadingRow, ResultRow};
-pub(crate) use swept::{SweptRow, rows as swept, swept_name};
-pub(crate) use two_bodies::{GreenwoodTrippRow, Simplification, TwoBodiesRow, rows as two_bodies};
-pub(crate) use verdicts::{AttributionRow, VerdictRow};
-
 use asperity::compare::ComparedQuantity;
 use asperity::study::{CaseResults, CaseStudy, Verdicts};
 use asperity_contact_framework::columns;
 use asperity_contact_framework::report::table::{Column, Schema, Table};
+pub(crate) use cases::{AnswerRow, CaseRow, OnMapRow, SpreadRow, answers};
+pub(crate) use layer::{DecreaseRow, FrictionRow, RuleRow, ThresholdRow};
+use ranking::RankingRow;
+pub(crate) use ranking::{RobustnessRow, StandingRow, words as treatment_words};
+use reference::ReferenceRow;
+pub(crate) use reference::{CorrelationRow, NearerRow, ReferenceCurveRow};
+pub(crate) use results::{GapRow, LineRow, ReadingRow, ResultRow};
+pub(crate) use swept::{SweptRow, rows as swept, swept_name};
+pub(crate) use two_bodies::{GreenwoodTrippRow, Simplification, TwoBodiesRow, rows as two_bodies};
+use verdicts::DifferenceRow;
+pub(crate) use verdicts::{AttributionRow, VerdictRow};
 
 use super::results::{CompareResults, SurfaceResults};
 use crate::model_tables::{CAUSES, CurveRow, PairRow, REFERENCE, of_asked_spots};
 use crate::surface::rows as surface_rows;
-use ranking::RankingRow;
-use reference::ReferenceRow;
-use verdicts::DifferenceRow;
 
 #[derive(Clone, Copy)]
 pub(crate) struct SurfaceCase<'a> {

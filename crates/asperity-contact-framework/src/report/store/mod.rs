@@ -17,14 +17,16 @@
 mod manifest;
 mod swap;
 
-use crate::kept::{advice, check_writable};
-use manifest::{Kept, MANIFEST, Manifest};
-use rayon::prelude::*;
-use serde::Deserialize;
 use std::fs::{self, File, TryLockError};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+
+use manifest::{Kept, MANIFEST, Manifest};
+use rayon::prelude::*;
+use serde::Deserialize;
 use swap::Places;
+
+use crate::kept::{advice, check_writable};
 
 const LOCK: &str = ".lock";
 

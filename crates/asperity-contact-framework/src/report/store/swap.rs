@@ -3,10 +3,11 @@
 //! Where the system can exchange two folders atomically, it does. Elsewhere the old folder is moved
 //! aside first; a run killed just then leaves its place empty until the next run brings it back.
 
-use super::{StoreError, failed, sync_folder};
 use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
+
+use super::{StoreError, failed, sync_folder};
 
 /// Long enough that nothing else bears such a name.
 const NEW: &str = ".asperity-new";

@@ -1,3 +1,5 @@
+use std::fmt;
+
 use super::*;
 use crate::columns;
 use crate::input::{InputError, Spanned, SpecFile};
@@ -5,7 +7,6 @@ use crate::kind::{Kind, Memory, Outcome, Plan, RunContext};
 use crate::metadata::Metadata;
 use crate::report::Page;
 use crate::report::table::{Column, Tables};
-use std::fmt;
 
 /// A row of a table with a column of each comparison.
 struct Point(usize);
