@@ -24,8 +24,8 @@ use indexmap::IndexMap;
 use sha2::{Digest, Sha256};
 
 use crate::kind::compare::Compare;
-use crate::kind::compare::plan::{ComparePlan, described};
 use crate::kind::compare::results::CompareResults;
+use crate::kind::compare::spec::{ComparePlan, described};
 use crate::kind::{KINDS, REPORTED, SURFACES};
 use crate::surface::{FileOptions, SurfaceFactory, SurfacesPlan, by_hand, files_of, surfaces};
 use crate::{available_memory, sweep};

@@ -17,10 +17,10 @@ use asperity_contact_framework::progress::Progress;
 use asperity_contact_framework::report::format::quantity;
 
 use super::identifier;
-use super::origin::{SurfaceChoice, chosen, described, file_name, is_spec, origin, refuse_options};
+use super::surface::{SurfaceChoice, chosen, described, file_name, is_spec, origin, refuse_options};
 use crate::experiment::Experiment;
-use crate::kind::compare::plan::ComparePlan;
 use crate::kind::compare::reference::{ReferencePlan, ReferenceRun, Solution, numbered_patches};
+use crate::kind::compare::spec::ComparePlan;
 use crate::layer::thickness_words;
 use crate::surface::{ContactOptions, FileOptions, SurfaceFactory, SurfacePlan, files_of};
 

@@ -18,8 +18,7 @@ use asperity_contact_framework::metadata::Timing;
 use asperity_contact_framework::progress::Progress;
 use asperity_contact_framework::report::format::{input_quantity, quantity};
 
-use super::cache::{StoredSurface, SurfaceStore};
-use super::files::Files;
+use super::files::{Files, StoredSurface, SurfaceStore};
 use super::fit::{self, as_written};
 use super::fitness;
 use super::pair::{PairPlan, PreparedPair, greenwood_tripp_caveat};

@@ -22,7 +22,7 @@ use crate::surface::reading::{list_message, options_message, spec_message};
 use crate::surface::spec::{
     DrawSpec, FileSpec, FitSpec, ListSpec, Outliers, PopulationHeights, PopulationSpec, SurfaceSpec,
 };
-use crate::surface::{composite, memory, reading};
+use crate::surface::{memory, reading};
 
 /// A surface that can be made.
 #[derive(Debug)]
@@ -143,7 +143,7 @@ impl SurfacePlan {
                 (origin, generate.points.span(), &generate.realisations)
             }
             SurfaceSpec::File(map) => (Self::map(file, map)?, map.path.span(), &None),
-            SurfaceSpec::Pair(pair) => match composite::of_populations(source, pair, all)? {
+            SurfaceSpec::Pair(pair) => match pair::of_populations(source, pair, all)? {
                 Some(composite) => (composite, pair.a.span(), &None),
                 None => {
                     let plan = PairPlan::new(file, pair, all, as_ellipses)?;

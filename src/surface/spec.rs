@@ -17,8 +17,8 @@ use asperity_contact_framework::written_schema;
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer};
 
+use super::generation::GenerateSpec;
 use crate::surface::files::{MapUnitSpec, MissingSpec};
-use crate::surface::generate_spec::GenerateSpec;
 
 /// One surface: exactly one kind per name.
 #[derive(Debug, Deserialize)]

@@ -9,8 +9,7 @@ use toml::{Table, Value};
 
 use super::plan::without_what_is_not_shown;
 use super::run::Run;
-use super::spec::{Combine, FindSpec, FoundModel};
-use super::values::{SweptKey, as_text, set};
+use super::spec::{Combine, FindSpec, FoundModel, SweptKey, as_text, set};
 use crate::kind::compare::{Compare, Extent, swept_name};
 
 /// A crossing is known to this part of its value.

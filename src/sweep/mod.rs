@@ -3,7 +3,6 @@
 //! | module | what lives there |
 //! |---|---|
 //! | `spec` | the table of a spec |
-//! | `values` | the values of a key, in a spec and in SI |
 //! | `plan` | variations, each an experiment of its own |
 //! | `run` | each variation once, kept as soon as it is there |
 //! | `find` | where a quantity is a given one, or a verdict changes |
@@ -17,7 +16,6 @@ mod plan;
 mod results;
 mod run;
 mod spec;
-mod values;
 
 use std::path::PathBuf;
 

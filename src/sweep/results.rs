@@ -11,7 +11,7 @@ use indexmap::IndexMap;
 use super::find::{Crossing, verdict_in_words};
 use super::plan::SweepPlan;
 use super::run::Found;
-use super::values::SweptKey;
+use super::spec::SweptKey;
 use crate::kind::compare::swept_name;
 
 pub const FILE: &str = "sweep.csv";

@@ -7,7 +7,6 @@ mod output;
 #[cfg(feature = "serve")]
 mod serve;
 mod several;
-mod single_file;
 mod surfaces;
 
 use std::path::{Path, PathBuf};
@@ -26,9 +25,8 @@ use asperity_experiment::materials::{all_materials, one_material};
 use asperity_experiment::terminal::Monitor;
 use asperity_experiment::{Experiment, TEMPLATE, write_index};
 use clap::{CommandFactory, Parser};
-use output::{print, print_error, print_text, say};
+use output::{print, print_error, print_text, say, write_new};
 use several::{Counts, Done, Place, listed, quick_first};
-use single_file::write_new;
 use surfaces::Answered;
 
 const SPECS: &str = "experiments";

@@ -11,7 +11,7 @@ use asperity_contact_framework::input::bare::SigmaRange;
 use asperity_contact_framework::input::quantity::{Length, Pure, Quantity};
 use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 
-use super::plan::{Axis, CausesSpec, PointPlan};
+use super::{Axis, CausesSpec, PointPlan};
 use crate::surface::{TargetSpec, Way};
 
 const POINTS: [u64; 2] = [64, 4096];

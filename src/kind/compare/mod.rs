@@ -4,10 +4,7 @@ pub(crate) mod card;
 mod contact_map;
 mod correlations;
 pub mod figures;
-mod lines;
 pub mod outline;
-pub mod plan;
-mod reach;
 pub mod readings;
 pub mod reference;
 pub mod results;
@@ -24,10 +21,10 @@ use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 use asperity_contact_framework::report::table::Schema;
 use asperity_contact_framework::{Kind, Memory, Outcome, Plan, RunContext};
 pub(crate) use figures::verdict_map;
-use plan::ComparePlan;
 pub(crate) use rows::swept_name;
 pub use run::{each_surface, run as run_compare, run_within};
 pub use scope::{Extent, Samplings, Scope};
+use spec::ComparePlan;
 
 use crate::surface::{inputs, memory};
 
@@ -39,7 +36,7 @@ impl Kind for Compare {
     type Plan = ComparePlan;
 
     fn plan(file: &SpecFile, table: &Spanned<Self::Spec>) -> Result<ComparePlan, InputError> {
-        plan::plan(file, table)
+        spec::plan(file, table)
     }
 
     fn tables() -> Vec<Schema> {
@@ -69,7 +66,7 @@ impl Plan for ComparePlan {
     }
 
     fn check(&self, context: &RunContext) -> Result<(), InputError> {
-        reach::check(context, self)
+        run::check(context, self)
     }
 
     fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {

@@ -12,15 +12,14 @@ use asperity::study::{
 use asperity::surface::Surface;
 use asperity::work::Counter;
 use asperity_contact_framework::RunContext;
-use asperity_contact_framework::contact::ContactMetadata;
 use asperity_contact_framework::input::accept::AcceptSpec;
-use asperity_contact_framework::metadata::Metadata;
+use asperity_contact_framework::metadata::{ContactMetadata, Metadata};
 use asperity_contact_framework::progress::Progress;
 use asperity_contact_framework::report::format::{percent, quantity};
 
 use super::contact_map::ContactMap;
-use super::plan::ComparePlan;
 use super::reference::{ContactView, ElasticCase};
+use super::spec::ComparePlan;
 use crate::layer::{CoatedSurface, hardness_warning, rule_warning};
 use crate::surface::rows::SurfaceRow;
 use crate::surface::{SurfaceFactory, fitness, warnings};

@@ -4,10 +4,10 @@ use asperity::Exceeded;
 use asperity::compare::{AdmissibleRange, ComparedQuantity, ModelKind};
 use asperity::law::Body;
 use asperity::study::{CaseResults, CaseStudy, FilmFriction, LawFindings, LayerFindings, Verdicts};
-use asperity_contact_framework::contact::LayerMetadata;
+use asperity_contact_framework::metadata::LayerMetadata;
 use asperity_contact_framework::report::format::{input_quantity, range, thickness};
 
-use super::figures::lines::Units;
+use super::figures::curves::Units;
 use super::results::{CompareResults, SurfaceResults};
 
 /// One surface under one law: a case for each thickness.

@@ -11,7 +11,7 @@ use asperity_contact_framework::input::{InputError, Source, Spanned};
 use asperity_contact_framework::report::format::number;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
 
-use super::plan::Show;
+use super::Show;
 use super::run::{IndentationResults, LawCurves, LayerResults};
 use crate::paper::{SphereFigure, title};
 use crate::presentation::regime_colour;

@@ -17,7 +17,7 @@ use asperity_contact_framework::report::format::input_quantity;
 use indexmap::IndexMap;
 use rayon::prelude::*;
 
-use super::plan::{IndentationPlan, Show};
+use super::{IndentationPlan, Show};
 use crate::layer::LayerPlan;
 use crate::paper::SphereFigure;
 

@@ -9,7 +9,7 @@ use asperity::sphere::LARGEST_SLOPE;
 use asperity_contact_framework::report::format::listed;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
 
-use super::run::{LawOnAsperity, LawsResults};
+use super::rows::{LawOnAsperity, LawsResults};
 
 /// Half-width of a band in standard errors: 95 % of all samples lie within.
 const BAND: f64 = 1.96;

@@ -11,8 +11,10 @@ use asperity_contact_framework::report::view::View;
 use serde_json::{Map, Value, json};
 
 use super::figures;
-use super::rows::{BoundaryRow, ChoiceRow, DominanceRow, InfluenceRow, LawRow, reported, tables};
-use super::run::{LawsResults, SurfaceInfluence};
+use super::rows::{
+    BoundaryRow, ChoiceRow, DominanceRow, InfluenceRow, LawRow, LawsResults, SurfaceInfluence, reported,
+    tables,
+};
 use crate::kind::compare::outline;
 use crate::surface::section;
 

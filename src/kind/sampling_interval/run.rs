@@ -9,15 +9,13 @@ use asperity::topography::{Filter, FilterError, Rows, Sampled, Watched};
 use asperity::work::Counter;
 use asperity::{AsperitySet, HeightMap, Statistics, literature, plasticity_index};
 use asperity_contact_framework::RunContext;
-use asperity_contact_framework::contact::{contact_metadata, papers_of};
 use asperity_contact_framework::input::InputError;
-use asperity_contact_framework::metadata::Timing;
+use asperity_contact_framework::metadata::{Timing, contact_metadata, papers_of};
 use asperity_contact_framework::progress::{Named, Progress};
 
-use super::plan::IntervalPlan;
-use super::quantity::Asperities;
+use super::IntervalPlan;
 use super::results::{
-    BlocksLeftOut, IntervalResults, Scale, ScaleResults, Series, SurfaceResults, Variation,
+    Asperities, BlocksLeftOut, IntervalResults, Scale, ScaleResults, Series, SurfaceResults, Variation,
 };
 use crate::plausibility;
 use crate::study_plan::StudyPlan;

@@ -3,7 +3,7 @@
 use asperity::compare::{SlopeFit, jackknife_error, jackknife_quantile};
 use asperity::named_enum;
 
-use super::quantity::TrendQuantity;
+use super::results::TrendQuantity;
 
 /// A change has shrunk if it is at most this many times the one before, over equal ratios of lengths: a quantity that approaches
 /// its limit as length^p does so with 2^-p per halving, p = 1/2 here; a power law without a limit has 1.

@@ -21,8 +21,8 @@ use super::error::{InputError, Source, gone};
 use super::figure::FigureSpec;
 use super::forms::Spanned;
 use super::material::{MaterialOrigin, MaterialSpec};
+use super::quantity::Whole;
 use super::schema::without_null;
-use super::whole::Whole;
 use crate::metadata::Group;
 use crate::progress::{Progress, Silent};
 

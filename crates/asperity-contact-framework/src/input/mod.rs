@@ -13,10 +13,9 @@ pub mod quantity;
 mod resolver;
 pub mod schema;
 pub mod sweep;
-mod whole;
 
 pub use error::{InputError, Source, plain_message};
 pub use file::{InMemory, SpecFile};
 pub use forms::{Forms, OneOrMany, Spanned, named, named_or_none};
+pub use quantity::Whole;
 pub use resolver::materials;
-pub use whole::Whole;

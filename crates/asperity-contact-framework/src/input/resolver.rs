@@ -10,9 +10,8 @@ use super::error::InputError;
 use super::file::SpecFile;
 use super::forms::Spanned;
 use super::law::Laws;
-use super::quantity::Pure;
+use super::quantity::{Pure, Whole};
 use super::sweep::LogSweep;
-use super::whole::Whole;
 
 /// Names of two materials for an error, or of the one used for both bodies.
 pub fn materials(rough: &str, flat: &str) -> String {

@@ -2,10 +2,8 @@
 //!
 //! | module | line |
 //! |---|---|
-//! | `result` | Result at your load |
 //! | `spots` | Conductance, Friction: where they are asked for |
 //! | `replace` | May the integral replace the sum? |
-//! | `difference` | Difference |
 //! | `cause` | Why |
 //! | `instead` | Use instead |
 //! | `nearer` | Nearer to boundary elements |
@@ -15,12 +13,10 @@
 
 mod cause;
 mod certainty;
-mod difference;
 mod instead;
 mod limit;
 mod nearer;
 mod replace;
-mod result;
 mod row;
 mod spots;
 #[cfg(test)]

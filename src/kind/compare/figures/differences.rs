@@ -8,7 +8,7 @@ use asperity::study::Verdicts;
 use asperity_contact_framework::report::format::capitalised;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
-use super::lines::Units;
+use super::curves::Units;
 use crate::presentation::{cause_colour, difference_unit, quantity_name};
 
 fn axis(compared: ComparedQuantity, units: &Units, label: &str) -> Axis {

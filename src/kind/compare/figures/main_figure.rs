@@ -8,14 +8,16 @@ use asperity_contact_framework::report::format::input_quantity;
 use asperity_contact_framework::report::page::Page;
 use asperity_plot::{Colour, Dash, Figure, Layer, Plot};
 
-use super::curves::{Setting, all_loads};
+use super::super::correlations;
+use super::super::results::{CompareResults, SurfaceResults};
+use super::super::rows::SurfaceCase;
+use super::super::series::{Series, stem};
+use super::curves::{Setting, Units, all_loads};
 use super::differences::{between_models, shown_loads};
-use super::lines::Units;
-use super::{contact, curves, lines, paper, verdict_map};
-use crate::kind::compare::correlations;
-use crate::kind::compare::results::CompareResults;
-use crate::kind::compare::rows::SurfaceCase;
-use crate::kind::compare::series::{Series, stem};
+use super::layers::panels_by_load;
+use super::{contact, curves, verdict_map};
+use crate::paper::title;
+use crate::surface::section::radii_against_heights;
 
 /// Adds the main figure of one case: that of the paper, or the models against load, and of a measured map the contacts on it.
 pub fn of_case_or_paper(page: &mut Page, results: &CompareResults, case: SurfaceCase, series: &[Series]) {
@@ -36,7 +38,7 @@ pub(crate) fn of_case_with_map(page: &mut Page, results: &CompareResults, case: 
 /// Adds the figures of Pasaribu and Schipper (2005) that a spec reproduces.
 pub fn of_paper(page: &mut Page, results: &CompareResults, series: &[Series]) {
     if !results.figures_of_paper.is_empty() {
-        paper::figures(page, results, series);
+        figures(page, results, series);
     }
 }
 
@@ -86,7 +88,7 @@ pub(crate) fn of_case(page: &mut Page, results: &CompareResults, case: SurfaceCa
 fn correlations(case: SurfaceCase, quantity: ComparedQuantity, setting: &Setting) -> Vec<Layer> {
     let line = |correlation: Correlation| {
         let value = correlations::conductance(case, quantity, correlation)?;
-        let points = lines::dense(&setting.shown).into_iter().filter_map(|load| {
+        let points = curves::dense(&setting.shown).into_iter().filter_map(|load| {
             Some((setting.loads.per_pascal * load, curves::scale(quantity) * value(load)?))
         });
         let points: Vec<(f64, f64)> = points.collect();
@@ -118,7 +120,7 @@ fn figure(results: &CompareResults, case: SurfaceCase) -> Figure {
     let setting = Setting { case: case.first(), valid: &verdicts.admissible, units, loads, shown };
     let others: Vec<&Comparison> =
         case.case.realisations.iter().skip(1).map(|other| &other.comparison).collect();
-    let [mut beside_separation, mut beside_area] = lines::layers(results, case.surface, case.first());
+    let [mut beside_separation, mut beside_area] = curves::layers(results, case.surface, case.first());
     let reported = case.case.reported_load().map(|at| at.load);
     let marked = |plot: Plot, label: &str| match reported {
         Some(load) => plot.with(Layer::at_x(setting.loads.per_pascal * load, label)),
@@ -147,4 +149,68 @@ fn figure(results: &CompareResults, case: SurfaceCase) -> Figure {
         [row, below].map(|cells| filled(cells, columns)).concat()
     });
     Figure::grid(title, columns, rows.collect())
+}
+
+/// Adds those that the spec reproduces.
+pub fn figures(page: &mut Page, results: &CompareResults, series: &[Series]) {
+    for &number in &results.figures_of_paper {
+        let (figure, what, how) = match number {
+            3 => (radii(results), "radii against heights of the asperities", "Colour: asperities per cell"),
+            4 => (
+                separations(results),
+                "separation against load",
+                "Bands: 95 % intervals; grey: not admissible",
+            ),
+            _ => (
+                thicknesses(series),
+                "separation and real contact area against load by layer thickness",
+                "Thin lines: not admissible",
+            ),
+        };
+        let title = title(number, what);
+        page.figure(
+            &format!("figure-{number}-of-paper.svg"),
+            figure.titled(title.as_str()),
+            &format!("{title}. {how}."),
+        );
+    }
+}
+
+/// The surfaces whose radii differ, as the paper's do; all where those of none do.
+fn rough(results: &CompareResults) -> Vec<&SurfaceResults> {
+    let all: Vec<&SurfaceResults> = results.surfaces.iter().collect();
+    let differ: Vec<&SurfaceResults> =
+        all.iter().copied().filter(|results| results.surface.statistics.radius_cv > 0.0).collect();
+    if differ.is_empty() { all } else { differ }
+}
+
+fn radii(results: &CompareResults) -> Figure {
+    let panel = |results: &&SurfaceResults| {
+        radii_against_heights(
+            &results.surface,
+            Some(&results.realisations[0].population),
+            &results.surface.name,
+        )
+    };
+    Figure::row("", rough(results).iter().map(panel).collect())
+}
+
+fn separations(results: &CompareResults) -> Figure {
+    let surfaces = rough(results);
+    let cases = surfaces.iter().flat_map(|surface| SurfaceCase::on_surface(surface));
+    let panel = |case: SurfaceCase| -> Plot {
+        let units = Units::new(results, case.surface);
+        let valid = &case.verdicts().admissible;
+        let shown = shown_loads(valid, all_loads(case.first()));
+        let setting = Setting { case: case.first(), valid, units, loads: units.ratios(), shown };
+        setting.plot(ComparedQuantity::Separation, &[], Vec::new()).titled(case.name(results)).height(300.0)
+    };
+    Figure::row("", cases.map(panel).collect())
+}
+
+fn thicknesses(series: &[Series]) -> Figure {
+    let panels = series.iter().flat_map(|series| {
+        panels_by_load(series).map(|plot| plot.titled(series.subject.as_str()).height(300.0))
+    });
+    Figure::grid("", 2, panels.collect())
 }

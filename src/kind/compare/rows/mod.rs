@@ -1,7 +1,6 @@
 //! The tables of a comparison besides curves and pairs: a type of rows in each file.
 
 mod cases;
-mod layer;
 mod ranking;
 mod reference;
 mod results;
@@ -14,13 +13,14 @@ use asperity::study::{CaseResults, CaseStudy, Verdicts};
 use asperity_contact_framework::columns;
 use asperity_contact_framework::report::table::{Column, Schema, Table};
 pub(crate) use cases::{AnswerRow, CaseRow, OnMapRow, SpreadRow, answers};
-pub(crate) use layer::{DecreaseRow, FrictionRow, RuleRow, ThresholdRow};
 use ranking::RankingRow;
 pub(crate) use ranking::{RobustnessRow, StandingRow, words as treatment_words};
 use reference::ReferenceRow;
 pub(crate) use reference::{CorrelationRow, NearerRow, ReferenceCurveRow};
 pub(crate) use results::{GapRow, LineRow, ReadingRow, ResultRow};
-pub(crate) use swept::{SweptRow, rows as swept, swept_name};
+pub(crate) use swept::{
+    DecreaseRow, FrictionRow, RuleRow, SweptRow, ThresholdRow, rows as swept, swept_name,
+};
 pub(crate) use two_bodies::{GreenwoodTrippRow, Simplification, TwoBodiesRow, rows as two_bodies};
 use verdicts::DifferenceRow;
 pub(crate) use verdicts::{AttributionRow, VerdictRow};
@@ -147,9 +147,9 @@ pub(crate) fn tables(results: &CompareResults) -> Vec<Table> {
         Table::new(reference::curves(results)),
         Table::new(reference::nearer(results)),
         Table::new(ranking::robustness(results)),
-        Table::new(layer::thresholds(results)),
-        Table::new(layer::decreases(results)),
-        Table::new(layer::friction(results)),
+        Table::new(swept::thresholds(results)),
+        Table::new(swept::decreases(results)),
+        Table::new(swept::friction(results)),
         Table::new(RuleRow::all(results)),
         Table::new(results::readings(results)),
         Table::new(results::lines(results)),

@@ -8,9 +8,9 @@ use asperity::study::{CaseResults, ModelResult, RealisationFacts};
 use asperity_contact_framework::columns;
 use asperity_contact_framework::report::table::{Column, Row};
 
+use super::super::figures::curves::{KINDS, Rough, loads};
 use super::{CaseKey, SurfaceCase, case_columns};
 use crate::kind::compare::figures::curves::curve;
-use crate::kind::compare::figures::lines::{KINDS, Rough, loads};
 use crate::kind::compare::readings::{ReadLoads, loads_by_reading};
 use crate::kind::compare::results::CompareResults;
 use crate::model_tables::{

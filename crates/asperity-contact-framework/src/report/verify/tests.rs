@@ -224,3 +224,28 @@ fn a_report_or_file_that_is_missing_is_said() {
     let new = report("points", "{}", &[("report.md", "a")]);
     assert_eq!(verified(new.path(), old.path(), &KINDS).unwrap().differences, ["one/report.md: is missing"]);
 }
+
+#[test]
+fn numbers_may_differ_in_the_last_shown_digit_and_words_may_not() {
+    let is_same = |new: &str, old: &str| first_difference(new, old).is_none();
+    for (new, old) in [
+        ("area 12.3 % too large", "area 12.4 % too large"),
+        ("M10.25,-3.5L4", "M10.24,-3.5L4"),
+        ("1e-4 of it", "9.99e-5 of it"),
+        ("12 m", "12.1 m"),
+        ("+0.1", "+0.2"),
+    ] {
+        assert!(is_same(new, old), "{new}");
+    }
+    for (new, old) in [
+        ("area 12.3 % too large", "area 12.5 % too large"),
+        ("within 3 %", "beyond 3 %"),
+        ("247 contacts", "248 contacts"),
+        ("one line", "one line\nand another"),
+        ("0.1 µm", "0.1 nm"),
+    ] {
+        assert!(!is_same(new, old), "{new}");
+    }
+    let line = first_difference("a\nb 1.0\nc", "a\nb 2.0\nc").unwrap();
+    assert_eq!(line, "line 2: now b 1.0, committed b 2.0");
+}
