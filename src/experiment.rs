@@ -324,7 +324,6 @@ impl Experiment {
         self.kind == sweep::NAME
     }
 
-    /// The name of the kind that runs.
     pub(crate) fn kind_name(&self) -> &'static str {
         self.kind
     }
@@ -345,9 +344,6 @@ impl Experiment {
     }
 
     /// Its division into tasks.
-    ///
-    /// # Errors
-    /// An experiment that needs its whole input at once.
     pub(crate) fn divided(&self) -> Result<&dyn Divided, InputError> {
         self.plan.divided().ok_or_else(|| {
             let message = format!(
@@ -412,9 +408,6 @@ pub fn make_surface(
 }
 
 /// Writes the index of all reports in `out`, where it has changed.
-///
-/// # Errors
-/// A page that cannot be written, or that no run has written.
 pub fn write_index(store: &mut Store, out: &Path) -> Result<(), StoreError> {
     let index = Index::read(out, REPORTED);
     if index.is_empty() {

@@ -61,7 +61,6 @@ fn allowed() -> String {
     )
 }
 
-/// The thickness that a text names.
 fn named(text: &str) -> Result<f64, String> {
     match text.trim() {
         "inf" => Ok(f64::INFINITY),
@@ -191,7 +190,6 @@ impl LayerSpec {
         }
     }
 
-    /// The body that the layer is on.
     pub fn body(&self) -> Body {
         self.on.as_ref().map_or(Body::Flat, |on| *on.get_ref())
     }
@@ -239,7 +237,6 @@ fn one_hardness(name: &str, material: &Material) -> String {
     )
 }
 
-/// Resolves a layer on `substrate`.
 pub fn layer(file: &SpecFile, spec: &LayerSpec, substrate: &Material) -> Result<LayerPlan, InputError> {
     let name = spec.material.get_ref().clone();
     let material = file.body(&name, spec.material.span())?;

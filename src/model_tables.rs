@@ -245,7 +245,6 @@ impl PairRow {
         self.reference.as_ref().and_then(of)
     }
 
-    /// The contribution of a cause to the difference in a quantity.
     fn contribution(&self, quantity: ComparedQuantity, cause: Cause) -> Option<f64> {
         Some(self.attribution.as_ref()?.contributions(quantity)?.part(cause))
     }

@@ -8,9 +8,6 @@ use crate::experiment::Experiment;
 
 impl Experiment {
     /// Number of its tasks, and of the passes over all of them.
-    ///
-    /// # Errors
-    /// An experiment that needs its whole input at once.
     pub fn tasks(&self) -> Result<[usize; 2], InputError> {
         self.divided().map(|divided| [divided.tasks(), divided.passes()])
     }

@@ -19,7 +19,6 @@ pub use interface::{
 pub use patches::{ExportedContact, ExportedContacts};
 pub use surface::{ExportedAsperities, ExportedMap, ExportedSurface, SurfaceChoice};
 
-/// A file to be written.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ExportedFile {
     pub name: String,

@@ -44,7 +44,6 @@ enum StatedLoad {
     Force(f64, Option<f64>),
 }
 
-/// A contact at a load.
 pub struct ExportedContact<'a> {
     /// How the names of its files begin.
     pub name: String,
@@ -114,9 +113,6 @@ impl ExportedContacts {
     }
 
     /// Solves the contacts, one at each load under each layer, and calls `take` with each. Gives the loads that are left out, in words.
-    ///
-    /// # Errors
-    /// A surface that cannot be made, a contact that cannot be solved; the first of `take`.
     pub fn each<E: From<InputError>>(
         &self,
         progress: &dyn Progress,

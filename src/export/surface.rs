@@ -51,9 +51,6 @@ pub struct ExportedAsperities {
 
 impl ExportedSurface {
     /// The chosen surface of the spec at `path`, or the surface of a measured file with `options`.
-    ///
-    /// # Errors
-    /// A spec or options that cannot be read, a choice that there is not.
     pub fn read(
         path: &Path,
         options: &FileOptions,
@@ -94,9 +91,6 @@ impl ExportedSurface {
     }
 
     /// Calls `take` with the map after each step of its preparation, in order.
-    ///
-    /// # Errors
-    /// A surface without a map, or one that cannot be made; the first error of `take`.
     pub fn each_map<E: From<InputError>>(
         &self,
         progress: &dyn Progress,
@@ -120,10 +114,6 @@ impl ExportedSurface {
         result
     }
 
-    /// Its asperities.
-    ///
-    /// # Errors
-    /// A surface that cannot be made, or is a list already.
     pub fn asperities(mut self, progress: &dyn Progress) -> Result<ExportedAsperities, InputError> {
         if self.plan.is_list() {
             let message = format!(
@@ -232,7 +222,6 @@ impl ExportedAsperities {
         npy::write(out, [self.count(), columns.len()], values)
     }
 
-    /// Names of the columns of the array.
     pub fn array_columns(&self) -> Vec<&'static str> {
         self.of_array().map(|(name, _)| *name).collect()
     }

@@ -198,7 +198,6 @@ impl Row for ConvergenceRow<'_> {
     }
 }
 
-/// A slope fitted to the errors.
 pub struct SlopeRow<'a>(&'a ErrorSlope);
 
 impl Row for SlopeRow<'_> {

@@ -36,7 +36,6 @@ pub struct StudyKeys<'a> {
     pub rough: &'a Spanned<RoughBody>,
     pub flat: &'a Spanned<String>,
     pub law: &'a Spanned<Laws>,
-    /// A layer on one of the bodies.
     pub layer: Option<&'a LayerSpec>,
     /// What is asked of the spots of the contact.
     pub spots: SpotKeys<'a>,
@@ -84,10 +83,6 @@ pub struct StudyPlan {
 }
 
 impl StudyPlan {
-    /// Resolves the keys of a spec.
-    ///
-    /// # Errors
-    /// No load and no separation; a body, layer, law, surface or statistical model that cannot be used.
     pub fn new(file: &SpecFile, keys: StudyKeys) -> Result<Self, InputError> {
         let (named, table) = (keys.surfaces, keys.table.clone());
         Self::on(file, keys, |as_ellipses| surfaces(file, named, table, as_ellipses))
@@ -305,10 +300,6 @@ pub struct StatisticalSpec {
 }
 
 impl StatisticalSpec {
-    /// The model.
-    ///
-    /// # Errors
-    /// A joint density together with heights or a radius.
     pub fn model(&self) -> Result<StatisticalModel, String> {
         if let Some(joint) = self.model
             && (self.heights.is_some() || self.mean_radius.is_some())
@@ -362,9 +353,6 @@ impl<'de> Deserialize<'de> for RoughBody {
 }
 
 /// The layer, and the check of its rule where some contact is under it, whose sources are added to `papers`.
-///
-/// # Errors
-/// A layer that the exact solution does not apply to.
 pub fn layer_metadata(
     context: &RunContext,
     plan: &StudyPlan,

@@ -161,11 +161,9 @@ const BREAKDOWN: f64 = 1.0;
 #[derive(Debug, Clone, Copy, Default)]
 pub struct SpotKeys<'a> {
     pub conductance: Option<&'a Spanned<ConductanceSpec>>,
-    /// The shear strength of the interface.
     pub shear_strength: Option<&'a Spanned<ShearStrengthSpec>>,
 }
 
-/// The breakdowns of a layer, at least one.
 fn breakdowns(layer: &LayerSpec) -> Vec<f64> {
     layer.breakdown.as_ref().map_or_else(|| vec![BREAKDOWN], |values| values.get_ref().0.clone())
 }
@@ -183,10 +181,6 @@ pub struct SpottedBodies<'a> {
 
 impl SpotKeys<'_> {
     /// Adds what is asked of their spots to `laws`.
-    ///
-    /// # Errors
-    /// A material without a property that is needed; a layer that conducts too differently from its substrate; the shear strength of a
-    /// layer without one of the interface.
     pub fn add_to(
         &self,
         file: &SpecFile,

@@ -96,10 +96,6 @@ impl<'a> SurfaceFactory<'a> {
     }
 
     /// Makes or reads realisation `realisation` (from 1).
-    ///
-    /// # Errors
-    /// A file that cannot be read, heights that are all equal, a map without summits of different heights unless any is made, a target that is not
-    /// reached.
     pub fn make(
         &mut self,
         realisation: usize,

@@ -24,7 +24,6 @@ use super::spec::UnitSpec;
 /// What a surface is found in.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Reading {
-    /// A list of asperities.
     List(PathBuf, ListOptions),
     Map(MapFile),
 }
@@ -65,7 +64,6 @@ impl<'a> Files<'a> {
         Self { awaited, lists: Vec::new(), maps: Vec::new(), counter }
     }
 
-    /// The list at `path`.
     pub fn list(
         &mut self,
         path: &Path,

@@ -165,7 +165,6 @@ fn has_too_many_spikes(finding: &Finding, map: &MapFacts) -> bool {
     finding.measure == Measure::Spikes && share > MOST_SPIKE_POINTS
 }
 
-/// A remedy as a spec has it.
 pub fn written(remedy: Remedy) -> String {
     let filter = |key: &str, index: f64| format!("filter = {{ {key} = \"{}\" }}", input_quantity(index, "m"));
     match remedy {

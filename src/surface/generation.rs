@@ -62,7 +62,6 @@ const FEWEST_POINTS: u64 = 8;
 const MOST_POINTS: u64 = 1 << 20;
 
 impl Generation {
-    /// Resolves the spec at `span`.
     pub fn new(source: &Source, span: Range<usize>, raw: &GenerateSpec) -> Result<Self, InputError> {
         let points = points(source, raw)?;
         let heights = raw.heights.as_ref().map_or(Heights::GAUSSIAN, |heights| heights.0.clone());

@@ -36,7 +36,6 @@ pub(super) struct PairPlan {
 /// Both bodies, prepared, with what keeps one of them from carrying a verdict.
 pub(super) struct PreparedPair {
     pub(super) maps: RoughPair,
-    /// The asperities of each by itself.
     pub(super) bodies: [BodyAsperities; 2],
     pub(super) faults: Vec<Finding>,
     pub(super) warnings: Vec<String>,
@@ -54,9 +53,6 @@ pub(super) const SHIFTS: u64 = 16;
 
 impl PairPlan {
     /// Of two of `all` surfaces of a spec.
-    ///
-    /// # Errors
-    /// Names that are not of surfaces with one height map whose pixel is known.
     pub(super) fn new(
         file: &SpecFile,
         raw: &PairSpec,
@@ -134,9 +130,6 @@ impl PairPlan {
     }
 
     /// Both bodies from their prepared maps, made by `make`.
-    ///
-    /// # Errors
-    /// Maps that cannot be made, or do not belong together.
     pub(super) fn make(
         &self,
         source: &Source,
@@ -229,10 +222,6 @@ impl SurfacePlan {
 const COUNT: usize = 1 << 16;
 
 /// The composite of a pair of populations; `None` of other surfaces.
-///
-/// # Errors
-/// One population alone, and two that are not Gaussian, or neither of an isotropic Gaussian surface nor alike enough to meet in pairs; keys
-/// about positions.
 pub(super) fn of_populations(
     source: &Source,
     raw: &PairSpec,

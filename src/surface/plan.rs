@@ -111,9 +111,6 @@ const MOST_REALISATIONS: u64 = 1000;
 
 impl SurfacePlan {
     /// Checks everything about a surface that is known before it is made; a pair is of two of `all`.
-    ///
-    /// # Errors
-    /// A file that is missing or is not what it should be; numbers that make no surface.
     pub(super) fn new(
         file: &SpecFile,
         name: &Spanned<String>,
@@ -525,9 +522,6 @@ impl SurfacePlan {
 pub(super) type Surfaces = IndexMap<Spanned<String>, Spanned<SurfaceSpec>>;
 
 /// The surfaces that are named, or all of the file.
-///
-/// # Errors
-/// A name that the file does not define or that stands twice; a surface that cannot be made.
 pub fn surfaces(
     file: &SpecFile,
     named: Option<&[Spanned<String>]>,

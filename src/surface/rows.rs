@@ -127,7 +127,6 @@ impl<'a> MapRow<'a> {
         &self.map.roughness.moments
     }
 
-    /// m0, m2 and m4.
     fn spectral_moment(&self, index: usize) -> f64 {
         self.map.roughness.spectral_moments()[index]
     }

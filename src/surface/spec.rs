@@ -284,7 +284,6 @@ pub struct CropSpec {
 }
 
 impl CropSpec {
-    /// The part, m.
     pub fn part(self) -> Crop {
         let ends =
             |ends: Option<[Quantity<Length, NotNegative>; 2]>| ends.map(|ends| ends.map(|end| end.value()));

@@ -70,10 +70,6 @@ fn blocks_per_tile(blocks: usize, most: usize) -> usize {
 }
 
 impl SurfaceTiles {
-    /// The tiles of a surface.
-    ///
-    /// # Errors
-    /// A surface whose parts are not independent of each other: see docs/clusters.md.
     pub fn new(plan: &SurfacePlan, source: &Source) -> Result<Self, InputError> {
         let refuse = |message: &str| source.error_at(plan.size_key.clone(), message);
         match &plan.origin {
@@ -281,9 +277,6 @@ impl OpenTiles<'_> {
     }
 
     /// The asperities of one of the [`Self::blocks`] of a tile.
-    ///
-    /// # Errors
-    /// A row that is no asperity, heights in a wrong unit, a target that no random surface reaches.
     pub fn block(&self, tile: usize, block: usize) -> Result<TileBlock, InputError> {
         match (&self.tiles.division, &self.plan.origin, &self.map) {
             (Division::Population { tiles, .. }, Origin::Population { population, count, draw, .. }, _) => {

@@ -41,7 +41,6 @@ enum To {
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct Crossing {
-    /// The place of its key.
     pub key: usize,
     /// The values of the other keys; that of the key itself does not count.
     pub places: Vec<usize>,

@@ -44,9 +44,6 @@ impl Sweep {
 }
 
 /// The variations of a spec with a sweep: the values of its keys, and its spec without the sweep.
-///
-/// # Errors
-/// A spec without a sweep, and the first variation that cannot run.
 pub fn variations(source: Source) -> Result<Vec<[Table; 2]>, InputError> {
     let spec = SpecFile::parse(source, &tables())?;
     let plan = SweepPlan::new(&spec, &spec.required_table(NAME)?)?;

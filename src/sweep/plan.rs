@@ -62,7 +62,6 @@ pub struct Base {
 }
 
 impl Base {
-    /// The folder that its paths are relative to.
     pub fn folder(&self) -> &Path {
         self.source.path.parent().unwrap_or(Path::new(""))
     }

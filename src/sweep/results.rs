@@ -36,7 +36,6 @@ pub struct SweepResults {
 
 /// A variation of which something is known.
 pub struct Choice {
-    /// The places of its values.
     pub places: Vec<usize>,
     pub words: String,
     /// Why it could not be run.

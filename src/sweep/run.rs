@@ -97,9 +97,6 @@ impl<'a> Run<'a> {
     }
 
     /// What is found in some variations, in their order.
-    ///
-    /// # Errors
-    /// A disk that refuses to keep it; an input file that cannot be read.
     pub fn variations(&self, numbers: std::ops::Range<usize>) -> Result<Vec<Found>, InputError> {
         self.context.progress.steps(numbers.len() as u64);
         let one = |number: usize| {

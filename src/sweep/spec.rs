@@ -145,7 +145,6 @@ pub enum FoundModel {
 }
 
 impl FoundModel {
-    /// Its name in tables.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Deterministic => "deterministic",
@@ -167,10 +166,6 @@ impl SweepSpec {
         })
     }
 
-    /// What is looked for.
-    ///
-    /// # Errors
-    /// A table that asks for nothing that can be found.
     pub fn find(&self) -> Result<Vec<FindSpec>, String> {
         let Some(found) = self.0.get(FIND).cloned() else { return Ok(Vec::new()) };
         let read = |value| {

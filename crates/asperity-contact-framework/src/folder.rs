@@ -22,10 +22,8 @@ const COMMITTED: [&str; 2] = [".md", ".svg"];
 /// A report that cannot be written down.
 #[derive(Debug, thiserror::Error)]
 pub enum ReportError {
-    /// A table.
     #[error("a table cannot be written: {0}")]
     Table(#[from] csv::Error),
-    /// A summary.
     #[error("a summary cannot be written: {0}")]
     Summary(#[from] serde_json::Error),
 }

@@ -63,19 +63,14 @@ pub trait Kind {
 
 /// A [`Kind`] in a registry.
 pub struct RegisteredKind {
-    /// [`Kind::NAME`]
     pub name: &'static str,
-    /// [`Kind::READS`]
     pub reads: Reads,
-    /// [`Kind::GROUP`]
     pub group: Option<Group>,
     /// The JSON schema of its table.
     pub schema: fn(&mut SchemaGenerator) -> schemars::Schema,
     /// Reads its table of a spec, and makes a plan of it.
     pub plan: fn(&SpecFile) -> Result<Arc<dyn Plan>, InputError>,
-    /// [`Kind::tables`]
     pub tables: fn() -> Vec<Schema>,
-    /// [`Kind::swept`]
     pub swept: fn() -> Option<Schema>,
 }
 
@@ -269,9 +264,6 @@ pub fn set_memory(count: u128) -> u128 {
 }
 
 /// The fields of a serialisable struct, as a kind's part of a summary.
-///
-/// # Errors
-/// A value that is not a struct or map.
 pub fn fields(value: &impl Serialize) -> serde_json::Result<Map<String, Value>> {
     match serde_json::to_value(value)? {
         Value::Object(fields) => Ok(fields),

@@ -96,7 +96,6 @@ pub struct Bodies {
     pub flat: String,
 }
 
-/// The layer on one of the bodies.
 #[derive(Debug, Clone)]
 pub struct LayerMetadata {
     pub name: String,

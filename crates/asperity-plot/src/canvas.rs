@@ -381,7 +381,6 @@ const SUBSCRIPT: char = '\u{e000}';
 const AFTER: char = '\u{e001}';
 const END: char = '\u{e002}';
 
-/// A text with its subscripts marked.
 fn marked(text: &str) -> String {
     let mut marked = String::with_capacity(text.len());
     let mut is_lowered = false;

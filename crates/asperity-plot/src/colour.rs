@@ -88,7 +88,6 @@ pub fn series_colours() -> [String; 8] {
 }
 
 impl Colour {
-    /// As "#RRGGBB".
     pub(super) fn hex(self) -> String {
         let RGBColor(red, green, blue) = self.rgb();
         format!("#{red:02X}{green:02X}{blue:02X}")

@@ -58,7 +58,6 @@ pub(super) struct FramesData {
 enum PatchesData {
     /// x, y of the centres, and the radii of each frame.
     Circles(Vec<[f64; 2]>, Vec<Vec<f64>>),
-    /// An image for each frame.
     Images(Vec<String>),
 }
 

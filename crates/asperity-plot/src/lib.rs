@@ -59,7 +59,6 @@ pub enum Spread {
     Log,
 }
 
-/// One axis of a plot.
 #[derive(Clone, Debug)]
 pub struct Axis {
     label: String,
@@ -266,7 +265,6 @@ impl Plot {
         Colour::Ordered { index: (place.clamp(0.0, 1.0) * (OF - 1) as f64).round() as usize, of: OF }
     }
 
-    /// Its colour bar, of a length.
     fn bar(&self, length: f64) -> Option<Bar<'_>> {
         let of_field = self.raster().and_then(|raster| Bar::of_field(raster, length));
         of_field.or_else(|| self.order.as_ref().map(|axis| Bar::of_order(axis, length)))

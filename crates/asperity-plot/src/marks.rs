@@ -46,7 +46,6 @@ pub(super) fn region(frame: &Frame, layer: &Layer) -> Option<Rect> {
     })
 }
 
-/// A tile on the page.
 pub(super) fn tile(frame: &Frame, layer: &Layer) -> Option<Rect> {
     let Shape::Tile(from, to) = &layer.shape else {
         return None;

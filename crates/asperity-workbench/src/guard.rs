@@ -146,9 +146,6 @@ pub fn path() -> Option<PathBuf> {
 }
 
 /// The token in the file at `path`, which is made where there is none or it holds something else; only its owner can read it.
-///
-/// # Errors
-/// A file that cannot be read or written.
 pub fn kept(path: &Path) -> io::Result<String> {
     match fs::read_to_string(path) {
         // One that others could read is theirs, too.

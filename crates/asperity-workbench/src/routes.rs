@@ -312,7 +312,6 @@ async fn close(State(app): State<App>) -> Json<Value> {
     Json(json!({}))
 }
 
-/// The state of the files of a spec.
 async fn inputs(State(app): State<App>, Json(page): Json<PageSpec>) -> Result<Json<Value>, Refused> {
     let text = page.text(&app)?;
     let prepared = checked(&app, &text).await?;

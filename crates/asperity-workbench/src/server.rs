@@ -98,9 +98,6 @@ impl Server {
     }
 
     /// Opens the page in the user's browser, by a file that only its user can read.
-    ///
-    /// # Errors
-    /// No browser, or a folder that cannot be written to.
     pub fn open(&mut self) -> io::Result<()> {
         let file = self.app.folder.page_that_leads_to(&self.address)?;
         open::that_detached(file.path())?;

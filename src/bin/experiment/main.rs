@@ -146,7 +146,6 @@ impl Failure {
     }
 }
 
-/// All specs of a folder, by name.
 fn specs_in(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     let unreadable = |error: std::io::Error| {
         Failure::Input(format!(

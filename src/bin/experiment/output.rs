@@ -29,7 +29,6 @@ pub fn print_text(text: &str) {
     print(format_args!("{}", text.trim_end()));
 }
 
-/// Prints a line on standard error.
 pub fn print_error(line: Arguments) {
     let _ = writeln!(std::io::stderr(), "{line}");
 }

@@ -39,10 +39,6 @@ impl Answered {
 }
 
 /// Describes the surface of each file.
-///
-/// # Errors
-/// A file or options that cannot be read, a report that cannot be written; of several files the last failure, after all others were
-/// described.
 pub fn describe(
     files: &[PathBuf],
     file_options: FileOptions,

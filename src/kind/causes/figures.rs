@@ -60,7 +60,6 @@ pub fn heights_or_radii(results: &CausesResults, condition: [usize; 2]) -> Figur
     })
 }
 
-/// The leading of the three causes.
 pub fn leading_causes(results: &CausesResults, condition: [usize; 2]) -> Figure {
     map(results, "Leading causes", "difference", |point, quantity| {
         let parts = point.parts(condition, quantity)?;

@@ -148,7 +148,6 @@ pub enum Axis {
     Kurtosis,
 }
 
-/// A point of the grid.
 pub struct PointPlan {
     /// Skewness of the surface heights.
     pub skewness: f64,

@@ -49,7 +49,6 @@ impl CausesResults {
     }
 }
 
-/// The surfaces of one point of the grid.
 #[derive(Debug)]
 pub struct GridPoint {
     pub skewness: f64,
@@ -127,7 +126,6 @@ impl GridPoint {
         Some(&self.surfaces.as_ref().ok()?.at[law][load])
     }
 
-    /// The parts of the difference in a quantity.
     pub fn parts(&self, condition: [usize; 2], quantity: ComparedQuantity) -> Option<&Contributions> {
         self.at(condition)?.attribution.as_ref()?.contributions(quantity)
     }

@@ -60,7 +60,6 @@ impl Formula {
 pub struct Correlated {
     pub quantity: ComparedQuantity,
     pub formula: Formula,
-    /// What it is compared with.
     pub against: &'static str,
     /// Admissible loads (Pa), ascending, the relative difference there, and the bound of the error of ln(conductance) of what it is compared with.
     pub differences: Vec<(f64, f64, f64)>,
@@ -190,9 +189,6 @@ pub fn conductance(
 }
 
 /// Resolves the lines of `[compare]`; none where none are asked for.
-///
-/// # Errors
-/// A surface without a map; a layer; interaction where the surface has no end, or no model.
 pub fn lines(
     file: &SpecFile,
     raw: &CompareSpec,

@@ -39,7 +39,6 @@ pub struct CompareResults {
     pub reference: Option<ReferenceMetadata>,
     /// Of a measured file that the command line named.
     pub described: Option<Described>,
-    /// The figures of the paper that it reproduces.
     pub figures_of_paper: Vec<u8>,
 }
 
@@ -143,7 +142,6 @@ fn mean_radii(case: &CaseResults) -> impl Iterator<Item = f64> {
     points.filter_map(|(point, _)| point.response.mean_contact_radius())
 }
 
-/// Results on one surface and all its realisations.
 #[derive(Debug)]
 pub struct SurfaceResults {
     /// The first realisation, with its asperities.
@@ -176,7 +174,6 @@ pub struct SurfaceResults {
 }
 
 impl SurfaceResults {
-    /// The contacts on its map in one of its cases.
     pub(super) fn contact_map(&self, case: &CaseStudy) -> Option<&ContactMap> {
         let mut maps = self.cases.iter().zip(&self.contact_maps);
         maps.find(|(one, _)| std::ptr::eq(*one, case))?.1.as_ref()

@@ -29,9 +29,6 @@ use crate::study_plan::{inapplicable, layer_metadata, unreachable_load};
 use crate::surface::{Files, SurfaceFactory, SurfacePlan, by_hand, files_of, points_per_wave_on};
 
 /// Runs a comparison and counts its work.
-///
-/// # Errors
-/// A surface that cannot be made; a load that a model does not reach.
 pub fn run(
     context: &RunContext,
     compare: &ComparePlan,
@@ -377,9 +374,6 @@ impl<'a> Run<'a> {
 }
 
 /// Refuses a load that a population or a list does not reach, as a run would; of several realisations the first is tried.
-///
-/// # Errors
-/// A list that cannot be used; a load that a model does not reach.
 pub(super) fn check(context: &RunContext, plan: &ComparePlan) -> Result<(), InputError> {
     if plan.study.controls.pressures.is_empty() && plan.study.controls.forces.is_empty() {
         return Ok(());

@@ -71,7 +71,6 @@ impl Scope<'_> {
         self.extent == Extent::Everything
     }
 
-    /// The realisations of a surface that are run.
     pub(super) fn realisations(self, surface: &SurfacePlan) -> usize {
         if self.has_intervals() { surface.realisations } else { 1 }
     }

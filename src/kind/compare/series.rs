@@ -93,7 +93,6 @@ impl<'a> Series<'a> {
         })
     }
 
-    /// The verdicts with the thickness of each.
     pub fn named_verdicts(&self) -> Vec<(String, &'a Verdicts)> {
         self.verdicts().map(|(t, verdicts)| (thickness(t), verdicts)).collect()
     }

@@ -201,7 +201,6 @@ pub struct ComparePlan {
     pub is_ranked: bool,
     /// The measured file that the command line named: its surface is described in full.
     pub described: Option<PathBuf>,
-    /// The figures of the paper that it reproduces.
     pub figures_of_paper: Vec<u8>,
 }
 
@@ -234,7 +233,6 @@ impl ComparePlan {
         self.reference.is_some() || is_treated
     }
 
-    /// What its models are run with.
     pub fn setup<'a>(&'a self, context: &RunContext<'a>) -> Setup<'a> {
         let layer = self.study.layer.as_ref();
         Setup {

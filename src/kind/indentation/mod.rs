@@ -100,7 +100,6 @@ impl Plan for IndentationPlan {
 
 /// One sphere on layered flats.
 pub struct IndentationPlan {
-    /// Name of the ball's material, and the material.
     pub ball: (String, Material),
     /// Of the ball, m.
     pub radius: f64,
@@ -113,7 +112,6 @@ pub struct IndentationPlan {
     pub indentations: Vec<f64>,
     pub overlay: Option<OverlayPlan>,
     pub show: Show,
-    /// The figure of the paper that it reproduces.
     pub figure_of_paper: Option<SphereFigure>,
 }
 

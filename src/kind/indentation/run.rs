@@ -35,7 +35,6 @@ pub struct IndentationResults {
     pub indentations: Vec<f64>,
     /// Axes of the load figure.
     pub show: Show,
-    /// The figure of the paper that it reproduces.
     pub figure_of_paper: Option<SphereFigure>,
     /// Layer by layer, thickness by thickness.
     pub layers: Vec<LayerResults>,

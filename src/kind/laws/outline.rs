@@ -201,7 +201,6 @@ fn by_law(page: &mut Page, tables: &Tables, name: &str) {
     }
 }
 
-/// The laws on a single asperity.
 fn on_asperity(page: &mut Page, results: &LawsResults, tables: &Tables) {
     let critical = &results.critical;
     let mut unit = vec![

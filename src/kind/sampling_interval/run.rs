@@ -21,10 +21,6 @@ use crate::plausibility;
 use crate::study_plan::StudyPlan;
 use crate::surface::{SurfaceFactory, files_of};
 
-/// Runs it.
-///
-/// # Errors
-/// A surface that cannot be made; a filter that a map does not hold.
 pub(super) fn run(context: &RunContext, plan: &IntervalPlan) -> Result<IntervalResults, InputError> {
     let start = Instant::now();
     let (mut timing, counter) = (Timing::default(), Counter::default());

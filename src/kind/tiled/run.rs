@@ -216,7 +216,6 @@ impl TiledPlan {
         Ok(sums(self.study.laws.iter().map(of_law).collect()))
     }
 
-    /// The whole surface, from the first pass.
     fn whole(&self, context: &RunContext, first: &[TileSums]) -> Result<TiledSurface, InputError> {
         let open = self.tiles.open(self.surface(), context.source, context.seed, context.progress)?;
         let mut sums = open.sums();

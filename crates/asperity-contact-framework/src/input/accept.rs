@@ -41,7 +41,6 @@ pub struct AcceptSpec {
     friction: Option<RelativeDifference>,
 }
 
-/// An accepted difference in separation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum AcceptedSeparation {
     /// In standard deviations of the asperity heights.
@@ -51,7 +50,6 @@ pub enum AcceptedSeparation {
 }
 
 impl AcceptSpec {
-    /// The accepted separation.
     pub fn separation(&self) -> AcceptedSeparation {
         self.separation.unwrap_or(AcceptedSeparation::Sigma(Accepted::DEFAULT.separation))
     }

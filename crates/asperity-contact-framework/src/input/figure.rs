@@ -25,7 +25,6 @@ pub struct FigureSpec {
 }
 
 impl FigureSpec {
-    /// The size.
     pub fn size(&self) -> Size {
         Size::new(self.width.0, self.font.0)
     }
@@ -51,7 +50,6 @@ impl TryFrom<Quantity<Length>> for Width {
 
 crate::written_schema!(Width, |generator| Quantity::<Length>::json_schema(generator));
 
-/// The size of a font in points.
 #[derive(Debug, Clone, Copy)]
 struct FontSize(f64);
 

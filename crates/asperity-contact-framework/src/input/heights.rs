@@ -12,22 +12,17 @@ use super::Forms;
 use super::quantity::{Finite, Pure, Quantity};
 use super::schema::{self, TYPE};
 
-/// A height distribution.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeightsSpec(pub Heights);
 
 impl HeightsSpec {
     /// The distribution without parameters called `name`.
-    ///
-    /// # Errors
-    /// A name that no distribution has, or whose distribution needs parameters; `also` are further names for the message.
     pub fn named(name: &str, also: &[&str]) -> Result<Self, String> {
         let entry = REGISTRY.iter().find(|entry| entry.name == name && entry.parameters.is_empty());
         let heights = entry.and_then(|entry| entry.example().ok());
         heights.map(Self).ok_or_else(|| format!("found \"{name}\"; allowed: {}", Self::allowed(also)))
     }
 
-    /// Allowed values.
     pub fn allowed(also: &[&str]) -> String {
         let forms = REGISTRY.iter().map(|entry| match entry.parameters {
             [] => format!("\"{}\"", entry.name),

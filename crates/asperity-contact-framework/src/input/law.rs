@@ -17,7 +17,6 @@ use crate::input::schema::{self, RANGE, TYPE};
 #[derive(Debug, Clone, PartialEq)]
 pub struct Laws(pub Vec<ContactLaw>);
 
-/// One law.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OneLaw(pub ContactLaw);
 
@@ -81,7 +80,6 @@ fn refused<E: Error>(error: OptionError) -> E {
     }
 }
 
-/// The table of options of a law.
 struct Options(ContactLaw);
 
 impl<'de> DeserializeSeed<'de> for Options {

@@ -48,19 +48,12 @@ macro_rules! dimensions {
 dimensions! {
     /// Moduli, hardnesses, pressures.
     Pressure;
-    /// Lengths.
     Length;
-    /// Areas.
     Area;
-    /// Numbers per area.
     ArealNumberDensity;
-    /// Angles.
     Angle;
-    /// Forces.
     Force;
-    /// Electrical resistivities.
     Resistivity;
-    /// Thermal conductivities.
     ThermalConductivity;
     /// Electrical resistances times area.
     ElectricalFilm;
@@ -189,9 +182,6 @@ impl<D: Dimension, R: Range> Quantity<D, R> {
     }
 
     /// A value that a spec writes without a unit, as `found`.
-    ///
-    /// # Errors
-    /// A value out of range, or one that is hardly meant without a unit.
     pub fn bare(value: f64, found: &str) -> Result<Self, String> {
         let checked = Self::checked(value, &found)?;
         R::BARE.map_or(Ok(()), |bare| bare.check(value, found))?;
@@ -203,9 +193,6 @@ impl<D: Dimension, R: Range> Quantity<D, R> {
     }
 
     /// A value with its unit.
-    ///
-    /// # Errors
-    /// No unit of this dimension, or a value out of range.
     pub fn parse(text: &str) -> Result<Self, String> {
         let found = format!("\"{text}\"");
         let parse = |text: &str| D::UNITS.and_then(|units| units.parse(text));

@@ -24,9 +24,6 @@ pub fn materials(rough: &str, flat: &str) -> String {
 
 impl SpecFile<'_> {
     /// The material `name`; `span` is where it is used.
-    ///
-    /// # Errors
-    /// A name that the file does not define.
     pub fn body(&self, name: &str, span: Range<usize>) -> Result<Material, InputError> {
         let defined_material = self.materials().find(|(defined, _)| defined.get_ref() == name);
         defined_material.map(|(_, material)| *material).ok_or_else(|| {
@@ -94,9 +91,6 @@ impl SpecFile<'_> {
     }
 
     /// Each law on each flat, given with its layer thickness.
-    ///
-    /// # Errors
-    /// A law that does not apply to the bodies, or not under a layer.
     pub fn law_plans(
         &self,
         laws: &Spanned<Laws>,

@@ -437,9 +437,6 @@ impl Table {
     }
 
     /// The table that [`Self::csv`] has written, which may lack columns of `schema`, and have columns of swept keys.
-    ///
-    /// # Errors
-    /// A column that the schema does not have.
     pub fn read(schema: &Schema, csv: &[u8]) -> Result<Self, TableError> {
         let mut reader = csv::Reader::from_reader(csv);
         let names = reader.headers()?.clone();

@@ -31,9 +31,6 @@ pub struct Verified {
 }
 
 /// Differences between the reports in `fresh` and those in `committed`; long runs need not have been made again.
-///
-/// # Errors
-/// A folder or file that cannot be read.
 pub fn verified(fresh: &Path, committed: &Path, kinds: &[RegisteredKind]) -> io::Result<Verified> {
     let (mut lines, mut not_run) = (Vec::new(), Vec::new());
     let (new, old) = (reports(fresh)?, reports(committed)?);
@@ -52,7 +49,6 @@ pub fn verified(fresh: &Path, committed: &Path, kinds: &[RegisteredKind]) -> io:
     Ok(Verified { differences: lines, not_run })
 }
 
-/// The summary in the folder of a report.
 fn summary(folder: &Path) -> io::Result<Value> {
     Ok(serde_json::from_slice(&fs::read(folder.join(SUMMARY))?)?)
 }
@@ -74,7 +70,6 @@ struct Report<'a> {
     name: &'a str,
     /// Folders: of the new one, of the committed one.
     folders: [&'a Path; 2],
-    /// Summaries, likewise.
     summaries: [Value; 2],
     schemas: Vec<Schema>,
     /// Whether its page holds measured times.

@@ -47,10 +47,6 @@ struct Writing {
 }
 
 impl Export {
-    /// Writes it.
-    ///
-    /// # Errors
-    /// A spec or a file that cannot be read or run, results without what is asked for, files that are there already.
     pub fn run(self) -> Result<(), Failure> {
         match self {
             Self::Map(export) => export.run(),
@@ -144,10 +140,6 @@ fn named<T: Copy>(all: &[T], name: impl Fn(T) -> &'static str, wanted: &str) -> 
 }
 
 impl InterfaceExport {
-    /// Writes it.
-    ///
-    /// # Errors
-    /// A spec that cannot be run, results without a table, files that are there already.
     pub fn run(self) -> Result<(), Failure> {
         let Self { spec, format, model, units, beyond, writing } = self;
         let format = named(&Format::ALL, Format::name, &format);

@@ -215,7 +215,6 @@ impl Card<'_> {
     }
 }
 
-/// A text with a capital letter, or after a scope as it is.
 fn capitalised_after(scope: &str, text: &str) -> String {
     if scope.is_empty() { capitalised(text) } else { format!("{scope}{text}") }
 }

@@ -111,7 +111,6 @@ fn of_quantity(verdicts: &Verdicts, quantity: ComparedQuantity) -> Option<(Answe
 pub struct Counts<'a>(&'a [CaseAnswer]);
 
 impl<'a> Counts<'a> {
-    /// Of the answers of all cases.
     pub const fn new(answers: &'a [CaseAnswer]) -> Self {
         Self(answers)
     }

@@ -45,7 +45,6 @@ pub fn all_loads(case: &CaseResults) -> impl Iterator<Item = f64> + Clone {
 pub struct Setting<'a> {
     pub case: &'a CaseResults,
     pub valid: &'a AdmissibleRange,
-    /// Of the axes.
     pub units: Units,
     pub loads: Loads,
     /// First and last load that is shown, Pa.
@@ -272,7 +271,6 @@ impl Rough {
 
 pub(crate) const KINDS: [ModelKind; 2] = [ModelKind::Statistical, ModelKind::Deterministic];
 
-/// The name of an area line.
 pub(crate) fn name(line: AnalyticalLine) -> &'static str {
     match line {
         AnalyticalLine::Persson => "Persson",

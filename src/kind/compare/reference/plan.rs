@@ -220,7 +220,6 @@ const MOST_LOADS: u64 = 1000;
 
 /// The keys of a kind that say which models run, and at which loads.
 pub struct ReferenceKeys<'a> {
-    /// What runs.
     pub models: Option<&'a Spanned<Models>>,
     /// How the boundary elements run.
     pub reference: Option<&'a Spanned<ReferenceSpec>>,
@@ -244,9 +243,6 @@ pub struct Resolved<'a> {
 }
 
 /// Resolves the reference; `None` where none is asked for.
-///
-/// # Errors
-/// Keys of a reference that does not run; surfaces, loads or a largest pressure that it cannot run with.
 pub fn reference(
     file: &SpecFile,
     keys: &ReferenceKeys,

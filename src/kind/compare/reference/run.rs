@@ -46,9 +46,6 @@ pub struct ReferenceRun<'a> {
 impl ReferenceRun<'_> {
     /// Adds the reference to the results of the models, and gives a view of the contact of each solution, and what is in contact at
     /// each load of the only solution, where they are wanted.
-    ///
-    /// # Errors
-    /// A map that cannot be solved, and a load at which the solver does not converge.
     pub fn run(
         &self,
         context: &RunContext,

@@ -33,7 +33,6 @@ impl ResultRow<'_> {
         self.result.point.shares.map(|shares| shares[regime])
     }
 
-    /// An end of the interval of a quantity.
     fn end(&self, quantity: ComparedQuantity, end: usize) -> Option<f64> {
         self.result.intervals[quantity as usize].map(|ends| ends[end])
     }

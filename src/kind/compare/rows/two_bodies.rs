@@ -44,7 +44,6 @@ impl TwoBodiesRow<'_> {
         self.points[0].pressure
     }
 
-    /// The relative error of a quantity.
     pub(crate) fn error(&self, quantity: ComparedQuantity) -> Option<f64> {
         let [pair, simplified] = [0, 1].map(|k| self.points[k].value(quantity));
         Some(simplified? / pair? - 1.0)

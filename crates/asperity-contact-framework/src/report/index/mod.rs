@@ -68,7 +68,6 @@ impl Entry {
         if self.has_html { "report.html" } else { "report.md" }
     }
 
-    /// Its surfaces with what is known of each.
     fn surfaces(&self) -> impl Iterator<Item = (&String, &Value)> {
         self.surfaces.as_object().into_iter().flat_map(Map::iter)
     }

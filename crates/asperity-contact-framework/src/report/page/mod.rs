@@ -92,7 +92,6 @@ impl Drawn {
 pub struct Files {
     /// `report.md`.
     pub markdown: String,
-    /// `report.html`.
     pub html: String,
     /// Names and contents of the pictures, which must be next to the Markdown file.
     pub figures: Vec<(String, String)>,
