@@ -20,10 +20,8 @@ use asperity_contact_framework::metadata::{
 use asperity_contact_framework::report::format::{count, input_number, input_quantity, number, signed};
 use asperity_contact_framework::report::page::Page;
 use asperity_contact_framework::report::sections;
-use asperity_contact_framework::report::table::{Column, Row, Schema, Table, Tables};
-use asperity_contact_framework::{
-    Kind, Memory, Outcome, Plan, Reads, RunContext, columns, fields, set_memory,
-};
+use asperity_contact_framework::report::table::{Schema, Table, Tables};
+use asperity_contact_framework::{Kind, Memory, Outcome, Plan, Reads, RunContext, fields, rows, set_memory};
 use asperity_plot::{Axis, Colour, Figure, Layer, Plot};
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -178,45 +176,35 @@ pub struct ConvergenceRow<'a> {
     quantity: LimitQuantity,
 }
 
-impl Row for ConvergenceRow<'_> {
-    const FILE: &'static str = "convergence.csv";
-    const ROWS: &'static str = "One row for each quantity, law, number of asperities and separation: errors of the sum relative to the integral.";
-
-    fn columns() -> Vec<Column<Self>> {
-        columns! { row: Self =>
-            law["text"] = row.point.law.as_str(), "Contact law of an asperity.";
-            quantity["text"] = row.quantity.name(), "Quantity whose error is given: `area` or `load`.";
-            separation_over_sigma["1", label("d/σ"), input] = row.point.separation_over_sigma(), "Separation over sigma, the standard deviation of the asperity heights.";
-            asperities["count"] = row.point.count, "Asperities in a set.";
-            expected_contacts["1"] = row.point.expected_contacts(), "Expected number of contacts.";
-            random_mean_error["1", scale(1e-3)] = row.point.scatter(row.quantity).0, "Mean relative error of the random sets.";
-            random_rms_error["1", scale(1e-3)] = row.point.scatter(row.quantity).1, "Root mean square of the relative errors of the random sets.";
-            quantile_error["1", scale(1e-3)] = row.point.quantile_error(row.quantity), "Relative error, without sign, of the set with heights at the quantiles.";
-            expected_quantile_error["1", scale(1e-3)] = row.point.expected_quantile_error(row.quantity), "Leading term of that error, of the midpoint rule in probability at the tail of the heights.";
-            fitted["true/false"] = row.point.is_fitted(), "Whether more than 30 contacts are expected, so that the row takes part in the fit of the slopes.";
-        }
-    }
+rows! { ConvergenceRow<'_> => "convergence.csv";
+    "One row for each quantity, law, number of asperities and separation: errors of the sum relative to the integral.";
+    row =>
+    law["text"] = row.point.law.as_str(), "Contact law of an asperity.";
+    quantity["text"] = row.quantity.name(), "Quantity whose error is given: `area` or `load`.";
+    separation_over_sigma["1", label("d/σ"), input] = row.point.separation_over_sigma(), "Separation over sigma, the standard deviation of the asperity heights.";
+    asperities["count"] = row.point.count, "Asperities in a set.";
+    expected_contacts["1"] = row.point.expected_contacts(), "Expected number of contacts.";
+    random_mean_error["1", scale(1e-3)] = row.point.scatter(row.quantity).0, "Mean relative error of the random sets.";
+    random_rms_error["1", scale(1e-3)] = row.point.scatter(row.quantity).1, "Root mean square of the relative errors of the random sets.";
+    quantile_error["1", scale(1e-3)] = row.point.quantile_error(row.quantity), "Relative error, without sign, of the set with heights at the quantiles.";
+    expected_quantile_error["1", scale(1e-3)] = row.point.expected_quantile_error(row.quantity), "Leading term of that error, of the midpoint rule in probability at the tail of the heights.";
+    fitted["true/false"] = row.point.is_fitted(), "Whether more than 30 contacts are expected, so that the row takes part in the fit of the slopes.";
 }
 
 pub struct SlopeRow<'a>(&'a ErrorSlope);
 
-impl Row for SlopeRow<'_> {
-    const FILE: &'static str = "slopes.csv";
-    const ROWS: &'static str = "One row for each law, separation, quantity and way to take the heights: the slope of the logarithm of the error over that of the number of asperities.";
-
-    fn columns() -> Vec<Column<Self>> {
-        columns! { row: Self =>
-            law["text"] = row.0.law.as_str(), "Contact law of an asperity.";
-            quantity["text"] = row.0.quantity.name(), "Quantity whose error is fitted: `area` or `load`.";
-            heights["text"] = row.0.sampling.name(), "How the heights are taken: `random` or at the `quantiles`.";
-            separation_over_sigma["1", label("d/σ"), input] = row.0.separation, "Separation over sigma.";
-            slope["1"] = row.0.fit.slope, "Slope of the root mean square error of the random sets, or of the error of the set at the quantiles.";
-            standard_error["1", label("± s.e."), scale(1.0)] = row.0.fit.standard_error, "Its standard error.";
-            expected_slope["1"] = row.0.expected, "Slope that theory expects over the fitted numbers of asperities.";
-            deviation["1", signed, scale(1.0)] = row.0.fit.slope - row.0.expected, "Slope less the expected one.";
-            points["count"] = row.0.fit.points, "Numbers of asperities fitted.";
-        }
-    }
+rows! { SlopeRow<'_> => "slopes.csv";
+    "One row for each law, separation, quantity and way to take the heights: the slope of the logarithm of the error over that of the number of asperities.";
+    row =>
+    law["text"] = row.0.law.as_str(), "Contact law of an asperity.";
+    quantity["text"] = row.0.quantity.name(), "Quantity whose error is fitted: `area` or `load`.";
+    heights["text"] = row.0.sampling.name(), "How the heights are taken: `random` or at the `quantiles`.";
+    separation_over_sigma["1", label("d/σ"), input] = row.0.separation, "Separation over sigma.";
+    slope["1"] = row.0.fit.slope, "Slope of the root mean square error of the random sets, or of the error of the set at the quantiles.";
+    standard_error["1", label("± s.e."), scale(1.0)] = row.0.fit.standard_error, "Its standard error.";
+    expected_slope["1"] = row.0.expected, "Slope that theory expects over the fitted numbers of asperities.";
+    deviation["1", signed, scale(1.0)] = row.0.fit.slope - row.0.expected, "Slope less the expected one.";
+    points["count"] = row.0.fit.points, "Numbers of asperities fitted.";
 }
 
 /// In `curves.csv` and `comparison.csv` a set is a surface, a random draw a realisation, and the integral the surface `population`.

@@ -6,8 +6,8 @@ use asperity::compare::ModulusError;
 use asperity::layer::exact_sphere::ElasticContact;
 use asperity::sphere::{Curve, Decrease, Point, RegimeChange};
 use asperity::{Contact, ModulusModel, Regime};
-use asperity_contact_framework::columns;
-use asperity_contact_framework::report::table::{Column, Row, Schema, Table};
+use asperity_contact_framework::report::table::{Column, Schema, Table};
+use asperity_contact_framework::{columns, rows};
 
 use super::run::{IndentationResults, LawCurves, LayerResults};
 
@@ -41,25 +41,18 @@ struct CurveRow<'a> {
     contact: Contact,
 }
 
-impl Row for CurveRow<'_> {
-    const FILE: &'static str = "indentation.csv";
-    const ROWS: &'static str = "One row for each layer, law, curve and indentation.";
-    const IS_LONG: bool = true;
-
-    fn columns() -> Vec<Column<Self>> {
-        let mut columns = case_columns(|row: &Self| &row.case);
-        columns.extend(columns! { row: Self =>
-            curve["text"] = row.curve, "Curve: `coated`, `uncoated`, `all-layer` (a flat of the layer's material) or `exact-elastic`.";
-            indentation_m["m"] = row.indentation, "Indentation w (Eq. 1).";
-            load_n["N"] = row.contact.load, "Load P on the sphere.";
-            area_m2["m²"] = row.contact.area, "Real contact area A.";
-            contact_radius_m["m"] = (row.contact.area / PI).sqrt(), "Contact radius (A/pi)^0.5.";
-            mean_pressure_pa["Pa"] = row.contact.load / row.contact.area, "Mean contact pressure P/A.";
-            stiffness_n_per_m["N/m"] = row.contact.stiffness, "Contact stiffness dP/dw.";
-            regime["text"] = row.case.law.map(|_| row.contact.regime.name()), "Regime: `elastic`, `elastic-plastic` or `plastic`; empty for the exact elastic contact.";
-        });
-        columns
-    }
+rows! { CurveRow<'_> => "indentation.csv", is_long true;
+    "One row for each layer, law, curve and indentation.";
+    ..case_columns(|row: &Self| &row.case);
+    row =>
+    curve["text"] = row.curve, "Curve: `coated`, `uncoated`, `all-layer` (a flat of the layer's material) or `exact-elastic`.";
+    indentation_m["m"] = row.indentation, "Indentation w (Eq. 1).";
+    load_n["N"] = row.contact.load, "Load P on the sphere.";
+    area_m2["m²"] = row.contact.area, "Real contact area A.";
+    contact_radius_m["m"] = (row.contact.area / PI).sqrt(), "Contact radius (A/pi)^0.5.";
+    mean_pressure_pa["Pa"] = row.contact.load / row.contact.area, "Mean contact pressure P/A.";
+    stiffness_n_per_m["N/m"] = row.contact.stiffness, "Contact stiffness dP/dw.";
+    regime["text"] = row.case.law.map(|_| row.contact.regime.name()), "Regime: `elastic`, `elastic-plastic` or `plastic`; empty for the exact elastic contact.";
 }
 
 /// A change of the regime along a curve.
@@ -70,22 +63,16 @@ pub struct ChangeRow<'a> {
     change: &'a RegimeChange,
 }
 
-impl Row for ChangeRow<'_> {
-    const FILE: &'static str = "regimes.csv";
-    const ROWS: &'static str = "One row for each change of the regime along a curve, also beyond the sweep.";
-
-    fn columns() -> Vec<Column<Self>> {
-        let mut columns = case_columns(|row: &Self| &row.case);
-        columns.extend(columns! { row: Self =>
-            curve["text"] = row.name, "Curve: `coated`, `uncoated` or `all-layer` (a flat of the layer's material).";
-            indentation_m["m"] = row.change.indentation, "Indentation w at which the regime changes (coated: Eqs. 2 and 4 with the effective properties at w).";
-            load_n["N"] = row.change.load, "Load just below that indentation.";
-            from["text"] = row.change.from.name(), "Regime below it.";
-            to["text"] = row.change.to.name(), "Regime above it.";
-            within_sweep["true/false"] = row.curve.is_within(row.change), "Whether it lies within the specified indentations.";
-        });
-        columns
-    }
+rows! { ChangeRow<'_> => "regimes.csv";
+    "One row for each change of the regime along a curve, also beyond the sweep.";
+    ..case_columns(|row: &Self| &row.case);
+    row =>
+    curve["text"] = row.name, "Curve: `coated`, `uncoated` or `all-layer` (a flat of the layer's material).";
+    indentation_m["m"] = row.change.indentation, "Indentation w at which the regime changes (coated: Eqs. 2 and 4 with the effective properties at w).";
+    load_n["N"] = row.change.load, "Load just below that indentation.";
+    from["text"] = row.change.from.name(), "Regime below it.";
+    to["text"] = row.change.to.name(), "Regime above it.";
+    within_sweep["true/false"] = row.curve.is_within(row.change), "Whether it lies within the specified indentations.";
 }
 
 /// A range in which the coated area or load decreases.
@@ -94,21 +81,15 @@ pub struct DecreaseRow<'a> {
     decrease: &'a Decrease,
 }
 
-impl Row for DecreaseRow<'_> {
-    const FILE: &'static str = "coated_decreases.csv";
-    const ROWS: &'static str = "One row for each range in which the area or load of a coated curve decreases with increasing indentation.";
-
-    fn columns() -> Vec<Column<Self>> {
-        let mut columns = case_columns(|row: &Self| &row.case);
-        columns.extend(columns! { row: Self =>
-            of["text", label("decreasing quantity")] = row.decrease.of.name(), "What decreases: `area` or `load`.";
-            from_indentation_m["m"] = row.decrease.from.indentation, "First indentation of the range.";
-            to_indentation_m["m"] = row.decrease.to.indentation, "Last indentation of the range.";
-            from["SI"] = row.decrease.of.value(&row.decrease.from.contact), "Area in m² or load in N at the first indentation.";
-            to["SI"] = row.decrease.of.value(&row.decrease.to.contact), "The same at the last.";
-        });
-        columns
-    }
+rows! { DecreaseRow<'_> => "coated_decreases.csv";
+    "One row for each range in which the area or load of a coated curve decreases with increasing indentation.";
+    ..case_columns(|row: &Self| &row.case);
+    row =>
+    of["text", label("decreasing quantity")] = row.decrease.of.name(), "What decreases: `area` or `load`.";
+    from_indentation_m["m"] = row.decrease.from.indentation, "First indentation of the range.";
+    to_indentation_m["m"] = row.decrease.to.indentation, "Last indentation of the range.";
+    from["SI"] = row.decrease.of.value(&row.decrease.from.contact), "Area in m² or load in N at the first indentation.";
+    to["SI"] = row.decrease.of.value(&row.decrease.to.contact), "The same at the last.";
 }
 
 /// The end of the sweep under a law.
@@ -126,24 +107,17 @@ impl LawRow<'_> {
     }
 }
 
-impl Row for LawRow<'_> {
-    const FILE: &'static str = "loads.csv";
-    const ROWS: &'static str =
-        "One row for each layer and law: regimes, loads at the largest indentation, and measured loads.";
-
-    fn columns() -> Vec<Column<Self>> {
-        let mut columns = case_columns(|row: &Self| &row.case);
-        columns.extend(columns! { row: Self =>
-            regimes["text"] = row.law.coated.sequence().into_iter().map(|regime| regime.name().to_owned()).collect::<Vec<_>>(), "Regimes of the coated curve with increasing indentation, also beyond the sweep.";
-            indentation_m["m", label("largest indentation"), input] = row.law.coated.points.last().map(|point| point.indentation), "Largest indentation of the sweep.";
-            coated_load_n["N"] = last_load(&row.law.coated), "Load there.";
-            uncoated_load_n["N"] = last_load(&row.law.uncoated), "The same without the layer.";
-            all_layer_load_n["N", label("load on bulk layer material")] = last_load(&row.law.all_layer), "The same on a flat of the layer's material.";
-            measured_over_coated["1"] = (!row.overlay.is_empty()).then(|| (row.logs().sum::<f64>() / row.overlay.len() as f64).exp()), "Geometric mean of measured over coated load; empty without measured points.";
-            largest_measured_factor["1"] = row.logs().map(f64::abs).reduce(f64::max).map(f64::exp), "Largest factor, at least 1, between a measured and a coated load.";
-        });
-        columns
-    }
+rows! { LawRow<'_> => "loads.csv";
+    "One row for each layer and law: regimes, loads at the largest indentation, and measured loads.";
+    ..case_columns(|row: &Self| &row.case);
+    row =>
+    regimes["text"] = row.law.coated.sequence().into_iter().map(|regime| regime.name().to_owned()).collect::<Vec<_>>(), "Regimes of the coated curve with increasing indentation, also beyond the sweep.";
+    indentation_m["m", label("largest indentation"), input] = row.law.coated.points.last().map(|point| point.indentation), "Largest indentation of the sweep.";
+    coated_load_n["N"] = last_load(&row.law.coated), "Load there.";
+    uncoated_load_n["N"] = last_load(&row.law.uncoated), "The same without the layer.";
+    all_layer_load_n["N", label("load on bulk layer material")] = last_load(&row.law.all_layer), "The same on a flat of the layer's material.";
+    measured_over_coated["1"] = (!row.overlay.is_empty()).then(|| (row.logs().sum::<f64>() / row.overlay.len() as f64).exp()), "Geometric mean of measured over coated load; empty without measured points.";
+    largest_measured_factor["1"] = row.logs().map(f64::abs).reduce(f64::max).map(f64::exp), "Largest factor, at least 1, between a measured and a coated load.";
 }
 
 /// An effective-modulus model and the exact elastic contact.
@@ -154,21 +128,16 @@ pub struct RuleRow<'a> {
     error: &'a ModulusError,
 }
 
-impl Row for RuleRow<'_> {
-    const FILE: &'static str = "rule.csv";
-    const ROWS: &'static str = "One row for each layer, each effective-modulus model and each indentation at which the exact elastic contact is solved.";
-
-    fn columns() -> Vec<Column<Self>> {
-        columns! { row: Self =>
-            layer["text"] = row.layer.name.as_str(), "Material of the layer.";
-            layer_thickness_m["m"] = row.layer.thickness, "Thickness of the layer.";
-            rule["text"] = row.rule.name(), "Effective-modulus model: `gao` (Eqs. 14 and 15) or `series` (compliances in series).";
-            indentation_m["m"] = row.indentation, "Indentation w (Eq. 1).";
-            contact_radius_over_thickness["1", label("a/t")] = row.error.contact_ratio, "Contact radius of the exact contact over the thickness of the layer.";
-            load_over_exact["1"] = row.error.ratio, "Elastic load by the model over the exact one.";
-            area_over_exact["1"] = row.error.indentation_ratio / row.error.contact_ratio.powi(2), "Area pi R w of both models over the exact one.";
-        }
-    }
+rows! { RuleRow<'_> => "rule.csv";
+    "One row for each layer, each effective-modulus model and each indentation at which the exact elastic contact is solved.";
+    row =>
+    layer["text"] = row.layer.name.as_str(), "Material of the layer.";
+    layer_thickness_m["m"] = row.layer.thickness, "Thickness of the layer.";
+    rule["text"] = row.rule.name(), "Effective-modulus model: `gao` (Eqs. 14 and 15) or `series` (compliances in series).";
+    indentation_m["m"] = row.indentation, "Indentation w (Eq. 1).";
+    contact_radius_over_thickness["1", label("a/t")] = row.error.contact_ratio, "Contact radius of the exact contact over the thickness of the layer.";
+    load_over_exact["1"] = row.error.ratio, "Elastic load by the model over the exact one.";
+    area_over_exact["1"] = row.error.indentation_ratio / row.error.contact_ratio.powi(2), "Area pi R w of both models over the exact one.";
 }
 
 /// A layer and the largest errors of both models.
@@ -183,26 +152,20 @@ impl LayerRow<'_> {
     }
 }
 
-impl Row for LayerRow<'_> {
-    const FILE: &'static str = "layers.csv";
-    const ROWS: &'static str = "One row for each layer: the largest error of both effective-modulus models without yielding, at equal indentation.";
-
-    fn columns() -> Vec<Column<Self>> {
-        let mut columns = layer_columns(|row: &Self| row.layer);
-        columns.extend(columns! { row: Self =>
-            modulus_ratio["1", label("E_l/E_s")] = row.layer.check.modulus_ratio, "Young's modulus of the layer over that of the substrate.";
-            is_modulus_ratio_good["true/false", label("accurate for gao")] = row.layer.check.is_good(), "Whether it is in the range 0.5 to 2 in which `gao` is accurate (Perriot and Barthel 2004).";
-            gao_load_over_exact["1", label("gao / exact, worst")] = row.worst(ModulusModel::Gao).map(|error| error.ratio), "Load by `gao` over the exact one where its error is largest; empty where no contact is small enough for the exact solution.";
-            gao_contact_radius_over_thickness["1", label("at a/t")] = row.worst(ModulusModel::Gao).map(|error| error.contact_ratio), "Contact radius over thickness there.";
-            gao_indentation_ratio["1", label("w R/t²")] = row.worst(ModulusModel::Gao).map(|error| error.indentation_ratio), "Indentation times radius over the square of the thickness there.";
-            series_load_over_exact["1", label("series / exact, worst")] = row.worst(ModulusModel::Series).map(|error| error.ratio), "Load by `series` over the exact one where its error is largest; empty where no contact is small enough for the exact solution.";
-            series_contact_radius_over_thickness["1", label("at a/t")] = row.worst(ModulusModel::Series).map(|error| error.contact_ratio), "Contact radius over thickness there.";
-            series_indentation_ratio["1", label("w R/t²")] = row.worst(ModulusModel::Series).map(|error| error.indentation_ratio), "Indentation times radius over the square of the thickness there.";
-            largest_contact_radius_over_radius["1", label("largest a/R")] = row.layer.largest_slope(row.radius), "Largest contact radius over that of the ball; beyond 0.3 the ball is no paraboloid and strains are not small.";
-            exact_points_left_out["count"] = row.layer.exact.iter().filter(|exact| exact.is_none()).count(), "Indentations whose exact contact is too wide for the layer to be solved.";
-        });
-        columns
-    }
+rows! { LayerRow<'_> => "layers.csv";
+    "One row for each layer: the largest error of both effective-modulus models without yielding, at equal indentation.";
+    ..layer_columns(|row: &Self| row.layer);
+    row =>
+    modulus_ratio["1", label("E_l/E_s")] = row.layer.check.modulus_ratio, "Young's modulus of the layer over that of the substrate.";
+    is_modulus_ratio_good["true/false", label("accurate for gao")] = row.layer.check.is_good(), "Whether it is in the range 0.5 to 2 in which `gao` is accurate (Perriot and Barthel 2004).";
+    gao_load_over_exact["1", label("gao / exact, worst")] = row.worst(ModulusModel::Gao).map(|error| error.ratio), "Load by `gao` over the exact one where its error is largest; empty where no contact is small enough for the exact solution.";
+    gao_contact_radius_over_thickness["1", label("at a/t")] = row.worst(ModulusModel::Gao).map(|error| error.contact_ratio), "Contact radius over thickness there.";
+    gao_indentation_ratio["1", label("w R/t²")] = row.worst(ModulusModel::Gao).map(|error| error.indentation_ratio), "Indentation times radius over the square of the thickness there.";
+    series_load_over_exact["1", label("series / exact, worst")] = row.worst(ModulusModel::Series).map(|error| error.ratio), "Load by `series` over the exact one where its error is largest; empty where no contact is small enough for the exact solution.";
+    series_contact_radius_over_thickness["1", label("at a/t")] = row.worst(ModulusModel::Series).map(|error| error.contact_ratio), "Contact radius over thickness there.";
+    series_indentation_ratio["1", label("w R/t²")] = row.worst(ModulusModel::Series).map(|error| error.indentation_ratio), "Indentation times radius over the square of the thickness there.";
+    largest_contact_radius_over_radius["1", label("largest a/R")] = row.layer.largest_slope(row.radius), "Largest contact radius over that of the ball; beyond 0.3 the ball is no paraboloid and strains are not small.";
+    exact_points_left_out["count"] = row.layer.exact.iter().filter(|exact| exact.is_none()).count(), "Indentations whose exact contact is too wide for the layer to be solved.";
 }
 
 /// A measured point and the coated curve.
@@ -213,21 +176,14 @@ pub struct OverlayRow<'a> {
     coated_load: f64,
 }
 
-impl Row for OverlayRow<'_> {
-    const FILE: &'static str = "overlay.csv";
-    const ROWS: &'static str =
-        "One row for each layer, law and measured point; written where `overlay` names a file of points.";
-
-    fn columns() -> Vec<Column<Self>> {
-        let mut columns = case_columns(|row: &Self| &row.case);
-        columns.extend(columns! { row: Self =>
-            indentation_m["m", input] = row.indentation, "Measured indentation.";
-            measured_load_n["N"] = row.measured_load, "Measured load.";
-            coated_load_n["N"] = row.coated_load, "Load of the coated curve at that indentation.";
-            measured_over_coated["1"] = row.measured_load / row.coated_load, "Measured over computed load.";
-        });
-        columns
-    }
+rows! { OverlayRow<'_> => "overlay.csv";
+    "One row for each layer, law and measured point; written where `overlay` names a file of points.";
+    ..case_columns(|row: &Self| &row.case);
+    row =>
+    indentation_m["m", input] = row.indentation, "Measured indentation.";
+    measured_load_n["N"] = row.measured_load, "Measured load.";
+    coated_load_n["N"] = row.coated_load, "Load of the coated curve at that indentation.";
+    measured_over_coated["1"] = row.measured_load / row.coated_load, "Measured over computed load.";
 }
 
 fn last_load(curve: &Curve) -> Option<f64> {

@@ -3,9 +3,9 @@
 use asperity::compare::{Comparison, CurvePoint, ModelKind, Pair, Pairing};
 use asperity::study::LawContact;
 use asperity::{Model, Population, ReferencePlane, Response, Shape, Statistical, Statistics, Total};
-use asperity_contact_framework::columns;
 use asperity_contact_framework::metadata::{ContactMetadata, Metadata};
-use asperity_contact_framework::report::table::{Column, Row, Table};
+use asperity_contact_framework::report::table::Table;
+use asperity_contact_framework::rows;
 
 use crate::model_tables::{CurveRow, PairRow, RowCase, comparison_of_models, curves_of_models, limits};
 use crate::surface::rows::SurfaceRow;
@@ -155,24 +155,19 @@ impl<'a> SeparationRow<'a> {
     }
 }
 
-impl Row for SeparationRow<'_> {
-    const FILE: &'static str = "separations.csv";
-    const ROWS: &'static str = "One row for each law, layer thickness and separation: both models at equal separation, with the sampling error of the sum from the scatter of its tiles.";
-
-    fn columns() -> Vec<Column<Self>> {
-        columns! { row: Self =>
-            law["text"] = row.law.law.as_str(), "Contact law of an asperity.";
-            layer_thickness_m["m", label("layer"), thickness] = row.law.thickness, "Thickness of the layer; empty where the spec has no layer.";
-            separation_over_sigma["1", input] = row.separation(), "Separation over sigma.";
-            deterministic_pressure_pa["Pa", label("pressure of the sum")] = row.pair.deterministic.pressure.total(), "Nominal pressure of the sum.";
-            relative_standard_error_from_tiles["1", label("± s.e."), percent] = row.relative_error(), "Standard error of that pressure, relative to it, from the scatter of the tiles; empty where fewer than eight tiles carry load.";
-            statistical_pressure_pa["Pa", label("pressure of the integral")] = row.pair.statistical.pressure.total(), "Nominal pressure of the integral.";
-            statistical_over_deterministic_pressure["1", label("integral over sum")] = row.ratio(), "The second over the first.";
-            deterministic_area_ratio["1", label("area ratio of the sum")] = row.pair.deterministic.area_ratio.total(), "Real contact area of the sum over nominal area.";
-            within_interval["true/false", label("in the interval")] = row.is_within(), "Whether the integral lies in the 95 % interval of the sum; empty without one and where the load is not admissible.";
-            limits["text"] = limits(row.pair.exceeded()), "Limits of admissible loads that are exceeded, as in `curves.csv`.";
-        }
-    }
+rows! { SeparationRow<'_> => "separations.csv";
+    "One row for each law, layer thickness and separation: both models at equal separation, with the sampling error of the sum from the scatter of its tiles.";
+    row =>
+    law["text"] = row.law.law.as_str(), "Contact law of an asperity.";
+    layer_thickness_m["m", label("layer"), thickness] = row.law.thickness, "Thickness of the layer; empty where the spec has no layer.";
+    separation_over_sigma["1", input] = row.separation(), "Separation over sigma.";
+    deterministic_pressure_pa["Pa", label("pressure of the sum")] = row.pair.deterministic.pressure.total(), "Nominal pressure of the sum.";
+    relative_standard_error_from_tiles["1", label("± s.e."), percent] = row.relative_error(), "Standard error of that pressure, relative to it, from the scatter of the tiles; empty where fewer than eight tiles carry load.";
+    statistical_pressure_pa["Pa", label("pressure of the integral")] = row.pair.statistical.pressure.total(), "Nominal pressure of the integral.";
+    statistical_over_deterministic_pressure["1", label("integral over sum")] = row.ratio(), "The second over the first.";
+    deterministic_area_ratio["1", label("area ratio of the sum")] = row.pair.deterministic.area_ratio.total(), "Real contact area of the sum over nominal area.";
+    within_interval["true/false", label("in the interval")] = row.is_within(), "Whether the integral lies in the 95 % interval of the sum; empty without one and where the load is not admissible.";
+    limits["text"] = limits(row.pair.exceeded()), "Limits of admissible loads that are exceeded, as in `curves.csv`.";
 }
 
 pub fn surface_row(surface: &TiledSurface) -> SurfaceRow<'_> {

@@ -5,8 +5,8 @@ use asperity::compare::{
     ByQuantity, ComparedQuantity, Difference, Estimate, ModelKind, ModulusError, Verdict,
 };
 use asperity::study::{DecreaseResults, FilmFriction, LoadResults, Threshold, Verdicts};
-use asperity_contact_framework::columns;
 use asperity_contact_framework::report::table::{Column, Row, Value};
+use asperity_contact_framework::{columns, rows};
 
 use super::super::results::CompareResults;
 use super::{CaseKey, SurfaceCase, case_columns};
@@ -142,20 +142,15 @@ pub(crate) struct ThresholdRow<'a> {
     threshold: &'a Threshold,
 }
 
-impl Row for ThresholdRow<'_> {
-    const FILE: &'static str = "layer_thresholds.csv";
-    const ROWS: &'static str = "One row for each surface, law, model and load: the thickness up to which the layer changes the real contact area of the model at equal load by at most 5 %; found to within 1 %, on the first realisation. It is one of the model with its rule of the effective modulus and hardness. A load that is not admissible has none.";
-
-    fn columns() -> Vec<Column<Self>> {
-        columns! { row: Self =>
-            surface["text"] = row.surface, "Name of the surface.";
-            law["text"] = row.threshold.law.as_str(), "Contact law of an asperity.";
-            model["text"] = row.threshold.kind.name(), "Model: `statistical` or `deterministic`.";
-            pressure_pa["Pa", prefix("M"), label("nominal pressure"), input] = row.threshold.pressure, "Nominal pressure.";
-            thickness_m["m", label("at most 5 % up to")] = row.threshold.thickness, "The thickness; inf where every layer changes the area by less; empty where even the thinnest one tested changes it by more, and at a load that is not admissible.";
-            limits["text", label("not admissible")] = limits(row.threshold.exceeded), "Limits that one of the models exceeds at the load without the layer, as in `curves.csv`; empty at an admissible load.";
-        }
-    }
+rows! { ThresholdRow<'_> => "layer_thresholds.csv";
+    "One row for each surface, law, model and load: the thickness up to which the layer changes the real contact area of the model at equal load by at most 5 %; found to within 1 %, on the first realisation. It is one of the model with its rule of the effective modulus and hardness. A load that is not admissible has none.";
+    row =>
+    surface["text"] = row.surface, "Name of the surface.";
+    law["text"] = row.threshold.law.as_str(), "Contact law of an asperity.";
+    model["text"] = row.threshold.kind.name(), "Model: `statistical` or `deterministic`.";
+    pressure_pa["Pa", prefix("M"), label("nominal pressure"), input] = row.threshold.pressure, "Nominal pressure.";
+    thickness_m["m", label("at most 5 % up to")] = row.threshold.thickness, "The thickness; inf where every layer changes the area by less; empty where even the thinnest one tested changes it by more, and at a load that is not admissible.";
+    limits["text", label("not admissible")] = limits(row.threshold.exceeded), "Limits that one of the models exceeds at the load without the layer, as in `curves.csv`; empty at an admissible load.";
 }
 
 pub(super) fn thresholds(results: &CompareResults) -> impl Iterator<Item = ThresholdRow<'_>> {
@@ -171,25 +166,19 @@ pub(crate) struct DecreaseRow<'a> {
     decrease: &'a DecreaseResults,
 }
 
-impl Row for DecreaseRow<'_> {
-    const FILE: &'static str = "decreases.csv";
-    const ROWS: &'static str = "One row for each surface, law, layer thickness, asperity (the sharpest, one of the mean radius, the bluntest) and range of indentations in which its area or load decreases; a load that decreases is reached at several separations, of which the first on approach is reported.";
-
-    fn columns() -> Vec<Column<Self>> {
-        let mut columns = case_columns(|row: &Self| CaseKey {
+rows! { DecreaseRow<'_> => "decreases.csv";
+    "One row for each surface, law, layer thickness, asperity (the sharpest, one of the mean radius, the bluntest) and range of indentations in which its area or load decreases; a load that decreases is reached at several separations, of which the first on approach is reported.";
+    ..case_columns(|row: &Self| CaseKey {
             surface: row.surface,
             law: &row.decrease.law,
             thickness: row.decrease.thickness,
         });
-        columns.extend(columns! { row: Self =>
-            radius_m["m"] = row.decrease.radius, "Radius of the asperity.";
-            of["text", label("decreasing")] = row.decrease.decrease.of.name(), "What decreases: `area` or `load`.";
-            from_m["m", label("from indentation")] = row.decrease.decrease.from.indentation, "Indentation at which it begins.";
-            to_m["m", label("to")] = row.decrease.decrease.to.indentation, "Indentation at which it ends.";
-            loss["1", percent] = row.decrease.decrease.loss(), "Relative decrease.";
-        });
-        columns
-    }
+    row =>
+    radius_m["m"] = row.decrease.radius, "Radius of the asperity.";
+    of["text", label("decreasing")] = row.decrease.decrease.of.name(), "What decreases: `area` or `load`.";
+    from_m["m", label("from indentation")] = row.decrease.decrease.from.indentation, "Indentation at which it begins.";
+    to_m["m", label("to")] = row.decrease.decrease.to.indentation, "Indentation at which it ends.";
+    loss["1", percent] = row.decrease.decrease.loss(), "Relative decrease.";
 }
 
 pub(super) fn decreases(results: &CompareResults) -> impl Iterator<Item = DecreaseRow<'_>> {
@@ -205,17 +194,12 @@ pub(crate) struct RuleRow<'a> {
     error: &'a ModulusError,
 }
 
-impl Row for RuleRow<'_> {
-    const FILE: &'static str = "layer_rules.csv";
-    const ROWS: &'static str = "One row for each effective-modulus model and contact radius over layer thickness: the elastic load of a ball by the model over that of the exact solution at equal indentation.";
-
-    fn columns() -> Vec<Column<Self>> {
-        columns! { row: Self =>
-            rule["text"] = row.rule.name(), "The model: `gao` or `series`.";
-            contact_radius_over_thickness["1", label("a/t")] = row.error.contact_ratio, "Exact contact radius over layer thickness.";
-            load_over_exact["1"] = row.error.ratio, "Load by the model over the exact one.";
-        }
-    }
+rows! { RuleRow<'_> => "layer_rules.csv";
+    "One row for each effective-modulus model and contact radius over layer thickness: the elastic load of a ball by the model over that of the exact solution at equal indentation.";
+    row =>
+    rule["text"] = row.rule.name(), "The model: `gao` or `series`.";
+    contact_radius_over_thickness["1", label("a/t")] = row.error.contact_ratio, "Exact contact radius over layer thickness.";
+    load_over_exact["1"] = row.error.ratio, "Load by the model over the exact one.";
 }
 
 impl<'a> RuleRow<'a> {
@@ -235,23 +219,18 @@ pub(crate) struct FrictionRow<'a> {
     found: &'a FilmFriction,
 }
 
-impl Row for FrictionRow<'_> {
-    const FILE: &'static str = "friction_by_thickness.csv";
-    const ROWS: &'static str = "One row for each surface, law, load, breakdown of the layer and model, on the first realisation: the layer thickness of the smallest coefficient of friction, of those that were run.";
-
-    fn columns() -> Vec<Column<Self>> {
-        columns! { row: Self =>
-            surface["text"] = row.surface, "Name of the surface.";
-            law["text"] = row.found.law.as_str(), "Contact law of an asperity.";
-            pressure_pa["Pa", prefix("M"), label("nominal pressure"), input] = row.found.pressure, "Nominal pressure.";
-            breakdown["1", label("breakdown w/t")] = row.found.breakdown, "Indentation over the thickness from which on a spot has broken through the layer and shears as the interface without it.";
-            model["text"] = row.found.kind.name(), "Model: `statistical` or `deterministic`.";
-            least_at_m["m", label("least at"), thickness] = row.found.least().map(|(thickness, _)| thickness), "Thickness of the smallest coefficient.";
-            least["1", label("least coefficient")] = row.found.least().map(|(_, coefficient)| coefficient), "The coefficient there.";
-            uncoated["1"] = row.found.at(0.0), "Coefficient without the layer; empty where that was not run.";
-            bulk["1"] = row.found.at(f64::INFINITY), "Coefficient on the bulk of the layer's material; empty where that was not run.";
-        }
-    }
+rows! { FrictionRow<'_> => "friction_by_thickness.csv";
+    "One row for each surface, law, load, breakdown of the layer and model, on the first realisation: the layer thickness of the smallest coefficient of friction, of those that were run.";
+    row =>
+    surface["text"] = row.surface, "Name of the surface.";
+    law["text"] = row.found.law.as_str(), "Contact law of an asperity.";
+    pressure_pa["Pa", prefix("M"), label("nominal pressure"), input] = row.found.pressure, "Nominal pressure.";
+    breakdown["1", label("breakdown w/t")] = row.found.breakdown, "Indentation over the thickness from which on a spot has broken through the layer and shears as the interface without it.";
+    model["text"] = row.found.kind.name(), "Model: `statistical` or `deterministic`.";
+    least_at_m["m", label("least at"), thickness] = row.found.least().map(|(thickness, _)| thickness), "Thickness of the smallest coefficient.";
+    least["1", label("least coefficient")] = row.found.least().map(|(_, coefficient)| coefficient), "The coefficient there.";
+    uncoated["1"] = row.found.at(0.0), "Coefficient without the layer; empty where that was not run.";
+    bulk["1"] = row.found.at(f64::INFINITY), "Coefficient on the bulk of the layer's material; empty where that was not run.";
 }
 
 pub(super) fn friction(results: &CompareResults) -> impl Iterator<Item = FrictionRow<'_>> {

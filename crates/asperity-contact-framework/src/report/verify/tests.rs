@@ -1,30 +1,24 @@
 use std::fmt;
 
 use super::*;
-use crate::columns;
 use crate::input::{InputError, Spanned, SpecFile};
 use crate::kind::{Kind, Memory, Outcome, Plan, RunContext};
 use crate::metadata::Metadata;
 use crate::report::Page;
 use crate::report::table::{Column, Tables};
+use crate::rows;
 
 /// A row of a table with a column of each comparison.
 struct Point(usize);
 
-impl Row for Point {
-    const FILE: &'static str = "points.csv";
-    const ROWS: &'static str = "One row for each point.";
-    const RECORDS: Option<&'static str> = Some("points");
-
-    fn columns() -> Vec<Column<Self>> {
-        columns! { row: Self =>
-            n["count"] = row.0, "n.";
-            x["1"] = row.0 as f64, "x.";
-            difference_x["1", scale_of("x")] = row.0 as f64, "Difference of x.";
-            jump["1", scale(1.0)] = row.0 as f64, "Jump.";
-            seconds["s", ignored] = row.0 as f64, "Time.";
-        }
-    }
+rows! { Point => "points.csv", records "points";
+    "One row for each point.";
+    row =>
+    n["count"] = row.0, "n.";
+    x["1"] = row.0 as f64, "x.";
+    difference_x["1", scale_of("x")] = row.0 as f64, "Difference of x.";
+    jump["1", scale(1.0)] = row.0 as f64, "Jump.";
+    seconds["s", ignored] = row.0 as f64, "Time.";
 }
 
 /// A kind whose table holds times.
