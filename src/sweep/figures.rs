@@ -6,7 +6,7 @@ use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Legend, Plot};
 
 use super::results::{Point, SweepResults};
 use super::spec::SweptKey;
-use crate::kind::compare::verdict_map::{MARKS, Mark, named};
+use crate::kind::compare::main_figure::{MARKS, Mark, named};
 use crate::presentation::quantity_name;
 
 /// Room beside the outermost loads.

@@ -7,8 +7,8 @@ use asperity_contact_framework::report::format::input_number;
 use asperity_contact_framework::report::table::{Table as Rows, Value as Cell};
 use toml::{Table, Value};
 
+use super::Run;
 use super::plan::without_what_is_not_shown;
-use super::run::Run;
 use super::spec::{Combine, FindSpec, FoundModel, SweptKey, as_text, set};
 use crate::kind::compare::{Compare, Extent, swept_name};
 

@@ -8,9 +8,9 @@ use asperity_contact_framework::report::table::{Heading, Row, Table, Value as Ce
 use asperity_contact_framework::rows;
 use indexmap::IndexMap;
 
+use super::Found;
 use super::find::{Crossing, verdict_in_words};
 use super::plan::SweepPlan;
-use super::run::Found;
 use super::spec::SweptKey;
 use crate::kind::compare::swept_name;
 

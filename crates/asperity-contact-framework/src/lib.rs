@@ -12,10 +12,10 @@ pub mod kept;
 pub mod keys;
 mod kind;
 pub mod metadata;
-pub mod progress;
 pub mod remedy;
 pub mod report;
 
+pub use asperity::progress;
 pub use folder::{ReportError, folder, summary_json};
 pub use kind::{Divided, Kind, Memory, Outcome, Plan, Reads, RegisteredKind, RunContext, fields, set_memory};
 pub use metadata::Group;

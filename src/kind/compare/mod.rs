@@ -10,7 +10,6 @@ pub mod reference;
 pub mod results;
 pub(crate) mod rows;
 mod run;
-mod scope;
 mod series;
 pub mod spec;
 
@@ -20,11 +19,11 @@ use asperity::work::Counter;
 use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 use asperity_contact_framework::report::table::Schema;
 use asperity_contact_framework::{Kind, Memory, Outcome, Plan, RunContext};
-pub(crate) use figures::verdict_map;
+pub(crate) use figures::main_figure;
 pub(crate) use rows::swept_name;
 pub use run::{each_surface, run as run_compare, run_within};
-pub use scope::{Extent, Samplings, Scope};
 use spec::ComparePlan;
+pub use spec::{Extent, Samplings, Scope};
 
 use crate::surface::{inputs, memory};
 

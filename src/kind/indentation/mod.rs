@@ -1,9 +1,7 @@
 //! `[indentation]`: one sphere on a layered flat.
 
-mod figures;
 mod outline;
 mod rows;
-mod run;
 
 use std::fmt;
 use std::path::PathBuf;
@@ -17,13 +15,13 @@ use asperity_contact_framework::input::sweep::LogSweep;
 use asperity_contact_framework::input::{InputError, OneOrMany, Spanned, SpecFile, schema};
 use asperity_contact_framework::report::table::Schema;
 use asperity_contact_framework::{Kind, Memory, Outcome, Plan, Reads, RunContext, written_schema};
-use figures::OverlayPlan;
-pub use run::{IndentationResults, LawCurves, LayerResults};
+use outline::OverlayPlan;
+pub use rows::{IndentationResults, LawCurves, LayerResults};
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer};
 
 use crate::layer::{LayerPlan, LayerSpec, layer};
-use crate::paper::SphereFigure;
+use crate::presentation::SphereFigure;
 
 pub struct Indentation;
 
@@ -94,7 +92,7 @@ impl Plan for IndentationPlan {
     }
 
     fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
-        Ok(Box::new(run::run(context, self)?))
+        Ok(Box::new(rows::run(context, self)?))
     }
 }
 

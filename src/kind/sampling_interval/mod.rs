@@ -4,7 +4,6 @@ mod outline;
 mod results;
 mod rows;
 mod run;
-mod trend;
 
 use std::fmt;
 use std::ops::Range;

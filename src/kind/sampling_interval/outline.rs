@@ -16,7 +16,7 @@ use super::results::{
     Variation, gaps, main_load,
 };
 use super::rows::{GapRow, LeadRow, LimitRow, ScaleRow, tables};
-use super::trend::{Convergence, Trend};
+use super::run::{Convergence, Trend};
 use crate::presentation::{cause_colour, quantity_name};
 use crate::surface::{section, warnings};
 

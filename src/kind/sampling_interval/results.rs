@@ -6,7 +6,7 @@ use asperity::surface::Surface;
 use asperity::{Statistics, named_enum};
 use asperity_contact_framework::metadata::{ContactMetadata, Metadata};
 
-use super::trend::{Point, Trend};
+use super::run::{Point, Trend};
 
 /// The quantities whose differences between the models are shown.
 pub const QUANTITIES: [ComparedQuantity; 2] = [ComparedQuantity::Separation, ComparedQuantity::Area];

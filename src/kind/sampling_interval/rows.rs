@@ -6,7 +6,7 @@ use asperity_contact_framework::report::table::{Column, Schema, Table};
 use asperity_contact_framework::{columns, rows};
 
 use super::results::{Gap, IntervalResults, QUANTITIES, Scale, ScaleResults, Series, gaps, sign};
-use super::trend::Trend;
+use super::run::Trend;
 use crate::model_tables::limits;
 use crate::surface::rows::{self as surface, SurfaceRow};
 

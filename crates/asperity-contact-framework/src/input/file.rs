@@ -17,8 +17,8 @@ use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 use toml::de::{DeTable, DeValue, Deserializer, ValueDeserializer};
 
+use super::accept::FigureSpec;
 use super::error::{InputError, Source, gone};
-use super::figure::FigureSpec;
 use super::forms::Spanned;
 use super::material::{MaterialOrigin, MaterialSpec};
 use super::quantity::Whole;

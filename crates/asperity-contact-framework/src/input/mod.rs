@@ -3,7 +3,6 @@
 pub mod accept;
 pub mod bare;
 mod error;
-pub mod figure;
 mod file;
 mod forms;
 pub mod heights;

@@ -6,7 +6,6 @@
 //! | `curves` | separation, area, stiffness and regimes against load |
 //! | `layers` | the same and friction by layer thickness |
 //! | `contact` | pressures of the reference, what is in contact on a map, differences over the S filter |
-//! | `verdict_map` | the verdicts on several cases over load |
 //! | `main_figure` | what a page is opened for |
 
 pub mod contact;
@@ -14,4 +13,3 @@ pub mod curves;
 pub mod differences;
 pub mod layers;
 pub(crate) mod main_figure;
-pub mod verdict_map;
