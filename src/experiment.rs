@@ -23,13 +23,12 @@ use asperity_plot::Size;
 use indexmap::IndexMap;
 use sha2::{Digest, Sha256};
 
-use crate::available_memory;
-use crate::kind::compare::plan::described;
+use crate::kind::compare::Compare;
 use crate::kind::compare::results::CompareResults;
-use crate::kind::compare::{Compare, plan::ComparePlan};
+use crate::kind::compare::spec::{ComparePlan, described};
 use crate::kind::{KINDS, REPORTED, SURFACES};
 use crate::surface::{FileOptions, SurfaceFactory, SurfacesPlan, by_hand, files_of, surfaces};
-use crate::sweep;
+use crate::{available_memory, sweep};
 
 /// SHA-256 of the sources that this program was built from.
 const SOURCES: &str = env!("ASPERITY_SOURCES");
@@ -325,7 +324,6 @@ impl Experiment {
         self.kind == sweep::NAME
     }
 
-    /// The name of the kind that runs.
     pub(crate) fn kind_name(&self) -> &'static str {
         self.kind
     }
@@ -346,9 +344,6 @@ impl Experiment {
     }
 
     /// Its division into tasks.
-    ///
-    /// # Errors
-    /// An experiment that needs its whole input at once.
     pub(crate) fn divided(&self) -> Result<&dyn Divided, InputError> {
         self.plan.divided().ok_or_else(|| {
             let message = format!(
@@ -413,9 +408,6 @@ pub fn make_surface(
 }
 
 /// Writes the index of all reports in `out`, where it has changed.
-///
-/// # Errors
-/// A page that cannot be written, or that no run has written.
 pub fn write_index(store: &mut Store, out: &Path) -> Result<(), StoreError> {
     let index = Index::read(out, REPORTED);
     if index.is_empty() {
@@ -514,5 +506,56 @@ impl fmt::Display for Experiment {
             self.plan.memory().bytes as f64 / 1e6,
             self.plan.work() as f64
         )
+    }
+}
+
+impl Experiment {
+    /// Number of its tasks, and of the passes over all of them.
+    pub fn tasks(&self) -> Result<[usize; 2], InputError> {
+        self.divided().map(|divided| [divided.tasks(), divided.passes()])
+    }
+
+    /// What its task `task` (from 0) finds in the pass after those of `earlier`, which hold what all tasks have found: JSON.
+    pub fn run_task(
+        &self,
+        task: usize,
+        earlier: &[Vec<String>],
+        progress: &dyn Progress,
+    ) -> Result<String, InputError> {
+        let divided = self.divided()?;
+        self.check_passes(earlier)?;
+        if task >= divided.tasks() || earlier.len() >= divided.passes() {
+            let message = format!("found task {task} of {}; allowed: below", divided.tasks());
+            return Err(InputError::file(self.path(), message));
+        }
+        divided.run_task(&self.context("", progress), task, earlier)
+    }
+
+    /// The results of a run, from what all tasks have found in all passes: the same to the bit as those of [`Self::run`]. `key` is
+    /// [`Self::key`] from before the tasks ran.
+    pub fn results_of_tasks(
+        &self,
+        passes: &[Vec<String>],
+        key: &str,
+        progress: &dyn Progress,
+    ) -> Result<Box<dyn Outcome>, InputError> {
+        let divided = self.divided()?;
+        self.check_passes(passes)?;
+        let input = self.watched_input(progress)?;
+        if self.key_of(&input) != key {
+            return Err(InputError::file(self.path(), "has an input file that changed; run again"));
+        }
+        divided.results(&self.context(&input, progress), passes)
+    }
+
+    fn check_passes(&self, passes: &[Vec<String>]) -> Result<(), InputError> {
+        let tasks = self.divided()?.tasks();
+        match passes.iter().find(|pass| pass.len() != tasks) {
+            Some(pass) => {
+                let message = format!("found the results of {} tasks; allowed: of all {tasks}", pass.len());
+                Err(InputError::file(self.path(), message))
+            }
+            None => Ok(()),
+        }
     }
 }

@@ -49,7 +49,6 @@ pub(crate) fn all() -> &'static [Key] {
     &ALL
 }
 
-/// A table with the kinds that write it.
 struct WrittenTable {
     schema: Schema,
     kinds: Vec<String>,
@@ -103,9 +102,6 @@ fn column_explanations(tables: &[WrittenTable], name: &str) -> Vec<String> {
 }
 
 /// Explains the keys of a spec, the tables of a report and their columns, and the terms that `wanted` names.
-///
-/// # Errors
-/// A name that is none of them, with those that resemble it.
 pub fn explain(wanted: &str) -> Result<String, String> {
     let (keys, tables) = (&*ALL, tables());
     let below = |key: &Key| -> Vec<&Key> {

@@ -13,13 +13,11 @@ pub mod kind;
 mod layer;
 pub mod materials;
 pub mod model_tables;
-mod paper;
 mod plausibility;
 mod presentation;
 pub mod study_plan;
 pub mod surface;
 pub mod sweep;
-mod tasks;
 #[cfg(feature = "cli")]
 pub mod terminal;
 #[cfg(feature = "serve")]

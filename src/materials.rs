@@ -36,9 +36,6 @@ pub fn all_materials() -> String {
 }
 
 /// One material of the library, each value with its source.
-///
-/// # Errors
-/// A name that the library does not have, with similar ones.
 pub fn one_material(name: &str) -> Result<String, String> {
     let Some(material) = material_library::find(name) else {
         let similar = material_library::similar(name);

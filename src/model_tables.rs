@@ -1,14 +1,13 @@
 //! The tables of both models that several kinds have: `curves.csv` and `comparison.csv`.
 
-use asperity::study::CaseResults;
-use asperity_contact_framework::columns;
-use asperity_contact_framework::report::table::{Column, Heading, Row, Table, Value};
-
 use asperity::compare::{
     Attribution, Cause, ComparedQuantity, Comparison, CurvePoint, ModelKind, Pair, ReferencePoint,
 };
 use asperity::spot::{SpotProperties, SpotQuantity, tube_factor};
+use asperity::study::CaseResults;
 use asperity::{ByRegime, Exceeded, Limit, Response};
+use asperity_contact_framework::report::table::{Column, Heading, Row, Table, Value};
+use asperity_contact_framework::{columns, rows};
 
 #[derive(Debug, Clone)]
 pub(crate) struct RowCase {
@@ -57,49 +56,41 @@ pub(crate) enum AnyPoint {
     Reference(ReferencePoint),
 }
 
-impl Row for CurveRow {
-    const FILE: &'static str = "curves.csv";
-    const ROWS: &'static str =
-        "One row for each surface, realisation, law, layer thickness, model and control point.";
-    const IS_LONG: bool = true;
-
-    fn columns() -> Vec<Column<Self>> {
-        let mut columns = RowCase::columns(|row: &Self| &row.case);
-        columns.extend(columns! { row: Self =>
-            model["text"] = row.either(|point| point.kind.name(), |_| REFERENCE), "Model: `statistical` (integral over the height density), `deterministic` (sum over the asperities, Eq. 13) or `reference` (boundary elements on the same map; columns about asperities are empty).";
-            control["text"] = row.either(|point| point.control, |point| point.control).name(), "Quantity that is prescribed: `separation`, `pressure` or `force`; for the reference the loads of a separation sweep are pressures.";
-            target["1, Pa or N"] = row.either(|point| point.target, |point| point.target), "Prescribed value: separation over sigma, nominal pressure or force on the nominal area.";
-            separation_m["m"] = row.either(|point| Some(point.response.separation), |point| point.separation), "Separation d of the flat from the mean asperity height; for the reference the mean gap, zero at points in contact, less the height of the mean asperity above the mean plane of the map, and empty with a finite boundary; of a map without summits of different heights the mean gap.";
-            separation_over_sigma["1"] = row.either(|point| Some(point.response.separation_over_sigma), |point| point.separation_over_sigma), "Separation over sigma, the standard deviation of the asperity heights.";
-            pressure_pa["Pa", prefix("M")] = row.pressure(), "Nominal pressure, load over nominal area; above the target where the law jumps past it.";
-            load_ratio["1"] = row.pressure() / row.reduced_modulus, "Nominal pressure over E* (Eq. 3) of the pair without a layer.";
-            area_ratio["1"] = row.either(|point| point.response.area_ratio.total(), |point| point.area_ratio), "Real contact area over nominal area, never clamped; for the reference corrected for the perimeter of the contacts, but for maps without summits of different heights, where it is `raw_area_ratio`.";
-            contact_density_per_m2["1/m²"] = row.model(|response| response.contact_density), "Contacts per nominal area.";
-            mean_real_pressure_pa["Pa", prefix("M")] = row.either(|point| point.response.mean_real_pressure(), ReferencePoint::mean_real_pressure), "Load over real contact area; empty where there is no contact.";
-            stiffness_pa_per_m["Pa/m"] = row.either(|point| Some(point.response.stiffness), |point| point.stiffness), "Contact stiffness -dp/dd per nominal area; jumps of a law are excluded for the sum and included for the integral; for the reference of the points in contact below the cap, held fixed; empty with a finite boundary and where there are none.";
-            electrical_conductance_s_per_m2["S/m²", part(ELECTRICAL), prefix("M")] = row.of_spots(ComparedQuantity::ElectricalConductance), "Electrical conductance per nominal area: of a sum or integral 2 a/s of each spot without interaction, of the reference the current through all points in contact; there only where it is asked for.";
-            thermal_conductance_w_per_m2_k["W/(m² K)", part(THERMAL), prefix("k")] = row.of_spots(ComparedQuantity::ThermalConductance), "Thermal conductance per nominal area, likewise.";
-            tube_factor["1", part(CONDUCTION)] = row.model(|response| tube_factor(response.area_ratio.total())), "Factor of the constriction resistance of the spots by their neighbours on an interface without end, (1 - (A/A_nom)^0.5)^1.5 (Cooper, Mikic and Yovanovich 1969): the conductance of a model over it counts them; empty for the reference, which does.";
-            tangential_stiffness_pa_per_m["Pa/m", part(FRICTION)] = row.model_value(|response| Some(response.spots[SpotQuantity::TangentialStiffness as usize]).filter(|stiffness| *stiffness > 0.0)), "Tangential stiffness per nominal area while no spot slips, 8 G* a of each (Mindlin 1949); empty for the reference and under a layer of finite thickness.";
-            friction["1", part(FRICTION)] = row.of_spots(ComparedQuantity::Friction), "Coefficient of boundary friction: shear forces of all spots over the load; there only where it is asked for.";
-            elastic_load_share["1", label("elastic"), percent] = row.model_value(|response| share(&response.pressure, 0)), "Share of the load in elastic contacts; empty where there is no contact.";
-            elastic_plastic_load_share["1", label("elastic-plastic"), percent] = row.model_value(|response| share(&response.pressure, 1)), "Share of the load in elastic-plastic contacts.";
-            plastic_load_share["1", label("plastic"), percent] = row.model_value(|response| share(&response.pressure, 2)), "Share of the load in plastic contacts.";
-            elastic_area_share["1"] = row.model_value(|response| share(&response.area_ratio, 0)), "Share of the real contact area in elastic contacts; empty where there is no contact.";
-            elastic_plastic_area_share["1"] = row.model_value(|response| share(&response.area_ratio, 1)), "Share of the real contact area in elastic-plastic contacts.";
-            plastic_area_share["1"] = row.model_value(|response| share(&response.area_ratio, 2)), "Share of the real contact area in plastic contacts.";
-            pressure_standard_error_pa["Pa"] = row.model_value(|response| Some(response.sampling?.pressure)), "Standard error of the nominal pressure of the sum at fixed separation, for independent asperities; empty for the integral.";
-            area_ratio_standard_error["1"] = row.model_value(|response| Some(response.sampling?.area_ratio)), "Standard error of the area ratio of the sum, likewise.";
-            beyond_model["true/false"] = row.model(Response::is_beyond_model), "Whether the area ratio exceeds 0.05, where neighbouring asperities interact and no asperity model holds; empty for the reference.";
-            effective_contacts["1"] = row.model_value(|response| Some(response.sharing?.effective_contacts)), "Effective contacts of the sum: 1 over the sum of squared load shares; empty for the integral and without contact.";
-            largest_load_share["1"] = row.model_value(|response| Some(response.sharing?.largest_share)), "Share of the load in the most heavily loaded contact of the sum.";
-            large_strain_load_share["1"] = row.model_value(|response| Some(response.sharing?.large_strain_share)), "Share of the load of the sum in contacts whose radius exceeds 0.3 of the asperity radius.";
-            limits["text"] = limits(row.exceeded()), "Limits of admissible loads that one of the models exceeds at this control point, separated by spaces: `few-contacts` (fewer than 30 effective), `dominant-contact` (more than 10 % of the load in one), `interaction` (area ratio above 0.05), `large-strain` (more than 10 % of the load in contacts whose radius exceeds 0.3 of the asperity radius); empty admissible, and for the reference.";
-            contact_radius_over_thickness["1", label("a/t")] = row.radius_over_thickness(), "Mean contact radius over the thickness of the layer; empty without a layer of finite thickness and without contact.";
-            raw_area_ratio["1"] = row.either(|_| None, |point| Some(point.raw_area_ratio)), "Points in contact over all points of the reference; empty for the models.";
-        });
-        columns
-    }
+rows! { CurveRow => "curves.csv", is_long true;
+    "One row for each surface, realisation, law, layer thickness, model and control point.";
+    ..RowCase::columns(|row: &Self| &row.case);
+    row =>
+    model["text"] = row.either(|point| point.kind.name(), |_| REFERENCE), "Model: `statistical` (integral over the height density), `deterministic` (sum over the asperities, Eq. 13) or `reference` (boundary elements on the same map; columns about asperities are empty).";
+    control["text"] = row.either(|point| point.control, |point| point.control).name(), "Quantity that is prescribed: `separation`, `pressure` or `force`; for the reference the loads of a separation sweep are pressures.";
+    target["1, Pa or N"] = row.either(|point| point.target, |point| point.target), "Prescribed value: separation over sigma, nominal pressure or force on the nominal area.";
+    separation_m["m"] = row.either(|point| Some(point.response.separation), |point| point.separation), "Separation d of the flat from the mean asperity height; for the reference the mean gap, zero at points in contact, less the height of the mean asperity above the mean plane of the map, and empty with a finite boundary; of a map without summits of different heights the mean gap.";
+    separation_over_sigma["1"] = row.either(|point| Some(point.response.separation_over_sigma), |point| point.separation_over_sigma), "Separation over sigma, the standard deviation of the asperity heights.";
+    pressure_pa["Pa", prefix("M")] = row.pressure(), "Nominal pressure, load over nominal area; above the target where the law jumps past it.";
+    load_ratio["1"] = row.pressure() / row.reduced_modulus, "Nominal pressure over E* (Eq. 3) of the pair without a layer.";
+    area_ratio["1"] = row.either(|point| point.response.area_ratio.total(), |point| point.area_ratio), "Real contact area over nominal area, never clamped; for the reference corrected for the perimeter of the contacts, but for maps without summits of different heights, where it is `raw_area_ratio`.";
+    contact_density_per_m2["1/m²"] = row.model(|response| response.contact_density), "Contacts per nominal area.";
+    mean_real_pressure_pa["Pa", prefix("M")] = row.either(|point| point.response.mean_real_pressure(), ReferencePoint::mean_real_pressure), "Load over real contact area; empty where there is no contact.";
+    stiffness_pa_per_m["Pa/m"] = row.either(|point| Some(point.response.stiffness), |point| point.stiffness), "Contact stiffness -dp/dd per nominal area; jumps of a law are excluded for the sum and included for the integral; for the reference of the points in contact below the cap, held fixed; empty with a finite boundary and where there are none.";
+    electrical_conductance_s_per_m2["S/m²", part(ELECTRICAL), prefix("M")] = row.of_spots(ComparedQuantity::ElectricalConductance), "Electrical conductance per nominal area: of a sum or integral 2 a/s of each spot without interaction, of the reference the current through all points in contact; there only where it is asked for.";
+    thermal_conductance_w_per_m2_k["W/(m² K)", part(THERMAL), prefix("k")] = row.of_spots(ComparedQuantity::ThermalConductance), "Thermal conductance per nominal area, likewise.";
+    tube_factor["1", part(CONDUCTION)] = row.model(|response| tube_factor(response.area_ratio.total())), "Factor of the constriction resistance of the spots by their neighbours on an interface without end, (1 - (A/A_nom)^0.5)^1.5 (Cooper, Mikic and Yovanovich 1969): the conductance of a model over it counts them; empty for the reference, which does.";
+    tangential_stiffness_pa_per_m["Pa/m", part(FRICTION)] = row.model_value(|response| Some(response.spots[SpotQuantity::TangentialStiffness as usize]).filter(|stiffness| *stiffness > 0.0)), "Tangential stiffness per nominal area while no spot slips, 8 G* a of each (Mindlin 1949); empty for the reference and under a layer of finite thickness.";
+    friction["1", part(FRICTION)] = row.of_spots(ComparedQuantity::Friction), "Coefficient of boundary friction: shear forces of all spots over the load; there only where it is asked for.";
+    elastic_load_share["1", label("elastic"), percent] = row.model_value(|response| share(&response.pressure, 0)), "Share of the load in elastic contacts; empty where there is no contact.";
+    elastic_plastic_load_share["1", label("elastic-plastic"), percent] = row.model_value(|response| share(&response.pressure, 1)), "Share of the load in elastic-plastic contacts.";
+    plastic_load_share["1", label("plastic"), percent] = row.model_value(|response| share(&response.pressure, 2)), "Share of the load in plastic contacts.";
+    elastic_area_share["1"] = row.model_value(|response| share(&response.area_ratio, 0)), "Share of the real contact area in elastic contacts; empty where there is no contact.";
+    elastic_plastic_area_share["1"] = row.model_value(|response| share(&response.area_ratio, 1)), "Share of the real contact area in elastic-plastic contacts.";
+    plastic_area_share["1"] = row.model_value(|response| share(&response.area_ratio, 2)), "Share of the real contact area in plastic contacts.";
+    pressure_standard_error_pa["Pa"] = row.model_value(|response| Some(response.sampling?.pressure)), "Standard error of the nominal pressure of the sum at fixed separation, for independent asperities; empty for the integral.";
+    area_ratio_standard_error["1"] = row.model_value(|response| Some(response.sampling?.area_ratio)), "Standard error of the area ratio of the sum, likewise.";
+    beyond_model["true/false"] = row.model(Response::is_beyond_model), "Whether the area ratio exceeds 0.05, where neighbouring asperities interact and no asperity model holds; empty for the reference.";
+    effective_contacts["1"] = row.model_value(|response| Some(response.sharing?.effective_contacts)), "Effective contacts of the sum: 1 over the sum of squared load shares; empty for the integral and without contact.";
+    largest_load_share["1"] = row.model_value(|response| Some(response.sharing?.largest_share)), "Share of the load in the most heavily loaded contact of the sum.";
+    large_strain_load_share["1"] = row.model_value(|response| Some(response.sharing?.large_strain_share)), "Share of the load of the sum in contacts whose radius exceeds 0.3 of the asperity radius.";
+    limits["text"] = limits(row.exceeded()), "Limits of admissible loads that one of the models exceeds at this control point, separated by spaces: `few-contacts` (fewer than 30 effective), `dominant-contact` (more than 10 % of the load in one), `interaction` (area ratio above 0.05), `large-strain` (more than 10 % of the load in contacts whose radius exceeds 0.3 of the asperity radius); empty admissible, and for the reference.";
+    contact_radius_over_thickness["1", label("a/t")] = row.radius_over_thickness(), "Mean contact radius over the thickness of the layer; empty without a layer of finite thickness and without contact.";
+    raw_area_ratio["1"] = row.either(|_| None, |point| Some(point.raw_area_ratio)), "Points in contact over all points of the reference; empty for the models.";
 }
 
 /// The name of the reference in tables.
@@ -246,7 +237,6 @@ impl PairRow {
         self.reference.as_ref().and_then(of)
     }
 
-    /// The contribution of a cause to the difference in a quantity.
     fn contribution(&self, quantity: ComparedQuantity, cause: Cause) -> Option<f64> {
         Some(self.attribution.as_ref()?.contributions(quantity)?.part(cause))
     }

@@ -14,7 +14,6 @@ use crate::kind::compare::results::CompareResults;
 use crate::kind::compare::rows::SurfaceCase;
 use crate::model_tables::limits;
 
-/// The model that a table is taken from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum TableModel {
     Statistical,
@@ -50,9 +49,7 @@ pub struct InterfaceOptions {
 /// A value with the ends of its 95 % interval, where there is one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct InterfaceValue {
-    /// The value, SI.
     pub value: f64,
-    /// The ends.
     pub interval: Option<[f64; 2]>,
 }
 
@@ -105,9 +102,6 @@ pub struct Interfaces {
 const JUMP: f64 = 1e-6;
 
 /// The tables of the cases of a comparison.
-///
-/// # Errors
-/// Results of another kind; in all cases a model that was not run, or loads of which none, or only one, is admissible.
 pub fn interface_tables(results: &dyn Outcome, options: InterfaceOptions) -> Result<Interfaces, String> {
     let Some(results) = (results as &dyn Any).downcast_ref::<CompareResults>() else {
         return Err(

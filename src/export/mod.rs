@@ -6,11 +6,9 @@
 //! | `formats` | that table as programs for finite elements read it |
 //! | `surface` | maps after every step of their preparation, and asperities |
 //! | `patches` | the contact of boundary elements at a load |
-//! | `origin` | which surface is exported, and where it comes from |
 
 mod formats;
 mod interface;
-mod origin;
 mod patches;
 mod surface;
 
@@ -18,11 +16,9 @@ pub use formats::{Format, UnitSystem};
 pub use interface::{
     InterfaceOptions, InterfaceTable, InterfaceValue, Interfaces, TableModel, TablePoint, interface_tables,
 };
-pub use origin::SurfaceChoice;
 pub use patches::{ExportedContact, ExportedContacts};
-pub use surface::{ExportedAsperities, ExportedMap, ExportedSurface};
+pub use surface::{ExportedAsperities, ExportedMap, ExportedSurface, SurfaceChoice};
 
-/// A file to be written.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ExportedFile {
     pub name: String,

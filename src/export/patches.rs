@@ -4,24 +4,23 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use asperity::HeightMap;
 use asperity::bem::Contact;
 use asperity::compare::Control;
-use asperity::npy;
 use asperity::surface::{AnalysisDepth, Step};
 use asperity::topography::write::{GwyField, Note, Out, gwy};
 use asperity::units::Dimension;
 use asperity::work::Counter;
+use asperity::{HeightMap, npy};
 use asperity_contact_framework::input::{InputError, Source};
 use asperity_contact_framework::metadata::Timing;
 use asperity_contact_framework::progress::Progress;
 use asperity_contact_framework::report::format::quantity;
 
 use super::identifier;
-use super::origin::{SurfaceChoice, chosen, described, file_name, is_spec, origin, refuse_options};
+use super::surface::{SurfaceChoice, chosen, described, file_name, is_spec, origin, refuse_options};
 use crate::experiment::Experiment;
-use crate::kind::compare::plan::ComparePlan;
 use crate::kind::compare::reference::{ReferencePlan, ReferenceRun, Solution, numbered_patches};
+use crate::kind::compare::spec::ComparePlan;
 use crate::layer::thickness_words;
 use crate::surface::{ContactOptions, FileOptions, SurfaceFactory, SurfacePlan, files_of};
 
@@ -45,7 +44,6 @@ enum StatedLoad {
     Force(f64, Option<f64>),
 }
 
-/// A contact at a load.
 pub struct ExportedContact<'a> {
     /// How the names of its files begin.
     pub name: String,
@@ -115,9 +113,6 @@ impl ExportedContacts {
     }
 
     /// Solves the contacts, one at each load under each layer, and calls `take` with each. Gives the loads that are left out, in words.
-    ///
-    /// # Errors
-    /// A surface that cannot be made, a contact that cannot be solved; the first of `take`.
     pub fn each<E: From<InputError>>(
         &self,
         progress: &dyn Progress,

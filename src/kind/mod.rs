@@ -8,10 +8,11 @@ pub mod limit;
 pub mod sampling_interval;
 pub mod tiled;
 
-use crate::sweep;
 use asperity_contact_framework::RegisteredKind;
 #[cfg(feature = "evidence")]
 use asperity_evidence::EvidenceKind;
+
+use crate::sweep;
 
 /// What reports may be of: every kind of experiment, programs that prove what the library claims only with the feature `evidence`; last the
 /// sweep over keys of one.

@@ -2,11 +2,6 @@
 
 use std::ops::Range;
 
-use schemars::JsonSchema;
-use serde::de::Error;
-use serde::{Deserialize, Deserializer};
-use serde_json::json;
-
 use asperity::spot::{
     Conduction, ConductionError, GapMedium, Shear, ShearStrength, SpotProperties, Tangential,
 };
@@ -19,9 +14,12 @@ use asperity_contact_framework::input::material::{RESISTIVITY, THERMAL_CONDUCTIV
 use asperity_contact_framework::input::quantity::{
     ElectricalFilm, Length, NotNegative, Positive, Pressure, Pure, Quantity, ThermalConductivity, ThermalFilm,
 };
-use asperity_contact_framework::input::schema;
-use asperity_contact_framework::input::{Forms, InputError, OneOrMany, Spanned, SpecFile};
+use asperity_contact_framework::input::{Forms, InputError, OneOrMany, Spanned, SpecFile, schema};
 use asperity_contact_framework::written_schema;
+use schemars::JsonSchema;
+use serde::de::Error;
+use serde::{Deserialize, Deserializer};
+use serde_json::json;
 
 use crate::layer::{LayerPlan, LayerSpec};
 use crate::surface::SurfacePlan;
@@ -163,11 +161,9 @@ const BREAKDOWN: f64 = 1.0;
 #[derive(Debug, Clone, Copy, Default)]
 pub struct SpotKeys<'a> {
     pub conductance: Option<&'a Spanned<ConductanceSpec>>,
-    /// The shear strength of the interface.
     pub shear_strength: Option<&'a Spanned<ShearStrengthSpec>>,
 }
 
-/// The breakdowns of a layer, at least one.
 fn breakdowns(layer: &LayerSpec) -> Vec<f64> {
     layer.breakdown.as_ref().map_or_else(|| vec![BREAKDOWN], |values| values.get_ref().0.clone())
 }
@@ -185,10 +181,6 @@ pub struct SpottedBodies<'a> {
 
 impl SpotKeys<'_> {
     /// Adds what is asked of their spots to `laws`.
-    ///
-    /// # Errors
-    /// A material without a property that is needed; a layer that conducts too differently from its substrate; the shear strength of a
-    /// layer without one of the interface.
     pub fn add_to(
         &self,
         file: &SpecFile,

@@ -106,7 +106,6 @@ impl ContactOptions {
         Ok(())
     }
 
-    /// The materials, each once.
     pub(super) fn materials(&self) -> Vec<Line> {
         let mut named: Vec<(&str, &str)> = Vec::new();
         for (name, option) in [self.rough(), self.flat()].into_iter().chain(self.layer()) {

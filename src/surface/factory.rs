@@ -5,6 +5,10 @@ use std::time::Instant;
 
 use asperity::compare::Repeats;
 use asperity::numeric::stream_seed;
+use asperity::surface::{
+    AnalysisDepth, Fit, Independence, MapFacts, NoAsperities, Preparation, Step, SummitSearch, Surface,
+    usual_long_filter,
+};
 use asperity::topography::{Continued, CorrelationLengths, Filter, Rows};
 use asperity::work::{Counter, Item};
 use asperity::{AsperityList, Draw, Ellipse, Ellipticity, Statistics};
@@ -14,17 +18,13 @@ use asperity_contact_framework::metadata::Timing;
 use asperity_contact_framework::progress::Progress;
 use asperity_contact_framework::report::format::{input_quantity, quantity};
 
-use super::cache::{StoredSurface, SurfaceStore};
-use super::files::Files;
+use super::files::{Files, StoredSurface, SurfaceStore};
 use super::fit::{self, as_written};
 use super::fitness;
 use super::pair::{PairPlan, PreparedPair, greenwood_tripp_caveat};
 use super::plan::{MapPlan, Origin, SurfacePlan};
 use super::reading::{list_message, spec_message};
 use super::spec::DrawSpec;
-use asperity::surface::{AnalysisDepth, Fit, Independence};
-use asperity::surface::{MapFacts, Surface, usual_long_filter};
-use asperity::surface::{NoAsperities, Preparation, Step, SummitSearch};
 
 /// Makes or reads the realisations of a surface.
 pub struct SurfaceFactory<'a> {
@@ -96,10 +96,6 @@ impl<'a> SurfaceFactory<'a> {
     }
 
     /// Makes or reads realisation `realisation` (from 1).
-    ///
-    /// # Errors
-    /// A file that cannot be read, heights that are all equal, a map without summits of different heights unless any is made, a target that is not
-    /// reached.
     pub fn make(
         &mut self,
         realisation: usize,
@@ -173,42 +169,38 @@ impl<'a> SurfaceFactory<'a> {
         correlation: Option<CorrelationLengths>,
         progress: &dyn Progress,
     ) -> Option<Surface> {
-        let search = SummitSearch {
-            preparation,
-            generation: None,
-            as_ellipses: self.plan.as_ellipses,
-            depth: AnalysisDepth::Asperities,
-            divides: true,
-            correlation,
-            spikes: None,
-            keeps_map: false,
-            progress,
-        };
-        self.counter.add(Item::Surfaces, 1);
-        found(&self.plan.name, &search, (&**self.raw.as_ref()?, [false; 2]), &mut Timing::default())
-            .ok()
-            .filter(|surface| surface.unscattered.is_none())
+        let search = SummitSearch { correlation, progress, ..SummitSearch::new(preparation) };
+        self.treated(&**self.raw.as_ref()?, search)
     }
 
     /// The surface of a `map` that was derived from the prepared map of a surface with these `facts`: not prepared further and not
     /// checked; summits are searched and separations measured as there, and its blocks are those of the same correlation
     /// lengths. `None` where it has no asperities.
     pub fn derived(&self, map: &dyn Rows, facts: &MapFacts, progress: &dyn Progress) -> Option<Surface> {
-        let search = SummitSearch {
-            preparation: Preparation::none(facts.neighbours),
-            generation: facts.generation.clone(),
-            as_ellipses: self.plan.as_ellipses,
-            depth: AnalysisDepth::Asperities,
-            divides: true,
-            correlation: facts.correlation,
-            spikes: None,
-            keeps_map: false,
-            progress,
-        };
+        let preparation = Preparation::none(facts.neighbours);
+        let (generation, correlation) = (facts.generation.clone(), facts.correlation);
+        let search = SummitSearch { generation, correlation, progress, ..SummitSearch::new(preparation) };
+        self.treated(map, search)
+    }
+
+    fn treated(&self, map: &dyn Rows, search: SummitSearch) -> Option<Surface> {
+        let (as_ellipses, depth) = (self.plan.as_ellipses, AnalysisDepth::Asperities);
+        let search = SummitSearch { as_ellipses, depth, ..search };
         self.counter.add(Item::Surfaces, 1);
-        found(&self.plan.name, &search, (map, [false; 2]), &mut Timing::default())
-            .ok()
-            .filter(|surface| surface.unscattered.is_none())
+        let surface = found(&self.plan.name, &search, (map, [false; 2]), &mut Timing::default()).ok()?;
+        surface.unscattered.is_none().then_some(surface)
+    }
+
+    /// The search on a map of its own, in full.
+    fn search(&self, preparation: Preparation, depth: AnalysisDepth) -> SummitSearch<'a> {
+        SummitSearch {
+            as_ellipses: self.plan.as_ellipses,
+            depth,
+            divides: self.divides(depth),
+            keeps_map: self.keeps_map,
+            progress: self.progress,
+            ..SummitSearch::new(preparation)
+        }
     }
 
     /// Calls `take` with the map of realisation `realisation` (from 1) after each step of its preparation, in order; of a surface that is
@@ -396,17 +388,8 @@ impl<'a> SurfaceFactory<'a> {
                     .map_err(|error| source.error_at(generation.key.clone(), error))?;
                 timing.generate += start.elapsed();
                 self.bandwidth = made.bandwidth;
-                let search = SummitSearch {
-                    preparation: Preparation::none(generation.neighbours),
-                    generation: Some(made.facts),
-                    as_ellipses: self.plan.as_ellipses,
-                    depth,
-                    divides: self.divides(depth),
-                    correlation: None,
-                    spikes: None,
-                    keeps_map: self.keeps_map,
-                    progress: self.progress,
-                };
+                let search = self.search(Preparation::none(generation.neighbours), depth);
+                let search = SummitSearch { generation: Some(made.facts), ..search };
                 found(name, &search, (&made.map, [false; 2]), timing).map_err(|error| refuse(&error))
             }
             Origin::Pair(plan) => {
@@ -423,17 +406,7 @@ impl<'a> SurfaceFactory<'a> {
                 let start = Instant::now();
                 let map = pair.maps.sum(PairPlan::placement(&pair.maps, self.seed, name, realisation));
                 timing.generate += start.elapsed();
-                let search = SummitSearch {
-                    preparation: Preparation::none(plan.neighbours),
-                    generation: None,
-                    as_ellipses: self.plan.as_ellipses,
-                    depth,
-                    divides: self.divides(depth),
-                    correlation: None,
-                    spikes: None,
-                    keeps_map: self.keeps_map,
-                    progress: self.progress,
-                };
+                let search = self.search(Preparation::none(plan.neighbours), depth);
                 let mut surface =
                     timed(name, &search, (&map, [true; 2]), timing).map_err(|error| refuse(&error))?;
                 surface.repeats = Repeats::Shifts;
@@ -454,17 +427,8 @@ impl<'a> SurfaceFactory<'a> {
                 let (rows, fit) = self.measured(map, depth, files, timing)?;
                 self.fitted = fit.as_ref().map(|fit| as_written(&fit.preparation));
                 let preparation = self.fitted.unwrap_or(map.preparation);
-                let search = SummitSearch {
-                    preparation,
-                    generation: None,
-                    as_ellipses: self.plan.as_ellipses,
-                    depth,
-                    divides: self.divides(depth),
-                    correlation: None,
-                    spikes: fit.as_ref().map(|fit| &fit.spikes),
-                    keeps_map: self.keeps_map,
-                    progress: self.progress,
-                };
+                let spikes = fit.as_ref().map(|fit| &fit.spikes);
+                let search = SummitSearch { spikes, ..self.search(preparation, depth) };
                 let mut surface = timed(name, &search, (&*rows, map.is_held), timing)
                     .map_err(|error| refuse(&no_asperities(&error, map.size(), preparation.filter)))?;
                 let [width, length] = map.size();

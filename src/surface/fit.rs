@@ -3,10 +3,10 @@
 use asperity::surface::{Fit, FitStep, NotApplied, Preparation, Surface};
 use asperity::topography::Filter;
 use asperity::topography::fitness::Finding;
-use asperity_contact_framework::columns;
 use asperity_contact_framework::input::quantity::{Length, Quantity};
 use asperity_contact_framework::report::format::{count, input_quantity, listed, number, percent};
-use asperity_contact_framework::report::table::{Column, Row, Table};
+use asperity_contact_framework::report::table::Table;
+use asperity_contact_framework::rows;
 use serde_json::Value;
 
 use super::{fit, fitness};
@@ -155,27 +155,22 @@ impl<'a> FitStepRow<'a> {
     }
 }
 
-impl Row for FitStepRow<'_> {
-    const FILE: &'static str = "fit_steps.csv";
-    const ROWS: &'static str = "One row for each surface with `fit` and remedy of a failed check, in the order in which they were tried.";
-
-    fn columns() -> Vec<Column<Self>> {
-        columns! { row: Self =>
-            surface["text"] = row.surface.name.as_str(), "Name of the surface.";
-            step["count"] = row.number, "Number of the step, from 1.";
-            check["text"] = row.step.before.check.name(), "The check that failed.";
-            measure["text"] = row.step.before.measure.name(), "What it measured.";
-            measured["text"] = fitness::measured(row.step.before.measure), "The same in words.";
-            remedy["text"] = row.step.remedy.map(fitness::written), "The remedy as a spec has it; empty where no preparation helps.";
-            value_before["1", label("before")] = row.step.before.value, "Value of this measure without the remedy.";
-            value_after["1", label("after")] = row.step.after.map(|finding| finding.value), "Value of the same measure with it; empty where it was not tried, and of form where `cubic` leaves none of a higher degree to look for.";
-            allowed["text"] = fitness::allowed(&row.step.before), "The values of this measure that pass.";
-            passed_after["true/false"] = row.step.check_after.as_ref().map(Finding::has_passed), "Whether the map passes the check, all of its measures, with the remedy.";
-            sq_after_over_before["1"] = row.step.sq_ratio, "Sq with the remedy over Sq without it.";
-            result["text"] = row.result(), "The result: `applied`, `refused`, or `left` where no preparation helps.";
-            reason["text"] = fit::reason(row.step), "Why the remedy was not applied.";
-        }
-    }
+rows! { FitStepRow<'_> => "fit_steps.csv";
+    "One row for each surface with `fit` and remedy of a failed check, in the order in which they were tried.";
+    row =>
+    surface["text"] = row.surface.name.as_str(), "Name of the surface.";
+    step["count"] = row.number, "Number of the step, from 1.";
+    check["text"] = row.step.before.check.name(), "The check that failed.";
+    measure["text"] = row.step.before.measure.name(), "What it measured.";
+    measured["text"] = fitness::measured(row.step.before.measure), "The same in words.";
+    remedy["text"] = row.step.remedy.map(fitness::written), "The remedy as a spec has it; empty where no preparation helps.";
+    value_before["1", label("before")] = row.step.before.value, "Value of this measure without the remedy.";
+    value_after["1", label("after")] = row.step.after.map(|finding| finding.value), "Value of the same measure with it; empty where it was not tried, and of form where `cubic` leaves none of a higher degree to look for.";
+    allowed["text"] = fitness::allowed(&row.step.before), "The values of this measure that pass.";
+    passed_after["true/false"] = row.step.check_after.as_ref().map(Finding::has_passed), "Whether the map passes the check, all of its measures, with the remedy.";
+    sq_after_over_before["1"] = row.step.sq_ratio, "Sq with the remedy over Sq without it.";
+    result["text"] = row.result(), "The result: `applied`, `refused`, or `left` where no preparation helps.";
+    reason["text"] = fit::reason(row.step), "Why the remedy was not applied.";
 }
 
 /// The steps of a surface as in `summary.json`.
@@ -185,10 +180,11 @@ pub fn fit_records(surface: &Surface) -> Value {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use asperity::surface::FoundSpikes;
     use asperity::topography::Level;
     use asperity::topography::summits::Neighbours;
+
+    use super::*;
 
     #[test]
     fn found_keys_replace_those_of_the_spec() {

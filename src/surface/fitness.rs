@@ -1,14 +1,12 @@
 //! Fitness checks of a map in words: what was measured, what is allowed, and the remedy in the keys of a spec.
 
-use asperity::topography::fitness::{Check, Finding, Measure};
-use asperity_contact_framework::report::format::{count, input_quantity, number, percent, quantity};
-
 use asperity::compare::Repeats;
 use asperity::numeric::two_digits_up;
 use asperity::surface::{Fit, MOST_SPIKE_POINTS, MapFacts, NoAsperities, NotApplied, Remedy, Surface};
-use asperity::topography::fitness::LARGEST_FLANKS;
+use asperity::topography::fitness::{Check, Finding, LARGEST_FLANKS, Measure};
 use asperity::topography::generate::FEWEST_LENGTHS;
 use asperity::topography::{Filter, HeightPlace};
+use asperity_contact_framework::report::format::{count, input_quantity, number, percent, quantity};
 
 use super::fit::reason;
 use super::memory;
@@ -167,7 +165,6 @@ fn has_too_many_spikes(finding: &Finding, map: &MapFacts) -> bool {
     finding.measure == Measure::Spikes && share > MOST_SPIKE_POINTS
 }
 
-/// A remedy as a spec has it.
 pub fn written(remedy: Remedy) -> String {
     let filter = |key: &str, index: f64| format!("filter = {{ {key} = \"{}\" }}", input_quantity(index, "m"));
     match remedy {

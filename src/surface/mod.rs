@@ -1,16 +1,12 @@
 //! The surfaces of a spec: read, planned, made, and described in a report.
 
-mod cache;
-mod composite;
 mod contact_options;
 mod description;
 mod factory;
 mod files;
 mod fit;
 pub mod fitness;
-mod generate_spec;
 mod generation;
-mod implausible;
 mod memory;
 mod options;
 mod pair;
@@ -21,22 +17,19 @@ pub mod section;
 mod spec;
 mod tiles;
 
-pub use cache::{OfSpec, StoredSurface, SurfaceStore, Surfaces};
+use asperity::surface::Surface;
+use asperity::work::Counter;
 pub use contact_options::ContactOptions;
 pub use description::{SurfacesPlan, described_file};
 pub use factory::SurfaceFactory;
-pub use files::Files;
+pub use files::{Files, OfSpec, StoredSurface, SurfaceStore, Surfaces};
 pub use fit::{by_hand, fit_records, keys};
-pub use generate_spec::TargetSpec;
-pub use generation::{Generation, Way};
+pub use generation::{Generation, TargetSpec, Way};
 pub use memory::memory;
 pub use options::{FileOptions, file_name};
 pub use plan::{SurfacePlan, beside, curvature_ratio, describe, inputs, points_per_wave_on, surfaces};
 pub use spec::SurfaceSpec;
 pub use tiles::{OpenTiles, SurfaceTiles};
-
-use asperity::surface::Surface;
-use asperity::work::Counter;
 
 pub fn warnings<'a>(surfaces: impl IntoIterator<Item = &'a Surface>) -> Vec<String> {
     let of = |surface: &'a Surface| {

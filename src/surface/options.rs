@@ -121,54 +121,28 @@ impl FileOptions {
         lines.extend(compare.into_iter().chain(set.iter().cloned()));
         lines.push(of_file(format!("[surface.{}.file]", quoted(&name))));
         lines.push(of_file(format!("path = {}", quoted(&file))));
-        if let Some(pixel) = &self.pixel {
-            let line = match &written_sizes(pixel)[..] {
-                [one] => format!("pixel = {one}"),
-                several => format!("pixel = [{}]", several.join(", ")),
-            };
-            lines.push((line, typed("pixel", pixel)));
-        }
-        lines.extend(self.unit.as_ref().map(|unit| (format!("unit = {}", units(unit)), typed("unit", unit))));
-        let missing = self.missing.as_ref();
-        lines.extend(missing.map(|marks| (format!("missing = {}", numbers(marks)), typed("missing", marks))));
-        let channel = self.channel.as_ref();
-        lines.extend(channel.map(|name| (format!("channel = {}", quoted(name)), typed("channel", name))));
-        let axes = || ["x", "y"].into_iter().zip([&self.crop_x, &self.crop_y]);
-        let given = || axes().filter_map(|(axis, ends)| Some((axis, ends.as_ref()?)));
-        if given().next().is_some() {
-            let keys: Vec<String> = given()
-                .map(|(axis, ends)| format!("{axis} = [{}]", written_sizes(ends).join(", ")))
-                .collect();
-            let options: Vec<String> =
-                given().map(|(axis, ends)| typed(&format!("crop-{axis}"), ends)).collect();
-            lines.push((format!("crop = {{ {} }}", keys.join(", ")), options.join(" ")));
-        }
+        let one = |key: &str, given: &Option<String>, value: fn(&str) -> String| {
+            given.as_ref().map(|given| (format!("{key} = {}", value(given)), typed(key, given)))
+        };
+        lines.extend(one("pixel", &self.pixel, pixels));
+        lines.extend(one("unit", &self.unit, units));
+        lines.extend(one("missing", &self.missing, numbers));
+        lines.extend(one("channel", &self.channel, quoted));
+        let ends = |ends: &str| format!("[{}]", written_sizes(ends).join(", "));
+        let crop = [("x", "crop-x", &self.crop_x), ("y", "crop-y", &self.crop_y)];
+        lines.extend(table("crop", crop, ends));
         if self.transpose {
             lines.push(("transpose = true".to_owned(), "--transpose".to_owned()));
         }
         if self.fit {
             lines.push(("fit = \"auto\"".to_owned(), "--fit".to_owned()));
         }
-        let keys = [
-            ("outliers", &self.outliers),
-            ("align-lines", &self.align_lines),
-            ("level", &self.level),
-            ("neighbours", &self.neighbours),
-        ];
-        for (key, value) in keys {
-            lines.extend(
-                value.as_ref().map(|value| (format!("{key} = {}", quoted(value)), typed(key, value))),
-            );
-        }
-        lines.extend(self.tip.as_ref().map(|tip| (format!("tip = {}", written(tip)), typed("tip", tip))));
-        let indices = [("s", &self.s), ("l", &self.l)];
-        let given = || indices.iter().filter_map(|(key, value)| value.as_ref().map(|value| (*key, value)));
-        if given().next().is_some() {
-            let keys: Vec<String> =
-                given().map(|(key, value)| format!("{key} = {}", written(value))).collect();
-            let options: Vec<String> = given().map(|(key, value)| typed(key, value)).collect();
-            lines.push((format!("filter = {{ {} }}", keys.join(", ")), options.join(" ")));
-        }
+        lines.extend(one("outliers", &self.outliers, quoted));
+        lines.extend(one("align-lines", &self.align_lines, quoted));
+        lines.extend(one("level", &self.level, quoted));
+        lines.extend(one("neighbours", &self.neighbours, quoted));
+        lines.extend(one("tip", &self.tip, written));
+        lines.extend(table("filter", [("s", "s", &self.s), ("l", "l", &self.l)], written));
         Source::command_line(lines)
     }
 
@@ -235,6 +209,26 @@ fn numbers(text: &str) -> String {
     };
     let marks: Vec<String> = text.split(',').map(mark).collect();
     if marks.len() == 1 { marks.concat() } else { format!("[{}]", marks.join(", ")) }
+}
+
+/// A table of those of some keys that are given, each by an option, and what was typed.
+fn table(
+    name: &str,
+    keys: [(&str, &str, &Option<String>); 2],
+    value: impl Fn(&str) -> String,
+) -> Option<(String, String)> {
+    let given = || keys.iter().filter_map(|(key, option, given)| Some((key, option, given.as_ref()?)));
+    given().next()?;
+    let values: Vec<String> = given().map(|(key, _, given)| format!("{key} = {}", value(given))).collect();
+    let options: Vec<String> = given().map(|(_, option, given)| typed(option, given)).collect();
+    Some((format!("{name} = {{ {} }}", values.join(", ")), options.join(" ")))
+}
+
+fn pixels(text: &str) -> String {
+    match &written_sizes(text)[..] {
+        [one] => one.clone(),
+        several => format!("[{}]", several.join(", ")),
+    }
 }
 
 /// The sizes between commas, as values of a spec.

@@ -1,30 +1,28 @@
 //! The surfaces of an experiment: planned from the spec, then made or read.
 
-use indexmap::IndexMap;
 use std::fmt;
 use std::ops::Range;
 use std::path::PathBuf;
 
-use crate::plausibility;
-use crate::surface::composite;
-use crate::surface::files::Reading;
-use crate::surface::generation::Generation;
-use crate::surface::memory;
-use crate::surface::pair::{self, PairPlan};
-use crate::surface::reading;
-use crate::surface::reading::{list_message, options_message, spec_message};
-use crate::surface::spec::{
-    DrawSpec, FileSpec, FitSpec, ListSpec, Outliers, PopulationHeights, PopulationSpec, SurfaceSpec,
-};
 use asperity::surface::{BodyAsperities, Kept, MapFacts, Preparation};
 use asperity::topography::read::{MapFile, Metadata, ReadError, ReadOptions, ReadOptionsError, UnitOrigin};
 use asperity::topography::{Boundary, Filter, Level, read};
 use asperity::{
     AsperityList, Heights, ListError, ListOptions, MapError, Population, ReferencePlane, SurfaceHeights,
 };
-use asperity_contact_framework::input::Spanned;
 use asperity_contact_framework::input::quantity::{Length, Pure, Quantity};
-use asperity_contact_framework::input::{InMemory, InputError, Source, SpecFile, Whole};
+use asperity_contact_framework::input::{InMemory, InputError, Source, Spanned, SpecFile, Whole};
+use indexmap::IndexMap;
+
+use crate::plausibility;
+use crate::surface::files::Reading;
+use crate::surface::generation::Generation;
+use crate::surface::pair::{self, PairPlan};
+use crate::surface::reading::{list_message, options_message, spec_message};
+use crate::surface::spec::{
+    DrawSpec, FileSpec, FitSpec, ListSpec, Outliers, PopulationHeights, PopulationSpec, SurfaceSpec,
+};
+use crate::surface::{memory, reading};
 
 /// A surface that can be made.
 #[derive(Debug)]
@@ -113,9 +111,6 @@ const MOST_REALISATIONS: u64 = 1000;
 
 impl SurfacePlan {
     /// Checks everything about a surface that is known before it is made; a pair is of two of `all`.
-    ///
-    /// # Errors
-    /// A file that is missing or is not what it should be; numbers that make no surface.
     pub(super) fn new(
         file: &SpecFile,
         name: &Spanned<String>,
@@ -145,7 +140,7 @@ impl SurfacePlan {
                 (origin, generate.points.span(), &generate.realisations)
             }
             SurfaceSpec::File(map) => (Self::map(file, map)?, map.path.span(), &None),
-            SurfaceSpec::Pair(pair) => match composite::of_populations(source, pair, all)? {
+            SurfaceSpec::Pair(pair) => match pair::of_populations(source, pair, all)? {
                 Some(composite) => (composite, pair.a.span(), &None),
                 None => {
                     let plan = PairPlan::new(file, pair, all, as_ellipses)?;
@@ -527,9 +522,6 @@ impl SurfacePlan {
 pub(super) type Surfaces = IndexMap<Spanned<String>, Spanned<SurfaceSpec>>;
 
 /// The surfaces that are named, or all of the file.
-///
-/// # Errors
-/// A name that the file does not define or that stands twice; a surface that cannot be made.
 pub fn surfaces(
     file: &SpecFile,
     named: Option<&[Spanned<String>]>,

@@ -188,8 +188,9 @@ pub fn options_message(error: &ReadOptionsError) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use asperity::topography::read::OtherChannel;
+
+    use super::*;
 
     #[test]
     fn what_is_left_out_is_named() {

@@ -1,21 +1,20 @@
 //! The tables of surfaces: their asperities, height maps, fitness checks, theory, and how random ones were generated.
 
+use asperity::surface::{GenerationFacts, MapFacts, Remedy, Surface};
 use asperity::topography::Moments;
-use asperity::topography::fitness::Finding;
+use asperity::topography::fitness::{Finding, Measure};
 use asperity::topography::generate::{Process, SigmaOf, SpectrumOf};
 use asperity::topography::spectrum::SpectrumShape;
 use asperity::topography::theory::Expected;
 use asperity::{Population, Statistics};
-use asperity_contact_framework::columns;
 use asperity_contact_framework::input::heights::written;
 use asperity_contact_framework::report::table::{Column, Row, Schema, Table};
+use asperity_contact_framework::{columns, rows};
 use indexmap::IndexMap;
 use serde_json::{Map, Value};
 
 use super::fit::FitStepRow;
 use super::fitness;
-use asperity::surface::{GenerationFacts, MapFacts, Remedy, Surface};
-use asperity::topography::fitness::Measure;
 
 /// The statistics of asperities: each is a column here, and a field of [`Statistics`].
 pub fn statistics_columns<R>(
@@ -128,59 +127,53 @@ impl<'a> MapRow<'a> {
         &self.map.roughness.moments
     }
 
-    /// m0, m2 and m4.
     fn spectral_moment(&self, index: usize) -> f64 {
         self.map.roughness.spectral_moments()[index]
     }
 }
 
-impl Row for MapRow<'_> {
-    const FILE: &'static str = "height_maps.csv";
-    const ROWS: &'static str = "One row for each surface with a height map: the map as its summits are found on it, of the first realisation.";
-
-    fn columns() -> Vec<Column<Self>> {
-        columns! { row: Self =>
-            surface["text"] = row.name, "Name of the surface.";
-            points_x["count", label("points along x")] = row.map.points[0], "Points along x.";
-            points_y["count", label("points along y")] = row.map.points[1], "Points along y.";
-            pixel_x_m["m", label("pixel along x"), input] = row.map.pixel[0], "Distance of neighbouring points along x.";
-            pixel_y_m["m", label("pixel along y"), input] = row.map.pixel[1], "Distance of neighbouring points along y.";
-            missing_points["count"] = row.map.roughness.missing, "Points without a height.";
-            removed_spikes["count", label("points removed as spikes")] = row.map.spikes.as_ref().map(|spikes| spikes.removed).filter(|&removed| removed > 0), "Points that were removed as spikes.";
-            aligned_lines["text", label("lines set to equal mean height, along")] = row.map.aligned.map(|lines| lines.name()), "The axis along which lines were set to equal mean height.";
-            tip_radius_m["m", label("eroded by a tip of radius"), input] = row.map.tip.map(|tip| tip.reach.radius), "Radius of the stylus or tip that the map was eroded by; this and the next columns are empty without one.";
-            tip_unreached_share["1", label("points that it did not touch alone"), percent] = row.map.tip.map(|tip| tip.reach.unreached), "Share of the points at which the tip touched the surface elsewhere from the same place: the surface may lie lower there.";
-            tip_untraced_share["1", label("points higher than it can trace"), percent] = row.map.tip.map(|tip| tip.reach.untraced), "Share of the points that lie higher than this tip can have traced any surface, by more than the grid and 1 % of Sq.";
-            tip_largest_correction_m["m", label("largest height taken off")] = row.map.tip.map(|tip| tip.reach.largest), "The largest height that the erosion took off.";
-            level["text", label("levelled by")] = row.map.level.name(), "The form that was removed.";
-            filter["text", label("Gaussian filter (ISO 16610-61)")] = row.map.filter.map(|filter| filter.to_string()), "Gaussian filter (ISO 16610-61) with its nesting indices.";
-            sa_m["m", label("Sa")] = row.moments().sa, "Arithmetic mean height.";
-            sq_m["m", label("Sq")] = row.moments().sq, "Root mean square height.";
-            ssk["1", label("Ssk"), scale(1.0)] = row.moments().ssk, "Skewness of the heights.";
-            sku["1", label("Sku")] = row.moments().sku, "Kurtosis of the heights.";
-            m0_m2["m²", label("m0")] = row.spectral_moment(0), "Spectral moment m0, the variance of the heights.";
-            m2["1", label("m2")] = row.spectral_moment(1), "Spectral moment m2, the variance of the slope, by differences between neighbours.";
-            m4_per_m2["1/m²", label("m4")] = row.spectral_moment(2), "Spectral moment m4, the variance of the curvature, by differences between neighbours.";
-            m2_along_x["1", label("m2 along x")] = row.map.roughness.m2[0], "Spectral moment m2 along x.";
-            m2_along_y["1", label("m2 along y")] = row.map.roughness.m2[1], "Spectral moment m2 along y.";
-            m4_along_x_per_m2["1/m²", label("m4 along x")] = row.map.roughness.m4[0], "Spectral moment m4 along x.";
-            m4_along_y_per_m2["1/m²", label("m4 along y")] = row.map.roughness.m4[1], "Spectral moment m4 along y.";
-            nayak_alpha["1", label("Nayak's α")] = row.map.roughness.alpha(), "Nayak's bandwidth parameter m0 m4/m2^2.";
-            rms_slope["1", label("r.m.s. slope")] = row.map.roughness.rms_slope(), "Root mean square slope.";
-            autocorrelation_length_m["m", label("autocorrelation length Sal")] = row.map.whole.autocorrelation.as_ref().and_then(|correlation| correlation.length), "Shortest lag at which the autocorrelation decreases to 0.2; this and the next are empty where they were not computed.";
-            texture_aspect_ratio["1", label("texture aspect ratio Str")] = row.map.whole.autocorrelation.as_ref().and_then(|correlation| correlation.aspect), "Shortest over longest such lag.";
-            summit_definition["text"] = row.map.neighbours.name(), "What a summit is: `five-point` or `eight-neighbour`.";
-            summits["count"] = row.map.summits, "Number of summits.";
-            tested_points["count"] = row.map.tested, "Points tested for a summit.";
-            summits_with_a_saddle["count", label("summits whose smaller principal curvature is not positive")] = row.map.saddles, "Summits whose smaller principal curvature is not positive.";
-            plateaus["count"] = row.map.plateaus, "Plateaus among the summits, dropped ones included.";
-            dropped_plateaus["count"] = row.map.dropped, "Plateaus dropped for a curvature that is not positive.";
-            height_step_m["m", label("height step of the instrument")] = row.map.quantisation.and_then(|steps| steps.step), "Height step of the instrument; empty where none is found.";
-            height_levels["count"] = row.map.quantisation.map(|steps| steps.levels), "Number of height levels.";
-            distinct_curvatures["count"] = row.map.quantisation.map(|steps| steps.distinct_curvatures), "Number of distinct curvatures of the summits.";
-            median_summit_drop_m["m", label("median drop from a summit to its neighbours")] = row.map.quantisation.map(|steps| steps.median_drop), "Median drop from a summit to its neighbours.";
-        }
-    }
+rows! { MapRow<'_> => "height_maps.csv";
+    "One row for each surface with a height map: the map as its summits are found on it, of the first realisation.";
+    row =>
+    surface["text"] = row.name, "Name of the surface.";
+    points_x["count", label("points along x")] = row.map.points[0], "Points along x.";
+    points_y["count", label("points along y")] = row.map.points[1], "Points along y.";
+    pixel_x_m["m", label("pixel along x"), input] = row.map.pixel[0], "Distance of neighbouring points along x.";
+    pixel_y_m["m", label("pixel along y"), input] = row.map.pixel[1], "Distance of neighbouring points along y.";
+    missing_points["count"] = row.map.roughness.missing, "Points without a height.";
+    removed_spikes["count", label("points removed as spikes")] = row.map.spikes.as_ref().map(|spikes| spikes.removed).filter(|&removed| removed > 0), "Points that were removed as spikes.";
+    aligned_lines["text", label("lines set to equal mean height, along")] = row.map.aligned.map(|lines| lines.name()), "The axis along which lines were set to equal mean height.";
+    tip_radius_m["m", label("eroded by a tip of radius"), input] = row.map.tip.map(|tip| tip.reach.radius), "Radius of the stylus or tip that the map was eroded by; this and the next columns are empty without one.";
+    tip_unreached_share["1", label("points that it did not touch alone"), percent] = row.map.tip.map(|tip| tip.reach.unreached), "Share of the points at which the tip touched the surface elsewhere from the same place: the surface may lie lower there.";
+    tip_untraced_share["1", label("points higher than it can trace"), percent] = row.map.tip.map(|tip| tip.reach.untraced), "Share of the points that lie higher than this tip can have traced any surface, by more than the grid and 1 % of Sq.";
+    tip_largest_correction_m["m", label("largest height taken off")] = row.map.tip.map(|tip| tip.reach.largest), "The largest height that the erosion took off.";
+    level["text", label("levelled by")] = row.map.level.name(), "The form that was removed.";
+    filter["text", label("Gaussian filter (ISO 16610-61)")] = row.map.filter.map(|filter| filter.to_string()), "Gaussian filter (ISO 16610-61) with its nesting indices.";
+    sa_m["m", label("Sa")] = row.moments().sa, "Arithmetic mean height.";
+    sq_m["m", label("Sq")] = row.moments().sq, "Root mean square height.";
+    ssk["1", label("Ssk"), scale(1.0)] = row.moments().ssk, "Skewness of the heights.";
+    sku["1", label("Sku")] = row.moments().sku, "Kurtosis of the heights.";
+    m0_m2["m²", label("m0")] = row.spectral_moment(0), "Spectral moment m0, the variance of the heights.";
+    m2["1", label("m2")] = row.spectral_moment(1), "Spectral moment m2, the variance of the slope, by differences between neighbours.";
+    m4_per_m2["1/m²", label("m4")] = row.spectral_moment(2), "Spectral moment m4, the variance of the curvature, by differences between neighbours.";
+    m2_along_x["1", label("m2 along x")] = row.map.roughness.m2[0], "Spectral moment m2 along x.";
+    m2_along_y["1", label("m2 along y")] = row.map.roughness.m2[1], "Spectral moment m2 along y.";
+    m4_along_x_per_m2["1/m²", label("m4 along x")] = row.map.roughness.m4[0], "Spectral moment m4 along x.";
+    m4_along_y_per_m2["1/m²", label("m4 along y")] = row.map.roughness.m4[1], "Spectral moment m4 along y.";
+    nayak_alpha["1", label("Nayak's α")] = row.map.roughness.alpha(), "Nayak's bandwidth parameter m0 m4/m2^2.";
+    rms_slope["1", label("r.m.s. slope")] = row.map.roughness.rms_slope(), "Root mean square slope.";
+    autocorrelation_length_m["m", label("autocorrelation length Sal")] = row.map.whole.autocorrelation.as_ref().and_then(|correlation| correlation.length), "Shortest lag at which the autocorrelation decreases to 0.2; this and the next are empty where they were not computed.";
+    texture_aspect_ratio["1", label("texture aspect ratio Str")] = row.map.whole.autocorrelation.as_ref().and_then(|correlation| correlation.aspect), "Shortest over longest such lag.";
+    summit_definition["text"] = row.map.neighbours.name(), "What a summit is: `five-point` or `eight-neighbour`.";
+    summits["count"] = row.map.summits, "Number of summits.";
+    tested_points["count"] = row.map.tested, "Points tested for a summit.";
+    summits_with_a_saddle["count", label("summits whose smaller principal curvature is not positive")] = row.map.saddles, "Summits whose smaller principal curvature is not positive.";
+    plateaus["count"] = row.map.plateaus, "Plateaus among the summits, dropped ones included.";
+    dropped_plateaus["count"] = row.map.dropped, "Plateaus dropped for a curvature that is not positive.";
+    height_step_m["m", label("height step of the instrument")] = row.map.quantisation.and_then(|steps| steps.step), "Height step of the instrument; empty where none is found.";
+    height_levels["count"] = row.map.quantisation.map(|steps| steps.levels), "Number of height levels.";
+    distinct_curvatures["count"] = row.map.quantisation.map(|steps| steps.distinct_curvatures), "Number of distinct curvatures of the summits.";
+    median_summit_drop_m["m", label("median drop from a summit to its neighbours")] = row.map.quantisation.map(|steps| steps.median_drop), "Median drop from a summit to its neighbours.";
 }
 
 /// A property of the summits of a map, found and expected.
@@ -225,21 +218,16 @@ impl<'a> TheoryRow<'a> {
     }
 }
 
-impl Row for TheoryRow<'_> {
-    const FILE: &'static str = "summit_theory.csv";
-    const ROWS: &'static str = "One row for each surface with a height map and property of its summits: found, and expected of a Gaussian surface; in SI units.";
-
-    fn columns() -> Vec<Column<Self>> {
-        columns! { row: Self =>
-            surface["text"] = row.name, "Name of the surface.";
-            summits["text"] = row.property, "The property of the summits.";
-            found["SI"] = row.found, "Found on the map.";
-            five_point["SI", label("five-point theory")] = row.five_point, "Expected by five-point theory; empty of other summits.";
-            found_over_five_point["1", label("found / theory")] = row.five_point.map(|expected| row.found / expected), "Found over expected.";
-            nayak["SI", label("Nayak")] = row.nayak, "Expected by Nayak (1971).";
-            found_over_nayak["1", label("found / Nayak")] = row.nayak.map(|expected| row.found / expected), "Found over expected.";
-        }
-    }
+rows! { TheoryRow<'_> => "summit_theory.csv";
+    "One row for each surface with a height map and property of its summits: found, and expected of a Gaussian surface; in SI units.";
+    row =>
+    surface["text"] = row.name, "Name of the surface.";
+    summits["text"] = row.property, "The property of the summits.";
+    found["SI"] = row.found, "Found on the map.";
+    five_point["SI", label("five-point theory")] = row.five_point, "Expected by five-point theory; empty of other summits.";
+    found_over_five_point["1", label("found / theory")] = row.five_point.map(|expected| row.found / expected), "Found over expected.";
+    nayak["SI", label("Nayak")] = row.nayak, "Expected by Nayak (1971).";
+    found_over_nayak["1", label("found / Nayak")] = row.nayak.map(|expected| row.found / expected), "Found over expected.";
 }
 
 /// A random process that a surface was generated by.
@@ -290,32 +278,27 @@ impl<'a> ProcessRow<'a> {
     }
 }
 
-impl Row for ProcessRow<'_> {
-    const FILE: &'static str = "generation_processes.csv";
-    const ROWS: &'static str = "One row for each random process of a generated surface: one, or a second, finer one that truncates it.";
-
-    fn columns() -> Vec<Column<Self>> {
-        columns! { row: Self =>
-            surface["text"] = row.name, "Name of the surface.";
-            spectrum["text"] = row.spectrum().0, "Its spectrum: `self-affine`, `gaussian` or `exponential`.";
-            spectrum_of["text"] = row.spectrum_of(), "Whose spectrum is prescribed: that of the `heights`, or of the `gaussian` field before its transform.";
-            hurst["1", label("Hurst exponent"), input] = row.spectrum().1[0], "Hurst exponent.";
-            roll_off_m["m", label("roll-off")] = row.spectrum().1[1], "Longest wavelength of the self-affine range; of two, the shorter.";
-            second_roll_off_m["m"] = row.second()[0], "The longer of two whose amplitudes are added, equal along the power law; empty of one.";
-            second_weight["1"] = row.second()[1], "Weight of the amplitudes of the longer one, that of the other being 1 less it; empty of one.";
-            cut_off_m["m", label("cut-off")] = row.spectrum().1[2], "Shortest wavelength.";
-            correlation_length_m["m"] = row.spectrum().1[3], "Correlation length across the lay.";
-            elongation["1"] = row.process.spectrum.lay().elongation, "Lengths along the lay over lengths across it.";
-            angle_rad["rad"] = row.process.spectrum.lay().angle, "Angle of the lay to the x axis.";
-            sigma_m["m", label("σ")] = row.process.sigma, "Standard deviation of the heights.";
-            heights["text"] = row.process.heights.to_string(), "Distribution of the heights.";
-            skewness["1", scale(1.0)] = row.process.heights.skewness(), "Skewness of that distribution.";
-            kurtosis["1"] = row.process.heights.kurtosis(), "Kurtosis of that distribution.";
-            plateau_height_m["m", label("mean plane")] = row.height, "Height of its mean plane above that of the coarser process; empty of that.";
-            truncated_share["1", label("truncated points"), percent] = row.generation.cut, "Share of the points that the finer process truncates; empty of a single process.";
-            surfaces_tried["count"] = row.generation.target.map(|(_, tried)| tried), "Fields generated to meet a target of the summits, of which the surface is a weighted sum of two; empty without one.";
-        }
-    }
+rows! { ProcessRow<'_> => "generation_processes.csv";
+    "One row for each random process of a generated surface: one, or a second, finer one that truncates it.";
+    row =>
+    surface["text"] = row.name, "Name of the surface.";
+    spectrum["text"] = row.spectrum().0, "Its spectrum: `self-affine`, `gaussian` or `exponential`.";
+    spectrum_of["text"] = row.spectrum_of(), "Whose spectrum is prescribed: that of the `heights`, or of the `gaussian` field before its transform.";
+    hurst["1", label("Hurst exponent"), input] = row.spectrum().1[0], "Hurst exponent.";
+    roll_off_m["m", label("roll-off")] = row.spectrum().1[1], "Longest wavelength of the self-affine range; of two, the shorter.";
+    second_roll_off_m["m"] = row.second()[0], "The longer of two whose amplitudes are added, equal along the power law; empty of one.";
+    second_weight["1"] = row.second()[1], "Weight of the amplitudes of the longer one, that of the other being 1 less it; empty of one.";
+    cut_off_m["m", label("cut-off")] = row.spectrum().1[2], "Shortest wavelength.";
+    correlation_length_m["m"] = row.spectrum().1[3], "Correlation length across the lay.";
+    elongation["1"] = row.process.spectrum.lay().elongation, "Lengths along the lay over lengths across it.";
+    angle_rad["rad"] = row.process.spectrum.lay().angle, "Angle of the lay to the x axis.";
+    sigma_m["m", label("σ")] = row.process.sigma, "Standard deviation of the heights.";
+    heights["text"] = row.process.heights.to_string(), "Distribution of the heights.";
+    skewness["1", scale(1.0)] = row.process.heights.skewness(), "Skewness of that distribution.";
+    kurtosis["1"] = row.process.heights.kurtosis(), "Kurtosis of that distribution.";
+    plateau_height_m["m", label("mean plane")] = row.height, "Height of its mean plane above that of the coarser process; empty of that.";
+    truncated_share["1", label("truncated points"), percent] = row.generation.cut, "Share of the points that the finer process truncates; empty of a single process.";
+    surfaces_tried["count"] = row.generation.target.map(|(_, tried)| tried), "Fields generated to meet a target of the summits, of which the surface is a weighted sum of two; empty without one.";
 }
 
 /// A property of a generated surface: target and obtained.
@@ -375,19 +358,14 @@ impl<'a> TargetRow<'a> {
     }
 }
 
-impl Row for TargetRow<'_> {
-    const FILE: &'static str = "generation.csv";
-    const ROWS: &'static str = "One row for each generated surface and property that is prescribed: target and obtained, in SI units.";
-
-    fn columns() -> Vec<Column<Self>> {
-        columns! { row: Self =>
-            surface["text"] = row.name, "Name of the surface.";
-            quantity["text"] = row.property, "The property.";
-            target["SI", input, scale(1.0)] = row.target, "Target.";
-            obtained["SI", scale(1.0)] = row.obtained, "Obtained.";
-            deviation["1", signed, scale(1.0)] = row.deviation(), "Obtained minus target, over the target except for skewness and kurtosis.";
-        }
-    }
+rows! { TargetRow<'_> => "generation.csv";
+    "One row for each generated surface and property that is prescribed: target and obtained, in SI units.";
+    row =>
+    surface["text"] = row.name, "Name of the surface.";
+    quantity["text"] = row.property, "The property.";
+    target["SI", input, scale(1.0)] = row.target, "Target.";
+    obtained["SI", scale(1.0)] = row.obtained, "Obtained.";
+    deviation["1", signed, scale(1.0)] = row.deviation(), "Obtained minus target, over the target except for skewness and kurtosis.";
 }
 
 /// A fitness check of a map.
@@ -429,27 +407,21 @@ impl<'a> FitnessRow<'a> {
     }
 }
 
-impl Row for FitnessRow<'_> {
-    const FILE: &'static str = "fitness.csv";
-    const ROWS: &'static str = "One row for each measured surface and check of its map.";
-    const RECORDS: Option<&'static str> = Some("fitness");
-
-    fn columns() -> Vec<Column<Self>> {
-        columns! { row: Self =>
-            surface["text"] = row.surface.name.as_str(), "Name of the surface.";
-            check["text"] = row.finding.check.name(), "The check.";
-            measure["text"] = row.finding.measure.name(), "What is measured.";
-            measured["text"] = fitness::measured(row.finding.measure), "The same in words.";
-            value["1"] = row.finding.value, "Its value.";
-            threshold["1"] = row.finding.threshold(), "The threshold that the value is compared with.";
-            allowed["text"] = fitness::allowed(row.finding), "The values that pass.";
-            passed["true/false"] = row.finding.has_passed(), "Whether the map passes.";
-            blocks["true/false"] = row.finding.is_blocking(), "Whether it fails so that no verdict may rest on the map.";
-            result["text"] = row.result(), "The result: `passed`, `caution` (verdicts stand) or `failed` (no verdict may rest on the map).";
-            remedy["text"] = row.remedy(), "What to do about it, in the keys of a spec.";
-            setting["text", label("remedy")] = row.setting(), "The key of a spec that remedies it, where there is one.";
-        }
-    }
+rows! { FitnessRow<'_> => "fitness.csv", records "fitness";
+    "One row for each measured surface and check of its map.";
+    row =>
+    surface["text"] = row.surface.name.as_str(), "Name of the surface.";
+    check["text"] = row.finding.check.name(), "The check.";
+    measure["text"] = row.finding.measure.name(), "What is measured.";
+    measured["text"] = fitness::measured(row.finding.measure), "The same in words.";
+    value["1"] = row.finding.value, "Its value.";
+    threshold["1"] = row.finding.threshold(), "The threshold that the value is compared with.";
+    allowed["text"] = fitness::allowed(row.finding), "The values that pass.";
+    passed["true/false"] = row.finding.has_passed(), "Whether the map passes.";
+    blocks["true/false"] = row.finding.is_blocking(), "Whether it fails so that no verdict may rest on the map.";
+    result["text"] = row.result(), "The result: `passed`, `caution` (verdicts stand) or `failed` (no verdict may rest on the map).";
+    remedy["text"] = row.remedy(), "What to do about it, in the keys of a spec.";
+    setting["text", label("remedy")] = row.setting(), "The key of a spec that remedies it, where there is one.";
 }
 
 pub fn schemas() -> Vec<Schema> {

@@ -17,8 +17,8 @@ use asperity_contact_framework::written_schema;
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer};
 
+use super::generation::GenerateSpec;
 use crate::surface::files::{MapUnitSpec, MissingSpec};
-use crate::surface::generate_spec::GenerateSpec;
 
 /// One surface: exactly one kind per name.
 #[derive(Debug, Deserialize)]
@@ -284,7 +284,6 @@ pub struct CropSpec {
 }
 
 impl CropSpec {
-    /// The part, m.
     pub fn part(self) -> Crop {
         let ends =
             |ends: Option<[Quantity<Length, NotNegative>; 2]>| ends.map(|ends| ends.map(|end| end.value()));

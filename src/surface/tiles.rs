@@ -5,6 +5,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use asperity::numeric::stream_seed;
+use asperity::surface::{AnalysisDepth, Preparation};
 use asperity::topography::read::ReadError;
 use asperity::topography::summits::{Detail, find_in_rows};
 use asperity::topography::{Filter, HeightMap, Level, Rows, Window};
@@ -21,8 +22,6 @@ use super::files::Files;
 use super::plan::{MapPlan, Origin, SurfacePlan};
 use super::reading::{list_message, spec_message};
 use super::spec::DrawSpec;
-use asperity::surface::AnalysisDepth;
-use asperity::surface::Preparation;
 
 /// How a surface is divided into tiles. The input alone fixes it.
 #[derive(Debug)]
@@ -71,10 +70,6 @@ fn blocks_per_tile(blocks: usize, most: usize) -> usize {
 }
 
 impl SurfaceTiles {
-    /// The tiles of a surface.
-    ///
-    /// # Errors
-    /// A surface whose parts are not independent of each other: see docs/clusters.md.
     pub fn new(plan: &SurfacePlan, source: &Source) -> Result<Self, InputError> {
         let refuse = |message: &str| source.error_at(plan.size_key.clone(), message);
         match &plan.origin {
@@ -282,9 +277,6 @@ impl OpenTiles<'_> {
     }
 
     /// The asperities of one of the [`Self::blocks`] of a tile.
-    ///
-    /// # Errors
-    /// A row that is no asperity, heights in a wrong unit, a target that no random surface reaches.
     pub fn block(&self, tile: usize, block: usize) -> Result<TileBlock, InputError> {
         match (&self.tiles.division, &self.plan.origin, &self.map) {
             (Division::Population { tiles, .. }, Origin::Population { population, count, draw, .. }, _) => {

@@ -5,8 +5,8 @@ use asperity_contact_framework::report::format::{Prefix, capitalised};
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Legend, Plot};
 
 use super::results::{Point, SweepResults};
-use super::values::SweptKey;
-use crate::kind::compare::verdict_map::{MARKS, Mark, named};
+use super::spec::SweptKey;
+use crate::kind::compare::main_figure::{MARKS, Mark, named};
 use crate::presentation::quantity_name;
 
 /// Room beside the outermost loads.

@@ -1,17 +1,16 @@
 //! Where a quantity is a given one, or a verdict changes, between the values of a key.
 
 use asperity::compare::ComparedQuantity;
+use asperity_contact_framework::Kind;
 use asperity_contact_framework::input::InputError;
 use asperity_contact_framework::report::format::input_number;
 use asperity_contact_framework::report::table::{Table as Rows, Value as Cell};
 use toml::{Table, Value};
 
+use super::Run;
 use super::plan::without_what_is_not_shown;
-use super::run::Run;
-use super::spec::{Combine, FindSpec, FoundModel};
-use super::values::{SweptKey, as_text, set};
+use super::spec::{Combine, FindSpec, FoundModel, SweptKey, as_text, set};
 use crate::kind::compare::{Compare, Extent, swept_name};
-use asperity_contact_framework::Kind;
 
 /// A crossing is known to this part of its value.
 const TOLERANCE: f64 = 1e-4;
@@ -42,7 +41,6 @@ enum To {
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct Crossing {
-    /// The place of its key.
     pub key: usize,
     /// The values of the other keys; that of the key itself does not count.
     pub places: Vec<usize>,

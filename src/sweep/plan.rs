@@ -11,12 +11,11 @@ use asperity_contact_framework::{Kind, Memory};
 use toml::{Table, Value};
 
 use super::find::Find;
-use super::spec::{Combine, SweepSpec};
-use super::values::{MOST, SweptKey, set};
+use super::spec::{Combine, MOST, SweepSpec, SweptKey, set};
 use super::{NAME, Sweep};
 use crate::experiment::Experiment;
 use crate::kind::compare::Compare;
-use crate::kind::compare::plan::ComparePlan;
+use crate::kind::compare::spec::ComparePlan;
 
 /// Tables and keys of a spec that no variation depends on, or that a sweep does not vary.
 const NOT_VARIED: [&str; 7] = ["title", "notes", "figure", "run", "group", "tables", NAME];
@@ -63,7 +62,6 @@ pub struct Base {
 }
 
 impl Base {
-    /// The folder that its paths are relative to.
     pub fn folder(&self) -> &Path {
         self.source.path.parent().unwrap_or(Path::new(""))
     }

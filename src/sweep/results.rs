@@ -3,16 +3,15 @@
 use std::collections::BTreeSet;
 
 use asperity::compare::ComparedQuantity;
-use asperity_contact_framework::columns;
 use asperity_contact_framework::metadata::Metadata;
-use asperity_contact_framework::report::table::{Column, Heading, Row, Table, Value as Cell};
-
+use asperity_contact_framework::report::table::{Heading, Row, Table, Value as Cell};
+use asperity_contact_framework::rows;
 use indexmap::IndexMap;
 
+use super::Found;
 use super::find::{Crossing, verdict_in_words};
 use super::plan::SweepPlan;
-use super::run::Found;
-use super::values::SweptKey;
+use super::spec::SweptKey;
 use crate::kind::compare::swept_name;
 
 pub const FILE: &str = "sweep.csv";
@@ -37,7 +36,6 @@ pub struct SweepResults {
 
 /// A variation of which something is known.
 pub struct Choice {
-    /// The places of its values.
     pub places: Vec<usize>,
     pub words: String,
     /// Why it could not be run.
@@ -90,24 +88,19 @@ pub struct ChangeRow {
     pub verdicts: [String; 2],
 }
 
-impl Row for ChangeRow {
-    const FILE: &'static str = "changes.csv";
-    const ROWS: &'static str = "One row for each pair of neighbouring values of a swept key between which a verdict of `[compare]` changes, at the load at which variations are compared.";
-
-    fn columns() -> Vec<Column<Self>> {
-        columns! { row: Self =>
-            key["text"] = row.key.as_str(), "The swept key.";
-            from["text"] = row.values[0].as_str(), "Its first value.";
-            to["text"] = row.values[1].as_str(), "Its next value.";
-            with["text"] = row.with.as_str(), "The values of the other keys.";
-            surface["text"] = row.surface.as_str(), "Name of the surface.";
-            law["text"] = row.law.as_str(), "Contact law of an asperity.";
-            quantity["text"] = row.quantity.name(), "The quantity whose verdict changes.";
-            pressure_pa["Pa", prefix("M"), label("nominal pressure"), input] = row.pressure, "Nominal pressure.";
-            verdict["text", verdict] = verdict_in_words(&row.verdicts[0]), "The verdict at the first value; `not admissible` where the load is not.";
-            next_verdict["text", verdict, label("then")] = verdict_in_words(&row.verdicts[1]), "The verdict at the next value.";
-        }
-    }
+rows! { ChangeRow => "changes.csv";
+    "One row for each pair of neighbouring values of a swept key between which a verdict of `[compare]` changes, at the load at which variations are compared.";
+    row =>
+    key["text"] = row.key.as_str(), "The swept key.";
+    from["text"] = row.values[0].as_str(), "Its first value.";
+    to["text"] = row.values[1].as_str(), "Its next value.";
+    with["text"] = row.with.as_str(), "The values of the other keys.";
+    surface["text"] = row.surface.as_str(), "Name of the surface.";
+    law["text"] = row.law.as_str(), "Contact law of an asperity.";
+    quantity["text"] = row.quantity.name(), "The quantity whose verdict changes.";
+    pressure_pa["Pa", prefix("M"), label("nominal pressure"), input] = row.pressure, "Nominal pressure.";
+    verdict["text", verdict] = verdict_in_words(&row.verdicts[0]), "The verdict at the first value; `not admissible` where the load is not.";
+    next_verdict["text", verdict, label("then")] = verdict_in_words(&row.verdicts[1]), "The verdict at the next value.";
 }
 
 /// A value of a key that was looked for.
@@ -150,28 +143,23 @@ impl CrossingRow {
     }
 }
 
-impl Row for CrossingRow {
-    const FILE: &'static str = "crossings.csv";
-    const ROWS: &'static str = "One row for each value of a swept key at which what `find` asks for holds, found by bisection between its values: on the compared surface, without an interval.";
-
-    fn columns() -> Vec<Column<Self>> {
-        columns! { row: Self =>
-            key["text"] = row.key.name.as_str(), "The swept key.";
-            value["text"] = row.value(), "Its value where it holds, for people.";
-            at["SI"] = row.crossing.at(), "The same in SI: the middle of what follows.";
-            low["SI", scale_of("at")] = row.crossing.between[0], "It holds above this value.";
-            high["SI", scale_of("at")] = row.crossing.between[1], "It holds below this value.";
-            unit["text"] = row.unit(), "The unit of these; empty of pure numbers.";
-            with["text"] = row.with.as_str(), "The values of the other keys.";
-            surface["text"] = row.crossing.surface.as_str(), "Name of the surface.";
-            law["text"] = row.crossing.law.as_str(), "Contact law of an asperity.";
-            quantity["text"] = row.crossing.quantity.name(), "The quantity, or that of the verdict.";
-            target["text"] = row.crossing.target.as_str(), "What was looked for: its value, its ratio to another case, or the change of its verdict towards larger values.";
-            model["text"] = (!row.is_of_verdict()).then(|| row.crossing.model.name()), "By which model; empty of a verdict.";
-            pressure_pa["Pa", prefix("M"), label("nominal pressure"), input] = row.crossing.pressure, "Nominal pressure.";
-            limits["text", label("exceeds")] = row.crossing.limits.as_str(), "Limits of admissible loads that are exceeded there, as in `curves.csv`; empty where the load is admissible.";
-        }
-    }
+rows! { CrossingRow => "crossings.csv";
+    "One row for each value of a swept key at which what `find` asks for holds, found by bisection between its values: on the compared surface, without an interval.";
+    row =>
+    key["text"] = row.key.name.as_str(), "The swept key.";
+    value["text"] = row.value(), "Its value where it holds, for people.";
+    at["SI"] = row.crossing.at(), "The same in SI: the middle of what follows.";
+    low["SI", scale_of("at")] = row.crossing.between[0], "It holds above this value.";
+    high["SI", scale_of("at")] = row.crossing.between[1], "It holds below this value.";
+    unit["text"] = row.unit(), "The unit of these; empty of pure numbers.";
+    with["text"] = row.with.as_str(), "The values of the other keys.";
+    surface["text"] = row.crossing.surface.as_str(), "Name of the surface.";
+    law["text"] = row.crossing.law.as_str(), "Contact law of an asperity.";
+    quantity["text"] = row.crossing.quantity.name(), "The quantity, or that of the verdict.";
+    target["text"] = row.crossing.target.as_str(), "What was looked for: its value, its ratio to another case, or the change of its verdict towards larger values.";
+    model["text"] = (!row.is_of_verdict()).then(|| row.crossing.model.name()), "By which model; empty of a verdict.";
+    pressure_pa["Pa", prefix("M"), label("nominal pressure"), input] = row.crossing.pressure, "Nominal pressure.";
+    limits["text", label("exceeds")] = row.crossing.limits.as_str(), "Limits of admissible loads that are exceeded there, as in `curves.csv`; empty where the load is admissible.";
 }
 
 impl SweepResults {

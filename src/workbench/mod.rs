@@ -2,33 +2,36 @@
 //!
 //! | module | what lives there |
 //! |---|---|
-//! | `surfaces` | a surface of a spec |
-//! | `contact` | an experiment on its way from a slider to its whole report |
 //! | `view` | results as the page shows them |
 //! | `begin` | the first spec of a file, and the example |
 
 mod begin;
-mod contact;
-mod surfaces;
 mod view;
 
 use std::path::Path;
 use std::sync::Arc;
+use std::time::{SystemTime, UNIX_EPOCH};
 
+use asperity::surface::AnalysisDepth;
 use asperity::topography::read::is_named_as_map;
-use asperity_contact_framework::input::{InputError, Source};
-use asperity_contact_framework::progress::Progress;
+use asperity::work::Counter;
+use asperity_contact_framework::input::{InputError, Source, SpecFile};
+use asperity_contact_framework::metadata::Timing;
+use asperity_contact_framework::progress::{Progress, Silent};
 use asperity_contact_framework::remedy::FrontEnd;
 use asperity_contact_framework::report::store::Store;
+use asperity_contact_framework::report::table::Tables;
 use asperity_contact_framework::{Outcome, folder as report_folder};
 use asperity_workbench::engine::Heights;
-use asperity_workbench::{Engine, Example, Prepared, Refused, SpecText};
-use serde_json::Value;
+use asperity_workbench::{Engine, Example, Prepared, Refused, SpecText, Stage};
+use serde_json::{Value, json};
 
-use crate::experiment::{Experiment, write_index};
-use crate::surface::Surfaces;
-use contact::Contact;
-use surfaces::surface;
+use crate::experiment::{Experiment, tables, write_index};
+use crate::kind::compare::spec::ComparePlan;
+use crate::kind::compare::{Extent, Samplings, Scope, run_within};
+use crate::surface::{
+    OfSpec, StoredSurface, SurfaceFactory, SurfaceStore, Surfaces, files_of, memory, surfaces,
+};
 
 #[derive(Default)]
 pub struct Workbench {
@@ -122,4 +125,101 @@ impl Engine for Workbench {
     fn example(&self) -> Example {
         begin::EXAMPLE
     }
+}
+
+/// The name of its report, which is not written.
+const NAME: &str = "workbench";
+
+/// An experiment whose spec is checked.
+pub struct Contact {
+    experiment: Experiment,
+    /// A comparison, which has stages; `None` of an experiment of another kind.
+    compare: Option<Arc<ComparePlan>>,
+    spec: SpecText,
+    surfaces: Arc<Surfaces>,
+    samplings: Samplings,
+}
+
+impl Contact {
+    pub fn new(spec: &SpecText, surfaces: Arc<Surfaces>) -> Result<Self, InputError> {
+        let (experiment, compare) = Experiment::with_comparison(source(spec), NAME, &Silent)?;
+        Ok(Self { experiment, compare, spec: spec.clone(), surfaces, samplings: Samplings::default() })
+    }
+}
+
+impl Prepared for Contact {
+    /// Surfaces are made in full, so that they can be shown and kept.
+    fn memory(&self) -> u128 {
+        let in_full = |compare: &Arc<ComparePlan>| {
+            memory(&compare.study.surfaces, AnalysisDepth::Everything, false).bytes
+        };
+        self.experiment.memory().max(self.compare.as_ref().map_or(0, in_full))
+    }
+
+    fn inputs(&self) -> Value {
+        let since =
+            |time: SystemTime| time.duration_since(UNIX_EPOCH).map_or(0.0, |since| since.as_secs_f64());
+        let files = self.experiment.modified().into_iter();
+        files.map(|file| file.map(|(time, bytes)| (since(time), bytes))).map(|file| json!(file)).collect()
+    }
+
+    fn stages(&self) -> &'static [Stage] {
+        match &self.compare {
+            Some(compare) if compare.goes_on() => &[Stage::Models, Stage::Intervals, Stage::Everything],
+            Some(_) => &[Stage::Models, Stage::Intervals],
+            None => &[Stage::Everything],
+        }
+    }
+
+    fn run(&self, stage: Stage, progress: &dyn Progress) -> Result<Value, Refused> {
+        let Some(compare) = &self.compare else {
+            let outcome = self.experiment.run(progress).map_err(|error| refused(&error, &self.spec))?;
+            let tables = Tables::new(outcome.tables());
+            return Ok(view::page(outcome.page(&tables), outcome.warnings()));
+        };
+        let extent = match stage {
+            Stage::Models => Extent::Models,
+            Stage::Intervals => Extent::Intervals,
+            Stage::Everything => Extent::Everything,
+        };
+        let of_spec = OfSpec::new(&self.surfaces, &self.spec.folder, &self.spec.text);
+        let scope = Scope {
+            extent,
+            store: Some(&of_spec),
+            samplings: Some(&self.samplings),
+            pictures: view::MOST_CARDS,
+        };
+        // Nothing is written, so that its input needs no name.
+        let context = self.experiment.context("", progress);
+        let results = run_within(&context, compare, &Counter::default(), scope)
+            .map_err(|error| refused(&error, &self.spec))?;
+        Ok(view::comparison(&results, extent))
+    }
+}
+
+/// The first realisation of one surface of a spec, in full.
+pub fn surface(
+    all: &Surfaces,
+    spec: &SpecText,
+    name: &str,
+    progress: &dyn Progress,
+) -> Result<Arc<StoredSurface>, Refused> {
+    let refuse = |error: InputError| refused(&error, spec);
+    let file = SpecFile::parse(source(spec), &tables()).map_err(refuse)?;
+    // Ellipses, which some laws need, do not change what is shown.
+    let plans = surfaces(&file, None, 0..0, false).map_err(refuse)?;
+    let found = plans.iter().find(|plan| plan.name == name);
+    let plan = found.ok_or_else(|| Refused::new(format!("found no surface \"{name}\" in the spec")))?;
+    let of_spec = OfSpec::new(all, &spec.folder, &spec.text);
+    let identity = of_spec.identity(plan);
+    if let Some(kept) = of_spec.get(&identity) {
+        return Ok(kept);
+    }
+    let counter = Counter::default();
+    let (mut files, mut timing) = (files_of(std::slice::from_ref(plan), &counter), Timing::default());
+    let mut factory = SurfaceFactory::from_seed(plan, &file.source, file.seed, &counter, progress)
+        .with_store(Some(&of_spec))
+        .of_any(true);
+    let surface = factory.make(1, AnalysisDepth::Everything, &mut files, &mut timing).map_err(refuse)?;
+    Ok(of_spec.get(&identity).unwrap_or_else(|| Arc::new(factory.stored(surface))))
 }

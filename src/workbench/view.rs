@@ -26,7 +26,6 @@ pub const MOST_CARDS: usize = 3;
 /// Lines of a card that need no interval.
 const WITHOUT_INTERVAL: [&str; 4] = ["result", "conductance", "friction", "difference"];
 
-/// The page of an experiment, all of it.
 pub fn page(page: Page, warnings: Vec<String>) -> Value {
     json!({ "cases": [], "page": page.read_in(FrontEnd::Workbench).pieces(true), "warnings": told(&warnings) })
 }

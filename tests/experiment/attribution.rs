@@ -1,11 +1,11 @@
 //! Why the models differ: for each kind of statement a case in which it holds and one in which it does not.
 
-use crate::Report;
 use std::fmt::Write;
 use std::path::Path;
 
 use asperity_contact_framework::Outcome;
 
+use crate::Report;
 use crate::results::{self, ON_STEEL, figure, number, table};
 
 /// A list of asperities with Gaussian heights. A sharper radius belongs to a higher one where they are `correlated`.

@@ -1,8 +1,8 @@
 //! A map of causes: for each kind of statement a case in which it holds and one in which it does not.
 
-use crate::Report;
 use asperity_contact_framework::Outcome;
 
+use crate::Report;
 use crate::common::assert_message;
 use crate::results::{self, number, table};
 

@@ -1,6 +1,5 @@
 //! Columns of the tables: what a report holds is what `docs/reports.md` says.
 
-use crate::Report;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
@@ -9,6 +8,8 @@ use asperity_contact_framework::progress::Silent;
 use asperity_contact_framework::report::table::{Heading, Schema};
 use asperity_experiment::Experiment;
 use asperity_experiment::kind::KINDS;
+
+use crate::Report;
 
 /// Every table once, by its file.
 fn schemas() -> BTreeMap<&'static str, Schema> {

@@ -1,14 +1,10 @@
 //! Fitness of measured maps: each fault planted in a good map is found, blocks the verdict, and its remedy gives the verdict
 //! back; the verdicts under other treatments of a map.
 
-use crate::Report;
-use crate::results::table;
 use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
 
-use asperity::MeanRadius;
 use asperity::compare::{ComparedQuantity, Difference, Verdict};
-use asperity::npy;
 use asperity::study::{Choice, Treatment};
 use asperity::surface::Surface;
 use asperity::topography::Level;
@@ -16,6 +12,7 @@ use asperity::topography::fitness::Check;
 use asperity::topography::generate::gaussian;
 use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
 use asperity::topography::summits::Neighbours;
+use asperity::{MeanRadius, npy};
 use asperity_contact_framework::Outcome;
 use asperity_contact_framework::progress::Silent;
 use asperity_contact_framework::report::format::number;
@@ -23,6 +20,9 @@ use asperity_experiment::Experiment;
 use asperity_experiment::kind::compare::results::{CompareResults, SurfaceResults};
 use asperity_experiment::surface::fitness::in_short;
 use rand::{RngExt, SeedableRng};
+
+use crate::Report;
+use crate::results::table;
 
 const SIDE: usize = 640;
 

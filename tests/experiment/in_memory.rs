@@ -1,6 +1,5 @@
 //! Specs without a file, and surfaces in memory: the results of the same in files.
 
-use crate::Report;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -11,6 +10,7 @@ use asperity_contact_framework::progress::Silent;
 use asperity_experiment::Experiment;
 use indexmap::IndexMap;
 
+use crate::Report;
 use crate::results::{number, table};
 
 const COMPARE: &str = concat!(

@@ -3,13 +3,13 @@
 use std::fs;
 use std::path::Path;
 
-use crate::Report;
 use asperity::sphere::{Curve, DecreasingQuantity};
-use asperity_contact_framework::Outcome;
 use asperity_contact_framework::progress::Silent;
-use asperity_contact_framework::report;
+use asperity_contact_framework::{Outcome, report};
 use asperity_experiment::Experiment;
 use asperity_experiment::kind::indentation::IndentationResults;
+
+use crate::Report;
 
 fn run_file(path: &Path) -> IndentationResults {
     crate::downcast(Experiment::read(path).unwrap().run(&Silent).unwrap())

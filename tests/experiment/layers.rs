@@ -1,7 +1,5 @@
 //! Comparisons under a layer, from a spec to the report.
 
-use crate::Report;
-use crate::results::{table, typed};
 use asperity::compare::ModelKind;
 use asperity::sphere::DecreasingQuantity;
 use asperity::study::Threshold;
@@ -10,6 +8,9 @@ use asperity_contact_framework::progress::Silent;
 use asperity_contact_framework::report::store::Store;
 use asperity_experiment::Experiment;
 use asperity_experiment::kind::compare::results::CompareResults;
+
+use crate::Report;
+use crate::results::{table, typed};
 
 /// A steel population on a flat; the keys of the flat are given.
 fn spec(flat: &str) -> String {

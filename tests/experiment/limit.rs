@@ -1,11 +1,12 @@
 //! `[limit]` from the spec to the slopes of the report.
 
-use crate::Report;
-use crate::results::{self, table};
 use asperity_contact_framework::Outcome;
 use asperity_contact_framework::progress::Silent;
 use asperity_contact_framework::report::format::number;
 use asperity_experiment::Experiment;
+
+use crate::Report;
+use crate::results::{self, table};
 
 fn run(separation: f64, largest: f64) -> Box<dyn Outcome> {
     let spec = format!(

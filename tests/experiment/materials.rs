@@ -1,12 +1,12 @@
 //! Materials of the library: the documentation, specs that take them, and the sources in a report.
 
-use crate::Report;
 use std::fs;
 
 use asperity_contact_framework::folder as report_folder;
 use asperity_contact_framework::report::store::Store;
 use asperity_experiment::materials::{all_materials, one_material};
 
+use crate::Report;
 use crate::results::run_in;
 
 const SPEC: &str = "title = \"t\"\n[material]\nball = { from = \"steel-100Cr6\", hardness = \"7 GPa\" }\n\

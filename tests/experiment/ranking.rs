@@ -1,8 +1,8 @@
 //! Which statistical model is enough: for each kind of statement a case in which it holds and one in which it does not.
 
-use crate::Report;
 use asperity_contact_framework::Outcome;
 
+use crate::Report;
 use crate::results::{self, ON_STEEL, Row, number, table};
 
 /// A finely sampled surface of these heights.

@@ -1,7 +1,5 @@
 //! σ and d of the asperities or of the surface: generated surfaces, populations, and what the reading changes.
 
-use crate::Report;
-use crate::results::table;
 use std::path::Path;
 
 use asperity::compare::{Control, ModelKind};
@@ -16,6 +14,9 @@ use asperity_contact_framework::progress::Silent;
 use asperity_experiment::Experiment;
 use asperity_experiment::kind::compare::readings::loads_by_reading;
 use asperity_experiment::kind::compare::results::CompareResults;
+
+use crate::Report;
+use crate::results::table;
 
 /// A comparison under Hertz, whose integral has a closed form.
 fn run(separations: &str, surfaces: &str) -> Box<dyn Outcome> {

@@ -1,6 +1,5 @@
 //! The boundary element reference beside the models: where it runs, what it gives, and that nothing changes without it.
 
-use crate::Report;
 use std::path::Path;
 
 use asperity::HeightMap;
@@ -8,6 +7,7 @@ use asperity_contact_framework::Outcome;
 use asperity_contact_framework::progress::Silent;
 use asperity_experiment::Experiment;
 
+use crate::Report;
 use crate::results::{Row, column, figure, number, table};
 
 mod lines;

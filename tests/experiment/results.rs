@@ -1,12 +1,13 @@
 //! Runs of specs, and what tests read of them: the rows of their tables and the figures of their pages.
 
-use crate::Report;
 use std::collections::BTreeMap;
 use std::path::Path;
 
 use asperity_contact_framework::Outcome;
 use asperity_contact_framework::progress::Silent;
 use asperity_experiment::Experiment;
+
+use crate::Report;
 
 /// A comparison of rough steel on flat steel under one law, without loads.
 pub const ON_STEEL: &str = concat!(

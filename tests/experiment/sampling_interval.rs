@@ -1,10 +1,10 @@
 //! `[sampling-interval]` from the spec to the statements of the report.
 
-use crate::Report;
 use asperity_contact_framework::Outcome;
 use asperity_contact_framework::progress::Silent;
 use asperity_experiment::Experiment;
 
+use crate::Report;
 use crate::results::{Row, table};
 
 /// A surface of waves down to `cut_off` pixels, on a grid of `points`.

@@ -1,9 +1,10 @@
 //! One load or one separation: a table that answers in the units of the shop; and one thickness beside the uncoated flat.
 
-use crate::Report;
-use crate::results::{number, read, table};
 use asperity_contact_framework::Outcome;
 use asperity_contact_framework::progress::Silent;
+
+use crate::Report;
+use crate::results::{number, read, table};
 
 /// The outcome of `[compare]` with the keys `compare`, and what `check` prints.
 fn run(compare: &str) -> (Box<dyn Outcome>, String) {

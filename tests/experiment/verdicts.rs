@@ -1,24 +1,22 @@
 //! Verdicts of `[compare]` and `[laws]`: for each kind of statement a case in which it holds and one in which it does not.
 
-use crate::Report;
 use std::fs::File;
 use std::path::Path;
 
 use asperity::compare::{Accepted, ComparedQuantity, Stretch, Verdict};
 use asperity::contact_law::named;
-use asperity::npy;
-use asperity::study::{self, LawContact, StudyError};
-use asperity::study::{Basis, Verdicts};
+use asperity::study::{self, Basis, LawContact, StudyError, Verdicts};
 use asperity::surface::{Preparation, SummitSearch};
 use asperity::topography::Level;
 use asperity::topography::generate::{Process, Seeds, SpectrumOf, SurfaceGenerator};
 use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
 use asperity::topography::summits::Neighbours;
-use asperity::{HeightMap, Heights, Limit, Material};
+use asperity::{HeightMap, Heights, Limit, Material, npy};
 use asperity_contact_framework::Outcome;
 use asperity_contact_framework::report::answer::{Answer, CardLine, MOST_WORDS, words};
 use asperity_experiment::kind::compare::results::CompareResults;
 
+use crate::Report;
 use crate::results::{ON_STEEL, run_in};
 
 /// Runs `[compare]` on `surfaces`, with files beside it in `folder`.

@@ -2,7 +2,6 @@
 
 use std::fs;
 
-use crate::common::{Random, bodies};
 use asperity::work::{CountedContact, Counter, Work};
 use asperity::{
     Accumulator, Deterministic, Draw, Flat, Heights, MicroContact, Model, ModulusModel, Population,
@@ -14,6 +13,7 @@ use asperity_experiment::Experiment;
 use asperity_experiment::kind::compare::results::{CompareResults, SurfaceResults};
 use asperity_experiment::surface::FileOptions;
 
+use crate::common::{Random, bodies};
 use crate::results::run_in;
 
 const MATERIALS: &str = concat!(

@@ -30,9 +30,6 @@ impl Kept {
     }
 
     /// Keeps a piece, in the place of another of this name.
-    ///
-    /// # Errors
-    /// A disk that refuses, with the name of the file.
     pub fn write(&self, name: &str, content: &[u8]) -> io::Result<()> {
         let path = self.path(name);
         let write = || {

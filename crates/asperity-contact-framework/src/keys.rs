@@ -16,7 +16,6 @@ pub struct Key {
     pub meaning: String,
     /// What kind of value it takes.
     pub kind: String,
-    /// Its unit, if it has one.
     pub unit: Option<String>,
     /// The values allowed, if its kind does not say so.
     pub range: Option<String>,
@@ -188,7 +187,6 @@ fn sentence(schema: &Value) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ").replace("[`", "`").replace("`]", "`")
 }
 
-/// What kind of value a schema allows.
 fn kind(schema: &Value) -> String {
     if let Some(words) = schema.get(TYPE).and_then(Value::as_str) {
         return words.to_owned();

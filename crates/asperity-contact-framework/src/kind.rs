@@ -8,6 +8,10 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use asperity::numeric::stream_seed;
+use asperity::work::Work;
+use asperity::{Material, Paper};
+use asperity_plot::Size;
 use indexmap::IndexMap;
 use schemars::{JsonSchema, SchemaGenerator};
 use serde::Serialize;
@@ -17,15 +21,10 @@ use serde_json::{Map, Value};
 use crate::digest::{hexadecimal, sha256};
 use crate::input::material::MaterialOrigin;
 use crate::input::{InputError, Source, Spanned, SpecFile};
-use crate::metadata::Group;
-use crate::metadata::{Again, Metadata, Timing};
+use crate::metadata::{Again, Group, Metadata, Timing};
 use crate::progress::Progress;
 use crate::report::Page;
 use crate::report::table::{Schema, Table, Tables};
-use asperity::numeric::stream_seed;
-use asperity::work::Work;
-use asperity::{Material, Paper};
-use asperity_plot::Size;
 
 /// Tables of a spec that a kind reads besides its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -64,19 +63,14 @@ pub trait Kind {
 
 /// A [`Kind`] in a registry.
 pub struct RegisteredKind {
-    /// [`Kind::NAME`]
     pub name: &'static str,
-    /// [`Kind::READS`]
     pub reads: Reads,
-    /// [`Kind::GROUP`]
     pub group: Option<Group>,
     /// The JSON schema of its table.
     pub schema: fn(&mut SchemaGenerator) -> schemars::Schema,
     /// Reads its table of a spec, and makes a plan of it.
     pub plan: fn(&SpecFile) -> Result<Arc<dyn Plan>, InputError>,
-    /// [`Kind::tables`]
     pub tables: fn() -> Vec<Schema>,
-    /// [`Kind::swept`]
     pub swept: fn() -> Option<Schema>,
 }
 
@@ -270,9 +264,6 @@ pub fn set_memory(count: u128) -> u128 {
 }
 
 /// The fields of a serialisable struct, as a kind's part of a summary.
-///
-/// # Errors
-/// A value that is not a struct or map.
 pub fn fields(value: &impl Serialize) -> serde_json::Result<Map<String, Value>> {
     match serde_json::to_value(value)? {
         Value::Object(fields) => Ok(fields),

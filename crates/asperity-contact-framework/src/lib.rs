@@ -5,7 +5,6 @@
 //! be run by many machines.
 #![deny(unsafe_code)]
 
-pub mod contact;
 pub mod digest;
 mod folder;
 pub mod input;
@@ -13,12 +12,10 @@ pub mod kept;
 pub mod keys;
 mod kind;
 pub mod metadata;
-pub mod progress;
 pub mod remedy;
 pub mod report;
-mod summary;
 
-pub use folder::{ReportError, folder};
+pub use asperity::progress;
+pub use folder::{ReportError, folder, summary_json};
 pub use kind::{Divided, Kind, Memory, Outcome, Plan, Reads, RegisteredKind, RunContext, fields, set_memory};
 pub use metadata::Group;
-pub use summary::summary_json;

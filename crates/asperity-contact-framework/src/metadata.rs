@@ -1,8 +1,11 @@
 //! What every experiment has: title, seed, sources, time and work.
 
-use asperity::Paper;
+use asperity::compare::ModulusFindings;
+use asperity::law::{Body, Property};
+use asperity::study::LawContact;
 pub use asperity::work::Timing;
 use asperity::work::Work;
+use asperity::{Material, ModulusModel, Paper, literature};
 use asperity_plot::Size;
 use indexmap::IndexMap;
 use schemars::JsonSchema;
@@ -85,4 +88,116 @@ impl Group {
             Self::Trust => "How far to trust the program",
         }
     }
+}
+
+#[derive(Debug, Clone)]
+pub struct Bodies {
+    pub rough: String,
+    pub flat: String,
+}
+
+#[derive(Debug, Clone)]
+pub struct LayerMetadata {
+    pub name: String,
+    pub rule: ModulusModel,
+    pub on: Body,
+    /// Thicknesses, m, ascending; 0 and infinity among them.
+    pub thicknesses: Vec<f64>,
+    /// Accuracy of the effective-modulus models for these materials, a/t from 0.1 to 10; `None` without a finite thickness.
+    pub check: Option<ModulusFindings>,
+}
+
+/// The two bodies of a contact.
+#[derive(Debug, Clone)]
+pub struct ContactMetadata {
+    pub materials: IndexMap<String, Material>,
+    pub bodies: Bodies,
+    /// Reduced modulus of the pair, Pa.
+    pub reduced_modulus: f64,
+    /// Hardness of the softer body, Pa.
+    pub hardness: Option<f64>,
+    /// Whether its electrical and its thermal conductance are asked for.
+    pub conducts: [bool; 2],
+    pub layer: Option<LayerMetadata>,
+    /// Laws used outside their range of validity, one per line.
+    pub caveats: Vec<String>,
+}
+
+/// The fields of a summary that every contact has.
+#[derive(Debug, Clone, Serialize)]
+pub struct ContactSummary {
+    reduced_modulus_pa: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    hardness_pa: Option<f64>,
+}
+
+impl ContactSummary {
+    /// Of the bodies of an experiment.
+    pub fn new(contact: &ContactMetadata) -> Self {
+        Self { reduced_modulus_pa: contact.reduced_modulus, hardness_pa: contact.hardness }
+    }
+}
+
+/// References for the laws and both models.
+pub fn papers_of(laws: &[LawContact]) -> Vec<Paper> {
+    let models = [literature::PASARIBU_SCHIPPER_2005, literature::ZHAO_MAIETTA_CHANG_2000];
+    laws.iter().flat_map(papers_of_law).chain(models).collect()
+}
+
+fn papers_of_law(law: &LawContact) -> Vec<Paper> {
+    law.contact.papers().into_iter().chain(law.spec.papers()).collect()
+}
+
+/// Description of two bodies under laws, for a report.
+pub fn contact_metadata(
+    materials: &IndexMap<String, Material>,
+    laws: &[LawContact],
+    bodies: &Bodies,
+    layer: Option<LayerMetadata>,
+) -> ContactMetadata {
+    // All laws of an experiment have the same two bodies.
+    let contact = &laws[0].contact;
+    let mut caveats: Vec<String> = laws.iter().filter_map(|law| law.contact.caveat()).collect();
+    caveats.extend(inconsistent_strengths(materials, laws, bodies, layer.as_ref()));
+    caveats.sort_unstable();
+    caveats.dedup();
+    ContactMetadata {
+        materials: materials.clone(),
+        bodies: bodies.clone(),
+        reduced_modulus: contact.reference_modulus(),
+        hardness: Some(contact.reference_hardness()).filter(|hardness| hardness.is_finite()),
+        conducts: contact
+            .spot_properties()
+            .map_or([false; 2], |properties| [properties.electrical.is_some(), properties.thermal.is_some()]),
+        layer,
+        caveats,
+    }
+}
+
+/// Warns of materials whose hardness and yield strength are inconsistent, where laws use both.
+fn inconsistent_strengths(
+    materials: &IndexMap<String, Material>,
+    laws: &[LawContact],
+    bodies: &Bodies,
+    layer: Option<&LayerMetadata>,
+) -> Vec<String> {
+    /// H/Y of metals; Chang, Etsion and Bogy (1987) take 2.8.
+    const METALS: [f64; 2] = [2.0, 4.0];
+    let takes = |property| laws.iter().any(|law| law.spec.law().yields_by() == Some(property));
+    if !(takes(Property::Hardness) && takes(Property::YieldStrength)) {
+        return Vec::new();
+    }
+    let names = [Some(&bodies.rough), Some(&bodies.flat), layer.map(|layer| &layer.name)];
+    let caveat = |name: &String| {
+        let body = materials.get(name)?;
+        let ratio = body.hardness()? / body.yield_strength()?;
+        let [from, to] = METALS;
+        (!(from..=to).contains(&ratio)).then(|| {
+            format!(
+                "{name}: the hardness is {ratio:.2} times the yield strength (metals: {from} to {to}); laws that use the hardness \
+                 and laws that use the yield strength then describe different materials"
+            )
+        })
+    };
+    names.into_iter().flatten().filter_map(caveat).collect()
 }

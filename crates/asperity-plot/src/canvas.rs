@@ -4,11 +4,13 @@
 //! is written by a backend of its own; what the elements have in common is then said once, for the
 //! group, and so is what plotters has no word for: dashes, clipping, joints of lines.
 
-use super::style::{Size, dark_rules_of};
-use super::{layer::Dash, text};
 use plotters::backend::{DrawingBackend, SVGBackend};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, FontFamily, FontStyle, FontTransform, RGBColor, ShapeStyle, TextStyle};
+
+use super::layer::Dash;
+use super::style::{Size, dark_rules_of};
+use super::text;
 
 const UNITS: f64 = 3.0;
 
@@ -381,7 +383,6 @@ const SUBSCRIPT: char = '\u{e000}';
 const AFTER: char = '\u{e001}';
 const END: char = '\u{e002}';
 
-/// A text with its subscripts marked.
 fn marked(text: &str) -> String {
     let mut marked = String::with_capacity(text.len());
     let mut is_lowered = false;

@@ -1,7 +1,8 @@
 //! The palette: safe for colour-blind readers (Okabe and Ito 2008), with fixed roles.
 
-use super::Spread;
 use plotters::style::RGBColor;
+
+use super::Spread;
 
 /// The colour of a layer, by its role.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -87,7 +88,6 @@ pub fn series_colours() -> [String; 8] {
 }
 
 impl Colour {
-    /// As "#RRGGBB".
     pub(super) fn hex(self) -> String {
         let RGBColor(red, green, blue) = self.rgb();
         format!("#{red:02X}{green:02X}{blue:02X}")

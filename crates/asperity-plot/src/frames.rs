@@ -1,12 +1,13 @@
 //! Patches on a map that change with something, such as contacts with the load.
 
-use serde::Serialize;
 use std::fmt::Write;
+
+use serde::Serialize;
 
 use super::axes::Frame as Axes;
 use super::canvas::Canvas;
 use super::layer::Layer;
-use super::png::encode;
+use crate::raster::encode;
 
 /// Patches at several values of something, a frame for each. A drawing shows one frame, [`FigureData`](crate::FigureData) has all.
 #[derive(Clone, Debug)]
@@ -57,7 +58,6 @@ pub(super) struct FramesData {
 enum PatchesData {
     /// x, y of the centres, and the radii of each frame.
     Circles(Vec<[f64; 2]>, Vec<Vec<f64>>),
-    /// An image for each frame.
     Images(Vec<String>),
 }
 
@@ -187,7 +187,7 @@ mod tests {
         let data = serde_json::to_value(drawn.data().unwrap()).unwrap();
         let uri = data["frames"]["images"][1].as_str().unwrap();
         assert!(drawn.part_of_page().contains(uri));
-        let (pixels, _) = crate::png::tests::decoded(uri, png::Transformations::EXPAND);
+        let (pixels, _) = crate::raster::tests::decoded(uri, png::Transformations::EXPAND);
         let opacities: Vec<u8> = pixels.chunks(4).map(|pixel| pixel[3]).collect();
         assert_eq!(opacities, [0, 255, 128, 128, 170, 213]);
     }

@@ -5,7 +5,6 @@ use super::{Colour, Frames, Raster};
 /// How a line is broken up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dash {
-    /// Unbroken.
     Solid,
     Dashed,
     Dotted,
@@ -16,13 +15,9 @@ pub enum Dash {
 /// The shape of a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Marker {
-    /// A filled circle.
     Circle,
-    /// A filled square.
     Square,
-    /// A filled triangle.
     Triangle,
-    /// A diagonal cross.
     Cross,
     /// An open circle, larger than the others, that leaves what it marks visible.
     Ring,

@@ -5,13 +5,12 @@ use super::canvas::{Align, Canvas, Rect, Type};
 use super::label::{draw_corner_note, draw_label};
 use super::layer::{Direction, Layer, Shape};
 use super::legend::{self, Legend};
-use super::marks;
-use super::place::Taken;
-use super::scale::{Scale, measure};
 use super::style::{BAND_ROOM, INK, LABEL, TICK, TITLE};
 use super::text::{width, wrap};
 use super::ticks::Tick;
-use super::{Axis, Plot, Spread};
+use super::{Axis, Plot, Spread, marks};
+use crate::label::Taken;
+use crate::ticks::{Scale, measure};
 
 /// Bold letters of the widest font over its others.
 const BOLD: f64 = 1.14;

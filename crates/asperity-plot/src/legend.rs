@@ -7,22 +7,15 @@ use super::marks::draw_key;
 use super::style::{INK, MOST_KEYS, PAPER, TICK};
 use super::text::{fit, width};
 
-/// Position of the legend.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Legend {
     /// In a corner that is clear of the data, else below the plot.
     Auto,
-    /// Inside, at the top left.
     TopLeft,
-    /// Inside, at the top right.
     TopRight,
-    /// Inside, at the bottom left.
     BottomLeft,
-    /// Inside, at the bottom right.
     BottomRight,
-    /// Below the plot.
     Below,
-    /// Nowhere.
     Hidden,
 }
 

@@ -10,60 +10,45 @@
 //! | `layer` | what can be shown: lines, points, bands, bars, regions, references |
 //! | `colour` | the palette and its fixed roles |
 //! | `style` | the style guide: sizes, colours, limits |
-//! | `scale` | from a value to a place on the page |
 //! | `ticks` | positions and labels of ticks |
 //! | `raster` | fields of values and their images |
 //! | `frames` | patches that change with something |
-//! | `png` | small PNG files as data URIs |
-//! | `bar` | the colour bar |
-//! | `clip` | the parts of a line inside the frame |
-//! | `thin` | fewer points for the same picture |
 //! | `text` | how wide a text will be |
 //! | `canvas` | elements of SVG, written by plotters |
 //! | `axes` | the frame, its grid, ticks and labels |
 //! | `marks` | the layers on the page |
-//! | `place` | positions of labels and legend away from the data |
 //! | `legend` | names of the layers |
 //! | `label` | labels of reference lines, regions and points |
 //! | `layout` | one plot: its scales and margins, then its place and its marks |
-//! | `joint` | a plot with the distributions of its two quantities |
 //! | `data` | what is shown as numbers, for readers that draw it anew |
 //! | `draw` | puts a figure together |
 
 mod axes;
-mod bar;
 mod canvas;
-mod clip;
 mod colour;
 mod data;
 mod draw;
 mod frames;
-mod joint;
 mod label;
 mod layer;
 mod layout;
 mod legend;
 mod marks;
-mod place;
-mod png;
 mod raster;
-mod scale;
 mod style;
 mod text;
-mod thin;
 mod ticks;
 
+use axes::Bar;
 pub use colour::{Colour, ColourMap, series_colours};
 pub use data::FigureData;
 pub use frames::{Frames, Patches};
 pub use layer::{Dash, Layer, Marker};
+use layer::{Direction, Shape};
 pub use legend::Legend;
 pub use raster::Raster;
 pub use style::{DARK_COLOURS, Size, dark_rules};
-
-use bar::Bar;
-use layer::{Direction, Shape};
-use scale::Scale;
+use ticks::Scale;
 
 /// How values are spread along an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -74,7 +59,6 @@ pub enum Spread {
     Log,
 }
 
-/// One axis of a plot.
 #[derive(Clone, Debug)]
 pub struct Axis {
     label: String,
@@ -281,7 +265,6 @@ impl Plot {
         Colour::Ordered { index: (place.clamp(0.0, 1.0) * (OF - 1) as f64).round() as usize, of: OF }
     }
 
-    /// Its colour bar, of a length.
     fn bar(&self, length: f64) -> Option<Bar<'_>> {
         let of_field = self.raster().and_then(|raster| Bar::of_field(raster, length));
         of_field.or_else(|| self.order.as_ref().map(|axis| Bar::of_order(axis, length)))

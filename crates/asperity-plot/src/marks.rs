@@ -1,14 +1,13 @@
 //! The layers on the page.
 
-use super::axes::Frame;
-use super::canvas::{Canvas, Rect, Spot, Stroke};
-use super::clip::clip;
-use super::layer::{Dash, Direction, Layer, Marker, Shape};
-use super::place::{PITCH, Taken};
-use super::style::{LINE, REFERENCE};
-use super::thin::thin;
-use super::{Raster, Spread};
 use std::collections::HashSet;
+
+use crate::axes::Frame;
+use crate::canvas::{Canvas, Rect, Spot, Stroke};
+use crate::label::{PITCH, Taken};
+use crate::layer::{Dash, Direction, Layer, Marker, Shape};
+use crate::style::{LINE, REFERENCE};
+use crate::{Raster, Spread};
 
 /// Half the size of a marker.
 const RADIUS: f64 = 3.2;
@@ -47,7 +46,6 @@ pub(super) fn region(frame: &Frame, layer: &Layer) -> Option<Rect> {
     })
 }
 
-/// A tile on the page.
 pub(super) fn tile(frame: &Frame, layer: &Layer) -> Option<Rect> {
     let Shape::Tile(from, to) = &layer.shape else {
         return None;
@@ -164,8 +162,8 @@ pub(super) fn reference(frame: &Frame, layer: &Layer) -> Vec<Vec<Spot>> {
 
 /// Straight in the measures of both axes; where these differ from the values' own, so is the law.
 fn slope_line(frame: &Frame, through: (f64, f64), slope: f64) -> Option<Vec<Spot>> {
-    let x0 = super::scale::measure(frame.x.spread, through.0)?;
-    let y0 = super::scale::measure(frame.y.spread, through.1)?;
+    let x0 = crate::ticks::measure(frame.x.spread, through.0)?;
+    let y0 = crate::ticks::measure(frame.y.spread, through.1)?;
     let at = |x: f64| frame.rect.bottom - frame.y.place_measured(y0 + slope * (x - x0)) * frame.rect.height();
     let ends = [(frame.rect.left, at(frame.x.from)), (frame.rect.right, at(frame.x.to))];
     ends.iter().all(|end| end.1.is_finite()).then(|| ends.to_vec())
@@ -299,5 +297,166 @@ fn markers(canvas: &mut Canvas, spots: &[Spot], marker: Marker, layer: &Layer) {
             let crosses = outlines(&[(-0.9, -0.9), (0.9, 0.9), (0.0, 0.0), (-0.9, 0.9), (0.9, -0.9)]);
             canvas.lines(crosses.iter().map(Vec::as_slice), Stroke { colour, width: 1.6, dash: Dash::Solid });
         }
+    }
+}
+
+/// The parts of a line inside a rectangle, in their order (Liang and Barsky 1984).
+pub(super) fn clip(line: &[Spot], rect: &Rect) -> Vec<Vec<Spot>> {
+    let mut parts: Vec<Vec<Spot>> = Vec::new();
+    for pair in line.windows(2) {
+        let Some((from, to)) = clip_segment(pair[0], pair[1], rect) else {
+            continue;
+        };
+        match parts.last_mut() {
+            Some(part) if part.last() == Some(&from) => part.push(to),
+            _ => parts.push(vec![from, to]),
+        }
+    }
+    parts
+}
+
+fn clip_segment(from: Spot, to: Spot, rect: &Rect) -> Option<(Spot, Spot)> {
+    let (dx, dy) = (to.0 - from.0, to.1 - from.1);
+    let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
+    let sides = [
+        (-dx, from.0 - rect.left),
+        (dx, rect.right - from.0),
+        (-dy, from.1 - rect.top),
+        (dy, rect.bottom - from.1),
+    ];
+    for (outwards, room) in sides {
+        if outwards == 0.0 {
+            if room < 0.0 {
+                return None;
+            }
+        } else if outwards < 0.0 {
+            enter = enter.max(room / outwards);
+        } else {
+            leave = leave.min(room / outwards);
+        }
+    }
+    let at = |part: f64| match part {
+        // The ends themselves, so that the next segment begins where this one ends.
+        0.0 => from,
+        1.0 => to,
+        part => (from.0 + part * dx, from.1 + part * dy),
+    };
+    (enter <= leave).then(|| (at(enter), at(leave)))
+}
+
+/// No line needs more points than this.
+const MOST: usize = 1500;
+
+/// Leaves out points that lie within `tolerance` of the line through the rest, doubling the
+/// tolerance until the line is short enough; first and last stay.
+pub(super) fn thin(points: &[(f64, f64)], tolerance: f64) -> Vec<(f64, f64)> {
+    let mut kept = simplify(&by_column(points, tolerance), tolerance);
+    let mut tolerance = tolerance;
+    while kept.len() > MOST && tolerance < 1e3 {
+        tolerance *= 2.0;
+        kept = simplify(&kept, tolerance);
+    }
+    kept
+}
+
+/// Of each run of points in one column keeps first, lowest, highest and last, in their order.
+fn by_column(points: &[(f64, f64)], width: f64) -> Vec<(f64, f64)> {
+    let mut kept = Vec::new();
+    for run in points.chunk_by(|a, b| (a.0 / width).floor() == (b.0 / width).floor()) {
+        let least = (0..run.len()).min_by(|a, b| run[*a].1.total_cmp(&run[*b].1)).unwrap_or(0);
+        let most = (0..run.len()).max_by(|a, b| run[*a].1.total_cmp(&run[*b].1)).unwrap_or(0);
+        let mut places = [0, least, most, run.len() - 1];
+        places.sort_unstable();
+        for (k, place) in places.iter().enumerate() {
+            if k == 0 || places[k - 1] != *place {
+                kept.push(run[*place]);
+            }
+        }
+    }
+    kept
+}
+
+/// Ramer, Douglas and Peucker: keep the point farthest from the chord while it is too far.
+fn simplify(points: &[(f64, f64)], tolerance: f64) -> Vec<(f64, f64)> {
+    let Some(last) = points.len().checked_sub(1) else {
+        return Vec::new();
+    };
+    let mut keep = vec![false; points.len()];
+    keep[0] = true;
+    keep[last] = true;
+    let mut spans = vec![(0, last)];
+    while let Some((from, to)) = spans.pop() {
+        let mut farthest = (tolerance, None);
+        for place in from + 1..to {
+            let distance = from_chord(points[place], points[from], points[to]);
+            if distance > farthest.0 {
+                farthest = (distance, Some(place));
+            }
+        }
+        if let Some(place) = farthest.1 {
+            keep[place] = true;
+            spans.extend([(from, place), (place, to)]);
+        }
+    }
+    points.iter().zip(keep).filter_map(|(point, keep)| keep.then_some(*point)).collect()
+}
+
+fn from_chord(point: (f64, f64), from: (f64, f64), to: (f64, f64)) -> f64 {
+    let (along, across) = (to.0 - from.0, to.1 - from.1);
+    let (dx, dy) = (point.0 - from.0, point.1 - from.1);
+    let length2 = along * along + across * across;
+    let part = if length2 > 0.0 { ((dx * along + dy * across) / length2).clamp(0.0, 1.0) } else { 0.0 };
+    (dx - part * along).hypot(dy - part * across)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_is_cut_where_it_crosses() {
+        let rect = Rect::new(0.0, 0.0, 10.0, 10.0);
+        assert_eq!(clip(&[(-5.0, 5.0), (15.0, 5.0)], &rect), [[(0.0, 5.0), (10.0, 5.0)]]);
+        assert_eq!(clip(&[(-16.0, -16.0), (16.0, 16.0)], &rect), [[(0.0, 0.0), (10.0, 10.0)]]);
+        assert!(clip(&[(-5.0, 5.0), (5.0, 25.0)], &rect).is_empty());
+        assert!(clip(&[(1.0, 1.0)], &rect).is_empty());
+    }
+
+    #[test]
+    fn what_leaves_and_returns_is_two_parts() {
+        let rect = Rect::new(0.0, 0.0, 10.0, 10.0);
+        let parts = clip(&[(1.0, 1.0), (2.0, 2.0), (5.0, -4.0), (8.0, 2.0), (9.0, 1.0)], &rect);
+        assert_eq!(parts.len(), 2);
+        assert_eq!((parts[0].len(), parts[1].len()), (3, 3));
+    }
+
+    #[test]
+    fn a_straight_line_needs_its_ends() {
+        let line: Vec<_> = (0..1000).map(|k| (k as f64, 2.0 * k as f64)).collect();
+        assert_eq!(thin(&line, 0.1), [line[0], line[999]]);
+        assert!(thin(&[], 0.1).is_empty());
+        assert_eq!(thin(&[(1.0, 1.0)], 0.1).len(), 1);
+    }
+
+    #[test]
+    fn every_point_stays_near_the_thinned_line() {
+        let curve: Vec<_> = (0..5000).map(|k| (k as f64 * 0.1, 100.0 * (k as f64 * 0.01).sin())).collect();
+        let thinned = thin(&curve, 0.2);
+        assert!(thinned.len() < 500, "{}", thinned.len());
+        for point in &curve {
+            let near =
+                thinned.windows(2).map(|w| from_chord(*point, w[0], w[1])).fold(f64::INFINITY, f64::min);
+            assert!(near <= 0.5, "{near}");
+        }
+    }
+
+    #[test]
+    fn a_spike_survives_and_noise_is_bounded() {
+        let mut line: Vec<_> = (0..100_000).map(|k| (k as f64 * 0.01, 0.0)).collect();
+        line[50_000].1 = 80.0;
+        assert!(thin(&line, 0.2).contains(&line[50_000]));
+        let noise: Vec<_> =
+            (0..100_000u64).map(|k| (k as f64 * 0.02, (k * 2_654_435_761 % 1000) as f64)).collect();
+        assert!(thin(&noise, 0.2).len() <= 2 * MOST);
     }
 }

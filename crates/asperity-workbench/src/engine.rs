@@ -81,9 +81,6 @@ pub trait Engine: Send + Sync + 'static {
     fn begin(&self, file: &Path, path: &str) -> Result<(String, Vec<String>), Refused>;
 
     /// A small picture of a measured file, whose pixel need not be known: heights, less a plane, at most `most` along an axis.
-    ///
-    /// # Errors
-    /// A file that is no map, or whose heights cannot be read without what its user must say.
     fn picture(&self, file: &Path, most: usize) -> Result<Heights, Refused>;
 
     fn prepare(&self, spec: &SpecText) -> Result<Box<dyn Prepared>, Refused>;

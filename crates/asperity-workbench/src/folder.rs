@@ -81,10 +81,6 @@ impl Folder {
         Ok(file)
     }
 
-    /// The folder of reports.
-    ///
-    /// # Errors
-    /// One that leads elsewhere, or cannot be made.
     pub fn reports(&self) -> Result<PathBuf, Refused> {
         let refuse = |error: io::Error| Refused::new(format!("{REPORTS}: cannot be written: {error}"));
         // Nothing is made before there is a report.
@@ -114,9 +110,6 @@ impl Folder {
     }
 
     /// A folder or file in it that is there.
-    ///
-    /// # Errors
-    /// A path that leads out of the folder, also by a link, or to nothing.
     pub fn existing(&self, path: &str) -> Result<PathBuf, Refused> {
         let joined = self.root.join(inside(path)?);
         let whole = fs::canonicalize(&joined)
@@ -143,10 +136,6 @@ impl Folder {
         Some(parts?.join("/"))
     }
 
-    /// A spec file.
-    ///
-    /// # Errors
-    /// A file that cannot be read, or is no text.
     pub fn spec(&self, path: &str) -> Result<SpecOnDisk, Refused> {
         let whole = self.file(path)?;
         let bytes = fs::metadata(&whole).map_or(0, |metadata| metadata.len());
@@ -162,9 +151,6 @@ impl Folder {
     }
 
     /// Writes a spec, whole or not at all: a new file, or in place of the one whose `state` is known.
-    ///
-    /// # Errors
-    /// A name that is none; a file that is there and has another state, or cannot be written.
     pub fn save(&self, path: &str, text: &str, state: Option<&str>) -> Result<String, Refused> {
         let whole = self.new_path(path, "toml")?;
         match fs::read_to_string(&whole) {
@@ -236,9 +222,6 @@ impl Folder {
     }
 
     /// A file of a report, with its media type.
-    ///
-    /// # Errors
-    /// A file that is none of a report.
     pub fn of_report(&self, path: &str) -> Result<(Vec<u8>, &'static str), Refused> {
         const TYPES: [(&str, &str); 8] = [
             ("html", "text/html; charset=utf-8"),

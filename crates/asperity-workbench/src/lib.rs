@@ -6,20 +6,17 @@
 //! | [`engine`] | what the server asks of the program |
 //! | [`server`] | addresses, and the life of the server |
 //! | `guard` | who may ask: host, origin and token of a request |
-//! | `token` | the secret that opens the page, kept between runs |
 //! | `routes` | what can be asked |
 //! | `analysis` | work on threads of its own, which ends where nobody waits for it |
 //! | `folder`, `listing` | the user's files: read, added, listed; never outside of one folder |
 //! | `allocator` | memory that returns to the system |
 //! | `spec` | the spec of the page as TOML and as Python |
-//! | `assets` | the page |
 //!
 //! The server holds no session: each request brings the whole spec, which is the state of the page.
 #![deny(unsafe_code)]
 
 mod allocator;
 mod analysis;
-mod assets;
 pub mod engine;
 mod folder;
 mod guard;
@@ -28,7 +25,6 @@ mod listing;
 mod routes;
 pub mod server;
 mod spec;
-mod token;
 
 pub use engine::{Engine, Example, Prepared, Refused, SpecText, Stage};
 pub use server::{Options, ServeError, Server};

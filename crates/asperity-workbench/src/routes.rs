@@ -15,8 +15,9 @@
 //! | `GET /KEY/PATH` | a file of a report, which has no rights |
 
 use std::path::PathBuf;
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 
+use asperity_contact_framework::report::page::{chart_scripts, page_style};
 use axum::body::Bytes;
 use axum::extract::{DefaultBodyLimit, Path, Request, State};
 use axum::http::{HeaderValue, StatusCode, header};
@@ -29,12 +30,11 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::analysis::{Budget, Watch, answer, value};
-use crate::assets;
 use crate::engine::{Engine, Heights, Refused, SpecText, Stage};
 use crate::folder::{Folder, REPORTS, is_plain, too_large};
-use crate::guard::{self, Guard};
-use crate::limits;
+use crate::guard::Guard;
 use crate::spec::{json_of, python_of, toml_of};
+use crate::{guard, limits};
 
 /// What all requests share. Nothing in it belongs to one page.
 pub struct Shared {
@@ -51,8 +51,8 @@ type App = Arc<Shared>;
 pub fn router(app: App) -> Router {
     let guard = Arc::clone(&app.guard);
     Router::new()
-        .route("/", get(|| async { assets::page() }))
-        .route("/assets/{name}", get(|Path(name): Path<String>| async move { assets::asset(&name) }))
+        .route("/", get(|| async { page() }))
+        .route("/assets/{name}", get(|Path(name): Path<String>| async move { asset(&name) }))
         .route("/api/vocabulary", get(vocabulary))
         .route("/api/files", get(files))
         .route("/api/upload/{name}", post(upload).layer(DefaultBodyLimit::disable()))
@@ -312,7 +312,6 @@ async fn close(State(app): State<App>) -> Json<Value> {
     Json(json!({}))
 }
 
-/// The state of the files of a spec.
 async fn inputs(State(app): State<App>, Json(page): Json<PageSpec>) -> Result<Json<Value>, Refused> {
     let text = page.text(&app)?;
     let prepared = checked(&app, &text).await?;
@@ -374,7 +373,7 @@ async fn of_report(
 ) -> Result<Response, Refused> {
     const POLICY: &str = "sandbox allow-scripts allow-popups allow-downloads allow-modals; default-src 'none'; script-src 'unsafe-inline'; \
          style-src 'unsafe-inline'; img-src 'self' data: blob:";
-    if !crate::token::is_same(&key, app.guard.reports()) {
+    if !crate::guard::is_same(&key, app.guard.reports()) {
         return Ok((StatusCode::NOT_FOUND, "found nothing here").into_response());
     }
     let (content, media) = on_disk(move || app.folder.of_report(&path)).await?;
@@ -382,4 +381,44 @@ async fn of_report(
     response.headers_mut().insert(header::CONTENT_TYPE, HeaderValue::from_static(media));
     response.headers_mut().insert(header::CONTENT_SECURITY_POLICY, HeaderValue::from_static(POLICY));
     Ok(response)
+}
+
+const PAGE: &str = include_str!("../assets/index.html");
+
+/// The files that the page loads. `preact.js` is the standalone module of htm 3.1.1 with its Preact (licences beside it).
+const ASSETS: [(&str, &str); 10] = [
+    ("app.js", include_str!("../assets/app.js")),
+    ("state.js", include_str!("../assets/state.js")),
+    ("server.js", include_str!("../assets/server.js")),
+    ("quantity.js", include_str!("../assets/quantity.js")),
+    ("kept.js", include_str!("../assets/kept.js")),
+    ("controls.js", include_str!("../assets/controls.js")),
+    ("results.js", include_str!("../assets/results.js")),
+    ("surface.js", include_str!("../assets/surface.js")),
+    ("start.js", include_str!("../assets/start.js")),
+    ("preact.js", include_str!("../assets/vendor/preact.js")),
+];
+
+/// Styles of reports, then those of the page.
+static STYLE: LazyLock<String> =
+    LazyLock::new(|| format!("{}\n{}", page_style(), include_str!("../assets/workbench.css")));
+
+/// The library for charts, and what makes charts of the figures of reports.
+static CHARTS: LazyLock<String> = LazyLock::new(|| chart_scripts().concat());
+
+pub fn page() -> Response {
+    ([(header::CONTENT_TYPE, "text/html; charset=utf-8")], PAGE).into_response()
+}
+
+pub fn asset(name: &str) -> Response {
+    let script = "text/javascript; charset=utf-8";
+    let (content, media) = match name {
+        "style.css" => (STYLE.as_str(), "text/css; charset=utf-8"),
+        "charts.js" => (CHARTS.as_str(), script),
+        _ => match ASSETS.iter().find(|(one, _)| *one == name) {
+            Some((_, content)) => (*content, script),
+            None => return (StatusCode::NOT_FOUND, "found nothing here").into_response(),
+        },
+    };
+    ([(header::CONTENT_TYPE, media)], content).into_response()
 }

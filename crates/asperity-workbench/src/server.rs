@@ -7,7 +7,6 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use tempfile::NamedTempFile;
-
 use tokio::net::TcpListener;
 
 use crate::analysis::Budget;
@@ -15,7 +14,7 @@ use crate::engine::Engine;
 use crate::folder::Folder;
 use crate::guard::Guard;
 use crate::routes::{Shared, router};
-use crate::{allocator, limits, token};
+use crate::{allocator, guard, limits};
 
 #[derive(Debug, Clone)]
 pub struct Options {
@@ -65,13 +64,13 @@ impl Server {
         allocator::keep_large_apart();
         let folder = Folder::new(&options.folder)
             .map_err(|error| ServeError::Folder { folder: options.folder.clone(), error })?;
-        let path = options.token.clone().or_else(token::path);
+        let path = options.token.clone().or_else(guard::path);
         let token = match &path {
             Some(path) => {
-                token::kept(path).map_err(|error| ServeError::Token { path: path.clone(), error })?
+                guard::kept(path).map_err(|error| ServeError::Token { path: path.clone(), error })?
             }
             // Without such a folder it lasts as long as the server.
-            None => token::random()?,
+            None => guard::random()?,
         };
         let runtime = tokio::runtime::Builder::new_multi_thread().worker_threads(2).enable_all().build()?;
         let listeners = runtime.block_on(listeners(options.port))?;
@@ -86,7 +85,7 @@ impl Server {
         let app = Arc::new(Shared {
             engine,
             folder,
-            guard: Arc::new(Guard::new(&addresses, token, token::random()?)),
+            guard: Arc::new(Guard::new(&addresses, token, guard::random()?)),
             budget: Arc::new(Budget::new(limits::memory())),
             background,
         });
@@ -99,9 +98,6 @@ impl Server {
     }
 
     /// Opens the page in the user's browser, by a file that only its user can read.
-    ///
-    /// # Errors
-    /// No browser, or a folder that cannot be written to.
     pub fn open(&mut self) -> io::Result<()> {
         let file = self.app.folder.page_that_leads_to(&self.address)?;
         open::that_detached(file.path())?;

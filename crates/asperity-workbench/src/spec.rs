@@ -4,7 +4,6 @@ use serde_json::Value;
 
 use crate::engine::Refused;
 
-/// The text of a spec.
 pub fn toml_of(spec: &Value) -> Result<String, Refused> {
     if !spec.is_object() {
         return Err(Refused::new("found no spec; allowed: a table of keys"));
@@ -25,10 +24,6 @@ fn without_empty(value: &Value) -> Value {
     }
 }
 
-/// The spec of a text.
-///
-/// # Errors
-/// A text that is not TOML; a number that a page cannot hold.
 pub fn json_of(text: &str) -> Result<Value, Refused> {
     let table: toml::Table =
         text.parse().map_err(|error: toml::de::Error| Refused::new(error.to_string()))?;
@@ -116,8 +111,9 @@ fn quoted(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use serde_json::json;
+
+    use super::*;
 
     #[test]
     fn a_spec_is_the_same_after_text_and_page() {

@@ -7,13 +7,13 @@ mod output;
 #[cfg(feature = "serve")]
 mod serve;
 mod several;
-mod single_file;
 mod surfaces;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
 
+use arguments::{Cli, Command, RunOptions};
 use asperity_contact_framework::input::InputError;
 use asperity_contact_framework::progress::{Progress, Silent};
 use asperity_contact_framework::report::store::{Folder, Store, StoreError};
@@ -25,11 +25,8 @@ use asperity_experiment::materials::{all_materials, one_material};
 use asperity_experiment::terminal::Monitor;
 use asperity_experiment::{Experiment, TEMPLATE, write_index};
 use clap::{CommandFactory, Parser};
-
-use arguments::{Cli, Command, RunOptions};
-use output::{print, print_error, print_text, say};
+use output::{print, print_error, print_text, say, write_new};
 use several::{Counts, Done, Place, listed, quick_first};
-use single_file::write_new;
 use surfaces::Answered;
 
 const SPECS: &str = "experiments";
@@ -149,7 +146,6 @@ impl Failure {
     }
 }
 
-/// All specs of a folder, by name.
 fn specs_in(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     let unreadable = |error: std::io::Error| {
         Failure::Input(format!(

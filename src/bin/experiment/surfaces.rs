@@ -13,8 +13,8 @@ use serde_json::{Map, Value};
 use super::arguments::RunOptions;
 use super::output::{print, say};
 use super::several::Place;
-use super::single_file::{check_save_spec, write_new};
 use super::{Failure, open_store, run_and_write, say_answer, update_index, watched};
+use crate::output::{check_save_spec, write_new};
 
 /// The table of the answers on several files, in the folder of the reports.
 const ANSWERS: &str = "answers.csv";
@@ -39,10 +39,6 @@ impl Answered {
 }
 
 /// Describes the surface of each file.
-///
-/// # Errors
-/// A file or options that cannot be read, a report that cannot be written; of several files the last failure, after all others were
-/// described.
 pub fn describe(
     files: &[PathBuf],
     file_options: FileOptions,

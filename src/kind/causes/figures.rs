@@ -4,7 +4,7 @@ use asperity::compare::{Cause, ComparedQuantity, ModelKind, Verdict};
 use asperity_contact_framework::report::format::{capitalised, number};
 use asperity_plot::{Axis as PlotAxis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
 
-use super::plan::Axis;
+use super::Axis;
 use super::results::{CausesResults, GridPoint, QUANTITIES};
 use crate::presentation::{cause_colour, difference_unit, quantity_name};
 
@@ -60,7 +60,6 @@ pub fn heights_or_radii(results: &CausesResults, condition: [usize; 2]) -> Figur
     })
 }
 
-/// The leading of the three causes.
 pub fn leading_causes(results: &CausesResults, condition: [usize; 2]) -> Figure {
     map(results, "Leading causes", "difference", |point, quantity| {
         let parts = point.parts(condition, quantity)?;

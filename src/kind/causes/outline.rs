@@ -2,8 +2,7 @@
 
 use asperity::compare::ComparedQuantity;
 use asperity::topography::fitness::LARGEST_SLOPE;
-use asperity_contact_framework::contact::ContactSummary;
-use asperity_contact_framework::metadata::Metadata;
+use asperity_contact_framework::metadata::{ContactSummary, Metadata};
 use asperity_contact_framework::report::format::{capitalised, input_quantity, listed, number, signed};
 use asperity_contact_framework::report::page::Page;
 use asperity_contact_framework::report::sections;
@@ -12,11 +11,10 @@ use asperity_contact_framework::{Outcome, fields};
 use asperity_plot::Figure;
 use serde_json::{Map, Value, json};
 
+use super::Axis;
 use super::figures::{contributions, heights_or_radii, leading_causes, nearer, verdicts};
-use super::findings::{Findings, NearerCounts, VerdictCounts};
-use super::plan::Axis;
 use super::results::{CausesResults, GridPoint, QUANTITIES};
-use super::rows::{CauseRow, LeadRow, tables};
+use super::rows::{CauseRow, Findings, LeadRow, NearerCounts, VerdictCounts, tables};
 use crate::presentation::{difference_unit, quantity_name};
 
 impl Outcome for CausesResults {

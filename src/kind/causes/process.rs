@@ -11,8 +11,7 @@ use asperity_contact_framework::input::bare::SigmaRange;
 use asperity_contact_framework::input::quantity::{Length, Pure, Quantity};
 use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 
-use super::plan::CausesSpec;
-use super::plan::{Axis, PointPlan};
+use super::{Axis, CausesSpec, PointPlan};
 use crate::surface::{TargetSpec, Way};
 
 const POINTS: [u64; 2] = [64, 4096];
@@ -237,9 +236,10 @@ pub(super) fn ascending<T>(
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use asperity::topography::RoughnessParameters;
     use asperity::topography::generate::Seeds;
+
+    use super::*;
 
     #[test]
     fn surfaces_have_the_gradient() {

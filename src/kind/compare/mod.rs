@@ -4,23 +4,14 @@ pub(crate) mod card;
 mod contact_map;
 mod correlations;
 pub mod figures;
-mod lines;
 pub mod outline;
-pub mod plan;
-mod reach;
 pub mod readings;
 pub mod reference;
 pub mod results;
 pub(crate) mod rows;
 mod run;
-mod scope;
 mod series;
 pub mod spec;
-
-pub(crate) use figures::verdict_map;
-pub(crate) use rows::swept_name;
-pub use run::{each_surface, run as run_compare, run_within};
-pub use scope::{Extent, Samplings, Scope};
 
 use std::path::PathBuf;
 
@@ -28,9 +19,13 @@ use asperity::work::Counter;
 use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
 use asperity_contact_framework::report::table::Schema;
 use asperity_contact_framework::{Kind, Memory, Outcome, Plan, RunContext};
+pub(crate) use figures::main_figure;
+pub(crate) use rows::swept_name;
+pub use run::{each_surface, run as run_compare, run_within};
+use spec::ComparePlan;
+pub use spec::{Extent, Samplings, Scope};
 
 use crate::surface::{inputs, memory};
-use plan::ComparePlan;
 
 pub struct Compare;
 
@@ -40,7 +35,7 @@ impl Kind for Compare {
     type Plan = ComparePlan;
 
     fn plan(file: &SpecFile, table: &Spanned<Self::Spec>) -> Result<ComparePlan, InputError> {
-        plan::plan(file, table)
+        spec::plan(file, table)
     }
 
     fn tables() -> Vec<Schema> {
@@ -70,7 +65,7 @@ impl Plan for ComparePlan {
     }
 
     fn check(&self, context: &RunContext) -> Result<(), InputError> {
-        reach::check(context, self)
+        run::check(context, self)
     }
 
     fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {

@@ -12,15 +12,14 @@ use asperity::study::{
 use asperity::surface::Surface;
 use asperity::work::Counter;
 use asperity_contact_framework::RunContext;
-use asperity_contact_framework::contact::ContactMetadata;
 use asperity_contact_framework::input::accept::AcceptSpec;
-use asperity_contact_framework::metadata::Metadata;
+use asperity_contact_framework::metadata::{ContactMetadata, Metadata};
 use asperity_contact_framework::progress::Progress;
 use asperity_contact_framework::report::format::{percent, quantity};
 
 use super::contact_map::ContactMap;
-use super::plan::ComparePlan;
 use super::reference::{ContactView, ElasticCase};
+use super::spec::ComparePlan;
 use crate::layer::{CoatedSurface, hardness_warning, rule_warning};
 use crate::surface::rows::SurfaceRow;
 use crate::surface::{SurfaceFactory, fitness, warnings};
@@ -40,7 +39,6 @@ pub struct CompareResults {
     pub reference: Option<ReferenceMetadata>,
     /// Of a measured file that the command line named.
     pub described: Option<Described>,
-    /// The figures of the paper that it reproduces.
     pub figures_of_paper: Vec<u8>,
 }
 
@@ -144,7 +142,6 @@ fn mean_radii(case: &CaseResults) -> impl Iterator<Item = f64> {
     points.filter_map(|(point, _)| point.response.mean_contact_radius())
 }
 
-/// Results on one surface and all its realisations.
 #[derive(Debug)]
 pub struct SurfaceResults {
     /// The first realisation, with its asperities.
@@ -177,7 +174,6 @@ pub struct SurfaceResults {
 }
 
 impl SurfaceResults {
-    /// The contacts on its map in one of its cases.
     pub(super) fn contact_map(&self, case: &CaseStudy) -> Option<&ContactMap> {
         let mut maps = self.cases.iter().zip(&self.contact_maps);
         maps.find(|(one, _)| std::ptr::eq(*one, case))?.1.as_ref()

@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use asperity::bem::{Boundary, Solver};
-use asperity::compare::{AgainstReference, CaseSampling, Control};
+use asperity::compare::{AgainstReference, CaseSampling, Control, Controls, ModelKind, Models, compare};
 use asperity::spot::{Joint, SpotProperties};
 use asperity::study::{
     CaseResults, CaseStudy, LawFindings, LayerQuestion, RealisationResults, Setup, SurfaceModels, attribute,
@@ -12,28 +12,22 @@ use asperity::study::{
 };
 use asperity::surface::{AnalysisDepth, PreparedMap, Surface};
 use asperity::work::Counter;
-use asperity::{Heights, MicroContact, Paper, Response, literature};
+use asperity::{Heights, LOWEST_SEPARATION, MicroContact, Model, Paper, Response, literature};
 use asperity_contact_framework::RunContext;
-use asperity_contact_framework::contact::{contact_metadata, papers_of};
 use asperity_contact_framework::input::InputError;
-use asperity_contact_framework::metadata::Timing;
+use asperity_contact_framework::metadata::{Timing, contact_metadata, papers_of};
 
 use super::contact_map::{ContactMap, Covered};
 use super::correlations::Formula;
-use super::plan::ComparePlan;
 use super::reference::{ContactView, ReferenceRun};
-use super::results::treatments;
-use super::results::{CompareResults, Described, ReferenceMetadata, SurfaceResults};
-use super::scope::{Scope, thinned};
+use super::results::{CompareResults, Described, ReferenceMetadata, SurfaceResults, treatments};
+use super::spec::{ComparePlan, Scope, thinned};
 use crate::layer::LayerPlan;
 use crate::plausibility;
 use crate::study_plan::{inapplicable, layer_metadata, unreachable_load};
 use crate::surface::{Files, SurfaceFactory, SurfacePlan, by_hand, files_of, points_per_wave_on};
 
 /// Runs a comparison and counts its work.
-///
-/// # Errors
-/// A surface that cannot be made; a load that a model does not reach.
 pub fn run(
     context: &RunContext,
     compare: &ComparePlan,
@@ -375,5 +369,52 @@ impl<'a> Run<'a> {
                 AgainstReference::new(pairs, differences, curve, sampling, surface.plane);
         }
         Ok(views)
+    }
+}
+
+/// Refuses a load that a population or a list does not reach, as a run would; of several realisations the first is tried.
+pub(super) fn check(context: &RunContext, plan: &ComparePlan) -> Result<(), InputError> {
+    if plan.study.controls.pressures.is_empty() && plan.study.controls.forces.is_empty() {
+        return Ok(());
+    }
+    let (counter, mut timing) = (Counter::default(), Timing::default());
+    let mut files = files_of(&plan.study.surfaces, &counter);
+    for surface in plan.study.surfaces.iter().filter(|surface| surface.has_given_asperities()) {
+        let mut factory = SurfaceFactory::new(surface, context, &counter);
+        let surface = factory.make(1, AnalysisDepth::Asperities, &mut files, &mut timing)?;
+        let models = models_of(plan.setup(context), &surface, &mut timing)
+            .map_err(|error| inapplicable(context, &plan.study, &surface.name, &error))?;
+        let area = plan.setup(context).load_area(&surface);
+        for law in &plan.study.laws {
+            let statistical = plan
+                .models
+                .contains(&ModelKind::Statistical)
+                .then(|| models.statistical(&*law.contact, &law.spec));
+            let deterministic = models.deterministic(&*law.contact, &law.spec);
+            let statistical = statistical.as_deref();
+            let deterministic = deterministic.as_ref().map(|model| model as &dyn Model);
+            for (model, alone) in [
+                (statistical, Models { statistical, deterministic: None }),
+                (deterministic, Models { statistical: None, deterministic }),
+            ] {
+                let Some(model) = model else { continue };
+                compare(alone, &doubtful(&plan.study.controls, model, area), area)
+                    .map_err(|error| unreachable_load(context, &plan.study, &surface.name, law, &error))?;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The loads above that at the lowest separation, which `model` reaches only if its load decreases on approach.
+fn doubtful(controls: &Controls, model: &dyn Model, area: f64) -> Controls {
+    let reached = model.respond(LOWEST_SEPARATION).pressure.total();
+    let above = |loads: &[f64], per_area: f64| {
+        loads.iter().copied().filter(|load| load * per_area > reached).collect()
+    };
+    Controls {
+        separations: Vec::new(),
+        pressures: above(&controls.pressures, 1.0),
+        forces: above(&controls.forces, area.recip()),
     }
 }

@@ -4,10 +4,10 @@ use asperity::Exceeded;
 use asperity::compare::{AdmissibleRange, ComparedQuantity, ModelKind};
 use asperity::law::Body;
 use asperity::study::{CaseResults, CaseStudy, FilmFriction, LawFindings, LayerFindings, Verdicts};
-use asperity_contact_framework::contact::LayerMetadata;
+use asperity_contact_framework::metadata::LayerMetadata;
 use asperity_contact_framework::report::format::{input_quantity, range, thickness};
 
-use super::figures::lines::Units;
+use super::figures::curves::Units;
 use super::results::{CompareResults, SurfaceResults};
 
 /// One surface under one law: a case for each thickness.
@@ -93,7 +93,6 @@ impl<'a> Series<'a> {
         })
     }
 
-    /// The verdicts with the thickness of each.
     pub fn named_verdicts(&self) -> Vec<(String, &'a Verdicts)> {
         self.verdicts().map(|(t, verdicts)| (thickness(t), verdicts)).collect()
     }

@@ -1,24 +1,34 @@
 //! `[compare]`: both models on the same surfaces, and the reference beside them.
 
-use schemars::JsonSchema;
-use serde::Deserialize;
-use serde_json::json;
+use std::fmt;
+use std::path::PathBuf;
+use std::sync::{Mutex, PoisonError};
 
-use super::reference::ReferenceSpec;
-use crate::layer::LayerSpec;
-use crate::paper::SurfaceFigures;
-use crate::study_plan::{RoughBody, StatisticalSpec};
 use asperity::analytical::AnalyticalLine;
-use asperity::compare::ModelKind;
-use asperity_contact_framework::input::Spanned;
+use asperity::compare::{CaseSampling, Control, Controls, ModelKind};
+use asperity::study::Setup;
+use asperity::surface::AnalysisDepth;
 use asperity_contact_framework::input::accept::AcceptSpec;
 use asperity_contact_framework::input::bare::{NominalAreaRange, NominalPressureRange};
 use asperity_contact_framework::input::law::Laws;
 use asperity_contact_framework::input::quantity::{Area, Force, Pressure, Quantity};
 use asperity_contact_framework::input::sweep::{LinearSweep, LogSweep};
-use asperity_contact_framework::written_schema;
+use asperity_contact_framework::input::{InputError, Spanned, SpecFile};
+use asperity_contact_framework::{RunContext, written_schema};
+use indexmap::IndexMap;
+use schemars::JsonSchema;
+use serde::Deserialize;
+use serde_json::json;
 
-use crate::study_plan::{ConductanceSpec, ShearStrengthSpec};
+use super::correlations::lines;
+use super::reference::plan::{ReferenceKeys, Resolved, reference};
+use super::reference::{ReferencePlan, ReferenceSpec};
+use crate::layer::LayerSpec;
+use crate::presentation::SurfaceFigures;
+use crate::study_plan::{
+    ConductanceSpec, RoughBody, ShearStrengthSpec, SpotKeys, StatisticalSpec, StudyKeys, StudyPlan,
+};
+use crate::surface::{SurfacePlan, SurfaceStore};
 
 /// Both models on the same surfaces, and the reference beside them: may the integral replace the sum?
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -173,5 +183,275 @@ impl TryFrom<Vec<AnalyticalLine>> for Lines {
             return Err(format!("found a line twice; {allowed}"));
         }
         Ok(Self(lines))
+    }
+}
+
+/// Both models on given surfaces, and the reference beside them.
+pub struct ComparePlan {
+    /// Bodies, laws, loads and surfaces.
+    pub study: StudyPlan,
+    pub models: Vec<ModelKind>,
+    /// The reference beside them, where one is asked for.
+    pub reference: Option<Box<ReferencePlan>>,
+    /// Closed results beside the models.
+    pub lines: Vec<AnalyticalLine>,
+    /// Whether the verdicts on measured maps are computed again under other treatments of the map.
+    pub is_robustness_examined: bool,
+    /// Whether the gap between the models is divided among its causes.
+    pub is_attributed: bool,
+    /// Whether all statistical models are compared with sum and reference.
+    pub is_ranked: bool,
+    /// The measured file that the command line named: its surface is described in full.
+    pub described: Option<PathBuf>,
+    pub figures_of_paper: Vec<u8>,
+}
+
+impl ComparePlan {
+    /// A study by both models alone.
+    pub fn of_models(study: StudyPlan) -> Self {
+        Self {
+            study,
+            models: Models::default().kinds,
+            reference: None,
+            lines: Vec::new(),
+            is_robustness_examined: false,
+            is_attributed: false,
+            is_ranked: false,
+            described: None,
+            figures_of_paper: Vec::new(),
+        }
+    }
+
+    /// How closely the first realisation of its surfaces is looked at.
+    pub fn depth(&self) -> AnalysisDepth {
+        if self.described.is_some() { AnalysisDepth::Everything } else { AnalysisDepth::Comparison }
+    }
+
+    /// Whether something follows the intervals: other treatments of a measured map, or boundary elements.
+    #[cfg(feature = "serve")]
+    pub(crate) fn goes_on(&self) -> bool {
+        let is_treated =
+            self.is_robustness_examined && self.study.surfaces.iter().any(SurfacePlan::is_measured);
+        self.reference.is_some() || is_treated
+    }
+
+    pub fn setup<'a>(&'a self, context: &RunContext<'a>) -> Setup<'a> {
+        let layer = self.study.layer.as_ref();
+        Setup {
+            models: &self.models,
+            is_attributed: self.is_attributed,
+            // A table for each of several thicknesses would have no reader.
+            is_ranked: self.is_ranked && layer.is_none_or(|layer| layer.thicknesses.len() == 1),
+            ..self.study.setup(context)
+        }
+    }
+}
+
+impl fmt::Display for ComparePlan {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        self.study.describe(&self.models, f)?;
+        if let Some(reference) = &self.reference {
+            reference.describe(&self.study.surfaces, f)?;
+        }
+        self.study.warn(f)
+    }
+}
+
+pub(super) fn plan(file: &SpecFile, table: &Spanned<CompareSpec>) -> Result<ComparePlan, InputError> {
+    let raw = table.get_ref();
+    if let (Some(area), None, None) = (&raw.nominal_area, &raw.pressure, &raw.force) {
+        let message = "found a nominal area without a load; allowed: beside `force`, which acts on it, or `pressure`, whose force it \
+                       gives";
+        return Err(file.source.error_at(area.span(), message));
+    }
+    let mut study = StudyPlan::new(file, keys(table))?;
+    let [bare, _] = study.bare_and_coated();
+    let models = raw.models.as_ref().map_or_else(Models::default, |models| models.get_ref().clone()).kinds;
+    if models.contains(&ModelKind::Deterministic) {
+        study.check_summed(file, raw.models.as_ref().map(Spanned::span))?;
+    }
+    let resolved = Resolved { bare, flats: &study.flats, laws: &study.laws, surfaces: &study.surfaces };
+    let reference = reference(file, &reference_keys(raw), &resolved)?.map(Box::new);
+    study.implausible.extend(reference.iter().find_map(|reference| {
+        let known = |surface: &SurfacePlan| Some((surface.name.clone(), surface.points_per_wave()?));
+        reference.warning(study.surfaces.iter().filter_map(known))
+    }));
+    study.implausible.extend(reference.iter().find_map(|reference| reference.cluster_warning(&study)));
+    let lines = lines(file, raw, &study.surfaces, reference.as_deref())?;
+    Ok(ComparePlan {
+        models,
+        reference,
+        lines,
+        is_robustness_examined: raw.robustness,
+        is_attributed: raw.attribution,
+        is_ranked: raw.rank_models,
+        figures_of_paper: figures_of_paper(file, raw, &study)?,
+        study,
+        described: None,
+    })
+}
+
+/// The figures of the paper, which the comparison must be able to show.
+fn figures_of_paper(file: &SpecFile, raw: &CompareSpec, study: &StudyPlan) -> Result<Vec<u8>, InputError> {
+    let Some(figures) = &raw.figure_of_paper else { return Ok(Vec::new()) };
+    let has_thicknesses = study.layer.as_ref().is_some_and(|layer| layer.thicknesses.len() > 1);
+    let has_both = raw.models.as_ref().is_none_or(|models| models.get_ref().kinds.len() == 2);
+    let needed = |figure: &u8| match figure {
+        4 if has_thicknesses || !has_both => {
+            Some("both models and no layer of several thicknesses, as Fig. 4 compares the models")
+        }
+        6 if !has_thicknesses => Some("a layer of several thicknesses, as Fig. 6 compares thicknesses"),
+        _ => None,
+    };
+    let numbers = &figures.get_ref().0;
+    match numbers.iter().find_map(|figure| Some((figure, needed(figure)?))) {
+        None => Ok(numbers.clone()),
+        Some((figure, needed)) => {
+            let message = format!("found the figure {figure} of the paper; allowed: with {needed}");
+            Err(file.source.error_at(figures.span(), message))
+        }
+    }
+}
+
+fn keys(table: &Spanned<CompareSpec>) -> StudyKeys<'_> {
+    let raw = table.get_ref();
+    StudyKeys {
+        table: table.span(),
+        rough: &raw.rough,
+        flat: &raw.flat,
+        law: &raw.law,
+        layer: raw.layer.as_ref(),
+        spots: SpotKeys {
+            conductance: raw.conductance.as_ref(),
+            shear_strength: raw.shear_strength.as_ref(),
+        },
+        statistical: raw.statistical.as_ref(),
+        accept: raw.accept,
+        surfaces: raw.surfaces.as_deref(),
+        controls: Controls {
+            separations: raw.separation.as_ref().map(|sweep| sweep.0.clone()).unwrap_or_default(),
+            pressures: raw.pressure.as_ref().map(|sweep| sweep.get_ref().values.clone()).unwrap_or_default(),
+            forces: raw.force.as_ref().map(|sweep| sweep.get_ref().values.clone()).unwrap_or_default(),
+        },
+        nominal_area: raw.nominal_area.as_ref().map(|area| area.get_ref().value()),
+        load_keys: [raw.pressure.as_ref().map(Spanned::span), raw.force.as_ref().map(Spanned::span)],
+    }
+}
+
+fn reference_keys(raw: &CompareSpec) -> ReferenceKeys<'_> {
+    let pressures = raw.pressure.as_ref().map(|sweep| (Control::Pressure, sweep.get_ref().loads()));
+    let forces = raw.force.as_ref().map(|sweep| (Control::Force, sweep.get_ref().loads()));
+    let loads = pressures.into_iter().chain(forces);
+    ReferenceKeys {
+        models: raw.models.as_ref(),
+        reference: raw.reference.as_ref(),
+        separations: raw.separation.as_ref().map(|sweep| sweep.0.len()),
+        loads: loads.map(|(control, (values, is_listed))| (control, values, is_listed)).collect(),
+        bodies: [&raw.rough.get_ref().0, raw.flat.get_ref()],
+    }
+}
+
+/// Both models on the one surface of `file`, which the command line named and which is described in full.
+pub fn described(file: &SpecFile) -> Result<ComparePlan, InputError> {
+    let plan = plan(file, &file.required_table("compare")?)?;
+    let described = plan.study.surfaces.first().and_then(|surface| surface.inputs().into_iter().next());
+    Ok(ComparePlan { described, ..plan })
+}
+
+/// How far a run goes; a longer one repeats the shorter ones.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
+pub enum Extent {
+    /// Both models at some of the loads on the first realisation, without intervals and what follows from them.
+    Models,
+    /// With intervals, causes and other statistical models, on all realisations.
+    Intervals,
+    /// With other treatments of maps and the reference.
+    #[default]
+    Everything,
+}
+
+/// What a run does, and what it takes from earlier ones.
+#[derive(Clone, Copy)]
+pub struct Scope<'a> {
+    pub extent: Extent,
+    pub store: Option<&'a dyn SurfaceStore>,
+    /// Sampling errors that a shorter run of the same spec has found.
+    pub samplings: Option<&'a Samplings>,
+    /// The most cases of which each has a picture of its contacts.
+    pub pictures: usize,
+}
+
+/// Loads at which contacts are drawn, beside the reported one; fewer where the models alone are run.
+const LOADS_OF_PICTURES: [usize; 2] = [3, 16];
+
+/// The sampling errors of the cases of each surface, between the runs of one spec.
+#[derive(Default)]
+pub struct Samplings(Mutex<IndexMap<String, Vec<CaseSampling>>>);
+
+impl Samplings {
+    /// Those of a surface, or what `find` finds, which is kept.
+    pub(super) fn of(&self, surface: &str, find: impl FnOnce() -> Vec<CaseSampling>) -> Vec<CaseSampling> {
+        let all = || self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let known = all().get(surface).cloned();
+        known.unwrap_or_else(|| {
+            let found = find();
+            all().insert(surface.to_owned(), found.clone());
+            found
+        })
+    }
+}
+
+impl Default for Scope<'_> {
+    /// A whole run by itself; of one case there is a picture.
+    fn default() -> Self {
+        Self { extent: Extent::Everything, store: None, samplings: None, pictures: 1 }
+    }
+}
+
+impl Scope<'_> {
+    pub(super) fn has_intervals(self) -> bool {
+        self.extent >= Extent::Intervals
+    }
+
+    /// Loads at which contacts are drawn, beside the reported one.
+    pub(super) fn loads_of_pictures(self) -> usize {
+        LOADS_OF_PICTURES[usize::from(self.has_intervals())]
+    }
+
+    pub(super) fn has_everything(self) -> bool {
+        self.extent == Extent::Everything
+    }
+
+    pub(super) fn realisations(self, surface: &SurfacePlan) -> usize {
+        if self.has_intervals() { surface.realisations } else { 1 }
+    }
+}
+
+/// At most so many points of a sweep where the models alone are run.
+const FEW: usize = 11;
+
+/// At most [`FEW`] points of each sweep, its ends among them.
+pub fn thinned(controls: &Controls) -> Controls {
+    let few = |values: &[f64]| match values.len() {
+        0..=FEW => values.to_vec(),
+        count => (0..FEW).map(|k| values[k * (count - 1) / (FEW - 1)]).collect(),
+    };
+    let Controls { separations, pressures, forces } = controls;
+    Controls { separations: few(separations), pressures: few(pressures), forces: few(forces) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_thinned_sweep_has_its_ends_and_no_point_of_its_own() {
+        let long: Vec<f64> = (0..61).map(f64::from).collect();
+        let thin = thinned(&Controls { separations: vec![3.0, 2.0], ..Controls::at_pressures(long.clone()) });
+        assert_eq!((thin.separations, thin.pressures.len()), (vec![3.0, 2.0], FEW));
+        assert_eq!((thin.pressures[0], thin.pressures[FEW - 1]), (0.0, 60.0));
+        assert!(
+            thin.pressures.is_sorted_by(|a, b| a < b) && thin.pressures.iter().all(|one| long.contains(one))
+        );
     }
 }

@@ -2,13 +2,14 @@
 
 use std::f64::consts::PI;
 
-use super::run::{LawOnAsperity, LawsResults};
 use asperity::Contact;
 use asperity::compare::{AtLoad, Influence, Measure, ModelKind};
 use asperity::numeric::extremes;
 use asperity::sphere::LARGEST_SLOPE;
 use asperity_contact_framework::report::format::listed;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
+
+use super::rows::{LawOnAsperity, LawsResults};
 
 /// Half-width of a band in standard errors: 95 % of all samples lie within.
 const BAND: f64 = 1.96;

@@ -11,8 +11,10 @@ use asperity_contact_framework::report::view::View;
 use serde_json::{Map, Value, json};
 
 use super::figures;
-use super::rows::{BoundaryRow, ChoiceRow, DominanceRow, InfluenceRow, LawRow, reported, tables};
-use super::run::{LawsResults, SurfaceInfluence};
+use super::rows::{
+    BoundaryRow, ChoiceRow, DominanceRow, InfluenceRow, LawRow, LawsResults, SurfaceInfluence, reported,
+    tables,
+};
 use crate::kind::compare::outline;
 use crate::surface::section;
 
@@ -199,7 +201,6 @@ fn by_law(page: &mut Page, tables: &Tables, name: &str) {
     }
 }
 
-/// The laws on a single asperity.
 fn on_asperity(page: &mut Page, results: &LawsResults, tables: &Tables) {
     let critical = &results.critical;
     let mut unit = vec![
@@ -239,8 +240,9 @@ fn on_asperity(page: &mut Page, results: &LawsResults, tables: &Tables) {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use asperity::compare::{Effect, Group};
+
+    use super::*;
 
     fn dominance(law: f64, summation: f64, error: Option<f64>) -> Dominance {
         let effect = |mean| Effect { mean, largest: mean, at: 1.0 };

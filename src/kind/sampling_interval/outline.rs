@@ -1,23 +1,23 @@
 //! The page: which results have a limit, then surface by surface figures and views of the tables, then the criterion.
 
-use asperity::compare::ComparedQuantity;
-use asperity_contact_framework::contact::ContactSummary;
-use asperity_contact_framework::metadata::Metadata;
-use asperity_contact_framework::report::format::{input_quantity, signed};
+use asperity::compare::{Cause, ComparedQuantity};
+use asperity_contact_framework::metadata::{ContactSummary, Metadata};
+use asperity_contact_framework::report::format::{capitalised, input_quantity, signed};
 use asperity_contact_framework::report::page::{Page, escape};
 use asperity_contact_framework::report::sections;
 use asperity_contact_framework::report::table::{Reading, Table, Tables};
 use asperity_contact_framework::report::view::View;
 use asperity_contact_framework::{Outcome, fields};
+use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
 use serde_json::{Map, Value, json};
 
-use super::figures;
-use super::quantity::TrendQuantity;
-use super::results::main_load;
-use super::results::{IntervalResults, QUANTITIES, Series, SurfaceResults, Variation};
+use super::results::{
+    Asperities, Gap, IntervalResults, QUANTITIES, Scale, ScaleResults, Series, SurfaceResults, TrendQuantity,
+    Variation, gaps, main_load,
+};
 use super::rows::{GapRow, LeadRow, LimitRow, ScaleRow, tables};
-use super::trend::{Convergence, Trend};
-use crate::presentation::quantity_name;
+use super::run::{Convergence, Trend};
+use crate::presentation::{cause_colour, quantity_name};
 use crate::surface::{section, warnings};
 
 impl Outcome for IntervalResults {
@@ -42,7 +42,7 @@ impl Outcome for IntervalResults {
             let name = &surface.surface.name;
             page.figure(
                 &format!("{name}-over-length.svg"),
-                figures::asperities(surface),
+                asperities(surface),
                 &format!(
                     "{name}: asperity density and radii against the sampling interval (solid) and the nesting index of the S filter \
                      (dashed). A straight line is a power law without a limit, a level end towards the left a limit."
@@ -173,7 +173,7 @@ fn gap_section(page: &mut Page, tables: &Tables, surface: &SurfaceResults, (load
     for series in &surface.series {
         let variation = series.variation.label();
         let file = if series.variation == Variation::Interval { "interval" } else { "filter" };
-        if let Some(figure) = figures::gap(series, load) {
+        if let Some(figure) = gap(series, load) {
             page.figure(
                 &format!("{name}-gap-{file}.svg"),
                 figure,
@@ -197,6 +197,95 @@ fn differences_of<'a>(view: View<'a>, quantity: ComparedQuantity, columns: &[&st
     let is_area = quantity == ComparedQuantity::Area;
     let reading = if is_area { Reading::SignedPercent } else { Reading::Signed };
     columns.iter().fold(view, |view, name| view.read_as(name, reading))
+}
+
+const MICRO: f64 = 1e6;
+const HEIGHT: f64 = 360.0;
+
+fn axis<'a>(all: impl IntoIterator<Item = &'a Series>, label: &str) -> Axis {
+    /// Margin at both ends of an axis, as a ratio.
+    const MARGIN: f64 = 1.3;
+    let lengths = all.into_iter().flat_map(|series| series.scales.iter().map(|scale| MICRO * scale.length));
+    let [low, high] =
+        lengths.fold([f64::INFINITY, 0.0], |[low, high], at| [f64::min(low, at), f64::max(high, at)]);
+    Axis::log(label).range(low / MARGIN, high * MARGIN)
+}
+
+/// Density and radii on logarithmic axes.
+pub fn asperities(surface: &SurfaceResults) -> Figure {
+    let plot = |title: &str, label: &str| {
+        let lengths = axis(&surface.series, "sampling interval or nesting index (µm)");
+        Plot::new(title, lengths, Axis::log(label)).height(HEIGHT).legend(Legend::Below)
+    };
+    let with = |plot: Plot, (colour, marker, name), value: fn(&Asperities) -> f64| {
+        surface.series.iter().fold(plot, |plot, series| {
+            let (variation, dash) = match series.variation {
+                Variation::Interval => ("sampling interval", Dash::Solid),
+                Variation::Filter => ("S filter", Dash::Dashed),
+            };
+            let point = |(scale, results): (&Scale, &ScaleResults)| {
+                (MICRO * scale.length, value(&results.asperities))
+            };
+            let points: Vec<(f64, f64)> = series.results().map(point).collect();
+            let name = format!("{name}{variation}");
+            plot.with(Layer::line(points.clone()).coloured(colour).dashed(dash).named(name.clone()))
+                .with(Layer::points(points, marker).coloured(colour).named(name))
+        })
+    };
+    let mean = (Colour::Series(0), Marker::Circle, "mean, ");
+    let curvature = (Colour::Series(1), Marker::Square, "1/(mean curvature), ");
+    let density = (Colour::Series(0), Marker::Circle, "");
+    let density =
+        with(plot("Asperity density", "density (1/µm²)"), density, |all| all.density / (MICRO * MICRO));
+    let radii = with(plot("Radii", "radius (µm)"), mean, |all| MICRO * all.statistics.mean_radius);
+    let radii = with(radii, curvature, |all| MICRO * all.statistics.radius_of_mean_curvature);
+    Figure::row("Asperities against the length that is varied", vec![density, radii])
+}
+
+/// The gap in separation and area and its parts; `None` where fewer than two lengths are admissible.
+pub fn gap(series: &Series, load: usize) -> Option<Figure> {
+    let panels: Vec<Plot> =
+        QUANTITIES.into_iter().filter_map(|quantity| panel(series, load, quantity)).collect();
+    (!panels.is_empty()).then(|| Figure::row("Gap between the models and its parts", panels))
+}
+
+fn panel(series: &Series, load: usize, quantity: ComparedQuantity) -> Option<Plot> {
+    const GAP: &str = "statistical − deterministic";
+    let gaps = gaps(series, load, quantity);
+    if gaps.len() < 2 {
+        return None;
+    }
+    let over_length = |y: &dyn Fn(&Gap) -> Option<f64>| {
+        gaps.iter().filter_map(|gap| Some((MICRO * gap.length, y(gap)?))).collect::<Vec<(f64, f64)>>()
+    };
+    let lengths: Vec<f64> = gaps.iter().map(|gap| MICRO * gap.length).collect();
+    let parts = Cause::ALL.map(|cause| {
+        gaps.iter().map(|gap| gap.parts.map_or(f64::NAN, |parts| parts.part(cause))).collect::<Vec<f64>>()
+    });
+    let stacked = Cause::ALL.into_iter().zip(&parts);
+    let stacked = stacked.map(|(cause, part)| (cause.label(), cause_colour(cause), &part[..]));
+    let x = axis([series], &format!("{} (µm)", series.variation.label()));
+    let y = match quantity {
+        ComparedQuantity::Separation => "separation (σ)",
+        _ => "ln(area ratio of the models)",
+    };
+    let mut plot = Plot::new(capitalised(quantity_name(quantity)), x, Axis::linear(y))
+        .height(HEIGHT)
+        .legend(Legend::Below)
+        .with_contributions(&lengths, stacked)
+        .with_zero();
+    for end in [0, 1] {
+        let ends = over_length(&|gap| Some(gap.difference.interval()?[end]));
+        if !ends.is_empty() {
+            let line = Layer::line(ends).coloured(Colour::Sum).dashed(Dash::Dashed).thin();
+            plot = plot.with(line.named("95 % interval"));
+        }
+    }
+    let line = over_length(&|gap| Some(gap.difference.contrast));
+    Some(
+        plot.with(Layer::line(line.clone()).coloured(Colour::Sum).thick().named(GAP))
+            .with(Layer::points(line, Marker::Circle).coloured(Colour::Sum).named(GAP)),
+    )
 }
 
 #[cfg(test)]

@@ -2,12 +2,11 @@
 
 use asperity::Response;
 use asperity::compare::{Cause, ComparedQuantity, Contributions, Difference, Estimate, Pair};
-use asperity_contact_framework::columns;
-use asperity_contact_framework::report::table::{Column, Row, Schema, Table};
+use asperity_contact_framework::report::table::{Column, Schema, Table};
+use asperity_contact_framework::{columns, rows};
 
-use super::results::{Gap, gaps, sign};
-use super::results::{IntervalResults, QUANTITIES, Scale, ScaleResults, Series};
-use super::trend::Trend;
+use super::results::{Gap, IntervalResults, QUANTITIES, Scale, ScaleResults, Series, gaps, sign};
+use super::run::Trend;
 use crate::model_tables::limits;
 use crate::surface::rows::{self as surface, SurfaceRow};
 
@@ -30,29 +29,22 @@ impl ScaleRow<'_> {
     }
 }
 
-impl Row for ScaleRow<'_> {
-    const FILE: &'static str = "sampling_interval.csv";
-    const ROWS: &'static str =
-        "One row for each surface and each of its sampling intervals and S filters: its asperities.";
-
-    fn columns() -> Vec<Column<Self>> {
-        let mut columns = series_columns(|row: &Self| row.series);
-        columns.extend(columns! { row: Self =>
-            multiple["1"] = row.scale.multiple, "Sampling interval in pixels of the map; nesting index in units of the smallest one asked for.";
-            length_m["m"] = row.scale.length, "Sampling interval, the longer one of x and y, or nesting index of the S filter.";
-            asperities["count"] = row.value(|results| results.count), "Number of asperities; this and the next columns are empty where none is found.";
-            density_per_m2["1/m²"] = row.value(|results| results.asperities.density), "Asperities per nominal area.";
-            mean_radius_m["m"] = row.value(|results| results.asperities.statistics.mean_radius), "Arithmetic mean of the radii.";
-            radius_of_mean_curvature_m["m", label("1/(mean curvature)")] = row.value(|results| results.asperities.statistics.radius_of_mean_curvature), "Reciprocal of the mean curvature.";
-            asperity_sigma_m["m", label("σ of asperities")] = row.value(|results| results.asperities.statistics.sigma), "Standard deviation of the heights of the asperities.";
-            nayak_alpha["1", label("Nayak's α")] = row.value(|results| results.asperities.alpha).flatten(), "Nayak's bandwidth parameter m0 m4/m2^2 of the map, by differences over one sampling interval.";
-            radius_cv["1"] = row.value(|results| results.asperities.statistics.radius_cv), "Standard deviation of the radii over their mean.";
-            height_radius_correlation["1"] = row.value(|results| results.asperities.statistics.height_radius_correlation).flatten(), "Correlation of heights and radii.";
-            plasticity_index["1"] = row.value(|results| results.asperities.plasticity_index).flatten(), "Plasticity index (E*/H)(sigma/R)^0.5 of Greenwood and Williamson (1966); empty where nothing yields.";
-            failure["text"] = row.scale.results.as_ref().err().cloned(), "Why the models did not run; empty where they did.";
-        });
-        columns
-    }
+rows! { ScaleRow<'_> => "sampling_interval.csv";
+    "One row for each surface and each of its sampling intervals and S filters: its asperities.";
+    ..series_columns(|row: &Self| row.series);
+    row =>
+    multiple["1"] = row.scale.multiple, "Sampling interval in pixels of the map; nesting index in units of the smallest one asked for.";
+    length_m["m"] = row.scale.length, "Sampling interval, the longer one of x and y, or nesting index of the S filter.";
+    asperities["count"] = row.value(|results| results.count), "Number of asperities; this and the next columns are empty where none is found.";
+    density_per_m2["1/m²"] = row.value(|results| results.asperities.density), "Asperities per nominal area.";
+    mean_radius_m["m"] = row.value(|results| results.asperities.statistics.mean_radius), "Arithmetic mean of the radii.";
+    radius_of_mean_curvature_m["m", label("1/(mean curvature)")] = row.value(|results| results.asperities.statistics.radius_of_mean_curvature), "Reciprocal of the mean curvature.";
+    asperity_sigma_m["m", label("σ of asperities")] = row.value(|results| results.asperities.statistics.sigma), "Standard deviation of the heights of the asperities.";
+    nayak_alpha["1", label("Nayak's α")] = row.value(|results| results.asperities.alpha).flatten(), "Nayak's bandwidth parameter m0 m4/m2^2 of the map, by differences over one sampling interval.";
+    radius_cv["1"] = row.value(|results| results.asperities.statistics.radius_cv), "Standard deviation of the radii over their mean.";
+    height_radius_correlation["1"] = row.value(|results| results.asperities.statistics.height_radius_correlation).flatten(), "Correlation of heights and radii.";
+    plasticity_index["1"] = row.value(|results| results.asperities.plasticity_index).flatten(), "Plasticity index (E*/H)(sigma/R)^0.5 of Greenwood and Williamson (1966); empty where nothing yields.";
+    failure["text"] = row.scale.results.as_ref().err().cloned(), "Why the models did not run; empty where they did.";
 }
 
 /// Both models on a surface at one scale and load, in one quantity.
@@ -98,37 +90,31 @@ impl GapRow<'_> {
     }
 }
 
-impl Row for GapRow<'_> {
-    const FILE: &'static str = "sampling_interval_gaps.csv";
-    const ROWS: &'static str = "One row for each surface, sampling interval or S filter, load and quantity: both models at equal load, their difference and its parts.";
-
-    fn columns() -> Vec<Column<Self>> {
-        let mut columns = series_columns(|row: &Self| row.series);
-        columns.extend(columns! { row: Self =>
-            multiple["1"] = row.scale.multiple, "Sampling interval or nesting index, as in `sampling_interval.csv`.";
-            length_m["m"] = row.scale.length, "The same as a length.";
-            pressure_pa["Pa", input] = row.at_load().load, "Nominal pressure.";
-            quantity["text"] = row.quantity.name(), "What is compared: `separation` or `area` (real contact area).";
-            statistical["1"] = row.value(&row.pair().statistical), "Statistical model: separation over sigma, or real contact area over nominal area.";
-            deterministic["1"] = row.value(&row.pair().deterministic), "Deterministic model: the same.";
-            difference["1", signed] = row.difference().map(|difference| row.quantity.reported(difference.contrast)), "Statistical minus deterministic: of the separation in sigma, of the area relative to the deterministic one; empty where the load is not admissible.";
-            low["1", signed] = row.end(0), "Lower end of the pointwise 95 % interval of the difference; empty where none is claimed.";
-            high["1", signed] = row.end(1), "Upper end of the interval.";
-            difference_m["m", signed] = row.difference().filter(|_| row.quantity == ComparedQuantity::Separation).map(|difference| difference.contrast * row.results.sigma), "Difference in separation as a length; empty for areas.";
-            from_heights["1", signed] = row.parts().map(|parts| parts.part(Cause::Heights)), "Part of the difference from the height distribution, mean over the orders of replacement; of the area of the logarithm of the ratio. The parts add up to the difference; empty where too few contacts carry the load.";
-            from_radii["1", signed] = row.parts().map(|parts| parts.part(Cause::Radii)), "Part from the spread of radii.";
-            from_correlation["1", signed] = row.parts().map(|parts| parts.part(Cause::Correlation)), "Part from the correlation of heights and radii.";
-            from_heights_low["1", signed] = row.end_of(Cause::Heights, 0), "Lower end of the 95 % interval of the part from the height distribution, which holds the intervals of all orders; empty where none is claimed.";
-            from_heights_high["1", signed] = row.end_of(Cause::Heights, 1), "Upper end of that interval.";
-            from_radii_low["1", signed] = row.end_of(Cause::Radii, 0), "The same of the spread of radii.";
-            from_radii_high["1", signed] = row.end_of(Cause::Radii, 1), "Upper end of that interval.";
-            from_correlation_low["1", signed] = row.end_of(Cause::Correlation, 0), "The same of the correlation.";
-            from_correlation_high["1", signed] = row.end_of(Cause::Correlation, 1), "Upper end of that interval.";
-            effective_contacts["1"] = row.at_load().sharing.map(|sharing| sharing.effective_contacts), "Effective contacts of the deterministic model.";
-            limits["text"] = limits(row.at_load().exceeded()), "Limits of admissible loads that are exceeded, as in `curves.csv`.";
-        });
-        columns
-    }
+rows! { GapRow<'_> => "sampling_interval_gaps.csv";
+    "One row for each surface, sampling interval or S filter, load and quantity: both models at equal load, their difference and its parts.";
+    ..series_columns(|row: &Self| row.series);
+    row =>
+    multiple["1"] = row.scale.multiple, "Sampling interval or nesting index, as in `sampling_interval.csv`.";
+    length_m["m"] = row.scale.length, "The same as a length.";
+    pressure_pa["Pa", input] = row.at_load().load, "Nominal pressure.";
+    quantity["text"] = row.quantity.name(), "What is compared: `separation` or `area` (real contact area).";
+    statistical["1"] = row.value(&row.pair().statistical), "Statistical model: separation over sigma, or real contact area over nominal area.";
+    deterministic["1"] = row.value(&row.pair().deterministic), "Deterministic model: the same.";
+    difference["1", signed] = row.difference().map(|difference| row.quantity.reported(difference.contrast)), "Statistical minus deterministic: of the separation in sigma, of the area relative to the deterministic one; empty where the load is not admissible.";
+    low["1", signed] = row.end(0), "Lower end of the pointwise 95 % interval of the difference; empty where none is claimed.";
+    high["1", signed] = row.end(1), "Upper end of the interval.";
+    difference_m["m", signed] = row.difference().filter(|_| row.quantity == ComparedQuantity::Separation).map(|difference| difference.contrast * row.results.sigma), "Difference in separation as a length; empty for areas.";
+    from_heights["1", signed] = row.parts().map(|parts| parts.part(Cause::Heights)), "Part of the difference from the height distribution, mean over the orders of replacement; of the area of the logarithm of the ratio. The parts add up to the difference; empty where too few contacts carry the load.";
+    from_radii["1", signed] = row.parts().map(|parts| parts.part(Cause::Radii)), "Part from the spread of radii.";
+    from_correlation["1", signed] = row.parts().map(|parts| parts.part(Cause::Correlation)), "Part from the correlation of heights and radii.";
+    from_heights_low["1", signed] = row.end_of(Cause::Heights, 0), "Lower end of the 95 % interval of the part from the height distribution, which holds the intervals of all orders; empty where none is claimed.";
+    from_heights_high["1", signed] = row.end_of(Cause::Heights, 1), "Upper end of that interval.";
+    from_radii_low["1", signed] = row.end_of(Cause::Radii, 0), "The same of the spread of radii.";
+    from_radii_high["1", signed] = row.end_of(Cause::Radii, 1), "Upper end of that interval.";
+    from_correlation_low["1", signed] = row.end_of(Cause::Correlation, 0), "The same of the correlation.";
+    from_correlation_high["1", signed] = row.end_of(Cause::Correlation, 1), "Upper end of that interval.";
+    effective_contacts["1"] = row.at_load().sharing.map(|sharing| sharing.effective_contacts), "Effective contacts of the deterministic model.";
+    limits["text"] = limits(row.at_load().exceeded()), "Limits of admissible loads that are exceeded, as in `curves.csv`.";
 }
 
 /// A quantity towards the finest scale.
@@ -137,27 +123,21 @@ pub struct LimitRow<'a> {
     trend: &'a Trend,
 }
 
-impl Row for LimitRow<'_> {
-    const FILE: &'static str = "sampling_interval_limits.csv";
-    const ROWS: &'static str = "One row for each surface, variation and quantity, at each load where it depends on one: whether it has a limit as the sampling interval or the nesting index shrinks. Changes are of the logarithm of positive quantities and of the ratio of areas, else of the quantity itself.";
-
-    fn columns() -> Vec<Column<Self>> {
-        let mut columns = series_columns(|row: &Self| row.series);
-        columns.extend(columns! { row: Self =>
-            quantity["text"] = row.trend.quantity.name(), "The quantity: `density`, `mean-radius`, `radius-of-mean-curvature`, `sigma`, `nayak-alpha`, `radius-cv`, `height-radius-correlation`, `plasticity-index` of the asperities; `deterministic-area`, `statistical-area`, `separation-gap`, `area-gap` at a load.";
-            pressure_pa["Pa", input] = row.trend.load, "Nominal pressure; empty for quantities of the asperities.";
-            change["1", label("last change"), signed] = row.trend.change, "Change from the second finest to the finest interval or nesting index.";
-            half_width["1", label("±")] = row.trend.half_width, "Half-width of its 95 % interval, from blocks of the map left out at both; empty where none is claimed.";
-            previous_change["1", label("change before"), signed] = row.trend.previous, "Change from the third finest to the second finest, over the same ratio of lengths as the last change.";
-            remainder["1", label("left to the limit"), signed] = row.trend.remainder(), "What is left of the change to the limit if changes shrink on as the last one did; empty where it did not shrink.";
-            relative_change["1", label("last change, relative"), signed_percent] = row.trend.quantity.relative(row.trend.change), "The last change relative to the value at the second finest interval or nesting index; empty of the correlation and the gap in separation.";
-            exponent["1", label("exponent"), signed] = row.trend.exponent.map(|fit| fit.slope), "Exponent of the power law of the length through all values; empty of quantities that may be negative.";
-            exponent_standard_error["1", label("± s.e.")] = row.trend.exponent.map(|fit| fit.standard_error), "Standard error of the fit.";
-            tolerance["1"] = row.trend.tolerance, "The largest change that does not matter.";
-            outcome["text", verdict] = row.trend.outcome.name(), "What the three finest lengths tell: `limit` (the finest value is within the tolerance of its limit), `approaching` (changes shrink, but more than the tolerance may be left), `no-limit` (the last change exceeds the tolerance and does not shrink) or `cannot-tell`.";
-        });
-        columns
-    }
+rows! { LimitRow<'_> => "sampling_interval_limits.csv";
+    "One row for each surface, variation and quantity, at each load where it depends on one: whether it has a limit as the sampling interval or the nesting index shrinks. Changes are of the logarithm of positive quantities and of the ratio of areas, else of the quantity itself.";
+    ..series_columns(|row: &Self| row.series);
+    row =>
+    quantity["text"] = row.trend.quantity.name(), "The quantity: `density`, `mean-radius`, `radius-of-mean-curvature`, `sigma`, `nayak-alpha`, `radius-cv`, `height-radius-correlation`, `plasticity-index` of the asperities; `deterministic-area`, `statistical-area`, `separation-gap`, `area-gap` at a load.";
+    pressure_pa["Pa", input] = row.trend.load, "Nominal pressure; empty for quantities of the asperities.";
+    change["1", label("last change"), signed] = row.trend.change, "Change from the second finest to the finest interval or nesting index.";
+    half_width["1", label("±")] = row.trend.half_width, "Half-width of its 95 % interval, from blocks of the map left out at both; empty where none is claimed.";
+    previous_change["1", label("change before"), signed] = row.trend.previous, "Change from the third finest to the second finest, over the same ratio of lengths as the last change.";
+    remainder["1", label("left to the limit"), signed] = row.trend.remainder(), "What is left of the change to the limit if changes shrink on as the last one did; empty where it did not shrink.";
+    relative_change["1", label("last change, relative"), signed_percent] = row.trend.quantity.relative(row.trend.change), "The last change relative to the value at the second finest interval or nesting index; empty of the correlation and the gap in separation.";
+    exponent["1", label("exponent"), signed] = row.trend.exponent.map(|fit| fit.slope), "Exponent of the power law of the length through all values; empty of quantities that may be negative.";
+    exponent_standard_error["1", label("± s.e.")] = row.trend.exponent.map(|fit| fit.standard_error), "Standard error of the fit.";
+    tolerance["1"] = row.trend.tolerance, "The largest change that does not matter.";
+    outcome["text", verdict] = row.trend.outcome.name(), "What the three finest lengths tell: `limit` (the finest value is within the tolerance of its limit), `approaching` (changes shrink, but more than the tolerance may be left), `no-limit` (the last change exceeds the tolerance and does not shrink) or `cannot-tell`.";
 }
 
 /// The gap between the models in one quantity and at one load over the scales.
@@ -179,23 +159,17 @@ impl LeadRow<'_> {
     }
 }
 
-impl Row for LeadRow<'_> {
-    const FILE: &'static str = "sampling_interval_leads.csv";
-    const ROWS: &'static str = "One row for each surface, variation, load and quantity: whether the difference between the models keeps its sign over the lengths, and which causes lead.";
-
-    fn columns() -> Vec<Column<Self>> {
-        let mut columns = series_columns(|row: &Self| row.series);
-        columns.extend(columns! { row: Self =>
-            pressure_pa["Pa", input] = row.pressure, "Nominal pressure.";
-            quantity["text", label("gap in")] = row.quantity.name(), "What is compared: `separation` or `area` (real contact area).";
-            lengths["count"] = row.gaps.len(), "Sampling intervals or nesting indices at which the load is admissible.";
-            smallest_difference["1", label("from"), signed, scale(1.0)] = row.differences().fold(f64::INFINITY, f64::min), "Smallest difference over the lengths, as in `sampling_interval_gaps.csv`.";
-            largest_difference["1", label("to"), signed, scale(1.0)] = row.differences().fold(f64::NEG_INFINITY, f64::max), "Largest such difference.";
-            sign["text", verdict] = sign(&row.gaps), "Whether the difference is of the same sign at all lengths: `kept`, `changes` (two intervals lie on either side of zero) or `cannot-tell` (an interval holds zero); empty of a single length.";
-            leading_causes["text"] = row.leading_causes(), "The leading cause at each of the lengths, from the finest: `heights`, `radii`, `correlation`, or `none`.";
-        });
-        columns
-    }
+rows! { LeadRow<'_> => "sampling_interval_leads.csv";
+    "One row for each surface, variation, load and quantity: whether the difference between the models keeps its sign over the lengths, and which causes lead.";
+    ..series_columns(|row: &Self| row.series);
+    row =>
+    pressure_pa["Pa", input] = row.pressure, "Nominal pressure.";
+    quantity["text", label("gap in")] = row.quantity.name(), "What is compared: `separation` or `area` (real contact area).";
+    lengths["count"] = row.gaps.len(), "Sampling intervals or nesting indices at which the load is admissible.";
+    smallest_difference["1", label("from"), signed, scale(1.0)] = row.differences().fold(f64::INFINITY, f64::min), "Smallest difference over the lengths, as in `sampling_interval_gaps.csv`.";
+    largest_difference["1", label("to"), signed, scale(1.0)] = row.differences().fold(f64::NEG_INFINITY, f64::max), "Largest such difference.";
+    sign["text", verdict] = sign(&row.gaps), "Whether the difference is of the same sign at all lengths: `kept`, `changes` (two intervals lie on either side of zero) or `cannot-tell` (an interval holds zero); empty of a single length.";
+    leading_causes["text"] = row.leading_causes(), "The leading cause at each of the lengths, from the finest: `heights`, `radii`, `correlation`, or `none`.";
 }
 
 /// Those of the variation, and those of the surfaces.

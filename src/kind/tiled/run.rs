@@ -4,13 +4,13 @@ use std::ops::Range;
 
 use asperity::study::LawContact;
 use asperity::{AsperitySums, Deterministic, MeanRadius, Population, ReferencePlane, Total};
-use asperity_contact_framework::contact;
 use asperity_contact_framework::input::InputError;
+use asperity_contact_framework::metadata::{contact_metadata, papers_of};
 use asperity_contact_framework::{Divided, Outcome, RunContext};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use super::plan::TiledPlan;
+use super::TiledPlan;
 use super::results::{LawResults, TiledResults, TiledSurface, error_of_ratio};
 use crate::plausibility;
 use crate::study_plan::layer_metadata;
@@ -144,7 +144,7 @@ impl TiledPlan {
         let laws = laws.map(|(law, (totals, errors))| {
             LawResults::new(law, self.separations(), &surface, totals, errors.to_vec())
         });
-        let mut papers = contact::papers_of(&self.study.laws);
+        let mut papers = papers_of(&self.study.laws);
         papers
             .extend(self.surface().nominal().iter().flat_map(|(population, _)| population.heights.papers()));
         let layer = layer_metadata(context, &self.study, &mut papers)?;
@@ -159,12 +159,7 @@ impl TiledPlan {
         Ok(TiledResults {
             laws: laws.collect(),
             implausible,
-            contact: contact::contact_metadata(
-                context.materials,
-                &self.study.laws,
-                &self.study.bodies,
-                layer,
-            ),
+            contact: contact_metadata(context.materials, &self.study.laws, &self.study.bodies, layer),
             metadata: context.metadata(papers, Default::default(), None),
             surface,
         })
@@ -221,7 +216,6 @@ impl TiledPlan {
         Ok(sums(self.study.laws.iter().map(of_law).collect()))
     }
 
-    /// The whole surface, from the first pass.
     fn whole(&self, context: &RunContext, first: &[TileSums]) -> Result<TiledSurface, InputError> {
         let open = self.tiles.open(self.surface(), context.source, context.seed, context.progress)?;
         let mut sums = open.sums();

@@ -2,7 +2,6 @@
 
 use super::{SMOOTH, SWEEP, THREE, of_model, run};
 use crate::Report;
-
 use crate::results::{column, figure, number, table};
 
 /// A patch of few, smooth waves: contacts are resolved and the patch is many of them wide.

@@ -1,12 +1,12 @@
 //! Verdicts against the reference, and the bound of its grid.
 
+use asperity_contact_framework::Outcome;
 use asperity_contact_framework::progress::Silent;
 use asperity_experiment::Experiment;
 
 use super::{THREE, run};
 use crate::Report;
 use crate::results::{Row, figure, number, table, typed};
-use asperity_contact_framework::Outcome;
 
 /// Rough, with a short correlation length: it holds blocks.
 const BLOCKS: &str = r#"

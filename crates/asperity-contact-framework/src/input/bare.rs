@@ -21,9 +21,6 @@ pub struct Bare {
 
 impl Bare {
     /// Refuses a number without a unit that is hardly meant in SI, and which the spec writes as `found`.
-    ///
-    /// # Errors
-    /// A value outside [`Self::allowed`]; the message names the likely values with their units.
     pub fn check(&self, value: f64, found: &str) -> Result<(), String> {
         let [least, most] = self.allowed;
         if (least..=most).contains(&value) {

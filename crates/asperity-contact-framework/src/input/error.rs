@@ -88,9 +88,7 @@ impl std::error::Error for InputError {}
 /// A spec's text and where it is from.
 #[derive(Debug, Clone)]
 pub struct Source {
-    /// The file.
     pub path: PathBuf,
-    /// Its content.
     pub text: String,
     is_in_memory: bool,
     /// For a spec made from the command line, the argument that each line stands for.

@@ -17,12 +17,12 @@ use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 use toml::de::{DeTable, DeValue, Deserializer, ValueDeserializer};
 
+use super::accept::FigureSpec;
 use super::error::{InputError, Source, gone};
-use super::figure::FigureSpec;
 use super::forms::Spanned;
 use super::material::{MaterialOrigin, MaterialSpec};
+use super::quantity::Whole;
 use super::schema::without_null;
-use super::whole::Whole;
 use crate::metadata::Group;
 use crate::progress::{Progress, Silent};
 
@@ -98,9 +98,6 @@ const COMMON: [&str; 7] = ["title", "notes", "seed", "figure", "run", "group", "
 
 impl<'a> SpecFile<'a> {
     /// Reads a spec that may hold, besides the common keys, the tables named in `tables`.
-    ///
-    /// # Errors
-    /// A file that cannot be read, is not TOML, or has an unknown key or an invalid value.
     pub fn read(path: &Path, tables: &[&str]) -> Result<Self, InputError> {
         let mut bytes = Vec::new();
         // One byte more than is allowed.
@@ -183,9 +180,6 @@ impl<'a> SpecFile<'a> {
     }
 
     /// The table `name` as a `T`; `None` if the file has no such table.
-    ///
-    /// # Errors
-    /// A key or value that `T` does not allow.
     pub fn table<T: DeserializeOwned>(&self, name: &str) -> Result<Option<Spanned<T>>, InputError> {
         let mut document =
             DeTable::parse(&self.source.text).map_err(|error| self.source.parse_error(&error))?;
@@ -217,14 +211,11 @@ impl<'a> SpecFile<'a> {
 /// What lies in memory instead of a file.
 #[derive(Clone)]
 pub enum InMemory {
-    /// A height map.
     Map {
-        /// Its heights.
         rows: Arc<dyn Rows>,
         /// What a reader should know of how it was read, in words of a spec.
         caveats: Vec<String>,
     },
-    /// A list of asperities.
     List(Arc<AsperityList>),
 }
 

@@ -32,7 +32,6 @@ impl<'a, T> Forms<'a, T> {
 }
 
 impl<'a, T, Item, Table> Forms<'a, T, Item, Table> {
-    /// Text is allowed.
     #[must_use]
     pub fn text(self, read: impl FnOnce(&str) -> Result<T, String> + 'a) -> Self {
         Self { text: Some(Box::new(read)), ..self }
@@ -44,14 +43,12 @@ impl<'a, T, Item, Table> Forms<'a, T, Item, Table> {
         Self { number: Some(Box::new(read)), ..self }
     }
 
-    /// A list is allowed.
     #[must_use]
     pub fn list<I>(self, read: impl FnOnce(Vec<I>) -> Result<T, String> + 'a) -> Forms<'a, T, I, Table> {
         let Self { expected, text, number, table, .. } = self;
         Forms { expected, text, number, list: Some(Box::new(read)), table }
     }
 
-    /// A table is allowed.
     #[must_use]
     pub fn table<M>(self, read: impl FnOnce(M) -> Result<T, String> + 'a) -> Forms<'a, T, Item, M> {
         let Self { expected, text, number, list, .. } = self;
@@ -60,10 +57,6 @@ impl<'a, T, Item, Table> Forms<'a, T, Item, Table> {
 }
 
 impl<'de, T, Item: Deserialize<'de>, Table: Deserialize<'de>> Forms<'_, T, Item, Table> {
-    /// Reads the value.
-    ///
-    /// # Errors
-    /// A form that is not allowed, or what the form's reader says.
     pub fn read<D: Deserializer<'de>>(self, deserializer: D) -> Result<T, D::Error> {
         deserializer.deserialize_any(self)
     }
@@ -209,7 +202,6 @@ impl<'de, T: Deserialize<'de>> Visitor<'de> for Either<'_, T> {
 pub struct Spanned<T>(toml::Spanned<T>);
 
 impl<T> Spanned<T> {
-    /// The value.
     pub fn get_ref(&self) -> &T {
         self.0.get_ref()
     }

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use asperity::Heights;
+use asperity::distribution::{Entry, REGISTRY};
 use serde::Deserialize;
 use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, Visitor};
 use serde_json::{Map, Value, json};
@@ -9,25 +11,18 @@ use serde_json::{Map, Value, json};
 use super::Forms;
 use super::quantity::{Finite, Pure, Quantity};
 use super::schema::{self, TYPE};
-use asperity::Heights;
-use asperity::distribution::{Entry, REGISTRY};
 
-/// A height distribution.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeightsSpec(pub Heights);
 
 impl HeightsSpec {
     /// The distribution without parameters called `name`.
-    ///
-    /// # Errors
-    /// A name that no distribution has, or whose distribution needs parameters; `also` are further names for the message.
     pub fn named(name: &str, also: &[&str]) -> Result<Self, String> {
         let entry = REGISTRY.iter().find(|entry| entry.name == name && entry.parameters.is_empty());
         let heights = entry.and_then(|entry| entry.example().ok());
         heights.map(Self).ok_or_else(|| format!("found \"{name}\"; allowed: {}", Self::allowed(also)))
     }
 
-    /// Allowed values.
     pub fn allowed(also: &[&str]) -> String {
         let forms = REGISTRY.iter().map(|entry| match entry.parameters {
             [] => format!("\"{}\"", entry.name),

@@ -2,6 +2,9 @@
 
 use std::fmt;
 
+use asperity::ContactLaw;
+use asperity::contact_law::{named, registry};
+use asperity::law::{LawOption, OptionError};
 use serde::Deserialize;
 use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, Visitor};
 use serde_json::{Map, Value, json};
@@ -9,15 +12,11 @@ use serde_json::{Map, Value, json};
 use crate::input::OneOrMany;
 use crate::input::quantity::{Finite, Pure, Quantity};
 use crate::input::schema::{self, RANGE, TYPE};
-use asperity::ContactLaw;
-use asperity::contact_law::{named, registry};
-use asperity::law::{LawOption, OptionError};
 
 /// One law, or a list of distinct laws.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Laws(pub Vec<ContactLaw>);
 
-/// One law.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OneLaw(pub ContactLaw);
 
@@ -81,7 +80,6 @@ fn refused<E: Error>(error: OptionError) -> E {
     }
 }
 
-/// The table of options of a law.
 struct Options(ContactLaw);
 
 impl<'de> DeserializeSeed<'de> for Options {

@@ -23,7 +23,6 @@ pub struct MaterialSpec {
 /// A body whose values are from the library, but for those that the spec gives.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MaterialOrigin {
-    /// The material of the library.
     pub from: &'static LibraryMaterial,
     /// The keys that the spec gives itself.
     pub overridden: Vec<&'static str>,
@@ -63,7 +62,6 @@ const HARDNESS: &str = "hardness";
 const YIELD_STRENGTH: &str = "yield-strength";
 /// The key of the electrical resistivity.
 pub const RESISTIVITY: &str = "resistivity";
-/// The key of the thermal conductivity.
 pub const THERMAL_CONDUCTIVITY: &str = "thermal-conductivity";
 
 /// One body: by its properties, or from the library.
@@ -136,7 +134,6 @@ impl TryFrom<Keys> for MaterialSpec {
     }
 }
 
-/// The material of the library that `from` names.
 fn in_library(name: &str) -> Result<&'static LibraryMaterial, String> {
     material_library::find(name).ok_or_else(|| {
         let similar: Vec<String> =

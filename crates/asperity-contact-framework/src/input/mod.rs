@@ -3,7 +3,6 @@
 pub mod accept;
 pub mod bare;
 mod error;
-pub mod figure;
 mod file;
 mod forms;
 pub mod heights;
@@ -13,10 +12,9 @@ pub mod quantity;
 mod resolver;
 pub mod schema;
 pub mod sweep;
-mod whole;
 
 pub use error::{InputError, Source, plain_message};
 pub use file::{InMemory, SpecFile};
 pub use forms::{Forms, OneOrMany, Spanned, named, named_or_none};
+pub use quantity::Whole;
 pub use resolver::materials;
-pub use whole::Whole;

@@ -2,16 +2,16 @@
 
 use std::ops::Range;
 
+use asperity::law::{Body, Property};
+use asperity::study::LawContact;
+use asperity::{ContactLaw, Flat, Inapplicable, Material};
+
 use super::error::InputError;
 use super::file::SpecFile;
 use super::forms::Spanned;
 use super::law::Laws;
-use super::quantity::Pure;
+use super::quantity::{Pure, Whole};
 use super::sweep::LogSweep;
-use super::whole::Whole;
-use asperity::law::{Body, Property};
-use asperity::study::LawContact;
-use asperity::{ContactLaw, Flat, Inapplicable, Material};
 
 /// Names of two materials for an error, or of the one used for both bodies.
 pub fn materials(rough: &str, flat: &str) -> String {
@@ -24,9 +24,6 @@ pub fn materials(rough: &str, flat: &str) -> String {
 
 impl SpecFile<'_> {
     /// The material `name`; `span` is where it is used.
-    ///
-    /// # Errors
-    /// A name that the file does not define.
     pub fn body(&self, name: &str, span: Range<usize>) -> Result<Material, InputError> {
         let defined_material = self.materials().find(|(defined, _)| defined.get_ref() == name);
         defined_material.map(|(_, material)| *material).ok_or_else(|| {
@@ -94,9 +91,6 @@ impl SpecFile<'_> {
     }
 
     /// Each law on each flat, given with its layer thickness.
-    ///
-    /// # Errors
-    /// A law that does not apply to the bodies, or not under a layer.
     pub fn law_plans(
         &self,
         laws: &Spanned<Laws>,

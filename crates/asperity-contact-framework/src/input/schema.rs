@@ -8,7 +8,6 @@ use super::quantity::{Dimension, Range};
 
 /// What kind of value it is, in words.
 pub const TYPE: &str = "x-type";
-/// Its unit.
 pub const UNIT: &str = "x-unit";
 /// The values allowed, in words.
 pub const RANGE: &str = "x-range";

@@ -7,10 +7,10 @@ use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Deserializer};
 use serde_json::json;
 
+use super::quantity::Whole;
 use crate::input::Forms;
 use crate::input::quantity::{Dimension, Positive, Pure, Quantity, Range, SeparationRange};
 use crate::input::schema::{self, RANGE, TYPE, UNIT};
-use crate::input::whole::Whole;
 
 /// The most points that one sweep may have.
 const MOST_POINTS: usize = 100_000;

@@ -3,8 +3,8 @@
 
 use sha2::{Digest, Sha256};
 
-use super::table::{Column, Row, Table, Value};
-use crate::columns;
+use super::table::{Row, Table, Value};
+use crate::rows;
 
 /// One column of a long table.
 #[derive(Debug, Clone)]
@@ -25,23 +25,18 @@ struct Sums {
     extremes: Option<[f64; 2]>,
 }
 
-impl Row for DigestRow {
-    const FILE: &'static str = "digest.csv";
-    const ROWS: &'static str = "One row for each column of a table that is too long to be kept under version control: sums that tell whether a table made again is the same. A flag counts as 0 or 1, a name as a number from 0 to 1 that its SHA-256 gives.";
-
-    fn columns() -> Vec<Column<Self>> {
-        columns! { row: Self =>
-            table["text"] = row.table, "File of the table.";
-            column["text"] = row.column.as_str(), "Name of the column.";
-            rows["count"] = row.rows, "Rows of the table.";
-            empty["count"] = row.empty, "Empty cells.";
-            sum["1", scale_of("magnitude")] = row.sums.sum, "Sum of the cells, in the unit of the column; infinite thicknesses are left out.";
-            magnitude["1"] = row.sums.magnitude, "Sum of the magnitudes of the cells.";
-            least["1"] = row.sums.extremes.map(|[least, _]| least), "Smallest cell.";
-            largest["1"] = row.sums.extremes.map(|[_, largest]| largest), "Largest cell.";
-            weighted["1", scale_of("magnitude")] = row.sums.weighted, "Sum of the cells times the position of the row, from 0 for the first to 1 for the last.";
-        }
-    }
+rows! { DigestRow => "digest.csv";
+    "One row for each column of a table that is too long to be kept under version control: sums that tell whether a table made again is the same. A flag counts as 0 or 1, a name as a number from 0 to 1 that its SHA-256 gives.";
+    row =>
+    table["text"] = row.table, "File of the table.";
+    column["text"] = row.column.as_str(), "Name of the column.";
+    rows["count"] = row.rows, "Rows of the table.";
+    empty["count"] = row.empty, "Empty cells.";
+    sum["1", scale_of("magnitude")] = row.sums.sum, "Sum of the cells, in the unit of the column; infinite thicknesses are left out.";
+    magnitude["1"] = row.sums.magnitude, "Sum of the magnitudes of the cells.";
+    least["1"] = row.sums.extremes.map(|[least, _]| least), "Smallest cell.";
+    largest["1"] = row.sums.extremes.map(|[_, largest]| largest), "Largest cell.";
+    weighted["1", scale_of("magnitude")] = row.sums.weighted, "Sum of the cells times the position of the row, from 0 for the first to 1 for the last.";
 }
 
 /// The digest of the long ones among some tables; `None` where there is none.
@@ -102,18 +97,12 @@ mod tests {
 
     struct Point(&'static str, f64, Option<f64>);
 
-    impl Row for Point {
-        const FILE: &'static str = "points.csv";
-        const ROWS: &'static str = "One row for each point.";
-        const IS_LONG: bool = true;
-
-        fn columns() -> Vec<Column<Self>> {
-            columns! { row: Self =>
-                name["text"] = row.0, "Name.";
-                x["1"] = row.1, "x.";
-                y["1"] = row.2, "y.";
-            }
-        }
+    rows! { Point => "points.csv", is_long true;
+        "One row for each point.";
+        row =>
+        name["text"] = row.0, "Name.";
+        x["1"] = row.1, "x.";
+        y["1"] = row.2, "y.";
     }
 
     fn column(points: Vec<Point>, name: &str) -> DigestRow {

@@ -177,7 +177,6 @@ impl Prefix {
         name.map_or_else(none, |name| Self::named(name, unit))
     }
 
-    /// A unit with the prefix of a name.
     pub fn named(name: &str, unit: &str) -> Self {
         // Of a square, not of a compound unit: a prefix is that of its first unit.
         let is_square = unit.ends_with('²') && !unit.contains('/');

@@ -25,7 +25,6 @@ pub mod page;
 pub mod sections;
 pub mod store;
 pub mod table;
-mod text;
 pub mod verify;
 pub mod view;
 

@@ -1,13 +1,12 @@
 //! Sections of all pages: notes, set-up, provenance, references.
 
+use asperity::Material;
+use asperity::law::Body;
 use indexmap::IndexMap;
 
 use super::format::{input_number, input_quantity, quantity, thickness};
 use super::page::{Page, escape, escape_around_code};
-use crate::contact::ContactMetadata;
-use crate::metadata::{Again, Metadata};
-use asperity::Material;
-use asperity::law::Body;
+use crate::metadata::{Again, ContactMetadata, Metadata};
 
 /// Notes of the author of the spec, folded.
 pub fn notes(page: &mut Page, metadata: &Metadata) {

@@ -355,6 +355,39 @@ macro_rules! columns {
     };
 }
 
+/// The table of a row: its file, the meaning of a row, and its columns as for [`columns!`](crate::columns), after those that others have in
+/// common with it.
+///
+/// ```text
+/// rows! { PointRow<'_> => "points.csv", records "points";
+///     "One row for each point.";
+///     ..case_columns(|row: &Self| row.case);
+///     row =>
+///     load_n["N", label("load")] = row.point.load, "Load P.";
+/// }
+/// ```
+#[macro_export]
+macro_rules! rows {
+    (
+        $row:ty => $file:expr $(, records $records:expr)? $(, is_long $is_long:expr)?; $meaning:expr;
+        $(..$common:expr;)?
+        $name:ident => $($column:tt)*
+    ) => {
+        impl $crate::report::table::Row for $row {
+            const FILE: &'static str = $file;
+            const ROWS: &'static str = $meaning;
+            $(const RECORDS: Option<&'static str> = Some($records);)?
+            $(const IS_LONG: bool = $is_long;)?
+
+            fn columns() -> Vec<$crate::report::table::Column<Self>> {
+                let common: [Vec<$crate::report::table::Column<Self>>; _] = [$($common)?];
+                let own = $crate::columns! { $name: Self => $($column)* };
+                common.into_iter().flatten().chain(own).collect()
+            }
+        }
+    };
+}
+
 pub trait Row: Sized {
     const FILE: &'static str;
 
@@ -437,9 +470,6 @@ impl Table {
     }
 
     /// The table that [`Self::csv`] has written, which may lack columns of `schema`, and have columns of swept keys.
-    ///
-    /// # Errors
-    /// A column that the schema does not have.
     pub fn read(schema: &Schema, csv: &[u8]) -> Result<Self, TableError> {
         let mut reader = csv::Reader::from_reader(csv);
         let names = reader.headers()?.clone();

@@ -4,17 +4,15 @@
 //! digits, which machines with other registers do not share.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
-use std::io;
 use std::path::Path;
+use std::{fs, io};
 
 use serde_json::Value;
 
 use super::digest::DigestRow;
 use super::table::{Comparison, Heading, Row, Schema};
-use super::text;
+use crate::folder::LONG;
 use crate::kind::RegisteredKind;
-use crate::summary::LONG;
 
 /// Relative tolerance of a number.
 const TOLERANCE: f64 = 1e-9;
@@ -33,9 +31,6 @@ pub struct Verified {
 }
 
 /// Differences between the reports in `fresh` and those in `committed`; long runs need not have been made again.
-///
-/// # Errors
-/// A folder or file that cannot be read.
 pub fn verified(fresh: &Path, committed: &Path, kinds: &[RegisteredKind]) -> io::Result<Verified> {
     let (mut lines, mut not_run) = (Vec::new(), Vec::new());
     let (new, old) = (reports(fresh)?, reports(committed)?);
@@ -54,7 +49,6 @@ pub fn verified(fresh: &Path, committed: &Path, kinds: &[RegisteredKind]) -> io:
     Ok(Verified { differences: lines, not_run })
 }
 
-/// The summary in the folder of a report.
 fn summary(folder: &Path) -> io::Result<Value> {
     Ok(serde_json::from_slice(&fs::read(folder.join(SUMMARY))?)?)
 }
@@ -76,7 +70,6 @@ struct Report<'a> {
     name: &'a str,
     /// Folders: of the new one, of the committed one.
     folders: [&'a Path; 2],
-    /// Summaries, likewise.
     summaries: [Value; 2],
     schemas: Vec<Schema>,
     /// Whether its page holds measured times.
@@ -113,9 +106,7 @@ impl<'a> Report<'a> {
             } else if !self.is_timed && (file.ends_with(".md") || file.ends_with(".svg")) {
                 let [new, old] = [fs::read_to_string(new)?, fs::read_to_string(old)?];
                 let place = format!("{}/{file}", self.name);
-                lines.extend(
-                    text::first_difference(&new, &old).map(|difference| format!("{place}, {difference}")),
-                );
+                lines.extend(first_difference(&new, &old).map(|difference| format!("{place}, {difference}")));
             }
         }
         let [new, old] = &self.summaries;
@@ -206,8 +197,7 @@ impl<'a> Report<'a> {
                 }
             }
             _ if new == old => {}
-            (Value::String(a), Value::String(b))
-                if self.is_timed || text::first_difference(a, b).is_none() => {}
+            (Value::String(a), Value::String(b)) if self.is_timed || first_difference(a, b).is_none() => {}
             _ => lines.push(format!("{}: now {new}, committed {old}", place.path)),
         }
     }
@@ -303,6 +293,101 @@ fn same_number(a: f64, b: f64, comparison: &Comparison) -> bool {
         _ => 0.0,
     };
     a == b || (a - b).abs() <= TOLERANCE * a.abs().max(b.abs()).max(scale)
+}
+
+/// The first line that differs in more than the last shown digit of its numbers; `None` where there is none.
+pub fn first_difference(new: &str, old: &str) -> Option<String> {
+    let (mut a, mut b) = (new.lines(), old.lines());
+    for line in 1.. {
+        match (a.next(), b.next()) {
+            (None, None) => return None,
+            (Some(new), Some(old)) if new == old || is_same(new, old) => {}
+            (new, old) => {
+                let [new, old] = [new, old].map(|line| excerpt(line.unwrap_or("nothing")));
+                return Some(format!("line {line}: now {new}, committed {old}"));
+            }
+        }
+    }
+    None
+}
+
+fn excerpt(line: &str) -> String {
+    const MOST: usize = 120;
+    let text: String = line.chars().take(MOST).collect();
+    if text.len() < line.len() { format!("{text}...") } else { text }
+}
+
+fn is_same(new: &str, old: &str) -> bool {
+    let (mut a, mut b) = (Tokens(new), Tokens(old));
+    loop {
+        match (a.next(), b.next()) {
+            (None, None) => return true,
+            (Some(new), Some(old)) if new == old => {}
+            (Some(new), Some(old)) if is_same_number(new, old) => {}
+            _ => return false,
+        }
+    }
+}
+
+/// Whether two numbers differ by at most one in the last digit of that with more digits.
+fn is_same_number(a: &str, b: &str) -> bool {
+    let (Ok(x), Ok(y)) = (a.parse::<f64>(), b.parse::<f64>()) else { return false };
+    // Counts are exact.
+    let is_count = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
+    let step = last_digit(a).min(last_digit(b));
+    !(is_count(a) && is_count(b)) && (x - y).abs() <= 1.01 * step
+}
+
+fn last_digit(number: &str) -> f64 {
+    let (mantissa, exponent) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
+    let decimals = mantissa.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    10f64.powi(exponent.parse::<i32>().unwrap_or(0) - decimals as i32)
+}
+
+/// Numbers, and the texts between them.
+struct Tokens<'a>(&'a str);
+
+impl<'a> Iterator for Tokens<'a> {
+    type Item = &'a str;
+
+    fn next(&mut self) -> Option<&'a str> {
+        if self.0.is_empty() {
+            return None;
+        }
+        let length = match number_length(self.0) {
+            0 => self
+                .0
+                .char_indices()
+                .map(|(place, _)| place)
+                .skip(1)
+                .find(|&place| number_length(&self.0[place..]) > 0),
+            length => Some(length),
+        };
+        let (token, rest) = self.0.split_at(length.unwrap_or(self.0.len()));
+        self.0 = rest;
+        Some(token)
+    }
+}
+
+/// Length of the number that a text begins with; 0 of a text that begins otherwise.
+fn number_length(text: &str) -> usize {
+    let digits = |from: usize| text[from..].bytes().take_while(u8::is_ascii_digit).count();
+    let sign = usize::from(text.starts_with(['-', '+']));
+    let whole = digits(sign);
+    let mut length = sign + whole;
+    if text[length..].starts_with('.') && digits(length + 1) > 0 {
+        length += 1 + digits(length + 1);
+    } else if whole == 0 {
+        return 0;
+    }
+    if text[length..].starts_with(['e', 'E']) {
+        let sign = usize::from(text[length + 1..].starts_with(['-', '+']));
+        let exponent = digits(length + 1 + sign);
+        if exponent > 0 {
+            length += 1 + sign + exponent;
+        }
+    }
+    length
 }
 
 #[cfg(test)]

@@ -289,23 +289,18 @@ impl Unit {
 #[cfg(test)]
 mod tests {
     use super::super::table::{Column, Row, Table};
-    use crate::columns;
+    use crate::rows;
 
     struct Contact(&'static str, f64, Option<f64>, f64);
 
-    impl Row for Contact {
-        const FILE: &'static str = "contacts.csv";
-        const ROWS: &'static str = "One row for each contact.";
-
-        fn columns() -> Vec<Column<Self>> {
-            columns! { row: Self =>
-                law["text"] = row.0, "Law.";
-                pressure_pa["Pa", label("nominal pressure")] = row.1, "Pressure.";
-                stiffness_pa_per_m["Pa/m"] = row.2, "Stiffness.";
-                error["1", signed_percent] = row.3, "Error.";
-                verdict["text", verdict] = if row.3 > 0.5 { "cannot-tell" } else { "within" }, "Verdict.";
-            }
-        }
+    rows! { Contact => "contacts.csv";
+        "One row for each contact.";
+        row =>
+        law["text"] = row.0, "Law.";
+        pressure_pa["Pa", label("nominal pressure")] = row.1, "Pressure.";
+        stiffness_pa_per_m["Pa/m"] = row.2, "Stiffness.";
+        error["1", signed_percent] = row.3, "Error.";
+        verdict["text", verdict] = if row.3 > 0.5 { "cannot-tell" } else { "within" }, "Verdict.";
     }
 
     fn table() -> Table {

@@ -58,9 +58,6 @@ pub struct MapExport {
 
 impl MapExport {
     /// Writes them.
-    ///
-    /// # Errors
-    /// A surface without a map or without the step, a file that cannot be written.
     pub fn run(self) -> Result<(), Failure> {
         let Self { chosen, arguments, format, step, writing } = self;
         let format = MapFormat::of_ending(&format).unwrap_or(FORMATS[0]);
@@ -123,9 +120,6 @@ pub struct AsperitiesExport {
 
 impl AsperitiesExport {
     /// Writes them.
-    ///
-    /// # Errors
-    /// A surface that cannot be made, a file that cannot be written.
     pub fn run(self) -> Result<(), Failure> {
         let Self { chosen, arguments, format, writing } = self;
         let surface = chosen.read(writing.quiet, |progress| {
@@ -177,9 +171,6 @@ pub struct PatchesExport {
 
 impl PatchesExport {
     /// Writes them.
-    ///
-    /// # Errors
-    /// A comparison that cannot be run, without boundary elements or a load; a file that cannot be written.
     pub fn run(self) -> Result<(), Failure> {
         let Self { chosen, arguments, contact, format, writing } = self;
         let options = FileOptions { contact, ..arguments };

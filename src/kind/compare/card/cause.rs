@@ -4,7 +4,7 @@ use asperity::compare::{Cause, ComparedQuantity, Contributions, Difference, Stre
 use asperity_contact_framework::report::answer::fitting;
 use asperity_contact_framework::report::format::{capitalised, number, percent};
 
-use super::difference::size_in_signs;
+use super::limit::size_in_signs;
 use super::{Card, name};
 
 /// A cause as a surface shows it, in three lengths.

@@ -8,8 +8,7 @@ use asperity::study::{Against, HeldOut, JointModel, Ranked, Ranking, Statistical
 use asperity_contact_framework::report::answer::fitting;
 use asperity_contact_framework::report::format::{alternatives, capitalised, number};
 
-use super::difference::size_in_signs;
-use super::limit::is_steep;
+use super::limit::{is_steep, size_in_signs};
 use super::{Card, State, name};
 use crate::presentation::difference_unit;
 

@@ -2,10 +2,8 @@
 //!
 //! | module | line |
 //! |---|---|
-//! | `result` | Result at your load |
 //! | `spots` | Conductance, Friction: where they are asked for |
 //! | `replace` | May the integral replace the sum? |
-//! | `difference` | Difference |
 //! | `cause` | Why |
 //! | `instead` | Use instead |
 //! | `nearer` | Nearer to boundary elements |
@@ -15,19 +13,14 @@
 
 mod cause;
 mod certainty;
-mod difference;
 mod instead;
 mod limit;
 mod nearer;
 mod replace;
-mod result;
 mod row;
 mod spots;
 #[cfg(test)]
 pub(super) mod tests;
-
-pub use nearer::Nearer;
-pub use row::{CaseAnswer, Counts};
 
 use asperity::Limit;
 use asperity::compare::{ComparedQuantity, Difference};
@@ -36,6 +29,8 @@ use asperity::study::{Basis, CaseStudy, Verdicts};
 use asperity::surface::{MapFacts, Surface};
 use asperity_contact_framework::report::answer::{CardLine, fitting};
 use asperity_contact_framework::report::format::{listed, number, quantity};
+pub use nearer::Nearer;
+pub use row::{CaseAnswer, Counts};
 
 use super::correlations::Correlated;
 use super::rows::SurfaceCase;

@@ -4,7 +4,7 @@ use asperity::compare::{ComparedQuantity, Difference, ModelKind, NearerStretch};
 use asperity_contact_framework::report::answer::fitting;
 use asperity_contact_framework::report::format::listed;
 
-use super::difference::size_in_signs;
+use super::limit::size_in_signs;
 use super::replace::stretch;
 use super::{Card, State};
 use crate::kind::compare::reference::SMALL_YIELDING;

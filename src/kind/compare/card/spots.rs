@@ -6,7 +6,7 @@ use asperity::study::ModelResult;
 use asperity_contact_framework::report::answer::fitting;
 use asperity_contact_framework::report::format::{input_quantity, number, quantity, range, signed};
 
-use super::result::{model_name, relative_to};
+use super::row::{model_name, relative_to};
 use super::{Card, area};
 use crate::kind::compare::correlations::{Correlated, Formula};
 use crate::model_tables::REFERENCE;

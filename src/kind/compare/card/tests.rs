@@ -42,7 +42,6 @@ pub fn verdicts(contacts: f64, contrasts: [f64; 2], error: Option<f64>) -> Verdi
     }
 }
 
-/// A contrast with its standard error.
 pub fn estimate(contrast: f64, error: Option<f64>) -> Estimate {
     Estimate {
         contrast,

@@ -8,7 +8,7 @@ use asperity::study::Verdicts;
 use asperity_contact_framework::report::format::capitalised;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
-use super::lines::Units;
+use super::curves::Units;
 use crate::presentation::{cause_colour, difference_unit, quantity_name};
 
 fn axis(compared: ComparedQuantity, units: &Units, label: &str) -> Axis {
@@ -57,7 +57,6 @@ pub fn between_models(verdicts: &Verdicts, units: &Units) -> Vec<(ComparedQuanti
     compared(&curves).map(plot).collect()
 }
 
-/// The quantities of which curves have estimates.
 fn compared(curves: &[Curve]) -> impl Iterator<Item = ComparedQuantity> {
     ComparedQuantity::REPORTED
         .into_iter()
@@ -149,7 +148,6 @@ fn panel(
     plot
 }
 
-/// The intervals in the legend.
 const INTERVAL: &str = "95 % interval";
 
 /// Margin of the load axis at both ends, as a ratio.
@@ -168,7 +166,6 @@ pub fn shown_loads(valid: &AdmissibleRange, tested: impl Iterator<Item = f64> + 
     if low > high { all } else { [all[0].max(low / BEYOND), all[1].min(high * BEYOND)] }
 }
 
-/// A pressure in Pa as one in MPa.
 pub fn megapascals(pressure: f64) -> f64 {
     1e-6 * pressure
 }

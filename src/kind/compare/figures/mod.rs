@@ -5,17 +5,11 @@
 //! | `differences` | differences between the models and from the reference, and their causes, against load |
 //! | `curves` | separation, area, stiffness and regimes against load |
 //! | `layers` | the same and friction by layer thickness |
-//! | `lines` | axes of a comparison, and closed results beside the models |
 //! | `contact` | pressures of the reference, what is in contact on a map, differences over the S filter |
-//! | `verdict_map` | the verdicts on several cases over load |
-//! | `paper` | figures of Pasaribu and Schipper (2005) |
 //! | `main_figure` | what a page is opened for |
 
 pub mod contact;
 pub mod curves;
 pub mod differences;
 pub mod layers;
-pub mod lines;
 pub(crate) mod main_figure;
-mod paper;
-pub mod verdict_map;

@@ -7,8 +7,8 @@ use asperity_contact_framework::report::page::Page;
 use asperity_contact_framework::report::table::{Reading, Tables};
 use asperity_contact_framework::report::view::View;
 
+use super::super::figures::curves::Units;
 use crate::kind::compare::figures::curves::{self, Setting};
-use crate::kind::compare::figures::lines::Units;
 use crate::kind::compare::figures::{contact, differences as figure, layers, main_figure};
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
 use crate::kind::compare::rows::{

@@ -3,32 +3,36 @@
 //! | module | what it writes |
 //! |---|---|
 //! | `case` | one surface under one law |
-//! | `sections` | what is shown of all cases together |
 
 mod case;
-mod sections;
-
-pub(crate) use sections::verdicts;
 
 use asperity::compare::{ComparedQuantity, ModelKind};
 use asperity::law::Body;
 use asperity::study::{FilmFriction, Shortcut};
 use asperity_contact_framework::Outcome;
-use asperity_contact_framework::contact::ContactSummary;
-use asperity_contact_framework::metadata::Metadata;
+use asperity_contact_framework::metadata::{ContactSummary, Metadata};
 use asperity_contact_framework::report::answer::Answer;
-use asperity_contact_framework::report::format::{input_quantity, listed, number, signed, thickness};
+use asperity_contact_framework::report::format::{
+    capitalised, input_quantity, listed, number, signed, thickness,
+};
 use asperity_contact_framework::report::page::Page;
 use asperity_contact_framework::report::sections as common;
-use asperity_contact_framework::report::table::{Table, Tables};
+use asperity_contact_framework::report::table::{Reading, Table, Tables};
+use asperity_contact_framework::report::view::View;
 use serde_json::{Map, Value, json};
 
 use super::card::{Card, CaseAnswer, Counts};
-use super::figures::main_figure;
+use super::figures::{layers, main_figure};
 use super::results::{CompareResults, SurfaceResults};
-use super::rows::{self, RuleRow, Simplification, SurfaceCase, TwoBodiesRow, answers, tables};
+use super::rows;
+use super::rows::{
+    AnswerRow, CaseRow, DecreaseRow, FrictionRow, GreenwoodTrippRow, NearerRow, ReadingRow,
+    ReferenceCurveRow, ResultRow, RuleRow, Simplification, StandingRow, SurfaceCase, ThresholdRow,
+    TwoBodiesRow, VerdictRow, tables,
+};
 use super::series::Series;
 use crate::model_tables::{REFERENCE, of_asked_spots};
+use crate::presentation::quantity_name;
 use crate::surface::{rows as surface_rows, section};
 
 impl Outcome for CompareResults {
@@ -59,12 +63,12 @@ impl Outcome for CompareResults {
                 main_figure::of_case_or_paper(&mut page, self, *only, &series);
             }
             several => {
-                let (answers, friction) = (count(several.iter().copied()), sole_friction(&series));
-                let first = two_bodies(self).or(friction).unwrap_or_default();
-                page.lead(&format!("{first}{answers}"));
+                let (counts, least) = (count(several.iter().copied()), sole_friction(&series));
+                let first = two_bodies_in_words(self).or(least).unwrap_or_default();
+                page.lead(&format!("{first}{counts}"));
                 main_figure::of_paper(&mut page, self, &series);
-                sections::friction(&mut page, tables, &series);
-                page.view(&sections::answers(tables));
+                friction(&mut page, tables, &series);
+                page.view(&answers(tables));
                 main_figure::verdict_maps(&mut page, self, &series);
             }
         }
@@ -75,12 +79,12 @@ impl Outcome for CompareResults {
             });
         }
         common::warnings(&mut page, &self.page_warnings());
-        sections::two_bodies(&mut page, tables);
-        sections::results(&mut page, tables);
-        sections::verdicts(&mut page, tables);
-        sections::reference(&mut page, tables);
-        sections::models(&mut page, tables);
-        sections::layer(&mut page, tables);
+        two_bodies(&mut page, tables);
+        results(&mut page, tables);
+        verdicts(&mut page, tables);
+        reference(&mut page, tables);
+        models(&mut page, tables);
+        layer(&mut page, tables);
         if series.is_empty() {
             cases.iter().for_each(|case| case::section(&mut page, self, tables, *case));
         }
@@ -95,7 +99,7 @@ impl Outcome for CompareResults {
                 case::contacts(page, self, surface);
             });
         }
-        sections::readings(&mut page, tables);
+        readings(&mut page, tables);
         common::notes(&mut page, &self.metadata);
         common::what_was_run(&mut page, &self.metadata, &self.contact, |_| {});
         let spec = self.described.as_ref().map(|described| described.spec.as_str());
@@ -157,8 +161,8 @@ impl CompareResults {
                 each.collect::<Vec<_>>().join("\n\n")
             }
             many => {
-                let answers = Tables::new(vec![Table::new(answers(self))]);
-                format!("{}\n{}", count(many.iter().copied()), sections::answers(&answers).text().lines())
+                let table = Tables::new(vec![Table::new(rows::answers(self))]);
+                format!("{}\n{}", count(many.iter().copied()), answers(&table).text().lines())
             }
         }
     }
@@ -166,7 +170,7 @@ impl CompareResults {
 
 /// What simplifications of two rough bodies do to the contact area: "Taking liner smooth gives +38.5 % contact area, ring +62.2 %, adding the variances
 /// -24.8 % (against the sum, 10 MPa). " Of one pair under one law.
-fn two_bodies(results: &CompareResults) -> Option<String> {
+fn two_bodies_in_words(results: &CompareResults) -> Option<String> {
     let rows = rows::two_bodies(results);
     let of_sum: Vec<&TwoBodiesRow> =
         rows.iter().filter(|row| row.model() == Some(ModelKind::Deterministic)).collect();
@@ -246,4 +250,184 @@ fn count<'a>(cases: impl IntoIterator<Item = SurfaceCase<'a>>) -> String {
         return "The models are not compared at equal load in any case.".to_owned();
     }
     Counts::new(&answers).sentences()
+}
+
+/// Columns that name a case, which are left out where there is one.
+const CASE: [&str; 3] = ["surface", "law", "layer_thickness_m"];
+
+/// More rows are folded.
+const MOST_OPEN: usize = 12;
+
+/// May the integral replace the sum, case by case.
+pub fn answers<'t>(tables: &'t Tables) -> View<'t> {
+    tables.view::<AnswerRow>().without_constant(&CASE)
+}
+
+/// The answer at the one load or separation of a spec.
+pub fn results(page: &mut Page, tables: &Tables) {
+    let view = tables.view::<ResultRow>();
+    if view.is_empty() {
+        return;
+    }
+    let view = view.without_constant(&CASE);
+    if view.len() > MOST_OPEN {
+        page.details(2, "Results at one load", |page| {
+            page.view(&view);
+        });
+    } else {
+        page.heading(2, "Results").view(&view);
+    }
+}
+
+/// What simplifications of two rough bodies do to the results.
+pub fn two_bodies(page: &mut Page, tables: &Tables) {
+    let view = tables.view::<TwoBodiesRow>().without_constant(&CASE);
+    if !view.is_empty() {
+        page.heading(2, "What if the two rough bodies are simplified?").view(&view);
+    }
+    let curve = tables.view::<GreenwoodTrippRow>().without_constant(&CASE);
+    if !curve.is_empty() {
+        page.details(2, "Pressure over separation by Greenwood and Tripp", |page| {
+            page.view(&curve);
+        });
+    }
+}
+
+/// The friction of layers by their thickness: where it is least, and by which model.
+pub fn friction(page: &mut Page, tables: &Tables, series: &[Series]) {
+    let view = tables.view::<FrictionRow>();
+    if view.is_empty() {
+        return;
+    }
+    page.heading(2, "Boundary friction by layer thickness");
+    for series in series {
+        if let Some(figure) = layers::friction_by_thickness(series) {
+            page.figure(
+                &format!("{}-friction.svg", series.stem),
+                figure,
+                &format!(
+                    "{}: coefficient of boundary friction against layer thickness. Thin layers are broken through, thick ones have more \
+                     contact area. No ploughing, no growth of junctions.",
+                    series.subject
+                ),
+            );
+        }
+    }
+    let view = view.without_constant(&CASE[..2]);
+    if view.len() > MOST_OPEN {
+        page.details(3, "Least friction by load, breakdown and model", |page| {
+            page.view(&view);
+        });
+    } else {
+        page.view(&view);
+    }
+}
+
+/// The verdicts on the statistical model against the sum, and how sure they are.
+pub fn verdicts(page: &mut Page, tables: &Tables) {
+    let view = tables.view::<VerdictRow>().only("against", "deterministic").without(&["model"]);
+    if view.is_empty() {
+        return;
+    }
+    page.heading(2, "May the integral replace the sum?");
+    by_quantity(page, &view);
+    page.details(3, "How sure are the verdicts?", |page| {
+        page.view(&tables.view::<CaseRow>().without_constant(&CASE));
+    });
+}
+
+/// A view of each quantity, whose differences have a unit of their own.
+fn by_quantity(page: &mut Page, view: &View) {
+    for quantity in ComparedQuantity::REPORTED {
+        let view = view.clone().only("quantity", quantity.name()).without_constant(&CASE);
+        let view = ["difference", "low", "high"].into_iter().fold(view, |view, column| match quantity {
+            ComparedQuantity::Separation => view,
+            _ => view.read_as(column, Reading::SignedPercent),
+        });
+        let view = match quantity {
+            ComparedQuantity::Separation => view.label("difference", "largest difference (σ)"),
+            _ => view.read_as("accepted", Reading::Percent),
+        };
+        if !view.is_empty() {
+            let title = capitalised(quantity_name(quantity));
+            if view.len() > MOST_OPEN {
+                page.details(3, &title, |page| {
+                    page.view(&view);
+                });
+            } else {
+                page.heading(3, &title).view(&view);
+            }
+        }
+    }
+}
+
+pub fn reference(page: &mut Page, tables: &Tables) {
+    let solved = tables.view::<ReferenceCurveRow>();
+    if solved.is_empty() {
+        return;
+    }
+    page.heading(2, "Which model is nearer to the reference?");
+    let nearer = tables.view::<NearerRow>().without_constant(&CASE);
+    page.view(&nearer.clone().only("quantity", ComparedQuantity::Area.name()));
+    page.details(3, "Separation, stiffness, and both models against the reference", |page| {
+        page.view(&nearer.filter("quantity", |cell| cell.text() != ComparedQuantity::Area.name()));
+        by_quantity(page, &tables.view::<VerdictRow>().only("against", REFERENCE));
+        page.view(&solved.without_constant(&CASE));
+    });
+}
+
+/// Which statistical models are within what is accepted.
+pub fn models(page: &mut Page, tables: &Tables) {
+    let view = tables.view::<StandingRow>().without(&["inapplicable", "within_in_sample"]);
+    if view.is_empty() {
+        return;
+    }
+    page.details(2, "Which statistical models are within what is accepted on this surface?", |page| {
+        by_quantity_of_models(page, &view);
+    });
+}
+
+fn by_quantity_of_models(page: &mut Page, view: &View) {
+    for quantity in ComparedQuantity::REPORTED {
+        let view =
+            view.clone().only("quantity", quantity.name()).without_constant(&CASE).without(&["within"]);
+        let view = match quantity {
+            ComparedQuantity::Separation => view.label("nearest_difference", "its difference (σ)"),
+            _ => view
+                .read_as("nearest_difference", Reading::SignedPercent)
+                .read_as("accepted", Reading::Percent),
+        };
+        if !view.is_empty() {
+            page.heading(3, &capitalised(quantity_name(quantity))).view(&view);
+        }
+    }
+}
+
+/// What the layer changes, and how good its effective modulus is.
+pub fn layer(page: &mut Page, tables: &Tables) {
+    let thresholds = tables.view::<ThresholdRow>().without_constant(&CASE[..2]);
+    if !thresholds.is_empty() {
+        page.heading(2, "Up to which thickness does the layer change the model's area by at most 5 %?")
+            .view(&thresholds);
+    }
+    let rules = tables.view::<RuleRow>();
+    if !rules.is_empty() {
+        page.details(2, "Accuracy of the effective-modulus models", |page| {
+            page.view(&rules);
+        });
+    }
+    let decreases = tables.view::<DecreaseRow>().without_constant(&CASE);
+    if !decreases.is_empty() {
+        page.details(2, "Asperities whose area or load decreases as they are pressed deeper", |page| {
+            page.view(&decreases);
+        });
+    }
+}
+
+/// σ and d read as those of the asperities, or of the surface.
+pub fn readings(page: &mut Page, tables: &Tables) {
+    let view = tables.view::<ReadingRow>();
+    if !view.is_empty() {
+        page.heading(2, "Two readings of σ and d").view(&view);
+    }
 }

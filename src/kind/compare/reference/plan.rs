@@ -10,12 +10,13 @@ use asperity::law::Property;
 use asperity::spot::SpotProperties;
 use asperity::study::LawContact;
 use asperity::{Flat, Material, softer_hardness};
-use asperity_contact_framework::input::Spanned;
-use asperity_contact_framework::input::{InputError, SpecFile, Whole, materials};
+use asperity_contact_framework::input::quantity::{Pure, Quantity};
+use asperity_contact_framework::input::{InputError, Spanned, SpecFile, Whole, materials};
 use asperity_contact_framework::report::format::{number, quantity};
+use schemars::JsonSchema;
+use serde::Deserialize;
 
-use super::spec::{CapSpec, ReferenceSpec};
-use crate::kind::compare::spec::Models;
+use super::super::spec::Models;
 use crate::layer::thickness_words;
 use crate::study_plan::StudyPlan;
 use crate::surface::SurfacePlan;
@@ -219,7 +220,6 @@ const MOST_LOADS: u64 = 1000;
 
 /// The keys of a kind that say which models run, and at which loads.
 pub struct ReferenceKeys<'a> {
-    /// What runs.
     pub models: Option<&'a Spanned<Models>>,
     /// How the boundary elements run.
     pub reference: Option<&'a Spanned<ReferenceSpec>>,
@@ -243,9 +243,6 @@ pub struct Resolved<'a> {
 }
 
 /// Resolves the reference; `None` where none is asked for.
-///
-/// # Errors
-/// Keys of a reference that does not run; surfaces, loads or a largest pressure that it cannot run with.
 pub fn reference(
     file: &SpecFile,
     keys: &ReferenceKeys,
@@ -422,6 +419,40 @@ pub fn spread_over<T: Clone>(values: &[T], count: usize) -> Vec<T> {
         1 => vec![values[last / 2].clone()],
         _ => (0..count).map(|k| values[(k * last + (count - 1) / 2) / (count - 1)].clone()).collect(),
     }
+}
+
+/// How the boundary element reference is run; each key may be left out.
+#[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
+#[serde(
+    deny_unknown_fields,
+    expecting = "a table such as { loads = 9, error = 1e-6, cap = \"none\", boundary = \"mirrored\" }"
+)]
+pub struct ReferenceSpec {
+    /// Number of the loads of a sweep at which it runs; all of a list.
+    #[schemars(extend("x-range" = "1 to 1000", "default" = 9, "examples" = [5]))]
+    pub loads: Option<Spanned<Whole>>,
+    /// Relative dual gap at which an iteration ends.
+    #[schemars(extend("x-range" = "1e-12 to 0.01", "default" = 1e-6, "examples" = [1e-4]))]
+    pub error: Option<Spanned<Quantity<Pure>>>,
+    /// The largest contact pressure.
+    #[schemars(extend("x-default" = "the hardness where the law yields and no layer of finite thickness is there, else none", "examples" = ["none"]))]
+    pub cap: Option<Spanned<CapSpec>>,
+    /// What lies beyond the border of the map.
+    #[schemars(extend("x-default" = "periodic on generated and periodic maps, else mirrored", "examples" = ["mirrored"]))]
+    pub boundary: Option<Boundary>,
+    /// Points along an axis for each of the map; with 2 the map itself is solved too, and the difference is part of the error bar.
+    #[schemars(extend("x-range" = "1 to 2", "default" = 1, "examples" = [2]))]
+    pub refine: Option<Spanned<Whole>>,
+}
+
+/// The largest pressure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum CapSpec {
+    /// The hardness of the softer body: perfectly plastic contacts.
+    Hardness,
+    /// Elastic contacts.
+    None,
 }
 
 #[cfg(test)]

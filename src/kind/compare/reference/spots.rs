@@ -28,7 +28,6 @@ pub struct SpotSolver {
     shear: Option<ShearStrength>,
 }
 
-/// A conductance that is asked for.
 struct ConductingSpots {
     conduction: Conduction,
     /// Made where the stiffness does not give the conductance.

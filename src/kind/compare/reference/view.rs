@@ -28,7 +28,6 @@ pub struct ContactView {
     pub sum: Option<SummitsInContact>,
     /// Share of the points in contact per unit of p over its mean, in bins of equal width from 0.
     pub density: Vec<f64>,
-    /// Width of a bin.
     pub bin: f64,
 }
 

@@ -2,8 +2,8 @@
 
 use asperity::Limit;
 use asperity::compare::{ModelKind, NearerStretch, ReferenceCurve, ReferencePoint, Verdict};
-use asperity_contact_framework::columns;
-use asperity_contact_framework::report::table::{Column, Row, Table};
+use asperity_contact_framework::report::table::{Row, Table};
+use asperity_contact_framework::rows;
 
 use super::results::cases;
 use super::{CaseKey, SurfaceCase, case_columns};
@@ -31,33 +31,27 @@ fn positive(value: f64) -> Option<f64> {
     (value > 0.0).then_some(value)
 }
 
-impl Row for ReferenceRow {
-    const FILE: &'static str = "reference.csv";
-    const ROWS: &'static str = "One row for each surface, realisation, law, layer thickness and load at which the boundary element reference was run; the file is there only where it was.";
-
-    fn columns() -> Vec<Column<Self>> {
-        let mut columns = RowCase::columns(|row: &Self| &row.case);
-        columns.extend(columns! { row: Self =>
-            boundary["text"] = row.boundary, "What lies beyond the edge of the map: `periodic` (the map again), `mirrored` (its mirror image) or `finite` (nothing).";
-            cap_pa["Pa"] = row.cap, "The largest contact pressure, the hardness of the softer body; empty for an elastic contact.";
-            pressure_pa["Pa"] = row.point.pressure, "Nominal pressure.";
-            cluster_electrical_conductance_s_per_m2["S/m²", part(CLUSTERS[0])] = positive(row.point.of_cluster[0]), "Electrical conductance of a finite map between half-spaces over its nominal area: its resistance holds that of the map as a whole, so that it does not compare with the models' and not with that of another area; this and the next columns are there only with a finite boundary and without a layer.";
-            greenwood_electrical_conductance_s_per_m2["S/m²", part(CLUSTERS[0])] = positive(row.greenwood[0]), "The same of the spots of the sum at the same nominal pressure as a cluster (Greenwood 1966), over the nominal area of the sum, which is without the border of a map that does not repeat; empty with a film, and where the sum was not run.";
-            cluster_thermal_conductance_w_per_m2_k["W/(m² K)", part(CLUSTERS[1])] = positive(row.point.of_cluster[1]), "Thermal conductance of a finite map, likewise, without the medium in the gap.";
-            greenwood_thermal_conductance_w_per_m2_k["W/(m² K)", part(CLUSTERS[1])] = positive(row.greenwood[1]), "The same of the spots of the sum as a cluster, likewise.";
-            mean_gap_m["m"] = row.point.mean_gap, "Mean gap between the deformed surfaces, zero at points in contact.";
-            undeformed_gap_m["m"] = row.point.undeformed_gap, "Distance of the flat from the mean plane of the undeformed heights: the mean gap less the mean deflection, which is that of the patch as a whole with a finite boundary.";
-            plane_offset_m["m"] = row.offset, "Height of the plane that separations are measured from, the mean asperity height, above the mean plane of the map: the mean gap less this is the separation in `curves.csv`; 0 of a map without summits of different heights.";
-            raw_area_ratio["1"] = row.point.raw_area_ratio, "Points in contact over all points.";
-            area_ratio["1"] = row.point.area_ratio, "The same corrected for the perimeter of the contacts; not corrected on a map without summits of different heights.";
-            capped_area_ratio["1"] = row.point.capped_area_ratio, "Points at the largest pressure over all points.";
-            dual_gap["1"] = row.point.error, "Relative dual gap: a bound of the error in energy.";
-            steps["count"] = row.point.steps, "Steps of the solver.";
-            convolutions["count"] = row.point.convolutions, "Convolutions of the solver.";
-            interpolated_points["count"] = row.interpolated, "Missing points of the map that were interpolated for the reference alone.";
-        });
-        columns
-    }
+rows! { ReferenceRow => "reference.csv";
+    "One row for each surface, realisation, law, layer thickness and load at which the boundary element reference was run; the file is there only where it was.";
+    ..RowCase::columns(|row: &Self| &row.case);
+    row =>
+    boundary["text"] = row.boundary, "What lies beyond the edge of the map: `periodic` (the map again), `mirrored` (its mirror image) or `finite` (nothing).";
+    cap_pa["Pa"] = row.cap, "The largest contact pressure, the hardness of the softer body; empty for an elastic contact.";
+    pressure_pa["Pa"] = row.point.pressure, "Nominal pressure.";
+    cluster_electrical_conductance_s_per_m2["S/m²", part(CLUSTERS[0])] = positive(row.point.of_cluster[0]), "Electrical conductance of a finite map between half-spaces over its nominal area: its resistance holds that of the map as a whole, so that it does not compare with the models' and not with that of another area; this and the next columns are there only with a finite boundary and without a layer.";
+    greenwood_electrical_conductance_s_per_m2["S/m²", part(CLUSTERS[0])] = positive(row.greenwood[0]), "The same of the spots of the sum at the same nominal pressure as a cluster (Greenwood 1966), over the nominal area of the sum, which is without the border of a map that does not repeat; empty with a film, and where the sum was not run.";
+    cluster_thermal_conductance_w_per_m2_k["W/(m² K)", part(CLUSTERS[1])] = positive(row.point.of_cluster[1]), "Thermal conductance of a finite map, likewise, without the medium in the gap.";
+    greenwood_thermal_conductance_w_per_m2_k["W/(m² K)", part(CLUSTERS[1])] = positive(row.greenwood[1]), "The same of the spots of the sum as a cluster, likewise.";
+    mean_gap_m["m"] = row.point.mean_gap, "Mean gap between the deformed surfaces, zero at points in contact.";
+    undeformed_gap_m["m"] = row.point.undeformed_gap, "Distance of the flat from the mean plane of the undeformed heights: the mean gap less the mean deflection, which is that of the patch as a whole with a finite boundary.";
+    plane_offset_m["m"] = row.offset, "Height of the plane that separations are measured from, the mean asperity height, above the mean plane of the map: the mean gap less this is the separation in `curves.csv`; 0 of a map without summits of different heights.";
+    raw_area_ratio["1"] = row.point.raw_area_ratio, "Points in contact over all points.";
+    area_ratio["1"] = row.point.area_ratio, "The same corrected for the perimeter of the contacts; not corrected on a map without summits of different heights.";
+    capped_area_ratio["1"] = row.point.capped_area_ratio, "Points at the largest pressure over all points.";
+    dual_gap["1"] = row.point.error, "Relative dual gap: a bound of the error in energy.";
+    steps["count"] = row.point.steps, "Steps of the solver.";
+    convolutions["count"] = row.point.convolutions, "Convolutions of the solver.";
+    interpolated_points["count"] = row.interpolated, "Missing points of the map that were interpolated for the reference alone.";
 }
 
 /// The table, without the columns that are empty unless the map is finite and conducts.
@@ -108,26 +102,20 @@ impl ReferenceCurveRow<'_> {
     }
 }
 
-impl Row for ReferenceCurveRow<'_> {
-    const FILE: &'static str = "reference_curves.csv";
-    const ROWS: &'static str = "One row for each surface, law and layer thickness on which the boundary element reference was run, over all realisations.";
-
-    fn columns() -> Vec<Column<Self>> {
-        let mut columns = case_columns(|row: &Self| row.key);
-        columns.extend(columns! { row: Self =>
-            boundary["text"] = row.curves[0].boundary.name(), "What lies beyond the edge of the map: `periodic` (the map again), `mirrored` (its mirror image) or `finite` (nothing).";
-            refine["count"] = row.refine, "Points along an axis for each of the map's.";
-            cap_pa["Pa", label("largest pressure")] = row.curves[0].cap, "The largest contact pressure, the hardness of the softer body; empty for an elastic contact.";
-            loads["count"] = row.curves[0].points.len(), "Solved loads of one realisation.";
-            from_pa["Pa", prefix("M"), label("from")] = row.load(f64::min), "Lowest solved nominal pressure.";
-            to_pa["Pa", prefix("M"), label("to")] = row.load(f64::max), "Highest solved nominal pressure.";
-            unreached_loads["count"] = row.curves.iter().map(|curve| curve.unreached.len()).sum::<usize>(), "Loads at or above the largest pressure, which no contact carries.";
-            dual_gap["1", ignored] = row.dual_gap(), "The largest relative dual gap, a bound of the error in energy.";
-            convolutions["count", ignored] = row.convolutions(), "Convolutions of the solver.";
-            interpolated_points["count"] = row.curves[0].interpolated, "Missing points of the map that were interpolated for the reference alone.";
-        });
-        columns
-    }
+rows! { ReferenceCurveRow<'_> => "reference_curves.csv";
+    "One row for each surface, law and layer thickness on which the boundary element reference was run, over all realisations.";
+    ..case_columns(|row: &Self| row.key);
+    row =>
+    boundary["text"] = row.curves[0].boundary.name(), "What lies beyond the edge of the map: `periodic` (the map again), `mirrored` (its mirror image) or `finite` (nothing).";
+    refine["count"] = row.refine, "Points along an axis for each of the map's.";
+    cap_pa["Pa", label("largest pressure")] = row.curves[0].cap, "The largest contact pressure, the hardness of the softer body; empty for an elastic contact.";
+    loads["count"] = row.curves[0].points.len(), "Solved loads of one realisation.";
+    from_pa["Pa", prefix("M"), label("from")] = row.load(f64::min), "Lowest solved nominal pressure.";
+    to_pa["Pa", prefix("M"), label("to")] = row.load(f64::max), "Highest solved nominal pressure.";
+    unreached_loads["count"] = row.curves.iter().map(|curve| curve.unreached.len()).sum::<usize>(), "Loads at or above the largest pressure, which no contact carries.";
+    dual_gap["1", ignored] = row.dual_gap(), "The largest relative dual gap, a bound of the error in energy.";
+    convolutions["count", ignored] = row.convolutions(), "Convolutions of the solver.";
+    interpolated_points["count"] = row.curves[0].interpolated, "Missing points of the map that were interpolated for the reference alone.";
 }
 
 /// What was solved, model by model.
@@ -150,24 +138,18 @@ pub(crate) struct NearerRow<'a> {
     elastic: Option<&'a ElasticCase>,
 }
 
-impl Row for NearerRow<'_> {
-    const FILE: &'static str = "nearer_to_reference.csv";
-    const ROWS: &'static str = "One row for each surface, law, layer thickness, quantity and stretch of load at which the same model is nearer to the reference.";
-
-    fn columns() -> Vec<Column<Self>> {
-        let mut columns = case_columns(|row: &Self| row.key);
-        columns.extend(columns! { row: Self =>
-            quantity["text"] = row.stretch.quantity.name(), "What is compared: `separation`, `area` (real contact area) or `stiffness`.";
-            from_pa["Pa", prefix("M"), label("from"), input] = row.stretch.loads[0], "Lowest nominal pressure of the stretch.";
-            to_pa["Pa", prefix("M"), label("to"), input] = row.stretch.loads[1], "Highest nominal pressure of the stretch.";
-            nearer["text", label("nearer, on such surfaces")] = row.stretch.nearer.filter(|_| !row.is_blocked).map(ModelKind::name), "The nearer model, with the sampling error of such surfaces; empty where it cannot be told, or both are as near; and on a blocked map.";
-            nearer_on_this_map["text"] = row.stretch.nearer_here.filter(|_| row.is_one_map && !row.is_blocked).map(ModelKind::name), "The same on this very map; empty over several realisations.";
-            both_beyond["true/false", label("both beyond")] = row.stretch.verdicts_here == [Verdict::Beyond; 2], "Whether both models differ from the reference on this map (over realisations: in the mean) by more than is accepted, so that the nearer one is not good either.";
-            limits["text"] = row.stretch.beyond.map(Limit::name), "The limit of admissible loads that is exceeded: `large-strain` where the loads exceed that one alone, and contacts are elastic on a homogeneous half-space: the comparison is homogeneous in the heights and holds for lower surfaces of the same shape. Else empty.";
-            elastic_reference["text", label("elastic reference")] = row.elastic.map(|elastic| elastic.reason.name()), "Why the reference stays elastic although the law yields, so that the row leaves yielding out: `layer` (of finite thickness), `no-hardness` or `asked` by the spec; empty where it does not, or the law does not yield.";
-        });
-        columns
-    }
+rows! { NearerRow<'_> => "nearer_to_reference.csv";
+    "One row for each surface, law, layer thickness, quantity and stretch of load at which the same model is nearer to the reference.";
+    ..case_columns(|row: &Self| row.key);
+    row =>
+    quantity["text"] = row.stretch.quantity.name(), "What is compared: `separation`, `area` (real contact area) or `stiffness`.";
+    from_pa["Pa", prefix("M"), label("from"), input] = row.stretch.loads[0], "Lowest nominal pressure of the stretch.";
+    to_pa["Pa", prefix("M"), label("to"), input] = row.stretch.loads[1], "Highest nominal pressure of the stretch.";
+    nearer["text", label("nearer, on such surfaces")] = row.stretch.nearer.filter(|_| !row.is_blocked).map(ModelKind::name), "The nearer model, with the sampling error of such surfaces; empty where it cannot be told, or both are as near; and on a blocked map.";
+    nearer_on_this_map["text"] = row.stretch.nearer_here.filter(|_| row.is_one_map && !row.is_blocked).map(ModelKind::name), "The same on this very map; empty over several realisations.";
+    both_beyond["true/false", label("both beyond")] = row.stretch.verdicts_here == [Verdict::Beyond; 2], "Whether both models differ from the reference on this map (over realisations: in the mean) by more than is accepted, so that the nearer one is not good either.";
+    limits["text"] = row.stretch.beyond.map(Limit::name), "The limit of admissible loads that is exceeded: `large-strain` where the loads exceed that one alone, and contacts are elastic on a homogeneous half-space: the comparison is homogeneous in the heights and holds for lower surfaces of the same shape. Else empty.";
+    elastic_reference["text", label("elastic reference")] = row.elastic.map(|elastic| elastic.reason.name()), "Why the reference stays elastic although the law yields, so that the row leaves yielding out: `layer` (of finite thickness), `no-hardness` or `asked` by the spec; empty where it does not, or the law does not yield.";
 }
 
 pub(super) fn nearer(results: &CompareResults) -> impl Iterator<Item = NearerRow<'_>> {
@@ -191,25 +173,19 @@ pub(crate) struct CorrelationRow<'a> {
     found: Correlated,
 }
 
-impl Row for CorrelationRow<'_> {
-    const FILE: &'static str = "correlations.csv";
-    const ROWS: &'static str = "One row for each surface, law, conductance and correlation in use for it, on the first realisation with the r.m.s. height and gradient of its map.";
-
-    fn columns() -> Vec<Column<Self>> {
-        let mut columns = case_columns(|row: &Self| row.key);
-        columns.extend(columns! { row: Self =>
-            conductance["text"] = row.found.quantity.name(), "The conductance.";
-            correlation["text"] = row.found.formula.name(), "The correlation: `cooper-mikic-yovanovich` for plastic contact, 1.25 (m/sigma) (p/H)^0.95/s, or `mikic` for elastic contact, 1.55 (m/sigma) (2^0.5 p/(E* m))^0.94/s; m is the mean absolute slope, s the mean resistivity. With a reference on a finite map also `greenwood-cluster`: the spots of the sum at the same load as a cluster between half-spaces (Greenwood 1966).";
-            against["text"] = row.found.against, "What it is compared with: the `reference`; for a correlation of an interface without end, where none without end was run, the `deterministic` model.";
-            accepted["1", percent] = row.found.accepted, "The largest difference that is accepted.";
-            from_pa["Pa", prefix("M"), label("within from")] = row.found.within().map(|loads| loads[0]), "Lowest nominal pressure of the longest stretch of admissible loads that were run at which it is within what is accepted, also where what it is compared with is off by its bound; empty where it is at none.";
-            to_pa["Pa", prefix("M"), label("to")] = row.found.within().map(|loads| loads[1]), "Highest such pressure.";
-            lowest_difference["1", signed_percent] = row.found.range()[0], "Smallest relative difference over the admissible loads.";
-            bound["1", percent] = row.found.bound(), "Largest bound of the error of the reference, relative; 0 of the sum.";
-            highest_difference["1", signed_percent] = row.found.range()[1], "Largest relative difference over the admissible loads.";
-        });
-        columns
-    }
+rows! { CorrelationRow<'_> => "correlations.csv";
+    "One row for each surface, law, conductance and correlation in use for it, on the first realisation with the r.m.s. height and gradient of its map.";
+    ..case_columns(|row: &Self| row.key);
+    row =>
+    conductance["text"] = row.found.quantity.name(), "The conductance.";
+    correlation["text"] = row.found.formula.name(), "The correlation: `cooper-mikic-yovanovich` for plastic contact, 1.25 (m/sigma) (p/H)^0.95/s, or `mikic` for elastic contact, 1.55 (m/sigma) (2^0.5 p/(E* m))^0.94/s; m is the mean absolute slope, s the mean resistivity. With a reference on a finite map also `greenwood-cluster`: the spots of the sum at the same load as a cluster between half-spaces (Greenwood 1966).";
+    against["text"] = row.found.against, "What it is compared with: the `reference`; for a correlation of an interface without end, where none without end was run, the `deterministic` model.";
+    accepted["1", percent] = row.found.accepted, "The largest difference that is accepted.";
+    from_pa["Pa", prefix("M"), label("within from")] = row.found.within().map(|loads| loads[0]), "Lowest nominal pressure of the longest stretch of admissible loads that were run at which it is within what is accepted, also where what it is compared with is off by its bound; empty where it is at none.";
+    to_pa["Pa", prefix("M"), label("to")] = row.found.within().map(|loads| loads[1]), "Highest such pressure.";
+    lowest_difference["1", signed_percent] = row.found.range()[0], "Smallest relative difference over the admissible loads.";
+    bound["1", percent] = row.found.bound(), "Largest bound of the error of the reference, relative; 0 of the sum.";
+    highest_difference["1", signed_percent] = row.found.range()[1], "Largest relative difference over the admissible loads.";
 }
 
 pub(super) fn correlations(results: &CompareResults) -> impl Iterator<Item = CorrelationRow<'_>> {

@@ -5,12 +5,11 @@ use asperity::analytical::AnalyticalLine;
 use asperity::compare::{ComparedQuantity, CurvePoint, Gap, ModelKind, of_each_decade};
 use asperity::spot::tube_factor;
 use asperity::study::{CaseResults, ModelResult, RealisationFacts};
-use asperity_contact_framework::columns;
-use asperity_contact_framework::report::table::{Column, Row};
+use asperity_contact_framework::rows;
 
+use super::super::figures::curves::{KINDS, Rough, loads};
 use super::{CaseKey, SurfaceCase, case_columns};
 use crate::kind::compare::figures::curves::curve;
-use crate::kind::compare::figures::lines::{KINDS, Rough, loads};
 use crate::kind::compare::readings::{ReadLoads, loads_by_reading};
 use crate::kind::compare::results::CompareResults;
 use crate::model_tables::{
@@ -33,7 +32,6 @@ impl ResultRow<'_> {
         self.result.point.shares.map(|shares| shares[regime])
     }
 
-    /// An end of the interval of a quantity.
     fn end(&self, quantity: ComparedQuantity, end: usize) -> Option<f64> {
         self.result.intervals[quantity as usize].map(|ends| ends[end])
     }
@@ -52,45 +50,38 @@ impl ResultRow<'_> {
     }
 }
 
-impl Row for ResultRow<'_> {
-    const FILE: &'static str = "results.csv";
-    const ROWS: &'static str = "One row for each surface, law, layer thickness and model: its results at the load that was asked for, of several loads at the middle one of those that are admissible (and at which the reference was run), or of all where none is; over several realisations the mean. The reference where it was run.";
-    const RECORDS: Option<&'static str> = Some("results");
-
-    fn columns() -> Vec<Column<Self>> {
-        let mut columns = case_columns(|row: &Self| row.key);
-        columns.extend(columns! { row: Self =>
-            model["text"] = row.result.model.map_or(REFERENCE, ModelKind::name), "Model: `statistical`, `deterministic` or `reference`.";
-            force_n["N", label("load")] = row.result.point.pressure * row.nominal_area, "Load on the nominal area.";
-            nominal_area_m2["m²", prefix("m"), label("nominal area")] = row.nominal_area, "The area that the load acts on: `nominal-area` of the spec, or that of the surface.";
-            pressure_pa["Pa", prefix("M"), label("nominal pressure")] = row.result.point.pressure, "Load over nominal area.";
-            separation_m["m"] = row.result.point.separation.map(|[d, _]| d), "Separation of the flat from the mean asperity height.";
-            separation_over_sigma["1"] = row.result.point.separation.map(|[_, h]| h), "The same over sigma, the standard deviation of the asperity heights.";
-            real_area_m2["m²", prefix("µ"), label("real contact area")] = row.result.point.area_ratio * row.nominal_area, "Real contact area; that of boundary elements on a map without summits of different heights is of the points in contact.";
-            real_area_low_m2["m²", prefix("µ"), label("95 % interval from")] = row.area_end(0), "Lower end of its 95 % interval, from blocks of the map, independent asperities or realisations; empty where there is none.";
-            real_area_high_m2["m²", prefix("µ"), label("to")] = row.area_end(1), "Upper end.";
-            area_ratio["1", label("of the nominal area"), percent] = row.result.point.area_ratio, "Real contact area over nominal area.";
-            contacts["1"] = row.result.point.contact_density.map(|density| density * row.nominal_area), "Number of contacts; empty for the reference.";
-            mean_real_pressure_pa["Pa", prefix("M"), label("mean contact pressure")] = row.result.point.mean_real_pressure(), "Load over real contact area; empty where there is no contact.";
-            stiffness_n_per_m["N/m", label("stiffness")] = row.result.point.stiffness.map(|stiffness| stiffness * row.nominal_area), "Contact stiffness of the nominal area.";
-            electrical_conductance_s_per_m2["S/m²", part(ELECTRICAL), prefix("M"), label("electrical conductance")] = row.of_spots(ComparedQuantity::ElectricalConductance), "Electrical conductance per nominal area, of a sum or integral without interaction of the spots; there only where it is asked for.";
-            electrical_conductance_low_s_per_m2["S/m²", part(ELECTRICAL), prefix("M"), label("95 % interval from")] = row.end(ComparedQuantity::ElectricalConductance, 0), "Lower end of its 95 % interval; empty where there is none.";
-            electrical_conductance_high_s_per_m2["S/m²", part(ELECTRICAL), prefix("M"), label("to")] = row.end(ComparedQuantity::ElectricalConductance, 1), "Upper end.";
-            thermal_conductance_w_per_m2_k["W/(m² K)", part(THERMAL), prefix("k"), label("thermal conductance")] = row.of_spots(ComparedQuantity::ThermalConductance), "Thermal conductance per nominal area, likewise.";
-            thermal_conductance_low_w_per_m2_k["W/(m² K)", part(THERMAL), prefix("k"), label("95 % interval from")] = row.end(ComparedQuantity::ThermalConductance, 0), "Lower end of its 95 % interval; empty where there is none.";
-            thermal_conductance_high_w_per_m2_k["W/(m² K)", part(THERMAL), prefix("k"), label("to")] = row.end(ComparedQuantity::ThermalConductance, 1), "Upper end.";
-            tube_factor["1", part(CONDUCTION), label("tube factor")] = row.tube_factor(), "Factor of the constriction resistance of the spots by their neighbours on an interface without end, (1 - (A/A_nom)^0.5)^1.5 (Cooper, Mikic and Yovanovich 1969): the conductance of a model over it counts them; empty for the reference, which does.";
-            friction["1", part(FRICTION), label("coefficient of friction")] = row.of_spots(ComparedQuantity::Friction), "Coefficient of boundary friction: shear forces of all spots over the load; there only where it is asked for.";
-            friction_low["1", part(FRICTION), label("95 % interval from")] = row.end(ComparedQuantity::Friction, 0), "Lower end of its 95 % interval; empty where there is none.";
-            friction_high["1", part(FRICTION), label("to")] = row.end(ComparedQuantity::Friction, 1), "Upper end.";
-            elastic_load_share["1", label("elastic"), percent] = row.share(0), "Share of the load in elastic contacts; empty for the reference and where there is no contact.";
-            elastic_plastic_load_share["1", label("elastic-plastic"), percent] = row.share(1), "Share of the load in elastic-plastic contacts.";
-            plastic_load_share["1", label("plastic"), percent] = row.share(2), "Share of the load in plastic contacts.";
-            limits["text", label("exceeds")] = limits(row.exceeded), "Limits of admissible loads that are exceeded at this load, as in `curves.csv`; empty where it is admissible.";
-            fit["true/false", label("map fit")] = row.is_fit, "Whether the surface passes the fitness checks that block a verdict.";
-        });
-        columns
-    }
+rows! { ResultRow<'_> => "results.csv", records "results";
+    "One row for each surface, law, layer thickness and model: its results at the load that was asked for, of several loads at the middle one of those that are admissible (and at which the reference was run), or of all where none is; over several realisations the mean. The reference where it was run.";
+    ..case_columns(|row: &Self| row.key);
+    row =>
+    model["text"] = row.result.model.map_or(REFERENCE, ModelKind::name), "Model: `statistical`, `deterministic` or `reference`.";
+    force_n["N", label("load")] = row.result.point.pressure * row.nominal_area, "Load on the nominal area.";
+    nominal_area_m2["m²", prefix("m"), label("nominal area")] = row.nominal_area, "The area that the load acts on: `nominal-area` of the spec, or that of the surface.";
+    pressure_pa["Pa", prefix("M"), label("nominal pressure")] = row.result.point.pressure, "Load over nominal area.";
+    separation_m["m"] = row.result.point.separation.map(|[d, _]| d), "Separation of the flat from the mean asperity height.";
+    separation_over_sigma["1"] = row.result.point.separation.map(|[_, h]| h), "The same over sigma, the standard deviation of the asperity heights.";
+    real_area_m2["m²", prefix("µ"), label("real contact area")] = row.result.point.area_ratio * row.nominal_area, "Real contact area; that of boundary elements on a map without summits of different heights is of the points in contact.";
+    real_area_low_m2["m²", prefix("µ"), label("95 % interval from")] = row.area_end(0), "Lower end of its 95 % interval, from blocks of the map, independent asperities or realisations; empty where there is none.";
+    real_area_high_m2["m²", prefix("µ"), label("to")] = row.area_end(1), "Upper end.";
+    area_ratio["1", label("of the nominal area"), percent] = row.result.point.area_ratio, "Real contact area over nominal area.";
+    contacts["1"] = row.result.point.contact_density.map(|density| density * row.nominal_area), "Number of contacts; empty for the reference.";
+    mean_real_pressure_pa["Pa", prefix("M"), label("mean contact pressure")] = row.result.point.mean_real_pressure(), "Load over real contact area; empty where there is no contact.";
+    stiffness_n_per_m["N/m", label("stiffness")] = row.result.point.stiffness.map(|stiffness| stiffness * row.nominal_area), "Contact stiffness of the nominal area.";
+    electrical_conductance_s_per_m2["S/m²", part(ELECTRICAL), prefix("M"), label("electrical conductance")] = row.of_spots(ComparedQuantity::ElectricalConductance), "Electrical conductance per nominal area, of a sum or integral without interaction of the spots; there only where it is asked for.";
+    electrical_conductance_low_s_per_m2["S/m²", part(ELECTRICAL), prefix("M"), label("95 % interval from")] = row.end(ComparedQuantity::ElectricalConductance, 0), "Lower end of its 95 % interval; empty where there is none.";
+    electrical_conductance_high_s_per_m2["S/m²", part(ELECTRICAL), prefix("M"), label("to")] = row.end(ComparedQuantity::ElectricalConductance, 1), "Upper end.";
+    thermal_conductance_w_per_m2_k["W/(m² K)", part(THERMAL), prefix("k"), label("thermal conductance")] = row.of_spots(ComparedQuantity::ThermalConductance), "Thermal conductance per nominal area, likewise.";
+    thermal_conductance_low_w_per_m2_k["W/(m² K)", part(THERMAL), prefix("k"), label("95 % interval from")] = row.end(ComparedQuantity::ThermalConductance, 0), "Lower end of its 95 % interval; empty where there is none.";
+    thermal_conductance_high_w_per_m2_k["W/(m² K)", part(THERMAL), prefix("k"), label("to")] = row.end(ComparedQuantity::ThermalConductance, 1), "Upper end.";
+    tube_factor["1", part(CONDUCTION), label("tube factor")] = row.tube_factor(), "Factor of the constriction resistance of the spots by their neighbours on an interface without end, (1 - (A/A_nom)^0.5)^1.5 (Cooper, Mikic and Yovanovich 1969): the conductance of a model over it counts them; empty for the reference, which does.";
+    friction["1", part(FRICTION), label("coefficient of friction")] = row.of_spots(ComparedQuantity::Friction), "Coefficient of boundary friction: shear forces of all spots over the load; there only where it is asked for.";
+    friction_low["1", part(FRICTION), label("95 % interval from")] = row.end(ComparedQuantity::Friction, 0), "Lower end of its 95 % interval; empty where there is none.";
+    friction_high["1", part(FRICTION), label("to")] = row.end(ComparedQuantity::Friction, 1), "Upper end.";
+    elastic_load_share["1", label("elastic"), percent] = row.share(0), "Share of the load in elastic contacts; empty for the reference and where there is no contact.";
+    elastic_plastic_load_share["1", label("elastic-plastic"), percent] = row.share(1), "Share of the load in elastic-plastic contacts.";
+    plastic_load_share["1", label("plastic"), percent] = row.share(2), "Share of the load in plastic contacts.";
+    limits["text", label("exceeds")] = limits(row.exceeded), "Limits of admissible loads that are exceeded at this load, as in `curves.csv`; empty where it is admissible.";
+    fit["true/false", label("map fit")] = row.is_fit, "Whether the surface passes the fitness checks that block a verdict.";
 }
 
 pub(super) fn rows(results: &CompareResults) -> impl Iterator<Item = ResultRow<'_>> {
@@ -114,24 +105,17 @@ pub(crate) struct GapRow<'a> {
     gap: &'a Gap,
 }
 
-impl Row for GapRow<'_> {
-    const FILE: &'static str = "largest_gaps.csv";
-    const ROWS: &'static str = "One row for each surface, law, layer thickness, realisation, quantity and pairing: the largest gap between the models.";
-    const RECORDS: Option<&'static str> = Some("largest_gaps");
-
-    fn columns() -> Vec<Column<Self>> {
-        let mut columns = case_columns(|row: &Self| row.key);
-        columns.extend(columns! { row: Self =>
-            realisation["count"] = row.realisation, "Number of the realisation of the surface, from 1.";
-            quantity["text"] = row.gap.quantity.name(), "What is compared.";
-            pairing["text"] = row.gap.pairing.name(), "What the models have in common: `load` or `separation`.";
-            target["Pa or 1"] = row.gap.target, "Its value: nominal pressure, or separation over sigma.";
-            statistical["SI"] = row.gap.statistical, "Statistical model.";
-            deterministic["SI"] = row.gap.deterministic, "Deterministic model.";
-            difference["SI", scale_of("statistical")] = row.gap.difference(), "Statistical minus deterministic.";
-        });
-        columns
-    }
+rows! { GapRow<'_> => "largest_gaps.csv", records "largest_gaps";
+    "One row for each surface, law, layer thickness, realisation, quantity and pairing: the largest gap between the models.";
+    ..case_columns(|row: &Self| row.key);
+    row =>
+    realisation["count"] = row.realisation, "Number of the realisation of the surface, from 1.";
+    quantity["text"] = row.gap.quantity.name(), "What is compared.";
+    pairing["text"] = row.gap.pairing.name(), "What the models have in common: `load` or `separation`.";
+    target["Pa or 1"] = row.gap.target, "Its value: nominal pressure, or separation over sigma.";
+    statistical["SI"] = row.gap.statistical, "Statistical model.";
+    deterministic["SI"] = row.gap.deterministic, "Deterministic model.";
+    difference["SI", scale_of("statistical")] = row.gap.difference(), "Statistical minus deterministic.";
 }
 
 /// The rows of the largest gaps.
@@ -195,21 +179,15 @@ pub(crate) struct LineRow<'a> {
     separation: Option<f64>,
 }
 
-impl Row for LineRow<'_> {
-    const FILE: &'static str = "lines.csv";
-    const ROWS: &'static str = "One row for each surface, law, layer thickness, analytical line and load, on the first realisation, for elastic bodies under any law.";
-
-    fn columns() -> Vec<Column<Self>> {
-        let mut columns = case_columns(|row: &Self| row.key);
-        columns.extend(columns! { row: Self =>
-            line["text"] = row.line, "The line: `persson`, A/A_nom = erf(2^0.5 p/(E* g)); `bush-gibson-thomas`, (2 pi)^0.5 p/(E* g), at most 1; or `greenwood-williamson-interacting`, the separation less the mean deflection of the patch. g is the r.m.s. gradient of the prepared map.";
-            model["text"] = row.model, "The model whose separation is corrected for interaction, or the reference, whose separation is that to the undeformed mean plane.";
-            pressure_pa["Pa", prefix("M"), label("nominal pressure")] = row.pressure, "Nominal pressure.";
-            area_ratio["1"] = row.area_ratio, "Real contact area over nominal area.";
-            separation_over_sigma["1"] = row.separation, "Separation over sigma.";
-        });
-        columns
-    }
+rows! { LineRow<'_> => "lines.csv";
+    "One row for each surface, law, layer thickness, analytical line and load, on the first realisation, for elastic bodies under any law.";
+    ..case_columns(|row: &Self| row.key);
+    row =>
+    line["text"] = row.line, "The line: `persson`, A/A_nom = erf(2^0.5 p/(E* g)); `bush-gibson-thomas`, (2 pi)^0.5 p/(E* g), at most 1; or `greenwood-williamson-interacting`, the separation less the mean deflection of the patch. g is the r.m.s. gradient of the prepared map.";
+    model["text"] = row.model, "The model whose separation is corrected for interaction, or the reference, whose separation is that to the undeformed mean plane.";
+    pressure_pa["Pa", prefix("M"), label("nominal pressure")] = row.pressure, "Nominal pressure.";
+    area_ratio["1"] = row.area_ratio, "Real contact area over nominal area.";
+    separation_over_sigma["1"] = row.separation, "Separation over sigma.";
 }
 
 pub(super) fn lines(results: &CompareResults) -> impl Iterator<Item = LineRow<'_>> {
@@ -267,24 +245,19 @@ fn of_case<'a>(results: &'a CompareResults, case: SurfaceCase<'a>) -> Vec<LineRo
 /// One model at one d/sigma under both readings.
 pub(crate) struct ReadingRow(ReadLoads);
 
-impl Row for ReadingRow {
-    const FILE: &'static str = "readings.csv";
-    const ROWS: &'static str = "One row for each pair of surfaces with the same specified numbers, of which one reads sigma and d as those of the asperities and the other as those of the surface, law, layer thickness, separation and model; pressures are means over the realisations.";
-
-    fn columns() -> Vec<Column<Self>> {
-        columns! { row: Self =>
-            surface_of_asperity_sigma["text", label("asperity reading")] = row.0.surfaces[0].as_str(), "The surface whose sigma is that of the asperities.";
-            surface_of_surface_sigma["text", label("surface reading")] = row.0.surfaces[1].as_str(), "The surface whose sigma is that of the surface.";
-            law["text"] = row.0.law.as_str(), "Contact law of an asperity.";
-            layer_thickness_m["m", label("layer"), thickness] = row.0.thickness, "Thickness of the layer; empty where the spec has no layer.";
-            model["text"] = row.0.kind.name(), "Model: `statistical` or `deterministic`.";
-            separation_over_sigma["1", input] = row.0.separation, "Separation over sigma.";
-            pressure_with_asperity_sigma_pa["Pa", prefix("M"), label("pressure, asperity reading")] = row.0.answers[0].pressure, "Nominal pressure with sigma and d of the asperities.";
-            pressure_with_surface_sigma_pa["Pa", prefix("M"), label("pressure, surface reading")] = row.0.answers[1].pressure, "Nominal pressure with sigma and d of the surface.";
-            ratio["1"] = row.0.ratio(), "The second over the first.";
-            valid["true/false"] = row.0.is_admissible(), "Whether the load is admissible for both models under both readings, in every realisation.";
-        }
-    }
+rows! { ReadingRow => "readings.csv";
+    "One row for each pair of surfaces with the same specified numbers, of which one reads sigma and d as those of the asperities and the other as those of the surface, law, layer thickness, separation and model; pressures are means over the realisations.";
+    row =>
+    surface_of_asperity_sigma["text", label("asperity reading")] = row.0.surfaces[0].as_str(), "The surface whose sigma is that of the asperities.";
+    surface_of_surface_sigma["text", label("surface reading")] = row.0.surfaces[1].as_str(), "The surface whose sigma is that of the surface.";
+    law["text"] = row.0.law.as_str(), "Contact law of an asperity.";
+    layer_thickness_m["m", label("layer"), thickness] = row.0.thickness, "Thickness of the layer; empty where the spec has no layer.";
+    model["text"] = row.0.kind.name(), "Model: `statistical` or `deterministic`.";
+    separation_over_sigma["1", input] = row.0.separation, "Separation over sigma.";
+    pressure_with_asperity_sigma_pa["Pa", prefix("M"), label("pressure, asperity reading")] = row.0.answers[0].pressure, "Nominal pressure with sigma and d of the asperities.";
+    pressure_with_surface_sigma_pa["Pa", prefix("M"), label("pressure, surface reading")] = row.0.answers[1].pressure, "Nominal pressure with sigma and d of the surface.";
+    ratio["1"] = row.0.ratio(), "The second over the first.";
+    valid["true/false"] = row.0.is_admissible(), "Whether the load is admissible for both models under both readings, in every realisation.";
 }
 
 pub(super) fn readings(results: &CompareResults) -> impl Iterator<Item = ReadingRow> {

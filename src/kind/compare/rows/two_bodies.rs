@@ -2,8 +2,7 @@
 
 use asperity::compare::{ComparedQuantity, ModelKind};
 use asperity::study::{GreenwoodTrippPoint, ModelResult, PointResult, Shortcut};
-use asperity_contact_framework::columns;
-use asperity_contact_framework::report::table::{Column, Row};
+use asperity_contact_framework::rows;
 
 use super::{CaseKey, SurfaceCase, case_columns};
 use crate::kind::compare::results::CompareResults;
@@ -44,7 +43,6 @@ impl TwoBodiesRow<'_> {
         self.points[0].pressure
     }
 
-    /// The relative error of a quantity.
     pub(crate) fn error(&self, quantity: ComparedQuantity) -> Option<f64> {
         let [pair, simplified] = [0, 1].map(|k| self.points[k].value(quantity));
         Some(simplified? / pair? - 1.0)
@@ -66,26 +64,20 @@ impl TwoBodiesRow<'_> {
     }
 }
 
-impl Row for TwoBodiesRow<'_> {
-    const FILE: &'static str = "two_bodies.csv";
-    const ROWS: &'static str = "One row for each pair of rough bodies, law, layer thickness, simplification and model of the pair, at the load of the results. A body taken smooth is by the same model, and there where the other body is a surface of the comparison, too; `variances-added` and `greenwood-tripp` are integrals, compared with each model.";
-
-    fn columns() -> Vec<Column<Self>> {
-        let mut columns = case_columns(|row: &Self| row.key);
-        columns.extend(columns! { row: Self =>
-            simplification["text"] = row.name(), "In place of the sum of both bodies: `smooth NAME`, one body taken smooth; `variances-added`, one rough body with the variances of both asperity heights added, the radius of 1/R = 1/R1 + 1/R2 and the density of the rougher body; `greenwood-tripp`, every asperity of one against every one of the other (1971), where neither has less than half the standard deviation of the other.";
-            model["text"] = row.model.map_or(REFERENCE, ModelKind::name), "Model of the pair: `statistical`, `deterministic` or `reference`.";
-            pressure_pa["Pa", prefix("M"), label("nominal pressure"), input] = row.points[0].pressure, "Nominal pressure.";
-            area_error["1", label("real contact area"), signed_percent, scale(1.0)] = row.error(ComparedQuantity::Area), "Real contact area of the simplification over that of the model with both rough, less 1.";
-            area_error_low["1", label("95 % interval from"), signed_percent, scale(1.0)] = row.area_interval().map(|[low, _]| low), "Lower end of its 95 % interval, of the intervals of both areas as if they were independent; empty where one has none, and of integrals over the asperities of both bodies.";
-            area_error_high["1", label("to"), signed_percent, scale(1.0)] = row.area_interval().map(|[_, high]| high), "Upper end.";
-            stiffness_error["1", label("stiffness"), signed_percent, scale(1.0)] = row.error(ComparedQuantity::Stiffness), "The same of the stiffness; empty where there is none.";
-            electrical_conductance_error["1", part(ELECTRICAL), label("electrical conductance"), signed_percent, scale(1.0)] = row.error(ComparedQuantity::ElectricalConductance), "The same of the electrical conductance.";
-            thermal_conductance_error["1", part(THERMAL), label("thermal conductance"), signed_percent, scale(1.0)] = row.error(ComparedQuantity::ThermalConductance), "The same of the thermal conductance.";
-            friction_error["1", part(FRICTION), label("friction"), signed_percent, scale(1.0)] = row.error(ComparedQuantity::Friction), "The same of the coefficient of friction.";
-        });
-        columns
-    }
+rows! { TwoBodiesRow<'_> => "two_bodies.csv";
+    "One row for each pair of rough bodies, law, layer thickness, simplification and model of the pair, at the load of the results. A body taken smooth is by the same model, and there where the other body is a surface of the comparison, too; `variances-added` and `greenwood-tripp` are integrals, compared with each model.";
+    ..case_columns(|row: &Self| row.key);
+    row =>
+    simplification["text"] = row.name(), "In place of the sum of both bodies: `smooth NAME`, one body taken smooth; `variances-added`, one rough body with the variances of both asperity heights added, the radius of 1/R = 1/R1 + 1/R2 and the density of the rougher body; `greenwood-tripp`, every asperity of one against every one of the other (1971), where neither has less than half the standard deviation of the other.";
+    model["text"] = row.model.map_or(REFERENCE, ModelKind::name), "Model of the pair: `statistical`, `deterministic` or `reference`.";
+    pressure_pa["Pa", prefix("M"), label("nominal pressure"), input] = row.points[0].pressure, "Nominal pressure.";
+    area_error["1", label("real contact area"), signed_percent, scale(1.0)] = row.error(ComparedQuantity::Area), "Real contact area of the simplification over that of the model with both rough, less 1.";
+    area_error_low["1", label("95 % interval from"), signed_percent, scale(1.0)] = row.area_interval().map(|[low, _]| low), "Lower end of its 95 % interval, of the intervals of both areas as if they were independent; empty where one has none, and of integrals over the asperities of both bodies.";
+    area_error_high["1", label("to"), signed_percent, scale(1.0)] = row.area_interval().map(|[_, high]| high), "Upper end.";
+    stiffness_error["1", label("stiffness"), signed_percent, scale(1.0)] = row.error(ComparedQuantity::Stiffness), "The same of the stiffness; empty where there is none.";
+    electrical_conductance_error["1", part(ELECTRICAL), label("electrical conductance"), signed_percent, scale(1.0)] = row.error(ComparedQuantity::ElectricalConductance), "The same of the electrical conductance.";
+    thermal_conductance_error["1", part(THERMAL), label("thermal conductance"), signed_percent, scale(1.0)] = row.error(ComparedQuantity::ThermalConductance), "The same of the thermal conductance.";
+    friction_error["1", part(FRICTION), label("friction"), signed_percent, scale(1.0)] = row.error(ComparedQuantity::Friction), "The same of the coefficient of friction.";
 }
 
 /// Loads that differ by less are the same.
@@ -140,23 +132,17 @@ pub(crate) struct GreenwoodTrippRow<'a> {
     point: &'a GreenwoodTrippPoint,
 }
 
-impl Row for GreenwoodTrippRow<'_> {
-    const FILE: &'static str = "greenwood_tripp.csv";
-    const ROWS: &'static str = "One row for each pair of rough bodies, law for spheres, layer thickness and separation (those of the spec, else 0 to 4 by 0.1): the integral of Greenwood and Tripp (1971) over the asperities of both, where neither body has less than half the standard deviation of the other.";
-
-    fn columns() -> Vec<Column<Self>> {
-        let mut columns = case_columns(|row: &Self| row.key);
-        columns.extend(columns! { row: Self =>
-            separation_over_sigma["1", label("h/σ"), input] = row.point.response.separation_over_sigma, "Distance of both mean asperity heights over sigma, sigma^2 being the sum of the variances of both asperity heights.";
-            separation_m["m", label("h")] = row.point.response.separation, "The same distance.";
-            pressure_pa["Pa", prefix("M"), label("nominal pressure")] = row.point.response.pressure.total(), "Nominal pressure under the law. Of elastic contacts (`hertz`) it is K F_5/2, of equal bodies K = 16 2^.5 pi/15 (eta R sigma)^2 (sigma/R)^.5 E*.";
-            area_ratio["1", label("real contact area"), percent] = row.point.response.area_ratio.total(), "Real contact area over nominal area under the law.";
-            f_5_2["1", label("F_5/2")] = row.point.moment, "F_5/2(h/sigma), the integral of (s - h/sigma)^2.5 over the standard normal density from s = h/sigma on.";
-            power_law["1", label("4.4086e-5 (4 - h/σ)^6.804")] = row.point.power_law, "The fit 4.4086e-5 (4 - h/sigma)^6.804, which codes of mixed lubrication use in place of F_5/2; 0 from 4 on.";
-            power_law_error["1", label("its error"), signed_percent, scale(1.0)] = row.point.power_law / row.point.moment - 1.0, "The power law over F_5/2, less 1: the relative error of the elastic pressure by it.";
-        });
-        columns
-    }
+rows! { GreenwoodTrippRow<'_> => "greenwood_tripp.csv";
+    "One row for each pair of rough bodies, law for spheres, layer thickness and separation (those of the spec, else 0 to 4 by 0.1): the integral of Greenwood and Tripp (1971) over the asperities of both, where neither body has less than half the standard deviation of the other.";
+    ..case_columns(|row: &Self| row.key);
+    row =>
+    separation_over_sigma["1", label("h/σ"), input] = row.point.response.separation_over_sigma, "Distance of both mean asperity heights over sigma, sigma^2 being the sum of the variances of both asperity heights.";
+    separation_m["m", label("h")] = row.point.response.separation, "The same distance.";
+    pressure_pa["Pa", prefix("M"), label("nominal pressure")] = row.point.response.pressure.total(), "Nominal pressure under the law. Of elastic contacts (`hertz`) it is K F_5/2, of equal bodies K = 16 2^.5 pi/15 (eta R sigma)^2 (sigma/R)^.5 E*.";
+    area_ratio["1", label("real contact area"), percent] = row.point.response.area_ratio.total(), "Real contact area over nominal area under the law.";
+    f_5_2["1", label("F_5/2")] = row.point.moment, "F_5/2(h/sigma), the integral of (s - h/sigma)^2.5 over the standard normal density from s = h/sigma on.";
+    power_law["1", label("4.4086e-5 (4 - h/σ)^6.804")] = row.point.power_law, "The fit 4.4086e-5 (4 - h/sigma)^6.804, which codes of mixed lubrication use in place of F_5/2; 0 from 4 on.";
+    power_law_error["1", label("its error"), signed_percent, scale(1.0)] = row.point.power_law / row.point.moment - 1.0, "The power law over F_5/2, less 1: the relative error of the elastic pressure by it.";
 }
 
 pub(super) fn greenwood_tripp(results: &CompareResults) -> impl Iterator<Item = GreenwoodTrippRow<'_>> {

@@ -5,8 +5,7 @@ use asperity::compare::{
     Order, Stretch, Verdict,
 };
 use asperity::study::{LeadingCause, StatedCause, Verdicts};
-use asperity_contact_framework::columns;
-use asperity_contact_framework::report::table::{Column, Row};
+use asperity_contact_framework::rows;
 
 use super::{CaseKey, SurfaceCase, case_columns};
 use crate::kind::compare::reference::ElasticCase;
@@ -37,33 +36,26 @@ impl VerdictRow<'_> {
     }
 }
 
-impl Row for VerdictRow<'_> {
-    const FILE: &'static str = "verdicts.csv";
-    const ROWS: &'static str = "One row for each surface, law, layer thickness, quantity, model, what it is compared with and stretch of load with one verdict, over all realisations.";
-    const RECORDS: Option<&'static str> = Some("verdicts");
-
-    fn columns() -> Vec<Column<Self>> {
-        let mut columns = case_columns(|row: &Self| row.key);
-        columns.extend(columns! { row: Self =>
-            quantity["text"] = row.stretch.quantity.name(), "What is compared: `separation`, `area` (real contact area) or `stiffness`.";
-            against["text"] = row.names[1], "What the model is compared with: `deterministic` or `reference`.";
-            model["text"] = row.names[0], "The model that is judged: `statistical` or `deterministic`.";
-            from_pa["Pa", prefix("M"), label("from"), input] = row.stretch.loads[0], "Lowest nominal pressure of the stretch.";
-            to_pa["Pa", prefix("M"), label("to"), input] = row.stretch.loads[1], "Highest nominal pressure of the stretch.";
-            verdict["text", verdict] = row.verdict, "Whether the 95 % interval of the difference lies inside what is accepted (`within`), outside (`beyond`) or neither (`cannot-tell`) at all loads of the stretch; `very-likely-within` and `very-likely-beyond` of a model-based interval that does not decide at twice its width, the latter also of a difference of ten times what is accepted (of the logarithm of a ratio) on all halves of a map without interval; `blocked` on a surface that failed a fitness check.";
-            difference["1", label("largest difference"), signed, scale(1.0)] = row.largest(), "The largest difference in the stretch: of the separation in sigma, of area and stiffness relative to what the model is compared with.";
-            low["1", label("95 % interval from"), signed, scale(1.0)] = row.end(0), "Lower end of its 95 % interval; empty where none is claimed.";
-            high["1", label("to"), signed, scale(1.0)] = row.end(1), "Upper end of the interval.";
-            at_pa["Pa", prefix("M"), label("at")] = row.stretch.largest.map(|(load, _)| load), "Nominal pressure of the largest difference.";
-            accepted["1"] = row.stretch.accepted, "The largest difference that is accepted.";
-            area_needed_m2["m²", prefix("m"), label("needs at least")] = row.area_needed, "Nominal area at which half of the loads of a stretch that cannot be told have an interval, or one that no longer crosses the edge of the band; more where another sample differs more. Empty of other stretches, and where contacts are not what is missing. A blocked map must be fit first.";
-            cause["text", label("leading cause there")] = row.cause.and_then(StatedCause::leading).map(LeadingCause::name), "The leading cause of the largest difference, not of the whole stretch: `heights`, `radii` (their spread), `correlation` or, of the statistical model against the reference, `left-out` (what the sum leaves out: interaction and shape of the asperities, under a cap also the law, under a layer also the rule of the effective modulus). Empty unless the 95 % interval of the difference excludes zero and that of the cause, all orders of replacement included, is apart from those of the others; and on a blocked map.";
-            largest_on_map["text", label("largest on this map, there")] = row.cause.and_then(StatedCause::largest_on_surface).map(LeadingCause::name), "Where no cause leads, the cause with the largest contribution to that difference on the one surface that was compared; empty unless it is the same in every order of replacement and wherever the reference lies in its bounds.";
-            depends_on["text", label("depends on")] = row.depends_on.clone(), "Choices in the analysis of the map that reverse the verdict on this quantity; `spikes` also where a verdict is left open without points that may be wrong.";
-            elastic_reference["text", label("elastic reference")] = row.elastic.map(|elastic| elastic.reason.name()), "Against the reference: why it stays elastic although the law yields, as in `nearer_to_reference.csv`; empty otherwise.";
-        });
-        columns
-    }
+rows! { VerdictRow<'_> => "verdicts.csv", records "verdicts";
+    "One row for each surface, law, layer thickness, quantity, model, what it is compared with and stretch of load with one verdict, over all realisations.";
+    ..case_columns(|row: &Self| row.key);
+    row =>
+    quantity["text"] = row.stretch.quantity.name(), "What is compared: `separation`, `area` (real contact area) or `stiffness`.";
+    against["text"] = row.names[1], "What the model is compared with: `deterministic` or `reference`.";
+    model["text"] = row.names[0], "The model that is judged: `statistical` or `deterministic`.";
+    from_pa["Pa", prefix("M"), label("from"), input] = row.stretch.loads[0], "Lowest nominal pressure of the stretch.";
+    to_pa["Pa", prefix("M"), label("to"), input] = row.stretch.loads[1], "Highest nominal pressure of the stretch.";
+    verdict["text", verdict] = row.verdict, "Whether the 95 % interval of the difference lies inside what is accepted (`within`), outside (`beyond`) or neither (`cannot-tell`) at all loads of the stretch; `very-likely-within` and `very-likely-beyond` of a model-based interval that does not decide at twice its width, the latter also of a difference of ten times what is accepted (of the logarithm of a ratio) on all halves of a map without interval; `blocked` on a surface that failed a fitness check.";
+    difference["1", label("largest difference"), signed, scale(1.0)] = row.largest(), "The largest difference in the stretch: of the separation in sigma, of area and stiffness relative to what the model is compared with.";
+    low["1", label("95 % interval from"), signed, scale(1.0)] = row.end(0), "Lower end of its 95 % interval; empty where none is claimed.";
+    high["1", label("to"), signed, scale(1.0)] = row.end(1), "Upper end of the interval.";
+    at_pa["Pa", prefix("M"), label("at")] = row.stretch.largest.map(|(load, _)| load), "Nominal pressure of the largest difference.";
+    accepted["1"] = row.stretch.accepted, "The largest difference that is accepted.";
+    area_needed_m2["m²", prefix("m"), label("needs at least")] = row.area_needed, "Nominal area at which half of the loads of a stretch that cannot be told have an interval, or one that no longer crosses the edge of the band; more where another sample differs more. Empty of other stretches, and where contacts are not what is missing. A blocked map must be fit first.";
+    cause["text", label("leading cause there")] = row.cause.and_then(StatedCause::leading).map(LeadingCause::name), "The leading cause of the largest difference, not of the whole stretch: `heights`, `radii` (their spread), `correlation` or, of the statistical model against the reference, `left-out` (what the sum leaves out: interaction and shape of the asperities, under a cap also the law, under a layer also the rule of the effective modulus). Empty unless the 95 % interval of the difference excludes zero and that of the cause, all orders of replacement included, is apart from those of the others; and on a blocked map.";
+    largest_on_map["text", label("largest on this map, there")] = row.cause.and_then(StatedCause::largest_on_surface).map(LeadingCause::name), "Where no cause leads, the cause with the largest contribution to that difference on the one surface that was compared; empty unless it is the same in every order of replacement and wherever the reference lies in its bounds.";
+    depends_on["text", label("depends on")] = row.depends_on.clone(), "Choices in the analysis of the map that reverse the verdict on this quantity; `spikes` also where a verdict is left open without points that may be wrong.";
+    elastic_reference["text", label("elastic reference")] = row.elastic.map(|elastic| elastic.reason.name()), "Against the reference: why it stays elastic although the law yields, as in `nearer_to_reference.csv`; empty otherwise.";
 }
 
 /// The rows, case by case; those against the reference last.
@@ -132,32 +124,25 @@ impl DifferenceRow<'_> {
     }
 }
 
-impl Row for DifferenceRow<'_> {
-    const FILE: &'static str = "differences.csv";
-    const ROWS: &'static str = "One row for each surface, law, layer thickness, load and quantity, over all realisations: the difference of the statistical from the deterministic model at equal load, on which the verdicts rest; where a reference was run, that of each model from the reference, too.";
-    const IS_LONG: bool = true;
-
-    fn columns() -> Vec<Column<Self>> {
-        let mut columns = case_columns(|row: &Self| row.key);
-        columns.extend(columns! { row: Self =>
-            pressure_pa["Pa", prefix("M")] = row.at_load.load, "Nominal pressure.";
-            force_n["N"] = row.at_load.load * row.load_area, "The same as a force on the area that the load acts on: `nominal-area` of the spec, or that of the surface.";
-            quantity["text"] = row.quantity.name(), "What is compared: `separation`, `area` (real contact area) or `stiffness`.";
-            model["text"] = row.names[0], "The model that is compared: `statistical` or `deterministic`.";
-            against["text"] = row.names[1], "What it is compared with: `deterministic` or `reference`.";
-            difference["1", signed, scale(1.0)] = row.quantity.reported(row.estimate.contrast), "The model minus what it is compared with; of the separation in sigma, of area and stiffness relative to what it is compared with. Over several realisations the mean (of areas and stiffnesses the geometric mean of the ratios).";
-            low["1", signed, scale(1.0)] = row.end(0), "Lower end of the pointwise 95 % interval of the difference; empty where none is claimed.";
-            high["1", signed, scale(1.0)] = row.end(1), "Upper end of the interval.";
-            bound["1"] = row.estimate.bound, "Part of the half-width of the interval that bounds errors of solver and discretisation of the reference, of area and stiffness of the logarithm of the ratio.";
-            standard_error["1"] = row.estimate.error, "Standard error of the difference, of area and stiffness of the logarithm of the ratio; empty where no interval is claimed.";
-            independent_standard_error["1"] = row.estimate.independent_error, "The same for asperities taken as independent draws.";
-            accepted["1"] = row.verdicts.accepted.limit(row.quantity), "The largest difference that is accepted.";
-            verdict["text", verdict] = row.verdict(), "Whether the interval lies inside what is accepted (`within`), outside (`beyond`) or neither (`cannot-tell`); `blocked` where the surface failed a fitness check; empty where the load is not admissible.";
-            effective_contacts["1"] = row.at_load.sharing.map(|sharing| sharing.effective_contacts), "Effective contacts of the deterministic model; over several realisations the mean.";
-            limits["text"] = limits(row.at_load.exceeded()), "Limits of admissible loads that are exceeded, as in `curves.csv`.";
-        });
-        columns
-    }
+rows! { DifferenceRow<'_> => "differences.csv", is_long true;
+    "One row for each surface, law, layer thickness, load and quantity, over all realisations: the difference of the statistical from the deterministic model at equal load, on which the verdicts rest; where a reference was run, that of each model from the reference, too.";
+    ..case_columns(|row: &Self| row.key);
+    row =>
+    pressure_pa["Pa", prefix("M")] = row.at_load.load, "Nominal pressure.";
+    force_n["N"] = row.at_load.load * row.load_area, "The same as a force on the area that the load acts on: `nominal-area` of the spec, or that of the surface.";
+    quantity["text"] = row.quantity.name(), "What is compared: `separation`, `area` (real contact area) or `stiffness`.";
+    model["text"] = row.names[0], "The model that is compared: `statistical` or `deterministic`.";
+    against["text"] = row.names[1], "What it is compared with: `deterministic` or `reference`.";
+    difference["1", signed, scale(1.0)] = row.quantity.reported(row.estimate.contrast), "The model minus what it is compared with; of the separation in sigma, of area and stiffness relative to what it is compared with. Over several realisations the mean (of areas and stiffnesses the geometric mean of the ratios).";
+    low["1", signed, scale(1.0)] = row.end(0), "Lower end of the pointwise 95 % interval of the difference; empty where none is claimed.";
+    high["1", signed, scale(1.0)] = row.end(1), "Upper end of the interval.";
+    bound["1"] = row.estimate.bound, "Part of the half-width of the interval that bounds errors of solver and discretisation of the reference, of area and stiffness of the logarithm of the ratio.";
+    standard_error["1"] = row.estimate.error, "Standard error of the difference, of area and stiffness of the logarithm of the ratio; empty where no interval is claimed.";
+    independent_standard_error["1"] = row.estimate.independent_error, "The same for asperities taken as independent draws.";
+    accepted["1"] = row.verdicts.accepted.limit(row.quantity), "The largest difference that is accepted.";
+    verdict["text", verdict] = row.verdict(), "Whether the interval lies inside what is accepted (`within`), outside (`beyond`) or neither (`cannot-tell`); `blocked` where the surface failed a fitness check; empty where the load is not admissible.";
+    effective_contacts["1"] = row.at_load.sharing.map(|sharing| sharing.effective_contacts), "Effective contacts of the deterministic model; over several realisations the mean.";
+    limits["text"] = limits(row.at_load.exceeded()), "Limits of admissible loads that are exceeded, as in `curves.csv`.";
 }
 
 pub(crate) fn differences(results: &CompareResults) -> impl Iterator<Item = DifferenceRow<'_>> {
@@ -231,28 +216,21 @@ impl<'a> AttributionRow<'a> {
     }
 }
 
-impl Row for AttributionRow<'_> {
-    const FILE: &'static str = "attribution.csv";
-    const ROWS: &'static str = "One row for each surface, law, layer thickness, load, quantity and cause, over all realisations: what each cause contributes to the difference between the models at equal load. Heights, radii and correlation add up to the difference; the row `radii-and-correlation` holds the last two together; loads that fewer than 30 effective contacts carry, or one contact with more than 10 % of the load, have none.";
-    const IS_LONG: bool = true;
-
-    fn columns() -> Vec<Column<Self>> {
-        let mut columns = case_columns(|row: &Self| row.key);
-        columns.extend(columns! { row: Self =>
-            pressure_pa["Pa"] = row.at_load.load, "Nominal pressure.";
-            quantity["text"] = row.quantity.name(), "What is compared: `separation`, `area` (real contact area) or `stiffness`.";
-            cause["text"] = row.cause, "The cause: `heights` (the heights do not follow the density of the statistical model), `radii` (the radii are not all equal to the mean radius) or `correlation` (heights and radii are correlated; with equal radii, what replacing a sum by its integral leaves); `radii-and-correlation` is the sum of the last two: different radii in the sense of Fig. 3 of Pasaribu and Schipper (2005).";
-            contribution["1", signed, scale(1.0)] = row.contribution.mean.contrast, "Mean contribution over the three orders: of the separation in sigma, of area and stiffness to ln(statistical/deterministic).";
-            low["1", signed, scale(1.0)] = row.end(0), "Lower end of the pointwise 95 % interval of the contribution, which holds the intervals of all three orders; empty where none is claimed.";
-            high["1", signed, scale(1.0)] = row.end(1), "Upper end of the interval.";
-            standard_error["1"] = row.contribution.mean.error, "Standard error of the mean over the orders, from blocks of a map, groups of independent asperities or realisations; empty where no interval is claimed.";
-            heights_radii_correlation["1", signed, scale(1.0)] = row.in_order(Order::HeightsFirst), "Contribution where first the heights, then the radii, then the correlation is changed.";
-            radii_heights_correlation["1", signed, scale(1.0)] = row.in_order(Order::RadiiFirst), "Contribution where first the radii, then the heights, then the correlation is changed.";
-            radii_correlation_heights["1", signed, scale(1.0)] = row.in_order(Order::HeightsLast), "Contribution where first the radii, then the correlation, then the heights are changed.";
-            with_other_mean_radius["1", signed, scale(1.0)] = row.with_other_radius, "Mean contribution over the orders if the statistical model took the other mean radius: 1/(mean curvature) for the arithmetic mean, and the reverse. Empty of nominal populations and elliptic laws.";
-        });
-        columns
-    }
+rows! { AttributionRow<'_> => "attribution.csv", is_long true;
+    "One row for each surface, law, layer thickness, load, quantity and cause, over all realisations: what each cause contributes to the difference between the models at equal load. Heights, radii and correlation add up to the difference; the row `radii-and-correlation` holds the last two together; loads that fewer than 30 effective contacts carry, or one contact with more than 10 % of the load, have none.";
+    ..case_columns(|row: &Self| row.key);
+    row =>
+    pressure_pa["Pa"] = row.at_load.load, "Nominal pressure.";
+    quantity["text"] = row.quantity.name(), "What is compared: `separation`, `area` (real contact area) or `stiffness`.";
+    cause["text"] = row.cause, "The cause: `heights` (the heights do not follow the density of the statistical model), `radii` (the radii are not all equal to the mean radius) or `correlation` (heights and radii are correlated; with equal radii, what replacing a sum by its integral leaves); `radii-and-correlation` is the sum of the last two: different radii in the sense of Fig. 3 of Pasaribu and Schipper (2005).";
+    contribution["1", signed, scale(1.0)] = row.contribution.mean.contrast, "Mean contribution over the three orders: of the separation in sigma, of area and stiffness to ln(statistical/deterministic).";
+    low["1", signed, scale(1.0)] = row.end(0), "Lower end of the pointwise 95 % interval of the contribution, which holds the intervals of all three orders; empty where none is claimed.";
+    high["1", signed, scale(1.0)] = row.end(1), "Upper end of the interval.";
+    standard_error["1"] = row.contribution.mean.error, "Standard error of the mean over the orders, from blocks of a map, groups of independent asperities or realisations; empty where no interval is claimed.";
+    heights_radii_correlation["1", signed, scale(1.0)] = row.in_order(Order::HeightsFirst), "Contribution where first the heights, then the radii, then the correlation is changed.";
+    radii_heights_correlation["1", signed, scale(1.0)] = row.in_order(Order::RadiiFirst), "Contribution where first the radii, then the heights, then the correlation is changed.";
+    radii_correlation_heights["1", signed, scale(1.0)] = row.in_order(Order::HeightsLast), "Contribution where first the radii, then the correlation, then the heights are changed.";
+    with_other_mean_radius["1", signed, scale(1.0)] = row.with_other_radius, "Mean contribution over the orders if the statistical model took the other mean radius: 1/(mean curvature) for the arithmetic mean, and the reverse. Empty of nominal populations and elliptic laws.";
 }
 
 pub(super) fn attribution(results: &CompareResults) -> impl Iterator<Item = AttributionRow<'_>> {

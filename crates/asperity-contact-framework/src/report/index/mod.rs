@@ -2,9 +2,6 @@
 //!
 //! | module | what it writes |
 //! |---|---|
-//! | `cards` | `index.html`: a card per report with its answer and a picture |
-
-mod cards;
 
 use std::fs;
 use std::path::Path;
@@ -12,8 +9,8 @@ use std::path::Path;
 use serde::{Deserialize, Deserializer};
 use serde_json::{Map, Value};
 
-use super::answer::Answer;
-use super::page::{Cell, Page};
+use super::answer::{Answer, CardLine};
+use super::page::{Cell, Page, document, escape_html as escape, with_minus};
 use crate::kind::RegisteredKind;
 use crate::metadata::Group;
 
@@ -47,7 +44,7 @@ struct Entry {
     kind: String,
     group: Option<Group>,
     /// What it found.
-    #[serde(default, deserialize_with = "answer")]
+    #[serde(default, deserialize_with = "read_answer")]
     answer: Answer,
     #[serde(default)]
     surfaces: Value,
@@ -58,7 +55,7 @@ struct Entry {
 }
 
 /// An answer; of a report by an earlier version a sentence alone.
-fn answer<'de, D: Deserializer<'de>>(of: D) -> Result<Answer, D::Error> {
+fn read_answer<'de, D: Deserializer<'de>>(of: D) -> Result<Answer, D::Error> {
     Ok(match Value::deserialize(of)? {
         Value::String(sentence) => Answer { sentence, lines: Vec::new() },
         other => serde_json::from_value(other).unwrap_or_default(),
@@ -71,7 +68,6 @@ impl Entry {
         if self.has_html { "report.html" } else { "report.md" }
     }
 
-    /// Its surfaces with what is known of each.
     fn surfaces(&self) -> impl Iterator<Item = (&String, &Value)> {
         self.surfaces.as_object().into_iter().flat_map(Map::iter)
     }
@@ -110,7 +106,7 @@ impl Index {
         let mut entries: Vec<Entry> = folders.filter_map(read).collect();
         entries.sort_by(|a, b| a.name.cmp(&b.name));
         let [list, cards] = Self::FILES;
-        let pages = [(list, markdown(&entries)), (cards, cards::page(&entries))];
+        let pages = [(list, markdown(&entries)), (cards, page(&entries))];
         Self { reports: entries.len(), pages }
     }
 }
@@ -149,4 +145,82 @@ fn markdown(entries: &[Entry]) -> String {
     }
     page.paragraph(&format!("{MARK} overwritten by the next run."));
     page.markdown()
+}
+
+const STYLE: &str = include_str!("assets/index.css");
+const SCRIPT: &str = include_str!("assets/index.js");
+
+fn page(entries: &[Entry]) -> String {
+    let kinds = sorted(entries.iter().map(|entry| entry.kind.clone()));
+    let surfaces = sorted(entries.iter().flat_map(|entry| entry.surfaces().map(|(name, _)| name.clone())));
+    let group = |(place, (title, entries)): (usize, (&str, Vec<&Entry>))| {
+        let cards: String = entries.into_iter().map(card).collect();
+        format!(
+            "<section aria-labelledby=\"group-{place}\">\n<h2 id=\"group-{place}\">{title}</h2>\n<ul class=\"cards\">\n{cards}</ul>\n</section>\n"
+        )
+    };
+    let all: String = groups(entries).enumerate().map(group).collect();
+    let body = format!(
+        "<h1>Reports</h1>\n<p>{} reports.</p>\n\
+         <form class=\"filter\" hidden>\n{}{}<label>Words <input type=\"search\" id=\"words\"></label>\n\
+         <span role=\"status\" id=\"count\"></span>\n</form>\n{all}<p>{MARK} overwritten by the next run.</p>\n",
+        entries.len(),
+        choice("Kind", "kind", &kinds),
+        choice("Surface", "surface", &surfaces),
+    );
+    document("Reports", &body, STYLE, &format!("<script>\n{SCRIPT}</script>\n"))
+}
+
+fn sorted(all: impl Iterator<Item = String>) -> Vec<String> {
+    let mut all: Vec<String> = all.filter(|name| !name.is_empty()).collect();
+    all.sort();
+    all.dedup();
+    all
+}
+
+fn choice(label: &str, id: &str, values: &[String]) -> String {
+    let option = |value: &String| format!("<option>{}</option>", escape(value));
+    format!(
+        "<label>{label} <select id=\"{id}\"><option value=\"\">all</option>{}</select></label>\n",
+        values.iter().map(option).collect::<String>()
+    )
+}
+
+fn card(entry: &Entry) -> String {
+    let name = escape(&entry.name);
+    let title = escape(&entry.title);
+    let picture = if entry.files.iter().any(|file| file == CARD) {
+        format!("<img src=\"{name}/{CARD}\" alt=\"Main figure: {title}\" loading=\"lazy\">\n")
+    } else {
+        String::new()
+    };
+    let surfaces: Vec<String> = entry.surfaces().map(|(name, _)| escape(name)).collect();
+    let warnings = match entry.warnings.len() {
+        0 => String::new(),
+        1 => ", 1 warning".to_owned(),
+        count => format!(", {count} warnings"),
+    };
+    let data = entry.data();
+    format!(
+        "<li data-kind=\"{kind}\" data-surfaces=\"{surfaces}\">\n<h3><a href=\"{name}/{page}\">{title}</a></h3>\n{picture}{answer}\
+         <p class=\"facts\">[{kind}]{warnings}; <a href=\"{name}/{data}\">{data}</a></p>\n</li>\n",
+        kind = escape(&entry.kind),
+        page = entry.page(),
+        surfaces = surfaces.join("\n"),
+        answer = answer(&entry.answer),
+    )
+}
+
+/// What a report found: of a case the lines that a reader needs first, else the sentence.
+fn answer(answer: &Answer) -> String {
+    const SHOWN: [&str; 3] = [CardLine::ANSWER, "difference", "instead"];
+    let text = |text: &str| escape(&with_minus(&text.replace('`', "")));
+    let line = |line: &CardLine| format!("<dt>{}</dt><dd>{}</dd>\n", escape(&line.label), text(&line.text()));
+    let shown = answer.lines.iter().filter(|line| SHOWN.contains(&line.key.as_str()));
+    let lines: String = shown.map(line).collect();
+    if lines.is_empty() {
+        format!("<p class=\"answer\">{}</p>\n", text(&answer.sentence))
+    } else {
+        format!("<dl class=\"answer\">\n{lines}</dl>\n")
+    }
 }

@@ -7,17 +7,17 @@
 mod html;
 mod markdown;
 
-use super::answer::{Answer, CardLine};
-use super::view::{View, ViewText};
-use crate::remedy::FrontEnd;
 use asperity_plot::{Figure, Size};
+pub use html::{CHART_STYLE, chart_scripts, charts, document, escape as escape_html, page_style, with_minus};
+use markdown::{address, cell_markdown, is_numeric, line_of, one_line};
+pub use markdown::{escape, escape_around_code};
 use rayon::prelude::*;
 use serde::Serialize;
 use serde_json::value::RawValue;
 
-pub use html::{CHART_STYLE, chart_scripts, charts, document, escape as escape_html, page_style, with_minus};
-use markdown::{address, cell_markdown, is_numeric, line_of, one_line};
-pub use markdown::{escape, escape_around_code};
+use super::answer::{Answer, CardLine};
+use super::view::{View, ViewText};
+use crate::remedy::FrontEnd;
 
 /// One cell of a table: plain text, with code in it or not, or a link.
 #[derive(Clone, Debug, PartialEq)]
@@ -92,7 +92,6 @@ impl Drawn {
 pub struct Files {
     /// `report.md`.
     pub markdown: String,
-    /// `report.html`.
     pub html: String,
     /// Names and contents of the pictures, which must be next to the Markdown file.
     pub figures: Vec<(String, String)>,
@@ -407,8 +406,9 @@ fn markdown_of(blocks: &[Block], parts: &mut Vec<String>) {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use asperity_plot::{Axis, Layer, Plot};
+
+    use super::*;
 
     const ATTACK: &str =
         "a|b <script>alert(1)</script> ![x](http://evil/x.png) [y](javascript:alert(1)) `c` *d*\n# e";

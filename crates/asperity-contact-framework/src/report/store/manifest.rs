@@ -1,12 +1,14 @@
 //! What a run wrote into a folder, and under which key.
 
-use super::{StoreError, failed, is_plain};
-use serde::{Deserialize, Serialize};
-use sha2::{Digest, Sha256};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::io::ErrorKind;
 use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+
+use super::{StoreError, failed, is_plain};
 
 pub(super) const MANIFEST: &str = "manifest.json";
 const SUMMARY: &str = "summary.json";

@@ -15,16 +15,17 @@
 //!   checked before a run. A folder that is removed during a run is made again.
 
 mod manifest;
-mod swap;
 
-use crate::kept::{advice, check_writable};
+use std::fs::{File, TryLockError};
+use std::io::{ErrorKind, Write};
+use std::path::{Path, PathBuf};
+use std::{fs, io};
+
 use manifest::{Kept, MANIFEST, Manifest};
 use rayon::prelude::*;
 use serde::Deserialize;
-use std::fs::{self, File, TryLockError};
-use std::io::{self, Write};
-use std::path::{Path, PathBuf};
-use swap::Places;
+
+use crate::kept::{advice, check_writable};
 
 const LOCK: &str = ".lock";
 
@@ -183,10 +184,10 @@ impl Store {
         self.check(&folder.stem)?;
         let places = Places::new(&self.directory, &folder.stem);
         let kept = Kept::read(&self.directory.join(&folder.stem))?;
-        let done = write_all(&places.new, folder, &kept).and_then(|()| swap::replace(&places));
+        let done = write_all(&places.new, folder, &kept).and_then(|()| replace(&places));
         if done.is_err() {
             // The first error is more informative than one during cleanup.
-            swap::recover_one(&places).ok();
+            recover_one(&places).ok();
         }
         done.map(|()| kept.edited.into_iter().map(|(name, _)| name).collect())
     }
@@ -219,7 +220,7 @@ impl Store {
         self.open()?;
         let path = self.directory.join(name);
         let new = Places::new(&self.directory, name).new;
-        let done = write_file(&new, content).and_then(|()| swap::rename(&new, &path));
+        let done = write_file(&new, content).and_then(|()| rename(&new, &path));
         if done.is_err() {
             fs::remove_file(&new).ok();
         }
@@ -261,7 +262,7 @@ impl Store {
             Err(TryLockError::Error(error)) if error.kind() == io::ErrorKind::Unsupported => {}
             Err(TryLockError::Error(error)) => return failed("lock", &path, error),
         }
-        swap::recover(&self.directory)?;
+        recover(&self.directory)?;
         self.lock = Some(file);
         Ok(())
     }
@@ -337,6 +338,141 @@ pub fn plain(name: &str) -> String {
 
 fn is_special(c: char) -> bool {
     c.is_control() || matches!(c, '/' | '\\' | ':' | '*' | '?' | '"' | '<' | '>' | '|')
+}
+
+/// Long enough that nothing else bears such a name.
+const NEW: &str = ".asperity-new";
+const OLD: &str = ".asperity-old";
+
+/// Paths of a report: final, in preparation, moved aside.
+struct Places {
+    directory: PathBuf,
+    place: PathBuf,
+    new: PathBuf,
+    old: PathBuf,
+}
+
+impl Places {
+    fn new(directory: &Path, stem: &str) -> Self {
+        Self {
+            directory: directory.into(),
+            place: directory.join(stem),
+            new: directory.join(format!(".{stem}{NEW}")),
+            old: directory.join(format!(".{stem}{OLD}")),
+        }
+    }
+}
+
+/// An atomic step, except for the removal of obsolete files.
+#[derive(Clone, Copy, Debug)]
+enum Step {
+    /// The new folder goes to a place that is free.
+    MoveIn,
+    /// The new and the old folder are exchanged.
+    Exchange,
+    /// The old folder is moved aside.
+    SetAside,
+    /// The old folder, now in the place of the new one, is removed.
+    DiscardExchanged,
+    /// The old folder, now aside, goes.
+    DiscardAside,
+}
+
+const INTO_FREE_PLACE: &[Step] = &[Step::MoveIn];
+const BY_EXCHANGE: &[Step] = &[Step::Exchange, Step::DiscardExchanged];
+const BY_TWO_RENAMES: &[Step] = &[Step::SetAside, Step::MoveIn, Step::DiscardAside];
+
+/// Puts the new folder in its place.
+fn replace(places: &Places) -> Result<(), StoreError> {
+    if !exists(&places.place)? {
+        return take(INTO_FREE_PLACE, places);
+    }
+    match take(BY_EXCHANGE, places) {
+        Err(StoreError::Io { source, .. }) if source.kind() == ErrorKind::Unsupported => {
+            take(BY_TWO_RENAMES, places)
+        }
+        done => done,
+    }
+}
+
+fn take(steps: &[Step], places: &Places) -> Result<(), StoreError> {
+    for step in steps {
+        match step {
+            Step::MoveIn => rename(&places.new, &places.place)?,
+            Step::SetAside => rename(&places.place, &places.old)?,
+            Step::Exchange => {
+                exchange(&places.new, &places.place).or_else(|e| failed("replace", &places.place, e))?;
+                sync_folder(&places.directory)?;
+            }
+            Step::DiscardExchanged => discard(&places.new)?,
+            Step::DiscardAside => discard(&places.old)?,
+        }
+    }
+    Ok(())
+}
+
+/// Clears up after every report of a store that was being replaced when its run was killed.
+fn recover(directory: &Path) -> Result<(), StoreError> {
+    for entry in fs::read_dir(directory).or_else(|e| failed("list", directory, e))? {
+        let name = entry.or_else(|e| failed("list", directory, e))?.file_name();
+        let stem = name.to_str().and_then(|name| name.strip_prefix('.'));
+        if let Some(stem) = stem.and_then(|name| name.strip_suffix(NEW).or_else(|| name.strip_suffix(OLD))) {
+            recover_one(&Places::new(directory, stem))?;
+        }
+    }
+    Ok(())
+}
+
+/// After a kill exactly one complete report remains (or none, if there never was one).
+fn recover_one(places: &Places) -> Result<(), StoreError> {
+    if exists(&places.old)? && !exists(&places.place)? {
+        rename(&places.old, &places.place)?;
+    }
+    discard(&places.old)?;
+    discard(&places.new)
+}
+
+/// Renames and brings that down to the disk.
+fn rename(from: &Path, to: &Path) -> Result<(), StoreError> {
+    fs::rename(from, to).or_else(|e| failed("move something to", to, e))?;
+    to.parent().map_or(Ok(()), sync_folder)
+}
+
+#[cfg(target_os = "linux")]
+fn exchange(a: &Path, b: &Path) -> io::Result<()> {
+    use rustix::fs::{CWD, RenameFlags, renameat_with};
+    use rustix::io::Errno;
+    renameat_with(CWD, a, CWD, b, RenameFlags::EXCHANGE).map_err(|error| match error {
+        // Errors of file systems and kernels without this operation.
+        Errno::INVAL | Errno::NOSYS | Errno::NOTSUP => ErrorKind::Unsupported.into(),
+        other => other.into(),
+    })
+}
+
+#[cfg(not(target_os = "linux"))]
+fn exchange(_: &Path, _: &Path) -> io::Result<()> {
+    Err(ErrorKind::Unsupported.into())
+}
+
+fn exists(path: &Path) -> Result<bool, StoreError> {
+    match fs::symlink_metadata(path) {
+        Ok(_) => Ok(true),
+        Err(error) if error.kind() == ErrorKind::NotFound => Ok(false),
+        Err(error) => failed("inspect", path, error),
+    }
+}
+
+/// Removes a folder or a file if it is there.
+fn discard(path: &Path) -> Result<(), StoreError> {
+    let removed = match fs::symlink_metadata(path) {
+        Ok(found) if found.is_dir() => fs::remove_dir_all(path),
+        Ok(_) => fs::remove_file(path),
+        Err(error) => Err(error),
+    };
+    match removed {
+        Err(error) if error.kind() != ErrorKind::NotFound => failed("remove", path, error),
+        _ => Ok(()),
+    }
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
-use super::swap::{BY_EXCHANGE, BY_TWO_RENAMES, INTO_FREE_PLACE, Step, take};
-use super::*;
 use tempfile::TempDir;
+
+use super::{BY_EXCHANGE, BY_TWO_RENAMES, INTO_FREE_PLACE, Step, take, *};
 
 fn folder(key: &str, text: &str) -> Folder {
     let mut folder = Folder::new("lead", key);

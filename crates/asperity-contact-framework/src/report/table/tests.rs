@@ -6,19 +6,14 @@ struct Sphere {
     load: Option<f64>,
 }
 
-impl Row for Sphere {
-    const FILE: &'static str = "spheres.csv";
-    const ROWS: &'static str = "One row for each sphere.";
-
-    fn columns() -> Vec<Column<Self>> {
-        columns! { sphere: Self =>
-            name["text"] = sphere.name, "Name of the sphere.";
-            radius_m["m", part("radii")] = sphere.radius, "Radius.";
-            load_n["N"] = sphere.load, "Load; empty where there is no contact.";
-            in_contact["true/false"] = sphere.load.is_some(), "Whether there is contact.";
-            letters["count"] = sphere.name.len(), "Letters of the name.";
-        }
-    }
+rows! { Sphere => "spheres.csv";
+    "One row for each sphere.";
+    sphere =>
+    name["text"] = sphere.name, "Name of the sphere.";
+    radius_m["m", part("radii")] = sphere.radius, "Radius.";
+    load_n["N"] = sphere.load, "Load; empty where there is no contact.";
+    in_contact["true/false"] = sphere.load.is_some(), "Whether there is contact.";
+    letters["count"] = sphere.name.len(), "Letters of the name.";
 }
 
 #[test]

@@ -1,29 +1,24 @@
+use std::fmt;
+
 use super::*;
-use crate::columns;
 use crate::input::{InputError, Spanned, SpecFile};
 use crate::kind::{Kind, Memory, Outcome, Plan, RunContext};
 use crate::metadata::Metadata;
 use crate::report::Page;
 use crate::report::table::{Column, Tables};
-use std::fmt;
+use crate::rows;
 
 /// A row of a table with a column of each comparison.
 struct Point(usize);
 
-impl Row for Point {
-    const FILE: &'static str = "points.csv";
-    const ROWS: &'static str = "One row for each point.";
-    const RECORDS: Option<&'static str> = Some("points");
-
-    fn columns() -> Vec<Column<Self>> {
-        columns! { row: Self =>
-            n["count"] = row.0, "n.";
-            x["1"] = row.0 as f64, "x.";
-            difference_x["1", scale_of("x")] = row.0 as f64, "Difference of x.";
-            jump["1", scale(1.0)] = row.0 as f64, "Jump.";
-            seconds["s", ignored] = row.0 as f64, "Time.";
-        }
-    }
+rows! { Point => "points.csv", records "points";
+    "One row for each point.";
+    row =>
+    n["count"] = row.0, "n.";
+    x["1"] = row.0 as f64, "x.";
+    difference_x["1", scale_of("x")] = row.0 as f64, "Difference of x.";
+    jump["1", scale(1.0)] = row.0 as f64, "Jump.";
+    seconds["s", ignored] = row.0 as f64, "Time.";
 }
 
 /// A kind whose table holds times.
@@ -222,4 +217,29 @@ fn a_report_or_file_that_is_missing_is_said() {
     fs::remove_file(old.path().join("one/report.md")).unwrap();
     let new = report("points", "{}", &[("report.md", "a")]);
     assert_eq!(verified(new.path(), old.path(), &KINDS).unwrap().differences, ["one/report.md: is missing"]);
+}
+
+#[test]
+fn numbers_may_differ_in_the_last_shown_digit_and_words_may_not() {
+    let is_same = |new: &str, old: &str| first_difference(new, old).is_none();
+    for (new, old) in [
+        ("area 12.3 % too large", "area 12.4 % too large"),
+        ("M10.25,-3.5L4", "M10.24,-3.5L4"),
+        ("1e-4 of it", "9.99e-5 of it"),
+        ("12 m", "12.1 m"),
+        ("+0.1", "+0.2"),
+    ] {
+        assert!(is_same(new, old), "{new}");
+    }
+    for (new, old) in [
+        ("area 12.3 % too large", "area 12.5 % too large"),
+        ("within 3 %", "beyond 3 %"),
+        ("247 contacts", "248 contacts"),
+        ("one line", "one line\nand another"),
+        ("0.1 µm", "0.1 nm"),
+    ] {
+        assert!(!is_same(new, old), "{new}");
+    }
+    let line = first_difference("a\nb 1.0\nc", "a\nb 2.0\nc").unwrap();
+    assert_eq!(line, "line 2: now b 1.0, committed b 2.0");
 }

@@ -1,3 +1,0 @@
-//! Progress of a run, as the library reports it.
-
-pub use asperity::progress::{Named, Progress, Silent};
