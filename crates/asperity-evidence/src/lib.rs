@@ -71,7 +71,6 @@ impl Form {
     }
 }
 
-/// What a program is run with.
 pub struct Task<'a> {
     pub is_full: bool,
     pub seed: u64,
@@ -84,7 +83,6 @@ impl Task<'_> {
     }
 }
 
-/// What a program has found.
 #[derive(Debug, Default)]
 pub struct Evidence {
     /// The first sentences of the page.
@@ -107,7 +105,6 @@ pub struct Drawing {
     pub caption: String,
 }
 
-/// `[evidence]`
 pub struct EvidenceKind;
 
 /// A program that proves what Asperity claims of itself.

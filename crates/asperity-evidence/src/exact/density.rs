@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use super::end_of;
+use super::ends;
 use crate::wide::{PI, Wide};
 use asperity::Heights;
 
@@ -123,5 +123,5 @@ impl Window {
 
 /// Where `holds` ends on the way from `from`, where it holds, to `to`; `to` where it holds there too.
 fn place(holds: impl Fn(Wide) -> bool, from: Wide, to: Wide) -> Wide {
-    if holds(to) || from == to { to } else { end_of(holds, from, to, 60) }
+    if holds(to) || from == to { to } else { ends(holds, from, to, 60)[1] }
 }

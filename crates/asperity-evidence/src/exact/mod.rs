@@ -232,29 +232,41 @@ impl Shape {
     }
 
     /// A paraboloid of mean curvature `mean_curvature` (1/m) and `ratio` = kmax/kmin: m from [E/(1-m) - K]/(K - E) =
-    /// `ratio`, by bisection of ln(1 - m).
+    /// `ratio`, by bisection of ln(1 - m) and then by secants.
     pub fn ellipse(mean_curvature: f64, ratio: f64) -> Self {
         let wanted = Wide::new(ratio).ln();
         // ln(ratio) decreases as v = ln(1 - m) grows, by 3/4 at a circle to 1.
-        let is_larger = |v: Wide| {
+        let value = |v: Wide| {
             let minor = v.exp();
             let [k, e] = complete(minor);
-            ((e / minor - k) / (k - e)).ln() > wanted
+            ((e / minor - k) / (k - e)).ln() - wanted
         };
-        let minor = end_of(is_larger, -wanted * 4.0 / 3.0 - 1e-3, -wanted / 2.0, 110).exp();
+        let (low, high) = (-wanted * 4.0 / 3.0 - 1e-3, -wanted / 2.0);
+        let [mut before, mut now] = ends(|v| value(v) > Wide::ZERO, low, high, 40);
+        let (mut of_before, mut of_now) = (value(before), value(now));
+        for _ in 0..6 {
+            let change = of_now - of_before;
+            if change == Wide::ZERO || of_now == Wide::ZERO {
+                break;
+            }
+            let next = now - of_now * (now - before) / change;
+            (before, of_before) = (now, of_now);
+            (now, of_now) = (next, value(next));
+        }
+        let minor = now.exp();
         let [k, e] = complete(minor);
         let half = PI / (k * 2.0);
         Self { radius: k * e * 4.0 / (PI * PI * mean_curvature), spheres: half * half / minor.sqrt() }
     }
 }
 
-/// Where `holds` ends on the way from `inside`, where it holds, to `outside`, where it does not, by so many bisections.
-fn end_of(holds: impl Fn(Wide) -> bool, mut inside: Wide, mut outside: Wide, steps: usize) -> Wide {
+/// Places on both sides of where `holds` ends on the way from `inside`, where it holds, to `outside`, by so many bisections.
+fn ends(holds: impl Fn(Wide) -> bool, mut inside: Wide, mut outside: Wide, steps: usize) -> [Wide; 2] {
     for _ in 0..steps {
         let middle = (inside + outside) * 0.5;
         if holds(middle) { inside = middle } else { outside = middle }
     }
-    outside
+    [inside, outside]
 }
 
 /// K(m) and E(m), given 1 - m, by the arithmetic-geometric mean.

@@ -4,7 +4,7 @@
 //! law is.
 
 use super::density::{Density, Window, density_of};
-use super::{Exact, ExactFlat, Shape, end_of};
+use super::{Exact, ExactFlat, Shape, ends};
 use crate::wide::{Wide, integral};
 use asperity::Population;
 use rayon::prelude::*;
@@ -174,7 +174,7 @@ impl Exact {
             let to = end * ratio.powi(k);
             let behind = branch(to);
             while before != behind {
-                from = end_of(|x| branch(x) == before, from, to, 110);
+                from = ends(|x| branch(x) == before, from, to, 110)[1];
                 found.push(from);
                 before = branch(from * (Wide::ONE + 1e-28));
             }

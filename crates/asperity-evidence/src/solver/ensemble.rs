@@ -46,8 +46,8 @@ const ERRORS: f64 = 2.0;
 /// Relative dual gap.
 const DUAL_GAP: f64 = 1e-6;
 
-/// Areas of surfaces of the published ensemble on grids of ascending `points` along a side, and extrapolated from the two finest, surface by surface: linearly in the
-/// pixel, with which the error of counted areas falls. One unit of progress for each pressure of each map.
+/// Areas of surfaces of the published ensemble on grids of ascending `points` along a side, and extrapolated from the two finest, surface
+/// by surface: linearly in the pixel, with which the error of counted areas falls. One unit of progress for each pressure of each map.
 pub fn ensemble(
     points: &[usize],
     realisations: usize,
@@ -95,7 +95,7 @@ pub fn ensemble(
     Ok(benchmarks)
 }
 
-/// Of a mean over surfaces its standard error.
+/// A mean over surfaces and its standard error.
 fn mean_and_error(values: impl Iterator<Item = f64> + Clone) -> [f64; 2] {
     let count = values.clone().count() as f64;
     let mean = values.clone().sum::<f64>() / count;

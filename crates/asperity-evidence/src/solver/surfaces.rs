@@ -38,6 +38,7 @@ impl SelfAffine {
         };
         let pixel = [side / points as f64; 2];
         let generator = SurfaceGenerator { points: [points; 2], pixel, process, plateau: None };
+        generator.check()?;
         let (map, _) = generator.surface(Seeds { process: seed, plateau: seed })?;
         let factor = gradient / rms_gradient(&map);
         let heights = map.heights().iter().map(|z| factor * z).collect();
