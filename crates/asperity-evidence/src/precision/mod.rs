@@ -249,7 +249,7 @@ impl Row for &Point {
             evaluations_per_separation["1"] = row.evaluations, "Mean number of contacts that an integral evaluates per separation; empty where the rule does not report it.";
             area_error["1", scale(1.0)] = row.cost.area_error, "Largest relative error of the area over the separations, against 32 digits; of boundary elements against Hertz.";
             load_error["1", scale(1.0)] = row.cost.load_error, "The same of the load; of boundary elements at the computed indentation, against Hertz's load there.";
-            seconds["s", label("time"), ignored] = row.cost.seconds, "Time per separation, or for map, kernel and contact.";
+            seconds_per_result["s", label("time"), ignored] = row.cost.seconds, "Time per separation, or for map, kernel and contact.";
         }
     }
 }
