@@ -1,11 +1,4 @@
 //! Results for other programs: `experiment export`.
-//!
-//! | module | what it writes |
-//! |---|---|
-//! | `interface` | pressure, conductance and friction of a joint as a table over its closure |
-//! | `formats` | that table as programs for finite elements read it |
-//! | `surface` | maps after every step of their preparation, and asperities |
-//! | `patches` | the contact of boundary elements at a load |
 
 mod formats;
 mod interface;

@@ -1,4 +1,5 @@
-//! What the kinds that study surfaces have in common in their specs: bodies under laws and layers, loads, and surfaces, resolved.
+//! What the kinds that study surfaces have in common in their specs: bodies under laws and layers, loads, surfaces and the statistical
+//! model, resolved.
 
 mod loads;
 mod spots;

@@ -1,4 +1,4 @@
-//! Puts a figure together.
+//! Puts a figure together, a plot with the distributions of its two quantities too.
 
 use crate::axes::{FOOT, Frame};
 use crate::canvas::{Align, Canvas, Rect, Type};
