@@ -52,51 +52,23 @@ type Line = (String, String);
 impl ContactOptions {
     /// Refuses options that contradict each other.
     pub fn check(&self) -> Result<(), InputError> {
+        const TWO_LOADS: &str = "found together with --pressure; allowed: one of --load and --pressure";
+        const NO_LOAD: &str = "found without a load; allowed: beside --load, which acts on it, or --pressure, whose force it gives";
+        const NO_LAYER: &str = "found without a layer; allowed: beside --layer MATERIAL";
+        const NO_BODY: &str = "found no body; allowed: \"flat\", \"rough\"";
+        const NO_THICKNESS: &str =
+            "found without its thickness; allowed: beside --thickness, such as \"2 um\"";
+        const NO_BODY_LEFT: &str = "found together with --rough and --flat, which leave it no body; allowed: two of the three at most";
         let Self { material, rough, flat, layer, thickness, layer_on, load, area, pressure, .. } = self;
         let is_no_body = |name: &String| Body::ALL.iter().all(|body| body.name() != name.as_str());
         let conflicts = [
-            (
-                "load",
-                load,
-                pressure.is_some(),
-                "found together with --pressure; allowed: one of --load and --pressure",
-            ),
-            (
-                "area",
-                area,
-                load.is_none() && pressure.is_none(),
-                "found without a load; allowed: beside --load, which acts on it, or --pressure, whose force it gives",
-            ),
-            (
-                "thickness",
-                thickness,
-                layer.is_none(),
-                "found without a layer; allowed: beside --layer MATERIAL",
-            ),
-            (
-                "layer-on",
-                layer_on,
-                layer.is_none(),
-                "found without a layer; allowed: beside --layer MATERIAL",
-            ),
-            (
-                "layer-on",
-                layer_on,
-                layer_on.as_ref().is_some_and(is_no_body),
-                "found no body; allowed: \"flat\", \"rough\"",
-            ),
-            (
-                "layer",
-                layer,
-                thickness.is_none(),
-                "found without its thickness; allowed: beside --thickness, such as \"2 um\"",
-            ),
-            (
-                "material",
-                material,
-                rough.is_some() && flat.is_some(),
-                "found together with --rough and --flat, which leave it no body; allowed: two of the three at most",
-            ),
+            ("load", load, pressure.is_some(), TWO_LOADS),
+            ("area", area, load.is_none() && pressure.is_none(), NO_LOAD),
+            ("thickness", thickness, layer.is_none(), NO_LAYER),
+            ("layer-on", layer_on, layer.is_none(), NO_LAYER),
+            ("layer-on", layer_on, layer_on.as_ref().is_some_and(is_no_body), NO_BODY),
+            ("layer", layer, thickness.is_none(), NO_THICKNESS),
+            ("material", material, rough.is_some() && flat.is_some(), NO_BODY_LEFT),
         ];
         for (option, given, is_conflict, message) in conflicts {
             if let Some(given) = given.as_deref().filter(|_| is_conflict) {

@@ -1,6 +1,5 @@
 //! `[sweep]`: an experiment for several values of some of its keys, in one report.
 
-mod figures;
 mod find;
 mod outline;
 mod plan;
