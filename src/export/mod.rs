@@ -1,13 +1,12 @@
 //! Results for other programs: `experiment export`.
 
 mod formats;
-mod interface;
 mod patches;
 mod surface;
 
-pub use formats::{Format, UnitSystem};
-pub use interface::{
-    InterfaceOptions, InterfaceTable, InterfaceValue, Interfaces, TableModel, TablePoint, interface_tables,
+pub use formats::{
+    Format, InterfaceOptions, InterfaceTable, InterfaceValue, Interfaces, TableModel, TablePoint, UnitSystem,
+    interface_tables,
 };
 pub use patches::{ExportedContact, ExportedContacts};
 pub use surface::{ExportedAsperities, ExportedMap, ExportedSurface, SurfaceChoice};
