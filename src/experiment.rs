@@ -1,10 +1,10 @@
 //! From a spec file to results: read, plan, run. No output to terminal or files.
 
 use std::any::Any;
-use std::fmt;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::SystemTime;
+use std::{fmt, fs};
 
 use asperity::Material;
 use asperity::surface::{AnalysisDepth, Surface};
@@ -28,7 +28,7 @@ use crate::kind::compare::results::CompareResults;
 use crate::kind::compare::spec::{ComparePlan, described};
 use crate::kind::{KINDS, REPORTED, SURFACES};
 use crate::surface::{FileOptions, SurfaceFactory, SurfacesPlan, by_hand, files_of, surfaces};
-use crate::{available_memory, sweep};
+use crate::sweep;
 
 /// SHA-256 of the sources that this program was built from.
 const SOURCES: &str = env!("ASPERITY_SOURCES");
@@ -173,7 +173,7 @@ impl Experiment {
         let materials = spec.materials().map(|(name, body)| (name.get_ref().clone(), *body)).collect();
         let origins = spec.origins();
         let SpecFile { source, title, notes, figure, is_long, seed, .. } = spec;
-        available_memory::check(&*plan, &source)?;
+        check_memory(&*plan, &source)?;
         Ok(Self {
             source,
             stem,
@@ -557,5 +557,69 @@ impl Experiment {
             }
             None => Ok(()),
         }
+    }
+}
+
+/// Bytes; 0 where they are not known.
+fn available_memory() -> u128 {
+    let mut system = sysinfo::System::new();
+    system.refresh_memory();
+    // Not what its processes hold: `free_memory` would count the cache of files as taken.
+    let container = system.cgroup_limits().map(|limits| limits.total_memory.saturating_sub(limits.rss));
+    let process = fs::read_to_string("/proc/self/limits")
+        .ok()
+        .zip(fs::read_to_string("/proc/self/status").ok())
+        .and_then(|(limits, status)| left_of_address_space(&limits, &status));
+    let all = [Some(system.available_memory()), container, process];
+    all.into_iter().flatten().min().map_or(0, u128::from)
+}
+
+/// Refuses what memory cannot hold, before anything is allocated.
+fn check_memory(plan: &dyn Plan, source: &Source) -> Result<(), InputError> {
+    let available = available_memory();
+    let needed = plan.memory();
+    // Without a known limit nothing is refused.
+    if available == 0 || needed.bytes <= available {
+        return Ok(());
+    }
+    let message = format!(
+        "this needs about {:.1} GB of memory; available: {:.1} GB. Allowed: fewer asperities, a smaller map, where it compares models \
+         on a measured map, robustness = false, or [tiled], which sums a surface of any size at given separations",
+        needed.bytes as f64 / 1e9,
+        available as f64 / 1e9
+    );
+    Err(match needed.key {
+        Some(key) => source.error_at(key, message),
+        None => InputError::file(&source.path, message),
+    })
+}
+
+/// What is left of the address space that `ulimit -v` allows, by the texts of `/proc/self/limits` and `/proc/self/status`;
+/// `None` without a limit.
+fn left_of_address_space(limits: &str, status: &str) -> Option<u64> {
+    let after = |text: &str, name: &str| {
+        let rest = text.lines().find_map(|line| line.strip_prefix(name))?;
+        rest.split_whitespace().next()?.parse::<u64>().ok()
+    };
+    let limit = after(limits, "Max address space")?;
+    Some(limit.saturating_sub(1024 * after(status, "VmSize:")?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_limit_of_the_address_space_leaves_what_is_not_taken() {
+        let limits = |soft: &str| {
+            format!(
+                "Limit  Soft Limit  Hard Limit  Units\nMax address space         {soft}   unlimited   bytes\n"
+            )
+        };
+        let status = "Name:\texperiment\nVmPeak:\t 9000 kB\nVmSize:\t    1000 kB\n";
+        assert_eq!(left_of_address_space(&limits("5120000"), status), Some(4_096_000));
+        assert_eq!(left_of_address_space(&limits("1000"), status), Some(0));
+        assert_eq!(left_of_address_space(&limits("unlimited"), status), None);
+        assert!(available_memory() > 0);
     }
 }

@@ -1,4 +1,4 @@
-//! A layer on the flat or on the rough body: its spec and its plan.
+//! A layer on the flat or on the rough body: its spec, its plan, and what is cautioned of it.
 
 use std::fmt;
 

@@ -5,7 +5,6 @@
 //! ```
 #![deny(unsafe_code)]
 
-mod available_memory;
 mod experiment;
 pub mod export;
 pub mod keys;

@@ -1,4 +1,4 @@
-//! Words and colours that pages of several kinds share.
+//! Words and colours that pages of several kinds share, and the figures of Pasaribu and Schipper (2005) that specs reproduce.
 
 use std::fmt;
 

@@ -1,20 +1,12 @@
 //! Results for other programs: `experiment export`.
-//!
-//! | module | what it writes |
-//! |---|---|
-//! | `interface` | pressure, conductance and friction of a joint as a table over its closure |
-//! | `formats` | that table as programs for finite elements read it |
-//! | `surface` | maps after every step of their preparation, and asperities |
-//! | `patches` | the contact of boundary elements at a load |
 
 mod formats;
-mod interface;
 mod patches;
 mod surface;
 
-pub use formats::{Format, UnitSystem};
-pub use interface::{
-    InterfaceOptions, InterfaceTable, InterfaceValue, Interfaces, TableModel, TablePoint, interface_tables,
+pub use formats::{
+    Format, InterfaceOptions, InterfaceTable, InterfaceValue, Interfaces, TableModel, TablePoint, UnitSystem,
+    interface_tables,
 };
 pub use patches::{ExportedContact, ExportedContacts};
 pub use surface::{ExportedAsperities, ExportedMap, ExportedSurface, SurfaceChoice};

@@ -1,4 +1,4 @@
-//! Maps and asperities of a surface, as the models see them, with where they come from.
+//! Maps and asperities of a surface, as the models see them: which is exported, and where it comes from.
 
 use std::path::{Path, PathBuf};
 

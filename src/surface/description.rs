@@ -1,4 +1,4 @@
-//! Full description of the surfaces of a spec, without any contact: `experiment surface SPEC`.
+//! Full description of the surfaces of a spec, without any contact: `experiment surface SPEC`; and what is hardly meant by its numbers.
 
 use std::fmt;
 use std::path::{Path, PathBuf};

@@ -1,4 +1,4 @@
-//! The measured files of a run: each is read once, however many surfaces are found in it.
+//! The measured files of a run: each is read once, however many surfaces are found in it; and surfaces that are kept between runs.
 
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};

@@ -1,4 +1,4 @@
-//! Random rough surfaces, planned from a spec.
+//! Random rough surfaces: `[surface.NAME.generate]`, planned and made.
 
 use std::f64::consts::TAU;
 use std::ops::Range;

@@ -1,6 +1,5 @@
 //! The surfaces of a spec: read, planned, made, and described in a report.
 
-mod contact_options;
 mod description;
 mod factory;
 mod files;
@@ -19,14 +18,13 @@ mod tiles;
 
 use asperity::surface::Surface;
 use asperity::work::Counter;
-pub use contact_options::ContactOptions;
 pub use description::{SurfacesPlan, described_file};
 pub use factory::SurfaceFactory;
 pub use files::{Files, OfSpec, StoredSurface, SurfaceStore, Surfaces};
 pub use fit::{by_hand, fit_records, keys};
 pub use generation::{Generation, TargetSpec, Way};
 pub use memory::memory;
-pub use options::{FileOptions, file_name};
+pub use options::{ContactOptions, FileOptions, file_name};
 pub use plan::{SurfacePlan, beside, curvature_ratio, describe, inputs, points_per_wave_on, surfaces};
 pub use spec::SurfaceSpec;
 pub use tiles::{OpenTiles, SurfaceTiles};

@@ -1,14 +1,5 @@
 //! `[sweep]`: an experiment for several values of some of its keys, in one report.
-//!
-//! | module | what lives there |
-//! |---|---|
-//! | `spec` | the table of a spec |
-//! | `plan` | variations, each an experiment of its own |
-//! | `find` | where a quantity is a given one, or a verdict changes |
-//! | `results` | one tidy table, where the answer changes |
-//! | `figures`, `outline` | the report |
 
-mod figures;
 mod find;
 mod outline;
 mod plan;

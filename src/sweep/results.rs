@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use asperity::compare::ComparedQuantity;
 use asperity_contact_framework::metadata::Metadata;
-use asperity_contact_framework::report::table::{Heading, Row, Table, Value as Cell};
+use asperity_contact_framework::report::table::{Heading, Table, Value as Cell};
 use asperity_contact_framework::rows;
 use indexmap::IndexMap;
 

@@ -1,4 +1,4 @@
-//! `[sweep]` as it stands in a spec.
+//! `[sweep]` as it stands in a spec, and the values of its keys.
 
 use asperity::compare::ComparedQuantity;
 use asperity::units::Dimension;

@@ -1,9 +1,4 @@
 //! What the program is to the workbench: specs checked, surfaces described, contacts computed stage by stage, reports written.
-//!
-//! | module | what lives there |
-//! |---|---|
-//! | `view` | results as the page shows them |
-//! | `begin` | the first spec of a file, and the example |
 
 mod begin;
 mod view;

@@ -10,6 +10,7 @@ use asperity_experiment::Experiment;
 use asperity_experiment::kind::indentation::IndentationResults;
 
 use crate::Report;
+use crate::results::{number, rows};
 
 fn run_file(path: &Path) -> IndentationResults {
     crate::downcast(Experiment::read(path).unwrap().run(&Silent).unwrap())
@@ -80,10 +81,9 @@ fn loads_of_figure_5_in_the_table() {
     let path = folder.path().join("sphere.toml");
     fs::write(&path, spec + &words("1e-7, 5e-7, 1e-6, 2e-6, 5e-6")).unwrap();
     let table = written(run_file(&path), "indentation.csv");
-    let mut reader = csv::Reader::from_reader(table.as_bytes());
-    let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
-    let coated = rows.iter().filter(|row| &row[3] == "zmc" && &row[4] == "coated");
-    let loads: Vec<f64> = coated.map(|row| row[6].parse().unwrap()).collect();
+    let rows = rows(table.as_bytes());
+    let coated = rows.iter().filter(|row| row["law"] == "zmc" && row["curve"] == "coated");
+    let loads: Vec<f64> = coated.map(|row| number(row, "load_n")).collect();
     let known = [0.375385, 4.06646, 13.6708, 39.129, 153.356];
     assert_eq!(loads.len(), known.len());
     for (found, known) in loads.iter().zip(known) {

@@ -4,13 +4,11 @@ use asperity::compare::ModelKind;
 use asperity::sphere::DecreasingQuantity;
 use asperity::study::Threshold;
 use asperity_contact_framework::Outcome;
-use asperity_contact_framework::progress::Silent;
 use asperity_contact_framework::report::store::Store;
-use asperity_experiment::Experiment;
 use asperity_experiment::kind::compare::results::CompareResults;
 
 use crate::Report;
-use crate::results::{table, typed};
+use crate::results::{column, rows, run, table, typed};
 
 /// A steel population on a flat; the keys of the flat are given.
 fn spec(flat: &str) -> String {
@@ -51,10 +49,7 @@ pressure = {{ values = ["1 MPa", "10 MPa"] }}
 }
 
 fn results(flat: &str) -> Box<dyn Outcome> {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("layers.toml");
-    std::fs::write(&path, spec(flat)).unwrap();
-    Experiment::read(&path).unwrap().run(&Silent).unwrap()
+    run(&spec(flat)).unwrap()
 }
 
 fn compared(flat: &str) -> CompareResults {
@@ -66,7 +61,7 @@ fn written(results: &dyn Outcome, names: &[&str]) -> Vec<String> {
     let out = tempfile::tempdir().unwrap();
     let folder = asperity_contact_framework::folder(results, "key").unwrap();
     Store::new(out.path()).write(&folder).unwrap();
-    names.iter().map(|name| std::fs::read_to_string(out.path().join("layers").join(name)).unwrap()).collect()
+    names.iter().map(|name| std::fs::read_to_string(out.path().join("t").join(name)).unwrap()).collect()
 }
 
 const LAYERS: &str = r#"flat = "steel"
@@ -87,9 +82,7 @@ fn every_law_runs_under_every_thickness_in_file_order() {
         ["zmc", "hertz"].into_iter().flat_map(|law| thicknesses.map(|t| (law, Some(t)))).collect();
     assert_eq!(cases, expected);
     for table in written(&*results(LAYERS), &["curves.csv", "comparison.csv"]) {
-        let mut reader = csv::Reader::from_reader(table.as_bytes());
-        let column = reader.headers().unwrap().iter().position(|name| name == "layer_thickness_m").unwrap();
-        let mut read: Vec<f64> = reader.records().map(|row| row.unwrap()[column].parse().unwrap()).collect();
+        let mut read = column(&rows(table.as_bytes()), "layer_thickness_m");
         read.dedup();
         assert_eq!(read, [thicknesses, thicknesses].concat());
     }
@@ -195,14 +188,11 @@ fn a_threshold_is_where_the_area_has_changed_by_5_percent() {
 /// Jackson and Green's law is not defined under a finite layer, so it has no threshold.
 #[test]
 fn a_law_without_layers_has_no_threshold() {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("limits.toml");
     let words = spec("flat = \"steel\"\nlayer = { material = \"lead\", thickness = [0, \"inf\"] }")
         .replace("hardness = \"7.6 GPa\"", "hardness = \"7.6 GPa\"\nyield-strength = \"2.7 GPa\"")
         .replace("hardness = \"0.17 GPa\"", "hardness = \"0.17 GPa\"\nyield-strength = \"0.06 GPa\"")
         .replace("\"hertz\"", "\"jackson-green\"");
-    std::fs::write(&path, words).unwrap();
-    let found: CompareResults = crate::downcast(Experiment::read(&path).unwrap().run(&Silent).unwrap());
+    let found: CompareResults = crate::downcast(run(&words).unwrap());
     let of = |law: &str| found.surfaces[0].thresholds.iter().filter(|found| found.law == law).count();
     assert_eq!((of("zmc"), of("jackson-green")), (4, 0));
     assert_eq!(found.surfaces[0].cases.len(), 4);

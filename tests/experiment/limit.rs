@@ -1,9 +1,7 @@
 //! `[limit]` from the spec to the slopes of the report.
 
 use asperity_contact_framework::Outcome;
-use asperity_contact_framework::progress::Silent;
 use asperity_contact_framework::report::format::number;
-use asperity_experiment::Experiment;
 
 use crate::Report;
 use crate::results::{self, table};
@@ -15,10 +13,7 @@ fn run(separation: f64, largest: f64) -> Box<dyn Outcome> {
         steel!(),
         case_1!(),
     );
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("limit.toml");
-    std::fs::write(&path, spec).unwrap();
-    Experiment::read(&path).unwrap().run(&Silent).unwrap()
+    results::run(&spec).unwrap()
 }
 
 #[test]

@@ -9,7 +9,6 @@ use asperity::{Flat, Material, MeanRadius, Model};
 use asperity_contact_framework::Outcome;
 use asperity_experiment::kind::compare::results::CompareResults;
 
-use crate::Report;
 use crate::results::{ON_STEEL, number, run as run_spec, table};
 
 /// A generated surface.
@@ -35,17 +34,12 @@ fn pair(keys: &str) -> String {
 
 /// Simplification, model and error of the area of each row of `two_bodies.csv`.
 fn errors_of_area(results: &CompareResults) -> Vec<(String, String, f64)> {
-    let files = (results as &dyn Outcome).files();
-    let (_, content) = files.iter().find(|(file, _)| *file == "two_bodies.csv").unwrap();
-    let mut reader = csv::Reader::from_reader(&content[..]);
-    let headers = reader.headers().unwrap().clone();
-    let column = |name: &str| headers.iter().position(|header| header == name).unwrap();
-    let columns = ["simplification", "model", "area_error"].map(column);
-    let row = |row: csv::StringRecord| {
-        let [what, model, error] = columns.map(|column| row[column].to_owned());
-        (what, model, error.parse().unwrap())
-    };
-    reader.records().map(|record| row(record.unwrap())).collect()
+    let rows = table(results, "two_bodies.csv").unwrap();
+    let errors = rows.iter().map(|row| number(row, "area_error"));
+    rows.iter()
+        .zip(errors)
+        .map(|(row, error)| (row["simplification"].clone(), row["model"].clone(), error))
+        .collect()
 }
 
 #[test]

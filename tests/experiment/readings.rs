@@ -10,13 +10,11 @@ use asperity::topography::generate::SigmaOf;
 use asperity::topography::read::{ReadOptions, height_map};
 use asperity::{Population, SurfaceHeights, npy};
 use asperity_contact_framework::Outcome;
-use asperity_contact_framework::progress::Silent;
-use asperity_experiment::Experiment;
 use asperity_experiment::kind::compare::readings::loads_by_reading;
 use asperity_experiment::kind::compare::results::CompareResults;
 
 use crate::Report;
-use crate::results::table;
+use crate::results::{self, table};
 
 /// A comparison under Hertz, whose integral has a closed form.
 fn run(separations: &str, surfaces: &str) -> Box<dyn Outcome> {
@@ -25,10 +23,7 @@ fn run(separations: &str, surfaces: &str) -> Box<dyn Outcome> {
          separation = {{ values = {separations} }}\n{surfaces}",
         steel!(),
     );
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("readings.toml");
-    std::fs::write(&path, spec).unwrap();
-    Experiment::read(&path).unwrap().run(&Silent).unwrap()
+    results::run(&spec).unwrap()
 }
 
 fn population(name: &str, sigma: &str, heights: &str) -> String {

@@ -8,7 +8,7 @@ use asperity_contact_framework::progress::Silent;
 use asperity_experiment::Experiment;
 
 use crate::Report;
-use crate::results::{Row, column, figure, number, table};
+use crate::results::{self, Row, column, figure, number, table};
 
 mod lines;
 mod unscattered;
@@ -38,11 +38,9 @@ const THREE: &str = "models = [\"statistical\", \"deterministic\", \"reference\"
 fn read(compare: &str, surfaces: &str) -> (tempfile::TempDir, Experiment) {
     let folder = tempfile::tempdir().unwrap();
     write_map(&folder.path().join("map.npy"));
-    let path = folder.path().join("t.toml");
     let head =
         concat!("title = \"t\"\n", steel!(), lead!(), "[compare]\nrough = \"steel\"\nflat = \"steel\"\n");
-    std::fs::write(&path, format!("{head}{compare}\n{surfaces}")).unwrap();
-    let experiment = Experiment::read(&path).unwrap();
+    let experiment = results::read(folder.path(), &format!("{head}{compare}\n{surfaces}")).unwrap();
     (folder, experiment)
 }
 
@@ -415,8 +413,7 @@ fn a_measured_map_of_noise_is_too_coarse() {
     let map = HeightMap::new([50, 60], [1e-6; 2], (0..3000).map(noise).collect(), 0.0).unwrap();
     map.write_npy(&folder.path().join("map.npy")).unwrap();
     let spec = std::fs::read_to_string(folder.path().join("t.toml")).unwrap();
-    std::fs::write(folder.path().join("t.toml"), spec.replace("law =", &format!("{THREE}law ="))).unwrap();
-    let results = Experiment::read(&folder.path().join("t.toml")).unwrap().run(&Silent).unwrap();
+    let results = results::run_in(folder.path(), &spec.replace("law =", &format!("{THREE}law ="))).unwrap();
     let is_told = |warning: &String| warning.contains("reference on surface m: 2 points per shortest wave");
     assert!(results.warnings().iter().any(is_told), "{:?}", results.warnings());
 }

@@ -1,11 +1,9 @@
 //! `[sampling-interval]` from the spec to the statements of the report.
 
 use asperity_contact_framework::Outcome;
-use asperity_contact_framework::progress::Silent;
-use asperity_experiment::Experiment;
 
 use crate::Report;
-use crate::results::{Row, table};
+use crate::results::{self, Row, table};
 
 /// A surface of waves down to `cut_off` pixels, on a grid of `points`.
 fn run(points: usize, cut_off: f64, keys: &str) -> Box<dyn Outcome> {
@@ -16,10 +14,7 @@ fn run(points: usize, cut_off: f64, keys: &str) -> Box<dyn Outcome> {
         steel!(),
         0.1 * cut_off,
     );
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("interval.toml");
-    std::fs::write(&path, spec).unwrap();
-    Experiment::read(&path).unwrap().run(&Silent).unwrap()
+    results::run(&spec).unwrap()
 }
 
 fn outcome_of(outcome: &dyn Outcome, variation: &str, quantity: &str) -> String {
@@ -115,10 +110,7 @@ fn a_map_that_is_not_fit_carries_no_conclusion() {
          [surface.ground.file]\npath = \"{path}\"\npixel = \"1.66 um\"\n",
         steel!()
     );
-    let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("interval.toml");
-    std::fs::write(&file, spec).unwrap();
-    let outcome = Experiment::read(&file).unwrap().run(&Silent).unwrap();
+    let outcome = results::run(&spec).unwrap();
     let page = outcome.outline().markdown();
     assert!(page.contains("Of 1 surfaces nothing is concluded, because their maps are not fit."), "{page}");
     assert!(!page.contains("As the sampling interval shrinks"));

@@ -1,4 +1,4 @@
-//! The report of a run: page, tables, figures and summaries in one folder.
+//! The report of a run: page, tables, figures and `summary.json` in one folder.
 
 use std::time::{Duration, Instant};
 

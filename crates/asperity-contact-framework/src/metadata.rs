@@ -1,4 +1,4 @@
-//! What every experiment has: title, seed, sources, time and work.
+//! What every experiment has: title, seed, sources, bodies, time and work.
 
 use asperity::compare::ModulusFindings;
 use asperity::law::{Body, Property};

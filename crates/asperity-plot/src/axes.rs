@@ -1,4 +1,4 @@
-//! The frame of a plot: its grid, ticks and labels.
+//! The frame of a plot: its grid, ticks and labels, and its colour bar.
 
 use crate::Axis;
 use crate::canvas::{Align, Canvas, Rect, Spot, Stroke, Type};

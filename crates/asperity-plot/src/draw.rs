@@ -1,14 +1,13 @@
-//! Puts a figure together.
+//! Puts a figure together, a plot with the distributions of its two quantities too.
 
 use crate::axes::{FOOT, Frame};
 use crate::canvas::{Align, Canvas, Rect, Type};
 use crate::layer::Layer;
-use crate::layout::Layout;
-use crate::legend::Legend;
+use crate::layout::{Layout, Legend};
 use crate::style::{CARD, LABEL, NARROWEST, NOTE_INK, STEEPEST, Size, TICK, WIDTH};
 use crate::text::wrap;
 use crate::ticks::Tick;
-use crate::{Arrangement, Plot, axes, legend, text};
+use crate::{Arrangement, Plot, axes, layout, text};
 
 /// The SVG text of a figure, `print` wide or as wide as a page. A `file` has its own rules for a dark environment.
 pub(super) fn figure(
@@ -114,7 +113,7 @@ fn shares_names(plots: &[&Plot]) -> bool {
 
 fn shared_legend(canvas: &mut Canvas, plots: &[&Plot], top: f64, width: f64) -> f64 {
     let layers: Vec<&Layer> = plots.iter().flat_map(|plot| &plot.layers).collect();
-    legend::draw_below(canvas, layers, (16.0, top), width - 32.0) + 6.0
+    layout::draw_below(canvas, layers, (16.0, top), width - 32.0) + 6.0
 }
 
 /// Height of the upper panel, width of the one at the right.

@@ -1,4 +1,4 @@
-//! Labels of reference lines, regions and points.
+//! Labels of reference lines, regions and points, and places away from the data for them and the legend.
 
 use plotters::style::RGBColor;
 

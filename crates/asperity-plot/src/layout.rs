@@ -1,16 +1,14 @@
 //! One plot: its scales and margins first, then its place and its marks.
 
-use super::axes::{self, FOOT, Frame};
-use super::canvas::{Align, Canvas, Rect, Type};
-use super::label::{draw_corner_note, draw_label};
-use super::layer::{Direction, Layer, Shape};
-use super::legend::{self, Legend};
-use super::style::{BAND_ROOM, INK, LABEL, TICK, TITLE};
-use super::text::{width, wrap};
-use super::ticks::Tick;
-use super::{Axis, Plot, Spread, marks};
-use crate::label::Taken;
-use crate::ticks::{Scale, measure};
+use crate::axes::{FOOT, Frame};
+use crate::canvas::{Align, Canvas, Rect, Spot, Type};
+use crate::label::{Taken, draw_corner_note, draw_label};
+use crate::layer::{Direction, Layer, Shape};
+use crate::marks::draw_key;
+use crate::style::{BAND_ROOM, INK, LABEL, MOST_KEYS, PAPER, TICK, TITLE};
+use crate::text::{fit, width, wrap};
+use crate::ticks::{Scale, Tick, measure};
+use crate::{Axis, Colour, Plot, Spread, axes, marks};
 
 /// Bold letters of the widest font over its others.
 const BOLD: f64 = 1.14;
@@ -207,11 +205,11 @@ impl<'a> Layout<'a> {
         if self.plot.legend == Legend::Hidden {
             return end;
         }
-        let inside = legend::entries(layers.clone(), 0.7 * rect.width());
+        let inside = entries(layers.clone(), 0.7 * rect.width());
         if inside.is_empty() {
             return end;
         }
-        let (width, height) = legend::inside_size(&inside);
+        let (width, height) = inside_size(&inside);
         let inner = rect.grown(-9.0);
         let right = inner.right - width;
         let bottom = inner.bottom - height;
@@ -223,17 +221,17 @@ impl<'a> Layout<'a> {
         ]
         .map(|(name, left, top)| (Rect::new(left, top, width, height), name));
         let chosen = match self.plot.legend {
-            _ if legend::needs_scale(&inside) => None,
+            _ if needs_scale(&inside) => None,
             Legend::Auto => taken.clearest(corners).filter(|(place, _)| {
                 taken.under(place) == 0 && rect.holds((place.left, place.top)) && bottom > rect.top
             }),
             named => corners.into_iter().find(|(_, name)| *name == named),
         };
         if let Some((place, _)) = chosen {
-            legend::draw_inside(canvas, &inside, &place);
+            draw_inside(canvas, &inside, &place);
             return end;
         }
-        end + legend::draw_below(canvas, layers, (foot.0 + 16.0, foot.1), self.width - 32.0)
+        end + draw_below(canvas, layers, (foot.0 + 16.0, foot.1), self.width - 32.0)
     }
 }
 
@@ -254,4 +252,171 @@ fn within_reach(plot: &Plot, others: &[(f64, f64)], bands: Vec<(f64, f64)>) -> V
         Some((x, if nearest == value { y } else { back(nearest) }))
     };
     bands.into_iter().filter_map(limited).collect()
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Legend {
+    /// In a corner that is clear of the data, else below the plot.
+    Auto,
+    TopLeft,
+    TopRight,
+    BottomLeft,
+    BottomRight,
+    Below,
+    Hidden,
+}
+
+/// Height of a row.
+const ROW: f64 = 19.0;
+/// Length of a key, and the gap to its name.
+const KEY: (f64, f64) = (28.0, 7.0);
+const PADDING: f64 = 7.0;
+const BETWEEN: f64 = 22.0;
+
+/// One name and the layers that bear it.
+pub(super) struct Entry<'a> {
+    name: String,
+    layers: Vec<&'a Layer>,
+    /// Key, gap and name.
+    width: f64,
+}
+
+/// Entries in the order of the layers, none wider than `room`.
+pub(super) fn entries<'a>(layers: impl IntoIterator<Item = &'a Layer>, room: f64) -> Vec<Entry<'a>> {
+    let mut entries: Vec<(&str, Vec<&Layer>)> = Vec::new();
+    for layer in layers {
+        let Some(name) = layer.name.as_deref() else {
+            continue;
+        };
+        match entries.iter_mut().find(|(known, _)| *known == name) {
+            Some((_, group)) => group.push(layer),
+            None => entries.push((name, vec![layer])),
+        }
+    }
+    entries
+        .into_iter()
+        .map(|(name, layers)| {
+            let name = fit(name, TICK, room - KEY.0 - KEY.1);
+            let width = KEY.0 + KEY.1 + width(&name, TICK);
+            Entry { name, layers, width }
+        })
+        .collect()
+}
+
+/// Width and height of a legend that stands inside the frame, one entry a row.
+pub(super) fn inside_size(entries: &[Entry<'_>]) -> (f64, f64) {
+    let widest = entries.iter().map(|entry| entry.width).fold(0.0, f64::max);
+    (widest + 2.0 * PADDING, ROW * entries.len() as f64 + PADDING)
+}
+
+pub(super) fn draw_inside(canvas: &mut Canvas, entries: &[Entry<'_>], rect: &Rect) {
+    canvas.rect(rect, PAPER, 0.85);
+    let middle = |row: usize| rect.top + PADDING / 2.0 + ROW * (row as f64 + 0.5);
+    draw(canvas, entries, |row| (rect.left + PADDING, middle(row)));
+}
+
+/// Whether curves that have an order are too many to be named one by one.
+pub(super) fn needs_scale(entries: &[Entry<'_>]) -> bool {
+    entries.iter().filter(|entry| entry.is_ordered()).count() > MOST_KEYS
+}
+
+impl Entry<'_> {
+    fn is_ordered(&self) -> bool {
+        self.layers.iter().all(|layer| matches!(layer.colour, Colour::Ordered { .. }))
+    }
+}
+
+/// Names layers below a plot, from a corner on, in `room`: one by one, and those with an order on a colour scale where there
+/// are too many. Returns the height.
+pub(super) fn draw_below<'a>(
+    canvas: &mut Canvas,
+    layers: impl IntoIterator<Item = &'a Layer>,
+    corner: Spot,
+    room: f64,
+) -> f64 {
+    let entries = entries(layers, room);
+    let has_scale = needs_scale(&entries);
+    let (scale, single): (Vec<Entry<'_>>, Vec<Entry<'_>>) =
+        entries.into_iter().partition(|entry| has_scale && entry.is_ordered());
+    let mut height = 0.0;
+    if !single.is_empty() {
+        let (places, rows) = rows_below(&single, room);
+        draw(canvas, &single, |k| places.get(k).map_or(corner, |at| (corner.0 + at.0, corner.1 + at.1)));
+        height += rows;
+    }
+    if !scale.is_empty() {
+        height += draw_scale(canvas, &scale, (corner.0, corner.1 + height), room);
+    }
+    height
+}
+
+/// A row of coloured cells with the names below, or several where they do not fit; returns the height.
+fn draw_scale(canvas: &mut Canvas, entries: &[Entry<'_>], corner: Spot, room: f64) -> f64 {
+    const CELL: f64 = 11.0;
+    const GAP: f64 = 4.0;
+    let widest = entries.iter().map(|entry| entry.width - KEY.0 - KEY.1).fold(0.0, f64::max) + 8.0;
+    let columns = ((room / widest).floor().max(1.0) as usize).min(entries.len());
+    let rows = entries.len().div_ceil(columns);
+    let columns = entries.len().div_ceil(rows);
+    let width = (room / columns as f64).min(72.0);
+    let left = corner.0 + (room - width * columns as f64) / 2.0;
+    let step = CELL + GAP + ROW;
+    let place =
+        |k: usize| (left + width * (k % columns) as f64, corner.1 + GAP + step * (k / columns) as f64);
+    for (k, entry) in entries.iter().enumerate() {
+        let (x, y) = place(k);
+        if let Some(layer) = entry.layers.first() {
+            canvas.rect(&Rect::new(x, y, width, CELL), layer.colour.rgb(), 1.0);
+        }
+    }
+    let set = Type { size: TICK, colour: INK, align: Align::Centre, bold: false, upright: false };
+    let names = entries.iter().enumerate().map(|(k, entry)| {
+        let (x, y) = place(k);
+        (entry.name.as_str(), (x + width / 2.0, y + CELL + GAP + ROW / 2.0))
+    });
+    canvas.texts(names, set);
+    step * rows as f64 + GAP
+}
+
+/// Rows of entries that fit a width: the places of the entries, and the height of all.
+fn rows_below(entries: &[Entry<'_>], room: f64) -> (Vec<Spot>, f64) {
+    let all: f64 = entries.iter().map(|entry| entry.width + BETWEEN).sum::<f64>() - BETWEEN;
+    if all <= room {
+        let mut left = (room - all) / 2.0;
+        let step = |entry: &Entry<'_>| {
+            let place = (left, 0.5 * ROW);
+            left += entry.width + BETWEEN;
+            place
+        };
+        return (entries.iter().map(step).collect(), ROW);
+    }
+    // Over several rows, columns of one width look tidier.
+    let widest = entries.iter().map(|entry| entry.width).fold(0.0, f64::max);
+    let columns = ((room + BETWEEN) / (widest + BETWEEN)).floor().max(1.0) as usize;
+    let columns = columns.min(entries.len().max(1));
+    let rows = entries.len().div_ceil(columns);
+    // No more columns than the rows need.
+    let columns = entries.len().div_ceil(rows.max(1)).max(1);
+    let step = widest + BETWEEN;
+    let left = (room - (step * columns as f64 - BETWEEN)).max(0.0) / 2.0;
+    let places = (0..entries.len())
+        .map(|k| (left + step * (k % columns) as f64, ROW * ((k / columns) as f64 + 0.5)))
+        .collect();
+    (places, ROW * rows as f64)
+}
+
+fn draw(canvas: &mut Canvas, entries: &[Entry<'_>], place: impl Fn(usize) -> Spot) {
+    for (k, entry) in entries.iter().enumerate() {
+        let (x, y) = place(k);
+        let key = Rect { left: x, top: y - 5.0, right: x + KEY.0, bottom: y + 5.0 };
+        for layer in &entry.layers {
+            draw_key(canvas, layer, &key);
+        }
+    }
+    let set = Type { size: TICK, colour: INK, align: Align::Left, bold: false, upright: false };
+    let texts = entries.iter().enumerate().map(|(k, entry)| {
+        let (x, y) = place(k);
+        (entry.name.as_str(), (x + KEY.0 + KEY.1, y))
+    });
+    canvas.texts(texts, set);
 }

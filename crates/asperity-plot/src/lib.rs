@@ -4,24 +4,6 @@
 //! of [`Layer`]s. Drawing is pure and depends on nothing but the description, so the same figure
 //! gives the same bytes. It never fails: what cannot be shown (NaN, infinities, non-positive values
 //! on a logarithmic axis) is left out and breaks the line, and a plot with nothing to show says so.
-//!
-//! | file | what lives there |
-//! |---|---|
-//! | `layer` | what can be shown: lines, points, bands, bars, regions, references |
-//! | `colour` | the palette and its fixed roles |
-//! | `style` | the style guide: sizes, colours, limits |
-//! | `ticks` | positions and labels of ticks |
-//! | `raster` | fields of values and their images |
-//! | `frames` | patches that change with something |
-//! | `text` | how wide a text will be |
-//! | `canvas` | elements of SVG, written by plotters |
-//! | `axes` | the frame, its grid, ticks and labels |
-//! | `marks` | the layers on the page |
-//! | `legend` | names of the layers |
-//! | `label` | labels of reference lines, regions and points |
-//! | `layout` | one plot: its scales and margins, then its place and its marks |
-//! | `data` | what is shown as numbers, for readers that draw it anew |
-//! | `draw` | puts a figure together |
 
 mod axes;
 mod canvas;
@@ -32,7 +14,6 @@ mod frames;
 mod label;
 mod layer;
 mod layout;
-mod legend;
 mod marks;
 mod raster;
 mod style;
@@ -45,7 +26,7 @@ pub use data::FigureData;
 pub use frames::{Frames, Patches};
 pub use layer::{Dash, Layer, Marker};
 use layer::{Direction, Shape};
-pub use legend::Legend;
+pub use layout::Legend;
 pub use raster::Raster;
 pub use style::{DARK_COLOURS, Size, dark_rules};
 use ticks::Scale;

@@ -1,4 +1,4 @@
-//! The layers on the page.
+//! The layers on the page: the parts of lines inside the frame, with no more points than are seen.
 
 use std::collections::HashSet;
 

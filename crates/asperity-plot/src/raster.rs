@@ -1,4 +1,4 @@
-//! Fields of values on a regular grid, and their images.
+//! Fields of values on a regular grid, and their images as small PNG files in data URIs.
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;

@@ -1,4 +1,4 @@
-//! Positions and labels of the ticks of an axis.
+//! Scales from values to places on the page, and positions and labels of the ticks of an axis.
 
 use crate::{Axis, Spread};
 

@@ -1,4 +1,4 @@
-//! What the program prints.
+//! What the program prints, and single files that it writes beside reports.
 
 use std::fmt::Arguments;
 use std::fs::File;

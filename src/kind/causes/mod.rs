@@ -1,6 +1,5 @@
 //! `[causes]`: why the models differ, and which is nearer to the reference, over a grid of generated surfaces.
 
-mod figures;
 mod outline;
 mod process;
 mod results;

@@ -1,4 +1,4 @@
-//! Both models at every point of the grid: everything that the report contains.
+//! Both models at every point of the grid: run, and everything that the report contains.
 
 use std::time::Instant;
 

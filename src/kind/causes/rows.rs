@@ -1,4 +1,4 @@
-//! `causes.csv` and `leads.csv`.
+//! `causes.csv` and `leads.csv`, and what is counted for them: which cause leads where, and which model is nearer.
 
 use asperity::compare::{Cause, ComparedQuantity, Contribution, Contributions, Estimate, ModelKind, Verdict};
 use asperity_contact_framework::report::format::input_number;

@@ -1,4 +1,4 @@
-//! Correlations of the conductance beside the models: those that programs for finite elements use, and on a finite map the cluster of spots.
+//! Closed results beside the models: analytical lines, and correlations of the conductance.
 
 use asperity::analytical::AnalyticalLine;
 use asperity::bem::Boundary;

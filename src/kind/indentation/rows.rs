@@ -1,4 +1,4 @@
-//! The tables of a sphere on layers.
+//! A sphere on layers: run, and its tables.
 
 use std::collections::HashSet;
 use std::f64::consts::PI;

@@ -1,6 +1,5 @@
 //! `[laws]`: several laws on one asperity and on given surfaces.
 
-mod figures;
 mod outline;
 mod rows;
 

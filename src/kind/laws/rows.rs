@@ -1,4 +1,4 @@
-//! The tables of several laws, besides those of a comparison.
+//! Several laws: run, and the tables besides those of a comparison.
 
 use std::f64::consts::PI;
 

@@ -291,7 +291,7 @@ fn panel(series: &Series, load: usize, quantity: ComparedQuantity) -> Option<Plo
 #[cfg(test)]
 mod tests {
     use super::super::results::Scale;
-    use super::super::trend::Point;
+    use super::super::run::Point;
     use super::*;
 
     #[test]

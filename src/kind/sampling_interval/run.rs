@@ -1,4 +1,4 @@
-//! Running `[sampling-interval]`: both models on each surface at every sampling interval and under every S filter.
+//! Running `[sampling-interval]`: both models on each surface at every length; and whether a quantity has a limit.
 
 use std::time::Instant;
 

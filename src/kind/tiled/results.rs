@@ -1,4 +1,4 @@
-//! Results of both models on a surface in tiles.
+//! Results of both models on a surface in tiles, and their table.
 
 use asperity::compare::{Comparison, CurvePoint, ModelKind, Pair, Pairing};
 use asperity::study::LawContact;

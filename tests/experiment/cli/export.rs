@@ -153,13 +153,9 @@ fn the_contact_of_a_load_is_that_of_the_report() {
     let notes = fs::read_to_string(folder.join("c/orig-plastic-contact.json")).unwrap();
     let notes: serde_json::Value = serde_json::from_str(&notes).unwrap();
     let number = |key: &str| notes[key].as_str().unwrap().parse::<f64>().unwrap();
-    let reference = orig("reference.csv");
-    let mut rows = csv::Reader::from_reader(reference.as_bytes());
-    let names = rows.headers().unwrap().clone();
-    let at = |name: &str| names.iter().position(|found| found == name).unwrap();
-    let row =
-        rows.records().map(Result::unwrap).find(|row| row[at("pressure_pa")].parse() == Ok(9e6)).unwrap();
-    let cell = |name: &str| row[at(name)].parse::<f64>().unwrap();
+    let reference = results::rows(orig("reference.csv").as_bytes());
+    let row = reference.iter().find(|row| results::number(row, "pressure_pa") == 9e6).unwrap();
+    let cell = |name: &str| results::number(row, name);
     assert_eq!(number("Points in contact over all points"), cell("raw_area_ratio"));
     assert_eq!(number("Contact area over nominal area"), cell("area_ratio"));
     assert_eq!(number("Mean gap (m)"), cell("mean_gap_m"));

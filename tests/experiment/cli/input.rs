@@ -48,17 +48,12 @@ fn one_value_whole_floats_and_lists_in_any_unit_are_read() {
             assert!((found / wanted - 1.0).abs() < 1e-14, "{name} {quantity}: {found} {wanted}");
         }
     }
-    let mut reader = csv::Reader::from_path(out.join("mine/curves.csv")).unwrap();
-    let columns = reader.headers().unwrap().clone();
-    let place = |name: &str| columns.iter().position(|column| column == name).unwrap();
-    let mut controls: Vec<(String, f64)> = reader
-        .records()
-        .map(Result::unwrap)
-        .filter(|row| {
-            &row[0] == "key" && &row[place("law")] == "hertz" && &row[place("model")] == "statistical"
-        })
-        .map(|row| (row[place("control")].to_owned(), row[place("target")].parse().unwrap()))
-        .collect();
+    let curves = rows(&out, "mine", "curves.csv");
+    let of_key = curves
+        .iter()
+        .filter(|row| row["surface"] == "key" && row["law"] == "hertz" && row["model"] == "statistical");
+    let mut controls: Vec<(String, f64)> =
+        of_key.map(|row| (row["control"].clone(), number(row, "target"))).collect();
     controls.sort_by(|a, b| a.0.cmp(&b.0));
     let wanted = [("force", 1e-3), ("pressure", 1e6), ("separation", 2.0)];
     assert_eq!(controls, wanted.map(|(control, target)| (control.to_owned(), target)));

@@ -6,6 +6,8 @@ use std::process::{Command, Output};
 
 use asperity_contact_framework::report::format;
 
+use crate::results::{self, Row, number};
+
 mod every_input;
 mod export;
 mod heights;
@@ -16,7 +18,6 @@ mod reach;
 mod realisations;
 mod sphere;
 mod surface;
-mod work;
 
 fn experiment(arguments: &[&str], folder: &Path) -> Output {
     Command::new(env!("CARGO_BIN_EXE_experiment")).args(arguments).current_dir(folder).output().unwrap()
@@ -26,6 +27,11 @@ fn run(spec: &Path, out: &Path, more: &[&str]) -> Output {
     let mut arguments = vec!["run", spec.to_str().unwrap(), "--out", out.to_str().unwrap()];
     arguments.extend(more);
     experiment(&arguments, out.parent().unwrap())
+}
+
+/// The rows of a table of a report.
+fn rows(out: &Path, stem: &str, table: &str) -> Vec<Row> {
+    results::rows(&fs::read(out.join(stem).join(table)).unwrap())
 }
 
 fn text(bytes: &[u8]) -> String {
@@ -129,17 +135,43 @@ fn an_unchanged_experiment_is_not_run_again() {
 }
 
 #[test]
+fn an_unchanged_experiment_does_nothing() {
+    let (_folder, spec, out) = small();
+    let output = run(&spec, &out, &[]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let summary = &summary(&out, "small")["work"];
+    let count = |item: &str| summary[item].as_u64().unwrap();
+    assert_eq!((count("files_read"), count("surfaces_made"), count("coating_calls")), (1, 2, 0));
+    assert!(["asperities_touched", "nodes", "single_contacts"].iter().all(|item| count(item) > 0));
+    let times = || {
+        let files = fs::read_dir(out.join("small")).unwrap().chain(fs::read_dir(&out).unwrap());
+        let mut times: Vec<_> = files
+            .map(|entry| {
+                let entry = entry.unwrap();
+                (entry.path(), entry.metadata().unwrap().modified().unwrap())
+            })
+            .collect();
+        times.sort();
+        times
+    };
+    let before = times();
+    assert!(before.len() > 8);
+    let output = run(&spec, &out, &[]);
+    assert!(text(&output.stdout).contains("is unchanged") && !text(&output.stdout).contains("written"));
+    assert_eq!(times(), before);
+    // Only then is a written report new.
+    assert!(text(&run(&spec, &out, &["--force"]).stdout).contains("written"));
+    assert!(times() != before);
+}
+
+#[test]
 fn the_tables_have_the_columns_and_rows_of_the_contract() {
     let (_folder, spec, out) = small();
     assert!(run(&spec, &out, &["--silent"]).stdout.is_empty());
-    let table = |name: &str| {
-        let mut reader = csv::Reader::from_path(out.join("small").join(name)).unwrap();
-        let header: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
-        (header, reader.records().map(Result::unwrap).collect::<Vec<_>>())
-    };
-    let (header, rows) = table("curves.csv");
+    let curves = rows(&out, "small", "curves.csv");
+    let header = fs::read_to_string(out.join("small/curves.csv")).unwrap();
     assert_eq!(
-        header.join(","),
+        header.lines().next().unwrap(),
         "surface,realisation,law,layer_thickness_m,model,control,target,separation_m,separation_over_sigma,\
          pressure_pa,load_ratio,area_ratio,contact_density_per_m2,mean_real_pressure_pa,stiffness_pa_per_m,\
          elastic_load_share,elastic_plastic_load_share,plastic_load_share,elastic_area_share,\
@@ -148,43 +180,34 @@ fn the_tables_have_the_columns_and_rows_of_the_contract() {
          raw_area_ratio"
     );
     // 2 surfaces, 2 laws, 2 models, 4 control points.
-    assert_eq!(rows.len(), 2 * 2 * 2 * 4);
-    let column = |name: &str| header.iter().position(|column| column == name).unwrap();
-    for row in &rows {
-        assert!(!row.iter().any(|cell| cell.contains("NaN") || cell.contains("inf")), "{row:?}");
-        let number = |name| row[column(name)].parse::<f64>().unwrap();
-        if &row[column("control")] == "pressure" {
-            assert!((number("pressure_pa") / 1e6 - 1.0).abs() < 2e-3);
+    assert_eq!(curves.len(), 2 * 2 * 2 * 4);
+    for row in &curves {
+        assert!(!row.values().any(|cell| cell.contains("NaN") || cell.contains("inf")), "{row:?}");
+        if row["control"] == "pressure" {
+            assert!((number(row, "pressure_pa") / 1e6 - 1.0).abs() < 2e-3);
         }
-        assert_eq!(
-            row[column("pressure_standard_error_pa")].is_empty(),
-            &row[column("model")] == "statistical"
-        );
-        assert_eq!(number("area_ratio") > 0.05, &row[column("beyond_model")] == "true");
+        assert_eq!(row["pressure_standard_error_pa"].is_empty(), row["model"] == "statistical");
+        assert_eq!(number(row, "area_ratio") > 0.05, row["beyond_model"] == "true");
     }
-    assert_eq!(&rows[4][column("law")], "hertz");
-    assert_eq!(&rows[8][column("law")], "zmc(onset=0.89 transition-ratio=110)");
+    assert_eq!(curves[4]["law"], "hertz");
+    assert_eq!(curves[8]["law"], "zmc(onset=0.89 transition-ratio=110)");
 
-    let (header, rows) = table("comparison.csv");
-    let column = |name: &str| header.iter().position(|column| column == name).unwrap();
-    let (pairing, target) = (column("pairing"), column("target"));
-    for rows in rows.chunk_by(|a, b| a[0] == b[0] && a[2] == b[2]) {
+    let pairs = rows(&out, "small", "comparison.csv");
+    for pairs in pairs.chunk_by(|a, b| a["surface"] == b["surface"] && a["law"] == b["law"]) {
         // Two separations, one pressure, one force, and the two separations' pressures unless zero.
-        let at = |pairing_name: &str| rows.iter().filter(|row| &row[pairing] == pairing_name).count();
-        assert_eq!(at("separation"), 2);
-        assert!((3..=4).contains(&at("load")));
-        let area = if &rows[0][0] == "list" { 1e-8 } else { 2000.0 / 6e10 };
-        let targets = rows.iter().filter(|row| &row[pairing] == "load").map(|row| row[target].parse::<f64>());
-        let targets: Vec<f64> = targets.map(Result::unwrap).collect();
-        assert!((targets[0] / 1e6 - 1.0).abs() < 1e-14 && (targets[1] / (1e-3 / area) - 1.0).abs() < 1e-14);
-        for row in rows {
-            let number = |name: &str| row[column(name)].parse::<f64>().unwrap();
-            let (s, d) = (number("statistical_area_ratio"), number("deterministic_area_ratio"));
-            assert_eq!(number("difference_area_ratio"), s - d);
-            if &row[pairing] == "load" {
-                let target: f64 = row[target].parse().unwrap();
-                assert!(number("statistical_pressure_pa") >= target);
-                assert!(number("deterministic_pressure_pa") >= target);
+        let at = |pairing: &str| pairs.iter().filter(|row| row["pairing"] == pairing).collect::<Vec<_>>();
+        assert_eq!(at("separation").len(), 2);
+        assert!((3..=4).contains(&at("load").len()));
+        let area = if pairs[0]["surface"] == "list" { 1e-8 } else { 2000.0 / 6e10 };
+        let [pressure, force] = [0, 1].map(|place| number(at("load")[place], "target"));
+        assert!((pressure / 1e6 - 1.0).abs() < 1e-14 && (force / (1e-3 / area) - 1.0).abs() < 1e-14);
+        for row in pairs {
+            let [s, d] =
+                ["statistical", "deterministic"].map(|model| number(row, &format!("{model}_area_ratio")));
+            assert_eq!(number(row, "difference_area_ratio"), s - d);
+            if row["pairing"] == "load" {
+                assert!(number(row, "statistical_pressure_pa") >= number(row, "target"));
+                assert!(number(row, "deterministic_pressure_pa") >= number(row, "target"));
             }
         }
     }
@@ -383,7 +406,6 @@ fn summary(out: &Path, stem: &str) -> serde_json::Value {
     serde_json::from_slice(&fs::read(out.join(stem).join("summary.json")).unwrap()).unwrap()
 }
 
-/// A draw depends on the seed and on the surface's own name, not on the rest of the spec.
 /// The cells of the first row of a report that begins with these words.
 fn row(report: &str, name: &str) -> Vec<String> {
     let line = report.lines().find(|line| line.starts_with(&format!("| {name} |")));
@@ -395,6 +417,7 @@ fn close(found: f64, exact: f64, within: f64) {
     assert!((found / exact - 1.0).abs() < within, "{found} for {exact}");
 }
 
+/// A draw depends on the seed and on the surface's own name, not on the rest of the spec.
 #[test]
 fn each_surface_has_random_numbers_of_its_own() {
     let (folder, spec, out) = small();
@@ -442,13 +465,10 @@ fn the_measured_surfaces_end_to_end() {
     let warnings = &summary(&out, "quantised-ground")["surfaces"]["ground"]["warnings"];
     assert!(warnings.to_string().contains("20 distinct curvatures"));
 
-    let mut reader = csv::Reader::from_path(out.join("measured-fine-finish/curves.csv")).unwrap();
-    let header = reader.headers().unwrap().clone();
-    let column = |name: &str| header.iter().position(|column| column == name).unwrap();
     let mut near_the_limit = 0;
-    for row in reader.records().map(Result::unwrap) {
-        let area: f64 = row[column("area_ratio")].parse().unwrap();
-        assert_eq!(&row[column("beyond_model")] == "true", area > 0.05, "{area}");
+    for row in rows(&out, "measured-fine-finish", "curves.csv") {
+        let area = results::number(&row, "area_ratio");
+        assert_eq!(row["beyond_model"] == "true", area > 0.05, "{area}");
         near_the_limit += usize::from((0.05..0.06).contains(&area));
     }
     assert!(near_the_limit > 0);

@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use super::*;
+use crate::results::run_in;
 
 const ALONE: &str = "law = \"hertz\"\nmodels = [\"reference\"]\n";
 const POINTS: usize = 64;
@@ -19,13 +20,10 @@ fn solved(compare: &str, file: &str, height: impl Fn(f64, f64) -> f64) -> Result
     let pixel = LENGTH / POINTS as f64;
     let map = HeightMap::new([POINTS; 2], [pixel; 2], heights.collect(), 0.0).unwrap();
     map.write_npy(&folder.path().join("map.npy")).unwrap();
-    let path = folder.path().join("t.toml");
     let head = concat!("title = \"t\"\n", steel!(), "[compare]\nrough = \"steel\"\nflat = \"steel\"\n");
     let surface =
         format!("[surface.a.file]\npath = \"map.npy\"\npixel = \"{pixel:e} m\"\nlevel = \"none\"\n{file}\n");
-    std::fs::write(&path, format!("{head}{compare}\n{surface}")).unwrap();
-    let run = || Experiment::read(&path)?.run(&Silent);
-    run().map_err(|error| error.to_string())
+    run_in(folder.path(), &format!("{head}{compare}\n{surface}"))
 }
 
 fn wave(x: f64, y: f64) -> f64 {

@@ -1,4 +1,4 @@
-//! The largest difference between the models that the user accepts.
+//! The largest difference between the models that the user accepts, and the size of figures in print.
 
 use std::fmt;
 

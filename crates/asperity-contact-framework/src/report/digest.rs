@@ -3,7 +3,7 @@
 
 use sha2::{Digest, Sha256};
 
-use super::table::{Row, Table, Value};
+use super::table::{Table, Value};
 use crate::rows;
 
 /// One column of a long table.

@@ -288,7 +288,7 @@ impl Unit {
 
 #[cfg(test)]
 mod tests {
-    use super::super::table::{Column, Row, Table};
+    use super::super::table::Table;
     use crate::rows;
 
     struct Contact(&'static str, f64, Option<f64>, f64);

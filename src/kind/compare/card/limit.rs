@@ -1,4 +1,4 @@
-//! What makes a load inadmissible, and what to do about it.
+//! By how much the integral differs from the sum, what makes a load inadmissible, and what to do about it.
 
 use asperity::compare::{AdmissibleRange, ComparedQuantity, Difference, Estimate};
 use asperity::numeric::two_digits;

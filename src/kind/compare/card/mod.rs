@@ -1,15 +1,4 @@
 //! The card of one case: at most nine labelled lines of at most 25 words, from typed facts.
-//!
-//! | module | line |
-//! |---|---|
-//! | `spots` | Conductance, Friction: where they are asked for |
-//! | `replace` | May the integral replace the sum? |
-//! | `cause` | Why |
-//! | `instead` | Use instead |
-//! | `nearer` | Nearer to boundary elements |
-//! | `certainty` | How sure |
-//! | `limit` | what makes a load inadmissible, and the remedy: parts of several lines |
-//! | `row` | the same in a row of a table, for several cases |
 
 mod cause;
 mod certainty;

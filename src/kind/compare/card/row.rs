@@ -1,4 +1,4 @@
-//! The answer on one case in a row of a table, and on several cases in a sentence.
+//! The answer on one case in a row of a table and at one load, and on several cases in a sentence.
 
 use asperity::compare::{ByQuantity, ComparedQuantity, ModelKind, Stretch};
 use asperity::study::{ModelResult, Verdicts};

@@ -1,4 +1,4 @@
-//! Results of the models and the reference against load.
+//! Results of the models and the reference against load, with analytical lines beside them.
 
 use asperity::analytical::{AnalyticalLine, mean_deflection};
 use asperity::compare::{

@@ -1,8 +1,4 @@
 //! The page of a comparison: the card of one case, or the verdict map of several, then the main figure; all else is folded.
-//!
-//! | module | what it writes |
-//! |---|---|
-//! | `case` | one surface under one law |
 
 mod case;
 

@@ -1,11 +1,4 @@
 //! The boundary element reference beside the models: the same maps, bodies and loads, without asperities.
-//!
-//! | file | what lives there |
-//! |---|---|
-//! | `plan` | its loads, the contacts that it solves, time and memory |
-//! | `run` | the solver on a realisation of a surface |
-//! | `spots` | what its spots conduct, and their friction |
-//! | `view` | a part of the contact, and the distribution of pressures |
 
 pub mod plan;
 mod run;

@@ -1,4 +1,4 @@
-//! The reference resolved: its loads, the contacts that it solves, and what that takes.
+//! `reference = { ... }` and the reference resolved: its loads, the contacts that it solves, and what that takes.
 
 use std::fmt;
 use std::ops::Range;

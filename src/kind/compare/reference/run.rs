@@ -1,4 +1,4 @@
-//! Running the reference on one realisation of a surface.
+//! Running the reference on one realisation of a surface: each contact in the terms of the models, with bounds of its errors.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;

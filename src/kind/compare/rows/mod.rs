@@ -1,4 +1,4 @@
-//! The tables of a comparison besides curves and pairs: a type of rows in each file.
+//! The tables of a comparison besides curves and pairs; here those of its cases.
 
 mod ranking;
 mod reference;

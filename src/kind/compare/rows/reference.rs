@@ -2,7 +2,7 @@
 
 use asperity::Limit;
 use asperity::compare::{ModelKind, NearerStretch, ReferenceCurve, ReferencePoint, Verdict};
-use asperity_contact_framework::report::table::{Row, Table};
+use asperity_contact_framework::report::table::Table;
 use asperity_contact_framework::rows;
 
 use super::results::cases;

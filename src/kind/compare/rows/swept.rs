@@ -1,4 +1,4 @@
-//! What a sweep has of a comparison: both models at each load, the difference with its interval, and the verdict.
+//! What a sweep has of a comparison, and the tables of a layer.
 
 use asperity::ModulusModel;
 use asperity::compare::{

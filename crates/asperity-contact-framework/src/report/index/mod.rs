@@ -1,7 +1,4 @@
 //! Index of all reports of a folder: a list in Markdown, cards in HTML.
-//!
-//! | module | what it writes |
-//! |---|---|
 
 use std::fs;
 use std::path::Path;

@@ -5,7 +5,7 @@ use crate::input::{InputError, Spanned, SpecFile};
 use crate::kind::{Kind, Memory, Outcome, Plan, RunContext};
 use crate::metadata::Metadata;
 use crate::report::Page;
-use crate::report::table::{Column, Tables};
+use crate::report::table::Tables;
 use crate::rows;
 
 /// A row of a table with a column of each comparison.
