@@ -47,7 +47,7 @@ pub struct Experiment {
     source: Source,
     stem: String,
     title: String,
-    kind: &'static str,
+    pub(crate) kind: &'static str,
     notes: String,
     figure: Option<Size>,
     is_long: bool,
@@ -55,7 +55,7 @@ pub struct Experiment {
     seed: u64,
     materials: IndexMap<String, Material>,
     origins: IndexMap<String, MaterialOrigin>,
-    plan: Arc<dyn Plan>,
+    pub(crate) plan: Arc<dyn Plan>,
     described: Option<PathBuf>,
 }
 
@@ -324,17 +324,8 @@ impl Experiment {
         self.kind == sweep::NAME
     }
 
-    pub(crate) fn kind_name(&self) -> &'static str {
-        self.kind
-    }
-
     pub(crate) fn inputs(&self) -> Vec<PathBuf> {
         self.plan.inputs()
-    }
-
-    /// What it will do, without its file and title.
-    pub(crate) fn plan_in_words(&self) -> String {
-        self.plan.to_string()
     }
 
     /// Looks for what a run would refuse, such as a load that a population does not reach, without running it.

@@ -222,11 +222,7 @@ impl ExportedAsperities {
         npy::write(out, [self.count(), columns.len()], values)
     }
 
-    pub fn array_columns(&self) -> Vec<&'static str> {
-        self.of_array().map(|(name, _)| *name).collect()
-    }
-
-    fn of_array(&self) -> impl Iterator<Item = &(&'static str, Vec<f64>)> {
+    pub fn of_array(&self) -> impl Iterator<Item = &(&'static str, Vec<f64>)> {
         self.columns.iter().filter(|(name, _)| !name.starts_with(['x', 'y']))
     }
 }

@@ -264,7 +264,7 @@ impl SurfaceStore for OfSpec<'_> {
         let seed = self.table.get("seed");
         let files: Vec<_> = plan.inputs().iter().map(|path| state(path)).collect();
         let (folder, name) = (self.folder.display(), &plan.name);
-        format!("{folder}|{name}|{}|{seed:?}|{keys:?}|{files:?}", plan.has_ellipses())
+        format!("{folder}|{name}|{}|{seed:?}|{keys:?}|{files:?}", plan.as_ellipses)
     }
 
     fn get(&self, identity: &str) -> Option<Arc<StoredSurface>> {

@@ -468,11 +468,6 @@ impl SurfacePlan {
         plausibility::of_asperities(&self.name, *radius, *sigma, *count as f64 / density)
     }
 
-    /// Whether a law treats its asperities as ellipses.
-    pub fn has_ellipses(&self) -> bool {
-        self.as_ellipses
-    }
-
     /// What it is found in, as far as that are files.
     pub fn readings(&self) -> Vec<Reading> {
         match &self.origin {

@@ -128,7 +128,7 @@ impl SweepPlan {
             variations.push(Variation { places, case });
         }
         let experiment = &variations[0].case.experiment;
-        let kind = experiment.kind_name();
+        let kind = experiment.kind;
         let schema = Sweep::schema_of(kind).ok_or_else(|| {
             source
                 .error_at(sweep.span(), format!("found [{kind}], which has no table; allowed: another kind"))
@@ -279,7 +279,7 @@ impl fmt::Display for SweepPlan {
             self.kind,
             self.at_once()
         )?;
-        write!(f, "{}", self.variations[0].case.experiment.plan_in_words())
+        write!(f, "{}", self.variations[0].case.experiment.plan)
     }
 }
 

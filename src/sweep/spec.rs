@@ -190,7 +190,7 @@ impl SweepSpec {
 /// A key without quotes makes a table of each of its parts.
 fn flatten(path: String, value: &Value, keys: &mut Vec<(String, Value)>) {
     match value {
-        Value::Table(table) if !is_range(table) => {
+        Value::Table(table) if !(table.contains_key("from") && table.contains_key("to")) => {
             for (name, value) in table {
                 flatten(format!("{path}.{name}"), value, keys);
             }
@@ -211,11 +211,6 @@ pub struct SweptKey {
     pub numbers: Option<Vec<f64>>,
     /// Their dimension; `None` of pure numbers, and of what is no quantity.
     pub dimension: Option<Dimension>,
-}
-
-/// Whether a table is a range of values and no part of a key.
-pub fn is_range(table: &Table) -> bool {
-    table.contains_key("from") && table.contains_key("to")
 }
 
 impl SweptKey {

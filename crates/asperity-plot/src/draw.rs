@@ -90,9 +90,11 @@ fn row(canvas: &mut Canvas, plots: &[&Plot], columns: Option<usize>, width: f64,
         let head = sketches.iter().map(Layout::head).fold(0.0, f64::max);
         let has_legend = !is_shared && grid.is_none();
         let cells = sketches.iter().zip(&margins).enumerate();
-        let ends = cells.filter(|(_, (layout, _))| !layout.plot.is_blank()).map(|(k, (layout, &margins))| {
-            layout.draw(canvas, (each * k as f64, height), margins, head, has_legend)
-        });
+        let ends = cells
+            .filter(|(_, (layout, _))| layout.plot.height != 0.0 || !layout.plot.layers.is_empty())
+            .map(|(k, (layout, &margins))| {
+                layout.draw(canvas, (each * k as f64, height), margins, head, has_legend)
+            });
         height = ends.fold(height, f64::max);
         if grid.is_some() && !is_shared {
             height += shared_legend(canvas, plots, height, width);

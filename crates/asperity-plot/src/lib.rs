@@ -148,10 +148,6 @@ impl Plot {
         Self { height: 0.0, ..Self::new("", Axis::linear(""), Axis::linear("")) }
     }
 
-    fn is_blank(&self) -> bool {
-        self.height == 0.0 && self.layers.is_empty()
-    }
-
     /// The same plot with another title.
     pub fn titled(self, title: impl Into<String>) -> Self {
         Self { title: title.into(), ..self }

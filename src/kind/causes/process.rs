@@ -98,7 +98,8 @@ impl<'a> GridProcess<'a> {
         };
         let point = |row: f64, skewness: f64| {
             let (kurtosis, wavelengths) = match self.axis() {
-                Axis::Bandwidth => (gamma_kurtosis(skewness), Some(row)),
+                // Of a gamma distribution.
+                Axis::Bandwidth => (3.0 + 1.5 * skewness * skewness, Some(row)),
                 Axis::Kurtosis => (row, None),
             };
             PointPlan { skewness, kurtosis, wavelengths, without_surface: None }
@@ -198,11 +199,6 @@ impl fmt::Display for GridProcess<'_> {
             }
         }
     }
-}
-
-/// That of a gamma distribution of this skewness: 3 if Gaussian.
-fn gamma_kurtosis(skewness: f64) -> f64 {
-    3.0 + 1.5 * skewness * skewness
 }
 
 /// Root mean square gradient of a self-affine surface of unit variance with the shortest wavelength given and the longest one

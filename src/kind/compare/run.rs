@@ -286,7 +286,8 @@ impl<'a> Run<'a> {
             // The reference has one picture, of its first case.
             let covered = if cases.len() == 1 { &covered[..] } else { &[] };
             let cases = cases.iter().zip(setup.laws);
-            let loads = scope.loads_of_pictures();
+            // Beside the reported one.
+            let loads = if scope.has_intervals() { 16 } else { 3 };
             cases.map(|(case, law)| ContactMap::new(&surface, &prepared, case, law, covered, loads)).collect()
         });
         Ok(SurfaceResults {

@@ -93,10 +93,6 @@ impl<'a> Series<'a> {
         })
     }
 
-    pub fn named_verdicts(&self) -> Vec<(String, &'a Verdicts)> {
-        self.verdicts().map(|(t, verdicts)| (thickness(t), verdicts)).collect()
-    }
-
     /// The verdicts by thickness (m).
     pub fn verdicts(&self) -> impl Iterator<Item = (f64, &'a Verdicts)> {
         let each = self.cases.iter().zip(&self.verdicts);

@@ -381,9 +381,6 @@ pub struct Scope<'a> {
     pub pictures: usize,
 }
 
-/// Loads at which contacts are drawn, beside the reported one; fewer where the models alone are run.
-const LOADS_OF_PICTURES: [usize; 2] = [3, 16];
-
 /// The sampling errors of the cases of each surface, between the runs of one spec.
 #[derive(Default)]
 pub struct Samplings(Mutex<IndexMap<String, Vec<CaseSampling>>>);
@@ -411,11 +408,6 @@ impl Default for Scope<'_> {
 impl Scope<'_> {
     pub(super) fn has_intervals(self) -> bool {
         self.extent >= Extent::Intervals
-    }
-
-    /// Loads at which contacts are drawn, beside the reported one.
-    pub(super) fn loads_of_pictures(self) -> usize {
-        LOADS_OF_PICTURES[usize::from(self.has_intervals())]
     }
 
     pub(super) fn has_everything(self) -> bool {

@@ -212,7 +212,7 @@ impl Source {
             let begin = self.text.get(..span.start)?.rfind('\n').map_or(0, |end| end + 1);
             self.text.get(begin..)?.lines().next()
         };
-        if is_of_escape(error.message())
+        if ["escape", "unicode"].iter().any(|word| error.message().contains(word))
             && error.span().and_then(line).is_some_and(|line| line.contains('\\'))
         {
             message = format!(
@@ -225,11 +225,6 @@ impl Source {
             None => InputError::file(&self.path, message),
         }
     }
-}
-
-/// Whether the parser's message is about what follows a backslash.
-fn is_of_escape(message: &str) -> bool {
-    ["escape", "unicode"].iter().any(|word| message.contains(word))
 }
 
 /// Keys of earlier versions, and what to do instead.

@@ -33,11 +33,6 @@ pub fn one_digit(value: f64) -> String {
     if value == 0.0 { "0".to_owned() } else { format!("{value:.0e}") }
 }
 
-/// A mean with three and its standard deviation with two significant digits: "0.131 ± 0.0035".
-pub fn mean_and_deviation(mean: f64, deviation: f64) -> String {
-    format!("{} ± {}", number(mean), plain_number(deviation, 2))
-}
-
 /// Six digits where they are exact up to the rounding of a conversion of units.
 fn input_digits(value: f64) -> usize {
     let rounded = format!("{value:.*e}", INPUT_DIGITS - 1).parse().unwrap_or(value);
@@ -304,12 +299,6 @@ mod tests {
         assert_eq!(named("m", "m²"), ("mm²".to_owned(), 1e-6));
         assert_eq!(named("M", "S/m²"), ("MS/m²".to_owned(), 1e6));
         assert_eq!([1.234, 0.0, -2.0].map(signed), ["+1.23", "0", "-2"]);
-    }
-
-    #[test]
-    fn deviations_have_two_digits() {
-        assert_eq!(mean_and_deviation(0.13084, 0.003507), "0.131 ± 0.0035");
-        assert_eq!(mean_and_deviation(4.2311e-4, 9.267e-6), "4.23e-4 ± 9.3e-6");
     }
 
     #[test]

@@ -214,11 +214,6 @@ impl Heading {
             part: None,
         }
     }
-
-    /// Whether a name is a key of a spec; no other column has a point in its name.
-    fn is_of_key(name: &str) -> bool {
-        name == "seed" || name.contains('.')
-    }
 }
 
 /// A column of rows `R`: its heading, and its value in a row.
@@ -479,7 +474,7 @@ impl Table {
             let of_key = || {
                 let mut cells = records.iter().filter_map(|record| record.get(place));
                 let are_numbers = cells.all(|cell| cell.is_empty() || cell.parse::<f64>().is_ok());
-                Heading::is_of_key(name)
+                (name == "seed" || name.contains('.'))
                     .then(|| Heading::of_key(name, if are_numbers { "SI" } else { "text" }))
             };
             let unknown = || io::Error::other(format!("{}: unknown column {name}", schema.file));

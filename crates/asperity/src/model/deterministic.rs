@@ -47,7 +47,7 @@ impl DecreasingLoads {
     fn new(contact: &dyn MicroContact, asperities: Asperities) -> Option<Self> {
         /// The largest number of classes of radii, so that one sharp asperity does not affect all others.
         const CLASSES: u8 = 32;
-        let Shapes { radii, spheres } = shapes_of(&asperities);
+        let (radii, spheres) = (asperities.radius_range(), asperities.sphere_range());
         if contact.may_decrease(Shapes { radii, spheres }).is_empty() {
             return None;
         }
@@ -77,11 +77,6 @@ impl DecreasingLoads {
         let within = &self.within[usize::from(self.class[index])];
         !within.iter().any(|range| range.overlaps(indentations))
     }
-}
-
-/// The ranges of radii and numbers of spheres.
-fn shapes_of(asperities: &Asperities<'_>) -> Shapes {
-    Shapes { radii: asperities.radius_range(), spheres: asperities.sphere_range() }
 }
 
 /// The largest number of blocks per task.

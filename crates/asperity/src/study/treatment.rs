@@ -172,7 +172,9 @@ pub fn under_treatments(
     let treated = treatments.into_iter().zip(1..).map(|(treatment, number)| {
         let progress = &Named { name: format!("robustness, {number} of {count}"), progress: setup.progress };
         let model = match treatment {
-            Treatment::MeanRadius(mean_radius) => with_radius(setup.statistical, mean_radius),
+            Treatment::MeanRadius(mean_radius) => {
+                StatisticalModel { mean_radius, ..setup.statistical.clone() }
+            }
             _ => setup.statistical.clone(),
         };
         let treated = Setup {
@@ -195,10 +197,6 @@ pub fn under_treatments(
         (treatment, treat().unwrap_or_default())
     });
     Some(treated.collect())
-}
-
-fn with_radius(model: &StatisticalModel, mean_radius: MeanRadius) -> StatisticalModel {
-    StatisticalModel { mean_radius, ..model.clone() }
 }
 
 /// At most `most` (at least two) of the loads, evenly spread over their ranks, ascending.

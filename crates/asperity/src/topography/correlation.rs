@@ -79,7 +79,10 @@ impl RadialSpectrum {
         let rings = Rings::new(points, map.pixel());
         let window = [0, 1].map(|axis| match map.boundary() {
             Boundary::Periodic => vec![1.0; points[axis]],
-            Boundary::Open => hann(points[axis]),
+            // The Hann window, sampled at the centres of the pixels.
+            Boundary::Open => (0..points[axis])
+                .map(|k| (PI * (k as f64 + 0.5) / points[axis] as f64).sin().powi(2))
+                .collect(),
         });
         let mut heights = map.into_heights();
         for_each_row(&mut heights, points[1], &|ix, row| {
@@ -125,11 +128,6 @@ impl RadialSpectrum {
         ratios.sort_unstable_by(f64::total_cmp);
         [1, 3].map(|quarter| ratios.get(quarter * ratios.len() / 4).copied().unwrap_or(f64::NAN))
     }
-}
-
-/// The Hann window, sampled at the centres of the pixels.
-fn hann(count: usize) -> Vec<f64> {
-    (0..count).map(|k| (PI * (k as f64 + 0.5) / count as f64).sin().powi(2)).collect()
 }
 
 /// The autocorrelation of a map.

@@ -147,7 +147,7 @@ impl AsperitiesExport {
         if is_text {
             return Ok(());
         }
-        let facts = [("columns", json!(asperities.array_columns()))];
+        let facts = [("columns", json!(asperities.of_array().map(|(name, _)| *name).collect::<Vec<_>>()))];
         writer.write_notes(&beside, "one row for each asperity", facts, &asperities.notes)
     }
 }

@@ -16,7 +16,11 @@ use crate::presentation::difference_unit;
 /// "12 effective contacts (at least 30)": the limits that are exceeded at a load, those of neither model alone where there are such.
 pub(super) fn exceeded_words(at: &Difference) -> String {
     let all: Vec<Limit> = at.exceeded().limits().collect();
-    let of_neither: Vec<Limit> = all.iter().copied().filter(|limit| !is_of_few(*limit)).collect();
+    let of_neither: Vec<Limit> = all
+        .iter()
+        .copied()
+        .filter(|limit| !matches!(limit, Limit::FewContacts | Limit::DominantContact))
+        .collect();
     let named = if of_neither.is_empty() { all } else { of_neither };
     listed(&named.into_iter().map(|limit| words(limit, at)).collect::<Vec<_>>())
 }
@@ -50,11 +54,6 @@ fn words(limit: Limit, at: &Difference) -> String {
             )
         }
     }
-}
-
-/// Whether more surface lifts a limit.
-fn is_of_few(limit: Limit) -> bool {
-    matches!(limit, Limit::FewContacts | Limit::DominantContact)
 }
 
 /// Whether contacts strain too much, for boundary elements too, which take slopes as small.
@@ -194,7 +193,8 @@ impl Card<'_> {
                 (false, false) => Some(format!("{rest} within what is accepted")),
             };
             let text: Vec<String> = texts.chain(rest).collect();
-            capitalised_after(&scope, &format!("{}.", text.join("; ")))
+            let text = format!("{}.", text.join("; "));
+            if scope.is_empty() { capitalised(&text) } else { scope.clone() + &text }
         };
         (!compared.is_empty()).then(|| fitting([each(true), each(false)]))
     }
@@ -213,10 +213,6 @@ impl Card<'_> {
             .collect();
         format!("{}: within what is accepted", each.join(", "))
     }
-}
-
-fn capitalised_after(scope: &str, text: &str) -> String {
-    if scope.is_empty() { capitalised(text) } else { format!("{scope}{text}") }
 }
 
 /// A contrast as it is reported, in its unit; of an interval each end to its second digit, and at most one digit beyond that of the larger one.

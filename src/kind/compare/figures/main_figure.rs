@@ -4,7 +4,7 @@
 use asperity::compare::{ComparedQuantity, Comparison, Difference, Verdict};
 use asperity::spot::Correlation;
 use asperity::study::Verdicts;
-use asperity_contact_framework::report::format::{capitalised, input_quantity};
+use asperity_contact_framework::report::format::{capitalised, input_quantity, thickness};
 use asperity_contact_framework::report::page::Page;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Legend, Plot};
 
@@ -57,7 +57,11 @@ pub fn verdict_maps(page: &mut Page, results: &CompareResults, series: &[Series]
     }
     for series in series {
         let title = format!("Verdict map: {}", series.subject);
-        draw(&format!("{}-verdicts.svg", series.stem), &title, &series.named_verdicts());
+        draw(
+            &format!("{}-verdicts.svg", series.stem),
+            &title,
+            &series.verdicts().map(|(t, verdicts)| (thickness(t), verdicts)).collect::<Vec<_>>(),
+        );
     }
 }
 

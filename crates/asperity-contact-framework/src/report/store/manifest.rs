@@ -116,13 +116,13 @@ fn unkept(name: &str) -> Option<&str> {
 
 /// Fields of `summary.json` that identify it as written by a run; a fresh clone has no manifest.
 #[derive(Deserialize)]
-struct Summary {
+pub(super) struct Summary {
     program: String,
     #[serde(default)]
     files: Vec<String>,
     #[serde(default)]
-    input_sha256: String,
-    library_sha256: Option<String>,
+    pub(super) input_sha256: String,
+    pub(super) library_sha256: Option<String>,
     /// SHA-256 of the files that version control keeps.
     #[serde(default)]
     committed: BTreeMap<String, String>,
@@ -142,18 +142,8 @@ pub(super) fn is_committed(folder: &Path, input_sha256: &str) -> bool {
         })
 }
 
-/// The hash of the input that the report in a folder is on.
-pub(super) fn input_of(folder: &Path) -> Option<String> {
-    summary(folder).map(|summary| summary.input_sha256)
-}
-
-/// The hash of the library's sources by which the report in a folder was made, where it says so.
-pub(super) fn library_of(folder: &Path) -> Option<String> {
-    summary(folder)?.library_sha256
-}
-
 /// The summary of a folder, if this program wrote one.
-fn summary(folder: &Path) -> Option<Summary> {
+pub(super) fn summary(folder: &Path) -> Option<Summary> {
     let summary: Summary = serde_json::from_slice(&fs::read(folder.join(SUMMARY)).ok()?).ok()?;
     (summary.program == PROGRAM).then_some(summary)
 }

@@ -135,7 +135,7 @@ impl Store {
         if self.is_current(stem, key) || manifest::is_committed(&folder, input_sha256) {
             return State::UpToDate;
         }
-        match manifest::input_of(&folder) {
+        match manifest::summary(&folder).map(|summary| summary.input_sha256) {
             None => State::Missing,
             Some(input) if input != input_sha256 => State::InputChanged,
             Some(_) if Manifest::read(&folder).is_some_and(|manifest| manifest.key != key) => {
@@ -157,7 +157,7 @@ impl Store {
 
     /// The hash of the library's sources by which a long report was made, where it says so.
     pub fn library(&self, stem: &str) -> Option<String> {
-        manifest::library_of(&self.directory.join(stem))
+        manifest::summary(&self.directory.join(stem))?.library_sha256
     }
 
     /// Whether a report of this name may be written: [`StoreError::NotGenerated`] if something is in the

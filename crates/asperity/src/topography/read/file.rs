@@ -116,11 +116,6 @@ impl MapFile {
         self.missing.as_ref().map(|marks| &*marks.heights).unwrap_or_default()
     }
 
-    /// Whether all heights are said to be heights.
-    fn has_no_marks(&self) -> bool {
-        self.missing.as_ref().is_some_and(|marks| *marks == Marks::default())
-    }
-
     /// Reads the map of heights in metres, relative to the offset of its file ([`Rows::offset`]).
     ///
     /// # Errors
@@ -256,7 +251,7 @@ impl MapFile {
 
     /// Rejects a mark of missing points that is not stated; `unit` is that of the heights in the file, m.
     fn check_extremes(&self, all: Extremes, unit: f64) -> Result<(), ReadError> {
-        match all.mark(unit).filter(|_| !self.has_no_marks()) {
+        match all.mark(unit).filter(|_| self.missing != Some(Marks::default())) {
             Some(error) => Err(error),
             None => Ok(()),
         }
