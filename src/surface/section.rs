@@ -448,7 +448,8 @@ mod tests {
         for row in 0..3 {
             for column in 0..4 {
                 let pixel = pixels[(2 * row + 1) * high / 6 * wide + (2 * column + 1) * wide / 8];
-                assert_eq!(pixel, if (column, row) == (3, 2) { 255 } else { 1 }, "{column} {row}");
+                // Of two colours that of the higher value is the second.
+                assert_eq!(pixel, u8::from((column, row) == (3, 2)), "{column} {row}");
             }
         }
     }

@@ -195,7 +195,7 @@ pub(super) fn encode(
     indices.iter().for_each(|&index| is_used[usize::from(index)] = true);
     let used = (0..palette.len()).filter(|&colour| is_used[colour]);
     let mut places = [0; 256];
-    used.clone().zip(0..).for_each(|(colour, place)| places[colour] = place);
+    used.clone().zip(0..=u8::MAX).for_each(|(colour, place)| places[colour] = place);
     let indices: Vec<_> = indices.iter().map(|&index| places[usize::from(index)]).collect();
     let opacities: Vec<_> = used.clone().map_while(|colour| opacities.get(colour).copied()).collect();
     let palette: Vec<_> = used.map(|colour| palette[colour]).collect();
@@ -326,6 +326,15 @@ pub(crate) mod tests {
         assert_eq!(pixels, [1, 0]);
         assert_eq!(info.palette.as_deref(), Some([palette[1], palette[3]].as_flattened()));
         assert_eq!(info.trns.as_deref(), Some([128].as_slice()));
+    }
+
+    #[test]
+    fn all_colours_may_be_there() {
+        let palette: Vec<[u8; 3]> = (0..=u8::MAX).map(|colour| [colour; 3]).collect();
+        let indices: Vec<u8> = (0..=u8::MAX).collect();
+        let (pixels, _) =
+            decoded(&encode(&indices, [16, 16], &palette, &[0]).unwrap(), png::Transformations::IDENTITY);
+        assert_eq!(pixels, indices);
     }
 
     #[test]

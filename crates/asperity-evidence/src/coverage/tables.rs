@@ -39,7 +39,6 @@ impl IntervalCount {
         (self.intervals > 0).then(|| self.covered as f64 / self.intervals as f64)
     }
 
-    /// Its binomial standard error.
     pub fn coverage_error(&self) -> Option<f64> {
         let share = self.coverage()?;
         Some((share * (1.0 - share) / self.intervals as f64).sqrt())
@@ -205,11 +204,6 @@ impl VerdictCount {
     pub fn wrong_window_share(&self) -> Option<f64> {
         (self.deciding_windows > 0).then(|| self.wrong_windows as f64 / self.deciding_windows as f64)
     }
-
-    /// The upper 95 % limit of that share.
-    pub fn wrong_window_limit(&self) -> Option<f64> {
-        (self.deciding_windows > 0).then(|| upper_limit(self.wrong_windows, self.deciding_windows))
-    }
 }
 
 /// The windows of one process, with one kind of verdicts in them.
@@ -250,7 +244,7 @@ impl Row for &ProcessRow {
             wrong_share["1", label("wrong, of decided"), percent] = row.count.wrong_share(), "Share of the decided verdicts that are wrong.";
             wrong_windows["count"] = row.count.wrong_windows, "Windows with a wrong verdict.";
             wrong_window_share["1", label("windows with a wrong verdict"), percent] = row.count.wrong_window_share(), "Their share of the windows that decide.";
-            wrong_window_upper["1", label("upper 95 % limit"), percent] = row.count.wrong_window_limit(), "Upper 95 % limit of this share (binomial).";
+            wrong_window_upper["1", label("upper 95 % limit"), percent] = (row.count.deciding_windows > 0).then(|| upper_limit(row.count.wrong_windows, row.count.deciding_windows)), "Upper 95 % limit of this share (binomial).";
         }
     }
 }

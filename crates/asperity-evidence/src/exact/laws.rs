@@ -135,7 +135,10 @@ pub(crate) const TWINS: &[Twin] = &[
     Twin {
         name: "jackson-green",
         weight: 1,
-        yield_limits: by_strength,
+        yield_limits: |nu, _, strength| {
+            let factor = decimal(1295.0, 1000.0) * (decimal(736.0, 1000.0) * nu).exp();
+            strength.map(|strength| YieldLimits { onset: factor * strength, strength })
+        },
         boundaries: |_| vec![critical() * 19.0 / 10.0],
         answer: jackson_green,
         has_tables: true,
@@ -200,11 +203,6 @@ fn by_hardness(_: Wide, hardness: Option<Wide>, _: Option<Wide>) -> Option<Yield
 fn by_critical_pressure(nu: Wide, hardness: Option<Wide>, _: Option<Wide>) -> Option<YieldLimits> {
     let factor = decimal(454.0, 1000.0) + decimal(41.0, 100.0) * nu;
     hardness.map(|strength| YieldLimits { onset: factor * strength, strength })
-}
-
-fn by_strength(nu: Wide, _: Option<Wide>, strength: Option<Wide>) -> Option<YieldLimits> {
-    let factor = decimal(1295.0, 1000.0) * (decimal(736.0, 1000.0) * nu).exp();
-    strength.map(|strength| YieldLimits { onset: factor * strength, strength })
 }
 
 fn transition_ratio(law: &ContactLaw) -> f64 {

@@ -257,12 +257,6 @@ impl Wave {
     fn mean_gap(&self) -> f64 {
         1.0 - self.share + self.share * self.share.ln()
     }
-
-    /// Pressure at x from a crest.
-    fn pressure_at(&self, x: f64) -> f64 {
-        let inside = (self.share - (PI * x).sin().powi(2)).max(0.0);
-        2.0 * self.pressure() / self.share * (PI * x).cos().abs() * inside.sqrt()
-    }
 }
 
 /// The places of the points, from a crest.
@@ -286,7 +280,10 @@ pub fn partial_contact(points: usize, share: f64) -> Result<Vec<Benchmark>, Fail
         if (computed - wave.mean_gap()).abs() > (gap - wave.mean_gap()).abs() {
             gap = computed;
         }
-        let [error, _] = pressure_errors(contact.pressures(), |k| wave.pressure_at(x[k]));
+        let [error, _] = pressure_errors(contact.pressures(), |k| {
+            let inside = (wave.share - (PI * x[k]).sin().powi(2)).max(0.0);
+            2.0 * wave.pressure() / wave.share * (PI * x[k]).cos().abs() * inside.sqrt()
+        });
         pressures = pressures.max(error);
     }
     let case = Case { problem: Problem::Sinusoid, name: wave.name(), points };

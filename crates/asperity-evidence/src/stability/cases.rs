@@ -333,6 +333,17 @@ impl Case {
     /// Every number that goes in, so that it reads back to the same `f64`.
     pub fn inputs(&self) -> String {
         let Bodies { law, rough, flat, layer } = &self.bodies;
-        format!("{}; rough {rough:?}; flat {flat:?}; {layer:?}; {:?}", law.chosen().label(), self.input)
+        let body = |name: &str, body: &Material| {
+            let yields = [("hardness", body.hardness()), ("yield-strength", body.yield_strength())];
+            let yields =
+                yields.into_iter().filter_map(|(key, value)| Some(format!(", {key} = {:e}", value?)));
+            let (young, poisson) = (body.young(), body.poisson());
+            format!("; {name}: young = {young:e}, poisson = {poisson:e}{}", yields.collect::<String>())
+        };
+        let bodies = body("rough", rough) + &body("flat", flat);
+        let layer = layer.as_ref().map(|Layer { material, thickness, rule }| {
+            format!("{}, thickness = {thickness:e}, rule {}", body("layer", material), rule.name())
+        });
+        format!("law {}{bodies}{}; {:?}", law.chosen().label(), layer.unwrap_or_default(), self.input)
     }
 }
