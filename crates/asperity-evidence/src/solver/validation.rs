@@ -127,7 +127,7 @@ fn claim(benchmarks: &[Benchmark]) -> String {
     let (points, hertz) = finest(Problem::Hertz, BenchmarkQuantity::Area);
     let (_, published) = finest(Problem::Ensemble, BenchmarkQuantity::LimitArea);
     format!(
-        "{verdict}; Hertz's area is within {} at {points} pixels per contact radius, extrapolated areas of a published ensemble within {}.",
+        "{verdict}. Hertz's area is within {} at {points} pixels per contact radius, extrapolated areas of a published ensemble within {}.",
         percent(hertz),
         percent(published),
     )
