@@ -422,7 +422,7 @@ impl Scope<'_> {
 /// At most so many points of a sweep where the models alone are run.
 const FEW: usize = 11;
 
-/// At most [`FEW`] points of each sweep, its ends among them.
+/// At most `FEW` points of each sweep, its ends among them.
 pub fn thinned(controls: &Controls) -> Controls {
     let few = |values: &[f64]| match values.len() {
         0..=FEW => values.to_vec(),
