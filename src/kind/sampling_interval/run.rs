@@ -215,7 +215,7 @@ pub struct Trend {
     pub exponent: Option<SlopeFit>,
     /// The largest change that does not matter.
     pub tolerance: f64,
-    /// What that tells of a limit.
+    /// Whether the values have a limit as the sampling interval shrinks.
     pub outcome: Convergence,
 }
 

@@ -16,6 +16,7 @@ use asperity_contact_framework::columns;
 use asperity_contact_framework::report::format::{count, number, one_digit, quantity};
 use asperity_contact_framework::report::table::{Column, Row, Schema, Table};
 use asperity_plot::{Axis, Colour, Figure, Layer, Marker, Plot};
+use indexmap::IndexSet;
 use integral::integrals;
 use rayon::ThreadPoolBuilder;
 use sum::sums;
@@ -209,16 +210,11 @@ fn drawing(points: &[Point]) -> Drawing {
     let panels = points.chunk_by(|a, b| (a.problem, a.case) == (b.problem, b.case)).map(|of_case| {
         let title = format!("{}, {}", of_case[0].problem.name(), of_case[0].case);
         let plot = Plot::new(title, Axis::log("relative error"), Axis::log("time (s)")).height(320.0);
-        let mut methods: Vec<&str> = Vec::new();
-        for point in of_case {
-            if !methods.contains(&point.method) {
-                methods.push(point.method);
-            }
-        }
+        let methods: IndexSet<&str> = of_case.iter().map(|point| point.method).collect();
         methods.into_iter().enumerate().fold(plot, |plot, (k, method)| {
             let of_method = of_case.iter().filter(|point| point.method == method);
-            let place = |point: &Point| (point.cost.error().max(FLOOR), point.cost.seconds);
-            let places: Vec<(f64, f64)> = of_method.map(place).collect();
+            let places = of_method.map(|point| (point.cost.error().max(FLOOR), point.cost.seconds));
+            let places: Vec<(f64, f64)> = places.collect();
             let is_shipped = method == SHIPPED;
             let colour = if is_shipped { Colour::Deterministic } else { Colour::Series(k) };
             let marker = if is_shipped { Marker::Cross } else { Marker::Circle };

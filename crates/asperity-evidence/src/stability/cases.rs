@@ -148,7 +148,13 @@ pub(super) fn case(mut seed: [u8; 32], group: Group, index: u64) -> Case {
 
 fn bodies(rng: &mut CaseRng, group: Group) -> Bodies {
     let layered = group.is_layered();
-    let law = if group == Group::Ellipses { law_of_ellipses(rng) } else { law(rng, layered) };
+    let law = if group == Group::Ellipses {
+        let elliptic = registry().iter().filter(|law| law.is_elliptic()).filter_map(CoveredLaw::new);
+        let mut laws: Vec<CoveredLaw> = elliptic.map(|law| with_options(rng, law)).collect();
+        laws.swap_remove(rng.below(laws.len()))
+    } else {
+        law(rng, layered)
+    };
     let young = rng.ratio(YOUNG);
     let body = |rng: &mut CaseRng| {
         let young = (young * rng.ratio([1e-3, 1e3])).clamp(YOUNG[0], YOUNG[1]);
@@ -183,7 +189,13 @@ fn bodies(rng: &mut CaseRng, group: Group) -> Bodies {
 fn input(rng: &mut CaseRng, group: Group, bodies: &Bodies) -> CaseInput {
     let sigma = rng.ratio(SIGMA);
     let radius = sigma * rng.ratio(RADIUS_OVER_SIGMA);
-    let heights = if group == Group::OtherHeights { other_heights(rng) } else { Heights::GAUSSIAN };
+    let heights = if group == Group::OtherHeights {
+        let covered = COVERED.iter().map(|density| density.heights.clone());
+        let mut others: Vec<Heights> = covered.filter(|heights| *heights != Heights::GAUSSIAN).collect();
+        others.swap_remove(rng.below(others.len()))
+    } else {
+        Heights::GAUSSIAN
+    };
     let population = Population { radius, sigma, density: CROWDING / (radius * sigma), heights };
     let [nearest, furthest] = SEPARATIONS;
     let within = |rng: &mut CaseRng, from: f64, to: f64| {
@@ -262,13 +274,6 @@ fn indentation(rng: &mut CaseRng, bodies: &Bodies, radius: f64) -> f64 {
     }
 }
 
-/// Any covered distribution of heights but the Gaussian.
-fn other_heights(rng: &mut CaseRng) -> Heights {
-    let covered = COVERED.iter().map(|density| density.heights.clone());
-    let mut others: Vec<Heights> = covered.filter(|heights| *heights != Heights::GAUSSIAN).collect();
-    others.swap_remove(rng.below(others.len()))
-}
-
 /// Any law by its weight; ZMC in place of a law without layers.
 fn law(rng: &mut CaseRng, layered: bool) -> CoveredLaw {
     let mut twins = TWINS.iter().flat_map(|twin| repeat_n(twin, twin.weight));
@@ -276,13 +281,6 @@ fn law(rng: &mut CaseRng, layered: bool) -> CoveredLaw {
     let law = twin.and_then(|twin| CoveredLaw::named(twin.name));
     let law = law.filter(|law| !layered || law.chosen().supports_layers());
     with_options(rng, law.unwrap_or_else(CoveredLaw::zmc))
-}
-
-/// Any law for ellipses.
-fn law_of_ellipses(rng: &mut CaseRng) -> CoveredLaw {
-    let elliptic = registry().iter().filter(|law| law.is_elliptic()).filter_map(CoveredLaw::new);
-    let mut laws: Vec<CoveredLaw> = elliptic.map(|law| with_options(rng, law)).collect();
-    laws.swap_remove(rng.below(laws.len()))
 }
 
 /// The law with random options, if it has any that are known here.

@@ -120,8 +120,7 @@ pub(super) fn check(case: &Case) -> Checked {
 }
 
 fn finite(quantity: CheckedQuantity, values: impl IntoIterator<Item = f64>) -> Result<(), Failure> {
-    let all = values.into_iter().all(f64::is_finite);
-    if all { Ok(()) } else { Err(Failure::NotFinite(quantity)) }
+    values.into_iter().all(f64::is_finite).then_some(()).ok_or(Failure::NotFinite(quantity))
 }
 
 /// Within the rounding of a boundary whichever side is nearer.
