@@ -508,7 +508,8 @@ impl<S: Simd> Real for Register<S> {
 
     #[inline(always)]
     fn select(mask: RegisterMask<S>, yes: Self, no: Self) -> Self {
-        Self { lanes: no.simd.select_f64s(mask.lanes, yes.lanes, no.lanes), ..no }
+        // `select_f64s` is not inlined always: a build of less optimisation calls it.
+        no.of_bits(no.simd.select_u64s(mask.lanes, yes.bits(), no.bits()))
     }
 }
 
