@@ -332,36 +332,3 @@ impl CoatedSurface<'_> {
         curved.into_iter().chain(filling).collect()
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn layers_too_thick_for_a_rough_body_are_cautioned() {
-        let surface = CoatedSurface { name: "a", radius: 10e-6, sq: Some(0.4e-6) };
-        let warnings = |thicknesses: &[f64]| surface.warnings("dlc", thicknesses);
-        assert_eq!(warnings(&[0.0, 0.4e-6, f64::INFINITY]), Vec::<String>::new());
-        let between = warnings(&[0.0, 1e-6]);
-        assert!(
-            matches!(&between[..], [one] if one.starts_with("layer dlc of 1 µm on the rough body, surface a: it is 2.5 times as thick as Sq, 400 nm") && one.contains("by 40 %")),
-            "{between:?}"
-        );
-        let thick = warnings(&[1e-7, 2e-6]);
-        assert!(thick[0].contains("0.2 times as thick as the mean radius, 10 µm"), "{thick:?}");
-        assert!(thick[1].contains("5 times as thick as Sq"), "{thick:?}");
-        assert_eq!(CoatedSurface { sq: None, ..surface }.warnings("dlc", &[1e-6]), Vec::<String>::new());
-    }
-
-    #[test]
-    fn contacts_wider_than_the_layer_are_cautioned() {
-        let text = hardness_warning("dlc", [(1e-8, 14.6), (1e-7, 1.46), (1e-6, 0.15)].into_iter()).unwrap();
-        assert!(
-            text.starts_with("layer dlc of 10 nm to 100 nm: contacts are up to 14.6 times as wide"),
-            "{text}"
-        );
-        let text = hardness_warning("dlc", [(1e-8, 1.0)].into_iter()).unwrap();
-        assert!(text.starts_with("layer dlc of 10 nm: contacts are up to 1 times as wide"), "{text}");
-        assert_eq!(hardness_warning("dlc", [(1e-6, 0.99)].into_iter()), None);
-    }
-}

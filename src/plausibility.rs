@@ -251,46 +251,27 @@ mod tests {
         assert!(of_pixel("a", [1e-3, 1e-6]).is_none() && of_pressures(&[1.0, 1e6]).is_none());
     }
 
+    /// What `check` and a run say of them is in `tests/experiment/caveats.rs`.
     #[test]
-    fn a_missing_unit_is_named_with_its_remedy() {
-        let (steel, bare) = (body(210e9, Some(7.6e9)), body(210.0, None));
-        let found = given(("bare", &bare), ("bare", &bare));
-        assert!(
-            matches!(&found[..], [one] if one.contains("210 Pa") && one.contains("\"210 GPa\"?")),
-            "{found:?}"
-        );
-        assert!(given(("steel", &steel), ("gel", &body(5e3, None)))[0].contains("check its unit (mPa"));
-        assert!(given(("steel", &steel), ("rubber", &body(2e6, None)))[0].contains("2 MPa, below 1 GPa"));
-        assert!(given(("steel", &steel), ("rigid", &body(1e18, None)))[0].contains("above 2 TPa"));
-        let soft = body(210e9, Some(7.6e-3));
-        assert!(
-            given(("steel", &steel), ("soft", &soft))[0].contains("the hardness is 7.6 mPa, below 10 MPa")
-        );
-        let hard = body(210e9, Some(76e9));
-        let found = given(("hard", &hard), ("hard", &hard));
-        assert!(matches!(&found[..], [one] if one.contains("76 GPa, above E*/5 = 23.1 GPa")), "{found:?}");
-        // The softer body yields first.
+    fn inputs_out_of_scale_are_named() {
+        let (steel, hard) = (body(210e9, Some(7.6e9)), body(210e9, Some(76e9)));
+        let beside_steel = |young, hardness| given(("steel", &steel), ("other", &body(young, hardness)));
+        for (warnings, words) in [
+            (beside_steel(5e3, None), "check its unit (mPa"),
+            (beside_steel(2e6, None), "2 MPa, below 1 GPa"),
+            (beside_steel(1e18, None), "above 2 TPa"),
+            (beside_steel(210e9, Some(7.6e-3)), "the hardness is 7.6 mPa, below 10 MPa"),
+            (given(("hard", &hard), ("hard", &hard)), "76 GPa, above E*/5 = 23.1 GPa"),
+            (of_asperities("a", 20.0, 48e-9, 1e-6), "20 m is above the side of the nominal area of 1 mm"),
+            (of_thicknesses("dlc", &[0.0, 2.0, f64::INFINITY]).into_iter().collect(), "a thickness of 2 m"),
+            (of_pixel("a", [1e-6, 0.196733]).into_iter().collect(), "a pixel of 197 mm"),
+            (of_pressures(&[1e6, 1e-3]).into_iter().collect(), "1 mPa, below 1 Pa"),
+            (of_separations(&[4.0, -200.0]).into_iter().collect(), "-200 σ"),
+        ] {
+            assert!(warnings.first().is_some_and(|first| first.contains(words)), "{words}: {warnings:?}");
+        }
+        // The softer body yields first; a polished surface has large radii.
         assert!(given(("hard", &hard), ("steel", &steel)).is_empty());
-    }
-
-    #[test]
-    fn lengths_and_pressures_out_of_scale_are_named() {
-        assert!(of_thicknesses("dlc", &[0.0, 2.0, f64::INFINITY]).unwrap().contains("a thickness of 2 m"));
-        assert!(of_pixel("a", [1e-6, 0.196733]).unwrap().contains("a pixel of 197 mm"));
-        assert!(of_pressures(&[1e6, 1e-3]).unwrap().contains("1 mPa, below 1 Pa"));
-    }
-
-    #[test]
-    fn radii_heights_and_separations_out_of_scale_are_named() {
-        assert!(
-            of_asperities("a", 20.0, 48e-9, 1e-6)[0]
-                .contains("20 m is above the side of the nominal area of 1 mm")
-        );
-        // A polished surface.
         assert!(of_asperities("a", 2e-3, 48e-9, 1e-6).is_empty());
-        assert!(
-            of_asperities("a", 20e-6, 48e-6, 1e-6)[0].contains("48 µm, is above their mean radius, 20 µm")
-        );
-        assert!(of_separations(&[4.0, -200.0]).unwrap().contains("-200 σ"));
     }
 }

@@ -180,31 +180,13 @@ pub fn fit_records(surface: &Surface) -> Value {
 
 #[cfg(test)]
 mod tests {
-    use asperity::surface::FoundSpikes;
-    use asperity::topography::Level;
-    use asperity::topography::summits::Neighbours;
-
     use super::*;
 
     #[test]
-    fn found_keys_replace_those_of_the_spec() {
-        let filter = Filter::new(Some(2.5e-6), Some(8e-5)).ok();
-        let preparation = Preparation { level: Level::Cubic, filter, ..Preparation::none(Neighbours::Four) };
-        let fit = Fit {
-            preparation,
-            steps: Vec::new(),
-            is_fit: true,
-            before: None,
-            spikes: FoundSpikes::default(),
-        };
-        let spec = "law = \"zmc\"\n[surface.\"a\".file]\npath = \"a.npy\"\nfit = \"auto\"\nfilter = { s = \"2.5 um\" }\n";
-        assert_eq!(
-            by_hand(spec, &fit),
-            "law = \"zmc\"\n[surface.\"a\".file]\npath = \"a.npy\"\noutliers = \"keep\"\nlevel = \"cubic\"\n\
-             filter = { s = \"2.5 µm\", l = \"80 µm\" }\n"
-        );
-        assert_eq!(as_written(&preparation).filter.unwrap().s(), parsed("2.5 um"));
-        let long = 2.123456789e-6;
-        assert_eq!((length(long).as_str(), parsed(&length(long))), ("2.123456789e-6 m", Some(long)));
+    fn a_length_is_read_as_it_is_written() {
+        for (value, text) in [(2.5e-6, "2.5 µm"), (2.123456789e-6, "2.123456789e-6 m")] {
+            assert_eq!(length(value), text);
+            assert!((parsed(text).unwrap() / value - 1.0).abs() < 1e-15, "{text}");
+        }
     }
 }

@@ -392,24 +392,20 @@ mod tests {
 
     #[test]
     fn units_and_marks_are_values_of_a_spec() {
-        for (text, value) in [
-            ("um", "\"um\""),
-            ("xy=um,z=nm", "{ xy = \"um\", z = \"nm\" }"),
-            ("z = nm, xy = um", "{ z = \"nm\", xy = \"um\" }"),
-            ("{ xy = \"um\", z = \"nm\" }", "{ xy = \"um\", z = \"nm\" }"),
-            ("xy=um,nm", "\"xy=um,nm\""),
+        for (found, value) in [
+            (units("um"), "\"um\""),
+            (units("xy=um,z=nm"), "{ xy = \"um\", z = \"nm\" }"),
+            (units("z = nm, xy = um"), "{ z = \"nm\", xy = \"um\" }"),
+            (units("{ xy = \"um\", z = \"nm\" }"), "{ xy = \"um\", z = \"nm\" }"),
+            (units("xy=um,nm"), "\"xy=um,nm\""),
+            (numbers("-9999"), "-9999.0"),
+            (numbers("-9999, 1e30"), "[-9999.0, 1e30]"),
+            (numbers("none"), "[]"),
+            (numbers("nan"), "\"nan\""),
+            (numbers("***, -9999"), "[\"***\", -9999.0]"),
+            (numbers(""), "\"\""),
         ] {
-            assert_eq!(units(text), value);
-        }
-        for (text, value) in [
-            ("-9999", "-9999.0"),
-            ("-9999, 1e30", "[-9999.0, 1e30]"),
-            ("none", "[]"),
-            ("nan", "\"nan\""),
-            ("***, -9999", "[\"***\", -9999.0]"),
-            ("", "\"\""),
-        ] {
-            assert_eq!(numbers(text), value);
+            assert_eq!(found, value);
         }
     }
 

@@ -194,47 +194,29 @@ mod tests {
 
     #[test]
     fn what_is_left_out_is_named() {
-        let words = |header, index_column| left_out(LeftOut { header, index_column, spacing: [None; 2] });
-        assert!(words(Some(3), false).unwrap().starts_with("line 3 of its file names"));
-        assert!(words(Some(1), true).unwrap().ends_with("both hold no heights and are left out."));
-        assert!(words(None, true).unwrap().starts_with("the first column"));
-        assert_eq!(words(None, false), None);
-        let mut channel = ChannelName { name: "Height".to_owned(), others: Vec::new() };
-        assert_eq!(others(&channel), None);
-        let other =
-            |name: &str, unit: &str| OtherChannel { name: name.to_owned(), unit: Some(unit.to_owned()) };
-        channel.others = vec![other("Phase", "deg")];
-        assert_eq!(others(&channel), None);
-        channel.others.extend([other("Sensor", "m"), other("Sensor (2)", "m")]);
-        assert_eq!(
-            others(&channel).unwrap(),
-            "the channel \"Height\" of its file is read; `channel = \"Sensor\"` reads another (of 2)."
+        let words = |header, index_column, spacing| left_out(LeftOut { header, index_column, spacing });
+        assert!(words(Some(1), true, [None; 2]).unwrap().ends_with("both hold no heights and are left out."));
+        assert!(words(None, true, [None; 2]).unwrap().starts_with("the first column"));
+        let coordinates = words(Some(1), true, [Some(0.8), Some(1e-3)]).unwrap();
+        assert!(
+            coordinates.contains("of the columns, 0.8 apart")
+                && coordinates.contains("of the lines, 0.001 apart"),
+            "{coordinates}"
         );
-        let coordinates = LeftOut { header: Some(1), index_column: true, spacing: [Some(0.8), Some(1e-3)] };
-        assert_eq!(
-            left_out(coordinates).unwrap(),
-            "line 1 of its file holds coordinates of the columns, 0.8 apart, and the first column of its file holds coordinates of \
-             the lines, 0.001 apart: both hold no heights and are left out."
-        );
-        assert!(differ([1e-6, 2e-6], 0.01) && !differ([1.0001e-6, 1e-6], 0.01));
     }
 
+    /// Of a file that holds heights in others, too.
     #[test]
-    fn keys_are_named_where_they_help() {
-        let tall = spec_message(&ReadError::TooTall { tallest: 20.0 });
-        assert!(
-            tall.starts_with("holds a height of 2e1 m; allowed: at most 10 m (`unit = \"um\"` means"),
-            "{tall}"
-        );
-        assert!(spec_message(&ReadOptionsError::NoPixel.into()).contains("allowed: `pixel = "));
-        let columns = ReadOptionsError::UnitsInColumns { line: 3, found: "x [px]".to_owned() };
-        let message = spec_message(&columns.into());
-        assert!(message.contains("in line 3: \"x [px]\"; allowed: ") && message.contains("`unit = { xy = "));
-        let word = ReadError::Word { line: 1, column: 2, word: "***".to_owned() };
-        assert!(spec_message(&word).ends_with("; `missing = \"***\"` means that it marks missing points"));
-        let mark = ReadError::Mark { value: -9999.0, count: 1329, low: -3.0, high: 5.0 };
-        let message = spec_message(&mark);
-        assert!(message.starts_with("holds the height -9999 at 1329 points, far from all other heights"));
-        assert!(message.contains("missing points? Write `missing = -9999`;"), "{message}");
+    fn channels_of_heights_are_named() {
+        let of = |units: &[&str]| {
+            let other =
+                |unit: &&str| OtherChannel { name: "Sensor".to_owned(), unit: Some((*unit).to_owned()) };
+            let channel =
+                ChannelName { name: "Height".to_owned(), others: units.iter().map(other).collect() };
+            others(&channel)
+        };
+        assert_eq!((of(&[]), of(&["deg"])), (None, None));
+        let read = of(&["deg", "m", "m"]).unwrap();
+        assert!(read.ends_with("`channel = \"Sensor\"` reads another (of 2)."), "{read}");
     }
 }

@@ -282,27 +282,3 @@ impl fmt::Display for SweepPlan {
         write!(f, "{}", self.variations[0].case.experiment.plan)
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn keys(counts: &[i64]) -> Vec<SweptKey> {
-        let key = |&count: &i64| {
-            let values = Value::Array((0..count).map(Value::Integer).collect());
-            SweptKey::new(format!("compare.k{count}"), &values).unwrap()
-        };
-        counts.iter().map(key).collect()
-    }
-
-    #[test]
-    fn the_last_key_runs_fastest_and_zipped_keys_together() {
-        let all = choices(&keys(&[2, 3]), Combine::All).unwrap();
-        assert_eq!(all, [[0, 0], [0, 1], [0, 2], [1, 0], [1, 1], [1, 2]]);
-        assert_eq!(choices(&keys(&[2, 2]), Combine::Zip).unwrap(), [[0, 0], [1, 1]]);
-        assert!(
-            choices(&keys(&[2, 3]), Combine::Zip).unwrap_err().contains("2 of compare.k2, 3 of compare.k3")
-        );
-        assert!(choices(&keys(&[1000, 1000]), Combine::All).unwrap_err().contains("more than 10000"));
-    }
-}

@@ -138,16 +138,6 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_file_that_names_heights_and_radii_is_a_list() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("a.csv");
-        std::fs::write(&path, "height,radius\n1e-6,2e-5\n").unwrap();
-        let (text, open) = spec_of(&path, "uploads/a.csv").unwrap();
-        assert!(text.contains("[surface.\"a\".asperities]\nfile = \"uploads/a.csv\"\n"), "{text}");
-        assert_eq!(open, ["nominal-area"]);
-    }
-
-    #[test]
     fn what_a_file_leaves_open_is_asked_for() {
         let folder = tempfile::tempdir().unwrap();
         let open = |name: &str, text: &str| {
@@ -160,12 +150,5 @@ mod tests {
         assert_eq!(open("points.xyz", points), ["unit.xy", "unit.z"]);
         assert_eq!(open("unclear.csv", &format!("x [px] y [px] z [um]\n{points}")), ["unit.xy", "unit.z"]);
         assert!(open("named.csv", &format!("x [um] y [um] z [nm]\n{points}")).is_empty());
-    }
-
-    #[test]
-    fn the_example_runs() {
-        let text = std::str::from_utf8(EXAMPLE.files[0].1).unwrap();
-        assert_eq!(kind(text).unwrap().0, "compare");
-        assert!(EXAMPLE.files.iter().any(|(name, _)| text.contains(&format!("path = \"{name}\""))));
     }
 }

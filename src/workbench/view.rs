@@ -172,11 +172,4 @@ mod tests {
         assert_eq!((few.points, few.every, few.pixel), ([3, 2], 2, [2.0, 4.0]));
         assert_eq!(few.heights, [0.0, 2.0, 6.0, 8.0, 12.0, 14.0]);
     }
-
-    #[test]
-    fn a_remedy_is_the_keys_of_a_spec() {
-        let row = with_keys(json!({ "setting": "`filter = { l = \"13 um\" }`" }));
-        assert_eq!(row["keys"], json!({ "filter": { "l": "13 um" } }));
-        assert_eq!(with_keys(json!({ "setting": null }))["keys"], Value::Null);
-    }
 }

@@ -6,7 +6,7 @@ use std::path::Path;
 use asperity_contact_framework::Outcome;
 
 use crate::Report;
-use crate::results::{self, ON_STEEL, figure, number, table};
+use crate::results::{self, ON_STEEL, figure, number, population, table};
 
 /// A list of asperities with Gaussian heights. A sharper radius belongs to a higher one where they are `correlated`.
 fn list(folder: &Path, name: &str, count: usize, correlated: bool) {
@@ -90,10 +90,7 @@ fn the_cause_that_leads_is_named() {
     let independent = run(folder.path(), COMPARE, &surface("list", "independent.csv", 20_000));
     assert!(!leads(&*independent).iter().any(|cause| cause == "correlation"), "{:?}", leads(&*independent));
     // The heights of a population are its own; of equal radii there is no spread.
-    let population = format!(
-        "[surface.p.population]\n{}count = 100000\nheights.johnson = {{ skewness = -1, kurtosis = 4.5 }}\n",
-        case_1!()
-    );
+    let population = population("p", 100_000, "heights.johnson = { skewness = -1, kurtosis = 4.5 }");
     let text = format!("statistical = {{ heights = \"gaussian\" }}\n{COMPARE}");
     let skewed = run(folder.path(), &text, &population);
     assert!(leads(&*skewed).iter().any(|cause| cause == "heights"), "{:?}", leads(&*skewed));
@@ -158,10 +155,7 @@ fn other_statistical_models() {
     assert!(page.contains("takes the mean radius of the asperities in contact"), "{page}");
     assert!(table(&*touching, "attribution.csv").is_none());
 
-    let population = format!(
-        "[surface.p.population]\n{}count = 100000\nheights.johnson = {{ skewness = 1, kurtosis = 4.5 }}\n",
-        case_1!()
-    );
+    let population = population("p", 100_000, "heights.johnson = { skewness = 1, kurtosis = 4.5 }");
     let skewed = |heights: &str| {
         let text = format!("statistical = {{ heights = \"{heights}\" }}\n{COMPARE}");
         largest_gap(&*run(folder.path(), &text, &population))
@@ -171,32 +165,4 @@ fn other_statistical_models() {
     for (heights, most) in [("own", 0.1), ("fitted-johnson", 0.1), ("fitted-weibull", 0.25)] {
         assert!(skewed(heights) < most, "{heights}: {}", skewed(heights));
     }
-}
-
-#[test]
-fn heights_that_cannot_be_fitted_are_refused() {
-    let spec = format!(
-        "{ON_STEEL}statistical = {{ heights = \"fitted-weibull\" }}\n{COMPARE}[surface.p.population]\n{}count = 1000\n\
-         heights.johnson = {{ skewness = -2, kurtosis = 9 }}\n",
-        case_1!(),
-    );
-    let error = results::run(&spec).err().unwrap();
-    assert!(
-        error.contains("compare.statistical")
-            && error.contains("surface p: skewness -")
-            && error.contains("Weibull heights have"),
-        "{error}"
-    );
-}
-
-/// The same on any number of threads, to the bit.
-#[test]
-fn threads_change_nothing() {
-    let folder = tempfile::tempdir().unwrap();
-    list(folder.path(), "list.csv", 20_000, true);
-    let bytes = |threads: usize| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        pool.install(|| run(folder.path(), COMPARE, &surface("list", "list.csv", 20_000)).files())
-    };
-    assert!(bytes(1) == bytes(3));
 }

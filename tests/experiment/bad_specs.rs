@@ -3,12 +3,13 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
 #[path = "../specs/mod.rs"]
 mod specs;
 
 use specs::BadSpec;
+
+use crate::results::experiment;
 
 /// Maps that they name, besides those of `tests/specs/data`.
 const MAPS: [&str; 2] = ["surface_int32_binary.x3p", "samples/st-al3d-1.al3d"];
@@ -44,9 +45,7 @@ fn every_bad_spec_gets_its_message_and_writes_nothing() {
     for bad in BadSpec::all(&text) {
         let file = format!("{}.toml", bad.name);
         fs::write(folder.path().join(&file), bad.spec()).unwrap();
-        let mut program = Command::new(env!("CARGO_BIN_EXE_experiment"));
-        let output =
-            program.args(["run", &file, "--out", "reports"]).current_dir(folder.path()).output().unwrap();
+        let output = experiment(&["run", &file, "--out", "reports"], folder.path());
         let message = of_any_machine(&String::from_utf8(output.stderr).unwrap());
         assert_eq!(output.status.code(), Some(2), "{file}: {message}");
         assert!(message.contains(&file) && !message.contains("panicked"), "{file}: {message}");

@@ -4,12 +4,11 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-use asperity_contact_framework::progress::Silent;
 use asperity_contact_framework::report::table::{Heading, Schema};
-use asperity_experiment::Experiment;
 use asperity_experiment::kind::KINDS;
 
 use crate::Report;
+use crate::results::run_in;
 
 /// Every table once, by its file.
 fn schemas() -> BTreeMap<&'static str, Schema> {
@@ -94,7 +93,8 @@ fn headings_are_whole() {
     }
 }
 
-const COMPARE: &str = r#"
+const COMPARE: &str = concat!(
+    r#"
 [compare]
 rough = "steel"
 flat = "steel"
@@ -106,13 +106,9 @@ models = ["statistical", "deterministic", "reference"]
 separation = { values = [9, 2, 0] }
 pressure = { values = ["20 MPa"] }
 force = { values = ["1 mN"] }
-
-[surface.random.generate]
-points = 256
-pixel = "1 um"
-sigma = "100 nm"
-spectrum.self-affine = { hurst = 0.8, roll-off = "40 um", cut-off = "3 um" }
-"#;
+"#,
+    generated!("random", 256, "1 um", "100 nm", "40 um" to "3 um")
+);
 
 const CAUSES: &str = r#"
 [causes]
@@ -159,7 +155,8 @@ indentation = { from = "10 nm", to = "5 um", points = 5 }
 overlay = "points.csv"
 "#;
 
-const SAMPLING_INTERVAL: &str = r#"
+const SAMPLING_INTERVAL: &str = concat!(
+    r#"
 [sampling-interval]
 rough = "steel"
 flat = "steel"
@@ -167,13 +164,9 @@ law = "zmc"
 pressure = { values = ["30 MPa"] }
 intervals = [1, 2, 4]
 s-filter = [1, 2, 3]
-
-[surface.random.generate]
-points = 256
-pixel = "0.5 um"
-sigma = "100 nm"
-spectrum.self-affine = { hurst = 0.8, roll-off = "10 um", cut-off = "2 um" }
-"#;
+"#,
+    generated!("random", 256, "0.5 um", "100 nm", "10 um" to "2 um")
+);
 
 const TILED: &str = concat!(
     "[tiled]\nrough = \"steel\"\nflat = \"lead\"\nlaw = \"zmc\"\nseparation = { from = 3, to = 0, points = 4 }\n",
@@ -188,10 +181,8 @@ const EVIDENCE: [&str; 4] = ["coverage", "coverage-of-small-maps", "grid-bounds"
 /// The tables of a spec.
 fn tables(spec: &str) -> Vec<(&'static str, Vec<u8>)> {
     let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("spec.toml");
-    fs::write(&path, format!("title = \"t\"\nseed = 1\n{spec}")).unwrap();
     fs::write(folder.path().join("points.csv"), "indentation,load\n1e-7,1e-3\n3e-7,6e-3\n").unwrap();
-    Experiment::read(&path).unwrap().run(&Silent).unwrap().files()
+    run_in(folder.path(), &format!("title = \"t\"\nseed = 1\n{spec}")).unwrap().files()
 }
 
 /// Whether a cell may stand in a column of this unit.

@@ -4,38 +4,32 @@
 use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
 
+use asperity::MeanRadius;
 use asperity::compare::{ComparedQuantity, Difference, Verdict};
 use asperity::study::{Choice, Treatment};
 use asperity::surface::Surface;
 use asperity::topography::Level;
 use asperity::topography::fitness::Check;
-use asperity::topography::generate::gaussian;
-use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
 use asperity::topography::summits::Neighbours;
-use asperity::{MeanRadius, npy};
 use asperity_contact_framework::Outcome;
 use asperity_contact_framework::progress::Silent;
-use asperity_contact_framework::report::format::number;
 use asperity_experiment::Experiment;
 use asperity_experiment::kind::compare::results::{CompareResults, SurfaceResults};
 use asperity_experiment::surface::fitness::in_short;
 use rand::{RngExt, SeedableRng};
 
 use crate::Report;
-use crate::results::table;
+use crate::results::{table, waves, write_map};
 
 const SIDE: usize = 640;
 
 /// A map of Sq 0.1 um on pixels of 1 um, with the shortest waves `cut_off` pixels long.
 fn good(cut_off: f64) -> Vec<f64> {
-    let shape = SpectrumShape::SelfAffine { hurst: 0.8, roll_off: 32.0, cut_off };
-    let spectrum = Spectrum::new(shape, Lay::default()).unwrap().on_grid([SIDE; 2], [1.0; 2]);
-    gaussian(&spectrum, 1e-7, [9; 32])
+    waves(SIDE, [32.0, cut_off], 9)
 }
 
 fn write(folder: &Path, name: &str, height: impl Fn(usize, usize) -> f64) {
-    let heights = (0..SIDE * SIDE).map(|k| height(k / SIDE, k % SIDE));
-    npy::write(std::fs::File::create(folder.join(name)).unwrap(), [SIDE; 2], heights).unwrap();
+    write_map(folder.join(name), [SIDE; 2], height);
 }
 
 /// Both models on maps, each a name, a file and further keys.
@@ -178,20 +172,6 @@ fn planted_faults_are_found_and_their_remedies_give_the_verdict_back() {
     }
     let page = (&results as &dyn Outcome).outline().markdown();
     assert!(page.contains("unfit map in 6."), "{page}");
-    assert!(page.contains("outliers = \"remove\""));
-    let checks = |name: &str| {
-        let rows = summary["fitness"].as_array().unwrap().iter().filter(|row| row["surface"] == name);
-        rows.map(|row| [row["result"].clone(), row["remedy"].clone()]).collect::<Vec<_>>()
-    };
-    assert!(
-        checks("good")
-            .iter()
-            .all(|[result, remedy]| result != "failed" && (result == "caution" || remedy.is_null()))
-    );
-    let [_, remedy] = checks("spikes").into_iter().find(|[result, _]| result == "failed").unwrap();
-    assert!(remedy.as_str().unwrap().contains("outliers = \"remove\""), "{remedy}");
-    let form = summary["fitness"].as_array().unwrap().iter().find(|row| row["check"] == "form").unwrap();
-    assert_eq!(form["allowed"], format!("at most {}", number(form["threshold"].as_f64().unwrap())));
 }
 
 /// The preparation that `fit` finds gives the same to the bit as its keys written by hand, which it states, and remedies what was

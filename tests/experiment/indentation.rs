@@ -4,20 +4,17 @@ use std::fs;
 use std::path::Path;
 
 use asperity::sphere::{Curve, DecreasingQuantity};
+use asperity_contact_framework::Outcome;
 use asperity_contact_framework::progress::Silent;
-use asperity_contact_framework::{Outcome, report};
 use asperity_experiment::Experiment;
 use asperity_experiment::kind::indentation::IndentationResults;
 
 use crate::Report;
-use crate::results::{number, rows};
-
-fn run_file(path: &Path) -> IndentationResults {
-    crate::downcast(Experiment::read(path).unwrap().run(&Silent).unwrap())
-}
+use crate::results::{column, number, read, run_in, table};
 
 fn committed(stem: &str) -> IndentationResults {
-    run_file(&Path::new(env!("CARGO_MANIFEST_DIR")).join("experiments").join(stem).with_extension("toml"))
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("experiments").join(stem).with_extension("toml");
+    crate::downcast(Experiment::read(&path).unwrap().run(&Silent).unwrap())
 }
 
 const BODIES: &str = concat!(
@@ -37,9 +34,7 @@ law = ["hertz", "zmc"]
 fn run_words(words: &str, points: &str) -> (tempfile::TempDir, IndentationResults) {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("points.csv"), points).unwrap();
-    let spec = folder.path().join("sphere.toml");
-    fs::write(&spec, format!("{BODIES}{words}")).unwrap();
-    let results = run_file(&spec);
+    let results = crate::downcast(run_in(folder.path(), &format!("{BODIES}{words}")).unwrap());
     (folder, results)
 }
 
@@ -68,20 +63,13 @@ fn changes_of_figure_5() {
 
 #[test]
 fn loads_of_figure_5_in_the_table() {
-    let words = |w: &str| {
-        format!(
-            "radius = \"12.75 mm\"\nlayer = {{ material = \"lead\", thickness = \"1.2 um\" }}\nindentation = {{ values = [{w}] }}\n"
-        )
-    };
+    let words = "radius = \"12.75 mm\"\nlayer = { material = \"lead\", thickness = \"1.2 um\" }\n\
+                 indentation = { values = [1e-7, 5e-7, 1e-6, 2e-6, 5e-6] }\n";
     let spec = BODIES.replace("flat = \"steel\"", "flat = \"mild\"").replace(
         "[material.lead]",
         "[material.mild]\nyoung = \"140 GPa\"\npoisson = 0.3\nhardness = \"1.86 GPa\"\n[material.lead]",
     );
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("sphere.toml");
-    fs::write(&path, spec + &words("1e-7, 5e-7, 1e-6, 2e-6, 5e-6")).unwrap();
-    let table = written(run_file(&path), "indentation.csv");
-    let rows = rows(table.as_bytes());
+    let rows = table(&*crate::results::run(&(spec + words)).unwrap(), "indentation.csv").unwrap();
     let coated = rows.iter().filter(|row| row["law"] == "zmc" && row["curve"] == "coated");
     let loads: Vec<f64> = coated.map(|row| number(row, "load_n")).collect();
     let known = [0.375385, 4.06646, 13.6708, 39.129, 153.356];
@@ -89,14 +77,6 @@ fn loads_of_figure_5_in_the_table() {
     for (found, known) in loads.iter().zip(known) {
         assert!((found / known - 1.0).abs() < 2e-6, "{found} N, known {known}");
     }
-}
-
-/// A file of the report on `results`.
-fn written(results: IndentationResults, name: &str) -> String {
-    let out = tempfile::tempdir().unwrap();
-    let folder = asperity_contact_framework::folder(&results, "key").unwrap();
-    report::store::Store::new(out.path()).write(&folder).unwrap();
-    fs::read_to_string(out.path().join("sphere").join(name)).unwrap()
 }
 
 #[test]
@@ -161,7 +141,7 @@ fn a_layer_under_both_models_has_its_errors_once() {
     for error in ["`gao` overestimates", "`series` underestimates"] {
         assert_eq!(page.matches(error).count(), 1, "{page}");
     }
-    assert_eq!(written(results, "rule.csv").lines().count(), 1 + 2 * 4);
+    assert_eq!(table(&results, "rule.csv").unwrap().len(), 2 * 4);
 }
 
 #[test]
@@ -175,25 +155,24 @@ fn a_decreasing_area_is_reported() {
         layer.laws[1].coated.decreases.iter().map(|decrease| decrease.of).collect::<Vec<_>>(),
         [DecreasingQuantity::Area]
     );
-    let table = written(results, "coated_decreases.csv");
-    let mut lines = table.lines();
-    assert_eq!(
-        lines.next(),
-        Some("layer,layer_thickness_m,rule,law,of,from_indentation_m,to_indentation_m,from,to")
-    );
-    assert!(lines.next().is_some_and(|line| line.starts_with("lead,1e-7,gao,zmc,area,")), "{table}");
-    assert_eq!(lines.next(), None);
+    let decreases = table(&results, "coated_decreases.csv").unwrap();
+    let [one] = &decreases[..] else { panic!("{decreases:?}") };
+    assert_eq!(["layer", "rule", "law", "of"].map(|name| &*one[name]), ["lead", "gao", "zmc", "area"]);
 }
 
 #[test]
 fn measured_points_are_compared_with_the_curve() {
     let words = "radius = \"12.75 mm\"\nlayer = { material = \"lead\", thickness = \"1.2 um\" }\n\
                  indentation = { from = \"10 nm\", to = \"5 um\", points = 11 }\noverlay = \"points.csv\"\n";
-    let (_folder, results) = run_words(words, "# mine\nlot, load, indentation\na, 2.5, 1e-7\nb, 20, 1e-6\n");
+    let (folder, results) = run_words(words, "# mine\nlot, load, indentation\na, 2.5, 1e-7\nb, 20, 1e-6\n");
     assert_eq!(results.overlay[..], [(1e-7, 2.5), (1e-6, 20.0)]);
     for law in &results.layers[0].laws {
         assert_eq!(law.at_overlay.len(), 2);
     }
-    let folder = asperity_contact_framework::folder(&results, "key").unwrap();
-    assert!(folder.names().any(|name| name == "overlay.csv"));
+    assert_eq!(column(&table(&results, "overlay.csv").unwrap(), "measured_load_n"), [2.5, 20.0, 2.5, 20.0]);
+    // Other points are another experiment.
+    let key = || read(folder.path(), &format!("{BODIES}{words}")).unwrap().key().unwrap();
+    let before = key();
+    fs::write(folder.path().join("points.csv"), "load, indentation\n2.5, 1e-7\n").unwrap();
+    assert_ne!(key(), before);
 }

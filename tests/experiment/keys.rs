@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use asperity_contact_framework::keys::{Default, Key, keys};
+use asperity_contact_framework::keys::{Default, keys};
 use asperity_experiment::Experiment;
 use asperity_experiment::keys::{explain, spec_schema};
 use serde_json::Value;
@@ -55,12 +55,12 @@ fn ranges_are_those_of_the_reader() {
     let mut tried = 0;
     for path in specs("experiments") {
         let text = fs::read_to_string(&path).unwrap();
-        let spec: toml::Table = text.parse().unwrap();
+        let spec = toml::Value::Table(text.parse().unwrap());
         for key in keys.iter().filter(|key| !key.is_table) {
             let Some(end) = key.range.as_deref().and_then(upper_end) else { continue };
-            for place in places(&spec, key) {
-                let mut changed = toml::Value::Table(spec.clone());
-                *at(&mut changed, &place) = toml::Value::Float(end * 10.0 + 10.0);
+            for place in 0..numbers(&mut spec.clone(), &key.path).len() {
+                let mut changed = spec.clone();
+                *numbers(&mut changed, &key.path)[place] = toml::Value::Float(end * 10.0 + 10.0);
                 absolute(&mut changed, Path::new("experiments"));
                 let file = folder.path().join("changed.toml");
                 fs::write(&file, toml::to_string(&changed).unwrap()).unwrap();
@@ -82,31 +82,16 @@ fn upper_end(range: &str) -> Option<f64> {
     to.parse().ok()
 }
 
-/// Where a spec holds a single number for a key.
-fn places(spec: &toml::Table, key: &Key) -> Vec<Vec<String>> {
-    let root = toml::Value::Table(spec.clone());
-    let mut found: Vec<(Vec<String>, toml::Value)> = vec![(Vec::new(), root)];
-    for name in &key.path {
-        let below = found.into_iter().flat_map(|(path, value)| {
-            let table = value.as_table().cloned().unwrap_or_default();
-            let keys: Vec<String> =
-                if name == "NAME" { table.keys().cloned().collect() } else { vec![name.clone()] };
-            keys.into_iter().filter_map(move |name| {
-                let value = table.get(&name)?.clone();
-                Some(([path.clone(), vec![name]].concat(), value))
-            })
-        });
-        found = below.collect();
+/// The numbers that a spec holds at the path of a key.
+fn numbers<'a>(value: &'a mut toml::Value, path: &[String]) -> Vec<&'a mut toml::Value> {
+    match (path, value) {
+        ([], value) if value.is_integer() || value.is_float() => vec![value],
+        ([name, rest @ ..], toml::Value::Table(table)) => {
+            let named = table.iter_mut().filter(|(key, _)| name == "NAME" || *key == name);
+            named.flat_map(|(_, value)| numbers(value, rest)).collect()
+        }
+        _ => Vec::new(),
     }
-    found
-        .into_iter()
-        .filter(|(_, value)| value.is_integer() || value.is_float())
-        .map(|(path, _)| path)
-        .collect()
-}
-
-fn at<'a>(value: &'a mut toml::Value, path: &[String]) -> &'a mut toml::Value {
-    path.iter().fold(value, |value, name| &mut value[name.as_str()])
 }
 
 /// Makes the files of a spec readable from another folder.

@@ -22,14 +22,10 @@ law = ["hertz", "zmc"]
 models = ["statistical", "deterministic", "reference"]
 layer = {{ material = "lead", {layer} }}
 pressure = ["5 MPa", "20 MPa"]
-[surface.a.generate]
-points = 64
-pixel = "1 um"
-sigma = "100 nm"
-spectrum.self-affine = {{ hurst = 0.8, roll-off = "40 um", cut-off = "8 um" }}
-"#,
+{}"#,
         steel!(),
         lead!(),
+        generated!("a", 64, "1 um", "100 nm", "40 um" to "8 um")
     )
 }
 

@@ -2,23 +2,16 @@
 
 use std::fmt::Write;
 
-use asperity::Heights;
+use asperity::HeightMap;
 use asperity::surface::{Independence, Preparation, SummitSearch, Surface};
-use asperity::topography::generate::{Process, Seeds, SpectrumOf, SurfaceGenerator};
-use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
 use asperity::topography::summits::Neighbours;
 use asperity_contact_framework::Outcome;
 
-use crate::Report;
-use crate::results::{ON_STEEL, run_in, table};
+use crate::results::{ON_STEEL, run_in, table, waves};
 
-/// The summits of a random surface of waves up to `roll_off` (m) on a map of 512 µm.
+/// The summits of a random surface of waves up to `roll_off` (µm) on a map of 512 µm.
 fn surface(roll_off: f64) -> Surface {
-    let shape = SpectrumShape::SelfAffine { hurst: 0.8, roll_off, cut_off: 4e-6 };
-    let spectrum = Spectrum::new(shape, Lay::default()).unwrap();
-    let process = Process { spectrum, of: SpectrumOf::Heights, sigma: 1e-7, heights: Heights::GAUSSIAN };
-    let generator = SurfaceGenerator { points: [512; 2], pixel: [1e-6; 2], process, plateau: None };
-    let (map, _) = generator.surface(Seeds { process: [3; 32], plateau: [0; 32] }).unwrap();
+    let map = HeightMap::new([512; 2], [1e-6; 2], waves(512, [roll_off, 4.0], 3), 0.0).unwrap();
     let search = SummitSearch::new(Preparation::none(Neighbours::Four));
     SummitSearch { keeps_map: true, ..search }.surface("map", &map).unwrap()
 }
@@ -65,7 +58,7 @@ fn basis(outcome: &dyn Outcome, surface: &str) -> String {
 /// Short waves leave enough blocks, of similar sides; waves as long as the map leave none, whichever way the summits are given.
 #[test]
 fn a_list_with_places_is_divided_as_its_map_is() {
-    let short = surface(16e-6);
+    let short = surface(16.0);
     let of_list = |surface: &Surface| {
         let prepared = surface.prepared.as_ref().unwrap();
         let place = |axis: usize| {
@@ -90,8 +83,12 @@ fn a_list_with_places_is_divided_as_its_map_is() {
         ["places", "plain", "drawn"].map(|name| basis(&*outcome, name)),
         ["blocks", "none", "independent"]
     );
+    let warnings = outcome.warnings();
+    let [warning] = &warnings[..] else { panic!("{warnings:?}") };
+    assert!(warning.contains("plain") && warning.contains("`independent = true`"), "{warning}");
+    assert!(warning.contains("columns `x` and `y`"), "{warning}");
 
-    let long = surface(500e-6);
+    let long = surface(500.0);
     assert!(matches!(long.independence, Independence::TooSmall(_)));
     assert!(matches!(of_list(&long).0, Independence::TooSmall(_)));
     let outcome = run(&long);
@@ -110,19 +107,8 @@ fn a_list_with_places_is_divided_as_its_map_is() {
 }
 
 #[test]
-fn a_list_of_which_nothing_is_said_names_the_key() {
-    let outcome = run(&surface(16e-6));
-    let warnings = outcome.warnings();
-    let [warning] = &warnings[..] else { panic!("{warnings:?}") };
-    assert!(warning.contains("plain") && warning.contains("`independent = true`"), "{warning}");
-    assert!(warning.contains("columns `x` and `y`"), "{warning}");
-    let page = outcome.outline().markdown();
-    assert!(page.contains("independent draws, whose scatter gives intervals"), "{page}");
-}
-
-#[test]
 fn places_in_another_unit_are_noticed() {
-    let warnings = |unit: &str| run_with_places_in(&surface(16e-6), unit).warnings();
+    let warnings = |unit: &str| run_with_places_in(&surface(16.0), unit).warnings();
     let are_noticed =
         |warnings: &[String]| warnings.iter().any(|warning| warning.contains("the columns x and y span"));
     assert!(are_noticed(&warnings("mm")) && !are_noticed(&warnings("um")));

@@ -29,6 +29,17 @@ macro_rules! case_1 {
     };
 }
 
+/// A generated surface of self-affine waves down from a roll-off to a cut-off.
+macro_rules! generated {
+    ($name:literal, $points:literal, $pixel:literal, $sigma:literal, $roll_off:literal to $cut_off:literal) => {
+        concat!(
+            concat!("[surface.", $name, ".generate]\npoints = ", $points, "\npixel = \"", $pixel, "\"\n"),
+            concat!("sigma = \"", $sigma, "\"\nspectrum.self-affine = { hurst = 0.8, "),
+            concat!("roll-off = \"", $roll_off, "\", cut-off = \"", $cut_off, "\" }\n")
+        )
+    };
+}
+
 mod attribution;
 mod bad_specs;
 mod causes;

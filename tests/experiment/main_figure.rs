@@ -1,13 +1,11 @@
 //! What a page of `[compare]` is opened for.
 
-use std::fs::File;
 use std::path::Path;
 
-use asperity::npy;
 use asperity_contact_framework::Outcome;
 
 use crate::Report;
-use crate::results::{self, figure, number, table};
+use crate::results::{self, figure, number, table, write_map};
 
 const LOADS: &str = "pressure = { from = \"1 MPa\", to = \"100 MPa\", points = 9 }\nrobustness = false\n";
 const POPULATION: &str = concat!("[surface.a.population]\n", case_1!(), "count = 20000\n");
@@ -15,14 +13,12 @@ const MAP: &str = "[surface.m.file]\npath = \"m.npy\"\npixel = \"0.5 um\"\n";
 
 /// The outcome of a comparison, beside a map of waves whose summits have different heights.
 fn run(folder: &Path, compare: &str, surfaces: &str) -> Box<dyn Outcome> {
-    const SIDE: usize = 200;
-    let height = |k: usize| {
-        let [x, y] = [k / SIDE, k % SIDE].map(|at| at as f64);
+    write_map(folder.join("m.npy"), [200; 2], |i, j| {
+        let [x, y] = [i, j].map(|at| at as f64);
         1e-7 * ((0.9 * x).sin() * (0.8 * y).cos()
             + 0.4 * (0.13 * x + 0.21 * y).sin()
             + 0.2 * (0.037 * x * y).sin())
-    };
-    npy::write(File::create(folder.join("m.npy")).unwrap(), [SIDE; 2], (0..SIDE * SIDE).map(height)).unwrap();
+    });
     let spec =
         concat!("title = \"t\"\n", steel!(), lead!(), "[compare]\nrough = \"steel\"\nflat = \"steel\"\n");
     results::run_in(folder, &format!("{spec}{compare}{LOADS}{surfaces}")).unwrap()

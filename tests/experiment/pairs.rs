@@ -9,7 +9,7 @@ use asperity::{Flat, Material, MeanRadius, Model};
 use asperity_contact_framework::Outcome;
 use asperity_experiment::kind::compare::results::CompareResults;
 
-use crate::results::{ON_STEEL, number, run as run_spec, table};
+use crate::results::{self, ON_STEEL, number, table};
 
 /// A generated surface.
 fn body(name: &str, sigma: &str, points: usize) -> String {
@@ -19,13 +19,14 @@ fn body(name: &str, sigma: &str, points: usize) -> String {
     )
 }
 
-fn run(surfaces: &[&str]) -> Result<CompareResults, String> {
+fn run(surfaces: &[String]) -> CompareResults {
     compared("", surfaces)
 }
 
-fn compared(compare: &str, surfaces: &[&str]) -> Result<CompareResults, String> {
+fn compared(compare: &str, surfaces: &[String]) -> CompareResults {
     let loads = "pressure = [\"5 MPa\", \"10 MPa\", \"20 MPa\"]\n";
-    run_spec(&[ON_STEEL, loads, compare, "\n", &surfaces.join("\n")].concat()).map(crate::downcast)
+    let spec = [ON_STEEL, loads, compare, "\n", &surfaces.join("\n")].concat();
+    crate::downcast(results::run(&spec).unwrap())
 }
 
 fn pair(keys: &str) -> String {
@@ -45,8 +46,7 @@ fn errors_of_area(results: &CompareResults) -> Vec<(String, String, f64)> {
 #[test]
 fn a_rough_body_against_a_smooth_one_is_that_body() {
     let surfaces = [body("a", "100 nm", 512), body("b", "0.001 nm", 512), pair("shifts = 1")];
-    let surfaces: Vec<&str> = surfaces.iter().map(String::as_str).collect();
-    let results = compared("surfaces = [\"a\", \"both\"]", &surfaces).unwrap();
+    let results = compared("surfaces = [\"a\", \"both\"]", &surfaces);
     let [alone, both] = &results.surfaces[..] else { panic!("two surfaces") };
     let points = |surface: usize| {
         let case = &results.surfaces[surface].cases[0];
@@ -74,9 +74,8 @@ fn a_rough_body_against_a_smooth_one_is_that_body() {
 /// The heights of bodies that are independent add their variances, and asperities of the sum are higher and sharper than those of one.
 #[test]
 fn the_heights_of_both_bodies_add_up() {
-    let results =
-        run(&[&body("a", "60 nm", 512), &body("b", "80 nm", 512), &pair("shifts = 2\nrotations = true")])
-            .unwrap();
+    let bodies = [body("a", "60 nm", 512), body("b", "80 nm", 512)];
+    let results = run(&[&bodies[..], &[pair("shifts = 2\nrotations = true")]].concat());
     let sq = |surface: usize| results.surfaces[surface].surface.map.as_ref().unwrap().roughness.moments.sq;
     let expected = sq(0).hypot(sq(1));
     assert!((sq(2) / expected - 1.0).abs() < 0.05, "{} {expected}", sq(2));
@@ -87,7 +86,7 @@ fn the_heights_of_both_bodies_add_up() {
 #[test]
 fn relative_positions_share_the_heights() {
     let of = |keys: &str| {
-        let results = run(&[&body("a", "100 nm", 1024), &body("b", "50 nm", 1024), &pair(keys)]).unwrap();
+        let results = run(&[body("a", "100 nm", 1024), body("b", "50 nm", 1024), pair(keys)]);
         results.surfaces.into_iter().nth(2).unwrap().cases.remove(0)
     };
     let [one, four] = [of("shifts = 1"), of("shifts = 4")];
@@ -126,7 +125,7 @@ fn measured_maps_overlap() {
     let map = map.display();
     let a = format!("[surface.a.file]\npath = \"{map}\"\npixel = \"200 nm\"\n");
     let b = format!("[surface.b.file]\npath = \"{map}\"\npixel = \"100 nm\"\ntranspose = true\n");
-    let results = run(&[&a, &b, &pair("shifts = 2")]).unwrap();
+    let results = run(&[a, b, pair("shifts = 2")]);
     let [a, _, both] = &results.surfaces[..] else { panic!("three surfaces") };
     let facts = both.surface.map.as_ref().unwrap();
     assert_eq!(facts.pixel, [200e-9; 2]);
@@ -142,8 +141,7 @@ fn measured_maps_overlap() {
 #[test]
 fn simplifications_of_two_rough_bodies() {
     let surfaces = [body("a", "100 nm", 512), body("b", "60 nm", 512), pair("shifts = 2")];
-    let surfaces: Vec<&str> = surfaces.iter().map(String::as_str).collect();
-    let results = run(&surfaces).unwrap();
+    let results = run(&surfaces);
     let errors = errors_of_area(&results);
     let error = |wanted: &str, model: &str| {
         let found = errors.iter().find(|(what, by, _)| what == wanted && by == model);
@@ -183,8 +181,7 @@ fn populations_have_a_composite() {
     };
     let of = |second: &str| {
         let surfaces = [population("a", "48 nm"), population("b", second), pair("")];
-        let surfaces: Vec<&str> = surfaces.iter().map(String::as_str).collect();
-        compared("models = [\"statistical\"]", &surfaces).unwrap()
+        compared("models = [\"statistical\"]", &surfaces)
     };
     let results = of("48 nm");
     let [alone, _, both] = &results.surfaces[..] else { panic!("three surfaces") };
@@ -209,19 +206,15 @@ fn populations_have_a_composite() {
 #[test]
 fn the_curve_of_greenwood_and_tripp() {
     let run = |compare: &str, sigma: &str| {
-        let head = concat!(
-            "title = \"t\"\n",
-            steel!(),
-            "[compare]\nrough = \"steel\"\nflat = \"steel\"\nlaw = \"hertz\"\n"
-        );
+        let head = ON_STEEL.replace("zmc", "hertz");
         let body = |name: &str| {
             format!(
                 "[surface.{name}.population]\nradius = \"10 um\"\nsigma = \"{sigma}\"\ndensity = \"2e10 /m^2\"\ncount = 1000\n"
             )
         };
         let models = "models = [\"statistical\"]\nsurfaces = [\"both\"]\n";
-        let text = [head, compare, models, &body("a"), &body("b"), &pair("")].concat();
-        run_spec(&text).unwrap()
+        let text = [&head, compare, models, &body("a"), &body("b"), &pair("")].concat();
+        results::run(&text).unwrap()
     };
     let rows = |results: &dyn Outcome| table(results, "greenwood_tripp.csv").unwrap();
     // By adaptive quadrature (scipy).
@@ -290,10 +283,10 @@ fn an_unfit_body_blocks_its_pair() {
     };
     let a = body("a", "100 nm", 512);
     let coarse = format!("[surface.b.file]\npath = \"{}\"\npixel = \"1.66 um\"\n", map("plu-1.npy"));
-    let blocked = run(&[&a, &coarse, &pair("shifts = 2")]).unwrap();
+    let blocked = run(&[a.clone(), coarse, pair("shifts = 2")]);
     let both = &blocked.surfaces[2].surface;
     assert!(both.fitness().iter().any(|finding| finding.is_blocking()), "{:?}", both.fitness());
     assert!(both.warnings.iter().any(|warning| warning.starts_with("b: ")), "{:?}", both.warnings);
-    let fit = run(&[&a, &body("b", "60 nm", 512), &pair("shifts = 2")]).unwrap();
+    let fit = run(&[a, body("b", "60 nm", 512), pair("shifts = 2")]);
     assert!(fit.surfaces[2].surface.fitness().iter().all(|finding| !finding.is_blocking()));
 }

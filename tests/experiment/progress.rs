@@ -5,13 +5,10 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use asperity::npy;
-use asperity::topography::generate::gaussian;
-use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
 use asperity_contact_framework::progress::Progress;
 use asperity_experiment::Experiment;
 
-use crate::results::ON_STEEL;
+use crate::results::{ON_STEEL, waves, write_map};
 
 const SIDE: usize = 320;
 
@@ -57,10 +54,8 @@ impl Progress for Stages {
 
 /// A comparison on a measured map, as text, with everything that follows from it.
 fn spec(folder: &Path) -> PathBuf {
-    let shape = SpectrumShape::SelfAffine { hurst: 0.8, roll_off: 16.0, cut_off: 5.0 };
-    let spectrum = Spectrum::new(shape, Lay::default()).unwrap().on_grid([SIDE; 2], [1.0; 2]);
-    let heights = gaussian(&spectrum, 1e-7, [9; 32]);
-    npy::write(std::fs::File::create(folder.join("map.npy")).unwrap(), [SIDE; 2], heights).unwrap();
+    let heights = waves(SIDE, [16.0, 5.0], 9);
+    write_map(folder.join("map.npy"), [SIDE; 2], |i, j| heights[i * SIDE + j]);
     let text = format!(
         "{ON_STEEL}pressure = {{ from = \"1 MPa\", to = \"40 MPa\", points = 3 }}\n\
          [surface.a.file]\npath = \"map.npy\"\npixel = \"1 um\"\n"

@@ -3,7 +3,7 @@
 use asperity_contact_framework::Outcome;
 
 use crate::Report;
-use crate::results::{self, ON_STEEL, Row, number, table};
+use crate::results::{self, ON_STEEL, Row, number, population, table};
 
 /// A finely sampled surface of these heights.
 fn map(heights: &str) -> String {
@@ -88,18 +88,8 @@ fn a_joint_density_runs_with_intervals_and_without_causes() {
 }
 
 #[test]
-fn a_joint_density_needs_a_map_and_nothing_else() {
-    let population = format!("[surface.p.population]\n{}count = 20000\n", case_1!());
-    let refused = |compare: &str, surface: &str| run(compare, surface).map(|_| ()).unwrap_err();
-    let error = refused("statistical = { model = \"five-point\" }", &population);
-    assert!(error.contains("does not apply to surface p: the joint density follows from a map"), "{error}");
-    assert!(error.contains("line 13"), "{error}");
-    let error = refused("statistical = { model = \"five-point\", mean-radius = \"in-contact\" }", &map(""));
-    assert!(error.contains("leave out `heights` and `mean-radius`, or `model`"), "{error}");
-    let error = refused("statistical = { model = \"nayak\" }", &map(""));
-    assert!(error.contains("nayak-greenwood"), "{error}");
-    // Without a map the others are still compared, and the report says why these are not.
-    let outcome = run("", &population).unwrap();
+fn without_a_map_the_models_of_no_joint_density_are_compared() {
+    let outcome = run("", &population("p", 20_000, "")).unwrap();
     assert_eq!(table(&*outcome, "ranking.csv").unwrap().len(), 15 * 3);
     let inapplicable = standing(&*outcome, "area")["inapplicable"].clone();
     assert!(inapplicable.contains("nayak-greenwood (the joint density follows from a map"), "{inapplicable}");
@@ -107,10 +97,9 @@ fn a_joint_density_needs_a_map_and_nothing_else() {
 
 #[test]
 fn a_ranking_is_made_where_it_is_read() {
-    let thicknesses = "[material.lead]\nyoung = \"18 GPa\"\npoisson = 0.35\nhardness = \"0.17 GPa\"\n";
     let layers = "layer = { material = \"lead\", thickness = [0, \"50 nm\"] }";
     for compare in ["rank-models = false", "models = [\"deterministic\"]", layers] {
-        let outcome = run(compare, &format!("{}{thicknesses}", map(""))).unwrap();
+        let outcome = run(compare, &(map("") + lead!())).unwrap();
         assert!(table(&*outcome, "ranking.csv").is_none(), "{compare}");
         assert!(!outcome.outline().markdown().contains("Which statistical model is enough"), "{compare}");
     }
@@ -143,8 +132,7 @@ fn a_fitted_model_is_tested_on_asperities_that_it_was_not_taken_from() {
     assert!(row["within_in_sample"].contains(model) && !row["within"].contains(model), "{row:?}");
     assert_eq!(row["fitted_tested_on"], "halves of the surface");
 
-    let many = format!("[surface.p.population]\n{}count = 200000\n", case_1!());
-    let many = run(strict, &many).unwrap();
+    let many = run(strict, &population("p", 200_000, "")).unwrap();
     let [in_sample, held_out] = differences(&*many, model, "separation");
     assert!(in_sample < 0.05 && held_out < 0.05, "{in_sample} {held_out}");
     assert_ne!(in_sample, held_out);
@@ -152,7 +140,7 @@ fn a_fitted_model_is_tested_on_asperities_that_it_was_not_taken_from() {
     assert!(row["within"].contains(model) && !row["within_in_sample"].contains(model), "{row:?}");
     assert_eq!(row["fitted_tested_on"], "random halves");
     // What is held out is what the seed draws, and the same again.
-    let again = run("", &format!("[surface.p.population]\n{}count = 200000\n", case_1!())).unwrap();
+    let again = run("", &population("p", 200_000, "")).unwrap();
     assert_eq!(differences(&*again, model, "separation"), [in_sample, held_out]);
 }
 
@@ -160,8 +148,8 @@ fn a_fitted_model_is_tested_on_asperities_that_it_was_not_taken_from() {
 #[test]
 fn a_fitted_model_without_other_asperities_is_in_sample_only() {
     let small = |count: usize, realisations: usize| {
-        let draw = format!("count = {count}\nrealisations = {realisations}\n");
-        run("pressure = \"15 MPa\"", &format!("[surface.p.population]\n{}{draw}", case_1!())).unwrap()
+        let keys = format!("realisations = {realisations}");
+        run("pressure = \"15 MPa\"", &population("p", count, &keys)).unwrap()
     };
     // Some 45 effective contacts, of which a half has less than 30.
     let one = small(1200, 1);

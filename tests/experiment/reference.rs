@@ -1,43 +1,28 @@
 //! The boundary element reference beside the models: where it runs, what it gives, and that nothing changes without it.
 
-use std::path::Path;
-
-use asperity::HeightMap;
 use asperity_contact_framework::Outcome;
 use asperity_contact_framework::progress::Silent;
 use asperity_experiment::Experiment;
 
 use crate::Report;
-use crate::results::{self, Row, column, figure, number, table};
+use crate::results::{self, Row, column, figure, number, table, write_map};
 
 mod lines;
 mod unscattered;
 mod verdicts;
 
 /// A smooth periodic surface of 128 x 128 points, 32 of them per shortest wave.
-const SMOOTH: &str = r#"
-[surface.a.generate]
-points = 128
-pixel = "0.25 um"
-sigma = "20 nm"
-spectrum.self-affine = { hurst = 0.8, roll-off = "16 um", cut-off = "8 um" }
-"#;
+const SMOOTH: &str = generated!("a", 128, "0.25 um", "20 nm", "16 um" to "8 um");
 
 /// A rough one of 64 x 64 points.
-const ROUGH: &str = r#"
-[surface.a.generate]
-points = 64
-pixel = "1 um"
-sigma = "100 nm"
-spectrum.self-affine = { hurst = 0.8, roll-off = "40 um", cut-off = "8 um" }
-"#;
+const ROUGH: &str = generated!("a", 64, "1 um", "100 nm", "40 um" to "8 um");
 
 const THREE: &str = "models = [\"statistical\", \"deterministic\", \"reference\"]\n";
 
 /// A comparison in a folder of its own, in which `map.npy` is a tilted map.
 fn read(compare: &str, surfaces: &str) -> (tempfile::TempDir, Experiment) {
     let folder = tempfile::tempdir().unwrap();
-    write_map(&folder.path().join("map.npy"));
+    write_map(folder.path().join("map.npy"), [60, 50], tilted);
     let head =
         concat!("title = \"t\"\n", steel!(), lead!(), "[compare]\nrough = \"steel\"\nflat = \"steel\"\n");
     let experiment = results::read(folder.path(), &format!("{head}{compare}\n{surfaces}")).unwrap();
@@ -48,15 +33,11 @@ fn run(compare: &str, surfaces: &str) -> Box<dyn Outcome> {
     read(compare, surfaces).1.run(&Silent).unwrap()
 }
 
-/// 60 x 50 points of waves on a slope, three of them missing.
-fn write_map(path: &Path) {
-    let height = |k: usize| {
-        let (x, y) = ((k / 50) as f64, (k % 50) as f64);
-        let wave = (0.5 * x).sin() * (0.4 * y).cos() + 0.6 * (0.31 * x + 0.23 * y).sin();
-        if (1000..1003).contains(&k) { f64::NAN } else { 1e-7 * wave + 2e-8 * x }
-    };
-    let heights = (0..60 * 50).map(height).collect();
-    HeightMap::new([60, 50], [1e-6; 2], heights, 0.0).unwrap().write_npy(path).unwrap();
+/// Waves on a slope, of which three points are missing.
+fn tilted(i: usize, j: usize) -> f64 {
+    let (x, y) = (i as f64, j as f64);
+    let wave = (0.5 * x).sin() * (0.4 * y).cos() + 0.6 * (0.31 * x + 0.23 * y).sin();
+    if i == 20 && j < 3 { f64::NAN } else { 1e-7 * wave + 2e-8 * x }
 }
 
 fn of_model(outcome: &dyn Outcome, model: &str) -> Vec<Row> {
@@ -114,6 +95,11 @@ fn a_sweep_runs_at_some_of_its_loads_and_a_list_at_all() {
     let (pressures, ..) = loads(&format!("{SWEEP}reference = {{ loads = 3 }}"));
     assert_eq!(pressures.len(), 3);
     assert!((pressures[1] / 1e7 - 1.0).abs() < 1e-12);
+    let (pressures, ..) = loads(&format!("{SWEEP}reference = {{ loads = 1 }}"));
+    assert!(
+        pressures.len() == 1 && (pressures[0] / 1e7 - 1.0).abs() < 1e-12,
+        "the middle one: {pressures:?}"
+    );
     let twelve: Vec<String> = (1..=12).map(|k| format!("\"{k} MPa\"")).collect();
     let (pressures, ..) = loads(&format!("pressure = [{}]", twelve.join(", ")));
     assert_eq!(pressures.len(), 12);
@@ -271,10 +257,10 @@ fn a_refined_map_gives_nearly_the_same_on_twice_the_points() {
 fn a_map_with_many_missing_points_is_refused() {
     let (folder, experiment) =
         read("law = \"hertz\"\nmodels = [\"reference\"]\npressure = \"5 MPa\"\n", MEASURED);
-    let heights =
-        (0..60 * 50).map(|k| if k % 80 == 0 { f64::NAN } else { 1e-7 * (k as f64).sin() }).collect();
-    let map = HeightMap::new([60, 50], [1e-6; 2], heights, 0.0).unwrap();
-    map.write_npy(&folder.path().join("map.npy")).unwrap();
+    write_map(folder.path().join("map.npy"), [60, 50], |i, j| {
+        let k = 50 * i + j;
+        if k % 80 == 0 { f64::NAN } else { 1e-7 * (k as f64).sin() }
+    });
     let Err(error) = experiment.run(&Silent) else { panic!("it ran") };
     let error = error.to_string();
     assert!(error.contains("compare.models: surface m: reference: 38 of 3000 points are missing"), "{error}");
@@ -365,6 +351,10 @@ fn a_map_too_coarse_for_its_shortest_wave_is_warned_of() {
         assert!(found.as_ref().is_none_or(|warning| plan.contains(&format!("  warning: {warning}"))));
         found
     };
+    let spectrum = |shape: &str| {
+        let self_affine = "self-affine = { hurst = 0.8, roll-off = \"40 um\", cut-off = \"8 um\" }";
+        ROUGH.replace(self_affine, &format!("{shape} = {{ correlation-length = \"5 um\" }}"))
+    };
     let cut_off = |points: &str| ROUGH.replace("\"8 um\"", &format!("\"{points} um\""));
     let filtered = |s: &str| format!("{MEASURED}filter = {{ s = \"{s} um\" }}\n");
     let finer = "reference = { refine = 2 }\n";
@@ -377,24 +367,14 @@ fn a_map_too_coarse_for_its_shortest_wave_is_warned_of() {
         (finer, MEASURED.to_owned()),
         // Waves of twelve points, as the map itself says.
         ("", MEASURED.to_owned()),
-        (
-            "",
-            ROUGH.replace(
-                "self-affine = { hurst = 0.8, roll-off = \"40 um\", cut-off = \"8 um\" }",
-                "gaussian = { correlation-length = \"5 um\" }",
-            ),
-        ),
+        ("", spectrum("gaussian")),
     ] {
         assert_eq!(of(reference, &surface), None, "{surface}");
     }
-    let exponential = ROUGH.replace(
-        "self-affine = { hurst = 0.8, roll-off = \"40 um\", cut-off = \"8 um\" }",
-        "exponential = { correlation-length = \"5 um\" }",
-    );
     for (surface, points) in [
         (cut_off("3.9"), "3.9 points per shortest wave, fewer"),
         (filtered("3"), "3 points per shortest wave, fewer"),
-        (exponential, "2 points per shortest wave, fewer"),
+        (spectrum("exponential"), "2 points per shortest wave, fewer"),
     ] {
         let warning = of("", &surface).unwrap();
         assert!(
@@ -410,8 +390,7 @@ fn a_map_too_coarse_for_its_shortest_wave_is_warned_of() {
 fn a_measured_map_of_noise_is_too_coarse() {
     let (folder, _) = read("law = \"hertz\"\npressure = \"10 MPa\"", MEASURED);
     let noise = |k: usize| 1e-8 * ((k * k * 7919 % 104729) as f64 / 104729.0);
-    let map = HeightMap::new([50, 60], [1e-6; 2], (0..3000).map(noise).collect(), 0.0).unwrap();
-    map.write_npy(&folder.path().join("map.npy")).unwrap();
+    write_map(folder.path().join("map.npy"), [50, 60], |i, j| noise(60 * i + j));
     let spec = std::fs::read_to_string(folder.path().join("t.toml")).unwrap();
     let results = results::run_in(folder.path(), &spec.replace("law =", &format!("{THREE}law ="))).unwrap();
     let is_told = |warning: &String| warning.contains("reference on surface m: 2 points per shortest wave");

@@ -3,11 +3,11 @@
 
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output};
 
-use asperity::npy;
 use asperity_contact_framework::remedy::{FrontEnd, REMEDIES};
 use toml::{Table, Value};
+
+use crate::results::{experiment, write_map};
 
 const SIDE: usize = 160;
 
@@ -48,8 +48,7 @@ fn input(folder: &Path, name: &str) -> String {
         "map.txt".to_owned()
     };
     let map = |height: &dyn Fn(usize, usize) -> f64| {
-        let heights = (0..SIDE * SIDE).map(|k| height(k / SIDE, k % SIDE));
-        npy::write(fs::File::create(folder.join("map.npy")).unwrap(), [SIDE; 2], heights).unwrap();
+        write_map(folder.join("map.npy"), [SIDE; 2], height);
         "map.npy".to_owned()
     };
     let at = |i: usize, j: usize| good[i * SIDE + j];
@@ -103,12 +102,8 @@ fn input(folder: &Path, name: &str) -> String {
 fn said(folder: &Path, arguments: &[String]) -> ([String; 2], bool) {
     let out = folder.join("out");
     let _ = fs::remove_dir_all(&out);
-    let output: Output = Command::new(env!("CARGO_BIN_EXE_experiment"))
-        .args(arguments)
-        .args(["--out", "out"])
-        .current_dir(folder)
-        .output()
-        .unwrap();
+    let arguments = arguments.iter().map(String::as_str).chain(["--out", "out"]);
+    let output = experiment(&arguments.collect::<Vec<_>>(), folder);
     let said =
         String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
     let mut written = String::new();

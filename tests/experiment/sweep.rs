@@ -1,17 +1,10 @@
-//! Sweeps: variations are the experiments that they name, a killed run ends with the bytes of another, and what is looked for is found.
+//! Sweeps: variations are the experiments that they name, what is kept of a run is not run again, and what is looked for is found.
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
-use std::thread::sleep;
-use std::time::Duration;
-
-use asperity_contact_framework::input::Source;
-use asperity_contact_framework::progress::Silent;
-use asperity_experiment::Experiment;
 
 use crate::common::assert_message;
-use crate::results::{Row, column, number, rows};
+use crate::results::{self, Row, column, number, report, rows, run, succeeds};
 
 const SPEC: &str = concat!(
     "title = \"Swept\"\nseed = 3\n\n",
@@ -27,21 +20,12 @@ fn spec(sweep: &str) -> String {
     format!("{SPEC}[sweep]\n{sweep}\n")
 }
 
-fn tables(text: &str) -> Vec<(String, Vec<u8>)> {
-    let source = Source::in_memory(Path::new(""), text.to_owned());
-    let outcome =
-        Experiment::parse(source, "swept").unwrap_or_else(|error| panic!("{error}")).run(&Silent).unwrap();
-    outcome.tables().iter().map(|table| (table.schema.file.to_owned(), table.csv().unwrap())).collect()
-}
-
 fn table(text: &str, file: &str) -> Vec<Row> {
-    let tables = tables(text);
-    rows(&tables.iter().find(|(name, _)| name == file).unwrap_or_else(|| panic!("no {file}")).1)
+    results::table(&*run(text).unwrap(), file).unwrap_or_else(|| panic!("no {file}"))
 }
 
 fn error(text: &str) -> String {
-    let source = Source::in_memory(Path::new(""), text.to_owned());
-    Experiment::parse(source, "swept").err().expect("an error").to_string()
+    run(text).err().expect("an error")
 }
 
 #[test]
@@ -121,6 +105,12 @@ fn what_cannot_be_swept_says_why() {
         "\"compare.law\" = \"zmc\"",
         "\"compare.low\" = [\"zmc\"]",
         "\"compare.law.zmc\" = [1]",
+        "\"compare.pressure\" = []",
+        "\"compare.pressure\" = { from = 0, to = 1, points = 3 }",
+        "\"compare.pressure\" = { from = \"1 nm\", to = \"1 GPa\", points = 3 }",
+        "\"compare.pressure\" = { from = \"1 Pa\", to = \"1 GPa\", points = 1 }",
+        "\"compare.pressure\" = { from = \"1 Pa\", to = \"1 GPa\", points = 3, step = 1 }",
+        "seed = { from = 1, to = 2, points = 101 }\n\"material.steel.poisson\" = { from = 0.1, to = 0.4, points = 100 }",
         "\"material.steel.poisson\" = [0.3, 0.7]",
         "combine = \"zip\"\nseed = [1, 2]\n\"compare.law\" = [\"zmc\"]",
         "combine = \"any\"\nseed = [1, 2]",
@@ -140,15 +130,11 @@ fn what_cannot_be_swept_says_why() {
 /// A load that one of the surfaces does not reach is a warning, the others have their results.
 #[test]
 fn a_variation_that_fails_does_not_stop_the_others() {
-    let text = spec("\"compare.pressure\" = [\"1 MPa\", \"900 GPa\"]");
-    let source = Source::in_memory(Path::new(""), text.clone());
-    let outcome = Experiment::parse(source, "swept").unwrap().run(&Silent).unwrap();
+    let outcome = run(&spec("\"compare.pressure\" = [\"1 MPa\", \"900 GPa\"]")).unwrap();
     let warnings = outcome.warnings().join("\n");
     assert!(warnings.contains("variation 2 (compare.pressure = 900 GPa) could not be run"), "{warnings}");
-    assert_eq!(table(&text, "sweep.csv").len(), 1);
-    let all = spec("\"compare.pressure\" = [\"800 GPa\", \"900 GPa\"]");
-    let source = Source::in_memory(Path::new(""), all);
-    let message = Experiment::parse(source, "swept").unwrap().run(&Silent).err().unwrap().to_string();
+    assert_eq!(results::table(&*outcome, "sweep.csv").unwrap().len(), 1);
+    let message = error(&spec("\"compare.pressure\" = [\"800 GPa\", \"900 GPa\"]"));
     assert!(message.contains("no variation could be run"), "{message}");
 }
 
@@ -207,52 +193,35 @@ fn all_crossings_are_reported() {
 
 #[test]
 fn a_change_of_verdict_is_found_where_there_is_one() {
-    let found = |kurtosis: &str, skewness: &str| {
+    let found = |skewness: &str| {
         let text = spec(&format!(
             "\"surface.a.population.heights.johnson.skewness\" = [{skewness}]\n\
              find = {{ key = \"surface.a.population.heights.johnson.skewness\", verdict = \"separation\", at = \"3 MPa\" }}"
         ));
-        let text = text.replace("kurtosis = 4.5", kurtosis).replace("count = 3000", "count = 30_000");
-        tables(&text)
+        let outcome = run(&text.replace("count = 3000", "count = 30_000")).unwrap();
+        ["crossings.csv", "changes.csv"].map(|file| results::table(&*outcome, file).unwrap())
     };
-    let rows_of = |tables: &[(String, Vec<u8>)], file: &str| {
-        rows(&tables.iter().find(|(name, _)| name == file).unwrap().1)
-    };
-    let changing = found("kurtosis = 4.5", "-1, 0");
-    let crossings = rows_of(&changing, "crossings.csv");
+    let [crossings, changes] = found("-1, 0");
     assert!(!crossings.is_empty(), "no change");
     let at = number(&crossings[0], "at");
     assert!(-1.0 < at && at < 0.0 && crossings[0]["target"].contains(" to "), "{crossings:?}");
-    assert!(rows_of(&changing, "changes.csv").iter().any(|row| row["quantity"] == "separation"));
-    let steady = found("kurtosis = 4.5", "-1, -0.99");
-    assert!(rows_of(&steady, "crossings.csv").is_empty() && rows_of(&steady, "changes.csv").is_empty());
+    assert!(changes.iter().any(|row| row["quantity"] == "separation"));
+    assert!(found("-1, -0.99").iter().all(Vec::is_empty));
 }
 
-fn command(folder: &Path, arguments: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_experiment"));
-    command.args(arguments).current_dir(folder);
-    command
+/// What is kept of the variations of the spec `a.toml`.
+fn kept(folder: &Path) -> Vec<PathBuf> {
+    fs::read_dir(folder.join("out/.kept/a")).unwrap().map(|file| file.unwrap().path()).collect()
 }
 
-fn succeeds(folder: &Path, arguments: &[&str]) -> Output {
-    let output = command(folder, arguments).output().unwrap();
-    assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
-    output
+fn run_a(folder: &Path) {
+    succeeds(&["run", "a.toml", "--out", "out", "--quiet"], folder);
 }
 
-/// The files of a report, except for what depends on the clock.
-fn report(folder: &Path, out: &str) -> Vec<(String, Vec<u8>)> {
-    let files = fs::read_dir(folder.join(out).join("a")).unwrap().map(|entry| entry.unwrap());
-    let mut files: Vec<_> = files
-        .map(|entry| (entry.file_name().into_string().unwrap(), fs::read(entry.path()).unwrap()))
-        .filter(|(name, _)| name != "timing.json" && name != "manifest.json")
-        .collect();
-    files.sort();
-    files
-}
-
+/// A sweep without its report, of which one piece is not whole, as a kill may leave it, has the bytes of the whole run; another value runs that
+/// value alone.
 #[test]
-fn a_killed_sweep_continues_and_ends_with_the_same_bytes() {
+fn what_is_kept_of_a_sweep_is_not_run_again() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
     let text = spec(
@@ -261,44 +230,23 @@ fn a_killed_sweep_continues_and_ends_with_the_same_bytes() {
     );
     let text = text
         .replace("law = \"zmc\"\n", "law = \"zmc\"\nlayer = { material = \"lead\", thickness = \"1 nm\" }\n");
-    fs::write(folder.join("a.toml"), text).unwrap();
-    succeeds(folder, &["run", "a.toml", "--out", "whole", "--quiet", "--threads", "1"]);
-    let whole = report(folder, "whole");
-    assert!(whole.iter().any(|(name, _)| name == "crossings.csv"));
-    let kept = folder.join("out/.kept/a");
-    // Not what a killed run has left.
-    let kept_pieces = || -> Vec<PathBuf> {
-        let files = fs::read_dir(&kept).into_iter().flatten().map(|file| file.unwrap().path());
-        files.filter(|file| file.extension().is_some_and(|ending| ending == "json")).collect()
-    };
-    let count = || kept_pieces().len();
-    // Of 48.
-    for pieces in [1, 5, 12, 20] {
-        let mut child =
-            command(folder, &["run", "a.toml", "--out", "out", "--quiet", "--threads", "2"]).spawn().unwrap();
-        while count() < pieces && child.try_wait().unwrap().is_none() {
-            sleep(Duration::from_millis(1));
-        }
-        child.kill().unwrap();
-        child.wait().unwrap();
-        assert!(count() >= pieces, "what is kept grows");
-        assert!(!folder.join("out/a").exists(), "killed before its end");
-    }
-    // A piece that is no whole one is done again.
-    fs::write(&kept_pieces()[0], "{\"csv\":").unwrap();
-    succeeds(folder, &["run", "a.toml", "--out", "out", "--quiet", "--threads", "3"]);
-    assert!(report(folder, "out") == whole);
-    // Another value runs that value alone: what is kept stays as it is.
-    let pieces = || kept_pieces().into_iter().map(|file| file.metadata().unwrap().modified().unwrap());
-    let newest = pieces().max().unwrap();
-    let before = count();
-    let longer = fs::read_to_string(folder.join("a.toml"))
-        .unwrap()
-        .replace("\"0.4 GPa\"]", "\"0.4 GPa\", \"0.2 GPa\"]");
+    fs::write(folder.join("a.toml"), &text).unwrap();
+    run_a(folder);
+    let whole = report(&folder.join("out/a"));
+    assert!(whole.contains_key("crossings.csv"));
+    fs::remove_dir_all(folder.join("out/a")).unwrap();
+    let spoilt = &kept(folder)[0];
+    fs::write(spoilt, "{\"csv\":").unwrap();
+    let times = || kept(folder).into_iter().map(|file| (file.metadata().unwrap().modified().unwrap(), file));
+    let before: Vec<_> = times().filter(|(_, file)| file != spoilt).collect();
+    assert!(before.len() > 8);
+    run_a(folder);
+    assert!(report(&folder.join("out/a")) == whole);
+    let longer = text.replace("\"0.4 GPa\"]", "\"0.4 GPa\", \"0.2 GPa\"]");
     fs::write(folder.join("a.toml"), longer).unwrap();
-    succeeds(folder, &["run", "a.toml", "--out", "out", "--quiet"]);
-    assert_eq!(pieces().filter(|time| *time <= newest).count(), before);
-    assert!(count() > before);
+    run_a(folder);
+    let after: Vec<_> = times().collect();
+    assert!(after.len() > before.len() + 1 && before.iter().all(|piece| after.contains(piece)));
 }
 
 /// What is kept belongs to the content of the files that were read.
@@ -318,7 +266,7 @@ fn another_list_under_the_same_name_is_run_again() {
     );
     fs::write(folder.join("a.toml"), text).unwrap();
     let areas = || {
-        succeeds(folder, &["run", "a.toml", "--out", "out", "--quiet"]);
+        run_a(folder);
         column(&rows(&fs::read(folder.join("out/a/sweep.csv")).unwrap()), "deterministic_area_ratio")
     };
     list(1.0);
@@ -337,6 +285,6 @@ fn a_failure_is_not_kept() {
     let folder = folder.path();
     fs::write(folder.join("a.toml"), spec("\"compare.pressure\" = [\"1 MPa\", \"900 GPa\", \"2 MPa\"]"))
         .unwrap();
-    succeeds(folder, &["run", "a.toml", "--out", "out", "--quiet"]);
-    assert_eq!(fs::read_dir(folder.join("out/.kept/a")).unwrap().count(), 2);
+    run_a(folder);
+    assert_eq!(kept(folder).len(), 2);
 }

@@ -2,13 +2,12 @@
 
 use std::fs;
 use std::path::Path;
-use std::process::Command;
 
 use asperity_contact_framework::Outcome;
 use asperity_contact_framework::progress::Silent;
 use asperity_experiment::Experiment;
 
-use crate::results::{Row, column, number, rows, typed};
+use crate::results::{Row, column, number, report, rows, succeeds, typed};
 
 const CONTACT: &str = concat!(
     "rough = \"steel\"\nflat = \"steel\"\nlaw = [\"zmc\", \"hertz\"]\nseparation = { from = 3, to = -1, points = 9 }\n\n",
@@ -24,8 +23,8 @@ const POPULATION: &str = concat!(
 const LIST: &str = "[surface.a.asperities]\nfile = \"list.npy\"\nnominal-area = \"1 mm^2\"\n";
 const MAP: &str =
     "[surface.a.file]\npath = \"map.npy\"\npixel = \"1 um\"\nlevel = \"none\"\nfilter.s = \"3 um\"\n";
-const GENERATED: &str = "[surface.a.generate]\npoints = 64\npixel = \"1 um\"\nsigma = \"0.1 um\"\nrealisations = 9\n\
-                         spectrum.self-affine = { hurst = 0.8, roll-off = \"20 um\", cut-off = \"4 um\" }\n";
+const GENERATED: &str =
+    concat!(generated!("a", 64, "1 um", "0.1 um", "20 um" to "4 um"), "realisations = 9\n");
 
 fn spec(kind: &str, surface: &str) -> String {
     format!("title = \"tiles\"\nseed = 3\n\n[{kind}]\n{CONTACT}\n{surface}")
@@ -63,22 +62,9 @@ fn folder(spec: &str) -> tempfile::TempDir {
     folder
 }
 
-fn succeeds(folder: &Path, arguments: &[&str]) {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_experiment"));
-    let output = command.args(arguments).current_dir(folder).output().unwrap();
-    assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
-}
-
-/// The files of a report, except for what depends on the clock.
-fn report(folder: &Path, out: &str) -> Vec<(String, Vec<u8>)> {
-    let files = fs::read_dir(folder.join(out).join("a")).unwrap();
-    let mut files: Vec<_> = files
-        .map(|entry| entry.unwrap())
-        .map(|entry| (entry.file_name().into_string().unwrap(), fs::read(entry.path()).unwrap()))
-        .filter(|(name, _)| name != "timing.json" && name != "manifest.json")
-        .collect();
-    files.sort();
-    files
+/// Runs the spec into a folder of reports.
+fn run(folder: &Path, out: &str) {
+    succeeds(&["run", "a.toml", "--out", out, "--quiet"], folder);
 }
 
 #[test]
@@ -87,8 +73,8 @@ fn any_number_of_threads_gives_the_bytes_of_one() {
         let folder = folder(&spec("tiled", surface));
         let folder = folder.path();
         let [one, three] = ["1", "3"].map(|threads| {
-            succeeds(folder, &["run", "a.toml", "--out", threads, "--quiet", "--threads", threads]);
-            report(folder, threads)
+            succeeds(&["run", "a.toml", "--out", threads, "--quiet", "--threads", threads], folder);
+            report(&folder.join(threads).join("a"))
         });
         assert!(one.len() > 5 && one == three, "{surface}");
     }
@@ -136,11 +122,11 @@ fn tiles_of_a_list_a_map_and_a_population_sum_to_the_whole() {
     for surface in [LIST, MAP, &unfiltered, &POPULATION.replace("realisations = 2\n", "")] {
         let folder = folder(&spec("tiled", surface));
         let folder = folder.path();
-        succeeds(folder, &["run", "a.toml", "--out", "tiled", "--quiet"]);
+        run(folder, "tiled");
         let whole = spec("compare", surface)
             .replace("[compare]", "[compare]\nrobustness = false\nattribution = false");
         fs::write(folder.join("a.toml"), whole).unwrap();
-        succeeds(folder, &["run", "a.toml", "--out", "whole", "--quiet"]);
+        run(folder, "whole");
         let [tiled, whole] = ["tiled", "whole"].map(|out| curves(folder, out));
         assert_eq!(tiled.len(), 2 * 2 * 9);
         for (tiled, whole) in tiled.iter().zip(&whole) {
@@ -163,29 +149,25 @@ fn tiles_of_a_list_a_map_and_a_population_sum_to_the_whole() {
 /// The sum of a Gaussian population is within its interval of the integral, that of a skew list is not.
 #[test]
 fn the_finding_holds_where_the_heights_are_gaussian_and_not_where_they_are_skew() {
-    let gaussian = POPULATION.lines().filter(|line| !line.contains("johnson")).collect::<Vec<_>>().join("\n");
-    let lead = |surface: &str| {
+    /// The error of the integral over its standard error, and at how many separations of how many it is within the interval.
+    fn found(surface: &str) -> (f64, usize, usize) {
         let folder = folder(&spec("tiled", surface));
-        succeeds(folder.path(), &["run", "a.toml", "--out", "out", "--quiet"]);
+        run(folder.path(), "out");
         let points = typed(rows(&fs::read(folder.path().join("out/a/separations.csv")).unwrap()));
-        let page = fs::read_to_string(folder.path().join("out/a/report.md")).unwrap();
-        let at_zero = points.iter().find(|point| point["separation_over_sigma"] == 1.0).unwrap().clone();
-        let value = |name: &str| at_zero[name].as_f64().unwrap();
+        let at_one = points.iter().find(|point| point["separation_over_sigma"] == 1.0).unwrap();
+        let value = |name: &str| at_one[name].as_f64().unwrap();
         let ratio = value("statistical_over_deterministic_pressure");
-        ((ratio - 1.0).abs() / value("relative_standard_error_from_tiles"), page)
-    };
-    let (in_errors, page) = lead(&gaussian);
-    /// Separations at which the integral is within the interval, and all of them.
-    fn within(page: &str) -> (usize, usize) {
+        let page = fs::read_to_string(folder.path().join("out/a/report.md")).unwrap();
         let (_, counts) = page.split_once("interval of the sum's pressure at ").unwrap();
         let mut words = counts.split(' ');
-        (words.next().unwrap().parse().unwrap(), words.nth(1).unwrap().parse().unwrap())
+        let [inside, all] = [0, 1].map(|place| words.nth(place).unwrap().parse().unwrap());
+        ((ratio - 1.0).abs() / value("relative_standard_error_from_tiles"), inside, all)
     }
-    let (inside, all) = within(&page);
-    assert!(in_errors < 3.0 && inside == all && all > 0, "{in_errors}: {page}");
-    let (in_errors, page) = lead(LIST);
-    let (inside, all) = within(&page);
-    assert!(in_errors > 10.0 && inside < all, "{in_errors}");
+    let gaussian = POPULATION.lines().filter(|line| !line.contains("johnson")).collect::<Vec<_>>().join("\n");
+    let (in_errors, inside, all) = found(&gaussian);
+    assert!(in_errors < 3.0 && inside == all && all > 0, "{in_errors}: {inside} of {all}");
+    let (in_errors, inside, all) = found(LIST);
+    assert!(in_errors > 10.0 && inside < all, "{in_errors}: {inside} of {all}");
 }
 
 /// Tiles of quantiles are sorted heights: no sample, and no interval.
@@ -195,7 +177,7 @@ fn heights_at_the_quantiles_have_no_interval() {
         "tiled",
         &format!("{}draw = \"quantiles\"\n", POPULATION.replace("realisations = 2\n", "")),
     ));
-    succeeds(folder.path(), &["run", "a.toml", "--out", "out", "--quiet"]);
+    run(folder.path(), "out");
     let page = fs::read_to_string(folder.path().join("out/a/report.md")).unwrap();
     assert!(page.contains("The sum has no interval"), "{page}");
     let points = rows(&fs::read(folder.path().join("out/a/separations.csv")).unwrap());
@@ -206,7 +188,7 @@ fn heights_at_the_quantiles_have_no_interval() {
 #[test]
 fn standard_errors_from_tiles_agree_with_those_of_independent_asperities() {
     let folder = folder(&spec("tiled", &POPULATION.replace("300_000", "4_000_000")));
-    succeeds(folder.path(), &["run", "a.toml", "--out", "out", "--quiet"]);
+    run(folder.path(), "out");
     let errors = typed(rows(&fs::read(folder.path().join("out/a/separations.csv")).unwrap())).into_iter();
     // None where fewer than eight tiles are in contact.
     let errors = errors.map(|point| point["relative_standard_error_from_tiles"].as_f64());

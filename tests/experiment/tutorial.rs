@@ -6,6 +6,8 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
+use crate::results::{Row, number, rows};
+
 /// The fenced blocks of a document: their language (and the name of a file) and their text.
 fn blocks(markdown: &str) -> Vec<(&str, String)> {
     let mut blocks = Vec::new();
@@ -82,11 +84,10 @@ fn the_tutorial_holds_what_it_says() {
 
 /// The numbers in the sentences of part 1.
 fn coating_sentences(tutorial: &str, folder: &Path) {
-    let curves = fs::read_to_string(folder.join("reports/coating/curves.csv")).unwrap();
-    let elastic = |model: &str, thickness: &str| -> f64 {
-        let row = curves.lines().map(|line| line.split(',').collect::<Vec<_>>());
-        let mut row = row.filter(|row| row[4] == model && row[3] == thickness && row[6] == "10000000.0");
-        row.next().unwrap()[15].parse().unwrap()
+    let curves = table(folder, "coating", "curves.csv");
+    let elastic = |model: &str, thickness: &str| {
+        let cells = [("model", model), ("layer_thickness_m", thickness), ("target", "10000000.0")];
+        cell(&curves, &cells, "elastic_load_share")
     };
     for (model, thickness, percent) in [
         ("deterministic", "0.0", "42 % of the load is carried by elastic contacts"),
@@ -100,52 +101,39 @@ fn coating_sentences(tutorial: &str, folder: &Path) {
     }
     let growth = elastic("deterministic", "2e-6") - elastic("deterministic", "2e-7");
     assert!((100.0 * growth - 3.0).abs() <= 0.5, "{growth}");
-    let mut header = curves.lines().next().unwrap().split(',');
-    let column = header.position(|name| name == "contact_radius_over_thickness").unwrap();
     let widest = |thickness: &str| {
-        let rows = curves.lines().map(|line| line.split(',').collect::<Vec<_>>());
-        let rows = rows.filter(|row| row[3] == thickness).filter_map(|row| row[column].parse::<f64>().ok());
-        rows.reduce(f64::max).unwrap()
+        let rows = curves.iter().filter(|row| row["layer_thickness_m"] == thickness);
+        let ratios = rows.filter_map(|row| row["contact_radius_over_thickness"].parse::<f64>().ok());
+        ratios.reduce(f64::max).unwrap()
     };
     assert!(widest("1e-7") > 1.0 && widest("2e-7") < 1.0, "wider than the layer below 200 nm only");
     assert!(elastic("statistical", "2e-8") > 0.9995);
 }
 
-/// The columns of a table by their names, and its rows.
-struct Table {
-    columns: Vec<String>,
-    rows: Vec<Vec<String>>,
+fn table(folder: &Path, report: &str, name: &str) -> Vec<Row> {
+    rows(&fs::read(folder.join("reports").join(report).join(name)).unwrap())
 }
 
-impl Table {
-    fn read(path: &Path) -> Self {
-        let text = fs::read_to_string(path).unwrap();
-        let mut rows = text.lines().map(|line| line.split(',').map(str::to_owned).collect::<Vec<_>>());
-        Self { columns: rows.next().unwrap(), rows: rows.collect() }
-    }
-
-    /// The number in a column of the first row whose cells are as given.
-    fn number(&self, cells: &[(&str, &str)], column: &str) -> f64 {
-        let place = |name: &str| self.columns.iter().position(|each| each == name).unwrap();
-        let row = self.rows.iter().find(|row| cells.iter().all(|(name, cell)| row[place(name)] == *cell));
-        row.unwrap()[place(column)].parse().unwrap()
-    }
+/// The number in a column of the first row whose cells are as given.
+fn cell(rows: &[Row], cells: &[(&str, &str)], column: &str) -> f64 {
+    let is_it = |row: &&Row| cells.iter().all(|(name, cell)| row[*name] == *cell);
+    number(rows.iter().find(is_it).unwrap(), column)
 }
 
 /// The numbers in the sentences of part 2: each part begins with the number that is compared.
 fn design_sentences(tutorial: &str, folder: &Path) {
-    let table = |report: &str, name: &str| Table::read(&folder.join("reports").join(report).join(name));
     let sum = [("model", "deterministic")];
-    let results = table("design", "results.csv");
-    let result = |column: &str| results.number(&sum, column);
-    let verdicts = table("design", "verdicts.csv");
-    let verdict = |quantity: &str, column: &str| 100.0 * verdicts.number(&[("quantity", quantity)], column);
+    let results = table(folder, "design", "results.csv");
+    let result = |column: &str| cell(&results, &sum, column);
+    let verdicts = table(folder, "design", "verdicts.csv");
+    let verdict = |quantity: &str, column: &str| 100.0 * cell(&verdicts, &[("quantity", quantity)], column);
     let area = result("real_area_m2");
-    let fine = table("sq-0.1", "results.csv").number(&sum, "elastic_load_share");
+    let fine = cell(&table(folder, "sq-0.1", "results.csv"), &sum, "elastic_load_share");
+    let of_area = [("quantity", "area")];
     let finest = ["sq-0.2", "sq-0.1", "sq-0.05"]
-        .map(|report| table(report, "verdicts.csv").number(&[("quantity", "area")], "difference"));
-    let layers = table("thickness", "results.csv");
-    let under = |t: &str| layers.number(&[sum[0], ("layer_thickness_m", t)], "real_area_m2");
+        .map(|report| cell(&table(folder, report, "verdicts.csv"), &of_area, "difference"));
+    let layers = table(folder, "thickness", "results.csv");
+    let under = |t: &str| cell(&layers, &[sum[0], ("layer_thickness_m", t)], "real_area_m2");
     for (sentence, value, rounding) in [
         ("36 µm² on average", 1e12 * area / result("contacts"), 0.5),
         ("97 % of the load on contacts that have yielded", 100.0 * result("elastic_plastic_load_share"), 0.5),

@@ -36,8 +36,8 @@ const DRAWN: &str = concat!(
 
 const BODIES: &str = "[compare]\nrough = \"steel\"\nflat = \"steel\"\n";
 
-/// Runs a spec in a folder with two lists of asperities and a map.
-fn run(spec: &str) -> Box<dyn Outcome> {
+/// A folder with two lists of asperities, a map and measured points.
+fn folder() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     for (name, count) in [("list.csv", 400), ("other.csv", 300)] {
         let rows: String =
@@ -48,7 +48,11 @@ fn run(spec: &str) -> Box<dyn Outcome> {
     let rows = (0..40).map(|iy| (0..50).map(|ix| height(ix, iy)).collect::<Vec<_>>().join(" "));
     fs::write(folder.path().join("map.txt"), rows.collect::<Vec<_>>().join("\n")).unwrap();
     fs::write(folder.path().join("points.csv"), "indentation,load\n1e-8,1e-4\n3e-8,6e-4\n").unwrap();
-    run_in(folder.path(), &format!("{MATERIALS}{spec}")).unwrap()
+    folder
+}
+
+fn run(spec: &str) -> Box<dyn Outcome> {
+    run_in(folder().path(), &format!("{MATERIALS}{spec}")).unwrap()
 }
 
 fn work_of(spec: &str) -> Work {
@@ -253,11 +257,7 @@ fn a_ball_is_pressed_once_into_the_flat_without_a_layer_and_all_of_it() {
 
 #[test]
 fn a_surface_description_evaluates_no_contacts() {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("map.txt");
-    let height = |ix: u32, iy: u32| format!("{:e}", f64::from((ix * 37 + iy * 91) % 53) * 1e-9);
-    let rows = (0..40).map(|iy| (0..50).map(|ix| height(ix, iy)).collect::<Vec<_>>().join(" "));
-    fs::write(&path, rows.collect::<Vec<_>>().join("\n")).unwrap();
+    let folder = folder();
     let spec = folder.path().join("spec.toml");
     fs::write(&spec, "title = \"t\"\n[surface.a.file]\npath = \"map.txt\"\npixel = \"1 um\"\n").unwrap();
     let found =

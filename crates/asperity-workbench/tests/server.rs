@@ -1,12 +1,9 @@
-//! The server with a program that does what a test asks of it: it goes on where an analysis fails, ends where nobody listens, and keeps its
-//! limits.
+//! The server with a program that does what a test asks of it: it goes on where an analysis fails, and keeps its limits.
 
 use std::io::{Read, Write};
 use std::net::TcpStream;
 use std::path::Path;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::{Duration, Instant};
 
 use asperity_contact_framework::progress::Progress;
 use asperity_workbench::engine::Heights;
@@ -14,24 +11,11 @@ use asperity_workbench::{Engine, Example, Options, Prepared, Refused, Server, Sp
 use serde_json::{Value, json};
 
 /// What the title of a spec asks for.
-struct Asked {
-    title: String,
-    /// Whether endless work has begun, and whether it has ended.
-    states: Arc<[AtomicBool; 2]>,
-}
-
-/// Says that work has ended, however it did.
-struct Ends(Arc<[AtomicBool; 2]>);
-
-impl Drop for Ends {
-    fn drop(&mut self) {
-        self.0[1].store(true, Ordering::SeqCst);
-    }
-}
+struct Asked(String);
 
 impl Prepared for Asked {
     fn memory(&self) -> u128 {
-        if self.title == "huge" { u128::MAX } else { 1 }
+        if self.0 == "huge" { u128::MAX } else { 1 }
     }
 
     fn inputs(&self) -> Value {
@@ -42,28 +26,18 @@ impl Prepared for Asked {
         &[Stage::Models, Stage::Intervals, Stage::Everything]
     }
 
-    fn run(&self, stage: Stage, progress: &dyn Progress) -> Result<Value, Refused> {
-        match self.title.as_str() {
+    fn run(&self, stage: Stage, _: &dyn Progress) -> Result<Value, Refused> {
+        match self.0.as_str() {
             "panics" => panic!("as asked"),
             "refuses" => {
                 Err(Refused { key: Some("a.b".to_owned()), message: "found c; allowed: d".to_owned() })
-            }
-            "endless" => {
-                let _ends = Ends(Arc::clone(&self.states));
-                self.states[0].store(true, Ordering::SeqCst);
-                progress.stage("waiting", 1e9);
-                loop {
-                    progress.advance(1.0);
-                    std::thread::sleep(Duration::from_millis(1));
-                }
             }
             _ => Ok(json!({ "stage": stage })),
         }
     }
 }
 
-#[derive(Default)]
-struct Program(Arc<[AtomicBool; 2]>);
+struct Program;
 
 impl Engine for Program {
     fn vocabulary(&self) -> Value {
@@ -88,7 +62,7 @@ impl Engine for Program {
 
     fn prepare(&self, spec: &SpecText) -> Result<Box<dyn Prepared>, Refused> {
         let title = spec.text.trim().trim_start_matches("title = ").trim_matches('"').to_owned();
-        Ok(Box::new(Asked { title, states: Arc::clone(&self.0) }))
+        Ok(Box::new(Asked(title)))
     }
 
     fn surface(&self, _: &SpecText, _: &str, _: &dyn Progress) -> Result<Value, Refused> {
@@ -113,22 +87,19 @@ impl Engine for Program {
 struct Served {
     address: String,
     token: String,
-    states: Arc<[AtomicBool; 2]>,
     _folder: tempfile::TempDir,
 }
 
 /// A server of an empty folder, until the tests end.
 fn served() -> Served {
     let folder = tempfile::tempdir().unwrap();
-    let program = Arc::new(Program::default());
-    let states = Arc::clone(&program.0);
     let token = Some(folder.path().join("config/token"));
     let options = Options { folder: folder.path().to_owned(), port: Some(0), token };
-    let server = Server::new(&options, program).unwrap();
+    let server = Server::new(&options, Arc::new(Program)).unwrap();
     let (address, token) = server.address().trim_start_matches("http://").split_once("/?token=").unwrap();
     let (address, token) = (address.to_owned(), token.to_owned());
     std::thread::spawn(move || server.run());
-    Served { address, token, states, _folder: folder }
+    Served { address, token, _folder: folder }
 }
 
 impl Served {
@@ -170,48 +141,19 @@ fn stages_are_told_in_their_order_and_no_more_than_is_wanted() {
     );
 }
 
+/// Of the page that asked, while the server goes on.
 #[test]
-fn a_panic_is_an_error_of_its_page_alone() {
+fn failures_are_errors_of_an_analysis() {
     let served = served();
-    let failed = served.answer("/api/analyse", "panics", "");
-    assert!(
-        failed.contains("event: error")
-            && failed.contains("internal error, please report it with the spec: as asked"),
-        "{failed}"
-    );
+    for (title, words) in [
+        ("panics", "internal error, please report it with the spec: as asked"),
+        ("refuses", "{\"key\":\"a.b\",\"message\":\"found c; allowed: d\"}"),
+        ("huge", "GB of memory; the workbench uses at most"),
+    ] {
+        let failed = served.answer("/api/analyse", title, "");
+        assert!(failed.contains("event: error") && failed.contains(words), "{failed}");
+    }
     assert!(served.answer("/api/analyse", "all", "").contains("event: done"));
-}
-
-#[test]
-fn a_refusal_names_its_key() {
-    let refused = served().answer("/api/analyse", "refuses", "");
-    assert!(refused.contains("{\"key\":\"a.b\",\"message\":\"found c; allowed: d\"}"), "{refused}");
-}
-
-#[test]
-fn work_that_needs_more_memory_than_there_is_is_refused() {
-    let refused = served().answer("/api/analyse", "huge", "");
-    assert!(
-        refused.contains("event: error") && refused.contains("GB of memory; the workbench uses at most"),
-        "{refused}"
-    );
-}
-
-#[test]
-fn work_ends_where_nobody_listens() {
-    let served = served();
-    let listens = served.sent("/api/analyse", "endless", "");
-    let wait = |state: usize| {
-        let start = Instant::now();
-        while !served.states[state].load(Ordering::SeqCst) {
-            assert!(start.elapsed() < Duration::from_secs(20), "state {state}");
-            std::thread::sleep(Duration::from_millis(5));
-        }
-    };
-    wait(0);
-    assert!(!served.states[1].load(Ordering::SeqCst));
-    drop(listens);
-    wait(1);
 }
 
 #[test]

@@ -140,16 +140,3 @@ fn line(written: usize, is_sweep: bool) -> String {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::line;
-
-    #[test]
-    fn the_line_says_what_was_written() {
-        assert_eq!(line(0, false), "interrupted; nothing was written");
-        assert!(line(1, false).contains("1 report was written before"));
-        assert!(line(3, false).contains("3 reports were written before"));
-        assert!(line(0, true).contains("complete is kept"));
-    }
-}

@@ -105,25 +105,3 @@ pub fn listed(experiment: &Experiment, store: &Store) -> Result<String, InputErr
     };
     Ok(format!("{stem:<28} {state:<15} {extent:<18} {}", experiment.title()))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn three_lines_say_what_became_of_all() {
-        let mut counts = Counts::default();
-        for done in [Done::Written, Done::Failed, Done::Written, Done::Unchanged] {
-            counts.add(done);
-        }
-        let [all, place, open] = counts.lines(Path::new("out"));
-        assert_eq!(all, "4 reports: 2 written, 1 unchanged, 1 failed");
-        assert!(place.ends_with("out") && open.ends_with("index.html"), "{place} {open}");
-    }
-
-    #[test]
-    fn a_single_spec_has_no_place() {
-        assert_eq!(Place::ALONE.to_string(), "");
-        assert_eq!(Place { number: 3, of: 21 }.to_string(), "3 of 21: ");
-    }
-}

@@ -311,28 +311,3 @@ impl TrendQuantity {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_sign_is_kept_or_changes_only_beyond_the_intervals() {
-        let gap = |&(contrast, error): &(f64, Option<f64>)| {
-            let difference = Estimate {
-                contrast,
-                error,
-                quantile: 1.0,
-                bound: 0.0,
-                independent_error: None,
-                support: asperity::compare::Support::Sampled,
-            };
-            Gap { length: 1.0, difference, parts: None }
-        };
-        let sign = |gaps: &[(f64, Option<f64>)]| sign(&gaps.iter().map(gap).collect::<Vec<_>>());
-        assert_eq!(sign(&[(0.2, Some(0.1)), (0.3, None)]), Some("kept"));
-        assert_eq!(sign(&[(0.2, Some(0.1)), (-0.3, None), (-0.1, None)]), Some("changes"));
-        assert_eq!(sign(&[(0.2, Some(0.1)), (-0.3, Some(0.4)), (0.1, None)]), Some("cannot-tell"));
-        assert_eq!(sign(&[(0.2, None)]), None);
-    }
-}

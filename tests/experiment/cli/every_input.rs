@@ -3,6 +3,7 @@
 use asperity::npy;
 
 use super::*;
+use crate::results::write_map;
 
 /// Samples of formats, and the options that some need; all are cut, so that boundary elements take little.
 const SAMPLES: [(&str, &[&str]); 18] = [
@@ -37,7 +38,7 @@ fn write_inputs(folder: &Path) {
     const SIDE: usize = 40;
     let all = || (0..SIDE * SIDE).map(|k| (k / SIDE, k % SIDE));
     let file = |name: &str| fs::File::create(folder.join(name)).unwrap();
-    npy::write(file("waves.npy"), [SIDE; 2], all().map(|(i, j)| height(i, j))).unwrap();
+    write_map(folder.join("waves.npy"), [SIDE; 2], height);
     let line =
         |j: usize| (0..SIDE).map(|i| format!("{:.6}", 1e6 * height(i, j))).collect::<Vec<_>>().join(" ");
     fs::write(folder.join("matrix.txt"), (0..SIDE).map(line).collect::<Vec<_>>().join("\n")).unwrap();
@@ -47,21 +48,22 @@ fn write_inputs(folder: &Path) {
     npy::write(file("list.npy"), [2000, 2], rows).unwrap();
     let rows: String = (0..300).map(|k| format!("{:e},{:e}\n", height(k, 3 * k), 2e-5)).collect();
     fs::write(folder.join("list.csv"), format!("height [m],radius [m]\n{rows}")).unwrap();
-    let population =
-        "population]\nradius = \"20 um\"\nsigma = \"48 nm\"\ndensity = \"6e10 /m^2\"\ncount = 2000\n";
-    let generated = "generate]\npoints = 64\npixel = \"0.5 um\"\nspectrum.self-affine = { hurst = 0.8, roll-off = \"16 um\", cut-off = \"4 um\" }\n\
-                     sigma = \"0.1 um\"\n";
+    let generated = generated!("a", 64, "0.5 um", "0.1 um", "16 um" to "4 um");
+    let body = |name: &str| generated.replace("surface.a", &format!("surface.{name}"));
     let list = |file: &str| format!("asperities]\nfile = \"{file}\"\nnominal-area = \"3e-8 m^2\"\n");
     for (name, surfaces) in [
         ("list-npy", format!("[surface.a.{}", list("list.npy"))),
         ("list-csv", format!("[surface.a.{}", list("list.csv"))),
-        ("population", format!("[surface.a.{population}")),
-        ("generated", format!("[surface.a.{generated}")),
+        ("population", results::population("a", 2000, "")),
+        ("generated", generated.to_owned()),
         (
             "pair",
-            format!(
-                "surfaces = [\"a\"]\n[surface.b.{generated}[surface.c.{generated}[surface.a.pair]\na = \"b\"\nb = \"c\"\nshifts = 2\n"
-            ),
+            [
+                "surfaces = [\"a\"]\n[surface.a.pair]\na = \"b\"\nb = \"c\"\nshifts = 2\n",
+                &body("b"),
+                &body("c"),
+            ]
+            .concat(),
         ),
     ] {
         let models = if ["generated", "pair"].contains(&name) {
@@ -186,13 +188,11 @@ fn several_files_have_a_report_each_and_one_table_of_answers() {
 fn a_part_of_a_map_is_as_the_part_alone() {
     let folder = tempfile::tempdir().unwrap();
     write_inputs(folder.path());
-    let part: Vec<f64> = (5..35).flat_map(|i| (10..40).map(move |j| height(i, j))).collect();
-    npy::write(fs::File::create(folder.path().join("part.npy")).unwrap(), [30; 2], part).unwrap();
+    write_map(folder.path().join("part.npy"), [30; 2], |i, j| height(5 + i, 10 + j));
     let columns = |file: &str, options: &[&str]| {
         let arguments =
             [&["export", "asperities", file, "--format", "npy", "--quiet", "--force"], options].concat();
-        let output = experiment(&arguments, folder.path());
-        assert!(output.status.success(), "{}", text(&output.stderr));
+        succeeds(&arguments, folder.path());
         let name = format!("{}-asperities.npy", file.split('.').next().unwrap());
         fs::read(folder.path().join(name)).unwrap()
     };
@@ -201,16 +201,9 @@ fn a_part_of_a_map_is_as_the_part_alone() {
     assert_eq!(columns("waves.npy", &[&["--pixel", "1 um"], &crop[..]].concat()), alone);
     let turned = ["--crop-y", "5 um, 35 um", "--crop-x", "10 um, 40 um", "--transpose", "--pixel", "1 um"];
     assert_ne!(columns("waves.npy", &turned), alone);
-    for (ends, words) in [
-        ("5 um, 50 um", "is not within it"),
-        ("30 um, 5 um", "ends before it begins"),
-        ("5 um, 6 um", "fewer than three points"),
-        ("5 um", "from and to with a comma between them"),
-    ] {
-        let output =
-            experiment(&["surface", "waves.npy", "--pixel", "1 um", "--crop-x", ends], folder.path());
-        assert_eq!(output.status.code(), Some(2));
-        assert!(text(&output.stderr).contains(words), "{ends}: {}", text(&output.stderr));
+    for ends in ["5 um, 50 um", "30 um, 5 um", "5 um, 6 um", "5 um"] {
+        let said = refused(&["surface", "waves.npy", "--pixel", "1 um", "--crop-x", ends], folder.path());
+        assert_message(module_path!(), &format!("--crop-x {ends}"), &said);
     }
 }
 
@@ -220,8 +213,7 @@ fn a_part_of_a_map_is_as_the_part_alone() {
 fn advice_can_be_followed() {
     let folder = tempfile::tempdir().unwrap();
     let write = |name: &str, side: usize, height: &dyn Fn(usize, usize) -> f64| {
-        let heights = (0..side * side).map(|k| height(k / side, k % side));
-        npy::write(fs::File::create(folder.path().join(name)).unwrap(), [side; 2], heights).unwrap();
+        write_map(folder.path().join(name), [side; 2], height);
     };
     let said = |arguments: &[&str]| {
         let output = experiment(&[&["surface"], arguments].concat(), folder.path());

@@ -3,7 +3,7 @@
 use asperity::npy;
 
 use super::*;
-use crate::common::assert_message;
+use crate::results::write_map;
 
 const PIXEL: &str = "0.9e-6";
 
@@ -21,30 +21,23 @@ fn spec(surface: &str) -> String {
 /// A folder with a measured map that has a slope and missing points, and the spec `orig.toml` on it.
 fn measured() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
-    let (nx, ny) = (60, 48);
     let wave = |k: usize, f: f64| ((k % 97) as f64 * f).sin();
-    let height = |k: usize| {
-        let (ix, iy) = ((k / ny) as f64, (k % ny) as f64);
+    write_map(folder.path().join("map.npy"), [60, 48], |i, j| {
+        let (k, ix, iy) = (i * 48 + j, i as f64, j as f64);
         let rough = (ix * 1.1 + wave(k, 0.3)).sin() * (iy * 1.3 + wave(k, 0.7)).cos();
         if k == 777 { f64::NAN } else { 1e-9 * ix + 4e-8 * rough + 1e-8 * wave(k * k, 1.7) }
-    };
-    let file = fs::File::create(folder.path().join("map.npy")).unwrap();
-    npy::write(file, [nx, ny], (0..nx * ny).map(height)).unwrap();
+    });
     let surface = format!("file]\npath = \"map.npy\"\npixel = {PIXEL}\nfilter = {{ s = \"2.5 um\" }}\n");
     fs::write(folder.path().join("orig.toml"), spec(&surface)).unwrap();
     folder
 }
 
 fn export(folder: &Path, arguments: &[&str]) -> String {
-    let output = experiment(&[&["export"], arguments].concat(), folder);
-    assert!(output.status.success(), "{arguments:?}: {}", text(&output.stderr));
-    text(&output.stdout)
+    text(&succeeds(&[&["export"], arguments].concat(), folder).stdout)
 }
 
-fn refused(folder: &Path, arguments: &[&str]) -> String {
-    let output = experiment(&[&["export"], arguments].concat(), folder);
-    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {}", text(&output.stderr));
-    text(&output.stderr)
+fn refusal(folder: &Path, arguments: &[&str]) -> String {
+    refused(&[&["export"], arguments].concat(), folder)
 }
 
 /// A table of a report on `surface`.
@@ -54,8 +47,7 @@ fn tables(folder: &Path, name: &str, surface: &str) -> impl Fn(&str) -> String {
 }
 
 fn report(folder: &Path, name: &str) -> impl Fn(&str) -> String {
-    let output = experiment(&["run", &format!("{name}.toml"), "--quiet"], folder);
-    assert!(output.status.success(), "{name}: {}", text(&output.stderr));
+    succeeds(&["run", &format!("{name}.toml"), "--quiet"], folder);
     let report = folder.join("reports").join(name);
     move |table| fs::read_to_string(report.join(table)).unwrap()
 }
@@ -128,7 +120,7 @@ fn asperities_as_text_and_as_array_give_the_same_curves() {
                      spectrum.self-affine = { hurst = 0.8, roll-off = \"32 um\", cut-off = \"8 um\" }\n";
     fs::write(folder.join("random.toml"), spec(generated)).unwrap();
     assert!(
-        refused(folder, &["asperities", "random.toml"])
+        refusal(folder, &["asperities", "random.toml"])
             .contains("has 2 realisations of surface a; allowed: --realisation 1 to 2")
     );
     assert!(
@@ -188,19 +180,9 @@ fn the_contact_of_a_load_is_that_of_the_report() {
             && said.contains("all/orig-plastic-9-MPa-contact.png"),
         "{said}"
     );
-    let file = [
-        "patches",
-        "map.npy",
-        "--pixel",
-        PIXEL,
-        "--s",
-        "2.5 um",
-        "--pressure",
-        "9 MPa",
-        "--material",
-        "steel-100Cr6",
-    ];
-    assert!(export(folder, &file).ends_with("./map-contact.gwy written\n"));
+    let file = ["patches", "map.npy", "--pixel", PIXEL, "--s", "2.5 um"];
+    let load = ["--pressure", "9 MPa", "--material", "steel-100Cr6"];
+    assert!(export(folder, &[&file[..], &load].concat()).ends_with("./map-contact.gwy written\n"));
 }
 
 #[test]
@@ -224,15 +206,15 @@ fn what_cannot_be_exported_says_what_can() {
         &["patches", "map.npy", "--pixel", "1 um"],
         &["patches", "orig.toml", "--pressure", "9 mm"],
     ] {
-        assert_message(module_path!(), &arguments.join(" "), &refused(folder, arguments));
+        assert_message(module_path!(), &arguments.join(" "), &refusal(folder, arguments));
     }
     let one = fs::read_to_string(folder.join("orig.toml")).unwrap().replace(", \"elliptic-hertz\"", "");
     fs::write(folder.join("one.toml"), one).unwrap();
-    let hard = refused(folder, &["patches", "one.toml", "--pressure", "9 GPa"]);
+    let hard = refusal(folder, &["patches", "one.toml", "--pressure", "9 GPa"]);
     assert!(hard.contains("not below the hardness"), "{hard}");
     export(folder, &["map", "orig.toml", "--step", "levelled"]);
     let before = fs::read(folder.join("orig-levelled.gwy")).unwrap();
-    let taken = refused(folder, &["map", "orig.toml"]);
+    let taken = refusal(folder, &["map", "orig.toml"]);
     assert!(taken.contains("orig-levelled.gwy: found a file of this name; allowed: --force"), "{taken}");
     assert!(!folder.join("orig-measured.gwy").exists(), "nothing is written where something is refused");
     assert!(fs::read(folder.join("orig-levelled.gwy")).unwrap() == before);

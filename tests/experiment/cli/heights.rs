@@ -1,14 +1,11 @@
 //! Height distributions, from the input file to the summary.
 
 use crate::Report;
-use crate::results::{ON_STEEL, number, run, table};
+use crate::results::{ON_STEEL, number, population, run, table};
 
 /// The last pressures of both models, Pa, and the distribution in the summary.
 fn outcome(compare: &str, heights: &str) -> (f64, f64, String) {
-    let population = format!(
-        "[surface.a.population]\n{}count = 40000\ndraw = \"quantiles\"\nheights = {heights}\n",
-        case_1!()
-    );
+    let population = population("a", 40_000, &format!("draw = \"quantiles\"\nheights = {heights}"));
     let outcome =
         run(&format!("{ON_STEEL}separation = {{ values = [2, 0] }}\n{compare}\n{population}")).unwrap();
     let rows = table(&*outcome, "curves.csv").unwrap();

@@ -4,16 +4,10 @@ use super::*;
 
 /// A list of two asperities and a population, both under the loads of `compare`.
 fn both(compare: &str) -> String {
-    format!(
-        concat!(
-            "title = \"t\"\n",
-            steel!(),
-            "[surface.list.asperities]\nfile = \"list.csv\"\nnominal-area = \"1e-8 m^2\"\n[surface.drawn.population]\n",
-            case_1!(),
-            "count = 1000\n[compare]\nrough = \"steel\"\nflat = \"steel\"\nlaw = [\"hertz\", \"zmc\"]\n{}\n"
-        ),
-        compare
-    )
+    let list = "[surface.list.asperities]\nfile = \"list.csv\"\nnominal-area = \"1e-8 m^2\"\n";
+    let contact = "[compare]\nrough = \"steel\"\nflat = \"steel\"\nlaw = [\"hertz\", \"zmc\"]\n";
+    ["title = \"t\"\n", steel!(), list, &results::population("drawn", 1000, ""), contact, compare, "\n"]
+        .concat()
 }
 
 #[test]

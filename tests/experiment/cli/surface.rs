@@ -1,24 +1,19 @@
 //! `experiment surface`.
 
 use super::*;
-use crate::common::assert_message;
-use crate::results::{self, typed};
+use crate::results::{typed, waves, write_map};
 
 #[test]
 fn a_surface_is_described() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("reports");
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let look = |arguments: &[&str]| {
-        let all = [&["surface"], arguments, &["--out", out.to_str().unwrap()]].concat();
-        experiment(&all, folder.path())
-    };
+    let look = |arguments: &[&str]| succeeds(&[&["surface"], arguments].concat(), folder.path());
+    let refusal = |arguments: &[&str]| refused(&[&["surface"], arguments].concat(), folder.path());
     let opd = root.join("experiments/surfaces/opd-1.npy");
     let opd = opd.to_str().unwrap();
 
-    let output = look(&[opd, "--pixel", "196.73303177114576 nm"]);
-    assert!(output.status.success(), "{}", text(&output.stderr));
-    let said = text(&output.stdout);
+    let said = text(&look(&[opd, "--pixel", "196.73303177114576 nm"]).stdout);
     for words in ["24,714", "304,784", "6.71 nm", "-0.367", "4.54", "autocorrelation length Sal"] {
         assert!(said.contains(words), "{words}: {said}");
     }
@@ -35,66 +30,51 @@ fn a_surface_is_described() {
     let x3p = look(&[root.join("experiments/surfaces/x3p-2.x3p").to_str().unwrap()]);
     assert!(text(&x3p.stdout).contains("2,916"), "{}", text(&x3p.stderr));
     let spec = look(&[root.join("experiments/heights-of-one-spectrum.toml").to_str().unwrap(), "--silent"]);
-    assert!(spec.status.success() && text(&spec.stdout).is_empty());
+    assert!(spec.stdout.is_empty());
     assert!(out.join("heights-of-one-spectrum-surfaces/honed-heights.svg").exists());
 
     // Another file of that name does not take its place, the same one does.
     let copy = folder.path().join("opd-1.npy");
     fs::copy(opd, &copy).unwrap();
-    let other = look(&[copy.to_str().unwrap(), "--pixel", "0.2 um"]);
-    assert!(other.status.success(), "{}", text(&other.stderr));
+    look(&["opd-1.npy", "--pixel", "0.2 um"]);
     assert!(out.join("surface-opd-1-npy").is_dir());
-    let taken = look(&[copy.to_str().unwrap(), "--pixel", "0.2 um", "--name", "surface-opd-1"]);
-    assert_eq!(taken.status.code(), Some(2));
-    assert!(text(&taken.stderr).contains("allowed: --name NAME"), "{}", text(&taken.stderr));
-    assert!(look(&[copy.to_str().unwrap(), "--pixel", "0.2 um", "--name", "copy"]).status.success());
-    assert!(look(&[opd, "--pixel", "2e-7"]).status.success());
+    let taken = refusal(&["opd-1.npy", "--pixel", "0.2 um", "--name", "surface-opd-1"]);
+    assert!(taken.contains("allowed: --name NAME"), "{taken}");
+    look(&["opd-1.npy", "--pixel", "0.2 um", "--name", "copy"]);
+    look(&[opd, "--pixel", "2e-7"]);
 
     for arguments in [
-        &[opd][..],
-        &[opd, "--pixel", "0,5 um"],
-        &[opd, "--pixel", "1 um, 2 um, 3 um"],
-        &[opd, "--pixel", "0.2 um", "--unit", "inch"],
-        &[opd, "--pixel", "0.2 um", "--level", "quartic"],
-        &[opd, "--pixel", "0.2 um", "--unit", "xy=um"],
-        &[opd, "--pixel", "0.2 um", "--missing", "x"],
-        &[opd, "--pixel", "0.2 um", "--neighbours", "six"],
-        &[opd, "--pixel", "0.2 um", "--s", "3"],
-        &[opd, "--pixel", "0.2 um", "--s", "3 um", "--l", "2 um"],
-        &[opd, "--pixel", "0.2 um", "--name", ""],
-        &[opd, "--pixel", "0.2 um", "--name", "../up"],
+        &["opd-1.npy"][..],
+        &["opd-1.npy", "--pixel", "0,5 um"],
+        &["opd-1.npy", "--pixel", "1 um, 2 um, 3 um"],
+        &["opd-1.npy", "--pixel", "0.2 um", "--unit", "inch"],
+        &["opd-1.npy", "--pixel", "0.2 um", "--level", "quartic"],
+        &["opd-1.npy", "--pixel", "0.2 um", "--unit", "xy=um"],
+        &["opd-1.npy", "--pixel", "0.2 um", "--missing", "x"],
+        &["opd-1.npy", "--pixel", "0.2 um", "--neighbours", "six"],
+        &["opd-1.npy", "--pixel", "0.2 um", "--s", "3"],
+        &["opd-1.npy", "--pixel", "0.2 um", "--s", "3 um", "--l", "2 um"],
+        &["opd-1.npy", "--pixel", "0.2 um", "--name", ""],
+        &["opd-1.npy", "--pixel", "0.2 um", "--name", "../up"],
     ] {
-        let output = look(arguments);
-        let said = text(&output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {said}");
+        let said = refusal(arguments);
         assert!(!said.contains("(command line)") && !said.contains(" | "), "no spec is cited: {said}");
-        let within = |text: &str| text.replace(opd, "opd-1.npy");
-        assert_message(module_path!(), &within(&arguments.join(" ")), &within(&said));
+        assert_message(module_path!(), &arguments.join(" "), &said);
     }
     for file in ["nowhere.npy", root.join("Cargo.lock").to_str().unwrap()] {
-        let output = look(&[file]);
-        assert!(output.status.code() == Some(2) && text(&output.stderr).contains(file), "{file}");
+        assert!(refusal(&[file]).contains(file), "{file}");
     }
-    let both = look(&[root.join("experiments/gw-zmc-limit.toml").to_str().unwrap(), "--pixel", "1 um"]);
-    assert_eq!(both.status.code(), Some(2));
-    assert!(text(&both.stderr).contains("is a spec"), "{}", text(&both.stderr));
+    let both = refusal(&[root.join("experiments/gw-zmc-limit.toml").to_str().unwrap(), "--pixel", "1 um"]);
+    assert!(both.contains("is a spec"), "{both}");
 }
 
-/// Runs `surface` on these surfaces; `map.txt` holds these heights.
-fn described(words: &str, heights: &str) -> (tempfile::TempDir, Output) {
+/// `surfaces` of the summary, the rows of two tables of surfaces, and the page of surfaces, for which `map.txt` holds heights.
+fn look(words: &str, heights: &str) -> (serde_json::Value, [Vec<serde_json::Value>; 2], String) {
     let folder = tempfile::tempdir().unwrap();
     let bodies = SMALL.split("[surface.list").next().unwrap();
     fs::write(folder.path().join("look.toml"), format!("{bodies}{words}")).unwrap();
     fs::write(folder.path().join("map.txt"), heights).unwrap();
-    let output = experiment(&["surface", "look.toml"], folder.path());
-    (folder, output)
-}
-
-/// The summary, its surfaces and the report of a successful `surface` run.
-/// `surfaces` of the summary, the rows of two tables of surfaces, and the page.
-fn look(words: &str, heights: &str) -> (serde_json::Value, [Vec<serde_json::Value>; 2], String) {
-    let (folder, output) = described(words, heights);
-    assert!(output.status.success(), "{}", text(&output.stderr));
+    succeeds(&["surface", "look.toml"], folder.path());
     let out = folder.path().join("reports");
     let report = fs::read_to_string(out.join("look-surfaces/report.md")).unwrap();
     let surfaces = summary(&out, "look-surfaces")["surfaces"].take();
@@ -175,16 +155,6 @@ summits = { radius = \"20 um\", sigma = \"48 nm\", density = \"6e10 /m^2\" }
     assert!(number(&met["offset_to_mean_plane_m"]) > 0.0, "summits are above the mean plane");
 }
 
-/// Rough heights (nm) about 500 nm, a line for each y.
-fn rough() -> String {
-    let mut state = 1u64;
-    let mut height = || {
-        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-        format!("{:.3}", 500.0 + (state >> 40) as f64 / 2e5)
-    };
-    (0..40).map(|_| (0..50).map(|_| height()).collect::<Vec<_>>().join(" ") + "\n").collect()
-}
-
 #[test]
 fn a_measured_map_is_processed_as_specified() {
     let file = "path = \"map.txt\"\npixel = \"1 um\"\nunit = \"nm\"\n";
@@ -193,7 +163,7 @@ fn a_measured_map_is_processed_as_specified() {
             "[surface.raw.file]\n{file}level = \"none\"\n[surface.level.file]\n{file}
 [surface.bowl.file]\n{file}level = \"quadratic\"\nneighbours = \"eight\"\nfilter = {{ s = \"3 um\" }}\n"
         ),
-        &rough(),
+        &rough([50, 40], 500.0),
     );
     let number = |name: &str, key: &str| surfaces[name][key].as_f64().unwrap();
     let map = |name: &str| &surfaces[name]["height_map"];
@@ -218,16 +188,11 @@ fn doubtful_maps_are_reported() {
     };
     let warned = |unit: &str, heights: &str| {
         let (surfaces, _, _) = look(&words(unit), heights);
-        surfaces["a"]["warnings"]
-            .as_array()
-            .unwrap()
-            .iter()
-            .map(|w| w.to_string())
-            .collect::<Vec<_>>()
-            .join(" ")
+        surfaces["a"]["warnings"].to_string()
     };
-    assert!(!warned("nm", &rough()).contains("r.m.s. slope"));
-    assert!(warned("um", &rough()).contains("the r.m.s. slope is "));
+    let heights = rough([50, 40], 500.0);
+    assert!(!warned("nm", &heights).contains("r.m.s. slope"));
+    assert!(warned("um", &heights).contains("the r.m.s. slope is "));
     let equal = "0 0 0 0 0 0 0\n0 1.5 0 1.5 0 1.5 0\n".repeat(3) + "0 0 0 0 0 0 0\n";
     assert!(warned("nm", &equal).contains("has 9 summits that are equally high"), "{}", warned("nm", &equal));
 }
@@ -242,7 +207,7 @@ fn maps_of_labs_are_read_from_the_command_line() {
         let output = experiment(&all, folder.path());
         (output.status.success(), text(&output.stderr), text(&output.stdout), name)
     };
-    let heights = rough();
+    let heights = rough([50, 40], 500.0);
     let columns: Vec<String> = (0..50).map(|k| k.to_string()).collect();
     let marked = heights.replacen(heights.split_whitespace().next().unwrap(), "-9999", 1);
     fs::write(folder.path().join("pandas.csv"), format!("{}\n{marked}", columns.join(" ")).replace(' ', ","))
@@ -342,7 +307,7 @@ fn maps_of_labs_are_read_from_the_command_line() {
 #[test]
 fn options_of_a_surface_are_checked_before_it_runs() {
     let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("map.txt"), rough()).unwrap();
+    fs::write(folder.path().join("map.txt"), rough([50, 40], 500.0)).unwrap();
     for arguments in [
         &["--align-lines", "--level", "plane"][..],
         &["--missing", "--fit"],
@@ -350,16 +315,13 @@ fn options_of_a_surface_are_checked_before_it_runs() {
         &["--save-spec", "none/mine.toml"],
         &["--save-spec", "map.txt"],
     ] {
-        let all = [&["surface", "map.txt", "--pixel", "1 um", "--unit", "nm"], arguments].concat();
-        let output = experiment(&all, folder.path());
-        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
-        assert_message(module_path!(), &arguments.join(" "), &text(&output.stderr));
+        let said = refused(&[&MAP[..], arguments].concat(), folder.path());
+        assert_message(module_path!(), &arguments.join(" "), &said);
         assert!(!folder.path().join("reports").exists(), "{arguments:?}");
     }
     fs::rename(folder.path().join("map.txt"), folder.path().join("2 maps.txt")).unwrap();
-    let output =
-        experiment(&["surface", "--force", "2 maps.txt", "--pixel", "1 um", "--unit", "nm"], folder.path());
-    assert!(output.status.success(), "a file is no load: {}", text(&output.stderr));
+    // A file is no load.
+    succeeds(&["surface", "--force", "2 maps.txt", "--pixel", "1 um", "--unit", "nm"], folder.path());
 }
 
 /// `--fit` prints its steps, keeps what is stated, and saves the spec that does the same by hand.
@@ -371,8 +333,7 @@ fn a_fit_is_told_and_saved_by_its_keys() {
     fs::copy(al3d, folder.path().join("rough.npy")).unwrap();
     let arguments =
         ["surface", "rough.npy", "--pixel", "438.027 nm", "--level", "cubic", "--fit", "--save-spec"];
-    let output = experiment(&[&arguments[..], &["by-hand.toml", "--load", "0.1 N"]].concat(), folder.path());
-    assert!(output.status.success(), "{}", text(&output.stderr));
+    let output = succeeds(&[&arguments[..], &["by-hand.toml", "--load", "0.1 N"]].concat(), folder.path());
     let said = text(&output.stdout);
     assert!(said.contains("steps  height step over median drop"), "{said}");
     assert!(said.contains("filter = { s = \"3.5 µm\" }") && said.contains("applied"), "{said}");
@@ -384,7 +345,7 @@ fn a_fit_is_told_and_saved_by_its_keys() {
     let report = fs::read_to_string(out.join("surface-rough/report.md")).unwrap();
     assert!(report.contains("# The same by hand") && !report.contains("fit = \"auto\""), "{report}");
     assert!(out.join("surface-rough/fit_steps.csv").exists());
-    assert!(run(&folder.path().join("by-hand.toml"), &out, &[]).status.success());
+    run(&folder.path().join("by-hand.toml"), &out, &[]);
     let [auto, hand] = ["surface-rough", "by-hand"].map(|name| summary(&out, name));
     assert_eq!(auto["surfaces"]["rough"]["sigma_m"], hand["surfaces"]["rough"]["sigma_m"]);
     assert_eq!(auto["results"], hand["results"]);
@@ -394,53 +355,32 @@ fn a_fit_is_told_and_saved_by_its_keys() {
 /// Filters that cannot be meant are refused or named, not blamed on units; what the warnings advise are options of the command line.
 #[test]
 fn filters_that_cannot_be_meant_are_named() {
-    use asperity::topography::generate::gaussian;
-    use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
     let folder = tempfile::tempdir().unwrap();
-    let side = 256;
-    let shape = SpectrumShape::SelfAffine { hurst: 0.8, roll_off: 24.0, cut_off: 12.0 };
-    let spectrum = Spectrum::new(shape, Lay::default()).unwrap().on_grid([side; 2], [1.0; 2]);
-    let mut heights = gaussian(&spectrum, 1e-7, [9; 32]);
-    heights[100 * side + 90] += 3e-6;
-    let file = fs::File::create(folder.path().join("map.npy")).unwrap();
-    asperity::npy::write(file, [side; 2], heights).unwrap();
-    let look = |more: &[&str]| {
-        experiment(
-            &[&["surface", "map.npy", "--pixel", "1 um", "--load", "0.1 N"], more].concat(),
-            folder.path(),
-        )
-    };
-    for (l, words) in [
-        ("1 um", "--l \"1 um\": found an L filter of 1 µm"),
-        ("1 um", "allowed: at least 4 pixels (4 µm), usually a sixth of the shorter side (43 µm)"),
-        ("4 um", "has no roughness left after the L filter of 4 µm: it is shorter than the waves of the map"),
-    ] {
-        let output = look(&["--l", l, "--outliers", "remove"]);
-        assert_eq!(output.status.code(), Some(2), "{l}");
-        let said = text(&output.stderr);
-        assert!(said.contains(words) && !said.contains("different units"), "{said}");
+    let heights = waves(256, [24.0, 12.0], 9);
+    let spike = |i, j| if (i, j) == (100, 90) { 3e-6 } else { 0.0 };
+    write_map(folder.path().join("map.npy"), [256; 2], |i, j| heights[i * 256 + j] + spike(i, j));
+    let map = ["surface", "map.npy", "--pixel", "1 um", "--load", "0.1 N"];
+    for l in ["1 um", "4 um"] {
+        let said = refused(&[&map[..], &["--l", l, "--outliers", "remove"]].concat(), folder.path());
+        assert_message(module_path!(), &format!("--l {l}"), &said);
     }
-    let output = look(&["--s", "0.5 um"]);
-    assert!(output.status.success(), "{}", text(&output.stderr));
-    let said = text(&output.stderr);
+    let warned = |more: &[&str]| text(&succeeds(&[&map[..], more].concat(), folder.path()).stderr);
+    let said = warned(&["--s", "0.5 um"]);
     assert!(said.contains("its S filter of 500 nm has hardly any effect"), "{said}");
     assert!(said.contains("Remedy: `--outliers remove`") && !said.contains("outliers = "), "{said}");
-    let enough = look(&["--s", "4 um", "--l", "60 um", "--outliers", "remove"]);
-    assert!(!text(&enough.stderr).contains("filter of"), "{}", text(&enough.stderr));
+    let enough = warned(&["--s", "4 um", "--l", "60 um", "--outliers", "remove"]);
+    assert!(!enough.contains("filter of"), "{enough}");
 }
 
 /// A sine has no summits of different heights: it is described, and boundary elements answer.
 #[test]
 fn a_wave_is_described_without_models() {
     let folder = tempfile::tempdir().unwrap();
-    let wave = |k: usize| 1e-6 * (std::f64::consts::TAU * (k / 64) as f64 / 64.0).sin();
-    let map = asperity::HeightMap::new([64; 2], [1e-6; 2], (0..64 * 64).map(wave).collect(), 0.0).unwrap();
-    map.write_npy(&folder.path().join("sine.npy")).unwrap();
+    let wave = |i: usize, _: usize| 1e-6 * (std::f64::consts::TAU * i as f64 / 64.0).sin();
+    write_map(folder.path().join("sine.npy"), [64; 2], wave);
     let described = |more: &[&str]| {
         let all = [&["surface", "sine.npy", "--pixel", "1 um", "--level", "none"], more].concat();
-        let output = experiment(&all, folder.path());
-        assert!(output.status.success(), "{}", text(&output.stderr));
-        text(&output.stdout)
+        text(&succeeds(&all, folder.path()).stdout)
     };
     let said = described(&[]);
     for words in ["707 nm", "1.5", "Neither applies", "`--reference`"] {

@@ -5,13 +5,7 @@ use crate::Report;
 use crate::results::{column, figure, number, table};
 
 /// A patch of few, smooth waves: contacts are resolved and the patch is many of them wide.
-const PATCH: &str = r#"
-[surface.a.generate]
-points = 256
-pixel = "0.25 um"
-sigma = "20 nm"
-spectrum.self-affine = { hurst = 0.8, roll-off = "8 um", cut-off = "4 um" }
-"#;
+const PATCH: &str = generated!("a", 256, "0.25 um", "20 nm", "8 um" to "4 um");
 
 #[test]
 fn analytical_lines_are_those_of_the_gradient_in_figures_and_table() {

@@ -13,13 +13,11 @@ const LENGTH: f64 = 200e-6;
 /// A map of so many points on a square of `LENGTH`, and the results of boundary elements on it.
 fn solved(compare: &str, file: &str, height: impl Fn(f64, f64) -> f64) -> Result<Box<dyn Outcome>, String> {
     let folder = tempfile::tempdir().unwrap();
-    let heights = (0..POINTS * POINTS).map(|k| {
-        let [x, y] = [k / POINTS, k % POINTS].map(|index| index as f64 / POINTS as f64);
+    write_map(folder.path().join("map.npy"), [POINTS; 2], |i, j| {
+        let [x, y] = [i, j].map(|index| index as f64 / POINTS as f64);
         HEIGHT * height(x, y)
     });
     let pixel = LENGTH / POINTS as f64;
-    let map = HeightMap::new([POINTS; 2], [pixel; 2], heights.collect(), 0.0).unwrap();
-    map.write_npy(&folder.path().join("map.npy")).unwrap();
     let head = concat!("title = \"t\"\n", steel!(), "[compare]\nrough = \"steel\"\nflat = \"steel\"\n");
     let surface =
         format!("[surface.a.file]\npath = \"map.npy\"\npixel = \"{pixel:e} m\"\nlevel = \"none\"\n{file}\n");

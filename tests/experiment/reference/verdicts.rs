@@ -1,21 +1,13 @@
 //! Verdicts against the reference, and the bound of its grid.
 
 use asperity_contact_framework::Outcome;
-use asperity_contact_framework::progress::Silent;
-use asperity_experiment::Experiment;
 
 use super::{THREE, run};
 use crate::Report;
-use crate::results::{Row, figure, number, table, typed};
+use crate::results::{self, Row, figure, number, table, typed};
 
 /// Rough, with a short correlation length: it holds blocks.
-const BLOCKS: &str = r#"
-[surface.a.generate]
-points = 384
-pixel = "0.5 um"
-sigma = "50 nm"
-spectrum.self-affine = { hurst = 0.8, roll-off = "8 um", cut-off = "4 um" }
-"#;
+const BLOCKS: &str = generated!("a", 384, "0.5 um", "50 nm", "8 um" to "4 um");
 
 #[test]
 fn verdicts_against_the_reference_are_those_of_the_tables() {
@@ -134,8 +126,6 @@ fn separations_have_a_bound_and_a_second_resolution_narrows_it() {
 #[test]
 fn elastic_boundary_elements_are_no_advice_where_contacts_yield() {
     let advice = |hardness: &str, pressure: &str| {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("t.toml");
         let spec = format!(
             r#"title = "t"
 seed = 3
@@ -152,15 +142,10 @@ reference = {{ cap = "none" }}
 accept = {{ area = 0.001 }}
 robustness = false
 pressure = "{pressure}"
-[surface.map.generate]
-points = 512
-pixel = "1 um"
-sigma = "100 nm"
-spectrum.self-affine = {{ hurst = 0.8, roll-off = "40 um", cut-off = "16 um" }}
-"#
+{}"#,
+            generated!("map", 512, "1 um", "100 nm", "40 um" to "16 um")
         );
-        std::fs::write(&path, spec).unwrap();
-        let page = Experiment::read(&path).unwrap().run(&Silent).unwrap().outline().markdown();
+        let page = results::run(&spec).unwrap().outline().markdown();
         let line = page.lines().find(|line| line.starts_with("| **Use instead**"));
         line.unwrap_or_else(|| panic!("{page}")).to_owned()
     };

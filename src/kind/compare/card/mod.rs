@@ -9,7 +9,7 @@ mod replace;
 mod row;
 mod spots;
 #[cfg(test)]
-pub(super) mod tests;
+mod tests;
 
 use asperity::Limit;
 use asperity::compare::{ComparedQuantity, Difference};

@@ -330,29 +330,3 @@ pub fn named(verdict: &str, difference: f64) -> Option<Mark> {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::kind::compare::card::tests::verdicts;
-
-    #[test]
-    fn loads_that_say_the_same_are_one_tile() {
-        let signs = |contrasts, error| -> Vec<&str> {
-            let verdicts = verdicts(90.0, contrasts, error);
-            tiles(&verdicts, ComparedQuantity::Area).iter().map(|(_, (_, _, sign))| *sign).collect()
-        };
-        assert_eq!(signs([0.2, 0.3], Some(0.01)), ["+"]);
-        assert_eq!(signs([-0.2, 0.01], Some(0.01)), ["−", "="]);
-        assert_eq!(signs([0.2, 0.3], None), ["?"]);
-    }
-
-    #[test]
-    fn inadmissible_loads_are_blank_and_an_unfit_map_has_its_own_sign() {
-        let few = verdicts(9.0, [0.2, 0.3], Some(0.01));
-        assert!(tiles(&few, ComparedQuantity::Area).is_empty());
-        assert!(verdict_map(&[("few".to_owned(), &few)], "").is_none());
-        let unfit = Verdicts { is_blocked: true, ..verdicts(90.0, [0.2, 0.3], Some(0.01)) };
-        assert_eq!(tiles(&unfit, ComparedQuantity::Area)[0].1, UNFIT);
-    }
-}

@@ -454,18 +454,3 @@ pub enum CapSpec {
     /// Elastic contacts.
     None,
 }
-
-#[cfg(test)]
-mod tests {
-    use super::spread_over;
-
-    #[test]
-    fn some_of_a_sweep_have_both_its_ends_and_are_evenly_spread() {
-        let values: Vec<usize> = (0..61).collect();
-        assert_eq!(spread_over(&values, 9), [0, 8, 15, 23, 30, 38, 45, 53, 60]);
-        assert_eq!(spread_over(&values, 2), [0, 60]);
-        assert_eq!(spread_over(&values, 1), [30]);
-        assert_eq!(spread_over(&values[..3], 9), [0, 1, 2]);
-        assert_eq!(spread_over(&values[..0], 9), [0; 0]);
-    }
-}
