@@ -34,14 +34,14 @@ fn a_surface_is_described() {
     assert!(out.join("heights-of-one-spectrum-surfaces/honed-heights.svg").exists());
 
     // Another file of that name does not take its place, the same one does.
-    let copy = folder.path().join("opd-1.npy");
-    fs::copy(opd, &copy).unwrap();
+    let heights = waves(96, [32.0, 8.0], 5);
+    write_map(folder.path().join("opd-1.npy"), [96; 2], |i, j| heights[i * 96 + j]);
     look(&["opd-1.npy", "--pixel", "0.2 um"]);
     assert!(out.join("surface-opd-1-npy").is_dir());
     let taken = refusal(&["opd-1.npy", "--pixel", "0.2 um", "--name", "surface-opd-1"]);
     assert!(taken.contains("allowed: --name NAME"), "{taken}");
     look(&["opd-1.npy", "--pixel", "0.2 um", "--name", "copy"]);
-    look(&[opd, "--pixel", "2e-7"]);
+    look(&["opd-1.npy", "--pixel", "2.1e-7"]);
 
     for arguments in [
         &["opd-1.npy"][..],

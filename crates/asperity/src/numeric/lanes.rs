@@ -2,7 +2,7 @@
 //!
 //! [`run`] selects the widest registers of the machine at run time. Every function called within it must be
 //! `#[inline(always)]`, since only inlined code is compiled for those registers. Closures cannot be forced inline, so
-//! none may take or return lanes.
+//! none may take or return lanes; `select_f64s` of pulp is not forced either.
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 use std::sync::LazyLock;
@@ -508,7 +508,6 @@ impl<S: Simd> Real for Register<S> {
 
     #[inline(always)]
     fn select(mask: RegisterMask<S>, yes: Self, no: Self) -> Self {
-        // `select_f64s` is not inlined always: a build of less optimisation calls it.
         no.of_bits(no.simd.select_u64s(mask.lanes, yes.bits(), no.bits()))
     }
 }
