@@ -167,6 +167,7 @@ impl Card<'_> {
 
 #[cfg(test)]
 mod tests {
+    use asperity::Limit;
     use asperity::compare::{AgainstReference, Verdict};
     use asperity::study::{Basis, ReferenceVerdicts, Verdicts};
 
@@ -176,9 +177,9 @@ mod tests {
     const SUM: Option<ModelKind> = Some(ModelKind::Deterministic);
     const INTEGRAL: Option<ModelKind> = Some(ModelKind::Statistical);
 
-    /// Where these models are nearer on the compared surface; on such surfaces it is the integral.
-    fn over_loads(nearer_here: &[Option<ModelKind>], basis: Basis) -> Option<Nearer> {
-        let stretch = |&nearer_here: &Option<ModelKind>| NearerStretch {
+    /// Of the compared surface; of such surfaces it is the integral.
+    fn stretch(nearer_here: Option<ModelKind>) -> NearerStretch {
+        NearerStretch {
             quantity: ComparedQuantity::Area,
             loads: [1e6, 2e6],
             beyond: None,
@@ -187,30 +188,44 @@ mod tests {
             verdicts: [Verdict::CannotTell; 2],
             verdicts_here: [Verdict::CannotTell; 2],
             largest: [(1e6, estimate(0.1, None)); 2],
-        };
+        }
+    }
+
+    fn compared(nearer: Vec<NearerStretch>) -> Verdicts {
+        let against = AgainstReference::default();
         let reference = ReferenceVerdicts {
-            against: AgainstReference::default(),
+            against,
             stretches: [const { Vec::new() }; 2],
-            nearer: nearer_here.iter().map(stretch).collect(),
+            nearer,
             yields: false,
             is_layered: false,
         };
-        let verdicts = verdicts(90.0, [0.2, 0.3], None);
-        let verdicts = Verdicts { reference: Some(reference), basis, ..verdicts };
+        Verdicts { reference: Some(reference), ..verdicts(90.0, [0.2, 0.3], None) }
+    }
+
+    fn over_loads(verdicts: Verdicts) -> Option<Nearer> {
         with_card(verdicts, |card, _| card.nearer_over_loads())
     }
 
     #[test]
     fn a_model_is_the_nearer_one_where_the_other_is_at_no_load() {
-        for (nearer, found) in [
-            (&[SUM, None][..], Some(Nearer::Sum)),
-            (&[INTEGRAL], Some(Nearer::Integral)),
-            (&[SUM, None, INTEGRAL], Some(Nearer::ByLoad)),
-            (&[None, None], Some(Nearer::Undecided)),
-            (&[], None),
-        ] {
-            assert_eq!(over_loads(nearer, Basis::Asperities), found, "{nearer:?}");
-        }
-        assert_eq!(over_loads(&[SUM], Basis::Realisations(8)), Some(Nearer::Integral), "of such surfaces");
+        let of = |nearer: &[_]| over_loads(compared(nearer.iter().map(|one| stretch(*one)).collect()));
+        assert_eq!(of(&[SUM, None]), Some(Nearer::Sum));
+        assert_eq!(of(&[INTEGRAL]), Some(Nearer::Integral));
+        assert_eq!(of(&[SUM, None, INTEGRAL]), Some(Nearer::ByLoad));
+        assert_eq!(of(&[None, None]), Some(Nearer::Undecided));
+        assert_eq!(of(&[]), None);
+    }
+
+    #[test]
+    fn it_counts_in_area_at_admissible_loads_of_fit_maps() {
+        assert_eq!(over_loads(verdicts(90.0, [0.2, 0.3], None)), None, "not computed");
+        let separation = NearerStretch { quantity: ComparedQuantity::Separation, ..stretch(SUM) };
+        let strained = NearerStretch { beyond: Some(Limit::LargeStrain), ..stretch(SUM) };
+        assert_eq!(over_loads(compared(vec![separation, strained])), None);
+        let unfit = Verdicts { is_blocked: true, ..compared(vec![stretch(SUM)]) };
+        assert_eq!(over_loads(unfit), None);
+        let realisations = Verdicts { basis: Basis::Realisations(8), ..compared(vec![stretch(SUM)]) };
+        assert_eq!(over_loads(realisations), Some(Nearer::Integral), "that of such surfaces");
     }
 }

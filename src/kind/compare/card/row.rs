@@ -293,4 +293,33 @@ mod tests {
         assert_eq!(overall([Yes, Open, Yes]), Open);
         assert_eq!(overall([Yes, Answered::YesWhereTold, Yes]), Answered::YesWhereTold);
     }
+
+    #[test]
+    fn cases_are_counted_in_a_sentence() {
+        use Answered::{No, Unfit, Yes};
+        let sentence = |all: &[CaseAnswer]| Counts::new(all).sentences();
+        let [yes, no] = [Yes, No].map(|one| answer([one; 3]));
+        assert_eq!(
+            sentence(&[yes, no, answer([Unfit; 3])]),
+            "May the integral replace the sum? Of 3 cases: yes in 1, no in 1 and unfit map in 1."
+        );
+        assert!(sentence(&[answer([No; 3]), answer([Yes, No, Yes])]).ends_with("Of 2 cases: no in all."));
+    }
+
+    #[test]
+    fn the_model_that_is_nearer_to_boundary_elements_is_counted_where_they_were_run() {
+        let near = |nearer| CaseAnswer { nearer, ..answer([Answered::No; 3]) };
+        let said = |all: &[Option<Nearer>]| {
+            Counts::new(&all.iter().map(|one| near(*one)).collect::<Vec<_>>()).sentences()
+        };
+        assert!(!said(&[None, None]).contains("boundary elements"));
+        assert!(
+            said(&[Some(Nearer::Sum); 2])
+                .ends_with(" Nearer to boundary elements in contact area, where decided: the sum in all.")
+        );
+        assert!(
+            said(&[Some(Nearer::Integral), Some(Nearer::Undecided), None])
+                .ends_with(", where decided (of 2 cases): the integral in 1 and undecided in 1.")
+        );
+    }
 }
