@@ -212,7 +212,9 @@ fn as_alternatives(prefix: &str, ways: &[String]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use asperity::study::LargestErrors;
+    use asperity::bem::Boundary;
+    use asperity::compare::{AgainstReference, ReferenceCurve};
+    use asperity::study::{LargestErrors, ReferenceVerdicts};
 
     use super::super::tests::{verdicts, with_case};
     use super::*;
@@ -248,7 +250,62 @@ mod tests {
             text(0.3, models),
             "The surface's own heights with the mean radius in contact: contact area within 8 % on the other half of the map."
         );
-        let untested = vec![ranked(HeightModel::Own, 0.01, None, 90.0)];
-        assert_eq!(text(0.3, untested), "The sum over the asperities.");
+    }
+
+    #[test]
+    fn boundary_elements_come_first_where_the_sum_is_far_from_them() {
+        let of = |contrast: f64, yields: bool| {
+            let mut verdicts = verdicts(90.0, [0.01, 0.01], Some(0.01));
+            let mut sum = verdicts.differences.clone();
+            sum[0].estimates[1].as_mut().unwrap().contrast = contrast;
+            let against = AgainstReference { models: [Vec::new(), sum], nearness: Vec::new() };
+            verdicts.reference = Some(ReferenceVerdicts {
+                against,
+                stretches: [Vec::new(), Vec::new()],
+                nearer: Vec::new(),
+                yields,
+                is_layered: false,
+            });
+            let elastic = ReferenceCurve {
+                boundary: Boundary::Periodic,
+                cap: None,
+                interpolated: 0,
+                points: Vec::new(),
+                blocks: Vec::new(),
+                clusters: Vec::new(),
+                unreached: Vec::new(),
+            };
+            with_case(
+                verdicts,
+                |case| case.realisations[0].reference = Some(elastic),
+                |card, at| [card.instead(at).unwrap(), card.instead_in_short(at)],
+            )
+        };
+        assert_eq!(
+            of(0.2, false),
+            ["Boundary elements: the sum differs from them by +22.1 % in contact area.", "boundary elements"]
+        );
+        assert_eq!(
+            of(0.05, false),
+            ["Nothing else: the integral is within what is accepted.", "the integral"]
+        );
+        // Elastic boundary elements say nothing of a sum that yields.
+        assert_eq!(of(0.2, true), of(0.05, false));
+    }
+
+    #[test]
+    fn none_is_named_where_all_are_beyond_or_tested_on_their_own_asperities_only() {
+        let far = text(0.3, vec![ranked(HeightModel::Own, 0.01, Some(0.52), 90.0)]);
+        assert!(
+            far.starts_with(
+                "The sum: no statistical model is near enough; nearest overall: the surface's own"
+            ),
+            "{far}"
+        );
+        assert!(far.contains("(contact area 52 %)"), "{far}");
+        let untested = text(0.3, vec![ranked(HeightModel::Own, 0.01, None, 90.0)]);
+        assert_eq!(untested, "The sum over the asperities.");
+        let within = text(0.01, vec![ranked(HeightModel::Own, 0.01, Some(0.01), 90.0)]);
+        assert_eq!(within, "Nothing else: the integral is within what is accepted.");
     }
 }

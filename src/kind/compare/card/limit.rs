@@ -260,13 +260,18 @@ const LEAST: f64 = 1e-3;
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::verdicts;
+    use super::super::tests::{verdicts, with_card};
     use super::*;
 
     #[test]
-    fn a_number_below_a_limit_is_not_rounded_to_it() {
-        let few = verdicts(29.98, [0.2, 0.3], Some(0.01));
-        assert_eq!(exceeded_words(&few.differences[0]), "29.9 effective contacts (at least 30)");
+    fn more_surface_lifts_the_limits_of_few_contacts() {
+        let words =
+            |contacts: f64| exceeded_words(&verdicts(contacts, [0.2, 0.3], Some(0.01)).differences[0]);
+        assert_eq!(words(9.0), "9 effective contacts (at least 30)");
+        assert_eq!(words(29.98), "29.9 effective contacts (at least 30)");
+        let needed = |error| with_card(verdicts(9.0, [0.2, 0.3], error), |card, at| card.more_contacts(at));
+        assert_eq!(needed(Some(0.01)), ["at least 3.4 mm² of surface (now 1 mm²)"]);
+        assert_eq!(needed(None), ["at least 4 mm² of surface (now 1 mm²)"]);
     }
 
     #[test]

@@ -139,27 +139,48 @@ fn in_words(answers: &[(ComparedQuantity, Verdict)]) -> String {
 
 #[cfg(test)]
 mod tests {
+    use asperity::study::Verdicts;
+
     use super::super::tests::{verdicts, with_card};
     use super::*;
 
+    fn texts(verdicts: Verdicts) -> Vec<String> {
+        with_card(verdicts, |card, at| card.replace(at))
+    }
+
     #[test]
     fn the_question_is_answered_for_these_asperities_for_such_surfaces_and_for_all_loads() {
-        let texts = |error| with_card(verdicts(90.0, [0.2, 0.01], error), |card, at| card.replace(at));
         assert_eq!(
-            texts(Some(0.01)),
+            texts(verdicts(90.0, [0.2, 0.01], Some(0.01))),
             [
                 "On these asperities: no.",
                 "Such surfaces: no (95 % intervals).",
                 "All quantities, by load: no at 1 MPa, yes at 10 MPa; admissible from 1 to 10 MPa."
             ]
         );
+        let open = texts(verdicts(90.0, [0.2, 0.3], None));
+        assert_eq!(open[1], "Such surfaces: cannot be told (no interval).");
+        assert_eq!(open[2], "All quantities, by load: cannot be told; admissible from 1 to 10 MPa.");
+    }
+
+    /// Models that agree where neither is admissible, or on a map with faults, do not make a yes.
+    #[test]
+    fn numbers_that_are_not_trusted_are_no_answer() {
+        let mut crowded = verdicts(90.0, [0.01, 0.3], Some(0.01));
+        crowded.differences.iter_mut().for_each(|at| at.area_ratio = 0.2);
+        crowded.admissible.stretches.clear();
         assert_eq!(
-            texts(None)[1..],
+            texts(crowded),
             [
-                "Such surfaces: cannot be told (no interval).",
-                "All quantities, by load: cannot be told; admissible from 1 to 10 MPa."
+                "Neither model is for this load: contact area 20 % of the nominal (at most 5 %).",
+                "No compared load is admissible."
             ]
         );
+        let unfit = Verdicts { is_blocked: true, ..verdicts(90.0, [0.01, 0.3], Some(0.01)) };
+        assert_eq!(texts(unfit), ["No conclusion until the map is fit."]);
+        let few = texts(verdicts(9.0, [0.01, 0.3], Some(0.01)));
+        assert_eq!(few[0], "On these asperities: yes.", "the sum over its own asperities is exact");
+        assert_eq!(few[1], "Such surfaces: cannot be told with 9 effective contacts (at least 30).");
     }
 
     #[test]
