@@ -22,38 +22,27 @@ const RUNS: usize = 8000;
 const HANG: Duration = Duration::from_secs(60);
 
 /// Folders of inputs besides the corpus, and the endings of names in them.
-fn folders(target: &str) -> (&'static [&'static str], &'static [&'static str]) {
+fn folders(target: &Target) -> (&[&str], &[&str]) {
     const FORMATS: &[&str] =
         &["crates/asperity/tests/library/formats/samples", "crates/asperity/tests/library/formats"];
     const DATA: &[&str] = &["tests/specs/data"];
-    match target {
-        "al3d" => (FORMATS, &["al3d"]),
+    match target.name {
         "bcr" => (FORMATS, &["bcrf"]),
-        "datx" => (FORMATS, &["datx"]),
-        "gwy" => (FORMATS, &["gwy"]),
-        "ibw" => (FORMATS, &["ibw"]),
-        "jpk" => (FORMATS, &["jpk"]),
         "metropro" => (FORMATS, &["dat"]),
         "nanoscope" => (FORMATS, &["spm"]),
-        "nid" => (FORMATS, &["nid"]),
-        "opd" => (FORMATS, &["opd"]),
         "park" => (FORMATS, &["tiff"]),
-        "plu" => (FORMATS, &["plu"]),
-        "sdf" => (FORMATS, &["sdf"]),
-        "sur" => (FORMATS, &["sur"]),
-        "x3p" => (FORMATS, &["x3p"]),
         "npy" | "list_npy" => (DATA, &["npy"]),
         "text" => (DATA, &["txt", "csv"]),
         "list" => (DATA, &["csv"]),
         "spec" => (&["experiments", "src"], &["toml"]),
-        _ => (&[], &[]),
+        _ => (FORMATS, std::slice::from_ref(&target.name)),
     }
 }
 
 /// All inputs of a target that are in the repository, by their paths.
 fn inputs(target: &Target) -> Vec<(PathBuf, Vec<u8>)> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let (others, endings) = folders(target.name);
+    let (others, endings) = folders(target);
     let corpus = root.join("tests/fuzz/corpus").join(target.name);
     let is_wanted =
         |path: &Path| path.extension().is_some_and(|ending| endings.iter().any(|wanted| ending == *wanted));

@@ -1,37 +1,51 @@
-//! Lists of asperities as text: units, separators, decimal commas, headers, and what is refused.
+//! Lists of asperities as text: units, separators, decimal commas, headers.
 
-use crate::common::assert_message;
+use std::path::Path;
+
+use crate::files::array;
+use crate::formats::file;
+use crate::formats::instrument::stored;
+use crate::formats::refused::{Good, described};
 use asperity::progress::Silent;
-use asperity::{AsperityList, Ellipse, ListColumn, ListError, ListOptions};
+use asperity::{AsperityList, Ellipse, ListError, ListOptions};
 
-fn with<T>(bytes: impl AsRef<[u8]>, look: impl FnOnce(&std::path::Path) -> T) -> T {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("list.txt");
-    std::fs::write(&path, bytes).unwrap();
-    look(&path)
+const METRES: ListOptions = ListOptions { as_ellipses: false, unit: None };
+const MICROMETRES: ListOptions = ListOptions { as_ellipses: false, unit: Some(1e-6) };
+const ELLIPSES: ListOptions = ListOptions { as_ellipses: true, unit: None };
+
+/// The same list by the check and by the reading.
+fn read(path: &Path, options: ListOptions) -> Result<AsperityList, ListError> {
+    let (list, count) =
+        (AsperityList::read(path, options, &Silent), AsperityList::check(path, options, &Silent));
+    let words = |error: &ListError| error.to_string();
+    assert_eq!(list.as_ref().map(AsperityList::count).map_err(words), count.as_ref().copied().map_err(words));
+    list
 }
 
 /// Heights and radii, m.
 fn spheres(bytes: impl AsRef<[u8]>, options: ListOptions) -> (Vec<f64>, Vec<f64>) {
-    with(bytes, |path| {
-        let list = AsperityList::read(path, options, &Silent).unwrap();
-        assert_eq!(AsperityList::check(path, options, &Silent).unwrap(), list.count());
-        let set = list.set(1.0).unwrap();
-        (set.heights().to_vec(), set.radii().to_vec())
-    })
+    let (_folder, path) = file(bytes);
+    let set = read(&path, options).unwrap().set(1.0).unwrap();
+    (set.heights().to_vec(), set.radii().to_vec())
 }
 
-/// The same error of the check and of the reading.
-fn refused(bytes: impl AsRef<[u8]>, options: ListOptions) -> ListError {
-    with(bytes, |path| {
-        let error = AsperityList::read(path, options, &Silent).unwrap_err();
-        assert_eq!(AsperityList::check(path, options, &Silent).unwrap_err().to_string(), error.to_string());
-        error
-    })
+fn refused(bytes: impl AsRef<[u8]>, options: ListOptions) -> String {
+    let (_folder, path) = file(bytes);
+    described(&read(&path, options).unwrap_err())
 }
 
-const METRES: ListOptions = ListOptions { as_ellipses: false, unit: None };
-const MICROMETRES: ListOptions = ListOptions { as_ellipses: false, unit: Some(1e-6) };
+pub fn good() -> Vec<Good> {
+    let spheres = array("<f8", false, "(2, 2)", &stored::<f64>([1e-9, 1e-6].repeat(2).into_iter(), false));
+    let ellipses = [1e-9, 1e-6, 1e6, 1e6].repeat(2);
+    let ellipses = array("<f8", false, "(2, 4)", &stored::<f64>(ellipses.into_iter(), false));
+    vec![
+        Good { error: |bytes| refused(bytes, METRES), ..Good::whole("list", "") },
+        Good { error: |bytes| refused(bytes, MICROMETRES), ..Good::whole("list in um", "") },
+        Good { error: |bytes| refused(bytes, ELLIPSES), ..Good::whole("list of ellipses", "") },
+        Good { error: |bytes| refused(bytes, METRES), ..Good::whole("array of spheres", spheres) },
+        Good { error: |bytes| refused(bytes, ELLIPSES), ..Good::whole("array of ellipses", ellipses) },
+    ]
+}
 
 /// Scaling rounds once more than the number alone.
 fn assert_close(found: (Vec<f64>, Vec<f64>), wanted: &(Vec<f64>, Vec<f64>), text: &str) {
@@ -62,59 +76,20 @@ fn every_separator_unit_and_decimal_mark_gives_the_same_list() {
     }
     assert_close(spheres(b"height (\xb5m);radius (\xb5m)\n0,05;20\n-0,125;4\n", METRES), &list, "Latin-1");
     assert_close(spheres("height,radius\n0.05,20\n-0.125,4\n", MICROMETRES), &list, "option");
-    let array = |values: [f64; 4]| {
-        let values = values.map(f64::to_le_bytes).concat();
-        super::files::array("<f8", false, "(2, 2)", &values)
-    };
-    assert_close(spheres(array([0.05, 20.0, -0.125, 4.0]), MICROMETRES), &list, "array");
+    let values = stored::<f64>([0.05, 20.0, -0.125, 4.0].into_iter(), false);
+    assert_close(spheres(array("<f8", false, "(2, 2)", &values), MICROMETRES), &list, "array");
 }
 
 #[test]
 fn curvatures_have_the_reciprocal_unit() {
-    let options = |unit| ListOptions { as_ellipses: true, unit };
     for (text, unit) in [
         ("height [um],radius [um],kx [1/um],ky [mm^-1]\n1,2,0.5,2000\n", None),
         ("height;radius;kx;ky\n1;2;0,5;2\n", Some(1e-6)),
     ] {
-        let set =
-            with(text, |path| AsperityList::read(path, options(unit), &Silent).unwrap().set(1.0).unwrap());
+        let (_folder, path) = file(text);
+        let set = read(&path, ListOptions { unit, ..ELLIPSES }).unwrap().set(1.0).unwrap();
         assert_eq!(set.ellipses(), Some(&[Ellipse::new(5e5, 2e6)][..]), "{text}");
     }
-}
-
-#[test]
-fn a_bad_row_is_named_with_its_line_and_its_content() {
-    for text in [
-        "height,radius\n1e-9,1e-6\n\n1e-9,wide\n",
-        "height,radius\n,1e-6\n",
-        "height [um] radius [um]\n1 2\n1 inf\n",
-        "height,radius\n1e-9,1e-6\n2e-9\n",
-        "height,radius\n0,5,1,2\n",
-        "height;radius\n1.5;2\n1,5;2\n",
-        "height,radius,height\n1,2,3\n",
-        "height [inch],radius\n1,2\n",
-        "# by hand\n1e-9,1e-6\n",
-        "z;r\n1;2\n",
-        "# only comments\n",
-        "height,radius\n",
-    ] {
-        assert_message(module_path!(), &format!("{text:?}"), &refused(text, METRES).to_string());
-    }
-    let error = refused("height [um],radius\n1,2\n", MICROMETRES);
-    assert!(matches!(error, ListError::UnitHeld { line: 1 }), "{error}");
-    assert!(matches!(refused(b"\xff\xfeh\0e\0", METRES), ListError::Encoding));
-    let wide = ListOptions { as_ellipses: true, unit: None };
-    let error = refused("height,radius,kx [um],ky\n1,2,3,4\n", wide);
-    assert!(matches!(&error, ListError::Unit { column: ListColumn::Kx, .. }), "{error}");
-    assert_message(module_path!(), "kx [um]", &error.to_string());
-}
-
-/// As by the reading.
-#[test]
-fn a_bad_value_of_an_array_is_found_by_the_check() {
-    let values = [1e-9, 1e-6, f64::NAN, 1e-6].map(f64::to_le_bytes).concat();
-    let error = refused(super::files::array("<f8", false, "(2, 2)", &values), METRES).to_string();
-    assert!(error.contains("row 2 of 2, column `height`: found NaN"), "{error}");
 }
 
 #[test]
@@ -122,10 +97,10 @@ fn a_header_is_at_most_ten_thousand_columns_wide_and_shown_in_part() {
     let header = |others: usize| format!("height;radius{}\n", ";a".repeat(others));
     let rows = format!("1;2{}\n", ";3".repeat(9_998));
     assert_eq!(spheres(header(9_998) + &rows, METRES).0, [1.0]);
-    let error = refused(header(9_999), METRES).to_string();
-    assert_eq!(error, "line 1 names more than 10000 columns; allowed: at most 10000");
-    let error = refused("a;".repeat(9_000) + "\n", METRES).to_string();
+    let error = refused(header(9_999), METRES);
+    assert_eq!(error, "Wide: line 1 names more than 10000 columns; allowed: at most 10000");
+    let error = refused("a;".repeat(9_000) + "\n", METRES);
     assert!(error.contains("(found: a, a, a, ") && error.len() < 500, "{error}");
-    let error = refused(format!("height [{}];radius\n1;2\n", "u".repeat(1000)), METRES).to_string();
+    let error = refused(format!("height [{}];radius\n1;2\n", "u".repeat(1000)), METRES);
     assert!(error.contains("has the unit \"uuu") && error.len() < 300, "{error}");
 }

@@ -1,34 +1,27 @@
 //! The measured surfaces of `experiments/surfaces/` against their documented properties (README there).
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use asperity::HeightMap;
 use asperity::topography::summits::{Summits, five_point};
 use asperity::topography::{Level, Moments, Quantisation, RoughnessParameters, read};
 
-fn file(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../experiments/surfaces").join(name)
-}
-
-fn given(pixel: [f64; 2]) -> read::ReadOptions {
-    read::ReadOptions { pixel: Some(pixel), unit: None }
-}
-
 struct Known {
     name: &'static str,
     points: [usize; 2],
-    pixel: f64,
+    /// In nm, to a tenth.
+    pixel: [f64; 2],
     missing: usize,
     /// Sq in nm, Ssk, Sku after the least-squares plane, to the digits given.
     moments: [(f64, f64); 3],
     summits: usize,
 }
 
-const SURFACES: [Known; 3] = [
+const SURFACES: [Known; 4] = [
     Known {
         name: "opd-1.npy",
         points: [640, 480],
-        pixel: 1.9673303177114576e-7,
+        pixel: [196.73303177114576; 2],
         missing: 116,
         moments: [(6.711, 5e-4), (-0.367, 5e-4), (4.538, 5e-4)],
         summits: 24714,
@@ -36,7 +29,7 @@ const SURFACES: [Known; 3] = [
     Known {
         name: "plu-1.npy",
         points: [768, 576],
-        pixel: 1.6600000858306884e-6,
+        pixel: [1660.0000858306884; 2],
         missing: 0,
         moments: [(18.28, 5e-3), (-0.443, 5e-4), (9.245, 5e-4)],
         summits: 32958,
@@ -44,15 +37,28 @@ const SURFACES: [Known; 3] = [
     Known {
         name: "al3d-1.npy",
         points: [200, 296],
-        pixel: 4.38027e-7,
+        pixel: [438.027; 2],
         missing: 0,
         moments: [(289.8, 5e-2), (-0.005, 5e-4), (3.071, 5e-4)],
         summits: 489,
     },
+    Known {
+        name: "x3p-2.x3p",
+        points: [650, 650],
+        pixel: [127.7, 314.6],
+        missing: 0,
+        moments: [(77.19, 5e-3), (-0.379, 5e-4), (2.985, 5e-4)],
+        summits: 2916,
+    },
 ];
 
 fn read_and_level(known: &Known) -> (HeightMap, HeightMap, Summits) {
-    let raw = read::height_map(&file(known.name), given([known.pixel; 2])).unwrap();
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../experiments/surfaces").join(known.name);
+    let pixel = known.pixel.map(|size| 1e-9 * size);
+    // An array states none.
+    let given = read::ReadOptions { pixel: Some(pixel).filter(|_| known.name.ends_with("npy")), unit: None };
+    let raw = read::height_map(&path, given).unwrap();
+    assert!(raw.pixel().iter().zip(pixel).all(|(found, known)| (found - known).abs() <= 5e-11));
     let levelled = Level::Plane.apply(&raw).unwrap();
     let summits = five_point(&levelled);
     (raw, levelled, summits)
@@ -99,7 +105,7 @@ fn the_maps_on_steps_are_found_and_the_sound_one_is_not() {
 
 #[test]
 fn plateaus_of_the_raw_map() {
-    let raw = read::height_map(&file("plu-1.npy"), given([1.66e-6; 2])).unwrap();
+    let (raw, ..) = read_and_level(&SURFACES[1]);
     let summits = five_point(&raw);
     assert_eq!(summits.heights.len() - (summits.plateaus - summits.dropped), 888);
     assert_eq!(summits.plateaus, 238);

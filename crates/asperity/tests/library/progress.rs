@@ -5,11 +5,16 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use crate::files::array;
+use crate::formats::{instrument::stored, sdf::Sdf};
 use asperity::progress::{PIECE, Progress, Silent};
 use asperity::topography::read::{LengthUnits, MapFile, ReadOptions};
 use asperity::topography::write::MapFormat;
 use asperity::topography::{Boundary, HeightMap, RoughnessParameters, Rows, Watched};
 use asperity::{AsperityList, ListOptions, npy};
+
+/// Formats that are written.
+const ENDINGS: [&str; 4] = ["gwy", "x3p", "xyz", "npy"];
 
 /// Points of a map along x and y: two pieces of them.
 const POINTS: [usize; 2] = [1600, 1320];
@@ -28,10 +33,19 @@ struct Signs {
 /// Carried by the unwinding of work that is ended.
 struct Ended;
 
-impl Signs {
-    fn ended_at(last: usize) -> Self {
-        Self { last: Some(last), ..Self::default() }
-    }
+/// The work of a task.
+fn work(task: impl FnOnce(&Signs)) -> Vec<f64> {
+    let signs = Signs::default();
+    task(&signs);
+    signs.work.into_inner().unwrap()
+}
+
+/// Ends a task at a sign of its work; the number of signs from that one on.
+fn signs_after(last: usize, task: impl FnOnce(&Signs)) -> usize {
+    let signs = Signs { last: Some(last), ..Signs::default() };
+    let cause = catch_unwind(AssertUnwindSafe(|| task(&signs))).unwrap_err();
+    assert!(cause.is::<Ended>());
+    signs.count.into_inner() - last
 }
 
 impl Progress for Signs {
@@ -57,60 +71,27 @@ fn map() -> HeightMap {
 /// The map in a file of each way in which readers go through one.
 fn files(folder: &Path) -> Vec<PathBuf> {
     let map = map();
-    let heights = map.heights();
     let [nx, ny] = POINTS;
-    for ending in ["gwy", "x3p", "xyz"] {
+    let along_x = || (0..nx * ny).map(|k| map.heights()[k % nx * ny + k / nx]);
+    let numbers = |factor: f64| stored::<f64>(along_x().map(|z| factor * z), false);
+    let words: Vec<String> = along_x().map(|z| format!("{:.3}", 1e9 * z)).collect();
+    let lines: String = words.chunks(nx).map(|line| line.join(" ") + "\n").collect();
+    let sdf = Sdf { size: [nx as u32, ny as u32], scales: [1e-6, 1e-6, 1e-9], ..Sdf::of("ISO-1.0", 7) };
+    for (name, content) in [
+        ("map.txt", lines.clone().into_bytes()),
+        // A micro sign in Latin-1, by which a text is no UTF-8.
+        ("latin.txt", [&b"# \xb5m\n"[..], lines.as_bytes()].concat()),
+        ("text.sdf", sdf.text(&lines).into_bytes()),
+        ("binary.sdf", sdf.binary(&numbers(1e9))),
+        ("fortran.npy", array("<f8", true, &format!("({nx}, {ny})"), &numbers(1.0))),
+    ] {
+        std::fs::write(folder.join(name), content).unwrap();
+    }
+    for ending in ENDINGS {
         let format = MapFormat::of_ending(ending).unwrap();
         format.write_file(&folder.join(format!("map.{ending}")), &map, &[]).unwrap();
     }
-    let mut lines = String::new();
-    for iy in 0..ny {
-        let words: Vec<String> = (0..nx).map(|ix| format!("{:.3}", 1e9 * heights[ix * ny + iy])).collect();
-        lines += &(words.join(" ") + "\n");
-    }
-    let head = |kind: char| {
-        format!(
-            "{kind}ISO-1.0\nNumPoints = {nx}\nNumProfiles = {ny}\nXscale = 1e-6\nYscale = 1e-6\nZscale = 1e-9\nZresolution = 1e-12\n\
-             Compression = 0\nDataType = 7\nCheckType = 0\n*\n"
-        )
-    };
-    let write = |name: &str, content: &[u8]| std::fs::write(folder.join(name), content).unwrap();
-    write("map.txt", lines.as_bytes());
-    // A micro sign in Latin-1, by which a text is no UTF-8.
-    write("latin.txt", &[&b"# \xb5m\n"[..], lines.as_bytes()].concat());
-    write("text.sdf", (head('a') + &lines + "*\n").as_bytes());
-    let mut binary = b"bISO-1.0".to_vec();
-    binary.resize(42, b' ');
-    binary.extend([nx, ny].iter().flat_map(|count| (*count as u16).to_le_bytes()));
-    binary.extend([1e-6f64, 1e-6, 1e-9, 1e-12].iter().flat_map(|scale| scale.to_le_bytes()));
-    binary.extend([0, 7, 0]);
-    let lines = (0..ny).flat_map(|iy| (0..nx).map(move |ix| ix * ny + iy));
-    binary.extend(lines.flat_map(|k| (1e9 * heights[k]).to_le_bytes()));
-    write("binary.sdf", &binary);
-    let mut fortran = Vec::new();
-    npy::write(&mut fortran, [ny, nx], (0..nx * ny).map(|k| heights[k % nx * ny + k / nx])).unwrap();
-    let swapped = String::from_utf8_lossy(&fortran[..128]).into_owned();
-    assert!(swapped.contains("False") && swapped.contains(&format!("({ny}, {nx})")), "{swapped}");
-    // As long as it was.
-    let at = |text: &[u8]| fortran.windows(text.len()).position(|window| window == text).unwrap();
-    let (order, shape) = (at(b"False"), at(format!("({ny}, {nx})").as_bytes()));
-    fortran[order..order + 5].copy_from_slice(b"True ");
-    fortran[shape..shape + 12].copy_from_slice(format!("({nx}, {ny})").as_bytes());
-    write("fortran.npy", &fortran);
-    map.write_npy(&folder.join("map.npy")).unwrap();
-    [
-        "map.gwy",
-        "map.x3p",
-        "map.xyz",
-        "map.txt",
-        "latin.txt",
-        "text.sdf",
-        "binary.sdf",
-        "fortran.npy",
-        "map.npy",
-    ]
-    .map(|name| folder.join(name))
-    .to_vec()
+    std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect()
 }
 
 fn reader(path: &Path) -> MapFile {
@@ -128,25 +109,24 @@ fn reader(path: &Path) -> MapFile {
 fn readers_tell_of_their_work_piece_by_piece_and_can_be_ended_at_each() {
     let folder = tempfile::tempdir().unwrap();
     let points = (POINTS[0] * POINTS[1]) as f64;
+    let map = map();
     for path in files(folder.path()) {
         let file = reader(&path);
-        let signs = Signs::default();
-        let rows = file.rows(&signs).unwrap();
-        assert_eq!(rows.points(), POINTS, "{path:?}");
-        let work = signs.work.into_inner().unwrap();
+        let work = work(|signs| assert_eq!(file.rows(signs).unwrap().points(), POINTS, "{path:?}"));
         let whole: f64 = work.iter().sum();
         assert!((0.97..1.03).contains(&whole), "{path:?}: {whole}");
         let largest = work.iter().fold(0.0f64, |a, &b| a.max(b));
         // Bytes of a text are more than points, so that their pieces are smaller parts.
         assert!(largest <= LARGEST_PASS * PIECE as f64 / points, "{path:?}: {largest} of {work:?}");
         for last in [0, work.len() / 3, work.len() / 2, work.len() - 1] {
-            let signs = Signs::ended_at(last);
-            let cause = catch_unwind(AssertUnwindSafe(|| file.rows(&signs).map(drop))).unwrap_err();
-            assert!(cause.is::<Ended>(), "{path:?}: {last}");
+            let after = signs_after(last, |signs| drop(file.rows(signs)));
             // Strips of a map on disk are read in parallel, each of which ends at its own sign.
-            let after = signs.count.into_inner() - last;
             assert!(path.ends_with("map.npy") || after == 1, "{path:?}: {after} signs after it was ended");
         }
+        // Pieces do not show in the heights, of which a text has three decimals of a nanometre.
+        let found = file.height_map().unwrap();
+        let error = map.heights().iter().zip(found.heights()).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(error < 0.51e-12, "{path:?}: {error:e}");
     }
 }
 
@@ -196,27 +176,11 @@ fn a_parallel_pass_that_is_ended_does_no_more_work() {
     ];
     for pass in passes {
         let counted = Counted { map: &map, rows: AtomicUsize::new(0) };
-        let signs = Signs::ended_at(0);
-        let watched = Watched { map: &counted, progress: &signs };
-        let cause = catch_unwind(AssertUnwindSafe(|| pass(&watched))).unwrap_err();
-        assert!(cause.is::<Ended>());
+        signs_after(0, |signs| pass(&Watched { map: &counted, progress: signs }));
         // A strip of each thread with a row beside it on both sides.
         let most = rayon::current_num_threads() * (STRIP + 2);
         let rows = counted.rows.into_inner();
         assert!(rows <= most, "{rows} rows were read, {most} at most are under way");
-    }
-}
-
-/// Their heights are those of the map, whatever pieces they were read in.
-#[test]
-fn pieces_do_not_show_in_the_heights() {
-    let folder = tempfile::tempdir().unwrap();
-    let map = map();
-    for path in files(folder.path()) {
-        let found = reader(&path).height_map().unwrap();
-        let error = map.heights().iter().zip(found.heights()).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-        // Three decimals of a nanometre in a text.
-        assert!(error < 0.51e-12, "{path:?}: {error:e}");
     }
 }
 
@@ -237,9 +201,7 @@ fn lists_tell_of_their_work_piece_by_piece() {
         let check: Task =
             |path, progress| AsperityList::check(path, ListOptions::default(), progress).unwrap();
         for task in [read, check] {
-            let signs = Signs::default();
-            assert_eq!(task(path, &signs), COUNT);
-            let work = signs.work.into_inner().unwrap();
+            let work = work(|signs| assert_eq!(task(path, signs), COUNT));
             let whole: f64 = work.iter().sum();
             assert!(
                 (whole - 1.0).abs() < 1e-9 && work.len() > 2,
@@ -247,9 +209,7 @@ fn lists_tell_of_their_work_piece_by_piece() {
                 work.len()
             );
             assert!(work.iter().all(|&work| work <= 1.001 * most), "{path:?}: {work:?}");
-            let ended = Signs::ended_at(work.len() / 2);
-            let cause = catch_unwind(AssertUnwindSafe(|| task(path, &ended))).unwrap_err();
-            assert!(cause.is::<Ended>(), "{path:?}");
+            signs_after(work.len() / 2, |signs| assert_eq!(task(path, signs), COUNT));
         }
     }
 }
@@ -265,24 +225,17 @@ fn a_file_that_is_no_longer_wanted_is_not_left_half_written() {
         let entries = std::fs::read_dir(folder.path()).unwrap();
         entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect::<Vec<_>>()
     };
-    for ending in ["gwy", "x3p", "xyz", "npy"] {
+    for ending in ENDINGS {
         let format = MapFormat::of_ending(ending).unwrap();
         let path = folder.path().join(format!("map.{ending}"));
         let write = |progress: &dyn Progress| format.write_file(&path, &Watched { map: &map, progress }, &[]);
-        let ended_at = |last: usize| {
-            let signs = Signs::ended_at(last);
-            let cause = catch_unwind(AssertUnwindSafe(|| write(&signs).unwrap())).unwrap_err();
-            assert!(cause.is::<Ended>(), "{ending}");
-        };
-        ended_at(20);
+        signs_after(20, |signs| write(signs).unwrap());
         assert_eq!(names(), Vec::<String>::new(), "{ending}");
-        let signs = Signs::default();
-        write(&signs).unwrap();
-        let work = signs.work.into_inner().unwrap();
+        let work = work(|signs| write(signs).unwrap());
         let whole: f64 = work.iter().sum();
         assert!((whole - 1.0).abs() < 1e-9 && work.len() >= 48, "{ending}: {whole} in {} signs", work.len());
         let old = std::fs::read(&path).unwrap();
-        ended_at(47);
+        signs_after(47, |signs| write(signs).unwrap());
         assert_eq!(names(), [format!("map.{ending}")]);
         assert_eq!(std::fs::read(&path).unwrap(), old);
         std::fs::remove_file(&path).unwrap();

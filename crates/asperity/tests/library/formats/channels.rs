@@ -1,14 +1,14 @@
 //! The channel of a file that is read, by its name or by what it holds.
 
 use super::nid::{Set, nid};
-use super::{file, metadata};
-use asperity::topography::read::{MapFile, ReadError, ReadOptions};
+use super::{AS_IT_IS, channels, file};
+use asperity::topography::read::{MapFile, ReadError};
 
 /// The channel read of a file with channels of these frames, names and units.
 fn chosen(sets: &[[&'static str; 3]], wanted: Option<&str>) -> Result<String, ReadError> {
     let sets = sets.iter().map(|&[frame, name, unit]| Set::named(frame, name, unit, 0.0)).collect();
     let (_folder, path) = file(nid(&[sets]));
-    let file = MapFile { channel: wanted.map(str::to_owned), ..MapFile::new(&path, ReadOptions::default()) };
+    let file = MapFile { channel: wanted.map(str::to_owned), ..MapFile::new(&path, AS_IT_IS) };
     let head = file.metadata()?;
     Ok(head.channel.unwrap().name)
 }
@@ -64,12 +64,8 @@ fn a_channel_is_read_by_its_name() {
 #[test]
 fn names_that_are_numbered_stay_apart() {
     let sets = [["Up", "Z", "m"], ["Up", "Z", "m"], ["Up", "Z) (2", "m"]];
-    let names: Vec<String> = {
-        let (_folder, path) =
-            file(nid(&[sets.map(|[frame, name, unit]| Set::named(frame, name, unit, 0.0)).into()]));
-        super::others(&metadata(&path).unwrap().channel.unwrap())
-    };
-    assert_eq!(names, ["\"Up (Z) (2)\"", "\"Up (Z) (2) (2)\""]);
+    let sets = sets.map(|[frame, name, unit]| Set::named(frame, name, unit, 0.0));
+    assert_eq!(channels(nid(&[sets.into()])), ["Up (Z)", "\"Up (Z) (2)\"", "\"Up (Z) (2) (2)\""]);
 }
 
 #[test]
@@ -88,7 +84,7 @@ fn a_file_without_a_channel_of_heights_says_what_there_is() {
 #[test]
 fn a_file_of_one_map_has_no_channels() {
     let (_folder, path) = file("1 2\n3 4\n");
-    let file = MapFile { channel: Some("Z".to_owned()), ..MapFile::new(&path, ReadOptions::default()) };
+    let file = MapFile { channel: Some("Z".to_owned()), ..MapFile::new(&path, AS_IT_IS) };
     let error = file.height_map().unwrap_err();
     assert!(matches!(error, ReadError::NoChannels { .. }), "{error:?}");
     assert!(error.to_string().contains("holds one map; allowed: leave channel out"), "{error}");

@@ -1,15 +1,15 @@
-//! Zygo DATX files: units of heights, pixels, number types, refusals, a file written by the C library of HDF5.
+//! Zygo DATX files: units of heights, pixels, number types.
 
-use super::damage::{cut, damage};
-use super::{IN_NM, NX, NY, PIXEL, assert_map, in_lines, sample};
+use super::refused::Good;
+use super::{AS_IT_IS, IN_NM, NX, NY, PIXEL, assert_map, channels, in_lines};
 use asperity::topography::read::ReadOptions;
-use hdf5_pure::{AttrValue, FileBuilder, MaxExtent};
+use hdf5_pure::{AttrValue, DatasetBuilder, FileBuilder, MaxExtent};
 
 /// What marks a missing point.
 const NO_DATA: f64 = 1e38;
 
 /// The bytes of a file whose surface is made by `write`, with the lateral resolution of `pixel` in micrometres.
-fn datx(pixel: Option<f64>, write: impl FnOnce(&mut hdf5_pure::DatasetBuilder)) -> Vec<u8> {
+fn datx(pixel: Option<f64>, write: impl FnOnce(&mut DatasetBuilder)) -> Vec<u8> {
     let mut builder = FileBuilder::new();
     let mut attributes = builder.create_group("Attributes");
     for (name, group, pixel) in [("{1}", 2, Some(7.0)), ("{2}", 1, pixel)] {
@@ -46,29 +46,60 @@ fn unit(name: &str) -> AttrValue {
     AttrValue::VarLenStringArray(vec![name.to_owned()])
 }
 
-fn in_nm(surface: &mut hdf5_pure::DatasetBuilder) {
+fn in_nm(surface: &mut DatasetBuilder) {
     surface.set_attr("Unit", unit("NanoMeters"));
 }
 
 const SQUARE: [f64; 2] = [2e-6; 2];
-const AS_IT_IS: ReadOptions = ReadOptions { pixel: None, unit: None };
+
+pub fn good() -> Vec<Good> {
+    type Change = fn(&mut DatasetBuilder);
+    let changes: [(&str, Change); 6] = [
+        ("datx in waves", |surface| _ = surface.set_attr("Unit", unit("Waves"))),
+        ("datx in fringes", |surface| _ = surface.set_attr("Unit", unit("Fringes"))),
+        ("datx of one dimension", |surface| _ = surface.with_f64_data(&[1.0, 2.0]).with_shape(&[2])),
+        ("datx of 64 bits", |surface| _ = surface.with_i64_data(&[1, 2]).with_shape(&[2, 1])),
+        ("datx a thousand times smaller than its numbers", |surface| {
+            surface.with_f64_data(&vec![0.0; 1_000_000]).with_shape(&[1, 1_000_000]);
+            surface.with_chunks(&[1, 1_000_000]).with_deflate(9);
+        }),
+        ("datx of chunks larger than the map", |surface| {
+            surface.with_chunks(&[1, 1_000_000]).with_maxshape(&[MaxExtent::Fixed(4), MaxExtent::Unlimited]);
+            surface.with_deflate(9);
+        }),
+    ];
+    let mut many = FileBuilder::new();
+    let mut data = many.create_group("Data");
+    let mut surfaces = data.create_group("Surface");
+    for k in 0..257 {
+        surfaces.create_dataset(&format!("{k}")).with_f64_data(&[0.0]).with_shape(&[1, 1]);
+    }
+    data.add_group(surfaces.finish());
+    many.add_group(data.finish());
+    let others = [("datx of many surfaces", many), ("datx without a group", FileBuilder::new())];
+    let others = others.map(|(name, file)| Good::whole(name, file.finish().unwrap()));
+    changes
+        .map(|(name, change)| Good::whole(name, datx(Some(2.0), change)))
+        .into_iter()
+        .chain(others)
+        .collect()
+}
 
 #[test]
 fn units_and_number_types() {
-    let head = assert_map(datx(Some(2.0), in_nm), AS_IT_IS, 1e-9, SQUARE);
-    let channel = head.channel.unwrap();
-    assert_eq!(
-        (channel.name.as_str(), super::others(&channel).join("")),
-        ("Surface", "\"Intensity\" (grey)".to_owned())
-    );
-    for (name, metres) in
-        [("meters", 1e-9), ("Millimeters", 1e-3), ("MicroMeters", 1e-6), ("Angstroms", 1e-10), ("um", 1e-6)]
-    {
-        let factor = if metres == 1e-9 { 1e-9 } else { 1.0 };
+    assert_map(datx(Some(2.0), in_nm), AS_IT_IS, 1e-9, SQUARE);
+    assert_eq!(channels(datx(Some(2.0), in_nm)), ["Surface", "\"Intensity\" (grey)"]);
+    for (name, factor, unit_of_map) in [
+        ("meters", 1e-9, 1e-9),
+        ("Millimeters", 1.0, 1e-3),
+        ("MicroMeters", 1.0, 1e-6),
+        ("Angstroms", 1.0, 1e-10),
+        ("um", 1.0, 1e-6),
+    ] {
         let bytes = datx(Some(2.0), |surface| {
             surface.with_f64_data(&heights(factor)).set_attr("Unit", unit(name));
         });
-        assert_map(bytes, AS_IT_IS, if factor == 1.0 { metres } else { 1e-9 }, SQUARE);
+        assert_map(bytes, AS_IT_IS, unit_of_map, SQUARE);
     }
     // Wavelength x scale x obliquity.
     let fringes = datx(Some(2.0), |surface| {
@@ -97,63 +128,12 @@ fn units_and_number_types() {
 }
 
 #[test]
-fn a_camera_that_is_not_calibrated() {
+fn pixels_of_cameras() {
+    // Not calibrated.
     let pixel = ReadOptions { pixel: Some(PIXEL), unit: None };
     assert_map(datx(Some(0.0), in_nm), pixel, 1e-9, PIXEL);
     // Without a unit both are given.
     assert_map(datx(Some(0.0), |_| ()), IN_NM, 1e-9, PIXEL);
-}
-
-#[test]
-fn the_pixel_of_another_group_where_its_own_has_none() {
+    // That of another group where its own has none.
     assert_map(datx(None, in_nm), AS_IT_IS, 1e-9, [7e-6; 2]);
-}
-
-#[test]
-fn files_that_are_refused() {
-    let surface = |write: fn(&mut hdf5_pure::DatasetBuilder)| datx(Some(2.0), write);
-    type Change = fn(&mut hdf5_pure::DatasetBuilder);
-    let changes: [(&str, Change); 4] = [
-        ("waves", |surface| _ = surface.set_attr("Unit", unit("Waves"))),
-        ("one dimension", |surface| _ = surface.with_f64_data(&[1.0, 2.0]).with_shape(&[2])),
-        ("64 bits", |surface| _ = surface.with_i64_data(&[1, 2]).with_shape(&[2, 1])),
-        ("fringes", |surface| _ = surface.set_attr("Unit", unit("Fringes"))),
-    ];
-    for (name, change) in &changes[..3] {
-        assert_refused!(Unsupported, surface(*change), name);
-    }
-    assert_refused!(Corrupt, surface(changes[3].1));
-    // A thousand times smaller than its numbers, and chunks that are larger than the map.
-    let small: Change = |surface| {
-        surface.with_f64_data(&vec![0.0; 1_000_000]).with_shape(&[1, 1_000_000]);
-        surface.with_chunks(&[1, 1_000_000]).with_deflate(9);
-    };
-    let chunked: Change = |surface| {
-        surface.with_chunks(&[1, 1_000_000]).with_maxshape(&[MaxExtent::Fixed(4), MaxExtent::Unlimited]);
-        surface.with_deflate(9);
-    };
-    assert_refused!(Corrupt, surface(small));
-    assert_refused!(Corrupt, surface(chunked));
-    assert_refused!(Unsupported, FileBuilder::new().finish().unwrap());
-    assert_refused!(Corrupt, b"\x89HDF\r\n\x1a\n\x09");
-    let mut many = FileBuilder::new();
-    let mut data = many.create_group("Data");
-    let mut surfaces = data.create_group("Surface");
-    for k in 0..257 {
-        surfaces.create_dataset(&format!("{k}")).with_f64_data(&[0.0]).with_shape(&[1, 1]);
-    }
-    data.add_group(surfaces.finish());
-    many.add_group(data.finish());
-    assert_refused!(Corrupt, many.finish().unwrap());
-}
-
-#[test]
-fn damage_is_no_panic() {
-    let bytes = datx(Some(2.0), |surface| {
-        in_nm(surface);
-        surface.with_chunks(&[3, 2]).with_shuffle().with_deflate(6);
-    });
-    cut(&bytes, (0..bytes.len()).step_by(13));
-    damage(&bytes);
-    damage(&std::fs::read(sample("samples/zygo_test.datx")).unwrap());
 }

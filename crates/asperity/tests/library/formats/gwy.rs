@@ -1,5 +1,7 @@
 //! Gwyddion's own files.
 
+use super::instrument::assert_heights;
+use super::refused::Good;
 use super::*;
 
 const HIDDEN: f64 = 7.25;
@@ -45,106 +47,74 @@ fn mask() -> Vec<u8> {
     field(["m", ""], in_lines().map(|z| f64::from(u8::from(z.is_nan()))))
 }
 
-pub enum Content {
-    /// Components of every type, and two channels, the second with a mask.
-    Every,
-    Bytes(Vec<u8>),
+fn container(content: &[u8]) -> Vec<u8> {
+    [b"GWYP".to_vec(), object("GwyContainer", content)].concat()
 }
 
-pub const EVERY: Content = Content::Every;
-
-pub fn container(content: Content) -> Vec<u8> {
+/// Components of every type, and two channels, the second with a mask.
+fn every() -> Vec<u8> {
     let two = 2u32.to_le_bytes();
-    let content = match content {
-        Content::Bytes(bytes) => bytes,
-        Content::Every => [
-            named(
-                "/0/select",
-                b'O',
-                &[&two[..], &object("", &[]), &object("GwySelection", &[1, 2])].concat(),
-            ),
-            named("names", b'S', &[&two[..], b"one\0two\0"].concat()),
-            named("/12/mask", b'o', &mask()),
-            titled(12, "Height", &heights(["m", "nm"])),
-            titled(3, "Phase", &heights(["m", "deg"])),
-            named("/12/base/range-type", b'i', &two),
-            named("/12/data/visible", b'b', &[1]),
-            named("letter", b'c', b"x"),
-            named("long", b'q', &[0; 8]),
-            named("real", b'd', &[0; 8]),
-            named("/bad", b's', b"text\0"),
-            named("/x/data", b'o', &object("GwyDataField", &[])),
-            named("/0/meta", b'o', &object("GwyContainer", &[0; 30])),
-            named("letters", b'C', &[&two[..], b"xy"].concat()),
-            named("integers", b'I', &[&two[..], &[0; 8]].concat()),
-            named("longs", b'Q', &[&two[..], &[0; 16]].concat()),
-        ]
-        .concat(),
-    };
-    [b"GWYP".to_vec(), object("GwyContainer", &content)].concat()
+    let objects = [&two[..], &object("", &[]), &object("GwySelection", &[1, 2])].concat();
+    let content = [
+        named("/0/select", b'O', &objects),
+        named("names", b'S', &[&two[..], b"one\0two\0"].concat()),
+        named("/12/mask", b'o', &mask()),
+        titled(12, "Height", &heights(["m", "nm"])),
+        titled(3, "Phase", &heights(["m", "deg"])),
+        named("/12/base/range-type", b'i', &two),
+        named("/12/data/visible", b'b', &[1]),
+        named("letter", b'c', b"x"),
+        named("long", b'q', &[0; 8]),
+        named("real", b'd', &[0; 8]),
+        named("/bad", b's', b"text\0"),
+        named("/x/data", b'o', &object("GwyDataField", &[])),
+        named("/0/meta", b'o', &object("GwyContainer", &[0; 30])),
+        named("letters", b'C', &[&two[..], b"xy"].concat()),
+        named("integers", b'I', &[&two[..], &[0; 8]].concat()),
+        named("longs", b'Q', &[&two[..], &[0; 16]].concat()),
+    ];
+    container(&content.concat())
 }
 
-fn of(content: impl Into<Vec<u8>>) -> Vec<u8> {
-    container(Content::Bytes(content.into()))
+pub fn good() -> Vec<Good> {
+    vec![Good::whole("gwy", container(&titled(0, "I", &heights(["m", "nm"]))))]
 }
 
 #[test]
 fn gwy_heights_and_what_a_mask_hides() {
-    let none = ReadOptions::default();
-    let bytes = container(EVERY);
-    let (_folder, path) = file(&bytes);
-    let channel = metadata(&path).unwrap().channel.unwrap();
-    assert_eq!(channel.name, "Height");
-    assert_eq!(others(&channel), ["\"Phase\" (deg)", "\"Height, less its mask\""]);
-    let seen = height_map(&path, none).unwrap();
+    let bytes = every();
+    assert_eq!(channels(&bytes), ["Height", "\"Phase\" (deg)", "\"Height, less its mask\""]);
+    let seen = read_map(&bytes, AS_IT_IS);
     assert_eq!(seen.heights()[3 * NY + 1], HIDDEN * 1e-9);
-    let head = assert_channel(&bytes, Some("height, less its MASK"), none, 1e-9, PIXEL);
+    let head = assert_heights(&bytes, Some("height, less its MASK"), PIXEL, |ix, iy| 1e-9 * z(ix, iy));
     assert!(head.has_unit);
     // A number that is none, as other programs write it.
-    assert_map(of(titled(0, "", &field(["m", "m"], in_lines().map(|z| z * 1e-9)))), none, 1e-9, PIXEL);
-    let unnamed = of(named("/7/data", b'o', &field(["", ""], in_lines())));
+    assert_map(
+        container(&titled(0, "", &field(["m", "m"], in_lines().map(|z| z * 1e-9)))),
+        AS_IT_IS,
+        1e-9,
+        PIXEL,
+    );
+    let unnamed = container(&named("/7/data", b'o', &field(["", ""], in_lines())));
     let head = assert_map(unnamed, IN_NM, 1e-9, PIXEL);
     assert_eq!((head.pixel, head.has_unit), (None, false));
     assert_eq!(head.channel.unwrap().name, "Channel 7");
     // A unit that is given is that of the heights: the pixel is in metres.
-    let without = of(named("/7/data", b'o', &field(["m", ""], in_lines())));
+    let without = container(&named("/7/data", b'o', &field(["m", ""], in_lines())));
     let in_nm = ReadOptions { pixel: None, ..IN_NM };
     let head = assert_map(without, in_nm, 1e-9, PIXEL);
     assert_eq!((head.pixel, head.has_unit), (Some(PIXEL), false));
-    damage::assert_no_panic(&bytes);
 }
 
 #[test]
-fn bad_gwy_is_refused() {
+fn the_mask_of_another_map_hides_nothing() {
     let whole = heights(["m", "nm"]);
-    assert_refused!(Unsupported, [b"GWYP".to_vec(), whole.clone()].concat());
-    assert_refused!(Unsupported, of([]));
-    assert_refused!(Unsupported, of(titled(0, "I", &heights(["m", "A"]))));
-    assert_refused!(Corrupt, of(named("a", b'i', &[])));
-    assert_refused!(Corrupt, of(named("a", b'D', &[255; 4])));
-    assert_refused!(Corrupt, of(named("a", b's', b"text")));
-    assert_refused!(Corrupt, of(named("a", b'z', b"text")));
-    let mut short = whole.clone();
-    let at = short.windows(4).position(|name| name == b"yres").unwrap() + 6;
-    short[at] = 3;
-    assert_refused!(Corrupt, of(titled(0, "", &short)));
-    let flat = field(["m", "m"], std::iter::empty());
-    assert_refused!(Corrupt, of(titled(0, "", &flat)));
-    let mut huge = flat;
-    huge[at..at + 4].fill(255);
-    assert_refused!(Corrupt, of(titled(0, "", &huge)));
-    let objects = named("a", b'O', &[255; 4]);
-    assert_refused!(Corrupt, of(objects));
-    // The mask of another map.
     let mut other = mask();
     let at = other.windows(4).position(|name| name == b"xres").unwrap() + 6;
     (other[at], other[at + 10]) = (10, 2);
-    let (_folder, path) = file(of([titled(0, "a", &whole), named("/0/mask", b'o', &other)].concat()));
-    let masked = MapFile {
-        channel: Some("a, less its mask".to_owned()),
-        ..MapFile::new(&path, ReadOptions::default())
-    };
+    let (_folder, path) = file(container(&[titled(0, "a", &whole), named("/0/mask", b'o', &other)].concat()));
+    let masked = MapFile { channel: Some("a, less its mask".to_owned()), ..MapFile::new(&path, AS_IT_IS) };
     let error = masked.height_map().unwrap_err();
     assert!(error.to_string().contains("a mask of 10 x 2 points on a map of 5 x 4"), "{error}");
-    assert_eq!(height_map(&path, ReadOptions::default()).unwrap().points(), [NX, NY]);
+    assert_eq!(height_map(&path, AS_IT_IS).unwrap().points(), [NX, NY]);
 }

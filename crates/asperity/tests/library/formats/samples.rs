@@ -1,6 +1,8 @@
 //! Files of instruments, cut to a part of their points: what other programs read of them.
 
 use asperity::topography::RoughnessParameters;
+use std::f64::consts::TAU;
+use std::ops::Range;
 
 use super::*;
 
@@ -31,7 +33,7 @@ fn samples_hold_what_other_programs_read() {
     for &(name, channel, points, pixel, missing, heights) in SAMPLES {
         let path = sample("samples").join(name);
         let head = metadata(&path).unwrap();
-        let map = height_map(&path, ReadOptions::default()).unwrap();
+        let map = height_map(&path, AS_IT_IS).unwrap();
         assert_eq!((head.points, map.points(), head.has_unit), (points, points, true), "{name}");
         assert_eq!(head.channel.unwrap().name, channel, "{name}");
         assert_eq!(RoughnessParameters::new(&map).missing, missing, "{name}");
@@ -45,6 +47,78 @@ fn samples_hold_what_other_programs_read() {
             let same = close(found, wanted, high - low) || found.is_nan() && wanted.is_nan();
             assert!(same, "{name}, x {ix}, y {iy}: {found:e} for {wanted:e}");
         }
+    }
+}
+
+/// Files of 1 um x (cos x cos y + 0.3 sin x) with a hole; the wavelengths are those of SDF or of X3P.
+#[test]
+fn samples_hold_the_heights_they_were_made_of() {
+    let sdf = |name: &str, step: f64| {
+        (format!("{name}.sdf"), [48, 32], (20..30, 10..14), [2e-6, 3e-6], [40e-6, 36e-6, 14e-6], 0.51 * step)
+    };
+    let x3p = |name: &str, points: [usize; 2], hole: [Range<usize>; 2], tolerance: f64| {
+        let [x, y] = hole;
+        (format!("{name}.x3p"), points, (x, y), [1e-6; 2], [24e-6, 16e-6, 9e-6], tolerance)
+    };
+    for (name, points, hole, pixel, waves, tolerance) in [
+        sdf("iso1_surface_ascii", 1e-10),
+        sdf("iso1_surface_binary", 1e-10),
+        sdf("iso1_surface_int32_ascii", 1e-13),
+        sdf("iso1_surface_int32_binary", 1e-13),
+        sdf("iso1_surface_binary64_binary", 1e-21),
+        sdf("iso2_surface_binary32_ascii", 2e-12),
+        sdf("iso2_surface_binary32_binary", 2e-13),
+        sdf("iso2_surface_int8_ascii", 2e-8),
+        sdf("iso2_surface_int8_binary", 2e-8),
+        sdf("bcr1_surface_ascii", 1e-10),
+        sdf("bcr1_surface_binary", 1e-10),
+        sdf("bcr1_surface_int32_binary", 1e-13),
+        sdf("bcr1_surface_uint16_ascii", 1e-10),
+        sdf("bcr1_surface_uint16_binary", 1e-10),
+        x3p("surface_binary", [200, 150], [70..85, 40..52], 2e-11),
+        x3p("surface_binary_2017", [200, 150], [70..85, 40..52], 2e-11),
+        x3p("surface_xml", [200, 150], [70..85, 40..52], 2e-11),
+        x3p("surface_int32_binary", [120, 90], [40..50, 30..36], 3e-16),
+        x3p("surface_int32_xml", [120, 90], [40..50, 30..36], 3e-16),
+        x3p("surface_placed_binary", [120, 90], [0..0, 0..0], 1e-20),
+        x3p("surface_extensions_binary", [100, 80], [0..0, 0..0], 1e-13),
+    ] {
+        let path = sample(&name);
+        let map = height_map(&path, AS_IT_IS).unwrap();
+        assert_eq!(metadata(&path).unwrap().points, points, "{name}");
+        assert_eq!((map.points(), map.pixel()), (points, pixel), "{name}");
+        assert_eq!(map.offset(), if name.contains("placed") { 1.0 } else { 0.0 }, "{name}");
+        // The first profile of the BCR files is that of the greatest y.
+        let row = |iy: usize| if name.starts_with("bcr1") { points[1] - 1 - iy } else { iy };
+        let place = |k: usize| [k / points[1], row(k % points[1])];
+        let wave = |k: usize| {
+            let [ix, iy] = place(k);
+            let [x, y] = [ix as f64 * pixel[0], iy as f64 * pixel[1]];
+            let of = |length: f64, wave: f64| TAU * length / wave;
+            1e-6 * (of(x, waves[0]).cos() * of(y, waves[1]).cos() + 0.3 * of(x, waves[2]).sin())
+        };
+        let exact: Vec<f64> = (0..points[0] * points[1]).map(wave).collect();
+        // The unsigned surface lies above zero.
+        let raised = if name.contains("uint16") { -exact.iter().copied().fold(0.0, f64::min) } else { 0.0 };
+        for (k, (found, exact)) in map.heights().iter().zip(exact).enumerate() {
+            let [ix, iy] = place(k);
+            let missing = hole.0.contains(&ix) && hole.1.contains(&iy);
+            assert_eq!(found.is_nan(), missing, "{name} {ix} {iy}");
+            let near = (found - exact - raised).abs() <= tolerance;
+            assert!(missing || near, "{name} {ix} {iy}: {found} {exact}");
+        }
+    }
+}
+
+#[test]
+fn samples_of_no_surface_are_refused() {
+    for (name, words) in [
+        ("iso1_profile_binary.sdf", "single profile"),
+        ("profile_int16_binary.x3p", "FeatureType = PRF"),
+        ("point_cloud_int16_binary.x3p", "PCL"),
+    ] {
+        let error = metadata(&sample(name)).unwrap_err();
+        assert!(matches!(&error, ReadError::Unsupported(text) if text.contains(words)), "{error}");
     }
 }
 

@@ -1,8 +1,21 @@
 //! Matrices and points in plain text.
 
+use super::refused::Good;
 use super::*;
-use asperity::topography::RoughnessParameters;
-use asperity::topography::read::{LeftOut, MapFile, NamedUnits};
+use asperity::topography::read::{LeftOut, NamedUnits};
+
+pub fn good() -> Vec<Good> {
+    let header = "# Width: 3 um\n# Height: 3 um\n# Value units: nm\n0 1 2\n3 4 5\n0 1 2\n";
+    let lines_of = |line: fn(usize) -> String| (0..100).map(line).collect::<String>();
+    vec![
+        Good::whole("text", ""),
+        Good::whole("text of a matrix", lines(" ", "NaN")),
+        Good::whole("text with a header", header),
+        Good::whole("text of points", points([0.5, 0.25], |x| x)),
+        Good::whole("text of a line of points", lines_of(|k| format!("{k} {k} 0\n"))),
+        Good::whole("text of a profile", lines_of(|k| format!("{k} {}\n", k % 7))),
+    ]
+}
 
 #[test]
 fn a_matrix_of_numbers_with_every_separator() {
@@ -36,24 +49,18 @@ fn a_matrix_of_numbers_with_every_separator() {
 
 #[test]
 fn a_header_gives_the_size_and_the_unit() {
-    for (micro, unit, factor) in
-        [("µm", "nm", 1e-9), ("μm", "µm", 1e-6), ("um", "m", 1.0), ("µm", "Å", 1e-10)]
-    {
+    for (micro, unit, factor) in [("µm", "nm", 1e-9), ("μm", "µm", 1e-6), ("µm", "Å", 1e-10)] {
         let text = format!(
             "# Channel: Topography\n# Width: 10 {micro}\n# Height: 12 {micro}\n# Value units: {unit}\n{}",
             lines("\t", "NaN")
         );
-        if factor < 1.0 {
-            let head = assert_map(&text, ReadOptions::default(), factor, PIXEL);
-            assert!(head.has_unit && head.pixel.is_some());
-        } else {
-            assert_refused!(TooTall, &text);
-        }
+        let head = assert_map(&text, AS_IT_IS, factor, PIXEL);
+        assert!(head.has_unit && head.pixel.is_some());
         // The same in Latin-1.
         let latin: Vec<u8> =
             text.chars().filter_map(|roughness| u8::try_from(u32::from(roughness)).ok()).collect();
         if factor == 1e-9 {
-            assert_map(latin, ReadOptions::default(), factor, PIXEL);
+            assert_map(latin, AS_IT_IS, factor, PIXEL);
         }
     }
     let text = format!("# Width: 1,5 mm\n# Height: 0.012 mm\n# Value units: um\n{}", lines(" ", "NaN"));
@@ -76,53 +83,22 @@ fn a_header_gives_the_size_and_the_unit() {
     );
     // A mark of a missing point, where the unit is held.
     let marked = "# Width: 3 um\n# Height: 3 um\n# Value units: m\n1e-9 2e-9 1e10\n0 0 0\n0 0 3.4e38\n";
-    let (_folder, path) = file(marked);
-    assert_eq!(RoughnessParameters::new(&height_map(&path, ReadOptions::default()).unwrap()).missing, 2);
-}
-
-#[test]
-fn bad_text_is_refused_with_its_place() {
-    assert_refused!(Mismatch, "this is no array\n");
-    assert_refused!(Mismatch, "this is no array\n");
-    assert_refused!(Mismatch, b"\0\x01\x02\x03 binary");
-    assert_refused!(Mismatch, "# Head\nProse, with commas; and 1.5 numbers.\n");
-    assert_refused!(Mismatch, b"\0\x01\x02\x03 binary");
-    assert_refused!(Corrupt, "");
-    assert_refused!(Corrupt, "# only a comment\n");
-    assert_refused!(Corrupt, ",x_um,y_um,z_um\n");
-    assert_refused!(Word, "1 2 3 4\n1 2 3 4\n1 oops 3 4\n");
-    assert_refused!(Corrupt, "1 2 3 4\n1 2 3 4\n1 2 3\n");
-    assert_refused!(Unsupported, "1,234.5;2,0;3,0\n");
-    assert_refused!(Unsupported, "1, 2 3 4\n1 2 3 4\n1 2 3 4\n");
-    assert_refused!(Unsupported, "0,05,1,10,2,15\n0,05,1,10,2,15\n0,05,1,10,2,15\n");
-    let header = |lines: &str| format!("{lines}\n0 1 2\n3 4 5\n0 1 2\n");
-    assert_refused!(Unsupported, header("# Width: 3 um\n# Height: 3 um"));
-    assert_refused!(Unsupported, header("# Width: 3 um\n# Height: 3 um\n# Value units: V"));
-    assert_refused!(Unsupported, header("# Width: 3 ft\n# Height: 3 um\n# Value units: m"));
+    assert_eq!(RoughnessParameters::new(&read_map(marked, AS_IT_IS)).missing, 2);
 }
 
 #[test]
 fn tabs_before_the_first_numbers_begin_no_cells() {
     let line = |iy: usize| format!("  {}.50   2.50   {}.25   1.00\r\n", iy * 3 % 7, iy * iy % 5);
     let text = format!("\t\t\t{}", (0..6).map(line).collect::<String>().trim_start());
-    let (_folder, path) = file(&text);
-    let head = metadata(&path).unwrap();
+    let head = read_head(&text);
     assert_eq!((head.points, &head.notes[..]), ([4, 6], &[][..]));
-}
-
-#[test]
-fn columns_of_a_profile_are_no_map() {
-    let lines: String = (0..20).map(|k| format!("{k} {}\n", k % 7)).collect();
-    assert_refused!(Mismatch, &lines);
-    assert_refused!(Mismatch, lines.replace(' ', "."));
 }
 
 /// Of the lines above a table that is quoted which may hold what is not known.
 #[test]
 fn a_note_quotes_the_line_of_a_pixel() {
     let rows = "1 2 3 4\n2 3 4 5\n1 2 4 5\n3 2 1 0\n";
-    let (_folder, path) = file(format!("Profile: X Y\nPixel size = 25 um\nDate today\n{rows}"));
-    let notes = metadata(&path).unwrap().notes;
+    let notes = read_head(format!("Profile: X Y\nPixel size = 25 um\nDate today\n{rows}")).notes;
     assert!(notes[0].contains("(\"Pixel size = 25 um\")"), "{notes:?}");
 }
 
@@ -149,8 +125,7 @@ fn points_of_a_grid_in_any_order() {
     assert_map(text.replace(' ', ","), in_um, 1e-6, [0.5e-6, 0.25e-6]);
     // Rounded to a tenth of a pixel, the steps are of different lengths.
     let rounded = points([0.337, 0.25], |x| (x * 30.0).round() / 30.0);
-    let (_folder, path) = file(&rounded);
-    let map = height_map(&path, in_um).unwrap();
+    let map = read_map(&rounded, in_um);
     assert_eq!((map.points(), RoughnessParameters::new(&map).missing), ([NX, NY], 1));
     assert!((map.pixel()[0] / 0.337e-6 - 1.0).abs() < 0.02);
     // Noise far below a pixel does not make lines of its own.
@@ -163,35 +138,22 @@ fn points_of_a_grid_in_any_order() {
             format!("{} {rest}\n", x.parse::<f64>().unwrap() + 1e-5 * noise)
         })
         .collect();
-    let (_folder, path) = file(&noisy);
-    assert_eq!(height_map(&path, in_um).unwrap().points(), [NX, NY]);
-}
-
-#[test]
-fn points_of_no_grid_are_refused() {
-    let grid = points([0.5, 0.25], |x| x);
-    assert_refused!(Unsupported, format!("{grid}10 -3 1\n"));
-    assert_refused!(Unsupported, format!("{grid}10.17 -3 1\n"));
-    assert_refused!(Unsupported, "1 1 0\n2 1 0\n3 1 0\n4 1 0\n");
-    assert_refused!(Unsupported, (0..100).map(|k| format!("{k} {k} 0\n")).collect::<String>());
-    assert_refused!(Unsupported, "0 0 0\n1 1 0\n1e9 1e9 0\n3 3 0\n");
-    assert_refused!(Corrupt, "0 0 0\n1 0 0\n0 1 0\n1 1 0\nnan 2 0\n");
+    assert_eq!(read_map(&noisy, in_um).points(), [NX, NY]);
 }
 
 #[test]
 fn units_in_the_names_of_columns_are_read_and_hold() {
     let grid = points([0.5, 0.25], |x| x);
-    let none = ReadOptions::default();
-    let head = assert_map(format!("x [um] y [um] z [nm]\n{grid}"), none, 1e-9, [0.5e-6, 0.25e-6]);
+    let head = assert_map(format!("x [um] y [um] z [nm]\n{grid}"), AS_IT_IS, 1e-9, [0.5e-6, 0.25e-6]);
     assert!(!head.has_unit && matches!(head.named, NamedUnits::Known(_)));
-    assert_map(format!("# x [um] y [um] z [nm]\n{grid}"), none, 1e-9, [0.5e-6, 0.25e-6]);
+    assert_map(format!("# x [um] y [um] z [nm]\n{grid}"), AS_IT_IS, 1e-9, [0.5e-6, 0.25e-6]);
     let pandas = format!(",x_um,y_um,height_nm\n{}", indexed(&grid.replace(' ', ",")));
-    assert!(assert_map(pandas, none, 1e-9, [0.5e-6, 0.25e-6]).left_out.index_column);
-    let given = ReadOptions { unit: Some(LengthUnits { xy: 1e-5, z: 1e-8 }), ..none };
+    assert!(assert_map(pandas, AS_IT_IS, 1e-9, [0.5e-6, 0.25e-6]).left_out.index_column);
+    let given = ReadOptions { unit: Some(LengthUnits { xy: 1e-5, z: 1e-8 }), ..AS_IT_IS };
     let named = format!("x [um] y [um] z [nm]\n{grid}");
-    let same = ReadOptions { unit: Some(LengthUnits { xy: 1e-6, z: 1e-9 }), ..none };
+    let same = ReadOptions { unit: Some(LengthUnits { xy: 1e-6, z: 1e-9 }), ..AS_IT_IS };
     assert_map(&named, same, 1e-9, [0.5e-6, 0.25e-6]);
-    let other = ReadOptions { unit: Some(LengthUnits::same(1e-6)), ..none };
+    let other = ReadOptions { unit: Some(LengthUnits::same(1e-6)), ..AS_IT_IS };
     let head = assert_map(&named, other, 1e-6, [0.5e-6, 0.25e-6]);
     assert_eq!(head.replaced_units(&other).unwrap().to_string(), "um of x and y, nm of z");
     assert_eq!(head.replaced_units(&same), None);
@@ -199,7 +161,7 @@ fn units_in_the_names_of_columns_are_read_and_hold() {
     let unclear = format!("x [px] y [px] z [nm]\n{grid}");
     assert_map(&unclear, given, 1e-8, [0.5e-5, 0.25e-5]);
     let (_folder, path) = file(&unclear);
-    let error = height_map(&path, none).unwrap_err().to_string();
+    let error = height_map(&path, AS_IT_IS).unwrap_err().to_string();
     assert!(error.contains("in line 1: \"x [px] y [px] z [nm]\"; allowed: one unit of length"), "{error}");
 }
 
@@ -281,31 +243,22 @@ fn coordinates_of_columns_and_lines_are_no_heights() {
     let plane: String = (0..9)
         .map(|y| row((0..9).map(|x| format!("{:.2}", 0.8 * x as f64 + 0.3 * y as f64)).collect()))
         .collect();
-    let (_folder, path) = file(&plane);
-    assert_eq!(metadata(&path).unwrap().points, [9, 9]);
+    assert_eq!(read_head(&plane).points, [9, 9]);
 }
 
+/// By save -ascii, writematrix, and dlmwrite with another separator.
 #[test]
 fn exports_of_matlab_are_read() {
-    // save -ascii, writematrix, dlmwrite with another separator and precision.
-    let ascii = |z: f64| if z.is_nan() { "             NaN".to_owned() } else { format!("  {}", matlab(z)) };
-    let text: String =
-        (0..NY).map(|iy| (0..NX).map(|ix| ascii(z(ix, iy))).collect::<String>() + "\n").collect();
-    assert!(text.starts_with("   ") && text.contains("e-0"), "{text}");
-    assert_map(text.clone(), IN_NM, 1e-9, PIXEL);
-    let words =
-        |line: &str, separator: &str| line.split_whitespace().collect::<Vec<_>>().join(separator) + "\n";
+    let exponents = |z: f64| format!("{z:.16e}").replace('e', "e+0").replace("+0-", "-0");
+    let ascii = |z: f64| if z.is_nan() { "NaN".to_owned() } else { exponents(z) };
+    let lines = (0..NY).map(|iy| (0..NX).map(|ix| format!("{:>26}", ascii(z(ix, iy)))).collect::<String>());
+    let text = lines.collect::<Vec<_>>().join("\n");
+    assert!(text.contains("   1.25") && text.contains("e-01"), "{text}");
+    assert_map(&text, IN_NM, 1e-9, PIXEL);
     for separator in [",", "\t", ";"] {
-        assert_map(text.lines().map(|line| words(line, separator)).collect::<String>(), IN_NM, 1e-9, PIXEL);
+        let words = |line: &str| line.split_whitespace().collect::<Vec<_>>().join(separator) + "\n";
+        assert_map(text.lines().map(words).collect::<String>(), IN_NM, 1e-9, PIXEL);
     }
-}
-
-/// A number as `save -ascii -double` writes it.
-fn matlab(z: f64) -> String {
-    let text = format!("{z:.16e}");
-    let (digits, exponent) = text.split_once('e').unwrap();
-    let exponent: i32 = exponent.parse().unwrap();
-    format!("{digits:>19}e{}{:02}", if exponent < 0 { '-' } else { '+' }, exponent.abs())
 }
 
 #[test]
@@ -323,7 +276,7 @@ fn marks_of_missing_points_are_stated_or_named() {
     // In the unit of the file where the format has one.
     let header = "# Width: 3 um\n# Height: 3 um\n# Value units: nm\n";
     let (_folder, path) = file(format!("{header}{}", lines(" ", "-99.5")));
-    let file = MapFile { missing: marks(&[-99.5]), ..MapFile::new(&path, ReadOptions::default()) };
+    let file = MapFile { missing: marks(&[-99.5]), ..MapFile::new(&path, AS_IT_IS) };
     assert_eq!(RoughnessParameters::new(&file.height_map().unwrap()).missing, 1);
 }
 
@@ -346,40 +299,9 @@ fn a_transposed_text_has_its_lines_along_y() {
 }
 
 #[test]
-fn opd_1_as_text_and_as_points_is_the_same_surface() {
-    let opd = opd();
-    let [nx, ny] = opd.points();
-    let (mut matrix, mut points) = (String::new(), String::new());
-    let size = |count: usize| count as f64 * opd.pixel()[0] * 1e6;
-    matrix += &format!("# Width: {} µm\n# Height: {} µm\n# Value units: nm\n", size(nx), size(ny));
-    for iy in 0..ny {
-        for ix in 0..nx {
-            let z = opd.heights()[ix * ny + iy];
-            matrix += &format!("{}\t", z * 1e9);
-            if !z.is_nan() {
-                points += &format!("{:.4}\t{:.4}\t{}\n", size(ix), size(iy), z * 1e6);
-            }
-        }
-        matrix += "\n";
-    }
-    assert_opd(matrix, ReadOptions::default(), 1e-15);
-    // Coordinates with four decimals of a micrometre; the unit goes for all three columns.
-    let in_um = ReadOptions { pixel: None, unit: Some(LengthUnits::same(1e-6)) };
-    let (_folder, path) = file(&points);
-    let pixel = height_map(&path, in_um).unwrap().pixel();
-    assert!(pixel.iter().all(|size| (size / opd.pixel()[0] - 1.0).abs() < 1e-5), "{pixel:?}");
-    let exact: String = (0..nx * ny)
-        .filter(|&k| !opd.heights()[k].is_nan())
-        .map(|k| format!("{} {} {}\n", size(k / ny), size(k % ny), opd.heights()[k] * 1e6))
-        .collect();
-    assert_opd(exact, in_um, 1e-15);
-}
-
-#[test]
 fn digits_tell_the_precision_but_few_of_them_are_steps() {
     for (number, precision) in [("12.345", f64::EPSILON), ("12.34567", 0.5e-6), ("0.0001234567e-3", 0.5e-6)] {
-        let (_folder, path) = file(lines(" ", "NaN").replacen("1.25", number, 1));
-        let found = height_map(&path, IN_NM).unwrap().precision();
+        let found = read_map(lines(" ", "NaN").replacen("1.25", number, 1), IN_NM).precision();
         assert!((found / precision - 1.0).abs() < 1e-14, "{number}: {found}");
     }
 }
