@@ -427,12 +427,4 @@ mod tests {
         };
         assert_eq!([groups(1.0), groups(0.5)], [1, 2]);
     }
-
-    #[test]
-    fn a_further_line_of_a_path_begins_relative_to_the_end_of_the_one_before() {
-        let mut canvas = Canvas::default();
-        let lines = [[(0.0, 0.0), (1.0, 2.0)], [(1.0, 1.0), (2.0, 0.0)]];
-        canvas.lines(lines.iter().map(|line| &line[..]), Stroke::solid(BLACK, 1.0));
-        assert!(canvas.body.contains(" d=\"m0,0 3,6m0-3 3-3\""), "{}", canvas.body);
-    }
 }

@@ -194,16 +194,6 @@ mod tests {
         assert_eq!(ordered(9, 3), ordered(2, 3));
     }
 
-    #[test]
-    fn regimes_differ_in_lightness_too() {
-        let lightness = |colour: Colour| {
-            let RGBColor(r, g, b) = colour.rgb();
-            0.299 * f64::from(r) + 0.587 * f64::from(g) + 0.114 * f64::from(b)
-        };
-        assert!(lightness(Colour::Elastic) > lightness(Colour::ElasticPlastic) + 25.0);
-        assert!(lightness(Colour::ElasticPlastic) > lightness(Colour::Plastic) + 25.0);
-    }
-
     /// CIE lightness, from 0 to 100.
     fn lightness(RGBColor(r, g, b): RGBColor) -> f64 {
         let linear = |part: u8| {
@@ -212,6 +202,13 @@ mod tests {
         };
         let light = 0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b);
         116.0 * light.cbrt() - 16.0
+    }
+
+    #[test]
+    fn regimes_differ_in_lightness_too() {
+        let [elastic, mixed, plastic] =
+            [Colour::Elastic, Colour::ElasticPlastic, Colour::Plastic].map(|colour| lightness(colour.rgb()));
+        assert!(elastic > mixed + 10.0 && mixed > plastic + 10.0);
     }
 
     #[test]
@@ -233,11 +230,5 @@ mod tests {
             lightness(ColourMap::Diverging.rgb(part)) - lightness(ColourMap::Diverging.rgb(1.0 - part))
         };
         assert!((0..8).all(|k| balance(f64::from(k) / 16.0).abs() < 2.0));
-    }
-
-    #[test]
-    fn nothing_is_white_and_one_is_not() {
-        assert_eq!(ColourMap::Sequential.rgb(0.0), RGBColor(255, 255, 255));
-        assert!(lightness(ColourMap::Counts.rgb(0.0)) < 80.0);
     }
 }

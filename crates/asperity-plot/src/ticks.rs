@@ -280,22 +280,27 @@ mod tests {
     }
 
     #[test]
-    fn round_steps() {
-        assert_eq!(labels(Spread::Linear, 0.0, 2.0, 5), ["0", "0.5", "1.0", "1.5", "2.0"]);
-        assert_eq!(labels(Spread::Linear, 4.0, 0.0, 5), ["0", "1", "2", "3", "4"]);
-        // Rather five labels than one.
-        assert_eq!(labels(Spread::Linear, -0.45, 0.42, 4), ["−0.4", "−0.2", "0", "0.2", "0.4"]);
-        assert_eq!(labels(Spread::Linear, -2e-7, 2e-7, 5), ["−2×10⁻⁷", "−1×10⁻⁷", "0", "1×10⁻⁷", "2×10⁻⁷"]);
-    }
-
-    #[test]
-    fn decades_thin_out() {
-        assert_eq!(labels(Spread::Log, 1e-9, 1e-2, 8).len(), 8);
-        assert_eq!(
-            labels(Spread::Log, 1e-15, 1.0, 8),
-            ["10⁻¹⁴", "10⁻¹²", "10⁻¹⁰", "10⁻⁸", "10⁻⁶", "10⁻⁴", "10⁻²", "10⁰"]
-        );
-        assert!(labels(Spread::Log, 1e-300, 1e300, 8).len() <= 8);
+    fn labels_are_round_and_as_many_as_fit() {
+        use Spread::{Linear, Log};
+        for (spread, from, to, most, expected) in [
+            (Linear, 0.0, 2.0, 5, "0 0.5 1.0 1.5 2.0"),
+            (Linear, 4.0, 0.0, 5, "0 1 2 3 4"),
+            // Rather five labels than one.
+            (Linear, -0.45, 0.42, 4, "−0.4 −0.2 0 0.2 0.4"),
+            (Linear, -2e-7, 2e-7, 5, "−2×10⁻⁷ −1×10⁻⁷ 0 1×10⁻⁷ 2×10⁻⁷"),
+            (Linear, 0.0, 40_000.0, 2, "0 20,000 40,000"),
+            (Log, 1e-9, 1e-2, 8, "10⁻⁹ 10⁻⁸ 10⁻⁷ 10⁻⁶ 10⁻⁵ 10⁻⁴ 10⁻³ 10⁻²"),
+            (Log, 1e-15, 1.0, 8, "10⁻¹⁴ 10⁻¹² 10⁻¹⁰ 10⁻⁸ 10⁻⁶ 10⁻⁴ 10⁻² 10⁰"),
+            (Log, 3.0, 300.0, 8, "5 10 20 50 100 200"),
+            (Log, 3.0, 20_000.0, 8, "10 100 1000 10,000"),
+            (Log, 0.01, 10.0, 6, "0.01 0.1 1 10"),
+            (Log, 2e-6, 3e-6, 3, "2.0×10⁻⁶ 2.5×10⁻⁶ 3.0×10⁻⁶"),
+            (Log, 0.02, 0.04, 3, "0.02 0.03 0.04"),
+        ] {
+            assert_eq!(labels(spread, from, to, most).join(" "), expected);
+        }
+        assert!(labels(Log, 1e-300, 1e300, 8).len() <= 8 && labels(Log, 2.0, 3.0, 6).len() >= 2);
+        assert_eq!(grouped("-1234567"), "-1,234,567");
     }
 
     /// Labels that all together do not fit are halved rather than reduced to one.
@@ -309,22 +314,6 @@ mod tests {
         assert_eq!(of(4), ["20", "50", "100", "200"]);
         assert_eq!(of(2), ["20", "100"]);
         assert_eq!(of(1), ["100"]);
-    }
-
-    #[test]
-    fn thicknesses_have_plain_numbers() {
-        assert_eq!(labels(Spread::Log, 3.0, 300.0, 8), ["5", "10", "20", "50", "100", "200"]);
-        assert_eq!(labels(Spread::Log, 3.0, 20_000.0, 8), ["10", "100", "1000", "10,000"]);
-        assert_eq!(labels(Spread::Linear, 0.0, 40_000.0, 2), ["0", "20,000", "40,000"]);
-        assert_eq!(grouped("-1234567"), "-1,234,567");
-    }
-
-    #[test]
-    fn ends_count_and_few_decades_are_plain() {
-        assert_eq!(labels(Spread::Log, 0.01, 10.0, 6), ["0.01", "0.1", "1", "10"]);
-        assert!(labels(Spread::Log, 2.0, 3.0, 6).len() >= 2);
-        assert_eq!(labels(Spread::Log, 2.0e-6, 3.0e-6, 3), ["2.0×10⁻⁶", "2.5×10⁻⁶", "3.0×10⁻⁶"]);
-        assert_eq!(labels(Spread::Log, 0.02, 0.04, 3), ["0.02", "0.03", "0.04"]);
     }
 
     fn scale(axis: Axis, values: &[f64]) -> Scale {

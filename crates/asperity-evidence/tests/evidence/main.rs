@@ -3,7 +3,6 @@
 #[path = "../../../asperity/tests/library/common.rs"]
 mod common;
 
-mod adaptive;
 mod coverage;
 mod solver;
 mod stability;

@@ -232,30 +232,28 @@ mod tests {
 
     const PIXEL: f64 = 0.5e-6;
 
-    /// Crossed waves of 40 points and of `amplitude` (m), with sharp valleys.
-    fn surface(amplitude: f64) -> HeightMap {
-        let wave = |k: usize| (std::f64::consts::TAU * k as f64 / 40.0).cos();
+    /// Three crossed waves along a side of `n` points, of `amplitude` (m), with sharp valleys.
+    fn waves(n: usize, amplitude: f64) -> Vec<f64> {
+        let wave = |k: usize| (std::f64::consts::TAU * 3.0 * k as f64 / n as f64).cos();
         let height = |k: usize| {
-            let z = wave(k / 120) + wave(k % 120);
+            let z = wave(k / n) + wave(k % n);
             amplitude * if z < 0.0 { 4.0 * z } else { z }
         };
-        HeightMap::new([120; 2], [PIXEL; 2], (0..120 * 120).map(height).collect(), 0.0).unwrap().periodic()
+        (0..n * n).map(height).collect()
+    }
+
+    fn map(heights: Vec<f64>) -> HeightMap {
+        HeightMap::new([120; 2], [PIXEL; 2], heights, 0.0).unwrap().periodic()
     }
 
     /// What a tip traces of the surface between the points too: of one of 10 times as many.
     fn dilated(amplitude: f64, radius: f64) -> HeightMap {
         const FINER: usize = 10;
         let n = 120 * FINER;
-        let wave = |k: usize| (std::f64::consts::TAU * k as f64 / (40 * FINER) as f64).cos();
-        let height = |k: usize| {
-            let z = wave(k / n) + wave(k % n);
-            -amplitude * if z < 0.0 { 4.0 * z } else { z }
-        };
-        let negated: Vec<f64> = (0..n * n).map(height).collect();
+        let negated = waves(n, -amplitude);
         let grid = Grid { points: [n; 2], pixel: [PIXEL / FINER as f64; 2], is_periodic: true, radius };
         let fine = grid.eroded(&negated, &Silent).0;
-        let coarse = (0..120 * 120).map(|k| -fine[k / 120 * FINER * n + k % 120 * FINER]).collect();
-        HeightMap::new([120; 2], [PIXEL; 2], coarse, 0.0).unwrap().periodic()
+        map((0..120 * 120).map(|k| -fine[k / 120 * FINER * n + k % 120 * FINER]).collect())
     }
 
     /// The same by all places between the points of a smooth line.
@@ -295,7 +293,7 @@ mod tests {
     /// Summits are as they were, valleys narrower than the tip are not, and a tip that fits into them reaches all.
     #[test]
     fn summits_are_recovered_and_valleys_are_not_reached() {
-        let own = surface(2e-7);
+        let own = map(waves(120, 2e-7));
         let radius_of_summits = |map: &HeightMap| {
             let curvatures = find(map, Neighbours::Four, Detail::ALL).curvatures;
             curvatures.len() as f64 / curvatures.iter().sum::<f64>()

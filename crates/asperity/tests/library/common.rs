@@ -159,6 +159,16 @@ pub fn slope(value: impl Fn(f64) -> f64, w: f64, reach: f64) -> f64 {
     (8.0 * (at(1.0) - at(-1.0)) - (at(2.0) - at(-2.0))) / (12.0 * step)
 }
 
+/// A scan of the pressure from 4 to -10 sigma, and levels: next to each of the first three peaks, and three anywhere.
+pub fn scan_and_levels(pressure: impl Fn(f64) -> f64, random: &mut Random) -> (Vec<(f64, f64)>, Vec<f64>) {
+    let scan: Vec<_> = (0..=700).map(|k| 4.0 - 0.02 * f64::from(k)).map(|h| (h, pressure(h))).collect();
+    let is_peak = |w: &[(f64, f64)]| w[1].1 >= w[0].1 && w[1].1 > w[2].1;
+    let tops = scan.windows(3).filter(|w| is_peak(w)).map(|w| w[1].1).take(3);
+    let mut levels: Vec<f64> = tops.flat_map(|top| [0.999 * top, 1.0005 * top]).collect();
+    levels.extend((0..3).map(|_| scan[700].1 * random.log(1e-3, 1.0)));
+    (scan, levels)
+}
+
 /// Area, load and stiffness per nominal area at the separation `h`: the integrals of the statistical model by panels a
 /// fifth of an octave wide, and between the indentations `kinks`, of heights that are integrated over the indentation.
 pub fn dense(

@@ -1,10 +1,10 @@
 //! Properties of any surface, beyond those of every law (`conformance`).
 
-use crate::common::{Worst, bare_contact, dense, relative_error, rows, steel};
+use crate::common::{Worst, bare_contact, dense, relative_error, steel};
 use asperity::distribution::gaussian_moment;
 use asperity::{
     AsperitySet, Deterministic, Draw, Heights, Material, MicroContact, Model, Ordered, Population,
-    ReferencePlane, Shape, Statistical, Statistics, SurfaceHeights, Zmc, at_pressure,
+    ReferencePlane, Response, Shape, Statistical, Statistics, SurfaceHeights, Zmc, at_pressure,
 };
 
 const CASE_1: Population =
@@ -123,15 +123,11 @@ fn exponential_moments_are_gamma_functions() {
 #[test]
 fn moments_of_gaussian_heights() {
     let mut worst = Worst::default();
-    for row in rows("gw_integrals") {
-        let (n, h) = (row.number("n"), row.number("h"));
-        worst.see(gaussian_moment(n, h), row.number("F_n"), || format!("n = {n}, h = {h}"));
-    }
-    // Parabolic cylinder functions at 40 digits (mpmath).
+    // Parabolic cylinder functions at 40 digits (mpmath), beside those of `reference`.
     for [n, h, exact] in MOMENTS {
         worst.see(gaussian_moment(n, h), exact, || format!("n = {n}, h = {h}"));
     }
-    worst.assert_within(1e-13, 50);
+    worst.assert_within(1e-13, 24);
     // n F_(n-1) = F_(n+1) + h F_n.
     for h in [-20.0, 0.5, 9.0, 30.0] {
         let [below, at, above] = [1.3, 2.3, 3.3].map(|n| gaussian_moment(n, h));
@@ -143,7 +139,7 @@ fn moments_of_gaussian_heights() {
 }
 
 /// n, h and F_n(h).
-const MOMENTS: [[f64; 3]; 56] = [
+const MOMENTS: [[f64; 3]; 24] = [
     [-0.9, -10.0, 0.12700093334909648],
     [-0.9, -3.3, 0.39511564269977373],
     [-0.9, 0.0, 4.020679210982993],
@@ -152,38 +148,6 @@ const MOMENTS: [[f64; 3]; 56] = [
     [-0.9, 12.5, 3.468582269308568e-34],
     [-0.9, 25.0, 5.27707204654109e-136],
     [-0.9, 37.0, 1.4055305090374155e-297],
-    [-0.5, -10.0, 0.3174407018222601],
-    [-0.5, -3.3, 0.5761384426568426],
-    [-0.5, 0.0, 0.8600399873245196],
-    [-0.5, 3.5, 0.0008049543258760487],
-    [-0.5, 6.0, 4.353227777461174e-09],
-    [-0.5, 12.5, 2.3482497932667567e-35],
-    [-0.5, 25.0, 2.7116251592830753e-137],
-    [-0.5, 37.0, 6.175789539726633e-299],
-    [0.0, -10.0, 1.0],
-    [0.0, -3.3, 0.9995165758576162],
-    [0.0, 0.0, 0.5],
-    [0.0, 3.5, 0.00023262907903552504],
-    [0.0, 6.0, 9.86587645037698e-10],
-    [0.0, 12.5, 3.732564298877713e-36],
-    [0.0, 25.0, 3.056696706382561e-138],
-    [0.0, 37.0, 5.725571222524577e-300],
-    [0.5, -10.0, 3.1582867358815188],
-    [0.5, -3.3, 1.7931509240187866],
-    [0.5, 0.0, 0.4110894793312293],
-    [0.5, 3.5, 0.00010407145290773235],
-    [0.5, 6.0, 3.490963471387392e-10],
-    [0.5, 12.5, 9.305047919741047e-37],
-    [0.5, 25.0, 5.410317004946347e-139],
-    [0.5, 37.0, 8.336543877936438e-301],
-    [2.5, -10.0, 322.15330720108545],
-    [2.5, -3.3, 23.167768378976554],
-    [2.5, 0.0, 0.6166342189968439],
-    [2.5, 3.5, 2.2312407198234688e-05],
-    [2.5, 6.0, 3.142968531919884e-11],
-    [2.5, 12.5, 2.151885474274334e-38],
-    [2.5, 25.0, 3.21544950421295e-141],
-    [2.5, 37.0, 2.2736217617994173e-303],
     [3.7, -10.0, 5262.960618766208],
     [3.7, -3.3, 121.9551937883106],
     [3.7, 0.0, 1.223448922080574],
@@ -376,5 +340,32 @@ fn surface_heights_are_quoted_alike_by_both_models() {
         let reached = at_pressure(&statistical, s.pressure.total()).unwrap().response;
         assert!(reached.pressure.total() >= s.pressure.total());
         assert!((reached.separation_over_sigma - h).abs() < 1e-13);
+    }
+}
+
+/// At a large separation few asperities are touched: the response is that of these only.
+#[test]
+fn far_separations_are_those_of_the_asperities_that_stand_out() {
+    let (law, plane) = (zmc(Zmc::ONSET), plane(CASE_1));
+    let set = CASE_1.set(300_000, Draw::Random([4; 32])).unwrap();
+    let highest = |z: &f64| *z > 2.5 * plane.sigma;
+    let heights: Vec<f64> = set.heights().iter().copied().filter(highest).collect();
+    let radii = vec![CASE_1.radius; heights.len()];
+    let few = AsperitySet::new(heights, radii, set.nominal_area()).unwrap();
+    let [all, few] = [&set, &few].map(|set| Deterministic::new(&*law, set.spheres(), plane));
+    let far: Vec<f64> = (0..40).map(|k| 2.6 + 0.05 * f64::from(k)).collect();
+    for (found, expected) in all.respond_all(&far).iter().zip(&few.respond_all(&far)) {
+        assert_eq!(found.contact_density, expected.contact_density);
+        for part in [|response: &Response| response.pressure, |response: &Response| response.area_ratio] {
+            let [found, expected] = [found, expected].map(|response| part(response).total());
+            assert!((found - expected).abs() <= 1e-14 * expected, "{found} {expected}");
+        }
+        // Those that touch nothing count.
+        let touching = set.heights().iter().map(|z| z - found.separation).filter(|w| *w > 0.0);
+        let loads: Vec<f64> = touching.map(|w| law.contact(w, Shape::sphere(CASE_1.radius)).load).collect();
+        let [sum, squares] = [1, 2].map(|power| loads.iter().map(|load| load.powi(power)).sum::<f64>());
+        let error = (squares - sum * sum / set.count() as f64).sqrt() / set.nominal_area();
+        let stated = found.sampling.unwrap().pressure;
+        assert!((stated - error).abs() <= 1e-5 * error, "{stated} {error}");
     }
 }

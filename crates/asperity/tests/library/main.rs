@@ -4,7 +4,6 @@ mod bem;
 mod coated;
 mod common;
 mod conformance;
-mod curves;
 mod ellipses;
 mod exact_sphere;
 mod files;

@@ -31,6 +31,15 @@ fn surface(points: [usize; 2], pixel: [f64; 2], process: Process, seed: u8) -> H
     SurfaceGenerator { points, pixel, process, plateau: None }.surface(seeds(seed)).unwrap().0
 }
 
+/// Table 1 of Pasaribu and Schipper (2005).
+const CASE_1: Target = Target { radius: 2e-5, sigma: 4.8e-8, sigma_of: SigmaOf::Summits, density: 6e10 };
+const CASE_2: Target = Target { radius: 1.6e-6, sigma: 2.6e-7, sigma_of: SigmaOf::Summits, density: 9e10 };
+
+fn target_generator(points: [usize; 2], heights: Heights) -> TargetGenerator {
+    let (lay, neighbours) = (Lay::default(), Neighbours::Four);
+    TargetGenerator { points, hurst: 0.8, cut_off: 8.0, lay, heights, neighbours }
+}
+
 fn johnson(skewness: f64, kurtosis: f64) -> Heights {
     Heights::new(Johnson::from_moments(skewness, kurtosis).unwrap())
 }
@@ -163,27 +172,18 @@ fn summits_become_those_of_nayak_as_the_pixel_shrinks() {
     assert!((off[0][0][1] - 1.0).abs() > 4.0 * (finest[0][1] - 1.0).abs());
 }
 
-/// Table 1 of Pasaribu and Schipper (2005), as five-point summits are found on the map.
+/// As five-point summits are found on the map.
 #[test]
 fn both_cases_of_table_1_are_met() {
-    let case_1 = Target { radius: 2e-5, sigma: 4.8e-8, sigma_of: SigmaOf::Summits, density: 6e10 };
-    let case_2 = Target { radius: 1.6e-6, sigma: 2.6e-7, sigma_of: SigmaOf::Summits, density: 9e10 };
     for (target, heights) in [
-        (case_1, Heights::GAUSSIAN),
-        (case_2, Heights::GAUSSIAN),
-        (case_1, johnson(-1.0, 4.5)),
-        (case_2, johnson(-1.0, 4.5)),
-        (case_1, johnson(1.0, 4.5)),
-        (case_1, johnson(0.0, 5.0)),
+        (CASE_1, Heights::GAUSSIAN),
+        (CASE_2, Heights::GAUSSIAN),
+        (CASE_1, johnson(-1.0, 4.5)),
+        (CASE_2, johnson(-1.0, 4.5)),
+        (CASE_1, johnson(1.0, 4.5)),
+        (CASE_1, johnson(0.0, 5.0)),
     ] {
-        let generator = TargetGenerator {
-            points: [1024, 768],
-            hurst: 0.8,
-            cut_off: 8.0,
-            lay: Lay::default(),
-            heights: heights.clone(),
-            neighbours: Neighbours::Four,
-        };
+        let generator = target_generator([1024, 768], heights.clone());
         let mut first = None;
         for seed in 1..=3 {
             let reached = generator.surface(&target, [seed; 32], first).unwrap();
@@ -207,15 +207,8 @@ fn both_cases_of_table_1_are_met() {
 /// With sigma of the surface, radius and density are still those of the summits.
 #[test]
 fn sigma_of_the_surface_is_that_of_the_map() {
-    let target = Target { radius: 2e-5, sigma: 4.8e-8, sigma_of: SigmaOf::Surface, density: 6e10 };
-    let generator = TargetGenerator {
-        points: [1024, 768],
-        hurst: 0.8,
-        cut_off: 8.0,
-        lay: Lay::default(),
-        heights: Heights::GAUSSIAN,
-        neighbours: Neighbours::Four,
-    };
+    let target = Target { sigma_of: SigmaOf::Surface, ..CASE_1 };
+    let generator = target_generator([1024, 768], Heights::GAUSSIAN);
     let reached = generator.surface(&target, [1; 32], None).unwrap();
     assert!((Moments::from_rows(&reached.map).sq / target.sigma - 1.0).abs() < 1e-12);
     let summits = five_point(&reached.map);
@@ -225,7 +218,7 @@ fn sigma_of_the_surface_is_that_of_the_map() {
     assert!((density / target.density - 1.0).abs() < 1e-3, "{density}");
     assert!(variance.sqrt() < 0.9 * target.sigma, "{variance}");
     // The summits of Gaussian surfaces of this kind have a product of at least 0.05; case 2 asks for 0.03744.
-    let case_2 = Target { radius: 1.6e-6, sigma: 2.6e-7, sigma_of: SigmaOf::Surface, density: 9e10 };
+    let case_2 = Target { sigma_of: SigmaOf::Surface, ..CASE_2 };
     let refused = generator.surface(&case_2, [1; 32], None).unwrap_err();
     assert!(
         matches!(refused, Unreachable::Product { least, .. } if (least - 0.05).abs() < 0.002),
@@ -235,17 +228,9 @@ fn sigma_of_the_surface_is_that_of_the_map() {
 
 #[test]
 fn what_no_surface_has_is_refused_with_the_range() {
-    let generator = TargetGenerator {
-        points: [512; 2],
-        hurst: 0.8,
-        cut_off: 8.0,
-        lay: Lay::default(),
-        heights: johnson(1.0, 4.5),
-        neighbours: Neighbours::Four,
-    };
+    let generator = target_generator([512; 2], johnson(1.0, 4.5));
     // NUMERICS: with skewness 1 and kurtosis 4.5 the product is at least 0.0425; case 2 asks for 0.03744.
-    let case_2 = Target { radius: 1.6e-6, sigma: 2.6e-7, sigma_of: SigmaOf::Summits, density: 9e10 };
-    let Err(Unreachable::Product { product, least, most, .. }) = generator.surface(&case_2, [1; 32], None)
+    let Err(Unreachable::Product { product, least, most, .. }) = generator.surface(&CASE_2, [1; 32], None)
     else {
         panic!("no surface of these heights has it")
     };
@@ -267,16 +252,11 @@ fn heights_have_the_moments_that_were_asked_for() {
         weibull,
     ] {
         let shape = SpectrumShape::Exponential(2e-6);
-        let all: Vec<Moments> = (1..=20)
-            .map(|seed| {
-                Moments::from_rows(&surface(
-                    [256; 2],
-                    [1e-6; 2],
-                    process(shape, Lay::default(), heights.clone()),
-                    seed,
-                ))
-            })
-            .collect();
+        let of_seed = |seed| {
+            let process = process(shape, Lay::default(), heights.clone());
+            Moments::from_rows(&surface([256; 2], [1e-6; 2], process, seed))
+        };
+        let all: Vec<Moments> = (1..=20).map(of_seed).collect();
         let of = |value: &dyn Fn(&Moments) -> f64| all.iter().map(value).collect::<Vec<f64>>();
         assert!(z(&of(&|m| m.sq.powi(2)), SIGMA.powi(2)).abs() < 4.0, "{heights}: Sq");
         // Ratios of sample moments are biased by what Sq scatters.
@@ -377,7 +357,10 @@ fn the_same_bits_on_any_number_of_threads() {
         let open = HeightMap::new(map.points(), map.pixel(), map.heights().to_vec(), 0.0).unwrap();
         let levelled = Level::Quadratic.apply(&open).unwrap();
         let spectrum = rough.spectrum.on_grid(map.points(), map.pixel());
+        let target =
+            target_generator([1024, 768], Heights::GAUSSIAN).surface(&CASE_1, [5; 32], None).unwrap();
         (
+            (target.map, target.bandwidth.to_bits(), target.tried),
             format!("{:?} {:?}", RoughnessParameters::new(&map), RoughnessParameters::new(&levelled)),
             five_point(&map),
             five_point(&levelled),
@@ -425,19 +408,12 @@ fn the_finer_process_has_random_numbers_of_its_own() {
 /// What a report says of a target is a generator, which makes the same surface from the same seed.
 #[test]
 fn what_meets_a_target_is_made_by_the_recipe_that_is_reported() {
-    let target = Target { radius: 2e-5, sigma: 4.8e-8, sigma_of: SigmaOf::Summits, density: 6e10 };
+    let target = CASE_1;
     for (heights, neighbours) in
         [(Heights::GAUSSIAN, Neighbours::Eight), (johnson(-1.0, 4.5), Neighbours::Four)]
     {
         let points = [512, 384];
-        let generator = TargetGenerator {
-            points,
-            hurst: 0.8,
-            cut_off: 8.0,
-            lay: Lay::default(),
-            heights: heights.clone(),
-            neighbours,
-        };
+        let generator = TargetGenerator { neighbours, ..target_generator(points, heights.clone()) };
         // A target may lie in a jump of the small map of one seed.
         let of = |seed| Some((seed, generator.surface(&target, seeds(seed).process, None).ok()?));
         let (seed, reached) = (1..=8).find_map(of).unwrap();

@@ -46,11 +46,3 @@ fn records_have_every_column_and_no_infinity() {
     assert_eq!(Table::new(rows).records(), expected);
     assert_eq!(Value::List(vec!["a".into(), "b, c".into()]).json(), serde_json::json!(["a", "b, c"]));
 }
-
-#[test]
-fn a_schema_has_the_headings_in_file_order() {
-    let schema = Schema::of::<Sphere>();
-    let units: Vec<&str> = schema.columns.iter().map(|column| column.unit).collect();
-    assert_eq!(units, ["text", "m", "N", "true/false", "count"]);
-    assert_eq!(schema.columns[1].meaning, "Radius.");
-}

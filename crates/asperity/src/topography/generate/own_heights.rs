@@ -82,7 +82,6 @@ impl OwnHeights {
 mod tests {
     use super::*;
     use crate::distribution::Heights;
-    use crate::topography::{Boundary, Rows};
 
     /// The heights of a map at the quantiles of a distribution give its transform, also beyond the outermost node at 2.5.
     #[test]
@@ -109,28 +108,5 @@ mod tests {
         assert!((-40..40).all(|k| own.at(0.2 * f64::from(k)).is_finite()));
         let flat = HeightMap::new([200; 2], [1.0; 2], vec![1.0; 40_000], 0.0).unwrap();
         assert!(OwnHeights::new(&flat, 100.0).is_none());
-    }
-
-    #[test]
-    fn a_map_without_heights_has_none() {
-        struct Missing;
-        impl Rows for Missing {
-            fn points(&self) -> [usize; 2] {
-                [20; 2]
-            }
-            fn pixel(&self) -> [f64; 2] {
-                [1.0; 2]
-            }
-            fn precision(&self) -> f64 {
-                0.0
-            }
-            fn boundary(&self) -> Boundary {
-                Boundary::Open
-            }
-            fn read(&self, _: usize, row: &mut [f64]) {
-                row.fill(f64::NAN);
-            }
-        }
-        assert!(OwnHeights::new(&HeightMap::from_rows(&Missing), 100.0).is_none());
     }
 }

@@ -3,12 +3,12 @@
 
 use std::f64::consts::{PI, TAU};
 
-use asperity::bem::{Boundary, ElasticPair, Options, Solver};
+use asperity::bem::{Boundary, ElasticPair, Solver};
 use asperity::progress::Silent;
 use asperity::{HeightMap, Material};
 use nalgebra::{DMatrix, DVector};
 
-use super::unit_body;
+use super::{options, unit_body};
 
 /// Displacement at each point under unit pressure at each other, by sums over waves.
 fn matrix(points: [usize; 2], pixel: [f64; 2], pair: &ElasticPair, is_mirrored: bool) -> DMatrix<f64> {
@@ -115,8 +115,7 @@ fn pressures_are_those_of_a_second_algorithm() {
                 for cap in caps {
                     for mean in [1e-4, 3e-3, 0.03, 0.1] {
                         let exact = pressures(&k, &heights, mean, cap.unwrap_or(f64::INFINITY));
-                        let solver =
-                            Solver::new(&map, pair, &Options { boundary, error: 1e-10, cap }).unwrap();
+                        let solver = Solver::new(&map, pair, &options(boundary, 1e-10, cap)).unwrap();
                         let found = solver.at_pressure(mean, &Silent).unwrap();
                         let most = exact.iter().fold(0.0f64, |most, &p| most.max(p));
                         let apart = found.pressures().iter().zip(&exact).map(|(a, b)| (a - b).abs());

@@ -3,12 +3,12 @@
 use std::f64::consts::PI;
 
 use asperity::Material;
-use asperity::bem::{Boundary, ConductingPair, Conductor, ElasticPair, Options, Solver};
+use asperity::bem::{Boundary, ConductingPair, Conductor, ElasticPair, Solver};
 use asperity::progress::Silent;
 use asperity::spot::LayerFactor;
 use asperity::topography::Blocks;
 
-use super::{bare, rough, unit_body};
+use super::{bare, options, rough, unit_body};
 
 const ERROR: f64 = 1e-10;
 
@@ -123,15 +123,8 @@ fn layers_between_their_limits() {
     // The layer also lies under the uniform flow, beyond which the potential is.
     let [thin, film] = [of(Some((1e6, 1e-4)), 0.0) + 1e2, of(None, 1e2)];
     assert!((thin / film - 1.0).abs() < 1e-6, "{thin} {film}");
-    let finite = Conductor::new(
-        [8, 8],
-        [1.0; 2],
-        Boundary::Finite,
-        &ConductingPair::new(1.0, 1.0, Some((2.0, 1.0))),
-        0.0,
-        ERROR,
-    );
-    assert!(finite.is_err());
+    let layered = ConductingPair::new(1.0, 1.0, Some((2.0, 1.0)));
+    assert!(Conductor::new([8, 8], [1.0; 2], Boundary::Finite, &layered, 0.0, ERROR).is_err());
 }
 
 /// A spot on a layer: the factor of a single spot, less what the other spots of the lattice and the uniform flow through the layer
@@ -172,8 +165,7 @@ fn conductance_is_the_stiffness_of_an_elastic_contact() {
     let pair = ElasticPair::new(&body, &unit_body(), None);
     let map = rough([96, 80], 0.8, 0.25, 8.0 / 96.0, 5);
     for boundary in Boundary::ALL {
-        let options = Options { boundary, error: 1e-11, cap: None };
-        let solver = Solver::new(&map, &pair, &options).unwrap();
+        let solver = Solver::new(&map, &pair, &options(boundary, 1e-11, None)).unwrap();
         let conducting = ConductingPair::new(3.0, 1.0, None);
         let conductor = Conductor::new(map.points(), map.pixel(), boundary, &conducting, 0.0, 1e-11).unwrap();
         for load in [0.01, 0.1] {
@@ -193,8 +185,7 @@ fn conductance_is_the_stiffness_of_an_elastic_contact() {
 fn spots_that_yield_conduct() {
     let map = rough([96, 80], 0.8, 0.25, 8.0 / 96.0, 5);
     let pair = bare();
-    let options = Options { boundary: Boundary::Periodic, error: 1e-9, cap: Some(0.3) };
-    let solver = Solver::new(&map, &pair, &options).unwrap();
+    let solver = Solver::new(&map, &pair, &options(Boundary::Periodic, 1e-9, Some(0.3))).unwrap();
     let contact = solver.at_pressure(0.02, &Silent).unwrap();
     assert!(contact.capped_area_ratio() > 0.0);
     let conducting = ConductingPair::new(1.0, 1.0, None);

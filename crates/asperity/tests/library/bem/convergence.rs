@@ -1,10 +1,10 @@
 //! Every load converges, from a few points in contact to all.
 
 use asperity::Material;
-use asperity::bem::{Boundary, ElasticPair, Options, Solver};
+use asperity::bem::{Boundary, ElasticPair, Solver};
 use asperity::progress::Silent;
 
-use super::{bare, rough, unit_body};
+use super::{options, rough, solved, unit_body, with_heights};
 
 #[test]
 fn maps_of_all_kinds_at_all_loads() {
@@ -23,7 +23,7 @@ fn maps_of_all_kinds_at_all_loads() {
         let layer = [None, Some((&soft, 0.02)), Some((&stiff, 0.01)), None][seed % 4];
         let pair = ElasticPair::new(&body, &body, layer);
         let cap = (layer.is_none() && seed % 5 < 2).then_some(0.3);
-        let solver = Solver::new(&map, &pair, &Options { boundary, error: 1e-9, cap }).unwrap();
+        let solver = Solver::new(&map, &pair, &options(boundary, 1e-9, cap)).unwrap();
         for load in loads.into_iter().filter(|&load| cap.is_none_or(|cap| load < cap)) {
             let contact = solver.at_pressure(load, &Silent);
             let contact = contact.unwrap_or_else(|error| panic!("map {seed}: {error}"));
@@ -42,15 +42,10 @@ fn maps_of_all_kinds_at_all_loads() {
 /// Users of a peer report that it stops converging above p = 0.07 E* there.
 #[test]
 fn a_hardness_of_a_tenth_and_a_gradient_of_eight_hundredths() {
-    let map = rough([128, 128], 0.8, 0.25, 8.0 / 128.0, 3);
-    let heights = map.heights().iter().map(|z| 0.08 * z).collect();
-    let map = asperity::HeightMap::new(map.points(), map.pixel(), heights, 0.0).unwrap();
-    let pair = bare();
-    let options = Options { boundary: Boundary::Periodic, error: 1e-9, cap: Some(0.1) };
-    let solver = Solver::new(&map, &pair, &options).unwrap();
+    let map = with_heights(&rough([128, 128], 0.8, 0.25, 8.0 / 128.0, 3), |z| 0.08 * z);
     let mut before = 0.0;
     for load in [0.01, 0.05, 0.07, 0.08, 0.09, 0.095, 0.099] {
-        let contact = solver.at_pressure(load, &Silent).unwrap();
+        let contact = solved(&map, options(Boundary::Periodic, 1e-9, Some(0.1)), load);
         assert!(contact.raw_area_ratio() > before && contact.raw_area_ratio() >= load / 0.1);
         before = contact.raw_area_ratio();
     }
@@ -61,15 +56,11 @@ fn a_hardness_of_a_tenth_and_a_gradient_of_eight_hundredths() {
 #[test]
 fn all_contacts_at_the_cap() {
     let map = rough([64, 64], 0.8, 0.9, 0.1, 4);
-    let pair = bare();
     for boundary in Boundary::ALL {
         for cap in [1e-2, 1e-3, 1e-4, 1e-6] {
-            let options = Options { boundary, error: 1e-9, cap: Some(cap) };
-            let solver = Solver::new(&map, &pair, &options).unwrap();
             for points in [1.0, 64.0, 100.5, 2048.0, 4095.0] {
                 let load = cap * points / 4096.0;
-                let contact = solver.at_pressure(load, &Silent);
-                let contact = contact.unwrap_or_else(|error| panic!("{boundary:?} {cap} {points}: {error}"));
+                let contact = solved(&map, options(boundary, 1e-9, Some(cap)), load);
                 assert!((contact.pressure() / load - 1.0).abs() < 1e-12, "{boundary:?} {cap} {points}");
             }
         }
@@ -80,14 +71,10 @@ fn all_contacts_at_the_cap() {
 /// than to the heights.
 #[test]
 fn displacements_far_larger_than_the_heights() {
-    let pair = bare();
-    let map = rough([96, 96], 0.8, 0.25, 8.0 / 96.0, 5);
-    let heights = map.heights().iter().map(|z| 1e-4 * z).collect();
-    let map = asperity::HeightMap::new(map.points(), map.pixel(), heights, 0.0).unwrap();
+    let map = with_heights(&rough([96, 96], 0.8, 0.25, 8.0 / 96.0, 5), |z| 1e-4 * z);
     for boundary in Boundary::ALL {
-        let solver = Solver::new(&map, &pair, &Options { boundary, error: 1e-8, cap: None }).unwrap();
         for load in [0.1, 1.0] {
-            let contact = solver.at_pressure(load, &Silent).unwrap();
+            let contact = solved(&map, options(boundary, 1e-8, None), load);
             assert_eq!(contact.area_ratio(), 1.0, "{boundary:?} {load}");
             assert!(contact.error <= 1e-8 && contact.steps < 400, "{boundary:?} {load}: {}", contact.steps);
         }
@@ -98,20 +85,16 @@ fn displacements_far_larger_than_the_heights() {
 /// too many, of which 5 are left.
 #[test]
 fn small_pressures_of_open_points_are_no_contacts() {
-    let pair = bare();
     let count = 192;
     let mut apart = 0.0;
     for seed in 0..4 {
         let map = rough([count; 2], 0.8, 0.9, 8.0 / count as f64, seed);
         let squares: f64 = map.heights().iter().map(|z| z * z).sum();
         let terrace = 0.3 * squares.sqrt() / count as f64;
-        let heights = map.heights().iter().map(|z| (z / terrace).round() * terrace).collect();
-        let map = asperity::HeightMap::new(map.points(), map.pixel(), heights, 0.0).unwrap();
+        let map = with_heights(&map, |z| (z / terrace).round() * terrace);
         for boundary in [Boundary::Periodic, Boundary::Mirrored] {
-            let [area, exact] = [1e-6, 1e-10].map(|error| {
-                let solver = Solver::new(&map, &pair, &Options { boundary, error, cap: Some(0.1) }).unwrap();
-                solver.at_pressure(0.03, &Silent).unwrap().raw_area_ratio()
-            });
+            let [area, exact] = [1e-6, 1e-10]
+                .map(|error| solved(&map, options(boundary, error, Some(0.1)), 0.03).raw_area_ratio());
             apart += (area - exact).abs() * (count * count) as f64;
         }
     }

@@ -2,26 +2,24 @@
 
 use std::f64::consts::PI;
 
-use asperity::bem::{Boundary, Options, Solver};
+use asperity::bem::{Boundary, Solver};
 use asperity::progress::Silent;
 
-use super::{bare, paraboloid};
+use super::{bare, options, paraboloid};
 
 const RADIUS: f64 = 0.1;
 
-/// Relative errors of indentation, raw and corrected area, peak pressure, and the r.m.s. error of the pressures over
+/// Relative errors of indentation, raw and corrected area, peak pressure and stiffness, and the r.m.s. error of the pressures over
 /// their own r.m.s.
-fn errors(pixels: usize) -> [f64; 5] {
+fn errors(pixels: usize) -> [f64; 6] {
     let pixel = RADIUS / pixels as f64;
     let count = 3 * pixels;
     let (map, distances) = paraboloid(count, pixel);
     let pair = bare();
-    let options = Options { boundary: Boundary::Finite, error: 1e-10, cap: None };
+    let solver = Solver::new(&map, &pair, &options(Boundary::Finite, 1e-10, None)).unwrap();
     let nominal = (count as f64 * pixel).powi(2);
-    let contact = Solver::new(&map, &pair, &options)
-        .unwrap()
-        .at_pressure(4.0 / 3.0 * RADIUS.powi(3) / nominal, &Silent)
-        .unwrap();
+    let contact = solver.at_pressure(4.0 / 3.0 * RADIUS.powi(3) / nominal, &Silent).unwrap();
+    let stiffness = nominal * solver.tangent(&contact, &Silent).unwrap().stiffness_of_approach();
     let peak = 2.0 * RADIUS / PI;
     let area = PI * RADIUS * RADIUS / nominal;
     let [mut apart, mut norm, mut highest] = [0.0f64; 3];
@@ -36,18 +34,22 @@ fn errors(pixels: usize) -> [f64; 5] {
         contact.raw_area_ratio() / area - 1.0,
         contact.area_ratio() / area - 1.0,
         highest / peak - 1.0,
+        stiffness / (2.0 * RADIUS) - 1.0,
         (apart / norm).sqrt(),
     ]
 }
 
 #[test]
 fn indentation_is_of_second_order() {
-    let found = [16, 32, 64].map(errors);
-    let [_, middle, fine] = found.map(|[indentation, ..]| indentation.abs());
+    let found = [8, 16, 32, 64].map(errors);
+    let [_, _, middle, fine] = found.map(|[indentation, ..]| indentation.abs());
     assert!(fine < 2e-5, "{found:?}");
     let order = (middle / fine).log2();
     assert!((1.7..2.5).contains(&order), "order {order}: {found:?}");
-    let [_, area, corrected, peak, pressures] = found[2];
+    let [_, area, corrected, peak, _, pressures] = found[3];
     assert!(corrected.abs() < 2e-3 && area < 0.02, "{found:?}");
     assert!(peak.abs() < 1e-3 && pressures < 0.01, "{found:?}");
+    for ([.., stiffness, _], allowed) in found.iter().zip([1e-2, 4e-3, 2e-3, 5e-4]) {
+        assert!(stiffness.abs() < allowed, "{found:?}");
+    }
 }

@@ -3,10 +3,10 @@
 use std::f64::consts::PI;
 
 use asperity::Material;
-use asperity::bem::{Boundary, ElasticPair, Options, Solver};
+use asperity::bem::{Boundary, ElasticPair, Solver};
 use asperity::progress::Silent;
 
-use super::paraboloid;
+use super::{options, paraboloid};
 use crate::common::rows;
 
 #[test]
@@ -25,11 +25,10 @@ fn all_rows_at_102_pixels_per_contact_radius() {
         let a = row.number("contact_radius");
         let (count, pixel) = (255, a / 102.0);
         let (map, _) = paraboloid(count, pixel);
-        let options = Options { boundary: Boundary::Finite, error: 1e-9, cap: None };
         let nominal = (count as f64 * pixel).powi(2);
         let modulus = layer.young() / (1.0 - layer.poisson().powi(2));
         let load = row.number("load") * modulus;
-        let solver = Solver::new(&map, &pair, &options).unwrap();
+        let solver = Solver::new(&map, &pair, &options(Boundary::Finite, 1e-9, None)).unwrap();
         let contact = solver.at_pressure(load / nominal, &Silent).unwrap();
         let indentation = contact.approach() / row.number("indentation") - 1.0;
         assert!(indentation.abs() < 1e-5, "{:?} a = {a}: {indentation:e}", row.number("layer_young"));

@@ -10,7 +10,8 @@ mod solver;
 mod tangent;
 mod westergaard;
 
-use asperity::bem::ElasticPair;
+use asperity::bem::{Boundary, Contact, ElasticPair, Options, Solver};
+use asperity::progress::Silent;
 use asperity::topography::generate::{Process, Seeds, SpectrumOf, SurfaceGenerator};
 use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
 use asperity::{HeightMap, Heights, Material};
@@ -22,6 +23,21 @@ fn unit_body() -> Material {
 
 fn bare() -> ElasticPair {
     ElasticPair::new(&unit_body(), &unit_body(), None)
+}
+
+fn options(boundary: Boundary, error: f64, cap: Option<f64>) -> Options {
+    Options { boundary, error, cap }
+}
+
+/// The contact of two unit bodies under a mean pressure.
+fn solved(map: &HeightMap, options: Options, load: f64) -> Contact {
+    Solver::new(map, &bare(), &options).unwrap().at_pressure(load, &Silent).unwrap()
+}
+
+/// A map with other heights on the same points.
+fn with_heights(map: &HeightMap, height: impl Fn(f64) -> f64) -> HeightMap {
+    let heights = map.heights().iter().map(|z| height(*z)).collect();
+    HeightMap::new(map.points(), map.pixel(), heights, 0.0).unwrap()
 }
 
 /// A paraboloid of R = 1 on `count` x `count` points at a distance of `pixel`, its tip at height 0 and off the symmetry of the

@@ -4,10 +4,9 @@
 use std::f64::consts::{PI, TAU};
 
 use asperity::HeightMap;
-use asperity::bem::{Boundary, Options, Solver};
-use asperity::progress::Silent;
+use asperity::bem::Boundary;
 
-use super::bare;
+use super::{options, solved};
 
 const HEIGHT: f64 = 0.01;
 
@@ -18,10 +17,8 @@ fn errors(points: usize, share: f64) -> [f64; 3] {
     let x = |k: usize| ((k / along_y) as f64 + 0.317) / points as f64 - 0.5;
     let heights = (0..points * along_y).map(|k| HEIGHT * (TAU * x(k)).cos()).collect();
     let map = HeightMap::new([points, along_y], [(points as f64).recip(); 2], heights, 0.0).unwrap();
-    let pair = bare();
-    let options = Options { boundary: Boundary::Periodic, error: 1e-11, cap: None };
     let mean = share * PI * HEIGHT;
-    let contact = Solver::new(&map, &pair, &options).unwrap().at_pressure(mean, &Silent).unwrap();
+    let contact = solved(&map, options(Boundary::Periodic, 1e-11, None), mean);
     // sin^2(pi a/lambda) = p/p*, half the width a.
     let sine = share.sqrt();
     let a = sine.asin() / PI;

@@ -8,7 +8,7 @@ use asperity::{
 use super::case::Case;
 use super::contact::each;
 use super::laws::Entry;
-use crate::common::{Random, Worst, dense, relative_error};
+use crate::common::{Random, Worst, dense, relative_error, scan_and_levels};
 
 /// A population in which some asperities are pressed far less than the law's boundaries, some far more, or all about
 /// there.
@@ -121,13 +121,8 @@ fn the_first_reach_counts() {
         let integral = Statistical::of_shape(contact, population, case.shape);
         for model in [&integral as &dyn Model, &sums[0], &sums[1]] {
             let pressure = |h: f64| model.respond(h).pressure.total();
-            let scan: Vec<_> =
-                (0..=700).map(|k| 4.0 - 0.02 * f64::from(k)).map(|h| (h, pressure(h))).collect();
-            let is_peak = |w: &[(f64, f64)]| w[1].1 >= w[0].1 && w[1].1 > w[2].1;
-            let tops = scan.windows(3).filter(|w| is_peak(w)).map(|w| w[1].1).take(3);
-            let mut levels: Vec<f64> = tops.flat_map(|top| [0.999 * top, 1.0005 * top]).collect();
-            peaks += levels.len() / 2;
-            levels.extend((0..3).map(|_| scan[700].1 * random.log(1e-3, 1.0)));
+            let (scan, levels) = scan_and_levels(pressure, random);
+            peaks += (levels.len() - 3) / 2;
             for level in levels {
                 let first = scan.iter().find(|point| point.1 >= level);
                 let place = || format!("{level:e}, sigma {sigma:e} {}: {case:?}", entry.label);

@@ -92,23 +92,6 @@ fn summits_of_a_weight_are_those_of_its_map() {
     }
 }
 
-/// A weighted sum has a product like those of plain generations of the bandwidths about it.
-#[test]
-fn products_of_sums_are_those_of_bandwidths_between() {
-    for (generator, sigma_of, bandwidth) in cases() {
-        let origin = bandwidth.ln();
-        let ends =
-            [origin - 0.05, origin + 0.05].map(|log| generator.field(log, SEED, sigma_of, &Silent).unwrap());
-        let mixtures = Mixtures::new(&generator, sigma_of, ends, &Silent).unwrap();
-        for t in [0.25, 0.5, 0.75] {
-            let plain = product(&generator, mixtures.log_bandwidth(t).exp(), sigma_of, SEED);
-            let off = mixtures.summits(t).product() / plain - 1.0;
-            println!("{bandwidth} {sigma_of:?} {t}: {off:e}");
-            assert!(off.abs() < 0.02, "{bandwidth} {sigma_of:?} {t}: {off:e}");
-        }
-    }
-}
-
 /// Theory predicts the mean of several maps: it needs to be near, not exact.
 #[test]
 fn the_expected_bandwidth_is_that_of_maps() {
@@ -176,16 +159,4 @@ fn the_smallest_maps_have_an_answer() {
         }
     }
     assert!(2 * met >= asked && asked > 0, "{met} of {asked}");
-}
-
-/// The same bits on one thread and on three.
-#[test]
-fn the_search_does_not_depend_on_the_number_of_threads() {
-    let target = Target { radius: 2e-5, sigma: 4.8e-8, sigma_of: SigmaOf::Summits, density: 6e10 };
-    let [one, three] = [1, 3].map(|threads| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        pool.install(|| gaussian_heights().surface(&target, SEED, None).unwrap())
-    });
-    assert_eq!(one.bandwidth.to_bits(), three.bandwidth.to_bits());
-    assert!(one.map == three.map && one.tried == three.tried);
 }
