@@ -219,3 +219,30 @@ impl Taken {
         places.into_iter().min_by_key(|(rect, _)| self.under(rect))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_area_is_taken_between_its_corners_too() {
+        let page = Rect::new(0.0, 0.0, 300.0, 100.0);
+        let mut taken = Taken::default();
+        taken.area(&[(0.0, 500.0), (300.0, 500.0)], &[(0.0, 50.0), (300.0, 50.0)], &page);
+        assert!(taken.under(&Rect::new(140.0, 70.0, 20.0, 10.0)) > 0);
+        assert_eq!(taken.under(&Rect::new(140.0, 20.0, 20.0, 10.0)), 0);
+    }
+
+    #[test]
+    fn the_box_beside_the_line_is_chosen() {
+        let page = Rect::new(0.0, 0.0, 100.0, 100.0);
+        let mut taken = Taken::default();
+        taken.line(&[(0.0, 0.0), (100.0, 100.0)], &page);
+        let on = Rect::new(10.0, 10.0, 20.0, 20.0);
+        let beside = Rect::new(70.0, 5.0, 20.0, 20.0);
+        assert!(taken.under(&on) > 0);
+        assert_eq!(taken.clearest([(on, 1), (beside, 2)]), Some((beside, 2)));
+        taken.text(beside);
+        assert_eq!(taken.clearest([(on, 1), (beside, 2)]), Some((on, 1)));
+    }
+}

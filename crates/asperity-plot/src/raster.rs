@@ -281,6 +281,22 @@ pub(crate) mod tests {
         assert_eq!(ends(ColourMap::Counts, vec![0.0, -1.0], None), None);
     }
 
+    /// Of an image, the first row of pixels is the upper one.
+    #[test]
+    fn the_first_cell_stands_at_the_lower_left() {
+        let field = raster(2, 3, vec![5.0, 1.0, 2.0, 2.0, 3.0, 4.0]);
+        let corners = |reversed| {
+            let uri = field.image(&field.scale().unwrap(), reversed, (2.0, 3.0)).unwrap();
+            let (pixels, info) = decoded(&uri, png::Transformations::IDENTITY);
+            let (wide, high) = (info.width as usize, info.height as usize);
+            // Upper left, upper right, lower left, lower right: values in ascending order, from 1.
+            [0, wide - 1, (high - 1) * wide, high * wide - 1].map(|at| pixels[at] + 1)
+        };
+        assert_eq!(corners((false, false)), [3, 4, 5, 1]);
+        assert_eq!(corners((true, false)), [4, 3, 1, 5]);
+        assert_eq!(corners((false, true)), [5, 1, 3, 4]);
+    }
+
     /// The pixels of a file, and what it says of them.
     pub fn decoded(uri: &str, transformations: png::Transformations) -> (Vec<u8>, png::Info<'static>) {
         let bytes = STANDARD.decode(uri.strip_prefix("data:image/png;base64,").unwrap()).unwrap();
@@ -293,11 +309,21 @@ pub(crate) mod tests {
     }
 
     #[test]
+    fn the_file_holds_what_was_written() {
+        let palette = [[255, 255, 255], [10, 20, 30], [40, 50, 60]];
+        let uri = encode(&[0, 1, 2, 1, 0, 2], [3, 2], &palette, &[0, 128]).unwrap();
+        let (pixels, info) = decoded(&uri, png::Transformations::IDENTITY);
+        assert_eq!((info.width, info.height, pixels.as_slice()), (3, 2, [0, 1, 2, 1, 0, 2].as_slice()));
+        assert_eq!(info.palette.as_deref(), Some(palette.as_flattened()));
+        assert_eq!(info.trns.as_deref(), Some([0, 128].as_slice()));
+    }
+
+    #[test]
     fn colours_without_pixels_are_left_out() {
         let palette = [[255, 255, 255], [10, 20, 30], [40, 50, 60], [70, 80, 90]];
         let uri = encode(&[3, 1], [2, 1], &palette, &[0, 128, 64]).unwrap();
         let (pixels, info) = decoded(&uri, png::Transformations::IDENTITY);
-        assert_eq!((info.width, info.height, &pixels[..]), (2, 1, &[1, 0][..]));
+        assert_eq!(pixels, [1, 0]);
         assert_eq!(info.palette.as_deref(), Some([palette[1], palette[3]].as_flattened()));
         assert_eq!(info.trns.as_deref(), Some([128].as_slice()));
     }
@@ -309,5 +335,11 @@ pub(crate) mod tests {
         let (pixels, _) =
             decoded(&encode(&indices, [16, 16], &palette, &[0]).unwrap(), png::Transformations::IDENTITY);
         assert_eq!(pixels, indices);
+    }
+
+    #[test]
+    fn no_pixels_no_file() {
+        assert_eq!(encode(&[], [0, 2], &[[0; 3]], &[0]), None);
+        assert_eq!(encode(&[1], [2, 2], &[[0; 3]; 2], &[0]), None);
     }
 }

@@ -184,6 +184,15 @@ mod tests {
         }
     }
 
+    #[test]
+    fn longer_ellipses_are_more_and_larger_spheres() {
+        for of in [Shape::ellipse, Shape::solved] {
+            let shapes: Vec<Shape> = (0..30_000).map(|k| of(1.0, (f64::from(k) * 1e-3).exp())).collect();
+            let grows = |value: fn(&Shape) -> f64| shapes.is_sorted_by(|a, b| value(a) < value(b));
+            assert!(grows(|shape| shape.radius) && grows(|shape| shape.spheres));
+        }
+    }
+
     /// Next to a sphere, and far from it.
     #[test]
     fn every_ratio_has_a_solution() {
@@ -196,6 +205,17 @@ mod tests {
         for ratio in (0..=996).map(|power| 2f64.powi(power)).chain([1e300]) {
             let shape = Shape::ellipse(1.0, ratio);
             assert!(shape.radius.is_finite() && shape.spheres.is_finite());
+        }
+    }
+
+    /// The plastic area of n spheres beside the section of the paraboloid, 2 pi w/(kmax kmin)^.5.
+    #[test]
+    fn a_plastic_ellipse_falls_short_of_its_section() {
+        for (ratio, shortfall) in [(2.0, 0.0065), (10.0, 0.059), (100.0, 0.16), (1e6, 0.38)] {
+            let shape = Shape::ellipse(1.0, ratio);
+            let section = (1.0 + ratio) / (2.0 * f64::sqrt(ratio));
+            let found = 1.0 - shape.spheres * shape.radius / section;
+            assert!((found / shortfall - 1.0).abs() < 0.04, "{ratio}: {found}");
         }
     }
 }

@@ -156,6 +156,17 @@ mod tests {
     use crate::bem::ElasticPair;
     use crate::material::Material;
 
+    #[test]
+    fn love_in_the_middle_and_far_away() {
+        // A square of side s: 4 s ln(1 + 2^.5)/pi; far away the force over pi r.
+        let side = 0.3;
+        let middle = 4.0 * side * (1.0 + 2f64.sqrt()).ln() / PI;
+        assert!((love([0.0; 2], [side; 2]) / middle - 1.0).abs() < 1e-14);
+        let far = love([40.0, 30.0], [0.3, 0.2]);
+        assert!((far / (0.06 / (50.0 * PI)) - 1.0).abs() < 1e-5);
+        assert!((love([0.1, 0.5], [0.3, 0.2]) / love([0.5, 0.1], [0.2, 0.3]) - 1.0).abs() < 1e-14);
+    }
+
     /// M(y) at y = 0 is the integral of kappa - 1, far away it decays as (kappa(0) - 1)/y.
     #[test]
     fn the_layer_near_and_far() {

@@ -248,3 +248,30 @@ impl<T: Number> Columns<T> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::PI;
+
+    #[test]
+    fn cosines_are_those_of_the_definition() {
+        for count in [3, 4, 5, 8, 30, 31] {
+            let transform = RowTransform::<f64>::new(count, true);
+            let row: Vec<f64> = (0..count).map(|i| (i as f64 * 1.7).sin() + 0.1 * i as f64).collect();
+            let mut waves = vec![0.0; 2 * transform.pairs()];
+            transform.forward(&row, &mut waves, &mut transform.scratch());
+            for k in 0..count {
+                let found = match k {
+                    0 => waves[0],
+                    _ if 2 * k == count => waves[1],
+                    _ if 2 * k < count => waves[2 * k],
+                    _ => -waves[2 * (count - k) + 1],
+                };
+                let angle = |i: usize| PI * k as f64 * (i as f64 + 0.5) / count as f64;
+                let exact: f64 = row.iter().enumerate().map(|(i, x)| x * angle(i).cos()).sum();
+                assert!((found - exact).abs() < 1e-13 * count as f64, "{count}: {k}: {found} for {exact}");
+            }
+        }
+    }
+}

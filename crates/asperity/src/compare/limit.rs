@@ -267,9 +267,10 @@ fn respond_to_set(case: &LimitCase, set: &AsperitySet, plane: ReferencePlane) ->
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::compare::ErrorSlope;
+    use crate::compare::{ErrorSlope, SlopeFit};
+    use crate::contact_law::named;
     use crate::distribution::Heights;
-    use crate::interface::Interface;
+    use crate::interface::{Flat, Interface};
     use crate::law::Hertz;
     use crate::material::Material;
 
@@ -287,6 +288,31 @@ mod tests {
         let separations = separations.to_vec();
         let sets = LimitSets { population, separations, counts: COUNTS.to_vec(), draws: 0 };
         convergence(&[case], &sets, |_, _| [0; 32], |_| ()).unwrap()
+    }
+
+    /// Two independent evaluations of the limit under Hertz's law, to the accuracy of the closed form (see
+    /// [`gaussian_moment`]); another law has the integral.
+    #[test]
+    fn the_closed_form_of_greenwood_and_williamson_is_the_integral() {
+        let steel = Material::new(210e9, 0.3, Some(7.6e9), None).unwrap();
+        let population =
+            Population { radius: 20e-6, sigma: 48e-9, density: 6e10, heights: Heights::GAUSSIAN };
+        let sets = LimitSets { population, separations: vec![0.0, 1.0, 3.0], counts: vec![10], draws: 0 };
+        for (name, is_closed) in [("hertz", true), ("zmc", false)] {
+            let law = named(name).unwrap();
+            assert_eq!(law.is_greenwood_williamson(), is_closed);
+            let contact = law.interface(&steel, &Flat::Bare(steel)).unwrap();
+            for exact in LimitCase::new(&law, &*contact, &sets).exact {
+                let integral = Exact::of_integral(exact.statistical, sets.population.density);
+                assert_eq!(exact.contact_fraction, integral.contact_fraction);
+                for (limit, integral) in
+                    [(exact.area_ratio, integral.area_ratio), (exact.pressure, integral.pressure)]
+                {
+                    let off = (limit / integral - 1.0).abs();
+                    assert!(if is_closed { off < 3e-11 } else { off == 0.0 }, "{name}: {off:e}");
+                }
+            }
+        }
     }
 
     #[test]
@@ -330,5 +356,18 @@ mod tests {
             let next = 0.2 / point.count as f64;
             assert!((point.quantile_error(LimitQuantity::Area) / expected - 1.0).abs() < next);
         }
+    }
+
+    /// The local slope is -1 - 1/(2 ln n) for the area, and less steep for the load.
+    #[test]
+    fn the_expected_slope_is_steeper_than_that_of_a_midpoint_rule_by_a_logarithm() {
+        let points = points(Heights::GAUSSIAN, &[0.0]);
+        let slope = |quantity| {
+            let errors =
+                points.iter().map(|point| (point.count as f64, point.expected_quantile_error(quantity)));
+            SlopeFit::through(errors).unwrap().slope
+        };
+        assert!((slope(LimitQuantity::Area) + 1.05).abs() < 0.005, "{}", slope(LimitQuantity::Area));
+        assert!((slope(LimitQuantity::Load) + 1.025).abs() < 0.005, "{}", slope(LimitQuantity::Load));
     }
 }

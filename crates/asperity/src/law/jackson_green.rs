@@ -217,3 +217,29 @@ impl Law for JacksonGreen {
         if first.is_finite() { vec![first] } else { Vec::new() }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The least d ln P/d ln u from u = 1.9 to 1e8.
+    fn least_exponent(ratio: f64, poisson: f64) -> f64 {
+        let (modulus, strength) = (1e11, ratio * 1e11);
+        let onset = 1.295 * f64::exp(0.736 * poisson) * strength;
+        let pair = Pair { reduced_modulus: modulus, yield_limits: YieldLimits { onset, strength } };
+        let exponent = |k: i32| {
+            let found = normalised(ELASTIC * 1.003f64.powi(k), &pair);
+            found.load_slope / found.load
+        };
+        (0..5900).map(exponent).fold(f64::INFINITY, f64::min)
+    }
+
+    #[test]
+    fn the_load_falls_beyond_the_strongest_pairs_and_not_before() {
+        for poisson in [0.0, 0.3, 0.5] {
+            assert!(least_exponent(MAX_STRENGTH_RATIO, poisson) > 0.0, "{poisson}");
+        }
+        assert!(least_exponent(0.0656, 0.4999) > 0.0 && least_exponent(0.0659, 0.4999) < 0.0);
+        assert!(least_exponent(0.0760, 0.0) > 0.0 && least_exponent(0.0763, 0.0) < 0.0);
+    }
+}

@@ -108,11 +108,46 @@ impl EffectiveHardness {
 mod tests {
     use super::*;
 
+    fn of(layer: f64, substrate: f64) -> EffectiveHardness {
+        let body = |young, hardness| Material::new(young, 0.3, Some(hardness), None).unwrap();
+        EffectiveHardness::new(&body(18e9, layer), &body(210e9, substrate)).unwrap()
+    }
+
+    #[test]
+    fn from_the_layer_to_the_substrate() {
+        for (layer, substrate) in [(0.17e9, 7.6e9), (21e9, 7.6e9), (5e9, 5e9), (1e30, 1e-30)] {
+            let found = of(layer, substrate);
+            assert_eq!(found.at(1e-23).0, layer);
+            assert!(
+                (found.at(1e7).0 / substrate - 1.0).abs() < 1e-15
+                    && found.at(1e7).1.abs() < 1e-12 * substrate
+            );
+        }
+    }
+
+    /// With yield strengths in the ratio of the hardnesses the factors are (H_l/H_s)(E_s/E_l) and (E_s/E_l)^.5.
+    #[test]
+    fn factors_without_yield_strengths() {
+        let x = |layer: f64, power: i32, factor: f64| {
+            let (hardness, _) = of(layer, 7.6e9).at(0.5);
+            let expected = 7.6e9 + (layer - 7.6e9) * (-factor * 0.5f64.powi(power)).exp();
+            assert!((hardness / expected - 1.0).abs() < 1e-14, "{hardness:e} {expected:e}");
+        };
+        x(0.17e9, 2, 0.17 / 7.6 * 210.0 / 18.0);
+        x(21e9, 1, (210.0f64 / 18.0).sqrt());
+    }
+
+    #[test]
+    fn given_yield_strengths_are_used() {
+        let body =
+            |young, hardness, strength| Material::new(young, 0.3, Some(hardness), Some(strength)).unwrap();
+        let found = EffectiveHardness::new(&body(18e9, 0.17e9, 10e6), &body(210e9, 7.6e9, 2e9)).unwrap();
+        let expected = 7.6e9 - 7.43e9 * (-(10e6 / 2e9) * (210.0 / 18.0) * 4.0f64).exp();
+        assert!((found.at(2.0).0 / expected - 1.0).abs() < 1e-14);
+    }
+
     #[test]
     fn the_depth_of_a_hardness() {
-        let body = |young, hardness| Material::new(young, 0.3, Some(hardness), None).unwrap();
-        let of =
-            |layer, substrate| EffectiveHardness::new(&body(18e9, layer), &body(210e9, substrate)).unwrap();
         let found = of(0.17e9, 7.6e9);
         let w = found.reaching(3e9).unwrap();
         assert!((found.at(w).0 / 3e9 - 1.0).abs() < 1e-13);

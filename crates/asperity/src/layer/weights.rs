@@ -111,6 +111,25 @@ mod tests {
     }
 
     #[test]
+    fn slopes_are_those_of_the_weights() {
+        for k in -40..=40 {
+            let inverse = (0.3 * f64::from(k)).exp();
+            let (low, high) = (Weights::at(inverse * 1.0001), Weights::at(inverse / 1.0001));
+            if low.in_layer != high.in_layer {
+                continue;
+            }
+            let sign = if low.in_layer { -1.0 } else { 1.0 };
+            let step = 2.0 * 1.0001f64.ln();
+            let slope = |f: &dyn Fn(&Weights) -> f64| sign * (f(&high) - f(&low)) / step;
+            let weights = Weights::at(inverse);
+            let poisson = slope(&|w: &Weights| w.of_poisson());
+            assert!((poisson / weights.log - 1.0).abs() < 1e-7);
+            let modulus = slope(&|w: &Weights| w.of_modulus(0.2));
+            assert!((modulus / weights.slope_of_modulus(0.2) - 1.0).abs() < 1e-7);
+        }
+    }
+
+    #[test]
     fn peaks_are_where_they_are_said_to_be() {
         fn is_highest(value: impl Fn(&Weights) -> f64, peak: f64) -> bool {
             let at = |x: f64| value(&Weights::at(x));

@@ -177,4 +177,36 @@ mod tests {
         }
         assert_eq!(Interval::new(&[]), Interval::default());
     }
+
+    #[test]
+    fn holds_what_its_numbers_give() {
+        let (a, b) = (Interval { low: -2.0, high: 3.0 }, Interval { low: -5.0, high: 1.0 });
+        assert_eq!(a + b, Interval { low: -7.0, high: 4.0 });
+        assert_eq!(a - b, Interval { low: -3.0, high: 8.0 });
+        assert_eq!(a * b, Interval { low: -15.0, high: 10.0 });
+        assert_eq!(a * -2.0, Interval { low: -6.0, high: 4.0 });
+        assert_eq!(Interval::between(4.0, 2.0).recip(), Interval { low: 0.25, high: 0.5 });
+        assert_eq!(a.hull(b), Interval { low: -5.0, high: 3.0 });
+    }
+
+    #[test]
+    fn ranges_that_touch_are_one() {
+        let range = |low, high| Interval { low, high };
+        let union = Interval::union([range(0.0, 2.0), range(1.0, 1.5), range(2.0, 3.0), range(4.0, 5.0)]);
+        assert_eq!(union, [range(0.0, 3.0), range(4.0, 5.0)]);
+        assert!(union[0].overlaps(range(3.0, 3.5)) && !union[0].overlaps(union[1]));
+    }
+
+    #[test]
+    fn a_hump_is_highest_at_its_peak() {
+        let hump = |x: f64| -(x - 1.0).powi(2);
+        assert_eq!(
+            Interval { low: 0.0, high: 3.0 }.of_unimodal(hump, 1.0),
+            Interval { low: -4.0, high: 0.0 }
+        );
+        assert_eq!(
+            Interval { low: 2.0, high: 3.0 }.of_unimodal(hump, 1.0),
+            Interval { low: -4.0, high: -1.0 }
+        );
+    }
 }

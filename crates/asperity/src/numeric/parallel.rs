@@ -52,3 +52,18 @@ fn for_each(count: usize, task: &(dyn Fn(usize) + Sync)) {
 pub(crate) fn for_each_row(values: &mut [f64], length: usize, task: &(dyn Fn(usize, &mut [f64]) + Sync)) {
     values.par_chunks_mut(length).enumerate().for_each(|(k, row)| task(k, row));
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn results_are_in_the_order_of_the_tasks() {
+        let squares: Vec<usize> = (0..1000).map(|k| k * k).collect();
+        assert_eq!(map(1000, |k| k * k), squares);
+        assert!(map(0, |k| k).is_empty());
+        let mut values = vec![0.0; 10];
+        for_each_row(&mut values, 4, &|k, row| row.fill((10 * k + row.len()) as f64));
+        assert_eq!(values, [4.0, 4.0, 4.0, 4.0, 14.0, 14.0, 14.0, 14.0, 22.0, 22.0]);
+    }
+}

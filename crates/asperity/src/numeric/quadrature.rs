@@ -84,3 +84,30 @@ pub fn pieces(from: f64, to: f64, variable: Variable, count: usize) -> impl Iter
 pub fn panels(from: f64, to: f64, variable: Variable, count: usize) -> impl Iterator<Item = Panel> {
     pieces(from, to, variable, count).map(|piece| piece.panel())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn integral(f: impl Fn(f64) -> f64, variable: Variable, count: usize) -> f64 {
+        panels(0.0, 2.0, variable, count)
+            .flat_map(|panel| panel.points.into_iter().zip(panel.weights))
+            .map(|(x, weight)| weight * f(x))
+            .sum()
+    }
+
+    #[test]
+    fn the_square_root_is_exact_only_under_its_substitution() {
+        let exact = 2f64.powf(2.5) / 2.5;
+        let error = |variable| (integral(|x| x.powf(1.5), variable, 1) / exact - 1.0).abs();
+        assert!(error(Variable::SquareRoot) < 1e-15);
+        assert!(error(Variable::Linear) > 1e-9);
+    }
+
+    #[test]
+    fn panels_add_up() {
+        for count in 1..5 {
+            assert!((integral(f64::exp, Variable::Linear, count) / 2f64.exp_m1() - 1.0).abs() < 1e-15);
+        }
+    }
+}

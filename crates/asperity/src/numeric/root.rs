@@ -195,6 +195,13 @@ mod tests {
     }
 
     #[test]
+    fn a_jump_ends_on_its_near_side() {
+        let value = |x: f64| if x <= 1.25 { 3.0 - x } else { 0.0 };
+        let found = last_reaching(value, 1.0, -10.0, 10.0).unwrap();
+        assert!(found <= 1.25 && 1.25 - found < 1e-14);
+    }
+
+    #[test]
     fn a_level_out_of_reach_is_said() {
         assert_eq!(last_reaching(|x| -x, 11.0, -10.0, 10.0), None);
         assert_eq!(last_reaching(|_| f64::NAN, 1.0, -10.0, 10.0), None);

@@ -296,6 +296,12 @@ mod tests {
         }
     }
 
+    #[test]
+    fn a_million_equal_terms_are_exact() {
+        let total = sum_of(1_000_000, |_| 0.1);
+        assert_eq!(total, 0.1 * 1e6);
+    }
+
     #[derive(Clone, Copy)]
     struct Square;
 
@@ -317,5 +323,15 @@ mod tests {
             let plain = sum_of(values.len(), |i| values[i] * others[i]);
             assert!((product - plain).abs() <= 2.0 * f64::EPSILON * square, "{count}: {product} {plain}");
         }
+    }
+
+    #[test]
+    fn does_not_depend_on_threads() {
+        let term = |i: usize| ((i as f64) * 0.7).sin() * 10f64.powi((i % 17) as i32);
+        let on = |threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| sum_of(100_003, term)).to_bits()
+        };
+        assert!((2..9).all(|threads| on(threads) == on(1)));
     }
 }

@@ -110,6 +110,7 @@ fn piece(value: impl Fn(f64) -> f64, middle: f64) -> Piece {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::numeric::lanes::{Work, run};
 
     #[test]
     fn a_power_and_its_slope() {
@@ -123,6 +124,40 @@ mod tests {
         for outside in [0.0, 1e-300, 1e-8, 1e8, 1e300, f64::INFINITY, f64::NAN, -1.0] {
             assert_eq!(table.at(outside), None);
         }
+    }
+    /// At each x; NaN if one of a register is outside.
+    struct At<'a>(&'a Table, &'a [f64]);
+
+    impl Work for At<'_> {
+        type Output = Vec<[f64; 2]>;
+
+        #[inline(always)]
+        fn with<N: Real>(self, zero: N) -> Vec<[f64; 2]> {
+            let mut found = Vec::new();
+            for x in self.1.chunks_exact(N::LANES) {
+                let (mut values, mut slopes) = ([f64::NAN; MOST], [f64::NAN; MOST]);
+                if let Some((value, slope)) = self.0.at(zero.load(x)) {
+                    value.store(&mut values);
+                    slope.store(&mut slopes);
+                }
+                found.extend(values.into_iter().zip(slopes).map(<[f64; 2]>::from).take(N::LANES));
+            }
+            found
+        }
+    }
+
+    /// Whatever the registers of the machine, each lane has the polynomial of its own interval.
+    #[test]
+    fn lanes_are_evaluated_one_by_one() {
+        let table = Table::new(-8..8, |x| 1.0 + x.atan());
+        let x: Vec<f64> = (0..8000).map(|k| (f64::from((k * 7919) % 8000 - 4000) * 1.3e-3).exp()).collect();
+        for (&x, [value, slope]) in x.iter().zip(run(At(&table, &x))) {
+            let (one, of_one) = table.at(x).unwrap();
+            assert!((value / one - 1.0).abs() < 1e-15 && (slope - of_one).abs() < 1e-14, "{x}");
+        }
+        let mut outside = [1.0; MOST];
+        outside[0] = 300.0;
+        assert!(run(At(&table, &outside))[0][0].is_nan());
     }
 
     #[test]

@@ -141,7 +141,7 @@ impl Inverse {
 mod tests {
     use super::*;
     use crate::distribution::tests::all;
-    use crate::distribution::{Heights, Johnson, Weibull};
+    use crate::distribution::{Gaussian, Heights, Johnson, Weibull};
     use crate::progress::Silent;
 
     fn johnson(skewness: f64, kurtosis: f64) -> Heights {
@@ -186,6 +186,28 @@ mod tests {
             for (&g, &z) in field.iter().zip(&mapped) {
                 assert_eq!(z, 1e-7 * heights.height_at_normal(g), "{heights}, g = {g}");
             }
+        }
+    }
+
+    #[test]
+    fn closed_forms() {
+        let gaussian = Distortion::new(&Gaussian);
+        assert_eq!((gaussian.squares.len(), gaussian.of(0.3), gaussian.least()), (1, 0.3, -1.0));
+        // Lognormal: expm1(rho/delta^2)/expm1(1/delta^2), here with omega = 1.5.
+        let omega = 1.5f64;
+        let kurtosis = omega.powi(4) + 2.0 * omega.powi(3) + 3.0 * omega * omega - 3.0;
+        let lognormal = Distortion::new(&*johnson(3.5 * 0.5f64.sqrt(), kurtosis));
+        for rho in [-1.0, -0.4, 0.1, 0.9] {
+            let exact = (rho * omega.ln()).exp_m1() / 0.5;
+            assert!((lognormal.of(rho) - exact).abs() < 2e-7, "{rho}");
+        }
+        // Two levels with slopes between: SB of gamma = 0, delta = 0.072252, a logistic curve that is
+        // close to Phi(g/s), s = 1.702 delta, for which the correlation is an arcsine.
+        let levels = Distortion::new(&*johnson(0.0, 1.081));
+        let widened = 1.0 + (1.702f64 * 0.072252).powi(2);
+        for rho in [-0.8f64, 0.1, 0.5, 0.95] {
+            let gap = (levels.of(rho) - (rho / widened).asin() / widened.recip().asin()).abs();
+            assert!(gap < 2e-3, "{rho}: {gap}");
         }
     }
 

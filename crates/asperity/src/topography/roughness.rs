@@ -401,4 +401,14 @@ mod tests {
             assert!((found - wanted).abs() <= 2e-15 * wanted, "{found} for {wanted}");
         }
     }
+
+    #[test]
+    fn spectral_moments_are_means_over_both_axes() {
+        let found = RoughnessParameters::new(&map());
+        let [m0, m2, m4] = found.spectral_moments();
+        assert_eq!(m0, found.moments.sq.powi(2));
+        assert_eq!([2.0 * m2, 2.0 * m4], [found.m2, found.m4].map(|m| m[0] + m[1]));
+        assert_eq!(found.alpha(), Some(m0 * m4 / (m2 * m2)));
+        assert_eq!(found.rms_slope(), (2.0 * m2).sqrt());
+    }
 }

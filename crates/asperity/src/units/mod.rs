@@ -194,6 +194,14 @@ mod tests {
     use super::*;
 
     #[test]
+    fn a_unit_of_tens_rounds_once() {
+        assert_eq!(Dimension::Length.parse("50 nm"), Some(5e-8));
+        assert_eq!(Dimension::Length.parse("0.3 um"), Some(3e-7));
+        assert_eq!(Dimension::Length.parse("1.5e3 nm"), Some(1.5e-6));
+        assert_eq!(Dimension::Length.parse("2 in"), Some(0.0508));
+    }
+
+    #[test]
     fn documented_units_are_in_the_table_and_the_si_unit_is_one() {
         for dimension in Dimension::ALL {
             assert!(dimension.parse(dimension.example()).is_some(), "{dimension:?}");

@@ -1,11 +1,19 @@
 //! Properties of a layered flat, beyond those of every law on it (`conformance`).
 
-use crate::common::{Random, contact, dense, lead, relative_error, scan_and_levels, steel};
-use asperity::work::{CountedContact, Counter};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use crate::common::{Random, bodies, contact, dense, lead, relative_error, steel};
+use asperity::numeric::Interval;
 use asperity::{
-    AsperitySet, Contact, Deterministic, Draw, Flat, Heights, LayeredFlat, Material, Model, ModulusModel,
-    Population, ReferencePlane, Regime, Shape, Statistical, Zmc,
+    AsperitySet, Contact, Deterministic, Draw, Flat, Heights, LayeredFlat, LoadBounds, Material,
+    MicroContact, Model, ModulusModel, Paper, Population, ReferencePlane, Regime, Shape, Shapes, Statistical,
+    Zmc,
 };
+
+fn under_lead(thickness: f64, onset: f64) -> Box<dyn MicroContact> {
+    let flat = Flat::with_layer(&lead(), &steel(), thickness, ModulusModel::Gao).unwrap();
+    contact("zmc", &[("onset", onset)], &steel(), &flat)
+}
 
 /// The regimes of lead on steel that PHYSICS C lists for Table 1, and where its areas fall.
 #[test]
@@ -23,8 +31,7 @@ fn regimes_of_lead_on_steel_come_again() {
     ];
     for (b, thicknesses, expected, falls) in cases {
         for t in thicknesses {
-            let flat = Flat::with_layer(&lead(), &steel(), t, ModulusModel::Gao).unwrap();
-            let contact = contact("zmc", &[], &steel(), &flat);
+            let contact = under_lead(t, Zmc::ONSET);
             let changes = contact.regime_changes(Shape::sphere(b));
             let ends = [1e-30].into_iter().chain(changes.iter().copied()).chain([1.0]).collect::<Vec<_>>();
             let regimes: Vec<_> = ends
@@ -39,6 +46,36 @@ fn regimes_of_lead_on_steel_come_again() {
             };
             assert_eq!(drops(|c| c.area), falls, "area under {t:e} m on {b:e} m");
             assert!(!drops(|c| c.load), "load under {t:e} m on {b:e} m");
+        }
+    }
+}
+
+#[test]
+fn bounds_hold_what_they_bound() {
+    let mut random = Random::new(1);
+    for _ in 0..400 {
+        let [_, layer, substrate] = bodies(&mut random);
+        let (thickness, radius) = (random.log(1e-10, 1e-4), random.log(1e-9, 1e-2));
+        let layered =
+            LayeredFlat::new(&layer, &substrate, thickness, random.one_of(&ModulusModel::ALL)).unwrap();
+        for _ in 0..20 {
+            let low = thickness * random.log(1e-12, 1e12);
+            let from = random.one_of(&[low, low, low, 0.0]);
+            let w = Interval { low: from, high: low * random.log(1.0001, 1e4) };
+            let b = Interval { low: radius, high: radius * random.one_of(&[1.0, 1.5]) };
+            let bounds = layered.over(w, b);
+            for k in 1..=20 {
+                let at = w.high * (low / w.high).powf(f64::from(k - 1) / 20.0);
+                let felt = layered.at(at, b.low + (b.high - b.low) * f64::from(k % 7) / 6.0);
+                let holds = |range: Interval, value: f64, size: f64| {
+                    let slack = 1e-12 * size;
+                    assert!(value == range.low || (range.low - slack..=range.high + slack).contains(&value));
+                };
+                holds(bounds.compliance, felt.compliance, felt.compliance);
+                holds(bounds.compliance_slope, felt.compliance_slope, felt.compliance);
+                holds(bounds.hardness, felt.hardness, felt.hardness);
+                holds(bounds.hardness_slope, felt.hardness_slope / felt.hardness, 1.0);
+            }
         }
     }
 }
@@ -83,10 +120,51 @@ fn a_harder_flat_may_yield_first() {
     }
 }
 
-/// Hard films more than 1 + e^2 times as hard as what is below, under one asperity and under many, at loads next to each peak
-/// and anywhere: some hundred bounds of a sum. What a search finds is tested in `conformance`.
+/// Crossing the onset of yield backwards turns an upward jump of the load into a drop.
 #[test]
-fn where_the_load_falls_a_search_needs_few_bounds() {
+fn a_jump_that_is_passed_backwards_is_a_fall() {
+    let contact = under_lead(1e-9, 0.4);
+    let back = contact.regime_changes(Shape::sphere(2e-5))[1];
+    let load = |w: f64| contact.contact(w, Shape::sphere(2e-5)).load;
+    assert!(load(back * (1.0 + 1e-9)) < 0.7 * load(back * (1.0 - 1e-9)));
+    assert!(contact.may_decrease(Shape::sphere(2e-5).into()).iter().any(|range| range.contains(back)));
+}
+
+/// Counts the bounds that a search evaluates.
+struct Counted<'a>(&'a dyn MicroContact, AtomicUsize);
+
+impl MicroContact for Counted<'_> {
+    fn contact(&self, w: f64, shape: Shape) -> Contact {
+        self.0.contact(w, shape)
+    }
+    fn regime_changes(&self, shape: Shape) -> Vec<f64> {
+        self.0.regime_changes(shape)
+    }
+    fn breakpoints(&self, shape: Shape) -> Vec<f64> {
+        self.0.breakpoints(shape)
+    }
+    fn may_decrease(&self, shapes: Shapes) -> Vec<Interval> {
+        self.0.may_decrease(shapes)
+    }
+    fn load_over(&self, from: f64, to: f64, shape: Shape) -> LoadBounds {
+        self.1.fetch_add(1, Ordering::Relaxed);
+        self.0.load_over(from, to, shape)
+    }
+    fn reference_modulus(&self) -> f64 {
+        self.0.reference_modulus()
+    }
+    fn reference_hardness(&self) -> f64 {
+        self.0.reference_hardness()
+    }
+    fn papers(&self) -> Vec<Paper> {
+        self.0.papers()
+    }
+}
+
+/// Hard films more than 1 + e^2 times as hard as what is below, under one asperity and under many: against a scan from
+/// above, at loads next to each peak and anywhere. A search of a sum takes some hundred bounds of it.
+#[test]
+fn where_the_load_falls_the_first_reach_counts() {
     let mut random = Random::new(5);
     let (mut peaks, mut most) = (0, 0);
     for k in 0..36 {
@@ -108,8 +186,7 @@ fn where_the_load_falls_a_search_needs_few_bounds() {
             5 => contact("kogut-etsion", &[], &rough, &flat),
             _ => contact("zmc", &[("onset", onset)], &rough, &flat),
         };
-        let counter = Counter::default();
-        let contact = CountedContact::new(&*contact, &counter);
+        let contact = Counted(&*contact, AtomicUsize::new(0));
         let population = Population { radius: 1e-5, sigma, density: 1e10, heights: Heights::GAUSSIAN };
         let count = random.one_of(&[1, 3, 30, 600]);
         let drawn = population.set(count, Draw::Random([k as u8; 32])).unwrap();
@@ -118,12 +195,26 @@ fn where_the_load_falls_a_search_needs_few_bounds() {
         let deterministic = Deterministic::new(&contact, set.spheres(), ReferencePlane { mean: 0.0, sigma });
         let statistical = Statistical::new(&contact, population);
         for model in [&statistical as &dyn Model, &deterministic] {
-            let (_, levels) = scan_and_levels(|h| model.respond(h).pressure.total(), &mut random);
-            peaks += (levels.len() - 3) / 2;
+            let pressure = |h: f64| model.respond(h).pressure.total();
+            let scan: Vec<_> =
+                (0..=1400).map(|k| 4.0 - 0.01 * f64::from(k)).map(|h| (h, pressure(h))).collect();
+            let is_peak = |w: &[(f64, f64)]| w[1].1 >= w[0].1 && w[1].1 > w[2].1;
+            let tops = scan.windows(3).filter(|w| is_peak(w)).map(|w| w[1].1).take(3);
+            let mut levels: Vec<f64> = tops.flat_map(|top| [0.999 * top, 1.0005 * top]).collect();
+            peaks += levels.len() / 2;
+            levels.extend((0..3).map(|_| scan[1400].1 * random.log(1e-3, 1.0)));
             for level in levels {
-                let before = counter.work().single_contacts;
-                model.separation_at(level);
-                most = most.max((counter.work().single_contacts - before) / count as u64);
+                contact.1.store(0, Ordering::Relaxed);
+                let found = model.separation_at(level);
+                most = most.max(contact.1.load(Ordering::Relaxed) / count);
+                let first = scan.iter().find(|point| point.1 >= level);
+                let Some(h) = found else {
+                    assert!(first.is_none(), "{level:e} is reached at {first:?}");
+                    continue;
+                };
+                assert!(first.is_none_or(|point| h >= point.0 - 1e-12), "{level:e}: {h} behind {first:?}");
+                assert!(pressure(h) >= level * (1.0 - 1e-12));
+                assert!(pressure(h + 1e-12 * h.abs().max(1.0)) < level * (1.0 + 1e-11), "{level:e} at {h}");
             }
         }
     }

@@ -160,15 +160,11 @@ mod tests {
     use crate::layer::exact_sphere::kernel::Kernel;
     use crate::material::Material;
 
-    fn kernel(ratio: f64) -> Kernel {
-        let body = |young, poisson| Material::new(young, poisson, None, None).unwrap();
-        Kernel::new(&body(ratio, 0.35), &body(1.0, 0.2))
-    }
-
     #[test]
     fn the_series_is_the_integral() {
+        let body = |young, poisson| Material::new(young, poisson, None, None).unwrap();
         for ratio in [1e-3, 0.1, 2.0, 10.0, 1e3] {
-            let kernel = kernel(ratio);
+            let kernel = Kernel::new(&body(ratio, 0.35), &body(1.0, 0.2));
             let influence = Influence::new(kernel, 500.0);
             // A rule with four times the nodes.
             let direct = |y: f64| {
@@ -183,10 +179,15 @@ mod tests {
         }
     }
 
+    fn influence(ratio: f64) -> Influence {
+        let body = |young, poisson| Material::new(young, poisson, None, None).unwrap();
+        Influence::new(Kernel::new(&body(ratio, 0.35), &body(1.0, 0.3)), 500.0)
+    }
+
     #[test]
     fn twice_the_nodes_change_nothing() {
         for ratio in [1e-3, 0.1, 1.0, 10.0, 1e3] {
-            let influence = Influence::new(kernel(ratio), 500.0);
+            let influence = influence(ratio);
             for a in [1e-60, 1e-5, 0.1, 1.0, 1.99, 2.01, 10.0, 210.0] {
                 let state = State::solve(&influence, 1.0, a).unwrap();
                 let count = 2 * (2.0 * a / PANEL).ceil() as usize;
@@ -197,6 +198,22 @@ mod tests {
                     state.stiffness / fine.stiffness - 1.0,
                 ];
                 assert!(errors.iter().all(|error| error.abs() < 1e-12), "{errors:?} at {a} for {ratio}");
+            }
+        }
+    }
+
+    #[test]
+    fn slopes_are_those_of_indentation_and_stiffness() {
+        for ratio in [1e-3, 0.1, 1.0, 10.0, 1e3] {
+            let influence = influence(ratio);
+            for a in [1e-5, 0.1, 1.0, 3.0, 10.0] {
+                let at = |a| State::solve(&influence, 1.3, a).unwrap();
+                let step = 1e-4 * a;
+                let (below, state, above) = (at(a - step), at(a), at(a + step));
+                let slope = (above.indentation - below.indentation) / (2.0 * step);
+                let stiffening = (above.stiffness - below.stiffness) / (2.0 * step);
+                assert!((state.slope / slope - 1.0).abs() < 1e-7, "at {a} for {ratio}");
+                assert!((state.stiffening / stiffening - 1.0).abs() < 1e-7, "at {a} for {ratio}");
             }
         }
     }

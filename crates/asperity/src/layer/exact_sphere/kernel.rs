@@ -326,4 +326,14 @@ mod tests {
             assert!((found / exact - 1.0).abs() < 1e-14, "{found} for {exact}");
         }
     }
+
+    #[test]
+    fn both_ends() {
+        for ratio in [1e-6, 0.3, 7.0, 1e6] {
+            let kernel = Kernel::new(&body(ratio, 0.2), &body(1.0, 0.4));
+            let shear = ratio * 1.4 / 1.2;
+            assert!((kernel.kappa(0.0) / (shear * 0.6 / 0.8) - 1.0).abs() < 1e-14);
+            assert!((kernel.kappa(1e3) - 1.0).abs() < 1e-15);
+        }
+    }
 }

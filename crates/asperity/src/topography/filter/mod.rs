@@ -171,6 +171,7 @@ fn weights(index: f64) -> Vec<f64> {
 mod tests {
     use super::*;
     use crate::topography::Boundary;
+    use crate::topography::roughness::RoughnessParameters;
 
     const POINTS: [usize; 2] = [120, 80];
     const PIXEL: [f64; 2] = [0.5, 0.8];
@@ -216,6 +217,16 @@ mod tests {
                 assert!((centre(&filtered(&wave, None, Some(8.0))) - (1.0 - passes)).abs() < 1e-6);
             }
         }
+    }
+
+    #[test]
+    fn a_flat_map_stays_flat_to_its_borders_and_around_holes() {
+        let holed = map(|x, y| if (x - 30.0).abs() + (y - 20.0).abs() < 5.0 { f64::NAN } else { 7.0 });
+        let flat = filtered(&holed, Some(8.0), None);
+        assert_eq!(RoughnessParameters::new(&flat).missing, RoughnessParameters::new(&holed).missing);
+        assert!(flat.heights().iter().all(|z| z.is_nan() || (z - 7.0).abs() < 1e-13));
+        let nothing = filtered(&holed, Some(2.0), Some(8.0));
+        assert!(nothing.heights().iter().all(|z| z.is_nan() || z.abs() < 1e-13));
     }
 
     #[test]

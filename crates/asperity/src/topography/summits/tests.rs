@@ -9,6 +9,17 @@ fn map(points: [usize; 2], heights: Vec<f64>) -> HeightMap {
     HeightMap::new(points, [1.0, 2.0], heights, 0.0).unwrap()
 }
 
+#[test]
+fn one_summit_and_its_curvature() {
+    let mut heights = vec![0.0; 25];
+    heights[12] = 4.0;
+    heights[11] = 1.0;
+    let found = five_point(&map([5, 5], heights));
+    assert_eq!((found.positions, found.heights, found.tested), (vec![12], vec![4.0], 9));
+    assert_eq!(found.curvatures, [0.5 * (8.0 / 1.0 + 7.0 / 4.0)]);
+    assert_eq!(found.drops, [4.0, 4.0, 3.0, 4.0]);
+}
+
 /// The same by words: every connected set of equal heights, tested point by point.
 fn oracle(map: &HeightMap, neighbours: Neighbours) -> (BTreeMap<usize, f64>, usize, usize, usize) {
     let [nx, ny] = map.points().map(|count| count as isize);

@@ -5,7 +5,7 @@ use asperity::numeric::LARGEST;
 use asperity::{Contact, Hertz, Inapplicable, Law, Material, Pair, Regime, YieldLimits, reduced_modulus};
 
 use super::laws::{Entry, all};
-use crate::common::{Random, Worst};
+use crate::common::{Random, Worst, slope};
 
 /// A pair of bodies, a radius, and the indentations between which each formula holds: the first from 1e-12 of its end on,
 /// the last as far as 1e8 of its beginning.
@@ -188,6 +188,26 @@ fn jumps_are_as_stated() {
     worst.assert_within(1e-11, 10_000);
 }
 
+/// The digits that the documentation gives.
+#[test]
+fn jumps_have_the_digits_that_are_stated() {
+    let mut count = 0;
+    for entry in all() {
+        for (poisson, digits) in &entry.digits {
+            let body = Material::new(1e12, *poisson, Some(1e3), Some(1e3)).unwrap();
+            let pair = Pair::between(entry.law(), &body, &body).unwrap();
+            let found = entry.law().jumps(&pair);
+            assert_eq!(found.len(), digits.len());
+            for (jump, digits) in found.iter().zip(digits) {
+                let places = digits.split('.').nth(1).map_or(0, str::len);
+                assert_eq!(&format!("{jump:.places$}"), digits, "{} at {poisson}", entry.label);
+                count += 1;
+            }
+        }
+    }
+    assert!(count > 10);
+}
+
 /// The slope of a smooth curve changes little from one place to the next.
 #[test]
 fn there_are_no_other_jumps() {
@@ -213,6 +233,23 @@ fn there_are_no_other_jumps() {
         }
     });
     println!("most bent {most_bent}");
+}
+
+#[test]
+fn stiffness_is_the_slope_of_the_load() {
+    let mut worst = Worst::default();
+    each(7, 30, |entry, sample, random| {
+        for [low, high] in sample.ranges(BESIDE) {
+            let reach = (1e-3 * (high / low).ln()).min(4e-4);
+            for _ in 0..20 {
+                let w = random.log(low * reach.exp(), high * (-reach).exp());
+                let found = sample.contact(entry.law(), w).stiffness * w;
+                let exact = slope(|w| sample.contact(entry.law(), w).load, w, reach);
+                worst.see(found, exact, || format!("{} at {w:e}, {:?}", entry.label, sample.pair));
+            }
+        }
+    });
+    worst.assert_within(1e-9, 5000);
 }
 
 /// Of similar laws: an elastic contact knows E* alone, an elastic-plastic one the onset too, a plastic one the strength

@@ -26,6 +26,9 @@ pub struct Entry {
     /// Of the first formula.
     pub first: Regime,
     pub boundaries: Vec<Boundary>,
+    /// Poisson's ratio, and the jumps of the load to the digits that the documentation gives, one a boundary, where next
+    /// to the radius everything is small.
+    pub digits: Vec<(f64, Vec<&'static str>)>,
     /// What one of the two bodies must have.
     pub needs: Option<Property>,
     /// What a body must have that has a hardness.
@@ -46,6 +49,7 @@ impl Entry {
             label: law.label(),
             first: regime(1e-12 * places.first().unwrap_or(&1.0)),
             boundaries: places.iter().map(boundary).collect(),
+            digits: Vec::new(),
             needs: law.law().needs(),
             needs_beside_hardness: law.law().yield_limits(&hard).err(),
             strongest: f64::INFINITY,
@@ -69,6 +73,11 @@ impl Entry {
 
     fn then(mut self, place: f64, regime: Regime, jumps: fn(&Pair) -> [f64; 2]) -> Self {
         self.boundaries.push(Boundary { place, regime, jumps: Some(jumps) });
+        self
+    }
+
+    fn stating(mut self, poisson: f64, loads: &[&'static str]) -> Self {
+        self.digits.push((poisson, loads.to_vec()));
         self
     }
 
@@ -122,6 +131,9 @@ fn kogut_etsion(entry: Entry) -> Entry {
             [1.40 / 1.03 * 6f64.powf(1.263 - 1.425), 0.94 / 0.93 * 6f64.powf(1.146 - 1.136)]
         })
         .then(110.0 * CRITICAL, Regime::Plastic, fully_plastic)
+        .stating(0.0, &["1.03", "1.0168", "1.3710"])
+        .stating(0.3, &["1.03", "1.0168", "1.0788"])
+        .stating(0.4108, &["1.03", "1.0168", "1.000"])
 }
 
 fn jackson_green(entry: Entry) -> Entry {
@@ -133,11 +145,14 @@ fn jackson_green(entry: Entry) -> Entry {
         let plastic = 4.0 * hardness / onset * (1.0 - (-u.powf(5.0 / 9.0) / 25.0).exp()) / u.sqrt();
         [(-u.powf(5.0 / 12.0) / 4.0).exp() + plastic, 1.0]
     };
-    let entry = entry.begins(Regime::Elastic).needing(Property::YieldStrength).then(
-        1.9 * CRITICAL,
-        Regime::ElasticPlastic,
-        jumps,
-    );
+    let entry = entry
+        .begins(Regime::Elastic)
+        .needing(Property::YieldStrength)
+        .then(1.9 * CRITICAL, Regime::ElasticPlastic, jumps)
+        .stating(0.0, &["1.0748"])
+        .stating(0.3, &["1.0047"])
+        .stating(0.3229, &["1.0000"])
+        .stating(0.49, &["0.9678"]);
     Entry { strongest: 0.065, needs_beside_hardness: Some(Property::YieldStrength), ..entry }
 }
 
@@ -145,12 +160,12 @@ fn jackson_green(entry: Entry) -> Entry {
 fn stated(entry: Entry) -> Entry {
     match entry.label.as_str() {
         "hertz" => entry.begins(Regime::Elastic),
-        "zmc" => zmc(entry, Zmc::ONSET, 54.0, smooth),
-        "ceb" => entry.begins(Regime::Elastic).needing(Property::Hardness).then(
-            CRITICAL,
-            Regime::ElasticPlastic,
-            |_| [1.5, 1.0],
-        ),
+        "zmc" => zmc(entry, Zmc::ONSET, 54.0, smooth).stating(0.3, &["1", "1"]),
+        "ceb" => entry
+            .begins(Regime::Elastic)
+            .needing(Property::Hardness)
+            .then(CRITICAL, Regime::ElasticPlastic, |_| [1.5, 1.0])
+            .stating(0.3, &["1.5"]),
         "kogut-etsion" => kogut_etsion(entry),
         "jackson-green" => jackson_green(entry),
         "fully-plastic" => entry.begins(Regime::Plastic).needing(Property::Hardness),
@@ -165,7 +180,8 @@ pub fn all() -> Vec<Entry> {
         zmc_with("zmc, 110", Zmc::ONSET, 110.0, smooth),
         zmc_with("zmc, wide", Zmc::ONSET, 1e4, smooth),
         zmc_with("zmc, narrow", Zmc::ONSET, 1.01, smooth),
-        zmc_with("zmc, rounded", 0.89, 54.0, |_| [0.3 * PI / 0.89f64.sqrt(), 1.0]),
+        zmc_with("zmc, rounded", 0.89, 54.0, |_| [0.3 * PI / 0.89f64.sqrt(), 1.0])
+            .stating(0.3, &["0.999024", "1"]),
         zmc_with("zmc, early", 0.4, 54.0, |_| [0.3 * PI / 0.4f64.sqrt(), 1.0]),
         zmc_with("zmc, late", 100.0, 54.0, |_| [0.03 * PI, 1.0]),
     ];

@@ -92,6 +92,23 @@ fn summits_of_a_weight_are_those_of_its_map() {
     }
 }
 
+/// A weighted sum has a product like those of plain generations of the bandwidths about it.
+#[test]
+fn products_of_sums_are_those_of_bandwidths_between() {
+    for (generator, sigma_of, bandwidth) in cases() {
+        let origin = bandwidth.ln();
+        let ends =
+            [origin - 0.05, origin + 0.05].map(|log| generator.field(log, SEED, sigma_of, &Silent).unwrap());
+        let mixtures = Mixtures::new(&generator, sigma_of, ends, &Silent).unwrap();
+        for t in [0.25, 0.5, 0.75] {
+            let plain = product(&generator, mixtures.log_bandwidth(t).exp(), sigma_of, SEED);
+            let off = mixtures.summits(t).product() / plain - 1.0;
+            println!("{bandwidth} {sigma_of:?} {t}: {off:e}");
+            assert!(off.abs() < 0.02, "{bandwidth} {sigma_of:?} {t}: {off:e}");
+        }
+    }
+}
+
 /// Theory predicts the mean of several maps: it needs to be near, not exact.
 #[test]
 fn the_expected_bandwidth_is_that_of_maps() {
