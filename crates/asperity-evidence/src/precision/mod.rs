@@ -249,3 +249,17 @@ impl Row for &Point {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_finer_grid_is_nearer_to_hertz() {
+        let points = contacts(&[4, 16]).unwrap();
+        let [coarse_counted, coarse, fine_counted, fine] = &points[..] else { panic!("{points:?}") };
+        assert!(fine.cost.area_error < 0.012 && fine.cost.load_error < 5e-4, "{fine:?}");
+        assert!(coarse.cost.load_error > 4.0 * fine.cost.load_error, "{points:?}");
+        assert!(coarse_counted.cost.area_error > 2.0 * fine_counted.cost.area_error, "{points:?}");
+    }
+}

@@ -187,3 +187,19 @@ fn written(folder: &Path) -> BTreeSet<String> {
 fn hash(content: &[u8]) -> String {
     Sha256::digest(content).iter().map(|byte| format!("{byte:02x}")).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_hash_is_sha_256() {
+        assert_eq!(hash(b"abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+    }
+
+    #[test]
+    fn the_text_reads_back() {
+        let manifest = Manifest::new("k\"1", &[("a.csv".into(), b"1".to_vec())]);
+        assert_eq!(serde_json::from_str::<Manifest>(&manifest.text()).unwrap(), manifest);
+    }
+}

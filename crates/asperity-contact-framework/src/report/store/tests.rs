@@ -107,6 +107,16 @@ fn a_report_that_came_with_a_clone_is_recognised_by_its_input() {
 }
 
 #[test]
+fn the_time_of_the_last_run_and_its_library_are_known_where_they_are_written() {
+    let (_home, store) = stored();
+    assert_eq!((store.seconds("lead"), store.library("lead")), (None, None));
+    let report = store.directory.join("lead");
+    fs::write(report.join("timing.json"), r#"{ "read_s": 1.0, "total_s": 2.5 }"#).unwrap();
+    fs::write(report.join("summary.json"), r#"{ "program": "asperity", "library_sha256": "abc" }"#).unwrap();
+    assert_eq!((store.seconds("lead"), store.library("lead").as_deref()), (Some(2.5), Some("abc")));
+}
+
+#[test]
 fn what_was_edited_is_kept_beside_the_new_version() {
     let (_home, mut store) = stored();
     let read =
@@ -281,6 +291,30 @@ fn a_kill_while_writing_or_discarding_leaves_the_report_alone() {
 }
 
 #[test]
+fn a_failed_write_changes_nothing() {
+    let (_home, mut store) = stored();
+    let mut broken = folder("new", "new");
+    // No file system takes a name of this length.
+    broken.file("n".repeat(5000), "x");
+    let error = store.write(&broken).unwrap_err();
+    assert!(error.to_string().contains(".lead.asperity-new"), "{error}");
+    assert!(store.is_current("lead", "old"));
+    assert_eq!(entries(&store), [".lock", "lead"]);
+}
+
+#[test]
+fn one_run_writes_at_a_time() {
+    let (_home, store) = stored();
+    let mut other = Store::new(store.directory.clone());
+    let error = other.write(&folder("new", "new")).unwrap_err();
+    assert!(matches!(error, StoreError::Busy(_)) && error.to_string().contains("another run"));
+    assert!(matches!(other.recover(), Err(StoreError::Busy(_))));
+    assert!(other.is_current("lead", "old"));
+    drop(store);
+    other.write(&folder("new", "new")).unwrap();
+}
+
+#[test]
 fn only_pages_of_runs_are_replaced() {
     let home = tempfile::tempdir().unwrap();
     let mut store = Store::new(home.path().join("out"));
@@ -297,6 +331,28 @@ fn only_pages_of_runs_are_replaced() {
     assert_eq!(entries(&store), [".lock", "README.md"]);
 }
 
+#[test]
+fn a_file_is_no_folder_of_reports() {
+    let home = tempfile::tempdir().unwrap();
+    let file = home.path().join("file");
+    fs::write(&file, "").unwrap();
+    for out in [file.clone(), file.join("out")] {
+        let error = Store::new(out).recover().unwrap_err();
+        assert!(matches!(&error, StoreError::NotAFolder(found) if *found == file), "{error}");
+    }
+    assert!(Store::new(home.path().join("new")).recover().is_ok());
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_that_leads_nowhere_is_refused_before_a_run() {
+    let home = tempfile::tempdir().unwrap();
+    std::os::unix::fs::symlink("gone", home.path().join("out")).unwrap();
+    let error = Store::new(home.path().join("out/reports")).recover().unwrap_err();
+    assert!(matches!(error, StoreError::LeadsNowhere { .. }) && error.to_string().contains("link to gone"));
+    assert!(!home.path().join("gone").exists());
+}
+
 /// The lock of the folder that was removed is not that of the new one, which another run may hold.
 #[cfg(unix)]
 #[test]
@@ -311,4 +367,13 @@ fn a_folder_that_is_removed_during_a_run_is_made_again() {
     other.write(&folder("other", "other")).unwrap();
     assert!(matches!(store.write(&folder("new", "new")), Err(StoreError::Busy(_))));
     assert!(store.is_current("lead", "other"));
+}
+
+#[test]
+fn an_error_of_the_disk_says_what_to_do() {
+    let text =
+        |kind: io::ErrorKind| failed::<()>("write", Path::new("a"), kind.into()).unwrap_err().to_string();
+    assert!(text(io::ErrorKind::StorageFull).contains("free some space"));
+    assert!(text(io::ErrorKind::ReadOnlyFilesystem).contains("choose another folder"));
+    assert!(text(io::ErrorKind::NotFound).ends_with("it was removed meanwhile: run again"));
 }
