@@ -236,6 +236,30 @@ fn what_cannot_be_solved_is_refused() {
     }
 }
 
+/// The border of a disc of radius r has 8 r sides of pixels, and the correction is that of a straight border on average.
+#[test]
+fn the_area_of_a_sphere_is_corrected_for_its_border() {
+    let points = [64, 64];
+    let mut errors = [0.0; 2];
+    let count = 24;
+    for shift in 0..count {
+        let centre = [31.0 + 0.37 * f64::from(shift), 31.0 + 0.61 * f64::from(shift)].map(|c| c % 2.0 + 31.0);
+        let height = |k: usize| {
+            let (x, y) = ((k / 64) as f64 - centre[0], (k % 64) as f64 - centre[1]);
+            -0.5 * (x * x + y * y) / 1000.0
+        };
+        let map = HeightMap::new(points, [1.0; 2], (0..64 * 64).map(height).collect(), 0.0).unwrap();
+        let a: f64 = 12.0;
+        let load = 4.0 / 3.0 * a.powi(3) / 1000.0 / 4096.0;
+        let contact = solved(&map, options(Boundary::Finite, 1e-8, None), load);
+        let exact = PI * a * a / 4096.0;
+        errors[0] += (contact.raw_area_ratio() / exact - 1.0) / f64::from(count);
+        errors[1] += (contact.area_ratio() / exact - 1.0) / f64::from(count);
+    }
+    assert!(errors[0] > 0.015, "{errors:?}");
+    assert!(errors[1].abs() < 0.35 * errors[0], "{errors:?}");
+}
+
 /// A point at the cap bears it on all of its pixel: its sides are no border, and no area is less than the load needs.
 #[test]
 fn the_area_at_the_cap_is_not_corrected() {
