@@ -298,4 +298,23 @@ mod tests {
         assert!((check.error - 0.38).abs() < 1e-15 && (check.bound - 0.385).abs() < 1e-15);
         assert_eq!(GridCheck::new(&contacts[..1]).error, 0.01);
     }
+
+    #[test]
+    fn the_claim_has_the_mean_of_all_and_the_worst_class() {
+        let point = |case: usize, exceeded: usize| {
+            let check = |exceeded| GridCheck { exceeded, error: 0.1, bound: 0.2 };
+            GridPoint {
+                case: CASES[case],
+                points: [2, 2],
+                contacts: 50,
+                checks: [check(exceeded), check(0), check(1)],
+            }
+        };
+        let claim = claim(&[point(0, 1), point(1, 4)]);
+        let worst = format!("of {} surfaces on the worst grid, 8 %.", CASES[1].name);
+        assert!(
+            claim.starts_with("At most 5 % of the errors on 100 coarse contacts") && claim.ends_with(&worst),
+            "{claim}"
+        );
+    }
 }
