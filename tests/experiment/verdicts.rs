@@ -93,14 +93,14 @@ fn a_model_that_is_true_is_rarely_called_beyond() {
     assert!(all.iter().filter(within).count() >= DRAWS - DRAWS / 20, "it is not silent either");
 }
 
-/// Cut at 256 to 1024 points: what a small window says, a large one does not deny.
+/// Cut at 512 to 2048 points: what a small window says, a large one does not deny.
 #[test]
 fn windows_of_one_surface_do_not_contradict_each_other() {
     let folder = tempfile::tempdir().unwrap();
-    let heights = waves(1024, [32.0, 8.0], 5);
+    let heights = waves(2048, [32.0, 8.0], 5);
     let mut surfaces = String::new();
-    for count in [256, 512, 1024] {
-        write_map(folder.path().join(format!("w{count}.npy")), [count; 2], |i, j| heights[i * 1024 + j]);
+    for count in [512, 1024, 2048] {
+        write_map(folder.path().join(format!("w{count}.npy")), [count; 2], |i, j| heights[i * 2048 + j]);
         surfaces += &format!(
             "[surface.w{count}.file]\npath = \"w{count}.npy\"\npixel = \"1 um\"\nlevel = \"mean\"\n"
         );
