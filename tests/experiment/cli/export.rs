@@ -36,7 +36,7 @@ fn export(folder: &Path, arguments: &[&str]) -> String {
     text(&succeeds(&[&["export"], arguments].concat(), folder).stdout)
 }
 
-fn refusal(folder: &Path, arguments: &[&str]) -> String {
+fn message(folder: &Path, arguments: &[&str]) -> String {
     refused(&[&["export"], arguments].concat(), folder)
 }
 
@@ -120,7 +120,7 @@ fn asperities_as_text_and_as_array_give_the_same_curves() {
                      spectrum.self-affine = { hurst = 0.8, roll-off = \"32 um\", cut-off = \"8 um\" }\n";
     fs::write(folder.join("random.toml"), spec(generated)).unwrap();
     assert!(
-        refusal(folder, &["asperities", "random.toml"])
+        message(folder, &["asperities", "random.toml"])
             .contains("has 2 realisations of surface a; allowed: --realisation 1 to 2")
     );
     assert!(
@@ -206,15 +206,15 @@ fn what_cannot_be_exported_says_what_can() {
         &["patches", "map.npy", "--pixel", "1 um"],
         &["patches", "orig.toml", "--pressure", "9 mm"],
     ] {
-        assert_message(module_path!(), &arguments.join(" "), &refusal(folder, arguments));
+        assert_message(module_path!(), &arguments.join(" "), &message(folder, arguments));
     }
     let one = fs::read_to_string(folder.join("orig.toml")).unwrap().replace(", \"elliptic-hertz\"", "");
     fs::write(folder.join("one.toml"), one).unwrap();
-    let hard = refusal(folder, &["patches", "one.toml", "--pressure", "9 GPa"]);
+    let hard = message(folder, &["patches", "one.toml", "--pressure", "9 GPa"]);
     assert!(hard.contains("not below the hardness"), "{hard}");
     export(folder, &["map", "orig.toml", "--step", "levelled"]);
     let before = fs::read(folder.join("orig-levelled.gwy")).unwrap();
-    let taken = refusal(folder, &["map", "orig.toml"]);
+    let taken = message(folder, &["map", "orig.toml"]);
     assert!(taken.contains("orig-levelled.gwy: found a file of this name; allowed: --force"), "{taken}");
     assert!(!folder.join("orig-measured.gwy").exists(), "nothing is written where something is refused");
     assert!(fs::read(folder.join("orig-levelled.gwy")).unwrap() == before);

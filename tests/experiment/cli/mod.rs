@@ -25,7 +25,7 @@ fn run(spec: &Path, out: &Path, more: &[&str]) -> Output {
     succeeds(&[&arguments, more].concat(), out.parent().unwrap())
 }
 
-/// What is said of a refusal.
+/// The error message of a command that must fail with exit code 2.
 fn refused(arguments: &[&str], folder: &Path) -> String {
     let output = experiment(arguments, folder);
     let said = text(&output.stderr);

@@ -9,7 +9,7 @@ fn a_surface_is_described() {
     let out = folder.path().join("reports");
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let look = |arguments: &[&str]| succeeds(&[&["surface"], arguments].concat(), folder.path());
-    let refusal = |arguments: &[&str]| refused(&[&["surface"], arguments].concat(), folder.path());
+    let message = |arguments: &[&str]| refused(&[&["surface"], arguments].concat(), folder.path());
     let opd = root.join("experiments/surfaces/opd-1.npy");
     let opd = opd.to_str().unwrap();
 
@@ -38,7 +38,7 @@ fn a_surface_is_described() {
     write_map(folder.path().join("opd-1.npy"), [96; 2], |i, j| heights[i * 96 + j]);
     look(&["opd-1.npy", "--pixel", "0.2 um"]);
     assert!(out.join("surface-opd-1-npy").is_dir());
-    let taken = refusal(&["opd-1.npy", "--pixel", "0.2 um", "--name", "surface-opd-1"]);
+    let taken = message(&["opd-1.npy", "--pixel", "0.2 um", "--name", "surface-opd-1"]);
     assert!(taken.contains("allowed: --name NAME"), "{taken}");
     look(&["opd-1.npy", "--pixel", "0.2 um", "--name", "copy"]);
     look(&["opd-1.npy", "--pixel", "2.1e-7"]);
@@ -57,14 +57,14 @@ fn a_surface_is_described() {
         &["opd-1.npy", "--pixel", "0.2 um", "--name", ""],
         &["opd-1.npy", "--pixel", "0.2 um", "--name", "../up"],
     ] {
-        let said = refusal(arguments);
+        let said = message(arguments);
         assert!(!said.contains("(command line)") && !said.contains(" | "), "no spec is cited: {said}");
         assert_message(module_path!(), &arguments.join(" "), &said);
     }
     for file in ["nowhere.npy", root.join("Cargo.lock").to_str().unwrap()] {
-        assert!(refusal(&[file]).contains(file), "{file}");
+        assert!(message(&[file]).contains(file), "{file}");
     }
-    let both = refusal(&[root.join("experiments/gw-zmc-limit.toml").to_str().unwrap(), "--pixel", "1 um"]);
+    let both = message(&[root.join("experiments/gw-zmc-limit.toml").to_str().unwrap(), "--pixel", "1 um"]);
     assert!(both.contains("is a spec"), "{both}");
 }
 
